@@ -1,0 +1,33 @@
+# SPDX-FileCopyrightText: 2026 The porttool authors
+# SPDX-License-Identifier: Apache-2.0
+# What every target of ours is compiled with, as one interface target: no global flags.
+include_guard()
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
+
+if(NOT CMAKE_BUILD_TYPE)
+    set(CMAKE_BUILD_TYPE Release)
+endif()
+
+find_program(CCACHE ccache)
+if(CCACHE)
+    set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE})
+endif()
+
+add_library(project_options INTERFACE)
+target_include_directories(project_options INTERFACE ${PROJECT_SOURCE_DIR})
+target_compile_options(project_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wno-missing-field-initializers
+    # The two cores promise the same bits: no fused multiply-add unless the text says so.
+    -ffp-contract=off)
+if(PORTTOOL_WERROR)
+    target_compile_options(project_options INTERFACE -Werror)
+endif()
+if(PORTTOOL_SANITIZE)
+    target_compile_options(project_options INTERFACE -fsanitize=${PORTTOOL_SANITIZE} -fno-omit-frame-pointer
+        -fno-sanitize-recover=all)
+    target_link_options(project_options INTERFACE -fsanitize=${PORTTOOL_SANITIZE})
+endif()

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "render_system/core_data.h"
+#include "render_system/status.h"
+
+namespace render_system {
+
+/// The only seam through which a render core is driven. The names are those of the thesis's listing and the only
+/// PascalCase functions of the project.
+///
+/// Order: Init once, then any Set* and Setting in any order, then Render; Set* may come again between two Render
+/// calls and takes effect with the next one. Every call but Init answers wrong_order before Init and after Shutdown.
+/// Memory: a core copies what it is given before the call returns, but for the pixels of SetTarget.
+/// Failure: a Status; a failed Set* leaves what was set before. Nothing in a core prints or exits or throws.
+/// Threads: one thread drives one core; different cores may be driven from different threads.
+class CoreAPI {
+public:
+    virtual ~CoreAPI() = default;
+
+    /// Counters and times since the last Restart. Never fails; zeros before the first Render.
+    virtual CoreStats GetCoreStats() const = 0;
+
+    /// Opens the device. Fails with no_device (the message has one reason per device looked at). A second call
+    /// answers wrong_order.
+    virtual Status Init(const CoreOptions& options) = 0;
+
+    /// Where Render writes. Fails with invalid_argument if a side is 0 or the span's length is not width * height.
+    /// A change of size drops the samples taken.
+    virtual Status SetTarget(const CoreTarget& target) = 0;
+
+    /// Seed, path length and switches for the next Render. Fails with invalid_argument if max_path_length is 0.
+    virtual Status Setting(const CoreSettings& settings) = 0;
+
+    /// Replaces all textures. Fails with invalid_argument if a texture's texel count is not that of its mip chain.
+    virtual Status SetTextures(std::span<const CoreTexture> textures) = 0;
+
+    /// Replaces the materials [first, first + materials.size()), growing the table where needed. Fails with
+    /// invalid_argument if that leaves a gap. Texture indices are checked at Render.
+    virtual Status SetMaterials(uint32_t first, std::span<const CoreMaterial> materials) = 0;
+
+    /// Replaces all lights. Fails with invalid_argument if lights and table differ in length.
+    virtual Status SetLights(const CoreLights& lights) = 0;
+
+    /// Replaces the sky. Fails with invalid_argument if the map's size and spans disagree.
+    virtual Status SetSkyData(const CoreSky& sky) = 0;
+
+    /// Sets mesh `mesh`; ids are dense, a new mesh has the next free id. Fails with invalid_argument on an index past
+    /// the vertices or spans of unequal length, with out_of_memory as soon as the meshes alone exceed the budget.
+    virtual Status SetGeometry(uint32_t mesh, const CoreMesh& data) = 0;
+
+    /// Puts mesh `mesh` into the scene as instance `instance` (dense ids), or moves it there. NONE as mesh hides it.
+    /// Fails with invalid_argument if the mesh does not exist or the matrix is not finite.
+    virtual Status SetInstance(uint32_t instance, uint32_t mesh, const CoreTransform& transform) = 0;
+
+    /// Takes `samples` more samples per pixel and writes the mean of all to the target. What has been set since the
+    /// last call is built and uploaded first; out_of_memory is answered before anything is uploaded. Fails with
+    /// wrong_order without a target, invalid_argument on dangling ids.
+    virtual Status Render(const ViewPyramid& view, Convergence convergence, uint32_t samples) = 0;
+
+    /// Gives everything back. A second call does nothing.
+    virtual void Shutdown() = 0;
+};
+
+}  // namespace render_system

@@ -1,0 +1,132 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+// Kind: twin of target_core/kernels/layout.h. Valid as GLSL and as C++: the kernels and the host read the same text.
+#ifndef SOURCE_CORE_LAYOUT_H
+#define SOURCE_CORE_LAYOUT_H
+
+#ifdef __cplusplus
+#include <cstdint>
+#include <glm/glm.hpp>
+namespace source_core {
+using uint = uint32_t;
+using vec4 = glm::vec4;
+#endif
+
+// ---- Scene tables: read through the fetch functions of buffers. A row is one vec4 or uvec4. ----
+
+// nodes and triangles belong to trace, the only kernel text that knows the acceleration structure.
+
+// mesh_triangles: uvec4 per triangle (vertex, vertex, vertex, material); vertices count from the mesh's first.
+
+// vertices: 2 rows per vertex.
+const uint VERTEX_ROWS = 2u;
+const uint VERTEX_NORMAL = 0u;  // normal.xyz, colour as rgba8 bits
+const uint VERTEX_UV = 1u;      // uv0.xy, uv1.xy
+
+// tangents: one word per vertex: octahedral tangent, 16 and 15 bits, the bitangent's sign in the highest bit.
+
+// instances: 4 rows per instance.
+const uint INSTANCE_ROWS = 4u;
+const uint INSTANCE_TRANSFORM = 0u;  // 3 rows of the object-to-world matrix
+const uint INSTANCE_MESH = 3u;       // first mesh triangle, first vertex, flags (all as bits), determinant's sign
+const uint INSTANCE_HAS_TANGENTS = 1u;
+
+// materials: 7 rows per material.
+const uint MATERIAL_ROWS = 7u;
+const uint MATERIAL_BASE_COLOR = 0u;  // base_color.rgb, alpha
+const uint MATERIAL_SURFACE = 1u;     // metallic, roughness, specular, transmission
+const uint MATERIAL_EMISSION = 2u;    // emission.rgb, emission_weight
+const uint MATERIAL_SPECULAR = 3u;    // specular_color.rgb, ior
+const uint MATERIAL_ALPHA = 4u;       // normal_scale, alpha_cutoff, flags as bits, unused
+const uint MATERIAL_SLOTS = 5u;       // slots as bits: base_color, metallic_roughness, normal, emission
+const uint MATERIAL_MORE_SLOTS = 6u;  // slots as bits: transmission, specular, specular_color, unused
+const uint MATERIAL_OPAQUE = 1u;
+const uint MATERIAL_DOUBLE_SIDED = 2u;
+const uint MATERIAL_THIN_WALLED = 4u;
+
+// texture_slots: 2 rows per slot.
+const uint SLOT_ROWS = 2u;
+const uint SLOT_U = 0u;  // row_u.xyz, texture as bits
+const uint SLOT_V = 1u;  // row_v.xyz, uv set as bits
+
+// textures: 2 uvec4 rows per texture.
+const uint TEXTURE_ROWS = 2u;
+const uint TEXTURE_SIZE = 0u;    // first texel, width, height, levels
+const uint TEXTURE_FORMAT = 1u;  // format, wrap_s, wrap_t, nearest
+const uint TEXEL_RGBA8 = 0u;
+const uint TEXEL_RGBA8_SRGB = 1u;
+const uint TEXEL_RGB9E5 = 2u;
+const uint WRAP_REPEAT = 0u;
+const uint WRAP_MIRRORED_REPEAT = 1u;
+const uint WRAP_CLAMP_TO_EDGE = 2u;
+
+// lights: 6 rows per light.
+const uint LIGHT_ROWS = 6u;
+const uint LIGHT_POSITION = 0u;  // vertex 0 or position, kind as bits
+const uint LIGHT_VERTEX1 = 1u;   // vertex 1 or direction, two_sided as bits
+const uint LIGHT_VERTEX2 = 2u;   // vertex 2, density per unit area (triangle) | spot_scale, spot_offset, unused, unused
+const uint LIGHT_EMISSION = 3u;  // emission.rgb, texture as bits
+const uint LIGHT_UV01 = 4u;      // uv of vertices 0 and 1
+const uint LIGHT_UV2 = 5u;       // uv of vertex 2, unused, unused
+const uint LIGHT_TRIANGLE = 0u;
+const uint LIGHT_POINT = 1u;
+const uint LIGHT_SPOT = 2u;
+const uint LIGHT_DIRECTIONAL = 3u;
+const uint LIGHT_SKY = 4u;
+
+// light_table, sky_table: one row per entry: threshold, alias as bits, probability, unused.
+// sky_texels: one row per texel: radiance.rgb, probability of the texel in sky_table.
+
+// ---- Features of the scene: kernels leave out what a scene does not need. ----
+
+const uint FEATURE_INSTANCES = 1u;          // some meshes are not in world space
+const uint FEATURE_ALPHA = 2u;              // some triangles let rays through
+const uint FEATURE_ALPHA_TEXTURES = 4u;     // and need a texture or a vertex colour for that
+const uint FEATURE_TEXTURES = 8u;           // some material reads a texture other than a normal map
+const uint FEATURE_NORMAL_MAPS = 16u;
+const uint FEATURE_LIGHTS = 32u;            // next event estimation has something to choose
+const uint FEATURE_EMISSION_TEXTURES = 64u;
+const uint FEATURE_SKY_MAP = 128u;
+const uint FEATURE_TRANSMISSION = 256u;
+const uint FEATURE_PUNCTUAL_LIGHTS = 512u;
+
+const uint NONE = 0xFFFFFFFFu;
+
+// ---- Settings: the same for all kernels of one Render. Scalars come in fours: std140 and C++ agree. ----
+
+struct Settings {
+    vec4 eye;          // xyz; w: the angle of one pixel, for ray cones
+    vec4 screen;       // top left corner of the screen minus the eye
+    vec4 screen_right; // top right minus top left
+    vec4 screen_down;  // bottom left minus top left
+    vec4 sky_radiance; // rgb of a constant sky
+    vec4 scene_extent; // largest coordinate in magnitude: x, y, z; w unused
+    uint width;
+    uint height;
+    uint seed;
+    uint max_path_length;
+    uint russian_roulette;
+    uint next_event_estimation;
+    uint light_count;
+    uint features;
+    uint sky_width;
+    uint sky_height;
+    float sky_light_probability;  // of the sky's entry in light_table
+    float light_weight_scale;     // 1 / total weight: density per area = emission_weight * light_weight_scale
+};
+
+// What changes from dispatch to dispatch.
+struct Pass {
+    uint sample_index;   // of this pass, for the random numbers
+    uint segment;        // path segment that is traced or shaded now; 1 leaves the eye
+    uint first_pixel;    // pixel of path 0
+    uint path_count;     // paths in this batch
+    float sample_scale;  // finalize: 1 / samples taken so far
+    uint first_in_sum;   // finalize: 1 starts the sum, 0 adds to it
+};
+
+#ifdef __cplusplus
+}  // namespace source_core
+#endif
+
+#endif  // SOURCE_CORE_LAYOUT_H
