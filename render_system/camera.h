@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+
+#include "render_system/core_data.h"
+
+namespace render_system {
+
+/// A pinhole camera. The three directions are of unit length and perpendicular; right x up = -forward.
+struct Camera {
+    glm::vec3 position{0.0f, 0.0f, 0.0f};
+    glm::vec3 right{1.0f, 0.0f, 0.0f};
+    glm::vec3 up{0.0f, 1.0f, 0.0f};
+    glm::vec3 forward{0.0f, 0.0f, -1.0f};
+    float vertical_fov = 0.6981317f;  ///< full angle, radians
+};
+
+/// A camera at `position` that looks at `target`. Falls back to another up where `up` is parallel to the view, and to
+/// -z where target and position coincide.
+Camera look_at(const glm::vec3& position, const glm::vec3& target, const glm::vec3& up, float vertical_fov);
+
+/// The screen of `camera` at distance 1 for a picture of width x height pixels: the vertical field of view is kept,
+/// the aspect follows the size.
+ViewPyramid view_pyramid(const Camera& camera, uint32_t width, uint32_t height);
+
+}  // namespace render_system

@@ -1,0 +1,194 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <string>
+#include <vector>
+
+#include "render_system/camera.h"
+#include "render_system/core_data.h"
+
+namespace render_system {
+
+/// A box in space; empty (contains nothing) as long as lower > upper.
+struct Box {
+    glm::vec3 lower{1e30f};
+    glm::vec3 upper{-1e30f};
+
+    bool empty() const { return lower.x > upper.x; }
+    glm::vec3 center() const { return 0.5f * (lower + upper); }
+    void extend(const glm::vec3& point);
+};
+
+/// A triangle mesh that owns its memory; see CoreMesh for the meaning of each array.
+struct HostMesh {
+    std::string name;
+    std::vector<glm::vec3> positions;
+    std::vector<glm::vec3> normals;
+    std::vector<glm::vec4> tangents;
+    std::vector<glm::vec2> uv0;
+    std::vector<glm::vec2> uv1;
+    std::vector<uint32_t> colors;
+    std::vector<glm::uvec4> triangles;
+
+    CoreMesh view() const;  ///< spans into this mesh
+};
+
+/// A texture that owns its texels; see CoreTexture.
+struct HostTexture {
+    std::string name;
+    uint32_t width = 0;
+    uint32_t height = 0;
+    uint32_t levels = 1;
+    TexelFormat format = TexelFormat::rgba8;
+    TextureWrap wrap_s = TextureWrap::repeat;
+    TextureWrap wrap_t = TextureWrap::repeat;
+    bool nearest = false;
+    std::vector<uint32_t> texels;
+
+    CoreTexture view() const;  ///< spans into this texture
+};
+
+/// A material with its name. The scene sets core.emission_weight; what a caller writes there is ignored.
+struct HostMaterial {
+    std::string name;
+    CoreMaterial core;
+};
+
+/// A mesh at a place.
+struct HostInstance {
+    uint32_t mesh = NONE;  ///< NONE: hidden
+    CoreTransform transform;
+};
+
+/// A light without extent, as KHR_lights_punctual has it.
+struct PunctualLight {
+    std::string name;
+    LightKind kind = LightKind::point;  ///< point, spot or directional
+    glm::vec3 position{0.0f};
+    glm::vec3 direction{0.0f, 0.0f, -1.0f};  ///< the way that light travels, unit length
+    glm::vec3 emission{0.0f};                ///< point, spot: radiant intensity; directional: irradiance
+    float inner_cone = 0.0f;                 ///< spot: full intensity inside this angle from the axis, radians
+    float outer_cone = 0.7853982f;           ///< spot: dark outside
+};
+
+/// The environment: an equirectangular map, or without texels a constant radiance. See CoreSky.
+struct Sky {
+    glm::vec3 radiance{0.0f};
+    uint32_t width = 0;
+    uint32_t height = 0;
+    std::vector<glm::vec4> texels;
+};
+
+struct HostCamera {
+    std::string name;
+    Camera camera;
+};
+
+/// A node of the hierarchy. Parents come before their children.
+struct HostNode {
+    std::string name;
+    uint32_t parent = NONE;
+    glm::dmat4 local{1.0};  ///< to the parent's space
+    uint32_t instance = NONE;
+    uint32_t light = NONE;   ///< into punctual_lights()
+    uint32_t camera = NONE;  ///< into cameras()
+};
+
+/// What has changed since the core was last brought up to date: one flag per element.
+struct SceneChanges {
+    std::vector<bool> meshes;
+    std::vector<bool> instances;
+    std::vector<bool> materials;
+    bool textures = false;
+    bool lights = false;  ///< punctual lights, or something emissive
+    bool sky = false;
+
+    bool any() const;
+};
+
+/// The scene as the render system keeps it. Reading is free; every edit goes through a setter, which raises the flags
+/// of just what it touched. Ids are dense and never reused; an instance is hidden by giving it the mesh NONE.
+/// Setters require ids that exist and data that core_checks.h accepts; that is the caller's duty.
+class HostScene {
+public:
+    const std::vector<HostTexture>& textures() const { return textures_; }
+    const std::vector<HostMaterial>& materials() const { return materials_; }
+    const std::vector<HostMesh>& meshes() const { return meshes_; }
+    const std::vector<HostInstance>& instances() const { return instances_; }
+    const std::vector<PunctualLight>& punctual_lights() const { return lights_; }
+    const std::vector<HostCamera>& cameras() const { return cameras_; }
+    const std::vector<HostNode>& nodes() const { return nodes_; }
+    const Sky& sky() const { return sky_; }
+
+    uint32_t add_texture(HostTexture texture);
+    uint32_t add_material(HostMaterial material);
+    uint32_t add_mesh(HostMesh mesh);
+    uint32_t add_instance(uint32_t mesh, const CoreTransform& transform);
+    uint32_t add_punctual_light(PunctualLight light);
+    uint32_t add_camera(HostCamera camera);
+    /// The node's parent must have been added before. Places what the node carries.
+    uint32_t add_node(HostNode node);
+
+    void set_texture(uint32_t id, HostTexture texture);
+    void set_material(uint32_t id, const CoreMaterial& material);
+    void set_mesh(uint32_t id, HostMesh mesh);
+    void set_instance_mesh(uint32_t id, uint32_t mesh);
+    void set_instance_transform(uint32_t id, const CoreTransform& transform);
+    void set_punctual_light(uint32_t id, PunctualLight light);
+    void set_camera(uint32_t id, const Camera& camera);
+    void set_sky(Sky sky);
+    /// Moves a node and everything below it: instances, lights, cameras.
+    void set_node_transform(uint32_t id, const glm::dmat4& local);
+
+    /// Triangles in all visible instances.
+    uint64_t triangle_count() const;
+
+    /// The world's box: of each visible instance the box of its mesh, transformed. Contains every vertex.
+    Box bounds() const;
+
+    /// Whether anything at all gives light: an emissive visible triangle, a punctual light or a sky that is not black.
+    bool has_light() const;
+
+    const SceneChanges& changes() const { return changes_; }
+    SceneChanges& changes() { return changes_; }
+    void mark_all_changed();
+
+private:
+    bool is_emissive(uint32_t mesh) const;
+    void find_emission(HostMesh& mesh, uint32_t id);
+    float emission_weight(const CoreMaterial& material) const;
+    void place_node(uint32_t id);
+
+    std::vector<HostTexture> textures_;
+    std::vector<glm::vec3> texture_means_;  // linear light, of level 0
+    std::vector<HostMaterial> materials_;
+    std::vector<HostMesh> meshes_;
+    std::vector<Box> mesh_boxes_;
+    std::vector<std::vector<uint32_t>> mesh_materials_;  // sorted, each once
+    std::vector<HostInstance> instances_;
+    std::vector<PunctualLight> lights_;
+    std::vector<HostCamera> cameras_;
+    std::vector<HostNode> nodes_;
+    std::vector<glm::dmat4> node_worlds_;
+    Sky sky_;
+    SceneChanges changes_;
+};
+
+/// The default view: from +z, y up, vertical field of view 40 degrees, with the scene's box just inside a picture of
+/// that aspect (width / height).
+Camera framing_camera(const HostScene& scene, float aspect = 16.0f / 9.0f);
+
+/// Rows of `matrix` (object to world, last row 0 0 0 1) in the form that cores take.
+CoreTransform core_transform(const glm::dmat4& matrix);
+
+/// A point through an instance's matrix: ((r.x * p.x + r.y * p.y) + r.z * p.z) + r.w a row, in this order, in float.
+/// Cores that build world-space triangles use the same expression and so get the same bits.
+glm::vec3 transform_point(const CoreTransform& transform, const glm::vec3& point);
+
+/// Relative luminance of linear RGB with the primaries of sRGB (ITU-R BT.709).
+float luminance(const glm::vec3& color);
+
+}  // namespace render_system

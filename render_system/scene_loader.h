@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "render_system/host_scene.h"
+#include "render_system/status.h"
+
+namespace render_system {
+
+/// A scene, and what its file asked for that it does not have: one line each, each naming the file. All that is not
+/// supported is in one line.
+struct LoadedScene {
+    HostScene scene;
+    std::vector<std::string> warnings;
+};
+
+/// Reads a glTF 2.0 file (.gltf or .glb, told apart by content). Cameras are those of the scene's perspective camera
+/// nodes in node order; light intensities are taken as radiometric. Fails with not_found or unreadable; the message
+/// names the file, the place in it, what is wrong and what to do.
+Result<LoadedScene> load_scene(const std::filesystem::path& path);
+
+/// A one-sided quadrilateral light.
+struct QuadLight {
+    std::array<glm::vec3, 4> corners{};  ///< counter-clockwise as seen from the emitting side
+    glm::vec3 radiance{0.0f};
+};
+
+/// What a camera file says (camera.json beside a scene): world space, lengths in scene units.
+struct CameraFile {
+    Camera camera;
+    bool has_sky = false;  ///< whether the file has `sky_radiance`
+    glm::vec3 sky_radiance{0.0f};
+    std::vector<QuadLight> area_lights;
+};
+
+/// Reads a camera file: position, target, up, vfov_degrees, and optionally sky_radiance and area_lights (4 corners,
+/// radiance, and a normal that must agree with the corners). Other keys are left alone. Fails as load_scene does.
+Result<CameraFile> load_camera_file(const std::filesystem::path& path);
+
+/// Adds a quadrilateral light to the scene: two triangles with a black, emissive, one-sided material. Fails with
+/// invalid_argument if the corners enclose no area or something is not finite or negative.
+Status add_area_light(HostScene& scene, const QuadLight& light);
+
+/// Reads an equirectangular map (Radiance .hdr or .exr) as a sky. Negative and NaN texels become 0, which is added to
+/// `warnings` where given. Fails as load_scene does.
+Result<Sky> load_sky(const std::filesystem::path& path, std::vector<std::string>* warnings = nullptr);
+
+}  // namespace render_system
