@@ -66,7 +66,7 @@ struct CoreMaterial {
     float metallic = 1.0f;
     float roughness = 1.0f;
     float ior = 1.5f;
-    float specular = 1.0f;  ///< KHR_materials_specular
+    float specular = 1.0f;           ///< KHR_materials_specular
     glm::vec3 specular_color{1.0f};  ///< KHR_materials_specular
     float transmission = 0.0f;       ///< KHR_materials_transmission
     bool thin_walled = true;         ///< transmission without refraction; false: a solid, refracting at ior
@@ -187,7 +187,8 @@ struct CoreStats {
     double total_ms = 0.0;        ///< wall time inside Render, without building and uploading
     double trace_limit_ms = 0.0;  ///< measure_trace_limit: wall time of the same rays by Embree alone
     uint64_t trace_limit_rays = 0;
-    uint64_t memory_bytes = 0;  ///< held by the core (device memory for the source core)
+    uint64_t memory_bytes = 0;          ///< held by the core (device memory for the source core)
+    uint64_t memory_allowed_bytes = 0;  ///< the core's budget for that; 0: it has none
 };
 
 }  // namespace render_system
