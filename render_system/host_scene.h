@@ -152,15 +152,18 @@ public:
     /// Whether anything at all gives light: an emissive visible triangle, a punctual light or a sky that is not black.
     bool has_light() const;
 
+    /// Whether a triangle of that mesh has a material that emits.
+    bool is_emissive(uint32_t mesh) const;
+
     const SceneChanges& changes() const { return changes_; }
     SceneChanges& changes() { return changes_; }
     void mark_all_changed();
 
 private:
-    bool is_emissive(uint32_t mesh) const;
-    void find_emission(HostMesh& mesh, uint32_t id);
     float emission_weight(const CoreMaterial& material) const;
-    void place_node(uint32_t id);
+    void describe_mesh(uint32_t id);
+    void update_emission_weights(uint32_t texture);
+    void place_subtree(uint32_t id);
 
     std::vector<HostTexture> textures_;
     std::vector<glm::vec3> texture_means_;  // linear light, of level 0
@@ -172,7 +175,7 @@ private:
     std::vector<PunctualLight> lights_;
     std::vector<HostCamera> cameras_;
     std::vector<HostNode> nodes_;
-    std::vector<glm::dmat4> node_worlds_;
+    std::vector<glm::dmat4> node_worlds_;  // to world space
     Sky sky_;
     SceneChanges changes_;
 };

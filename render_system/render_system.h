@@ -10,6 +10,7 @@
 
 #include "render_system/core_api.h"
 #include "render_system/host_scene.h"
+#include "render_system/light_table.h"
 
 namespace render_system {
 
@@ -33,8 +34,15 @@ public:
     Status render(const ViewPyramid& view, Convergence convergence, uint32_t samples);
 
 private:
+    Status send_lights_and_sky();
+
     HostScene scene_;
     std::unique_ptr<CoreAPI> core_;
+    SkyTable sky_table_;
+    float sky_probability_ = 0.0f;  // as in the light table last sent
+    float radius_ = 0.0f;           // the scene's, as in the light table last sent
+    bool radius_matters_ = false;
+    bool restart_ = false;  // what the core has gathered belongs to an older scene
 };
 
 }  // namespace render_system

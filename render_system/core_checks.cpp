@@ -1,0 +1,277 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "render_system/core_checks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace render_system {
+
+namespace {
+
+Status invalid(std::string message) { return Status::error(StatusCode::invalid_argument, std::move(message)); }
+
+Status unequal(const char* what, uint64_t got, uint64_t wanted) {
+    return invalid(std::string("mesh: ") + what + " has " + std::to_string(got) + " elements, but there are " +
+                   std::to_string(wanted) + " positions");
+}
+
+bool finite(const glm::vec4& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z) && std::isfinite(v.w);
+}
+
+Status validate_table(std::span<const AliasEntry> table, const char* owner) {
+    for (size_t i = 0; i < table.size(); ++i) {
+        if (table[i].alias >= table.size()) {
+            return invalid(std::string(owner) + ": entry " + std::to_string(i) + " of the table names " +
+                           std::to_string(table[i].alias) + ", past its end");
+        }
+    }
+    return Status::success();
+}
+
+// The largest texture index that a material uses, plus one; 0 if it uses none.
+uint32_t last_texture(const CoreMaterial& m) {
+    const CoreTextureSlot* slots[] = {&m.base_color_texture,    &m.metallic_roughness_texture, &m.normal_texture,
+                                      &m.emission_texture,      &m.transmission_texture,       &m.specular_texture,
+                                      &m.specular_color_texture};
+    uint32_t last = 0;
+    for (const CoreTextureSlot* slot : slots) {
+        if (slot->texture != NONE) last = std::max(last, slot->texture + 1);
+    }
+    return last;
+}
+
+}  // namespace
+
+uint64_t mip_chain_texels(uint32_t width, uint32_t height, uint32_t levels) {
+    if (width == 0 || height == 0 || levels == 0) return 0;
+    uint64_t texels = 0;
+    for (uint32_t level = 0; level < levels; ++level) {
+        // Past the 1x1 level there is nothing.
+        if (level > 0 && (level > 31 || ((width >> level) == 0 && (height >> level) == 0))) return 0;
+        texels += static_cast<uint64_t>(std::max(1u, width >> level)) * std::max(1u, height >> level);
+    }
+    return texels;
+}
+
+Status validate_target(const CoreTarget& target) {
+    if (target.width == 0 || target.height == 0) {
+        return invalid("target: the size is " + std::to_string(target.width) + "x" + std::to_string(target.height) +
+                       "; both sides must be at least 1");
+    }
+    const uint64_t wanted = static_cast<uint64_t>(target.width) * target.height;
+    if (target.pixels.size() != wanted) {
+        return invalid("target: " + std::to_string(target.pixels.size()) + " pixels for a size of " +
+                       std::to_string(target.width) + "x" + std::to_string(target.height));
+    }
+    return Status::success();
+}
+
+Status validate_settings(const CoreSettings& settings) {
+    if (settings.max_path_length == 0) return invalid("settings: max_path_length is 0; it must be at least 1");
+    return Status::success();
+}
+
+Status validate_texture(const CoreTexture& texture) {
+    const std::string size = std::to_string(texture.width) + "x" + std::to_string(texture.height) + " with " +
+                             std::to_string(texture.levels) + " levels";
+    const uint64_t wanted = mip_chain_texels(texture.width, texture.height, texture.levels);
+    if (wanted == 0) return invalid("texture: " + size + " is no mip chain");
+    if (texture.texels.size() != wanted) {
+        return invalid("texture: " + std::to_string(texture.texels.size()) + " texels, but " + size + " needs " +
+                       std::to_string(wanted));
+    }
+    return Status::success();
+}
+
+Status validate_mesh(const CoreMesh& mesh) {
+    const size_t vertices = mesh.positions.size();
+    if (vertices >= NONE) return invalid("mesh: more vertices than a 32-bit index can name");
+    if (mesh.triangles.size() >= NONE) return invalid("mesh: more triangles than a 32-bit index can name");
+    if (mesh.normals.size() != vertices) return unequal("normals", mesh.normals.size(), vertices);
+    if (!mesh.tangents.empty() && mesh.tangents.size() != vertices) {
+        return unequal("tangents", mesh.tangents.size(), vertices);
+    }
+    if (!mesh.uv0.empty() && mesh.uv0.size() != vertices) return unequal("uv0", mesh.uv0.size(), vertices);
+    if (!mesh.uv1.empty() && mesh.uv1.size() != vertices) return unequal("uv1", mesh.uv1.size(), vertices);
+    if (!mesh.colors.empty() && mesh.colors.size() != vertices) return unequal("colors", mesh.colors.size(), vertices);
+    for (size_t i = 0; i < mesh.triangles.size(); ++i) {
+        const glm::uvec4& t = mesh.triangles[i];
+        const uint32_t largest = std::max(t.x, std::max(t.y, t.z));
+        if (largest >= vertices) {
+            return invalid("mesh: triangle " + std::to_string(i) + " names vertex " + std::to_string(largest) +
+                           ", but there are " + std::to_string(vertices) + " vertices");
+        }
+    }
+    return Status::success();
+}
+
+Status validate_transform(const CoreTransform& transform) {
+    for (const glm::vec4& row : transform.rows) {
+        if (!finite(row)) return invalid("instance: the matrix is not finite");
+    }
+    return Status::success();
+}
+
+Status validate_lights(const CoreLights& lights) {
+    if (lights.lights.size() != lights.table.size()) {
+        return invalid("lights: " + std::to_string(lights.lights.size()) + " lights, but the table has " +
+                       std::to_string(lights.table.size()) + " entries");
+    }
+    return validate_table(lights.table, "lights");
+}
+
+Status validate_sky(const CoreSky& sky) {
+    const uint64_t wanted = static_cast<uint64_t>(sky.width) * sky.height;
+    const std::string size = std::to_string(sky.width) + "x" + std::to_string(sky.height);
+    if (sky.texels.size() != wanted) {
+        return invalid("sky: " + std::to_string(sky.texels.size()) + " texels for a map of " + size);
+    }
+    if (sky.table.size() != wanted) {
+        return invalid("sky: " + std::to_string(sky.table.size()) + " table entries for a map of " + size);
+    }
+    return validate_table(sky.table, "sky");
+}
+
+Status CoreContract::check_open(const char* call) const {
+    if (stage_ == Stage::open) return Status::success();
+    return Status::error(StatusCode::wrong_order,
+                         std::string(call) + (stage_ == Stage::created ? " came before Init" : " came after Shutdown"));
+}
+
+Status CoreContract::check_init() const {
+    if (stage_ == Stage::created) return Status::success();
+    return Status::error(StatusCode::wrong_order,
+                         stage_ == Stage::open ? "Init came a second time" : "Init came after Shutdown");
+}
+
+Status CoreContract::check_target(const CoreTarget& target) const {
+    Status order = check_open("SetTarget");
+    return order.ok() ? validate_target(target) : order;
+}
+
+Status CoreContract::check_settings(const CoreSettings& settings) const {
+    Status order = check_open("Setting");
+    return order.ok() ? validate_settings(settings) : order;
+}
+
+Status CoreContract::check_textures(std::span<const CoreTexture> textures) const {
+    if (Status order = check_open("SetTextures"); !order.ok()) return order;
+    for (size_t i = 0; i < textures.size(); ++i) {
+        Status status = validate_texture(textures[i]);
+        if (status.ok()) continue;
+        status.message = "texture " + std::to_string(i) + ": " + status.message;
+        return status;
+    }
+    return Status::success();
+}
+
+Status CoreContract::check_materials(uint32_t first, std::span<const CoreMaterial> materials) const {
+    if (Status order = check_open("SetMaterials"); !order.ok()) return order;
+    if (first > last_textures_.size()) {
+        return invalid("SetMaterials: starts at " + std::to_string(first) + ", which leaves a gap after the " +
+                       std::to_string(last_textures_.size()) + " materials there are");
+    }
+    if (materials.size() >= NONE - first) return invalid("SetMaterials: more materials than a 32-bit index can name");
+    return Status::success();
+}
+
+Status CoreContract::check_lights(const CoreLights& lights) const {
+    Status order = check_open("SetLights");
+    return order.ok() ? validate_lights(lights) : order;
+}
+
+Status CoreContract::check_sky(const CoreSky& sky) const {
+    Status order = check_open("SetSkyData");
+    return order.ok() ? validate_sky(sky) : order;
+}
+
+Status CoreContract::check_geometry(uint32_t mesh, const CoreMesh& data) const {
+    if (Status order = check_open("SetGeometry"); !order.ok()) return order;
+    if (mesh > meshes_.size()) {
+        return invalid("SetGeometry: mesh " + std::to_string(mesh) + " leaves a gap; the next free id is " +
+                       std::to_string(meshes_.size()));
+    }
+    return validate_mesh(data);
+}
+
+Status CoreContract::check_instance(uint32_t instance, uint32_t mesh, const CoreTransform& transform) const {
+    if (Status order = check_open("SetInstance"); !order.ok()) return order;
+    if (instance > instances_.size()) {
+        return invalid("SetInstance: instance " + std::to_string(instance) + " leaves a gap; the next free id is " +
+                       std::to_string(instances_.size()));
+    }
+    if (mesh != NONE && mesh >= meshes_.size()) {
+        return invalid("SetInstance: mesh " + std::to_string(mesh) + " does not exist; there are " +
+                       std::to_string(meshes_.size()));
+    }
+    return validate_transform(transform);
+}
+
+Status CoreContract::check_render() const {
+    if (Status order = check_open("Render"); !order.ok()) return order;
+    if (!has_target_) return Status::error(StatusCode::wrong_order, "Render came before SetTarget");
+    for (size_t i = 0; i < instances_.size(); ++i) {
+        if (instances_[i] == NONE) continue;
+        const Mesh& mesh = meshes_[instances_[i]];
+        if (mesh.triangles > 0 && mesh.last_material >= last_textures_.size()) {
+            return invalid("Render: mesh " + std::to_string(instances_[i]) + " uses material " +
+                           std::to_string(mesh.last_material) + ", but there are " +
+                           std::to_string(last_textures_.size()));
+        }
+    }
+    for (size_t i = 0; i < last_textures_.size(); ++i) {
+        if (last_textures_[i] > textures_) {
+            return invalid("Render: material " + std::to_string(i) + " uses texture " +
+                           std::to_string(last_textures_[i] - 1) + ", but there are " + std::to_string(textures_));
+        }
+    }
+    if (lights_last_texture_ > textures_) {
+        return invalid("Render: a light uses texture " + std::to_string(lights_last_texture_ - 1) + ", but there are " +
+                       std::to_string(textures_));
+    }
+    return Status::success();
+}
+
+void CoreContract::accept_init() { stage_ = Stage::open; }
+void CoreContract::accept_target() { has_target_ = true; }
+void CoreContract::accept_textures(std::span<const CoreTexture> textures) { textures_ = textures.size(); }
+void CoreContract::accept_shutdown() { stage_ = Stage::closed; }
+
+void CoreContract::accept_materials(uint32_t first, std::span<const CoreMaterial> materials) {
+    last_textures_.resize(std::max(last_textures_.size(), first + materials.size()));
+    std::transform(materials.begin(), materials.end(), last_textures_.begin() + first, last_texture);
+}
+
+void CoreContract::accept_lights(const CoreLights& lights) {
+    lights_last_texture_ = 0;
+    for (const CoreLight& light : lights.lights) {
+        if (light.kind != LightKind::triangle || light.emission_texture.texture == NONE) continue;
+        lights_last_texture_ = std::max(lights_last_texture_, light.emission_texture.texture + 1);
+    }
+}
+
+void CoreContract::accept_geometry(uint32_t mesh, const CoreMesh& data) {
+    if (mesh == meshes_.size()) meshes_.emplace_back();
+    meshes_[mesh] = {data.triangles.size(), 0};
+    for (const glm::uvec4& triangle : data.triangles) {
+        meshes_[mesh].last_material = std::max(meshes_[mesh].last_material, triangle.w);
+    }
+}
+
+void CoreContract::accept_instance(uint32_t instance, uint32_t mesh) {
+    if (instance == instances_.size()) instances_.emplace_back(NONE);
+    instances_[instance] = mesh;
+}
+
+uint64_t CoreContract::triangles() const {
+    uint64_t sum = 0;
+    for (uint32_t mesh : instances_) {
+        if (mesh != NONE) sum += meshes_[mesh].triangles;
+    }
+    return sum;
+}
+
+}  // namespace render_system

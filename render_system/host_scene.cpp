@@ -1,0 +1,285 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "render_system/host_scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "render_system/texture.h"
+
+namespace render_system {
+
+namespace {
+
+bool any_of(const std::vector<bool>& flags) { return std::find(flags.begin(), flags.end(), true) != flags.end(); }
+
+bool same_slot(const CoreTextureSlot& a, const CoreTextureSlot& b) {
+    return a.texture == b.texture && a.uv_set == b.uv_set && a.row_u == b.row_u && a.row_v == b.row_v;
+}
+
+// Whether the light table holds the same of both materials.
+bool same_emission(const CoreMaterial& a, const CoreMaterial& b) {
+    if (a.emission_weight == 0.0f && b.emission_weight == 0.0f) return true;
+    return a.emission == b.emission && a.emission_weight == b.emission_weight && a.double_sided == b.double_sided &&
+           same_slot(a.emission_texture, b.emission_texture);
+}
+
+Box box_of(const HostMesh& mesh) {
+    Box box;
+    for (const glm::vec3& position : mesh.positions) box.extend(position);
+    return box;
+}
+
+// A camera placed by a node: its scale is ignored, its directions made perpendicular again (glTF 2.0, 3.10.2).
+Camera placed_camera(const Camera& camera, const glm::dmat4& world) {
+    const glm::vec3 forward(-glm::dvec3(world[2]));
+    Camera placed = look_at(glm::vec3(0.0f), forward, glm::vec3(world[1]), camera.vertical_fov);
+    placed.position = glm::vec3(world[3]);
+    return placed;
+}
+
+// A light placed by a node shines along its -z.
+PunctualLight placed_light(PunctualLight light, const glm::dmat4& world) {
+    const glm::dvec3 way = -glm::dvec3(world[2]);
+    light.position = glm::vec3(world[3]);
+    if (glm::length(way) > 0.0) light.direction = glm::vec3(glm::normalize(way));
+    return light;
+}
+
+}  // namespace
+
+void Box::extend(const glm::vec3& point) {
+    lower = glm::min(lower, point);
+    upper = glm::max(upper, point);
+}
+
+CoreMesh HostMesh::view() const { return {positions, normals, tangents, uv0, uv1, colors, triangles}; }
+
+CoreTexture HostTexture::view() const { return {width, height, levels, format, wrap_s, wrap_t, nearest, texels}; }
+
+bool SceneChanges::any() const {
+    return textures || lights || sky || any_of(meshes) || any_of(instances) || any_of(materials);
+}
+
+uint32_t HostScene::add_texture(HostTexture texture) {
+    texture_means_.push_back(mean_color(texture));
+    textures_.push_back(std::move(texture));
+    changes_.textures = true;
+    return static_cast<uint32_t>(textures_.size() - 1);
+}
+
+uint32_t HostScene::add_material(HostMaterial material) {
+    material.core.emission_weight = emission_weight(material.core);
+    materials_.push_back(std::move(material));
+    changes_.materials.push_back(true);
+    return static_cast<uint32_t>(materials_.size() - 1);
+}
+
+uint32_t HostScene::add_mesh(HostMesh mesh) {
+    meshes_.push_back(std::move(mesh));
+    mesh_boxes_.emplace_back();
+    mesh_materials_.emplace_back();
+    changes_.meshes.push_back(true);
+    describe_mesh(static_cast<uint32_t>(meshes_.size() - 1));
+    return static_cast<uint32_t>(meshes_.size() - 1);
+}
+
+uint32_t HostScene::add_instance(uint32_t mesh, const CoreTransform& transform) {
+    instances_.push_back({mesh, transform});
+    changes_.instances.push_back(true);
+    if (mesh != NONE && is_emissive(mesh)) changes_.lights = true;
+    return static_cast<uint32_t>(instances_.size() - 1);
+}
+
+uint32_t HostScene::add_punctual_light(PunctualLight light) {
+    lights_.push_back(std::move(light));
+    changes_.lights = true;
+    return static_cast<uint32_t>(lights_.size() - 1);
+}
+
+uint32_t HostScene::add_camera(HostCamera camera) {
+    cameras_.push_back(std::move(camera));
+    return static_cast<uint32_t>(cameras_.size() - 1);
+}
+
+uint32_t HostScene::add_node(HostNode node) {
+    nodes_.push_back(std::move(node));
+    node_worlds_.emplace_back(1.0);
+    const uint32_t id = static_cast<uint32_t>(nodes_.size() - 1);
+    place_subtree(id);
+    return id;
+}
+
+void HostScene::set_texture(uint32_t id, HostTexture texture) {
+    texture_means_[id] = mean_color(texture);
+    textures_[id] = std::move(texture);
+    changes_.textures = true;
+    update_emission_weights(id);
+}
+
+void HostScene::set_material(uint32_t id, const CoreMaterial& material) {
+    CoreMaterial next = material;
+    next.emission_weight = emission_weight(material);
+    if (!same_emission(materials_[id].core, next)) changes_.lights = true;
+    materials_[id].core = next;
+    changes_.materials[id] = true;
+}
+
+void HostScene::set_mesh(uint32_t id, HostMesh mesh) {
+    const bool was_emissive = is_emissive(id);
+    meshes_[id] = std::move(mesh);
+    changes_.meshes[id] = true;
+    describe_mesh(id);
+    if (was_emissive || is_emissive(id)) changes_.lights = true;
+}
+
+void HostScene::set_instance_mesh(uint32_t id, uint32_t mesh) {
+    const uint32_t before = std::exchange(instances_[id].mesh, mesh);
+    changes_.instances[id] = true;
+    if ((before != NONE && is_emissive(before)) || (mesh != NONE && is_emissive(mesh))) changes_.lights = true;
+}
+
+void HostScene::set_instance_transform(uint32_t id, const CoreTransform& transform) {
+    instances_[id].transform = transform;
+    changes_.instances[id] = true;
+    if (instances_[id].mesh != NONE && is_emissive(instances_[id].mesh)) changes_.lights = true;
+}
+
+void HostScene::set_punctual_light(uint32_t id, PunctualLight light) {
+    lights_[id] = std::move(light);
+    changes_.lights = true;
+}
+
+void HostScene::set_camera(uint32_t id, const Camera& camera) { cameras_[id].camera = camera; }
+
+void HostScene::set_sky(Sky sky) {
+    // A constant sky is in no table, so replacing one by another leaves the lights alone.
+    if (!sky_.texels.empty() || !sky.texels.empty()) changes_.lights = true;
+    sky_ = std::move(sky);
+    changes_.sky = true;
+}
+
+void HostScene::set_node_transform(uint32_t id, const glm::dmat4& local) {
+    nodes_[id].local = local;
+    place_subtree(id);
+}
+
+// Parents come first, so one pass over what follows finds all that hangs below.
+void HostScene::place_subtree(uint32_t id) {
+    std::vector<bool> moved(nodes_.size(), false);
+    for (uint32_t i = id; i < nodes_.size(); ++i) {
+        const HostNode& node = nodes_[i];
+        if (i != id && (node.parent == NONE || !moved[node.parent])) continue;
+        moved[i] = true;
+        const glm::dmat4 world = node.parent == NONE ? node.local : node_worlds_[node.parent] * node.local;
+        node_worlds_[i] = world;
+        if (node.instance != NONE) set_instance_transform(node.instance, core_transform(world));
+        if (node.camera != NONE) set_camera(node.camera, placed_camera(cameras_[node.camera].camera, world));
+        if (node.light != NONE) set_punctual_light(node.light, placed_light(lights_[node.light], world));
+    }
+}
+
+uint64_t HostScene::triangle_count() const {
+    uint64_t count = 0;
+    for (const HostInstance& instance : instances_) {
+        if (instance.mesh != NONE) count += meshes_[instance.mesh].triangles.size();
+    }
+    return count;
+}
+
+Box HostScene::bounds() const {
+    Box box;
+    for (const HostInstance& instance : instances_) {
+        if (instance.mesh == NONE || mesh_boxes_[instance.mesh].empty()) continue;
+        const Box& local = mesh_boxes_[instance.mesh];
+        for (int corner = 0; corner < 8; ++corner) {
+            const glm::vec3 point((corner & 1) ? local.upper.x : local.lower.x,
+                                  (corner & 2) ? local.upper.y : local.lower.y,
+                                  (corner & 4) ? local.upper.z : local.lower.z);
+            box.extend(transform_point(instance.transform, point));
+        }
+    }
+    return box;
+}
+
+bool HostScene::has_light() const {
+    if (sky_.radiance != glm::vec3(0.0f) && sky_.texels.empty()) return true;
+    for (const glm::vec4& texel : sky_.texels) {
+        if (glm::vec3(texel) != glm::vec3(0.0f)) return true;
+    }
+    for (const PunctualLight& light : lights_) {
+        if (light.emission != glm::vec3(0.0f)) return true;
+    }
+    return std::any_of(instances_.begin(), instances_.end(), [&](const HostInstance& instance) {
+        return instance.mesh != NONE && is_emissive(instance.mesh);
+    });
+}
+
+bool HostScene::is_emissive(uint32_t mesh) const {
+    const std::vector<uint32_t>& used = mesh_materials_[mesh];
+    return std::any_of(used.begin(), used.end(), [&](uint32_t material) {
+        return material < materials_.size() && materials_[material].core.emission_weight > 0.0f;
+    });
+}
+
+void HostScene::mark_all_changed() {
+    changes_.meshes.assign(meshes_.size(), true);
+    changes_.instances.assign(instances_.size(), true);
+    changes_.materials.assign(materials_.size(), true);
+    changes_.textures = changes_.lights = changes_.sky = true;
+}
+
+float HostScene::emission_weight(const CoreMaterial& material) const {
+    const uint32_t texture = material.emission_texture.texture;
+    const float mean = texture < texture_means_.size() ? luminance(texture_means_[texture]) : 1.0f;
+    return luminance(material.emission) * mean;
+}
+
+void HostScene::update_emission_weights(uint32_t texture) {
+    for (uint32_t i = 0; i < materials_.size(); ++i) {
+        if (materials_[i].core.emission_texture.texture == texture) set_material(i, materials_[i].core);
+    }
+}
+
+void HostScene::describe_mesh(uint32_t id) {
+    mesh_boxes_[id] = box_of(meshes_[id]);
+    std::vector<uint32_t> used;
+    for (const glm::uvec4& triangle : meshes_[id].triangles) {
+        if (used.empty() || used.back() != triangle.w) used.push_back(triangle.w);
+    }
+    std::sort(used.begin(), used.end());
+    used.erase(std::unique(used.begin(), used.end()), used.end());
+    mesh_materials_[id] = std::move(used);
+}
+
+Camera framing_camera(const HostScene& scene, float aspect) {
+    constexpr float FOV = 0.6981317f;  // 40 degrees
+    const Box box = scene.bounds();
+    if (box.empty()) return look_at({0.0f, 0.0f, 1.0f}, glm::vec3(0.0f), {0.0f, 1.0f, 0.0f}, FOV);
+    // The face towards the viewer is the largest in the picture: it decides the distance.
+    const glm::vec3 half = 0.5f * (box.upper - box.lower);
+    const float slope = std::tan(0.5f * FOV);
+    float distance = std::max(half.y / slope, half.x / (slope * aspect));
+    if (!(distance > 0.0f)) distance = std::max(half.z, 1.0f);
+    const glm::vec3 center = box.center();
+    const glm::vec3 eye(center.x, center.y, box.upper.z + distance);
+    return look_at(eye, eye - glm::vec3(0.0f, 0.0f, 1.0f) * std::max(distance, half.z), {0.0f, 1.0f, 0.0f}, FOV);
+}
+
+CoreTransform core_transform(const glm::dmat4& matrix) {
+    CoreTransform transform;
+    for (int row = 0; row < 3; ++row) {
+        transform.rows[row] = glm::vec4(matrix[0][row], matrix[1][row], matrix[2][row], matrix[3][row]);
+    }
+    return transform;
+}
+
+glm::vec3 transform_point(const CoreTransform& transform, const glm::vec3& p) {
+    const auto row = [&](const glm::vec4& r) { return ((r.x * p.x + r.y * p.y) + r.z * p.z) + r.w; };
+    return {row(transform.rows[0]), row(transform.rows[1]), row(transform.rows[2])};
+}
+
+float luminance(const glm::vec3& color) { return 0.2126f * color.x + 0.7152f * color.y + 0.0722f * color.z; }
+
+}  // namespace render_system

@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "render_system/render_system.h"
+
+#include <utility>
+
+#include "render_system/light_table.h"
+
+namespace render_system {
+
+namespace {
+
+Status send_textures(CoreAPI& core, const HostScene& scene, SceneChanges& changes) {
+    if (!changes.textures) return Status::success();
+    std::vector<CoreTexture> views;
+    for (const HostTexture& texture : scene.textures()) views.push_back(texture.view());
+    Status status = core.SetTextures(views);
+    if (status.ok()) changes.textures = false;
+    return status;
+}
+
+// Neighbours that changed go in one call.
+Status send_materials(CoreAPI& core, const HostScene& scene, SceneChanges& changes) {
+    std::vector<CoreMaterial> run;
+    for (size_t i = 0; i < changes.materials.size(); ++i) {
+        if (!changes.materials[i]) continue;
+        const size_t first = i;
+        run.clear();
+        while (i < changes.materials.size() && changes.materials[i]) run.push_back(scene.materials()[i++].core);
+        Status status = core.SetMaterials(static_cast<uint32_t>(first), run);
+        if (!status.ok()) return status;
+        for (size_t done = first; done < i; ++done) changes.materials[done] = false;
+    }
+    return Status::success();
+}
+
+Status send_meshes(CoreAPI& core, const HostScene& scene, SceneChanges& changes) {
+    for (uint32_t i = 0; i < changes.meshes.size(); ++i) {
+        if (!changes.meshes[i]) continue;
+        Status status = core.SetGeometry(i, scene.meshes()[i].view());
+        if (!status.ok()) return status;
+        changes.meshes[i] = false;
+    }
+    return Status::success();
+}
+
+Status send_instances(CoreAPI& core, const HostScene& scene, SceneChanges& changes) {
+    for (uint32_t i = 0; i < changes.instances.size(); ++i) {
+        if (!changes.instances[i]) continue;
+        const HostInstance& instance = scene.instances()[i];
+        Status status = core.SetInstance(i, instance.mesh, instance.transform);
+        if (!status.ok()) return status;
+        changes.instances[i] = false;
+    }
+    return Status::success();
+}
+
+}  // namespace
+
+RenderSystem::RenderSystem(HostScene scene) : scene_(std::move(scene)) {}
+
+void RenderSystem::use_core(std::unique_ptr<CoreAPI> core) {
+    core_ = std::move(core);
+    scene_.mark_all_changed();
+}
+
+Status RenderSystem::synchronize() {
+    if (!core_) return Status::error(StatusCode::wrong_order, "the render system has no core yet");
+    SceneChanges& changes = scene_.changes();
+    if (Status status = send_textures(*core_, scene_, changes); !status.ok()) return status;
+    if (Status status = send_materials(*core_, scene_, changes); !status.ok()) return status;
+    if (Status status = send_meshes(*core_, scene_, changes); !status.ok()) return status;
+    // Before the flags of the instances go down: what moved may have changed the scene's radius.
+    if (radius_matters_ && scene_radius(scene_) != radius_) changes.lights = true;
+    if (Status status = send_instances(*core_, scene_, changes); !status.ok()) return status;
+    return send_lights_and_sky();
+}
+
+Status RenderSystem::send_lights_and_sky() {
+    SceneChanges& changes = scene_.changes();
+    if (changes.sky) sky_table_ = build_sky_table(scene_.sky());
+    if (changes.lights) {
+        const LightTable table = build_light_table(scene_, sky_table_.luminance_integral);
+        if (Status status = core_->SetLights(table.view()); !status.ok()) return status;
+        changes.lights = false;
+        radius_ = table.scene_radius;
+        radius_matters_ = table.uses_radius;
+        // The sky carries its own share of the light table.
+        if (table.sky_probability != sky_probability_) changes.sky = true;
+        sky_probability_ = table.sky_probability;
+    }
+    if (!changes.sky) return Status::success();
+    const Sky& sky = scene_.sky();
+    Status status =
+        core_->SetSkyData({sky.radiance, sky.width, sky.height, sky.texels, sky_table_.table, sky_probability_});
+    if (status.ok()) changes.sky = false;
+    return status;
+}
+
+Status RenderSystem::render(const ViewPyramid& view, Convergence convergence, uint32_t samples) {
+    restart_ = restart_ || scene_.changes().any();
+    if (Status status = synchronize(); !status.ok()) return status;
+    Status status = core_->Render(view, restart_ ? Convergence::Restart : convergence, samples);
+    if (status.ok()) restart_ = false;
+    return status;
+}
+
+}  // namespace render_system
