@@ -49,10 +49,8 @@ const uint SLOT_ROWS = 2u;
 const uint SLOT_U = 0u;  // row_u.xyz, texture as bits
 const uint SLOT_V = 1u;  // row_v.xyz, uv set as bits
 
-// textures: 2 uvec4 rows per texture.
-const uint TEXTURE_ROWS = 2u;
-const uint TEXTURE_SIZE = 0u;    // first texel, width, height, levels
-const uint TEXTURE_FORMAT = 1u;  // format, wrap_s, wrap_t, nearest
+// textures: uvec4 rows: row i is the header of texture i: format, wraps (s in bits 0-7, t in bits 8-15) and nearest (bit
+// 16), levels, row of level 0; the rows of levels follow all headers: first texel, width, height, unused.
 const uint TEXEL_RGBA8 = 0u;
 const uint TEXEL_RGBA8_SRGB = 1u;
 const uint TEXEL_RGB9E5 = 2u;
@@ -89,6 +87,8 @@ const uint FEATURE_EMISSION_TEXTURES = 64u;
 const uint FEATURE_SKY_MAP = 128u;
 const uint FEATURE_TRANSMISSION = 256u;
 const uint FEATURE_PUNCTUAL_LIGHTS = 512u;
+const uint FEATURE_VERTEX_COLORS = 1024u;
+const uint FEATURE_SPECULAR_TEXTURES = 2048u;  // transmission, specular or specular colour from a texture
 
 const uint NONE = 0xFFFFFFFFu;
 

@@ -1,0 +1,234 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+// Kind: twin of target_core/kernels/bsdf.h.
+#ifndef BSDF_GLSL
+#define BSDF_GLSL
+
+#include "material.glsl"
+
+// The metallic-roughness model of glTF 2.0 (appendix B) with KHR_materials_transmission, _ior, _specular and, for
+// solids, refraction. Directions are local: z is the shading normal on the side of wo; wo and wi point away.
+// Radiance is not scaled by the squared ratio of indices at an interface: it cancels over a closed solid.
+
+// Below this GGX alpha a surface is a perfect mirror or pane: its lobe is a delta and has no density.
+const float SMOOTH_ALPHA = 1.0e-3f;
+
+struct Bsdf {
+    vec3 wo;
+    vec3 side;  // geometric normal on the side of wo
+    vec3 diffuse_color;
+    vec3 transmission_color;
+    vec3 f0;  // of the whole reflection
+    Float f90;
+    Float dielectric_f0;  // of what does not enter the dielectric
+    Float dielectric_f90;
+    Float alpha;
+    Float eta;  // index behind the surface over the index on wo's side
+    Mask refracts;
+    Mask is_smooth;
+    Float pick_diffuse;
+    Float pick_reflection;
+    Float pick_transmission;
+};
+
+struct BsdfValue {
+    vec3 value;  // BSDF times cosine, without delta lobes
+    Float pdf;   // per solid angle, of sample_bsdf
+};
+
+struct BsdfSample {
+    vec3 wi;
+    vec3 weight;  // BSDF times cosine over pdf
+    Float pdf;    // 0: a delta lobe
+    Mask valid;
+};
+
+Float schlick_weight(Float cosine) {
+    Float m = 1.0f - saturate(cosine);
+    Float m2 = m * m;
+    return m2 * m2 * m;
+}
+
+// Squared sine behind the interface; at least 1: total reflection. Snell.
+Float transmitted_sine_squared(Bsdf bsdf, Float cosine) {
+    return max(1.0f - cosine * cosine, 0.0f) / (bsdf.eta * bsdf.eta);
+}
+
+// Schlick 1994 takes the larger of the two angles at the interface.
+Float fresnel_weight(Bsdf bsdf, Float cosine) {
+    Float cosine_behind = sqrt(max(1.0f - transmitted_sine_squared(bsdf, cosine), 0.0f));
+    return schlick_weight(select(bsdf.eta < 1.0f, cosine_behind, cosine));
+}
+
+vec3 reflectance(Bsdf bsdf, Float weight) { return bsdf.f0 + (vec3(bsdf.f90) - bsdf.f0) * weight; }
+
+Float dielectric_reflectance(Bsdf bsdf, Float weight) {
+    return bsdf.dielectric_f0 + (bsdf.dielectric_f90 - bsdf.dielectric_f0) * weight;
+}
+
+Bsdf make_bsdf(Material material, vec3 wo, vec3 side, Mask front) {
+    Mask thin = (material.flags & MATERIAL_THIN_WALLED) != 0u;
+    Float f0 = square((material.ior - 1.0f) / (material.ior + 1.0f));
+    vec3 dielectric_f0 = min(material.specular_color * f0, vec3(1.0f)) * material.specular;
+    Float body = 1.0f - material.metallic;
+    Bsdf bsdf;
+    bsdf.wo = wo;
+    bsdf.side = side;
+    bsdf.refracts = !thin && material.transmission > 0.0f;
+    bsdf.eta = select(bsdf.refracts, select(front, material.ior, 1.0f / material.ior), Float(1.0f));
+    // Light inside a solid is reflected in full past the critical angle, whatever the strength of its reflection.
+    Float dielectric_f90 = select(bsdf.eta < 1.0f, Float(1.0f), material.specular);
+    bsdf.f0 = blend(dielectric_f0, material.base_color, material.metallic);
+    bsdf.f90 = blend(dielectric_f90, Float(1.0f), material.metallic);
+    bsdf.dielectric_f0 = max_component(dielectric_f0);
+    bsdf.dielectric_f90 = dielectric_f90;
+    bsdf.diffuse_color = material.base_color * (body * (1.0f - material.transmission));
+    bsdf.transmission_color = material.base_color * (body * material.transmission);
+    bsdf.alpha = square(material.roughness);
+    bsdf.is_smooth = bsdf.alpha < SMOOTH_ALPHA;
+    Float weight = fresnel_weight(bsdf, wo.z);
+    Float entering = 1.0f - dielectric_reflectance(bsdf, weight);
+    bsdf.pick_diffuse = max_component(bsdf.diffuse_color) * entering;
+    bsdf.pick_reflection = max_component(reflectance(bsdf, weight));
+    bsdf.pick_transmission = max_component(bsdf.transmission_color) * entering;
+    Float total = max((bsdf.pick_diffuse + bsdf.pick_reflection) + bsdf.pick_transmission, SMALLEST);
+    bsdf.pick_diffuse = bsdf.pick_diffuse / total;
+    bsdf.pick_reflection = bsdf.pick_reflection / total;
+    bsdf.pick_transmission = bsdf.pick_transmission / total;
+    return bsdf;
+}
+
+// The mirror image behind the plane of the geometric normal.
+vec3 mirrored(vec3 w, vec3 side) { return w - side * (2.0f * dot(side, w)); }
+
+// GGX, Walter et al. 2007, in a form without cancellation near the normal.
+Float ggx_density(vec3 h, Float alpha) {
+    Float a2 = alpha * alpha;
+    Float d = (h.x * h.x + h.y * h.y) + a2 * h.z * h.z;
+    return a2 / (PI * max(d * d, SMALLEST));
+}
+
+Float smith_root(Float cosine, Float alpha) {
+    Float a2 = alpha * alpha;
+    return sqrt(a2 + (1.0f - a2) * cosine * cosine);
+}
+
+// Visible normals: Dupuy and Benyoub 2023, "Sampling Visible GGX Normals with Spherical Caps".
+vec3 sample_visible_normal(vec3 wo, Float alpha, vec2 u) {
+    vec3 stretched = normalized(vec3(wo.x * alpha, wo.y * alpha, wo.z));
+    Float z = (1.0f - u.y) * (1.0f + stretched.z) - stretched.z;
+    Float sine = sqrt(saturate(1.0f - z * z));
+    vec2 around = cos_sin_turns(u.x);
+    vec3 h = vec3(sine * around.x, sine * around.y, z) + stretched;
+    return normalized(vec3(h.x * alpha, h.y * alpha, h.z));
+}
+
+// Lambert under the dielectric interface. Directions that a bent shading normal puts below the surface are folded
+// back at its plane, so that no energy is lost; the density folds alike.
+BsdfValue evaluate_diffuse(Bsdf bsdf, vec3 wi, Float entering) {
+    Float cosine = max(wi.z, 0.0f) + max(mirrored(wi, bsdf.side).z, 0.0f);
+    Float above = select(dot(bsdf.side, wi) > 0.0f, cosine * INVERSE_PI, Float(0.0f));
+    BsdfValue result;
+    result.value = bsdf.diffuse_color * (entering * above);
+    result.pdf = bsdf.pick_diffuse * above;
+    return result;
+}
+
+// Torrance-Sparrow reflection with GGX and height-correlated Smith masking (Heitz 2014); a thin wall transmits the
+// same lobe, mirrored at the surface.
+BsdfValue evaluate_reflection(Bsdf bsdf, vec3 wi, vec3 h, Float weight, Mask passes) {
+    Float cosine = abs(wi.z);
+    Float root_o = smith_root(bsdf.wo.z, bsdf.alpha);
+    Float root_i = smith_root(cosine, bsdf.alpha);
+    Float density = ggx_density(h, bsdf.alpha);
+    Float visible = 0.5f / max(bsdf.wo.z * root_i + cosine * root_o, SMALLEST);
+    vec3 color = select(passes, bsdf.transmission_color * (1.0f - dielectric_reflectance(bsdf, weight)),
+                        reflectance(bsdf, weight));
+    BsdfValue result;
+    result.value = color * (density * visible * cosine);
+    result.pdf = select(passes, bsdf.pick_transmission, bsdf.pick_reflection) * density * 0.5f /
+                 max(bsdf.wo.z + root_o, SMALLEST);
+    return result;
+}
+
+// Refraction into or out of a solid: Walter et al. 2007, equations 17 and 21, with visible normals.
+BsdfValue evaluate_refraction(Bsdf bsdf, vec3 wi, vec3 h, Float weight) {
+    Float wo_h = dot(bsdf.wo, h);
+    Float wi_h = dot(wi, h);
+    Float cosine = abs(wi.z);
+    Float masking_o = 2.0f * bsdf.wo.z / max(bsdf.wo.z + smith_root(bsdf.wo.z, bsdf.alpha), SMALLEST);
+    Float masking_i = 2.0f * cosine / max(cosine + smith_root(cosine, bsdf.alpha), SMALLEST);
+    Float denominator = wo_h + bsdf.eta * wi_h;
+    Float jacobian = bsdf.eta * bsdf.eta * abs(wi_h) / max(denominator * denominator, SMALLEST);
+    Float visible_density = masking_o * ggx_density(h, bsdf.alpha) * max(wo_h, 0.0f) / max(bsdf.wo.z, SMALLEST);
+    Mask crosses = wo_h > 0.0f && wi_h < 0.0f;
+    Float lobe = select(crosses, visible_density * jacobian, Float(0.0f));
+    BsdfValue result;
+    result.value = bsdf.transmission_color * ((1.0f - dielectric_reflectance(bsdf, weight)) * masking_i * lobe);
+    result.pdf = bsdf.pick_transmission * lobe;
+    return result;
+}
+
+BsdfValue evaluate_bsdf(Bsdf bsdf, vec3 wi) {
+    Mask above = dot(bsdf.side, wi) > 0.0f;
+    Mask refracted = bsdf.refracts && !above;
+    vec3 bisector = bsdf.wo + vec3(wi.x, wi.y, abs(wi.z));
+    vec3 refractor = bsdf.wo + wi * bsdf.eta;
+    vec3 h = normalized(select(refracted, select(refractor.z < 0.0f, -refractor, refractor), bisector));
+    Float weight = fresnel_weight(bsdf, dot(bsdf.wo, h));
+    BsdfValue diffuse = evaluate_diffuse(bsdf, wi, 1.0f - dielectric_reflectance(bsdf, weight));
+    BsdfValue glossy = evaluate_reflection(bsdf, wi, h, weight, !above);
+    if (has_feature(FEATURE_TRANSMISSION)) {
+        BsdfValue refraction = evaluate_refraction(bsdf, wi, h, weight);
+        glossy.value = select(refracted, refraction.value, glossy.value);
+        glossy.pdf = select(refracted, refraction.pdf, glossy.pdf);
+    }
+    Mask same_sides = (wi.z > 0.0f) == above;
+    Mask has_glossy = same_sides && !bsdf.is_smooth;
+    BsdfValue result;
+    result.value = diffuse.value + select(has_glossy, glossy.value, vec3(0.0f));
+    result.pdf = diffuse.pdf + select(has_glossy, glossy.pdf, Float(0.0f));
+    return result;
+}
+
+vec3 sample_diffuse(Bsdf bsdf, vec2 u) {
+    vec2 around = cos_sin_turns(u.y);
+    Float sine = sqrt(u.x);
+    vec3 wi = vec3(sine * around.x, sine * around.y, sqrt(max(1.0f - u.x, 0.0f)));
+    return select(dot(bsdf.side, wi) < 0.0f, mirrored(wi, bsdf.side), wi);
+}
+
+// Chooses a lobe by `lobe`, then a direction by `u`.
+BsdfSample sample_bsdf(Bsdf bsdf, vec2 u, Float lobe) {
+    Mask reflects = lobe < bsdf.pick_reflection;
+    Mask transmits = !reflects && lobe < bsdf.pick_reflection + bsdf.pick_transmission;
+    Mask diffuses = !reflects && !transmits;
+    vec3 visible = sample_visible_normal(bsdf.wo, bsdf.alpha, u);
+    vec3 h = select(bsdf.is_smooth, vec3(0.0f, 0.0f, 1.0f), visible);
+    Float wo_h = dot(bsdf.wo, h);
+    vec3 reflected = h * (2.0f * wo_h) - bsdf.wo;
+    Float sine_squared = transmitted_sine_squared(bsdf, wo_h);
+    vec3 refracted = h * (wo_h / bsdf.eta - sqrt(max(1.0f - sine_squared, 0.0f))) - bsdf.wo * (1.0f / bsdf.eta);
+    vec3 passed = select(bsdf.refracts, refracted, vec3(reflected.x, reflected.y, -reflected.z));
+    vec3 wi = select(reflects, reflected, passed);
+    Float weight = fresnel_weight(bsdf, wo_h);
+    // A delta lobe goes where the geometry lets it.
+    Mask wrong_side = (dot(bsdf.side, wi) > 0.0f) != reflects;
+    wi = select(bsdf.is_smooth && wrong_side, mirrored(wi, bsdf.side), wi);
+    wi = normalized(select(diffuses, sample_diffuse(bsdf, u), wi));
+    BsdfValue rough = evaluate_bsdf(bsdf, wi);
+    vec3 reflection_weight = reflectance(bsdf, weight) * (1.0f / max(bsdf.pick_reflection, SMALLEST));
+    vec3 transmission_weight = bsdf.transmission_color * ((1.0f - dielectric_reflectance(bsdf, weight)) /
+                                                          max(bsdf.pick_transmission, SMALLEST));
+    Mask is_delta = bsdf.is_smooth && !diffuses;
+    BsdfSample result;
+    result.wi = wi;
+    result.weight = select(is_delta, select(reflects, reflection_weight, transmission_weight),
+                           rough.value * (1.0f / max(rough.pdf, SMALLEST)));
+    result.pdf = select(is_delta, Float(0.0f), rough.pdf);
+    Mask total_reflection = transmits && bsdf.refracts && sine_squared >= 1.0f;
+    result.valid = !total_reflection && (is_delta || rough.pdf > 0.0f);
+    return result;
+}
+
+#endif

@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+// Kind: twin of target_core/kernels/extend.cpp.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+
+#define KERNEL_EXTEND
+#include "extend.glsl"
+
+layout(local_size_x = WORK_GROUP_SIZE) in;
+
+void main() {
+    uint job = gl_GlobalInvocationID.x;
+    if (job < extension_job_count()) {
+        extend_path(job);
+    }
+}

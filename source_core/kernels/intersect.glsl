@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+// Kind: twin of target_core/kernels/intersect.h.
+#ifndef INTERSECT_GLSL
+#define INTERSECT_GLSL
+
+#include "math.glsl"
+
+// World space from mesh space; the host bakes vertices with this same arithmetic.
+vec3 transform_point(vec4 row0, vec4 row1, vec4 row2, vec3 p) {
+    return vec3(((row0.x * p.x + row0.y * p.y) + row0.z * p.z) + row0.w,
+                ((row1.x * p.x + row1.y * p.y) + row1.z * p.z) + row1.w,
+                ((row2.x * p.x + row2.y * p.y) + row2.z * p.z) + row2.w);
+}
+
+vec3 transform_vector(vec4 row0, vec4 row1, vec4 row2, vec3 v) {
+    return vec3((row0.x * v.x + row0.y * v.y) + row0.z * v.z, (row1.x * v.x + row1.y * v.y) + row1.z * v.z,
+                (row2.x * v.x + row2.y * v.y) + row2.z * v.z);
+}
+
+// Normals go by the matrix of cofactors: the inverse transpose without the division, right for any scale but for
+// the sign, which mirrored instances flip.
+vec3 transform_normal(vec4 row0, vec4 row1, vec4 row2, vec3 n) {
+    vec3 a = vec3(row0);
+    vec3 b = vec3(row1);
+    vec3 c = vec3(row2);
+    return vec3(dot(cross(b, c), n), dot(cross(c, a), n), dot(cross(a, b), n));
+}
+
+struct TriangleTest {
+    Mask hit;  // inside the triangle and in front of the origin
+    Float t;
+    Float u;
+    Float v;
+};
+
+// Moller and Trumbore 1997, both sides. The one formula by which both cores find t, u and v, whoever found the
+// triangle. A degenerate triangle is never hit.
+TriangleTest intersect_triangle(vec3 origin, vec3 direction, vec3 v0, vec3 v1, vec3 v2) {
+    vec3 edge1 = v1 - v0;
+    vec3 edge2 = v2 - v0;
+    vec3 p = cross(direction, edge2);
+    Float determinant = dot(edge1, p);
+    Float scale = 1.0f / select(determinant == 0.0f, Float(1.0f), determinant);
+    vec3 s = origin - v0;
+    vec3 q = cross(s, edge1);
+    TriangleTest test;
+    test.u = dot(s, p) * scale;
+    test.v = dot(direction, q) * scale;
+    test.t = dot(edge2, q) * scale;
+    test.hit = determinant != 0.0f && test.u >= 0.0f && test.v >= 0.0f && test.u + test.v <= 1.0f && test.t > 0.0f;
+    return test;
+}
+
+Float offset_component(Float p, Float n) {
+    Int steps = Int(256.0f * n);
+    Float moved = uintBitsToFloat(floatBitsToUint(p) + Uint(select(p < 0.0f, -steps, steps)));
+    return select(abs(p) < 0.03125f, p + n * 1.52587890625e-5f, moved);
+}
+
+// Moves a point off its surface to the side that `normal` points to, by units in the last place: Wachter and
+// Binder 2019, "A Fast and Robust Method for Avoiding Self-Intersection".
+vec3 offset_point(vec3 p, vec3 normal) {
+    return vec3(offset_component(p.x, normal.x), offset_component(p.y, normal.y), offset_component(p.z, normal.z));
+}
+
+#endif

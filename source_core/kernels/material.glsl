@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+// Kind: twin of target_core/kernels/material.h.
+#ifndef MATERIAL_GLSL
+#define MATERIAL_GLSL
+
+#include "surface.glsl"
+
+// A material where a ray met it: factors times textures, in the metallic-roughness model of glTF 2.0.
+struct Material {
+    vec3 base_color;
+    Float metallic;
+    Float roughness;
+    Float specular;
+    Float transmission;
+    vec3 specular_color;
+    Float ior;
+    vec3 emission;
+    Float emission_weight;
+    Uint flags;
+};
+
+Material fetch_material(Surface surface) {
+    Uint row = surface.material * MATERIAL_ROWS;
+    vec4 base_color = fetch_materials(row + MATERIAL_BASE_COLOR);
+    vec4 factors = fetch_materials(row + MATERIAL_SURFACE);
+    vec4 emission = fetch_materials(row + MATERIAL_EMISSION);
+    vec4 specular = fetch_materials(row + MATERIAL_SPECULAR);
+    vec4 alpha = fetch_materials(row + MATERIAL_ALPHA);
+    Material material;
+    material.base_color = vec3(base_color) * vec3(surface.color);
+    material.metallic = factors.x;
+    material.roughness = factors.y;
+    material.specular = factors.z;
+    material.transmission = factors.w;
+    material.specular_color = vec3(specular);
+    material.ior = specular.w;
+    material.emission = vec3(emission);
+    material.emission_weight = emission.w;
+    material.flags = floatBitsToUint(alpha.z);
+    if (has_feature(FEATURE_TEXTURES)) {
+        vec4 slots = fetch_materials(row + MATERIAL_SLOTS);
+        vec4 surface_texel = sample_slot(floatBitsToUint(slots.y), surface.coordinates);
+        material.base_color = material.base_color * vec3(sample_slot(floatBitsToUint(slots.x), surface.coordinates));
+        material.roughness = material.roughness * surface_texel.y;
+        material.metallic = material.metallic * surface_texel.z;
+        if (has_feature(FEATURE_EMISSION_TEXTURES)) {
+            material.emission = material.emission * vec3(sample_slot(floatBitsToUint(slots.w), surface.coordinates));
+        }
+        if (has_feature(FEATURE_SPECULAR_TEXTURES)) {
+            vec4 more = fetch_materials(row + MATERIAL_MORE_SLOTS);
+            vec4 specular_color_texel = sample_slot(floatBitsToUint(more.z), surface.coordinates);
+            material.transmission = material.transmission * sample_slot(floatBitsToUint(more.x), surface.coordinates).x;
+            material.specular = material.specular * sample_slot(floatBitsToUint(more.y), surface.coordinates).w;
+            material.specular_color = material.specular_color * vec3(specular_color_texel);
+        }
+    }
+    return material;
+}
+
+// The shading normal, bent where the material has a normal map, on the front side.
+vec3 shading_normal(Surface surface) {
+    vec3 normal = surface.normal;
+    if (has_feature(FEATURE_NORMAL_MAPS)) {
+        Uint row = surface.material * MATERIAL_ROWS;
+        vec4 slots = fetch_materials(row + MATERIAL_SLOTS);
+        vec4 alpha = fetch_materials(row + MATERIAL_ALPHA);
+        if (any_lane(floatBitsToUint(slots.z) != NONE)) {
+            normal = bend_normal(surface, floatBitsToUint(slots.z), alpha.x);
+        }
+    }
+    return normal;
+}
+
+#endif

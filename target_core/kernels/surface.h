@@ -1,0 +1,152 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+// Kind: twin of source_core/kernels/surface.glsl.
+#pragma once
+
+#include "target_core/kernels/buffers.h"
+#include "target_core/kernels/intersect.h"
+#include "target_core/kernels/path_state.h"
+#include "target_core/kernels/texture.h"
+
+namespace target_core::kernels {
+
+// Three vertices in world space, and the triangle's number in its mesh.
+struct TriangleVertices {
+    vec3 v0;
+    vec3 v1;
+    vec3 v2;
+    Uint primitive;
+};
+
+// The attributes of one triangle's vertices at barycentric coordinates (u, v), in mesh space.
+struct Attributes {
+    vec3 normal;
+    vec4 color;
+    vec2 uv0;
+    vec2 uv1;
+    Float uv_area0;  // twice the triangle's area in uv
+    Float uv_area1;
+};
+
+inline vec4 unpack_color(Uint bits) {
+    return vec4(unorm8(bits & 255u), unorm8((bits >> 8) & 255u), unorm8((bits >> 16) & 255u), unorm8(bits >> 24));
+}
+
+inline Float doubled_area(vec2 a, vec2 b, vec2 c) { return abs((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)); }
+
+// `corners` are rows of mesh_triangles plus the mesh's first vertex.
+inline Attributes fetch_attributes(uvec4 corners, Float u, Float v) {
+    Float w = (1.0f - u) - v;
+    vec4 normal0 = fetch_vertices(corners.x * VERTEX_ROWS + VERTEX_NORMAL);
+    vec4 normal1 = fetch_vertices(corners.y * VERTEX_ROWS + VERTEX_NORMAL);
+    vec4 normal2 = fetch_vertices(corners.z * VERTEX_ROWS + VERTEX_NORMAL);
+    vec4 uv_a = fetch_vertices(corners.x * VERTEX_ROWS + VERTEX_UV);
+    vec4 uv_b = fetch_vertices(corners.y * VERTEX_ROWS + VERTEX_UV);
+    vec4 uv_c = fetch_vertices(corners.z * VERTEX_ROWS + VERTEX_UV);
+    vec4 uv = (uv_a * w + uv_b * u) + uv_c * v;
+    Attributes attributes;
+    attributes.normal = (vec3(normal0) * w + vec3(normal1) * u) + vec3(normal2) * v;
+    attributes.color = vec4(1.0f);
+    if (has_feature(FEATURE_VERTEX_COLORS)) {
+        attributes.color =
+            (unpack_color(floatBitsToUint(normal0.w)) * w + unpack_color(floatBitsToUint(normal1.w)) * u) +
+            unpack_color(floatBitsToUint(normal2.w)) * v;
+    }
+    attributes.uv0 = vec2(uv.x, uv.y);
+    attributes.uv1 = vec2(uv.z, uv.w);
+    attributes.uv_area0 = doubled_area(vec2(uv_a.x, uv_a.y), vec2(uv_b.x, uv_b.y), vec2(uv_c.x, uv_c.y));
+    attributes.uv_area1 = doubled_area(vec2(uv_a.z, uv_a.w), vec2(uv_b.z, uv_b.w), vec2(uv_c.z, uv_c.w));
+    return attributes;
+}
+
+// Vertices of a mesh triangle, counted in the scene's table, and its material in w.
+inline uvec4 fetch_corners(vec4 mesh_row, Uint primitive) {
+    uvec4 corners = fetch_mesh_triangles(floatBitsToUint(mesh_row.x) + primitive);
+    Uint first_vertex = floatBitsToUint(mesh_row.y);
+    return uvec4(corners.x + first_vertex, corners.y + first_vertex, corners.z + first_vertex, corners.w);
+}
+
+// A point on a surface as the ray that found it sees it.
+struct Surface {
+    vec3 position;
+    vec3 geometric_normal;  // unit, on the front side
+    vec3 normal;            // unit shading normal, on the front side
+    vec4 color;
+    TextureCoordinates coordinates;
+    uvec4 corners;
+    Uint instance;
+    Uint material;
+    Float u;
+    Float v;
+    Float distance_squared;
+    Float cone_width;
+    Mask front;  // the ray comes from the front side
+};
+
+inline Surface make_surface(PathRay path_ray, Hit hit, TriangleVertices triangle) {
+    Uint row = hit.instance * INSTANCE_ROWS;
+    vec4 row0 = fetch_instances(row + INSTANCE_TRANSFORM);
+    vec4 row1 = fetch_instances(row + INSTANCE_TRANSFORM + 1u);
+    vec4 row2 = fetch_instances(row + INSTANCE_TRANSFORM + 2u);
+    vec4 mesh_row = fetch_instances(row + INSTANCE_MESH);
+    vec3 edge1 = triangle.v1 - triangle.v0;
+    vec3 edge2 = triangle.v2 - triangle.v0;
+    vec3 area = cross(edge1, edge2) * mesh_row.w;
+    Surface surface;
+    surface.corners = fetch_corners(mesh_row, triangle.primitive);
+    Attributes attributes = fetch_attributes(surface.corners, hit.u, hit.v);
+    surface.position = (triangle.v0 + edge1 * hit.u) + edge2 * hit.v;
+    surface.geometric_normal = normalized(area);
+    surface.normal = normalized(transform_normal(row0, row1, row2, attributes.normal) * mesh_row.w);
+    surface.color = attributes.color;
+    surface.instance = hit.instance;
+    surface.material = surface.corners.w;
+    surface.u = hit.u;
+    surface.v = hit.v;
+    vec3 way = surface.position - path_ray.ray.origin;
+    surface.distance_squared = dot(way, way);
+    surface.cone_width = path_ray.cone_width + path_ray.cone_spread * sqrt(surface.distance_squared);
+    Float cosine = dot(surface.geometric_normal, path_ray.ray.direction);
+    surface.front = cosine < 0.0f;
+    Float cover = square(surface.cone_width) / max(square(cosine) * sqrt(dot(area, area)), SMALLEST);
+    surface.coordinates.uv0 = attributes.uv0;
+    surface.coordinates.uv1 = attributes.uv1;
+    surface.coordinates.footprint0 = attributes.uv_area0 * cover;
+    surface.coordinates.footprint1 = attributes.uv_area1 * cover;
+    return surface;
+}
+
+// Octahedral direction from 16 and 15 bits; the highest bit is the bitangent's sign: 0 for +1.
+inline vec4 unpack_tangent(Uint bits) {
+    Float x = Float(bits & 65535u) * 3.05180438e-5f - 1.0f;
+    Float y = Float((bits >> 16) & 32767u) * 6.10370190e-5f - 1.0f;
+    Float z = (1.0f - abs(x)) - abs(y);
+    Float fold = max(-z, 0.0f);
+    vec3 direction = vec3(x + select(x >= 0.0f, -fold, fold), y + select(y >= 0.0f, -fold, fold), z);
+    return vec4(normalized(direction), select((bits >> 31) != 0u, Float(-1.0f), Float(1.0f)));
+}
+
+// The shading normal bent by a normal map, which lies in the frame of the interpolated tangent.
+inline vec3 bend_normal(Surface surface, Uint slot, Float scale) {
+    Uint row = surface.instance * INSTANCE_ROWS;
+    vec4 row0 = fetch_instances(row + INSTANCE_TRANSFORM);
+    vec4 row1 = fetch_instances(row + INSTANCE_TRANSFORM + 1u);
+    vec4 row2 = fetch_instances(row + INSTANCE_TRANSFORM + 2u);
+    vec4 mesh_row = fetch_instances(row + INSTANCE_MESH);
+    vec4 tangent0 = unpack_tangent(fetch_tangents(surface.corners.x));
+    vec4 tangent1 = unpack_tangent(fetch_tangents(surface.corners.y));
+    vec4 tangent2 = unpack_tangent(fetch_tangents(surface.corners.z));
+    Float w = (1.0f - surface.u) - surface.v;
+    vec3 interpolated = (vec3(tangent0) * w + vec3(tangent1) * surface.u) + vec3(tangent2) * surface.v;
+    vec3 along = transform_vector(row0, row1, row2, interpolated);
+    vec3 tangent = normalized(along - surface.normal * dot(surface.normal, along));
+    vec3 bitangent = cross(surface.normal, tangent) * (tangent0.w * mesh_row.w);
+    vec4 texel = sample_slot(slot, surface.coordinates);
+    vec3 bent = (tangent * ((2.0f * texel.x - 1.0f) * scale) + bitangent * ((2.0f * texel.y - 1.0f) * scale)) +
+                surface.normal * (2.0f * texel.z - 1.0f);
+    Uint flags = floatBitsToUint(mesh_row.z);
+    Mask usable = slot != NONE && (flags & INSTANCE_HAS_TANGENTS) != 0u;
+    return select(usable, normalized(bent), surface.normal);
+}
+
+}  // namespace target_core::kernels
