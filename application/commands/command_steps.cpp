@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "application/commands/command_steps.h"
+
+#include <fmt/format.h>
+
+#include "application/file_output.h"
+
+namespace application {
+
+using render_system::CoreChoice;
+using render_system::Result;
+using render_system::Status;
+using render_system::StatusCode;
+
+ExitCode fail(Console& console, const Status& status) {
+    console.error(explain(status));
+    return FAILED;
+}
+
+Status check_files(const Options& options) {
+    if (!options.stats.empty()) {
+        if (Status status = check_writable(options.stats); !status.ok()) return status;
+    }
+    std::error_code error;
+    if (!options.kernels.empty() && !std::filesystem::is_directory(options.kernels, error)) {
+        return Status::error(
+            StatusCode::not_found,
+            fmt::format("--kernels: there is no folder {}; leave it out for the kernels built in", options.kernels));
+    }
+    return Status::success();
+}
+
+Result<CoreChoice> start_chosen_core(CoreSession& session, const Options& options, Picture& picture, Console& console) {
+    auto choice = session.start(core_ids(options), picture);
+    if (choice.ok() && options.core == "auto") console.note(choice->reason);
+    return choice;
+}
+
+std::string json_text(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
+
+Status write_stats(const Options& options, const Json& stats) {
+    return options.stats.empty() ? Status::success() : write_file(options.stats, json_text(stats));
+}
+
+ExitCode deliver(const Options& options, Console& console, const std::string& text) {
+    if (options.output.empty()) {
+        console.result(text);
+        return DONE;
+    }
+    const Status status = write_file(options.output, text);
+    return status.ok() ? DONE : fail(console, status);
+}
+
+}  // namespace application

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "application/console.h"
+#include "application/core_session.h"
+#include "application/exit_code.h"
+#include "application/options.h"
+#include "application/stats_report.h"
+
+// Steps that several subcommands take.
+
+namespace application {
+
+/// Says why not and answers the exit code for it.
+ExitCode fail(Console& console, const render_system::Status& status);
+
+/// What can be known to be wrong before anything is loaded: the place of the statistics, the folder of kernels.
+render_system::Status check_files(const Options& options);
+
+/// Starts the core that the options ask for; with `auto` one line on stderr says which and why.
+render_system::Result<render_system::CoreChoice> start_chosen_core(CoreSession& session, const Options& options,
+                                                                   Picture& picture, Console& console);
+
+/// Writes the JSON to the file of `--stats`, if there is one.
+render_system::Status write_stats(const Options& options, const Json& stats);
+
+/// JSON as files and stdout have it.
+std::string json_text(const Json& json);
+
+/// Puts the result into the file of `-o`, or on stdout where there is none.
+ExitCode deliver(const Options& options, Console& console, const std::string& text);
+
+}  // namespace application

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include "application/commands/command_steps.h"
+#include "application/commands/commands.h"
+#include "application/file_output.h"
+
+namespace application {
+namespace {
+
+using render_system::CoreStats;
+using render_system::Result;
+using render_system::Status;
+
+std::string render_text(const Options& options, const std::string& file, const CoreStats& stats) {
+    return fmt::format("{}: {}x{}, {} samples per pixel, {} core, {:.2f} s\n", file, options.width, options.height,
+                       stats.samples, stats.core, stats.total_ms * 1e-3);
+}
+
+Status write_picture(const Picture& picture, ImageKind kind, const std::string& file) {
+    const auto bytes = encode_picture(picture, kind);
+    return bytes.ok() ? write_file(file, *bytes) : bytes.status;
+}
+
+}  // namespace
+
+ExitCode run_render(const Options& options, Console& console) {
+    const std::string file = options.output.empty() ? default_picture_name(options.scene) : options.output;
+    const auto kind = image_kind(file);
+    if (!kind.ok()) return fail(console, kind.status);
+    if (Status status = check_writable(file); !status.ok()) return fail(console, status);
+    if (Status status = check_files(options); !status.ok()) return fail(console, status);
+
+    auto setup = set_up_scene(options, console);
+    if (!setup.ok()) return fail(console, setup.status);
+    CoreSession session(options, std::move(*setup), console);
+    Picture picture(options.width, options.height);
+    const auto choice = start_chosen_core(session, options, picture, console);
+    if (!choice.ok()) return fail(console, choice.status);
+    if (Status status = session.render_up_to(options.spp.front()); !status.ok()) return fail(console, status);
+
+    const CoreStats stats = session.stats();
+    const Json json = stats_json(bench_json(options, stats, mean_frame(stats), stats.samples), options,
+                                 options.spp.front(), choice->reason);
+    if (Status status = write_picture(picture, *kind, file); !status.ok()) return fail(console, status);
+    if (Status status = write_stats(options, json); !status.ok()) return fail(console, status);
+    const std::string text = render_text(options, file, stats);
+    if (!options.output.empty()) {
+        console.detail(text.substr(0, text.size() - 1));
+        return DONE;
+    }
+    console.result(options.format == Format::json ? json_text(json) : text);
+    return DONE;
+}
+
+}  // namespace application

@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "application/core_session.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "application/cores.h"
+#include "application/progress_bar.h"
+
+namespace application {
+namespace {
+
+using render_system::Convergence;
+using render_system::CoreChoice;
+using render_system::CoreOptions;
+using render_system::CoreStats;
+using render_system::RenderSystem;
+using render_system::Result;
+using render_system::Status;
+using render_system::StatusCode;
+
+constexpr double PORTION_MS = 250.0;  // between two moves of the bar
+
+CoreOptions core_options(const Options& options) {
+    return {.threads = options.threads,
+            .memory_limit = options.gpu_memory_limit,
+            .kernels_directory = options.kernels,
+            .exact = options.exact};
+}
+
+uint64_t rays(const CoreStats& stats) { return stats.primary_rays + stats.extension_rays + stats.shadow_rays; }
+
+}  // namespace
+
+CoreSession::CoreSession(const Options& options, SceneSetup setup, Console& console)
+    : options_(options),
+      console_(console),
+      system_(std::move(setup.scene)),
+      view_(render_system::view_pyramid(setup.camera, options.width, options.height)) {}
+
+render_system::CoreSettings CoreSession::settings() const {
+    return {.seed = options_.seed,
+            .max_path_length = options_.max_path_length,
+            .russian_roulette = options_.russian_roulette,
+            .next_event_estimation = options_.next_event_estimation};
+}
+
+Result<CoreChoice> CoreSession::start(const std::vector<std::string>& ids, Picture& picture) {
+    const auto first_sample = [&](RenderSystem& system) {
+        Status status = system.core().SetTarget({picture.width, picture.height, picture.pixels});
+        if (status.ok()) status = system.core().Setting(settings());
+        if (status.ok()) status = system.render(view_, Convergence::Restart, 1);
+        return status;
+    };
+    auto choice = choose_core(make_registry(), ids, core_options(options_), system_, first_sample);
+    if (choice.ok()) console_.detail("core " + choice->core + ": " + stats().device);
+    return choice;
+}
+
+Status CoreSession::render(Convergence convergence, uint32_t samples) {
+    return system_.render(view_, convergence, samples);
+}
+
+Status CoreSession::measure_trace_limit(bool on) {
+    render_system::CoreSettings changed = settings();
+    changed.measure_trace_limit = on;
+    return system_.core().Setting(changed);
+}
+
+Status CoreSession::render_up_to(uint32_t samples) {
+    ProgressBar bar(console_, stats().core);
+    while (true) {
+        const CoreStats now = stats();
+        if (now.samples >= samples) return Status::success();
+        bar.show(now.samples, samples, rays(now), now.total_ms * 1e-3);
+        const auto left = static_cast<uint32_t>(samples - now.samples);
+        uint32_t portion = left;
+        if (console_.shows_progress()) {
+            const double sample_ms = std::max(now.total_ms / static_cast<double>(now.samples), 1e-3);
+            portion = static_cast<uint32_t>(std::clamp(PORTION_MS / sample_ms, 1.0, static_cast<double>(left)));
+        }
+        if (Status status = render(Convergence::Converge, portion); !status.ok()) return status;
+    }
+}
+
+std::vector<std::string> core_ids(const Options& options) {
+    if (options.core == "auto") return {"source", "target"};
+    return {options.core};
+}
+
+std::string explain(const Status& status) {
+    std::string line = status.message;
+    std::replace(line.begin(), line.end(), '\n', ' ');
+    if (status.code == StatusCode::out_of_memory) line += "; use --core target, or raise --gpu-memory-limit";
+    return line;
+}
+
+}  // namespace application

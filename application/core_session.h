@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "application/console.h"
+#include "application/options.h"
+#include "application/picture.h"
+#include "application/scene_setup.h"
+#include "render_system/core_choice.h"
+#include "render_system/render_system.h"
+
+namespace application {
+
+/// One scene, one view, one picture size; the cores come and go.
+class CoreSession {
+public:
+    CoreSession(const Options& options, SceneSetup setup, Console& console);
+
+    /// Takes the first of the cores `ids` that can render the scene, and with it the first sample of `picture`, which
+    /// has to stay where it is until the next start.
+    render_system::Result<render_system::CoreChoice> start(const std::vector<std::string>& ids, Picture& picture);
+
+    /// Renders on until the picture has `samples` samples in all; the bar moves from `samples_before` up. Where a bar
+    /// is shown, samples come in portions of about a quarter of a second, which changes no bit of the picture.
+    render_system::Status render_up_to(uint32_t samples);
+
+    /// `samples` samples more, or from the first again, in one call of the core.
+    render_system::Status render(render_system::Convergence convergence, uint32_t samples);
+
+    /// The settings for the next Restart.
+    render_system::Status measure_trace_limit(bool on);
+
+    render_system::CoreStats stats() { return system_.core().GetCoreStats(); }
+
+private:
+    render_system::CoreSettings settings() const;
+
+    const Options& options_;
+    Console& console_;
+    render_system::RenderSystem system_;
+    render_system::ViewPyramid view_;
+};
+
+/// The cores that `--core` allows, in order of preference.
+std::vector<std::string> core_ids(const Options& options);
+
+/// A failed call as one line for the user, with the option that helps.
+std::string explain(const render_system::Status& status);
+
+}  // namespace application

@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "application/cores.h"
+
+#include "render_system/null_core.h"
+#ifdef PORTTOOL_HAS_SOURCE_CORE
+#include "source_core/render_core.h"
+#endif
+#ifdef PORTTOOL_HAS_TARGET_CORE
+#include "target_core/render_core.h"
+#endif
+
+namespace application {
+
+render_system::CoreRegistry make_registry() {
+    render_system::CoreRegistry registry;
+#ifdef PORTTOOL_HAS_SOURCE_CORE
+    registry.add("source", source_core::create_core);
+#endif
+#ifdef PORTTOOL_HAS_TARGET_CORE
+    registry.add("target", target_core::create_core);
+#endif
+    registry.add("null", render_system::create_null_core);
+    return registry;
+}
+
+}  // namespace application

@@ -1,0 +1,165 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "application/declare_options.h"
+
+#include <CLI/CLI.hpp>
+#include <map>
+
+#include "application/option_values.h"
+
+namespace application {
+namespace {
+
+/// An option whose text goes through `parse` and, where that succeeds, on to `store`.
+template <class Parse, class Store>
+CLI::Option* add_parsed(CLI::App& app, const std::string& name, Parse parse, Store store, const std::string& help) {
+    const auto callback = [name, parse, store](const std::string& text) {
+        auto result = parse(text);
+        if (!result.ok()) throw CLI::ValidationError(name, result.status.message);
+        store(*result);
+    };
+    return app.add_option_function<std::string>(name, callback, help);
+}
+
+CLI::Option* add_number(CLI::App& app, const std::string& name, uint32_t& value, uint32_t low, uint32_t high,
+                        const std::string& help) {
+    return add_parsed(
+        app, name, [low, high](const std::string& text) { return parse_number(text, low, high); },
+        [&value](uint32_t number) { value = number; }, help);
+}
+
+template <class Value>
+CLI::Option* add_choice(CLI::App& app, const std::string& name, Value& value, std::map<std::string, Value> choices,
+                        const std::string& help) {
+    const auto callback = [name, &value, choices](const std::string& text) {
+        const auto found = choices.find(text);
+        if (found != choices.end()) {
+            value = found->second;
+            return;
+        }
+        std::string known;
+        for (const auto& [key, unused] : choices) known += (known.empty() ? "" : ", ") + key;
+        throw CLI::ValidationError(name, "'" + text + "' is not one of " + known);
+    };
+    return app.add_option_function<std::string>(name, callback, help);
+}
+
+void declare_format(CLI::App& app, Options& options) {
+    add_choice<Format>(app, "--format", options.format, {{"text", Format::text}, {"json", Format::json}},
+                       "What is printed on stdout: text or json (text)")
+        ->type_name("F");
+}
+
+void declare_picture(CLI::App& app, Options& options) {
+    add_parsed(
+        app, "--size", parse_size,
+        [&options](Size size) {
+            options.width = size.width;
+            options.height = size.height;
+        },
+        "Pixels (640x360)")
+        ->type_name("WxH");
+    add_number(app, "--seed", options.seed, 0, UINT32_MAX, "Seed of the random numbers (0)")->type_name("N");
+    add_parsed(
+        app, "--camera", parse_camera, [&options](const CameraChoice& camera) { options.camera = camera; },
+        "A camera file (JSON), or the number of a camera in the scene (0)")
+        ->type_name("FILE|INDEX");
+    add_parsed(
+        app, "--sky", parse_sky, [&options](const SkyChoice& sky) { options.sky = sky; },
+        "Constant radiance, or an HDR map (black; white where nothing emits)")
+        ->type_name("R,G,B|FILE.hdr");
+}
+
+void declare_paths(CLI::App& app, Options& options) {
+    add_number(app, "--max-path-length", options.max_path_length, 1, MAX_PATH_SEGMENTS,
+               "Path segments from the eye; 1 shows emitters and sky only (8)")
+        ->type_name("N");
+    app.add_flag_callback(
+        "--no-roulette", [&options] { options.russian_roulette = false; }, "No Russian roulette");
+    app.add_flag_callback(
+        "--no-nee", [&options] { options.next_event_estimation = false; }, "No next event estimation");
+    app.add_flag("--exact", options.exact, "Checking mode: both cores give the same bits");
+}
+
+void declare_machine(CLI::App& app, Options& options) {
+    add_choice<std::string>(app, "--core", options.core,
+                            {{"source", "source"}, {"target", "target"}, {"auto", "auto"}, {"null", "null"}},
+                            "source (Vulkan), target (Embree), null (paints nothing), or auto: source where the scene "
+                            "fits, else target (auto)")
+        ->type_name("CORE")
+        ->each([&options](const std::string&) { options.core_given = true; });
+    add_number(app, "--threads", options.threads, 1, MAX_THREADS, "Host threads; never changes the picture (all)")
+        ->type_name("N");
+    add_parsed(
+        app, "--gpu-memory-limit", parse_mebibytes, [&options](uint64_t bytes) { options.gpu_memory_limit = bytes; },
+        "Device memory the source core may use (its device-local heap)")
+        ->type_name("MIB");
+    app.add_option("--kernels", options.kernels, "Folder of kernels to use in place of those built in")
+        ->type_name("DIR");
+}
+
+/// What render, compare and bench share.
+void declare_scene_command(CLI::App& app, Options& options) {
+    app.add_option("SCENE", options.scene, "A .gltf or .glb file, or the name of a built-in scene: still_life")
+        ->required()
+        ->type_name("");
+    declare_picture(app, options);
+    declare_paths(app, options);
+    declare_machine(app, options);
+    app.add_option("--stats", options.stats, "Write counters and times as JSON")->type_name("FILE.json");
+    declare_format(app, options);
+    app.add_flag("--progress", options.progress, "Show the progress bar even where stderr is no terminal");
+}
+
+void declare_samples(CLI::App& app, Options& options, const std::string& help) {
+    add_parsed(
+        app, "--spp", [](const std::string& text) { return parse_number(text, 1, MAX_SAMPLES); },
+        [&options](uint32_t count) { options.spp = {count}; }, help)
+        ->type_name("N");
+}
+
+}  // namespace
+
+void declare_common(CLI::App& app, Options& options) {
+    app.add_flag("--quiet", options.quiet, "Errors only");
+    app.add_flag("--verbose", options.verbose, "Say more on stderr");
+    add_choice<ColorMode>(app, "--color", options.color,
+                          {{"auto", ColorMode::automatic}, {"always", ColorMode::always}, {"never", ColorMode::never}},
+                          "Colour on stderr: auto, always or never (auto, which respects NO_COLOR)")
+        ->type_name("WHEN");
+    app.set_version_flag("--version", "pathtracer " PORTTOOL_VERSION, "Print the version");
+}
+
+void declare_render(CLI::App& app, Options& options) {
+    declare_scene_command(app, options);
+    declare_samples(app, options, "Samples per pixel (16)");
+    app.add_option("-o,--output", options.output, "The picture, .png or .exr (<scene>.png in this folder)")
+        ->type_name("FILE");
+}
+
+void declare_compare(CLI::App& app, Options& options) {
+    declare_scene_command(app, options);
+    add_parsed(
+        app, "--spp", parse_sample_counts, [&options](const std::vector<uint32_t>& counts) { options.spp = counts; },
+        "Samples per pixel; several counts are separated by commas (16)")
+        ->type_name("N,...");
+    add_parsed(
+        app, "--limit-ssim", parse_ssim, [&options](double limit) { options.limit_ssim = limit; },
+        "Exit with 1 where the SSIM is below this")
+        ->type_name("X");
+    app.add_option("-o,--output", options.output, "Folder for both pictures and their difference (none written)")
+        ->type_name("DIR");
+}
+
+void declare_bench(CLI::App& app, Options& options) {
+    declare_scene_command(app, options);
+    declare_samples(app, options, "Frames to time, of one sample per pixel each (16)");
+    app.add_option("-o,--output", options.output, "Write the result here instead of stdout")->type_name("FILE");
+}
+
+void declare_info(CLI::App& app, Options& options) {
+    declare_format(app, options);
+    app.add_option("-o,--output", options.output, "Write the result here instead of stdout")->type_name("FILE");
+}
+
+}  // namespace application

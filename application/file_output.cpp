@@ -1,0 +1,154 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "application/file_output.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <atomic>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <string>
+
+namespace application {
+namespace {
+
+using render_system::Status;
+using render_system::StatusCode;
+using std::filesystem::path;
+
+// The unfinished file, for the signal handler: a plain array, since a handler may not allocate.
+std::array<char, 4096> unfinished_name{};
+std::atomic<bool> unfinished{false};
+static_assert(std::atomic<bool>::is_always_lock_free);
+
+extern "C" void remove_unfinished_and_die(int signal_number) {
+    if (unfinished.load()) unlink(unfinished_name.data());
+    signal(signal_number, SIG_DFL);
+    raise(signal_number);
+}
+
+Status cannot_write(const path& file, const std::string& reason) {
+    return Status::error(StatusCode::invalid_argument,
+                         fmt::format("cannot write {}: {}; give another place to write to", file.string(), reason));
+}
+
+Status cannot_write(const path& file, int error) { return cannot_write(file, std::string(std::strerror(error))); }
+
+/// An unfinished file: made beside its place, gone with this object unless put into its place.
+class UnfinishedFile {
+public:
+    explicit UnfinishedFile(const path& place)
+        : place_(place), name_(place.parent_path() / fmt::format(".{}.{}", getpid(), place.filename().string())) {
+        const std::string name = name_.string();
+        if (name.size() >= unfinished_name.size()) {
+            error_ = ENAMETOOLONG;
+            return;
+        }
+        std::memcpy(unfinished_name.data(), name.c_str(), name.size() + 1);
+        unfinished.store(true);
+        descriptor_ = open(name.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+        error_ = descriptor_ < 0 ? errno : 0;
+    }
+    ~UnfinishedFile() {
+        if (descriptor_ >= 0) {
+            close(descriptor_);
+            unlink(name_.c_str());
+        }
+        unfinished.store(false);
+    }
+    UnfinishedFile(const UnfinishedFile&) = delete;
+    UnfinishedFile& operator=(const UnfinishedFile&) = delete;
+
+    int error() const { return error_; }
+    int descriptor() const { return descriptor_; }
+
+    /// Closes the file and gives it its name. Answers an errno, 0 where all went well.
+    int finish() {
+        if (close(descriptor_) != 0) error_ = errno;
+        descriptor_ = -1;
+        if (error_ == 0 && rename(name_.c_str(), place_.c_str()) != 0) error_ = errno;
+        if (error_ != 0) unlink(name_.c_str());
+        return error_;
+    }
+
+private:
+    path place_;
+    path name_;
+    int descriptor_ = -1;
+    int error_ = 0;
+};
+
+/// Answers an errno, 0 where all was written.
+int write_all(int descriptor, std::string_view bytes) {
+    while (!bytes.empty()) {
+        const ssize_t written = write(descriptor, bytes.data(), bytes.size());
+        if (written < 0 && errno != EINTR) return errno;
+        if (written > 0) bytes.remove_prefix(static_cast<size_t>(written));
+    }
+    return 0;
+}
+
+/// Where a file of that name really goes: behind symbolic links, so that these stay.
+path place_behind_links(const path& file) {
+    std::error_code error;
+    const path real = std::filesystem::canonical(file, error);
+    return error ? file : real;
+}
+
+/// A device or a pipe has no neighbour to be renamed from.
+bool is_special(const path& file) {
+    std::error_code error;
+    const auto status = std::filesystem::status(file, error);
+    return std::filesystem::exists(status) && !std::filesystem::is_regular_file(status) &&
+           !std::filesystem::is_directory(status);
+}
+
+Status write_special(const path& file, std::string_view bytes) {
+    const int descriptor = open(file.c_str(), O_WRONLY | O_CLOEXEC);
+    if (descriptor < 0) return cannot_write(file, errno);
+    const int error = write_all(descriptor, bytes);
+    close(descriptor);
+    return error == 0 ? Status::success() : cannot_write(file, error);
+}
+
+Status check_place(const path& file) {
+    std::error_code error;
+    if (file.filename().empty() || std::filesystem::is_directory(file, error)) {
+        return cannot_write(file, std::string("it is a folder"));
+    }
+    const path folder = file.has_parent_path() ? file.parent_path() : path(".");
+    if (!std::filesystem::exists(folder, error)) {
+        return cannot_write(file, fmt::format("there is no folder {}", folder.string()));
+    }
+    return Status::success();
+}
+
+}  // namespace
+
+Status check_writable(const path& file) {
+    if (Status status = check_place(file); !status.ok()) return status;
+    if (is_special(file)) return Status::success();
+    const UnfinishedFile probe(place_behind_links(file));
+    return probe.error() == 0 ? Status::success() : cannot_write(file, probe.error());
+}
+
+Status write_file(const path& file, std::string_view bytes) {
+    if (Status status = check_place(file); !status.ok()) return status;
+    if (is_special(file)) return write_special(file, bytes);
+    UnfinishedFile unfinished_file(place_behind_links(file));
+    if (unfinished_file.error() != 0) return cannot_write(file, unfinished_file.error());
+    if (const int error = write_all(unfinished_file.descriptor(), bytes); error != 0) return cannot_write(file, error);
+    const int error = unfinished_file.finish();
+    return error == 0 ? Status::success() : cannot_write(file, error);
+}
+
+void remove_unfinished_file_on_signals() {
+    for (const int number : {SIGINT, SIGTERM, SIGHUP}) signal(number, remove_unfinished_and_die);
+}
+
+}  // namespace application

@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+
+#include "render_system/status.h"
+
+// Files that are there whole or not at all: written beside their place under another name, then renamed. A signal that
+// ends the program meanwhile takes the unfinished file away.
+
+namespace application {
+
+/// Whether `file` could be written now: its folder exists and takes new files. To be asked before hours of rendering.
+/// Fails with invalid_argument; the message names the file, the reason and the remedy.
+render_system::Status check_writable(const std::filesystem::path& file);
+
+/// Writes `bytes` to `file`, in place of what is there. What is there and is no regular file (a pipe, a device) is
+/// written to directly. Fails as check_writable does, or if the disk is full.
+render_system::Status write_file(const std::filesystem::path& file, std::string_view bytes);
+
+/// Lets SIGINT, SIGTERM and SIGHUP remove an unfinished file before they end the program.
+void remove_unfinished_file_on_signals();
+
+}  // namespace application

@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+// Pictures as files: the only place of the program that knows OpenImageIO.
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imageio.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "application/picture.h"
+
+namespace application {
+namespace {
+
+using render_system::Result;
+using render_system::Status;
+using render_system::StatusCode;
+
+/// Encodes into memory, so that the file itself is written in one place for all kinds. `extension` chooses the format.
+Result<std::string> encode(const std::string& extension, OIIO::ImageSpec spec, OIIO::TypeDesc type,
+                           const void* values) {
+    const std::string name = "picture." + extension;
+    OIIO::Filesystem::IOVecOutput memory;
+    auto output = OIIO::ImageOutput::create(name, &memory);
+    const bool written = output && output->open(name, spec) && output->write_image(type, values) && output->close();
+    if (!written) {
+        const std::string reason = output ? output->geterror() : OIIO::geterror();
+        return Status::error(StatusCode::internal,
+                             fmt::format("cannot encode the picture as {}: {}", extension, reason));
+    }
+    const std::vector<unsigned char>& bytes = memory.buffer();
+    return std::string(bytes.begin(), bytes.end());
+}
+
+OIIO::ImageSpec plain_spec(uint32_t width, uint32_t height, OIIO::TypeDesc type) {
+    OIIO::ImageSpec spec(static_cast<int>(width), static_cast<int>(height), 3, type);
+    // Left alone, OpenImageIO adds the time of day, and the same pixels would give other bytes. An empty one is not
+    // written at all.
+    spec.attribute("DateTime", "");
+    return spec;
+}
+
+}  // namespace
+
+Result<ImageKind> image_kind(const std::string& file_name) {
+    std::string extension = std::filesystem::path(file_name).extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    if (extension == ".png") return ImageKind::png;
+    if (extension == ".exr") return ImageKind::exr;
+    return Status::error(
+        StatusCode::invalid_argument,
+        fmt::format("cannot write {}: its name ends in neither .png nor .exr; give one that does", file_name));
+}
+
+Result<std::string> encode_png(const Channels<uint8_t>& image) {
+    OIIO::ImageSpec spec = plain_spec(image.width, image.height, OIIO::TypeDesc::UINT8);
+    spec.attribute("oiio:ColorSpace", "sRGB");
+    return encode("png", spec, OIIO::TypeDesc::UINT8, image.rgb.data());
+}
+
+Result<std::string> encode_exr(const Channels<float>& image) {
+    OIIO::ImageSpec spec = plain_spec(image.width, image.height, OIIO::TypeDesc::FLOAT);
+    spec.attribute("oiio:ColorSpace", "Linear");
+    spec.attribute("compression", "zip");
+    return encode("exr", spec, OIIO::TypeDesc::FLOAT, image.rgb.data());
+}
+
+Result<std::string> encode_picture(const Picture& picture, ImageKind kind) {
+    return kind == ImageKind::png ? encode_png(srgb_levels(picture)) : encode_exr(linear_values(picture));
+}
+
+}  // namespace application

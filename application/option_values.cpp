@@ -1,0 +1,133 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "application/option_values.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <optional>
+
+namespace application {
+namespace {
+
+using render_system::Status;
+using render_system::StatusCode;
+
+Status nonsense(std::string message) { return Status::error(StatusCode::invalid_argument, std::move(message)); }
+
+/// The whole of `text` as a number, or none. Takes neither white space nor a leading plus.
+template <class Number>
+std::optional<Number> number_from(std::string_view text) {
+    Number number{};
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+    return number;
+}
+
+std::vector<std::string_view> split(std::string_view text, char separator) {
+    std::vector<std::string_view> parts;
+    while (true) {
+        const size_t at = text.find(separator);
+        parts.push_back(text.substr(0, at));
+        if (at == std::string_view::npos) return parts;
+        text.remove_prefix(at + 1);
+    }
+}
+
+bool is_digits(std::string_view text) {
+    return !text.empty() && std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
+}
+
+}  // namespace
+
+Result<Size> parse_size(std::string_view text) {
+    const auto parts = split(text, 'x');
+    std::optional<uint32_t> width, height;
+    if (parts.size() == 2) {
+        width = number_from<uint32_t>(parts[0]);
+        height = number_from<uint32_t>(parts[1]);
+    }
+    const bool fits = width && height && *width >= 1 && *height >= 1 && *width <= MAX_SIDE && *height <= MAX_SIDE &&
+                      uint64_t{*width} * *height <= MAX_PIXELS;
+    if (!fits) {
+        return nonsense(
+            fmt::format("'{}' is no size that can be rendered; give WIDTHxHEIGHT in pixels, each 1 to {} "
+                        "and at most {} pixels in all, e.g. 640x360",
+                        text, MAX_SIDE, MAX_PIXELS));
+    }
+    return Size{*width, *height};
+}
+
+Result<uint32_t> parse_number(std::string_view text, uint32_t low, uint32_t high) {
+    const auto number = number_from<uint32_t>(text);
+    if (!number || *number < low || *number > high) {
+        return nonsense(fmt::format("'{}' is not a whole number from {} to {}", text, low, high));
+    }
+    return *number;
+}
+
+Result<std::vector<uint32_t>> parse_sample_counts(std::string_view text) {
+    std::vector<uint32_t> counts;
+    for (const std::string_view part : split(text, ',')) {
+        const auto count = parse_number(part, 1, MAX_SAMPLES);
+        if (!count.ok()) return nonsense(count.status.message + "; give sample counts such as 1,4,16");
+        counts.push_back(*count);
+    }
+    return counts;
+}
+
+Result<double> parse_ssim(std::string_view text) {
+    const auto limit = number_from<double>(text);
+    if (!limit || !(*limit >= -1.0 && *limit <= 1.0)) {
+        return nonsense(fmt::format("'{}' is no SSIM; give a number from -1 to 1, e.g. 0.999", text));
+    }
+    return *limit;
+}
+
+Result<uint64_t> parse_mebibytes(std::string_view text) {
+    constexpr uint32_t MOST = 1u << 30;
+    const auto mebibytes = parse_number(text, 1, MOST);
+    if (!mebibytes.ok()) return nonsense(mebibytes.status.message + " (MiB)");
+    return uint64_t{*mebibytes} << 20;
+}
+
+Result<CameraChoice> parse_camera(std::string_view text) {
+    CameraChoice choice;
+    if (text.empty()) return nonsense("is empty; give a JSON file or the number of a camera of the scene");
+    if (!is_digits(text)) {
+        choice.file = text;
+        return choice;
+    }
+    const auto index = parse_number(text, 0, 1u << 30);
+    if (!index.ok()) return index.status;
+    choice.index = *index;
+    return choice;
+}
+
+Result<SkyChoice> parse_sky(std::string_view text) {
+    SkyChoice choice;
+    const auto parts = split(text, ',');
+    if (parts.size() == 1 && text.find('.') != std::string_view::npos && !number_from<float>(text)) {
+        choice.file = text;
+        return choice;
+    }
+    std::array<float, 3> radiance{};
+    bool sound = parts.size() == radiance.size();
+    for (size_t i = 0; sound && i < radiance.size(); ++i) {
+        const auto value = number_from<float>(parts[i]);
+        sound = value && std::isfinite(*value) && *value >= 0.0f;
+        if (sound) radiance[i] = *value;
+    }
+    if (!sound) {
+        return nonsense(
+            fmt::format("'{}' is no sky; give a linear radiance R,G,B of three numbers not below 0, e.g. "
+                        "1,1,1, or the file of an HDR map",
+                        text));
+    }
+    choice.radiance = radiance;
+    return choice;
+}
+
+}  // namespace application

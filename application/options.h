@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace application {
+
+enum class ColorMode { automatic, always, never };
+enum class Format { text, json };
+
+/// `--camera`: a file, the number of a camera node, or (neither) whatever the scene offers.
+struct CameraChoice {
+    std::string file;
+    std::optional<uint32_t> index;
+};
+
+/// `--sky`: a radiance, the file of a map, or (neither) what scene and camera file say.
+struct SkyChoice {
+    std::optional<std::array<float, 3>> radiance;
+    std::string file;
+};
+
+/// Everything that a command line can say, with the defaults of one that says nothing.
+struct Options {
+    bool quiet = false;
+    bool verbose = false;
+    bool progress = false;  ///< a progress bar even where stderr is no terminal
+    ColorMode color = ColorMode::automatic;
+    Format format = Format::text;
+
+    std::string scene;
+    std::string output;  ///< empty: the command's own default
+    std::string stats;   ///< empty: none
+    std::string core = "auto";
+    bool core_given = false;
+    uint32_t width = 640;
+    uint32_t height = 360;
+    std::vector<uint32_t> spp{16};  ///< more than one element only for `compare`
+    uint32_t seed = 0;
+    uint32_t max_path_length = 8;
+    bool russian_roulette = true;
+    bool next_event_estimation = true;
+    bool exact = false;
+    CameraChoice camera;
+    SkyChoice sky;
+    uint32_t threads = 0;           ///< 0: all
+    uint64_t gpu_memory_limit = 0;  ///< bytes, 0: the device-local heap
+    std::string kernels;            ///< empty: those built into the program
+    std::optional<double> limit_ssim;
+};
+
+}  // namespace application

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <string>
+#include <vector>
+
+#include "metrics/image/image_view.h"
+#include "render_system/status.h"
+
+namespace application {
+
+/// What a core renders into: linear radiance, row-major from the top left.
+struct Picture {
+    uint32_t width = 0;
+    uint32_t height = 0;
+    std::vector<glm::vec4> pixels;
+
+    Picture(uint32_t width_in, uint32_t height_in)
+        : width(width_in), height(height_in), pixels(size_t{width_in} * height_in) {}
+};
+
+/// The three colour channels of a picture, as files and metrics take them.
+template <class Value>
+struct Channels {
+    uint32_t width = 0;
+    uint32_t height = 0;
+    std::vector<Value> rgb;
+
+    metrics::ImageView<Value> view() const { return {width, height, rgb}; }
+};
+
+/// The level (0 to 255) of a linear value: clamped to 0..1, the sRGB curve (IEC 61966-2-1), rounded to nearest.
+/// NaN is 0.
+uint8_t srgb_level(float linear);
+
+/// What a PNG of the picture holds.
+Channels<uint8_t> srgb_levels(const Picture& picture);
+
+/// The picture without alpha.
+Channels<float> linear_values(const Picture& picture);
+
+/// The levels' absolute difference times `gain`, clamped: 0 is black where both agree.
+Channels<uint8_t> difference_image(const Channels<uint8_t>& a, const Channels<uint8_t>& b, int gain);
+
+/// Image formats by the file name's end.
+enum class ImageKind { png, exr };
+
+/// The kind of `file_name`; fails with invalid_argument on any end but .png and .exr, in either case.
+render_system::Result<ImageKind> image_kind(const std::string& file_name);
+
+/// The bytes of a file: PNG of 8 bits a channel, or EXR of 32-bit floats. The same values give the same bytes: no
+/// date, no host name.
+render_system::Result<std::string> encode_png(const Channels<uint8_t>& image);
+render_system::Result<std::string> encode_exr(const Channels<float>& image);
+
+/// The bytes of the picture as a file of that kind.
+render_system::Result<std::string> encode_picture(const Picture& picture, ImageKind kind);
+
+}  // namespace application

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "application/program.h"
+
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <new>
+
+#include "application/command_line.h"
+#include "application/command_table.h"
+#include "application/console.h"
+#include "application/file_output.h"
+
+namespace application {
+namespace {
+
+ExitCode carry_out(const Invocation& invocation, Console& console) {
+    if (invocation.command == nullptr) {
+        std::fputs(invocation.text.c_str(), invocation.exit_code == DONE ? stdout : stderr);
+        return invocation.exit_code;
+    }
+    try {
+        return invocation.command->run(invocation.options, console);
+    } catch (const std::bad_alloc&) {
+        console.error("out of memory; give a smaller --size or scene");
+    } catch (const std::exception& error) {
+        console.error(std::string("internal error: ") + error.what());
+    }
+    return FAILED;
+}
+
+}  // namespace
+
+int run_program(std::span<const std::string> arguments) {
+    remove_unfinished_file_on_signals();
+    const Invocation invocation = parse_command_line(arguments);
+    const bool is_terminal = isatty(STDERR_FILENO) != 0;
+    const bool color = use_color(invocation.options.color, is_terminal, std::getenv("NO_COLOR"));
+    Console console(invocation.options, color, is_terminal);
+    const ExitCode code = carry_out(invocation, console);
+    if (std::fflush(stdout) == 0) return code;
+    console.error("cannot write to stdout");
+    return FAILED;
+}
+
+}  // namespace application

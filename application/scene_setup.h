@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "application/console.h"
+#include "application/options.h"
+#include "render_system/host_scene.h"
+#include "render_system/status.h"
+
+namespace application {
+
+/// The file that `scene` means: itself where it exists, else the built-in scene of that name, else itself again (so
+/// that the loader says what is wrong). Built-in scenes lie in the data folder of an installed copy
+/// (`<program>/../share/porttool/scenes`), or in the source tree.
+std::filesystem::path scene_path(const std::string& scene);
+
+/// The default picture of a scene: its stem with .png, in the current folder.
+std::string default_picture_name(const std::string& scene);
+
+/// A scene with camera and sky as the options ask for them.
+struct SceneSetup {
+    render_system::HostScene scene;
+    render_system::Camera camera;
+};
+
+/// Loads the scene, adds what the camera file brings, chooses camera and sky. Says on the console what was warned of
+/// and what was chosen in place of what is missing.
+render_system::Result<SceneSetup> set_up_scene(const Options& options, Console& console);
+
+}  // namespace application

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "application/console.h"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using application::ColorMode;
+using application::use_color;
+
+TEST(Color, IsForTerminalsUnlessAskedFor) {
+    EXPECT_TRUE(use_color(ColorMode::automatic, true, nullptr));
+    EXPECT_FALSE(use_color(ColorMode::automatic, false, nullptr));
+    EXPECT_TRUE(use_color(ColorMode::always, false, nullptr));
+    EXPECT_FALSE(use_color(ColorMode::never, true, nullptr));
+}
+
+TEST(Color, RespectsNoColorUnlessAskedFor) {
+    EXPECT_FALSE(use_color(ColorMode::automatic, true, "1"));
+    EXPECT_TRUE(use_color(ColorMode::automatic, true, "")) << "an empty NO_COLOR counts as not set";
+    EXPECT_TRUE(use_color(ColorMode::always, true, "1"));
+}
+
+}  // namespace

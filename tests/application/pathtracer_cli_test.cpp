@@ -1,0 +1,162 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "tests/application/run_pathtracer.h"
+#include "tests/application/small_scene.h"
+
+namespace {
+
+using nlohmann::json;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+
+class Pathtracer : public testing::Test {
+protected:
+    RunResult run(const std::vector<std::string>& arguments, const std::vector<std::string>& environment = {}) {
+        return run_pathtracer(arguments, folder.path, environment);
+    }
+    /// render on the null core, quickly.
+    RunResult render(std::vector<std::string> arguments) {
+        arguments.insert(arguments.begin(), {"render", scene, "--core", "null", "--size", "16x9", "--spp", "2"});
+        return run(arguments);
+    }
+    /// Exit 2, an empty stdout, one or two lines on stderr with these words in them, no new file.
+    void expect_refused(const std::vector<std::string>& arguments, const std::vector<std::string>& words) {
+        const auto before = files_in(folder.path);
+        const RunResult result = run(arguments);
+        EXPECT_EQ(result.exit_code, 2) << result.err;
+        EXPECT_THAT(result.out, IsEmpty());
+        const auto lines = std::count(result.err.begin(), result.err.end(), '\n');
+        EXPECT_TRUE(lines == 1 || lines == 2) << result.err;
+        for (const std::string& word : words) EXPECT_THAT(result.err, HasSubstr(word));
+        EXPECT_EQ(files_in(folder.path), before) << "nothing may be left behind";
+    }
+
+    const TemporaryFolder folder;
+    const std::string scene = write_small_scene(folder.path).filename().string();
+};
+
+TEST_F(Pathtracer, TellsItsVersionAndHelp) {
+    EXPECT_EQ(run({"--version"}).exit_code, 0);
+    EXPECT_THAT(run({"--version"}).out, HasSubstr("pathtracer "));
+    const RunResult help = run({"render", "--help"});
+    EXPECT_EQ(help.exit_code, 0);
+    EXPECT_THAT(help.out, HasSubstr("--max-path-length"));
+    EXPECT_THAT(help.err, IsEmpty());
+}
+
+TEST_F(Pathtracer, RefusesNonsenseInOneOrTwoLines) {
+    expect_refused({}, {"no command"});
+    expect_refused({"rendr", scene}, {"did you mean 'render'?"});
+    expect_refused({"render"}, {"SCENE"});
+    expect_refused({"render", scene, "--size", "0x0"}, {"--size", "640x360"});
+    expect_refused({"render", scene, "--size", "100000x100000"}, {"--size", "32768"});
+    expect_refused({"render", scene, "--spp", "0"}, {"--spp"});
+    expect_refused({"render", scene, "--spp", "-3"}, {"--spp", "-3"});
+    expect_refused({"render", scene, "-o", "a.jpg"}, {"a.jpg", ".png", ".exr"});
+    expect_refused({"render", scene, "-o", "missing/a.png"}, {"missing/a.png", "no folder"});
+    expect_refused({"render", scene, "-o", "."}, {"."});
+    expect_refused({"render", scene, "--stats", "missing/a.json"}, {"missing/a.json"});
+    expect_refused({"render", scene, "--kernels", "missing"}, {"--kernels", "missing"});
+    expect_refused({"render", "missing.gltf"}, {"missing.gltf"});
+    expect_refused({"render", scene, "--camera", "1"}, {"--camera", scene});
+    expect_refused({"render", scene, "--camera", "missing.json"}, {"missing.json"});
+    expect_refused({"render", scene, "--sky", "missing.hdr"}, {"missing.hdr"});
+    expect_refused({"compare", scene, "--limit-ssim", "0.9", "--size", "10x10"}, {"--limit-ssim", "11"});
+    expect_refused({"compare", scene, "-o", scene + "/dir"}, {scene + "/dir"});
+}
+
+TEST_F(Pathtracer, AnUnwritablePlaceIsFoundBeforeTheSceneIsRead) {
+    expect_refused({"render", "missing.gltf", "-o", "missing/a.png"}, {"missing/a.png"});
+}
+
+TEST_F(Pathtracer, RendersToThePlaceAskedForAndKeepsStdoutEmpty) {
+    const RunResult result = render({"-o", "a.png"});
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_THAT(result.out, IsEmpty());
+    EXPECT_THAT(files_in(folder.path), ElementsAre("a.png", scene));
+    EXPECT_EQ(read_file(folder.path / "a.png").substr(0, 4), "\x89PNG");
+}
+
+TEST_F(Pathtracer, RendersToTheScenesNameByDefault) {
+    const RunResult result = render({});
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_THAT(result.out, HasSubstr("triangle.png: 16x9, 2 samples per pixel"));
+    EXPECT_THAT(files_in(folder.path), ElementsAre(scene, "triangle.png"));
+}
+
+TEST_F(Pathtracer, SaysWhichCameraAndSkyItTook) {
+    const RunResult result = render({});
+    EXPECT_THAT(result.err, HasSubstr("no camera"));
+    EXPECT_THAT(result.err, HasSubstr("sky is white"));
+    EXPECT_THAT(render({"--sky", "0,0,0"}).err, Not(HasSubstr("sky is white")));
+    EXPECT_THAT(render({"--quiet"}).err, IsEmpty());
+}
+
+TEST_F(Pathtracer, ShowsAProgressBarOnlyWhenAskedForHere) {
+    EXPECT_THAT(render({}).err, Not(HasSubstr("samples")));
+    EXPECT_THAT(render({"--progress"}).err, HasSubstr("1/2 samples"));
+    EXPECT_THAT(render({"--progress", "--quiet"}).err, IsEmpty());
+}
+
+TEST_F(Pathtracer, ColoursOnlyWhereAskedFor) {
+    EXPECT_THAT(run({"render", "missing.gltf"}).err, Not(HasSubstr("\033[")));
+    EXPECT_THAT(run({"render", "missing.gltf", "--color", "always"}).err, HasSubstr("\033["));
+    EXPECT_THAT(run({"render", "missing.gltf", "--color", "never"}).err, Not(HasSubstr("\033[")));
+}
+
+TEST_F(Pathtracer, WritesStatistics) {
+    const RunResult result = render({"-o", "a.exr", "--stats", "s.json", "--seed", "5"});
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    const json stats = json::parse(read_file(folder.path / "s.json"));
+    EXPECT_EQ(stats["core"], "null");
+    EXPECT_EQ(stats["size"], json::array({16, 9}));
+    EXPECT_EQ(stats["spp"], 2);
+    EXPECT_EQ(stats["seed"], 5);
+    EXPECT_EQ(stats["triangles"], 1);
+    EXPECT_TRUE(stats["core_reason"].is_string());
+}
+
+TEST_F(Pathtracer, PrintsStatisticsAsJson) {
+    const RunResult result = render({"--format", "json"});
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_EQ(json::parse(result.out)["core"], "null");
+}
+
+TEST_F(Pathtracer, BenchesTheNullCore) {
+    const RunResult result =
+        run({"bench", scene, "--core", "null", "--size", "16x9", "--spp", "3", "--format", "json"});
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    const json bench = json::parse(result.out);
+    EXPECT_EQ(bench["frames"], 3);
+    EXPECT_TRUE(bench["embree_limit_ms"].is_null());
+    EXPECT_THAT(run({"bench", scene, "--core", "null", "-o", "b.txt"}).out, IsEmpty());
+    EXPECT_THAT(read_file(folder.path / "b.txt"), HasSubstr("null core"));
+}
+
+TEST_F(Pathtracer, TellsAFullStdout) {
+    const RunResult result = run({"info", "-o", "/dev/full"});
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_THAT(result.err, HasSubstr("/dev/full"));
+}
+
+TEST_F(Pathtracer, InfoListsBothCoresWithOrWithoutADevice) {
+    const RunResult result =
+        run({"info", "--format", "json"}, {"VK_DRIVER_FILES=/nowhere", "VK_ICD_FILENAMES=/nowhere"});
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    const json info = json::parse(result.out);
+    ASSERT_EQ(info["cores"].size(), 2u);
+    EXPECT_EQ(info["cores"][0]["id"], "source");
+    EXPECT_EQ(info["cores"][0]["available"], false);
+    EXPECT_TRUE(info["cores"][0]["reason"].is_string());
+    EXPECT_EQ(info["cores"][1]["id"], "target");
+}
+
+}  // namespace
