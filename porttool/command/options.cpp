@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/command/options.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+
+#include "porttool/command/suggest.h"
+
+namespace porttool {
+namespace {
+
+constexpr const char* kVersion = "porttool 0.1.0";
+
+void add_common(CLI::App& app, Options& options) {
+    app.add_option("-C", options.directory, "Run as if started in this folder")->type_name("DIR");
+    app.add_option("--config", options.config, "The map to use instead of the nearest portmap.toml")->type_name("FILE");
+    app.add_option("--format", options.format, "How to print: text or json")->type_name("FORMAT");
+    app.add_option("-o,--output", options.output, "Write there instead of to stdout")->type_name("FILE");
+    app.add_option("--color", options.color, "auto, always or never")
+        ->check(CLI::IsMember({"auto", "always", "never"}));
+    app.add_flag("-q,--quiet", options.quiet, "Print results only");
+    app.add_flag("-v,--verbose", options.verbose, "Say more on stderr");
+}
+
+void add_sides(CLI::App& app, Options& options) {
+    app.add_option("--source", options.source, "Globs of the side that is ported from")->type_name("GLOB");
+    app.add_option("--target", options.target, "Globs of the side that is ported to")->type_name("GLOB");
+}
+
+/// CLI11's message without its pointer to --help, with the nearest name of an unknown subcommand.
+std::string usage_error(const CLI::App& app, const CLI::ParseError& error, int argc, const char* const* argv) {
+    std::string text = error.what();
+    std::vector<std::string> names;
+    for (const CLI::App* sub : app.get_subcommands([](const CLI::App*) { return true; }))
+        names.push_back(sub->get_name());
+    for (int i = 1; i < argc; ++i) {
+        const std::string word = argv[i];
+        if (word.starts_with('-')) continue;
+        if (std::find(names.begin(), names.end(), word) != names.end()) break;
+        const std::string near = nearest(word, names);
+        if (!near.empty()) text += "; did you mean '" + near + "'?";
+        break;
+    }
+    return "porttool: " + text + "\nRun 'porttool --help' for the commands and their options.\n";
+}
+
+}  // namespace
+
+ParsedOptions parse_options(int argc, const char* const* argv) {
+    ParsedOptions parsed;
+    Options& options = parsed.options;
+    CLI::App app("Finds what was not ported: pairs the functions of two code bases and watches that they stay in step.",
+                 "porttool");
+    app.set_version_flag("--version", kVersion);
+    app.fallthrough();
+    app.require_subcommand(1);
+    add_common(app, options);
+    CLI::App* scan = app.add_subcommand("scan", "List the units of files and folders");
+    scan->add_option("path", options.paths, "Files and folders")->required()->type_name("PATH");
+    CLI::App* map = app.add_subcommand("map", "Pair source units with target units");
+    add_sides(*map, options);
+    CLI::App* init = app.add_subcommand("init", "Write a first portmap.toml and portmap.lock");
+    add_sides(*init, options);
+    init->add_flag("--force", options.force, "Replace what is there");
+    try {
+        app.parse(argc, argv);
+        options.command = app.get_subcommands().front()->get_name();
+    } catch (const CLI::CallForHelp&) {
+        parsed = {options, true, 0, app.help("", CLI::AppFormatMode::Normal), ""};
+        for (const CLI::App* sub : app.get_subcommands()) parsed.out = sub->help("porttool");
+    } catch (const CLI::CallForVersion&) {
+        parsed = {options, true, 0, std::string(kVersion) + "\n", ""};
+    } catch (const CLI::ParseError& error) {
+        parsed = {options, true, 2, "", usage_error(app, error, argc, argv)};
+    }
+    return parsed;
+}
+
+}  // namespace porttool

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace porttool {
+
+/// What the command line asked for.
+struct Options {
+    std::string command;  ///< "scan", "map", ...; empty if there is only something to print
+    std::string directory = ".";
+    std::string config;
+    std::string format = "text";
+    std::string output;
+    std::string color = "auto";
+    bool quiet = false;
+    bool verbose = false;
+    std::vector<std::string> paths;   ///< scan's paths, or ids
+    std::vector<std::string> source;  ///< globs
+    std::vector<std::string> target;
+    bool force = false;
+};
+
+/// The options, or what to print and the exit code: 0 for --help and --version (on stdout), 2 for a usage error.
+struct ParsedOptions {
+    Options options;
+    bool done = false;
+    int exit_code = 0;
+    std::string out;
+    std::string err;
+};
+
+ParsedOptions parse_options(int argc, const char* const* argv);
+
+}  // namespace porttool

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "porttool/scan/unit.h"
+
+namespace porttool {
+
+/// A token of a unit in its normal form; `token` leads back to the place in the file.
+struct NormalToken {
+    std::string text;
+    uint32_t token = 0;
+};
+
+/// A unit without what is cosmetic: no comments and white space, numbers in one spelling, every controlled statement in
+/// braces, its own name replaced by `@`. Two units that differ only cosmetically have the same normal form.
+std::vector<NormalToken> normal_form(const ScannedFile& file, const Unit& unit);
+
+/// One spelling per value: `0.0F`, `0.f` and `0.0f` become `0f`; `0x10` becomes `16`.
+std::string normal_number(std::string_view text);
+
+/// 64 bits over the texts, as 16 hexadecimal digits.
+std::string fingerprint(const std::vector<NormalToken>& tokens);
+
+/// A 64-bit hash of bytes, the same on every machine.
+uint64_t hash_text(std::string_view text, uint64_t seed = 0);
+
+}  // namespace porttool

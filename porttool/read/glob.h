@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace porttool {
+
+/// A pattern over `/`-separated relative paths: `*` and `?` within a folder, `**` over folders, `[a-z]`, `[!a]`,
+/// `{a,b}`, backslash escapes. A pattern that names a folder matches what lies in it.
+class Glob {
+public:
+    explicit Glob(std::string_view pattern);
+
+    bool matches(std::string_view path) const;
+    /// The folders that hold every match, as far as they are spelled out: "src" for `src/*.cl`.
+    std::vector<std::string> roots() const;
+    /// True if the pattern has no wildcard and is one path.
+    bool literal() const { return literal_; }
+    const std::string& text() const { return text_; }
+
+private:
+    std::string text_;
+    std::vector<std::vector<std::string>> alternatives_;  ///< each as its segments
+    bool literal_ = false;
+};
+
+/// One segment of a pattern against one name; knows `*`, `?`, `[...]` and escapes. Linear in practice.
+bool segment_matches(std::string_view pattern, std::string_view name);
+
+/// Segments of a pattern against segments of a path; a segment `**` stands for any number.
+bool segments_match(const std::vector<std::string>& pattern, const std::vector<std::string_view>& path);
+
+std::vector<std::string_view> split_path(std::string_view path);
+
+}  // namespace porttool

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "porttool/read/disk.h"
+#include "porttool/read/glob.h"
+
+namespace porttool {
+
+struct SkippedFile {
+    std::string file;
+    std::string reason;
+};
+
+struct SourceText {
+    std::string path;  ///< relative to the root
+    std::string text;
+};
+
+/// Files that were read, sorted by path, and those that could not be.
+struct SourceSet {
+    std::vector<SourceText> files;
+    std::vector<SkippedFile> skipped;
+};
+
+/// Most bytes that are read of one file.
+inline constexpr uint64_t kLargestFile = 64ull * 1024 * 1024;
+
+/// Reads files and folders (recursive, known suffixes, .gitignore respected, symbolic links to folders not followed). A
+/// path that is not there is reported in `missing`. Paths come out relative to `root` where they lie below it.
+SourceSet read_paths(const Disk& disk, const std::string& root, const std::vector<std::string>& paths,
+                     std::vector<std::string>& missing);
+
+/// Reads what matches the globs under `root`; a glob that matches nothing is reported in `unmatched`.
+SourceSet read_globs(const Disk& disk, const std::string& root, const std::vector<std::string>& globs,
+                     std::vector<std::string>& unmatched);
+
+/// Why a text cannot be scanned as source (binary, UTF-16), or "".
+std::string unreadable_reason(const std::string& bytes);
+
+}  // namespace porttool

@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/scan/brackets.h"
+
+#include <algorithm>
+
+namespace porttool {
+namespace {
+
+class BracketMatcher {
+public:
+    BracketMatcher(const LexedText& lexed, Structure& out, bool by_indent)
+        : lexed_(lexed), out_(out), by_indent_(by_indent) {}
+
+    /// False if a brace stays without partner.
+    bool run() {
+        out_.match.assign(out_.tokens.size(), kNoMatch);
+        for (uint32_t i = 0; i < out_.tokens.size(); ++i) {
+            const Token& token = lexed_.tokens[out_.tokens[i]];
+            const bool continues_list = !open_.empty() && open_.back().bracket == '(';
+            if (token.line != line_ && !continues_list) indent_ = token.column;
+            line_ = token.line;
+            if (token.kind != TokenKind::Punctuator || token.length != 1) continue;
+            read(i, lexed_.text[token.offset]);
+        }
+        return lone_closing_ == 0 && open_braces_ == 0;
+    }
+
+private:
+    struct Open {
+        uint32_t index;
+        uint32_t indent;  ///< column of the first token on the line that opens
+        char bracket;
+    };
+
+    void read(uint32_t i, char c) {
+        if (c == '(' || c == '[' || c == '{') {
+            open_.push_back({i, indent_, c});
+            if (c == '{') ++open_braces_;
+        } else if (c == ')' || c == ']') {
+            const char opening = c == ')' ? '(' : '[';
+            if (!open_.empty() && open_.back().bracket == opening) pair(i);
+        } else if (c == '}') {
+            close_brace(i);
+        }
+    }
+
+    void close_brace(uint32_t i) {
+        if (open_braces_ == 0) {
+            ++lone_closing_;
+            return;
+        }
+        while (open_.back().bracket != '{') open_.pop_back();
+        const Token& token = lexed_.tokens[out_.tokens[i]];
+        if (by_indent_ && (token.flags & kStartsLine) != 0) {
+            if (token.column > open_.back().indent) return;  // one too many, inside a block that goes on
+            unwind_to_indent(token.column);
+        }
+        pair(i);
+    }
+
+    /// If an open block is indented like this brace, drops those above it, which should have closed before.
+    void unwind_to_indent(uint32_t column) {
+        constexpr size_t kDeepest = 64;  // brackets looked at, to stay linear
+        const size_t lowest = open_.size() > kDeepest ? open_.size() - kDeepest : 0;
+        for (size_t i = open_.size(); i-- > lowest;) {
+            if (open_[i].bracket != '{' || open_[i].indent != column) continue;
+            for (size_t k = i + 1; k < open_.size(); ++k) open_braces_ -= open_[k].bracket == '{' ? 1 : 0;
+            open_.resize(i + 1);
+            return;
+        }
+    }
+
+    void pair(uint32_t i) {
+        const uint32_t opening = open_.back().index;
+        out_.match[opening] = i;
+        out_.match[i] = opening;
+        if (open_.back().bracket == '{') --open_braces_;
+        open_.pop_back();
+    }
+
+    const LexedText& lexed_;
+    Structure& out_;
+    bool by_indent_;
+    std::vector<Open> open_;
+    int64_t open_braces_ = 0;
+    int64_t lone_closing_ = 0;
+    uint32_t line_ = 0;
+    uint32_t indent_ = 0;
+};
+
+}  // namespace
+
+Structure match_brackets(const LexedText& lexed) {
+    Structure out;
+    for (uint32_t i = 0; i < lexed.tokens.size(); ++i)
+        if ((lexed.tokens[i].flags & (kInDirective | kDead | kOffStructure)) == 0) out.tokens.push_back(i);
+    out.balanced = BracketMatcher(lexed, out, false).run();
+    if (!out.balanced) BracketMatcher(lexed, out, true).run();
+    return out;
+}
+
+}  // namespace porttool

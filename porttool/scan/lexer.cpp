@@ -1,0 +1,271 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/scan/lexer.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+namespace porttool {
+namespace {
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+bool starts_identifier(char c) {
+    // Bytes above 127 belong to names: UTF-8 letters, and Latin-1 in old files.
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || c == '$' || static_cast<signed char>(c) < 0;
+}
+
+bool continues_identifier(char c) { return starts_identifier(c) || is_digit(c); }
+
+bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f' || c == '\0'; }
+
+/// The file without byte order mark, carriage returns and line splices; `splices` are the offsets where a line ended
+/// without a newline being left.
+std::string without_splices(std::string_view file, std::vector<uint32_t>& splices) {
+    if (file.starts_with("\xEF\xBB\xBF")) file.remove_prefix(3);
+    std::string text;
+    text.reserve(file.size() + 1);
+    for (size_t i = 0; i < file.size(); ++i) {
+        char c = file[i];
+        if (c == '\\') {
+            size_t next = i + 1;
+            if (next < file.size() && file[next] == '\r') ++next;
+            if (next < file.size() && file[next] == '\n') {
+                splices.push_back(static_cast<uint32_t>(text.size()));
+                i = next;
+                continue;
+            }
+        }
+        if (c == '\r') {
+            if (i + 1 < file.size() && file[i + 1] == '\n') continue;
+            c = '\n';
+        }
+        text.push_back(c);
+    }
+    return text;
+}
+
+// Angle brackets stay single, so that template lists and `>>` need no second look.
+constexpr std::array<std::string_view, 19> kPunctuators = {
+    "...", "::", "->", "++", "--", "&&", "||", "==", "!=", "<=", ">=", "+=", "-=", "*=", "/=", "%=", "&=", "|=", "^="};
+
+DirectiveKind directive_kind(std::string_view name) {
+    if (name == "if" || name == "ifdef" || name == "ifndef") return DirectiveKind::If;
+    if (name == "elif" || name == "elifdef" || name == "elifndef") return DirectiveKind::Elif;
+    if (name == "else") return DirectiveKind::Else;
+    if (name == "endif") return DirectiveKind::Endif;
+    if (name == "define") return DirectiveKind::Define;
+    if (name == "include" || name == "import" || name == "include_next") return DirectiveKind::Include;
+    return DirectiveKind::Other;
+}
+
+class Lexer {
+public:
+    explicit Lexer(std::string_view file) {
+        out_.text = without_splices(file, splices_);
+        text_ = out_.text;
+    }
+
+    LexedText run() {
+        while (at_ < text_.size()) step();
+        if (directive_) end_directive();
+        // A last line without newline counts; an empty file has no lines.
+        out_.line_count = line_ - (at_ == line_start_ && line_ > 0 ? 1 : 0);
+        return std::move(out_);
+    }
+
+private:
+    char peek(size_t ahead = 0) const { return at_ + ahead < text_.size() ? text_[at_ + ahead] : '\0'; }
+
+    /// Moves to `to`, counting the lines on the way.
+    void advance(size_t to) {
+        for (; at_ < to; ++at_) {
+            count_splices();
+            if (text_[at_] == '\n') {
+                ++line_;
+                line_start_ = at_ + 1;
+                line_is_fresh_ = true;
+            }
+        }
+        count_splices();
+    }
+
+    void count_splices() {
+        while (next_splice_ < splices_.size() && splices_[next_splice_] <= at_) {
+            ++line_;
+            line_start_ = at_;
+            ++next_splice_;
+        }
+    }
+
+    void step() {
+        count_splices();
+        const char c = peek();
+        if (c == '\n') {
+            if (directive_) end_directive();
+            advance(at_ + 1);
+        } else if (is_blank(c)) {
+            advance(at_ + 1);
+        } else if (c == '/' && peek(1) == '/') {
+            comment(std::min(text_.find('\n', at_), text_.size()));
+        } else if (c == '/' && peek(1) == '*') {
+            const size_t close = text_.find("*/", at_ + 2);
+            comment(close == std::string_view::npos ? text_.size() : close + 2);
+        } else {
+            token();
+        }
+    }
+
+    void comment(size_t end) {
+        const uint32_t first = line_;
+        const bool fresh = line_is_fresh_;
+        advance(end);
+        line_is_fresh_ = fresh;  // `/* a */ #define` is a directive
+        out_.comments.push_back({first, line_});
+    }
+
+    void token() {
+        const char c = peek();
+        if (c == '#' && line_is_fresh_ && !directive_) begin_directive();
+        if (is_digit(c) || (c == '.' && is_digit(peek(1)))) return emit(TokenKind::Number, number_end());
+        if (starts_identifier(c)) return identifier_or_prefixed_literal();
+        if (c == '"') return emit(TokenKind::String, quoted_end(at_));
+        if (c == '\'') return emit(TokenKind::Character, quoted_end(at_));
+        if (c == '<' && is_include_line()) return emit(TokenKind::String, header_end());
+        for (const auto& punctuator : kPunctuators)
+            if (text_.substr(at_).starts_with(punctuator)) return emit(TokenKind::Punctuator, at_ + punctuator.size());
+        emit(TokenKind::Punctuator, at_ + 1);
+    }
+
+    void emit(TokenKind kind, size_t end) {
+        Token token{static_cast<uint32_t>(at_),
+                    static_cast<uint32_t>(end - at_),
+                    line_,
+                    static_cast<uint32_t>(at_ - line_start_ + 1),
+                    kind,
+                    static_cast<uint8_t>((line_is_fresh_ ? kStartsLine : 0) | (directive_ ? kInDirective : 0))};
+        out_.tokens.push_back(token);
+        advance(end);
+        line_is_fresh_ = false;
+    }
+
+    size_t number_end() const {
+        size_t end = at_ + 1;
+        while (end < text_.size()) {
+            const char c = text_[end];
+            const char before = text_[end - 1];
+            const bool sign_of_exponent = (c == '+' || c == '-') &&
+                                          (before == 'e' || before == 'E' || before == 'p' || before == 'P') &&
+                                          !is_hexadecimal_integer(end);
+            const bool separator = c == '\'' && end + 1 < text_.size() && continues_identifier(text_[end + 1]);
+            if (!continues_identifier(c) && c != '.' && !sign_of_exponent && !separator) break;
+            ++end;
+        }
+        return end;
+    }
+
+    /// `0xE+1` is a sum, `1E+1` and `0x1p+1` are numbers.
+    bool is_hexadecimal_integer(size_t end) const {
+        const char before = text_[end - 1];
+        return text_[at_] == '0' && at_ + 1 < end && (text_[at_ + 1] | 32) == 'x' && (before | 32) == 'e';
+    }
+
+    void identifier_or_prefixed_literal() {
+        size_t end = at_ + 1;
+        while (end < text_.size() && continues_identifier(text_[end])) ++end;
+        const std::string_view word = text_.substr(at_, end - at_);
+        const char quote = end < text_.size() ? text_[end] : '\0';
+        if (quote == '"' && word.size() <= 3 && word.back() == 'R')
+            if (const auto close = raw_string_end(end)) return emit(TokenKind::String, *close);
+        if (quote == '"' && (word == "L" || word == "u" || word == "U" || word == "u8" || word == "R"))
+            return emit(TokenKind::String, quoted_end(end));
+        if (quote == '\'' && (word == "L" || word == "u" || word == "U" || word == "u8"))
+            return emit(TokenKind::Character, quoted_end(end));
+        emit(TokenKind::Identifier, end);
+    }
+
+    /// End of the string or character that opens at `open`. One that never closes on its line is cut there; an
+    /// apostrophe that cannot be a character (as in `#error don't`) is a token of its own.
+    size_t quoted_end(size_t open) {
+        const char quote = text_[open];
+        if (quote == '\'' && open < lone_apostrophes_until_) return open + 1;
+        for (size_t i = open + 1; i < text_.size(); ++i) {
+            if (text_[i] == '\\' && i + 1 < text_.size() && text_[i + 1] != '\n')
+                ++i;
+            else if (text_[i] == quote)
+                return i + 1;
+            else if (text_[i] == '\n')
+                return unclosed_end(open, i);
+        }
+        return unclosed_end(open, text_.size());
+    }
+
+    size_t unclosed_end(size_t open, size_t line_end) {
+        if (text_[open] == '"' && !directive_) return line_end;
+        // Without this a line of \' \' \' would be searched once for each of them.
+        if (text_[open] == '\'') lone_apostrophes_until_ = line_end;
+        return open + 1;
+    }
+
+    std::optional<size_t> raw_string_end(size_t open) {
+        constexpr size_t kLongestDelimiter = 16;
+        const size_t length = text_.substr(open + 1, kLongestDelimiter + 1).find('(');
+        if (length == std::string_view::npos) return std::nullopt;
+        const size_t paren = open + 1 + length;
+        std::string close(1, ')');
+        close.append(text_.substr(open + 1, length)).push_back('"');
+        // One that was not found once is never found later; a handful of such searches keeps the whole linear.
+        constexpr size_t kMostFailures = 8;
+        if (std::find(unclosed_.begin(), unclosed_.end(), close) != unclosed_.end()) return std::nullopt;
+        if (unclosed_.size() >= kMostFailures) return std::nullopt;
+        const size_t end = text_.find(close, paren);
+        if (end != std::string_view::npos) return end + close.size();
+        unclosed_.push_back(close);
+        return std::nullopt;
+    }
+
+    void begin_directive() {
+        directive_ = true;
+        out_.directives.push_back({DirectiveKind::Other, static_cast<uint32_t>(out_.tokens.size()), 0, line_, line_});
+    }
+
+    void end_directive() {
+        Directive& directive = out_.directives.back();
+        directive.end_token = static_cast<uint32_t>(out_.tokens.size());
+        directive.end_line = line_;
+        if (directive.first_token + 1 < directive.end_token)
+            directive.kind = directive_kind(out_.view(directive.first_token + 1));
+        directive_ = false;
+    }
+
+    bool is_include_line() const {
+        if (!directive_) return false;
+        const uint32_t first = out_.directives.back().first_token;
+        return out_.tokens.size() == first + 2 && directive_kind(out_.view(first + 1)) == DirectiveKind::Include;
+    }
+
+    size_t header_end() const {
+        const size_t close = text_.find_first_of(">\n", at_);
+        if (close == std::string_view::npos || text_[close] == '\n') return at_ + 1;
+        return close + 1;
+    }
+
+    LexedText out_;
+    std::string_view text_;
+    std::vector<uint32_t> splices_;
+    std::vector<std::string> unclosed_;
+    size_t at_ = 0;
+    size_t line_start_ = 0;
+    size_t next_splice_ = 0;
+    size_t lone_apostrophes_until_ = 0;
+    uint32_t line_ = 1;
+    bool line_is_fresh_ = true;
+    bool directive_ = false;
+};
+
+}  // namespace
+
+LexedText lex(std::string_view file) { return Lexer(file).run(); }
+
+}  // namespace porttool

@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/scan/macros.h"
+
+#include <algorithm>
+
+namespace porttool {
+namespace {
+
+constexpr size_t kLongestReplacement = 256;  // tokens; longer macros build code, not names
+
+/// True if `(` follows the name without a blank, as a parameter list must.
+bool is_function_like(const LexedText& lexed, uint32_t name) {
+    const Token& token = lexed.tokens[name];
+    const Token& next = lexed.tokens[name + 1];
+    return lexed.view(next) == "(" && next.offset == token.offset + token.length;
+}
+
+}  // namespace
+
+MacroTable read_macros(const LexedText& lexed) {
+    MacroTable table;
+    for (const Directive& directive : lexed.directives) {
+        if (directive.kind != DirectiveKind::Define || directive.end_token < directive.first_token + 5) continue;
+        const uint32_t name = directive.first_token + 2;
+        if (directive.end_token - name > kLongestReplacement || !is_function_like(lexed, name)) continue;
+        Macro macro;
+        uint32_t at = name + 2;
+        for (; at < directive.end_token && lexed.view(at) != ")"; ++at)
+            if (lexed.tokens[at].kind == TokenKind::Identifier) macro.parameters.emplace_back(lexed.view(at));
+        for (++at; at < directive.end_token; ++at) {
+            // `##` arrives as two tokens
+            if (lexed.view(at) == "#" && at + 1 < directive.end_token && lexed.view(at + 1) == "#") {
+                macro.replacement.emplace_back("##");
+                ++at;
+            } else {
+                macro.replacement.emplace_back(lexed.view(at));
+            }
+        }
+        table.emplace(std::string(lexed.view(name)), std::move(macro));
+    }
+    return table;
+}
+
+std::vector<std::string> expand(const Macro& macro, const std::vector<std::string>& arguments) {
+    std::vector<std::string> out;
+    bool paste = false;
+    for (const std::string& word : macro.replacement) {
+        if (word == "##") {
+            paste = true;
+            continue;
+        }
+        const auto parameter = std::find(macro.parameters.begin(), macro.parameters.end(), word);
+        const auto index = static_cast<size_t>(parameter - macro.parameters.begin());
+        const std::string& text = index < arguments.size() ? arguments[index] : word;
+        if (paste && !out.empty())
+            out.back() += text;
+        else
+            out.push_back(text);
+        paste = false;
+    }
+    return out;
+}
+
+}  // namespace porttool

@@ -1,0 +1,142 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/scan/scan.h"
+
+#include <algorithm>
+#include <map>
+
+#include "porttool/scan/brackets.h"
+#include "porttool/scan/branches.h"
+#include "porttool/scan/constants.h"
+#include "porttool/scan/lexer.h"
+#include "porttool/scan/units.h"
+
+namespace porttool {
+namespace {
+
+bool starts_before(const Unit& a, const Unit& b) { return a.tokens.first < b.tokens.first; }
+
+/// Joins structural units and macros; a macro inside a unit belongs to that unit.
+std::vector<Unit> merge(std::vector<Unit> units, std::vector<Unit> macros) {
+    std::vector<Unit> out;
+    std::stable_sort(units.begin(), units.end(), starts_before);
+    size_t next = 0;
+    uint32_t covered = 0;
+    for (Unit& macro : macros) {
+        for (; next < units.size() && units[next].tokens.first < macro.tokens.first; ++next) {
+            covered = std::max(covered, units[next].tokens.end);
+            out.push_back(std::move(units[next]));
+        }
+        if (macro.tokens.first >= covered) out.push_back(std::move(macro));
+    }
+    for (; next < units.size(); ++next) out.push_back(std::move(units[next]));
+    return out;
+}
+
+/// A class shows only the lines before its first inner unit, so that no line has two owners.
+void end_before_inner_units(ScannedFile& file) {
+    for (Unit& unit : file.units) {
+        if (unit.holes.empty()) continue;
+        const TokenRange& inner = unit.holes.front();
+        const uint32_t inner_line = file.lexed.tokens[inner.first].line;
+        uint32_t last = unit.start_line;
+        for (uint32_t i = inner.first; i-- > unit.tokens.first;) {
+            if (file.lexed.tokens[i].line >= inner_line && inner_line > unit.start_line) continue;
+            last = file.lexed.tokens[i].line;
+            break;
+        }
+        unit.end_line = std::max(unit.start_line, last);
+    }
+}
+
+/// Later units of one name get #2, #3.
+void number_names(std::vector<Unit>& units) {
+    std::map<std::string, int> seen;
+    for (Unit& unit : units) {
+        const int count = ++seen[unit.name];
+        if (count > 1) unit.name += "#" + std::to_string(count);
+    }
+}
+
+void mark(std::vector<LineClass>& lines, uint32_t first, uint32_t last, LineClass line_class) {
+    for (uint32_t line = std::max(1u, first); line <= last && line <= lines.size(); ++line)
+        lines[line - 1] = std::max(lines[line - 1], line_class);
+}
+
+void classify_lines(ScannedFile& file, const std::vector<TokenRange>& declarations) {
+    const LexedText& lexed = file.lexed;
+    file.lines.assign(lexed.line_count, LineClass::Blank);
+    for (const LineSpan& comment : lexed.comments) mark(file.lines, comment.first, comment.last, LineClass::Comment);
+    std::vector<bool> understood(lexed.tokens.size(), false);
+    for (const TokenRange& range : declarations)
+        for (uint32_t i = range.first; i < range.end; ++i) understood[i] = true;
+    for (uint32_t i = 0; i < lexed.tokens.size(); ++i) {
+        const Token& token = lexed.tokens[i];
+        LineClass line_class = LineClass::Unclassified;
+        if (token.flags & kDead)
+            line_class = LineClass::Comment;
+        else if (token.flags & kInDirective)
+            line_class = LineClass::Directive;
+        else if (understood[i] || (token.flags & kOffStructure))
+            line_class = LineClass::Declaration;
+        uint32_t last = token.line;
+        if (token.kind == TokenKind::String)  // raw strings span lines
+            last += static_cast<uint32_t>(std::count(lexed.view(token).begin(), lexed.view(token).end(), '\n'));
+        mark(file.lines, token.line, last, line_class);
+    }
+    for (const Directive& directive : lexed.directives)
+        mark(file.lines, directive.line, directive.end_line, LineClass::Directive);
+    for (const Unit& unit : file.units)
+        for (uint32_t line = unit.start_line; line <= unit.end_line && line <= file.lines.size(); ++line)
+            file.lines[line - 1] = LineClass::Unit;
+}
+
+}  // namespace
+
+std::string_view unit_kind_name(UnitKind kind) {
+    switch (kind) {
+        case UnitKind::Function:
+            return "function";
+        case UnitKind::Kernel:
+            return "kernel";
+        case UnitKind::Struct:
+            return "struct";
+        case UnitKind::Constant:
+            return "constant";
+        case UnitKind::File:
+            break;
+    }
+    return "file";
+}
+
+ScannedFile scan_text(std::string_view path, std::string_view text) {
+    ScannedFile file;
+    file.path = std::string(path);
+    file.language = language_of_text(language_of_path(path), path, text);
+    file.lexed = lex(text);
+    choose_branches(file.lexed);
+    const Structure structure = match_brackets(file.lexed);
+    file.balanced = structure.balanced;
+    UnitList found = find_units(file.lexed, structure, file.language);
+    file.units = merge(std::move(found.units), find_macro_units(file.lexed));
+    end_before_inner_units(file);
+    number_names(file.units);
+    for (const Unit& unit : file.units) found.declarations.push_back(unit.tokens);
+    classify_lines(file, found.declarations);
+    return file;
+}
+
+std::string unit_id(const ScannedFile& file, const Unit& unit) { return file.path + ":" + unit.name; }
+
+Unit whole_file_unit(const ScannedFile& file) {
+    Unit unit;
+    unit.kind = UnitKind::File;
+    unit.name = "@file";
+    unit.start_line = 1;
+    unit.end_line = std::max(1u, file.lexed.line_count);
+    unit.tokens = {0, static_cast<uint32_t>(file.lexed.tokens.size())};
+    unit.body = unit.tokens;
+    return unit;
+}
+
+}  // namespace porttool

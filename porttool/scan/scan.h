@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string_view>
+
+#include "porttool/scan/unit.h"
+
+namespace porttool {
+
+/// Scans the text of one file: units in order of appearance, each line's class, all tokens with their places. `path`
+/// tells the dialect. Never fails: a text without any unit yields no units.
+ScannedFile scan_text(std::string_view path, std::string_view text);
+
+/// The id of a unit: PATH:NAME.
+std::string unit_id(const ScannedFile& file, const Unit& unit);
+
+/// The unit that stands for a whole file, named `@file`.
+Unit whole_file_unit(const ScannedFile& file);
+
+}  // namespace porttool

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "porttool/scan/language.h"
+#include "porttool/scan/token.h"
+
+namespace porttool {
+
+enum class UnitKind : uint8_t { Function, Kernel, Struct, Constant, File };
+
+/// "function", "kernel", "struct", "constant", "file".
+std::string_view unit_kind_name(UnitKind kind);
+
+/// A half-open range of indices into LexedText::tokens.
+struct TokenRange {
+    uint32_t first = 0;
+    uint32_t end = 0;
+    bool empty() const { return first >= end; }
+};
+
+/// A piece of a file that can have a counterpart. Units never share a token: what a class defines inside its body are
+/// units of their own, and holes in the unit of the class.
+struct Unit {
+    std::string name;  ///< qualified, with #2, #3 for later ones of the same name
+    UnitKind kind = UnitKind::Function;
+    uint32_t start_line = 0;
+    uint32_t end_line = 0;  ///< of a class with inner units: the last line before the first of these
+    TokenRange tokens;
+    TokenRange parameters;    ///< between the parentheses; functions only
+    TokenRange body;          ///< between the braces
+    uint32_t name_token = 0;  ///< where the name stands
+    std::vector<TokenRange> holes;
+};
+
+enum class LineClass : uint8_t { Blank, Comment, Directive, Declaration, Unit, Unclassified };
+
+/// One file after scanning: its tokens, its units in order of appearance, and what each line belongs to.
+struct ScannedFile {
+    std::string path;
+    Language language = Language::Unknown;
+    LexedText lexed;
+    std::vector<Unit> units;
+    std::vector<LineClass> lines;  ///< lines[0] is line 1
+    bool balanced = true;
+};
+
+}  // namespace porttool

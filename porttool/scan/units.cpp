@@ -1,0 +1,284 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/scan/units.h"
+
+#include <algorithm>
+#include <array>
+
+#include "porttool/scan/constants.h"
+#include "porttool/scan/head.h"
+
+namespace porttool {
+namespace {
+
+class UnitFinder {
+public:
+    UnitFinder(const LexedText& lexed, const Structure& structure, Language language)
+        : lexed_(lexed),
+          structure_(structure),
+          macros_(read_macros(lexed)),
+          context_{lexed, structure, language, macros_} {}
+
+    UnitList run() {
+        end_ = static_cast<uint32_t>(structure_.tokens.size());
+        scopes_.push_back({end_, "", false, kNoUnit});
+        while (at_ < end_ || scopes_.size() > 1) step();
+        declare(start_, end_);
+        return std::move(out_);
+    }
+
+private:
+    static constexpr size_t kNoUnit = static_cast<size_t>(-1);
+
+    struct Scope {
+        uint32_t close;      ///< position of the closing brace, or the end of the file
+        std::string prefix;  ///< "A::B::"
+        bool is_class;
+        size_t unit;  ///< the class as a unit
+    };
+
+    std::string_view word(uint32_t at) const {
+        return at < end_ ? lexed_.view(structure_.tokens[at]) : std::string_view();
+    }
+    uint32_t token(uint32_t at) const { return structure_.tokens[at]; }
+
+    void step() {
+        if (at_ >= scopes_.back().close || at_ >= end_) return leave_scope();
+        const Token& current = lexed_.tokens[token(at_)];
+        if (current.kind != TokenKind::Punctuator || current.length != 1) {
+            if (current.kind == TokenKind::Identifier && word(at_) == "template" && word(at_ + 1) == "<") {
+                const uint32_t behind = skip_angles(context_, at_ + 1, std::min(scopes_.back().close, at_ + 1024));
+                if (behind != kNoMatch) at_ = behind - 1;
+            }
+            ++at_;
+            return;
+        }
+        switch (lexed_.text[current.offset]) {
+            case '(':
+            case '[':
+                at_ = inside(structure_.match[at_]) ? structure_.match[at_] + 1 : at_ + 1;
+                break;
+            case ';':
+                end_statement();
+                break;
+            case '{':
+                read_brace();
+                break;
+            case '}':
+                next_statement(at_ + 1);
+                break;
+            case '=':
+                assigned_ = assigned_ || word(at_ - 1) != "operator" || at_ == start_;
+                ++at_;
+                break;
+            case ':':
+                read_colon();
+                break;
+            default:
+                ++at_;
+                break;
+        }
+    }
+
+    bool inside(uint32_t match) const { return match != kNoMatch && match < scopes_.back().close; }
+
+    void declare(uint32_t first, uint32_t end) {
+        if (first < end) out_.declarations.push_back({token(first), token(end - 1) + 1});
+    }
+
+    void next_statement(uint32_t start) {
+        declare(start_, std::min(start, end_));
+        begin_statement(start);
+    }
+
+    void begin_statement(uint32_t start) {
+        start_ = at_ = start;
+        assigned_ = initialiser_list_ = variable_ = false;
+    }
+
+    void read_colon() {
+        constexpr std::array<std::string_view, 8> kLabels = {"public", "private",   "protected", "signals",
+                                                             "slots",  "Q_SIGNALS", "Q_SLOTS",   "default"};
+        const std::string_view before = at_ > start_ ? word(at_ - 1) : "";
+        if (scopes_.back().is_class && std::find(kLabels.begin(), kLabels.end(), before) != kLabels.end())
+            return next_statement(at_ + 1);
+        if (before == ")" || (at_ >= start_ + 2 && word(at_ - 2) == ")")) initialiser_list_ = true;
+        ++at_;
+    }
+
+    void end_statement() {
+        if (assigned_ || variable_) add_constants();
+        next_statement(at_ + 1);
+    }
+
+    void add_constants() {
+        const auto constants = read_constants(context_, start_, at_);
+        for (const ConstantDeclaration& constant : constants) {
+            Unit unit = new_unit(UnitKind::Constant, constant.name, constant.first, constant.end);
+            unit.name_token = token(constant.name_at);
+            add(std::move(unit));
+        }
+    }
+
+    /// A unit over the positions [first, end).
+    Unit new_unit(UnitKind kind, std::string_view name, uint32_t first, uint32_t end) const {
+        Unit unit;
+        unit.kind = kind;
+        unit.name = scopes_.back().prefix + std::string(name);
+        unit.tokens = {token(first), token(end - 1) + 1};
+        unit.start_line = lexed_.tokens[token(first)].line;
+        unit.end_line = lexed_.tokens[token(end - 1)].line;
+        unit.name_token = token(first);
+        return unit;
+    }
+
+    size_t add(Unit unit) {
+        for (size_t i = scopes_.size(); i-- > 1;) {
+            if (scopes_[i].unit == kNoUnit) continue;
+            out_.units[scopes_[i].unit].holes.push_back(unit.tokens);
+            break;
+        }
+        out_.units.push_back(std::move(unit));
+        return out_.units.size() - 1;
+    }
+
+    void read_brace() {
+        const uint32_t close = inside(structure_.match[at_]) ? structure_.match[at_] : scopes_.back().close;
+        if (assigned_ || variable_) {
+            at_ = std::min(close + 1, scopes_.back().close);
+            return;
+        }
+        context_.in_class = scopes_.back().is_class;
+        const Head head = read_head(context_, start_, at_);
+        const std::string_view behind = word(close + 1);
+        if (head.kind == HeadKind::Function && initialiser_list_ && (behind == "," || behind == "{") &&
+            word(at_ - 1) != ")") {
+            at_ = close + 1;  // a member's initialiser: y{b}
+            return;
+        }
+        switch (head.kind) {
+            case HeadKind::Namespace:
+                enter_scope(close, head.name, false);
+                break;
+            case HeadKind::Linkage:
+                enter_scope(close, "", false);
+                break;
+            case HeadKind::Struct:
+                enter_class(head, close);
+                break;
+            case HeadKind::Enum:
+            case HeadKind::Block:
+                add_closed(head, close);
+                break;
+            case HeadKind::Function:
+                add_function(head, close);
+                break;
+            case HeadKind::Unknown:
+                skip_block(close, behind);
+                break;
+        }
+    }
+
+    /// `int x{1};` goes on to its semicolon; any other block is stepped over.
+    void skip_block(uint32_t close, std::string_view behind) {
+        if (at_ > start_ && (behind == ";" || behind == ",")) {
+            variable_ = true;
+            at_ = close + 1;
+            return;
+        }
+        next_statement(std::min(close + 1, scopes_.back().close));
+    }
+
+    void enter_scope(uint32_t close, const std::string& name, bool is_class, size_t unit = kNoUnit) {
+        declare(start_, at_ + 1);
+        const std::string prefix = scopes_.back().prefix + (name.empty() ? "" : name + "::");
+        scopes_.push_back({close, prefix, is_class, unit});
+        begin_statement(at_ + 1);
+    }
+
+    void leave_scope() {
+        const uint32_t close = scopes_.back().close;
+        declare(start_, std::min(close, end_));
+        if (close < end_) declare(close, close + 1);
+        if (scopes_.size() > 1) scopes_.pop_back();
+        begin_statement(std::min(close + 1, scopes_.back().close));
+        if (close >= end_) at_ = start_ = end_;
+    }
+
+    /// The name that follows the closing brace: `typedef struct { ... } Ray;`
+    std::string trailing_name(uint32_t close) const {
+        uint32_t at = close + 1;
+        while (at < end_ && (word(at) == "*" || takes_attribute_arguments(word(at)) || word(at) == "(")) {
+            at = word(at) == "(" && structure_.match[at] != kNoMatch ? structure_.match[at] + 1 : at + 1;
+        }
+        if (at >= end_ || lexed_.tokens[token(at)].kind != TokenKind::Identifier) return {};
+        return std::string(word(at));
+    }
+
+    void enter_class(const Head& head, uint32_t close) {
+        std::string name = head.name;
+        if (name.empty()) name = trailing_name(close);
+        if (name.empty()) return enter_scope(close, "", true);
+        const uint32_t end = std::min(close + 1, end_);
+        Unit unit = new_unit(UnitKind::Struct, name, head.first, end);
+        unit.body = {token(at_) + 1, token(end - 1)};
+        if (head.name_at != kNoMatch) unit.name_token = token(head.name_at);
+        const size_t index = add(std::move(unit));
+        enter_scope(close, name, true, index);
+    }
+
+    /// Enums and interface blocks: nothing inside is a unit.
+    void add_closed(const Head& head, uint32_t close) {
+        std::string name = head.name.empty() ? trailing_name(close) : head.name;
+        if (name.empty()) name = std::string(word(at_ + 1));
+        const uint32_t end = std::min(close + 1, end_);
+        if (name.empty() || name == "}") return next_statement(end);
+        Unit unit =
+            new_unit(head.kind == HeadKind::Enum ? UnitKind::Constant : UnitKind::Struct, name, head.first, end);
+        unit.body = {token(at_) + 1, token(end - 1)};
+        if (head.name_at != kNoMatch) unit.name_token = token(head.name_at);
+        declare(start_, head.first);
+        add(std::move(unit));
+        begin_statement(end);
+    }
+
+    void add_function(const Head& head, uint32_t close) {
+        uint32_t end = std::min(close + 1, end_);
+        while (word(end) == "catch" && word(end + 1) == "(" && structure_.match[end + 1] != kNoMatch) {
+            const uint32_t block = structure_.match[end + 1] + 1;
+            if (word(block) != "{" || !inside(structure_.match[block])) break;
+            end = structure_.match[block] + 1;
+        }
+        // A body that runs into its scope's closing brace lost its own.
+        if (close == scopes_.back().close) end = std::min(close, end_);
+        Unit unit = new_unit(head.kernel ? UnitKind::Kernel : UnitKind::Function, head.name, head.first, end);
+        const uint32_t parameters_end = structure_.match[head.parameters];
+        unit.parameters = {token(head.parameters) + 1, token(parameters_end)};
+        unit.body = {token(at_) + 1, token(end - 1)};
+        unit.name_token = token(head.name_at);
+        declare(start_, head.first);
+        add(std::move(unit));
+        begin_statement(end);
+    }
+
+    const LexedText& lexed_;
+    const Structure& structure_;
+    MacroTable macros_;
+    HeadContext context_;
+    UnitList out_;
+    std::vector<Scope> scopes_;
+    uint32_t end_ = 0;
+    uint32_t at_ = 0;
+    uint32_t start_ = 0;
+    bool assigned_ = false;          ///< the statement has an initialiser
+    bool initialiser_list_ = false;  ///< ... a colon behind a parameter list
+    bool variable_ = false;          ///< ... a braced initialiser
+};
+
+}  // namespace
+
+UnitList find_units(const LexedText& lexed, const Structure& structure, Language language) {
+    return UnitFinder(lexed, structure, language).run();
+}
+
+}  // namespace porttool
