@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <string>
+#include <vector>
+
+#include "render_system/loader/gltf_document.h"
+
+namespace render_system {
+
+/// JSON pointer of an accessor, for messages.
+std::string accessor_place(int accessor);
+
+/// Elements in an accessor.
+uint64_t accessor_count(const GltfDocument& document, int accessor);
+
+/// Appends an accessor's elements to `out` as floats: any component type, normalised or not, any stride, sparse or
+/// not; without a buffer view zeros. Throws LoadError if the accessor is of another type (VEC2 for glm::vec2 and so
+/// on), reaches past its buffer view, or if `must_be_finite` and an element is not.
+void append_vectors(const GltfDocument& document, int accessor, bool must_be_finite, std::vector<glm::vec2>& out);
+void append_vectors(const GltfDocument& document, int accessor, bool must_be_finite, std::vector<glm::vec3>& out);
+void append_vectors(const GltfDocument& document, int accessor, bool must_be_finite, std::vector<glm::vec4>& out);
+
+/// Appends colours (VEC3 or VEC4) as linear rgba8, red in the lowest byte; VEC3 has alpha 1. Values outside 0 to 1 are
+/// clamped.
+void append_colors(const GltfDocument& document, int accessor, std::vector<uint32_t>& out);
+
+/// The elements of an accessor of indices: SCALAR, unsigned, not normalised.
+std::vector<uint32_t> read_indices(const GltfDocument& document, int accessor);
+
+}  // namespace render_system

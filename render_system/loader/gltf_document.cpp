@@ -1,0 +1,281 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "render_system/loader/gltf_document.h"
+
+#include <algorithm>
+#include <cstring>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "render_system/loader/gltf_schema.h"
+#include "render_system/loader/load_error.h"
+#include "render_system/loader/uri.h"
+
+namespace render_system {
+
+namespace {
+
+using nlohmann::json;
+using Bytes = std::span<const std::byte>;
+
+// Deeper nesting than any real file has; tinygltf walks `extras` by recursion.
+constexpr int DEEPEST_JSON = 128;
+
+const std::set<std::string> SUPPORTED_EXTENSIONS = {
+    "KHR_lights_punctual",    "KHR_materials_emissive_strength", "KHR_materials_ior",
+    "KHR_materials_specular", "KHR_materials_transmission",      "KHR_materials_volume",
+    "KHR_mesh_quantization",  "KHR_texture_transform",
+};
+
+struct Container {
+    std::string_view text;
+    Bytes binary;  // the .glb's second chunk
+};
+
+uint32_t read_u32(Bytes bytes, size_t offset) {
+    const auto at = [&](size_t i) { return static_cast<uint32_t>(bytes[offset + i]); };
+    return at(0) | at(1) << 8 | at(2) << 16 | at(3) << 24;
+}
+
+std::string_view as_text(Bytes bytes) { return {reinterpret_cast<const char*>(bytes.data()), bytes.size()}; }
+
+Bytes glb_chunk(Bytes bytes, size_t offset, uint32_t type, const char* name) {
+    if (bytes.size() - offset < 8)
+        fail_at("", std::string("the .glb ends before its ") + name + " chunk; it is cut off");
+    const uint64_t length = read_u32(bytes, offset);
+    if (read_u32(bytes, offset + 4) != type) {
+        fail_at("", std::string("the .glb has another chunk where its ") + name + " chunk should be" + EXPORT_AGAIN);
+    }
+    if (length > bytes.size() - offset - 8) {
+        fail_at("", std::string("the .glb's ") + name + " chunk needs " + std::to_string(length) + " bytes, but " +
+                        std::to_string(bytes.size() - offset - 8) + " are there; the file is cut off, copy it again");
+    }
+    return bytes.subspan(offset + 8, length);
+}
+
+// The layout of a .glb: 12 bytes of header, then chunks of length, type and bytes (glTF 2.0, 4.4).
+Container open_container(Bytes bytes) {
+    constexpr uint32_t JSON_CHUNK = 0x4E4F534A;
+    constexpr uint32_t BINARY_CHUNK = 0x004E4942;
+    if (bytes.empty()) fail_at("", "the file is empty; copy or export it again");
+    if (as_text(bytes).substr(0, 4) != "glTF") return {as_text(bytes), {}};
+    if (bytes.size() < 12) fail_at("", "the .glb ends within its header; it is cut off, copy it again");
+    if (const uint32_t version = read_u32(bytes, 4); version != 2) {
+        fail_at("", "is a .glb of version " + std::to_string(version) + "; convert it to glTF 2.0");
+    }
+    const uint64_t length = read_u32(bytes, 8);
+    if (length > bytes.size()) {
+        fail_at("", "the .glb should have " + std::to_string(length) + " bytes, but has " +
+                        std::to_string(bytes.size()) + "; it is cut off, copy it again");
+    }
+    bytes = bytes.first(length);
+    Container container;
+    container.text = as_text(glb_chunk(bytes, 12, JSON_CHUNK, "JSON"));
+    const size_t next = 12 + 8 + container.text.size();
+    // Padding should be spaces; some exporters write zeros.
+    while (!container.text.empty() && container.text.back() == '\0') container.text.remove_suffix(1);
+    if (bytes.size() >= next + 8) container.binary = glb_chunk(bytes, next, BINARY_CHUNK, "BIN");
+    return container;
+}
+
+json parse_json(std::string_view text) {
+    const auto guard = [](int depth, json::parse_event_t, json&) {
+        if (depth > DEEPEST_JSON) fail_at("", "its JSON is nested too deeply" + EXPORT_AGAIN);
+        return true;
+    };
+    try {
+        return json::parse(text.begin(), text.end(), guard);
+    } catch (const json::exception& error) {
+        // What the parser says after its own error number: "parse error at line 1, column 2: ..."
+        const std::string what = error.what();
+        const size_t start = what.find("] ");
+        fail_at("", "is not JSON, so no glTF (" + (start == std::string::npos ? what : what.substr(start + 2)) +
+                        "); name a .gltf or .glb file");
+    }
+}
+
+void check_version(const json& document) {
+    const std::string version = document["asset"]["version"];
+    if (version.substr(0, 2) != "2.") fail_at("/asset/version", "is \"" + version + "\"; convert the file to glTF 2.0");
+    const std::string least = document["asset"].value("minVersion", "2.0");
+    if (least != "2.0") fail_at("/asset/minVersion", "asks for glTF " + least + "; only 2.0 is supported");
+}
+
+void check_extensions(const json& document, Omissions& omissions) {
+    for (const json& name : document.value("extensionsRequired", json::array())) {
+        if (SUPPORTED_EXTENSIONS.count(name) > 0) continue;
+        fail_at("/extensionsRequired", "the file cannot be shown without " + name.get<std::string>() +
+                                           ", which is not supported; export it without");
+    }
+    for (const json& name : document.value("extensionsUsed", json::array())) {
+        if (SUPPORTED_EXTENSIONS.count(name) == 0) omissions.add("extension " + name.get<std::string>());
+    }
+}
+
+std::string count_text(size_t count) { return std::to_string(count); }
+
+void note_moving_parts(const json& document, Omissions& omissions) {
+    for (const char* what : {"skins", "animations"}) {
+        const size_t count = document.contains(what) ? document[what].size() : 0;
+        if (count > 0) omissions.add(what, count_text(count));
+    }
+}
+
+GltfBuffer open_buffer(const json& entry, size_t index, const GltfDocument& document, Bytes binary) {
+    const std::string place = "/buffers/" + std::to_string(index);
+    const uint64_t length = entry["byteLength"].get<uint64_t>();
+    GltfBuffer buffer;
+    std::string source = "its data";
+    if (!entry.contains("uri")) {
+        if (index != 0 || binary.data() == nullptr) return buffer;  // an error for who reads from it
+        source = "the .glb's BIN chunk";
+        buffer.bytes = binary;
+    } else if (const std::string& uri = entry["uri"].get_ref<const std::string&>(); is_data_uri(uri)) {
+        buffer.decoded = decode_data_uri(uri, place + "/uri");
+        buffer.bytes = buffer.decoded;
+        source = "its data URI";
+    } else {
+        const std::filesystem::path file = file_of_uri(uri, document.path.parent_path(), place + "/uri");
+        source = file.string();
+        try {
+            buffer.file = FileBytes(file);
+        } catch (LoadError& error) {
+            error.message = place + ": " + source + ": " + error.message;
+            throw;
+        }
+        buffer.bytes = buffer.file.bytes();
+    }
+    if (buffer.bytes.size() < length) {
+        fail_at(place, source + " has " + std::to_string(buffer.bytes.size()) + " bytes, but byteLength is " +
+                           std::to_string(length) + "; it is cut off, copy or export it again");
+    }
+    buffer.bytes = buffer.bytes.first(length);
+    return buffer;
+}
+
+GltfImage image_of(json& entry, const std::string& place) {
+    GltfImage image;
+    const bool has_uri = entry.contains("uri");
+    if (has_uri == entry.contains("bufferView")) {
+        fail_at(place, std::string(has_uri ? "has both" : "has neither") + " a uri and a bufferView" + EXPORT_AGAIN);
+    }
+    if (has_uri) image.uri = std::move(entry["uri"].get_ref<std::string&>());
+    image.buffer_view = entry.value("bufferView", -1);
+    image.mime_type = entry.value("mimeType", "");
+    return image;
+}
+
+// Accessors without a buffer view are legal, but tinygltf refuses them as indices: they get a view of their own, which
+// forget_made_up_views takes away again.
+void make_up_views(json& document) {
+    if (!document.contains("accessors")) return;
+    const size_t count = document.contains("bufferViews") ? document["bufferViews"].size() : 0;
+    bool needed = false;
+    for (json& accessor : document["accessors"]) {
+        if (accessor.contains("bufferView")) continue;
+        accessor["bufferView"] = count;
+        needed = true;
+    }
+    if (needed) document["bufferViews"].push_back({{"buffer", 0}, {"byteLength", 1}});
+}
+
+void forget_made_up_views(tinygltf::Model& model, size_t real_views) {
+    model.bufferViews.resize(real_views);
+    for (tinygltf::Accessor& accessor : model.accessors) {
+        if (accessor.bufferView >= static_cast<int>(real_views)) accessor.bufferView = -1;
+    }
+}
+
+tinygltf::Model parse_model(json& document) {
+    const size_t real_views = document.contains("bufferViews") ? document["bufferViews"].size() : 0;
+    // Read by this loader, or not at all.
+    for (const char* part : {"buffers", "images", "skins", "animations"}) document.erase(part);
+    make_up_views(document);
+    const std::string text = document.dump();
+    if (text.size() > std::numeric_limits<unsigned int>::max()) fail_at("", "its JSON is larger than 4 GiB");
+    tinygltf::Model model;
+    tinygltf::TinyGLTF parser;
+    std::string error;
+    std::string warning;
+    const bool good = parser.LoadASCIIFromString(&model, &error, &warning, text.data(),
+                                                 static_cast<unsigned int>(text.size()), "", tinygltf::NO_REQUIRE);
+    if (!good) {
+        std::replace(error.begin(), error.end(), '\n', ' ');
+        while (!error.empty() && error.back() == ' ') error.pop_back();
+        fail_at("", (error.empty() ? "is not a valid glTF" : error) + EXPORT_AGAIN);
+    }
+    forget_made_up_views(model, real_views);
+    return model;
+}
+
+void check_views(const GltfDocument& document) {
+    for (size_t i = 0; i < document.model.bufferViews.size(); ++i) {
+        const tinygltf::BufferView& view = document.model.bufferViews[i];
+        const size_t size = document.buffers[static_cast<size_t>(view.buffer)].bytes.size();
+        if (view.byteOffset <= size && view.byteLength <= size - view.byteOffset) continue;
+        fail_at("/bufferViews/" + std::to_string(i),
+                "reaches to byte " + std::to_string(view.byteOffset + view.byteLength) + ", but buffer " +
+                    std::to_string(view.buffer) + " has " + std::to_string(size) + EXPORT_AGAIN);
+    }
+}
+
+}  // namespace
+
+void Omissions::add(const std::string& what, const std::string& place) {
+    std::set<std::string>& places = places_[what];
+    if (!place.empty()) places.insert(place);
+}
+
+std::string Omissions::text() const {
+    constexpr size_t SHOWN = 3;
+    std::string text;
+    for (const auto& [what, places] : places_) {
+        text += (text.empty() ? "" : ", ") + what;
+        size_t i = 0;
+        for (auto place = places.begin(); place != places.end() && i < SHOWN; ++place, ++i) {
+            text += (i == 0 ? " (" : ", ") + *place;
+        }
+        if (places.size() > SHOWN) text += " and " + std::to_string(places.size() - SHOWN) + " more";
+        if (!places.empty()) text += ")";
+    }
+    return text;
+}
+
+std::span<const std::byte> GltfDocument::view_bytes(int buffer_view) const {
+    const tinygltf::BufferView& view = model.bufferViews[static_cast<size_t>(buffer_view)];
+    return buffers[static_cast<size_t>(view.buffer)].bytes.subspan(view.byteOffset, view.byteLength);
+}
+
+void GltfDocument::release_pages() const {
+    file.release_pages();
+    for (const GltfBuffer& buffer : buffers) buffer.file.release_pages();
+}
+
+GltfDocument open_gltf(const std::filesystem::path& path) {
+    GltfDocument document;
+    document.path = path;
+    document.file = FileBytes(path);
+    const Container container = open_container(document.file.bytes());
+    json root = parse_json(container.text);
+    check_gltf_schema(root);
+    check_version(root);
+    check_extensions(root, document.omissions);
+    note_moving_parts(root, document.omissions);
+    if (root.contains("buffers")) {
+        for (size_t i = 0; i < root["buffers"].size(); ++i) {
+            document.buffers.push_back(open_buffer(root["buffers"][i], i, document, container.binary));
+            root["buffers"][i].erase("uri");  // it may have been most of the file
+        }
+    }
+    if (root.contains("images")) {
+        for (size_t i = 0; i < root["images"].size(); ++i) {
+            document.images.push_back(image_of(root["images"][i], "/images/" + std::to_string(i)));
+        }
+    }
+    document.model = parse_model(root);
+    check_views(document);
+    return document;
+}
+
+}  // namespace render_system

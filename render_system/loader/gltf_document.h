@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <map>
+#include <set>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "render_system/loader/file_bytes.h"
+#include "render_system/loader/tinygltf_model.h"
+
+namespace render_system {
+
+/// A buffer's bytes, wherever they lie: in a file mapped for the purpose, in the .glb, or decoded from a data URI.
+struct GltfBuffer {
+    FileBytes file;
+    std::vector<std::byte> decoded;
+    std::span<const std::byte> bytes;  ///< as long as `byteLength` says
+};
+
+/// Where an image comes from; one of the three is set.
+struct GltfImage {
+    std::string uri;
+    int buffer_view = -1;
+    std::string mime_type;
+};
+
+/// What the file asks for and does not get, gathered into one warning: what, and where or how often.
+class Omissions {
+public:
+    void add(const std::string& what, const std::string& place = "");
+    bool empty() const { return places_.empty(); }
+    /// "orthographic cameras (/nodes/3), skins (2)"
+    std::string text() const;
+
+private:
+    std::map<std::string, std::set<std::string>> places_;
+};
+
+/// A glTF file, parsed and checked: every index in `model` names something that exists, and every buffer view lies in
+/// its buffer. `model.buffers` and `model.images` are empty; `buffers` and `images` stand in their place.
+struct GltfDocument {
+    std::filesystem::path path;
+    FileBytes file;
+    tinygltf::Model model;
+    std::vector<GltfBuffer> buffers;
+    std::vector<GltfImage> images;
+    Omissions omissions;
+    std::vector<std::string> warnings;
+
+    std::span<const std::byte> view_bytes(int buffer_view) const;
+    /// Lets go of the memory of file bytes already converted.
+    void release_pages() const;
+};
+
+/// Reads and checks a .gltf or .glb file and opens its buffers. Throws LoadError.
+GltfDocument open_gltf(const std::filesystem::path& path);
+
+}  // namespace render_system

@@ -1,0 +1,204 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "render_system/loader/gltf_materials.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "render_system/loader/gltf_textures.h"
+#include "render_system/loader/load_error.h"
+
+namespace render_system {
+
+namespace {
+
+using tinygltf::Value;
+
+const Value* find(const tinygltf::ExtensionMap& extensions, const char* name) {
+    const auto found = extensions.find(name);
+    return found == extensions.end() ? nullptr : &found->second;
+}
+
+float number(const Value& object, const char* key, float fallback) {
+    return object.Has(key) ? static_cast<float>(object.Get(key).GetNumberAsDouble()) : fallback;
+}
+
+glm::vec3 numbers(const Value& object, const char* key, const glm::vec3& fallback) {
+    if (!object.Has(key)) return fallback;
+    const Value& array = object.Get(key);
+    glm::vec3 result(0.0f);
+    for (int i = 0; i < std::min(3, static_cast<int>(array.ArrayLen())); ++i) {
+        result[i] = static_cast<float>(array.Get(static_cast<size_t>(i)).GetNumberAsDouble());
+    }
+    return result;
+}
+
+// Either of tinygltf's two forms of a reference to a texture.
+struct TextureInfo {
+    int texture = -1;
+    int uv_set = 0;
+    const Value* transform = nullptr;
+};
+
+template <class Info>
+TextureInfo info_of(const Info& info) {
+    return {info.index, info.texCoord, find(info.extensions, "KHR_texture_transform")};
+}
+
+TextureInfo info_in(const Value& object, const char* key) {
+    TextureInfo info;
+    if (!object.Has(key)) return info;
+    const Value& source = object.Get(key);
+    info.texture = source.Get("index").GetNumberAsInt();
+    if (source.Has("texCoord")) info.uv_set = source.Get("texCoord").GetNumberAsInt();
+    if (source.Has("extensions") && source.Get("extensions").Has("KHR_texture_transform")) {
+        info.transform = &source.Get("extensions").Get("KHR_texture_transform");
+    }
+    return info;
+}
+
+class MaterialReader {
+public:
+    MaterialReader(GltfDocument& document, HostScene& scene) : document_(document), textures_(document, scene) {}
+
+    CoreMaterial read(size_t index) {
+        const tinygltf::Material& source = document_.model.materials[index];
+        place_ = "/materials/" + std::to_string(index);
+        material_ = CoreMaterial();
+        read_base(source);
+        read_alpha(source);
+        read_emission(source);
+        read_transmission(source);
+        read_specular(source);
+        if (source.occlusionTexture.index >= 0) {
+            document_.omissions.add("occlusion textures, in whose stead light is followed", place_);
+        }
+        return material_;
+    }
+
+private:
+    void read_base(const tinygltf::Material& source) {
+        const tinygltf::PbrMetallicRoughness& pbr = source.pbrMetallicRoughness;
+        for (int i = 0; i < 3; ++i) material_.base_color[i] = unit(pbr.baseColorFactor[static_cast<size_t>(i)]);
+        material_.alpha = unit(pbr.baseColorFactor[3]);
+        material_.metallic = unit(pbr.metallicFactor);
+        material_.roughness = unit(pbr.roughnessFactor);
+        material_.base_color_texture = slot(info_of(pbr.baseColorTexture), TextureRole::color);
+        material_.metallic_roughness_texture = slot(info_of(pbr.metallicRoughnessTexture), TextureRole::data);
+        material_.normal_texture = slot(info_of(source.normalTexture), TextureRole::data);
+        material_.normal_scale = static_cast<float>(source.normalTexture.scale);
+        material_.double_sided = source.doubleSided;
+    }
+
+    void read_alpha(const tinygltf::Material& source) {
+        const float cutoff = std::max(0.0f, static_cast<float>(source.alphaCutoff));
+        // A mask that everything passes is opaque.
+        material_.opaque = source.alphaMode == "OPAQUE" || (source.alphaMode == "MASK" && cutoff == 0.0f);
+        if (source.alphaMode == "MASK") material_.alpha_cutoff = cutoff;
+    }
+
+    void read_emission(const tinygltf::Material& source) {
+        for (int i = 0; i < 3; ++i) {
+            material_.emission[i] = not_negative(source.emissiveFactor[static_cast<size_t>(i)], "emissiveFactor");
+        }
+        if (const Value* strength = find(source.extensions, "KHR_materials_emissive_strength")) {
+            material_.emission *= not_negative(static_cast<double>(number(*strength, "emissiveStrength", 1.0f)),
+                                               "extensions/KHR_materials_emissive_strength/emissiveStrength");
+        }
+        for (int i = 0; i < 3; ++i) {
+            if (!std::isfinite(material_.emission[i])) fail_at(place_, "its emission is past the range of a float");
+        }
+        if (material_.emission == glm::vec3(0.0f)) return;  // a texture times zero need not be read
+        material_.emission_texture = slot(info_of(source.emissiveTexture), TextureRole::color);
+    }
+
+    void read_transmission(const tinygltf::Material& source) {
+        if (const Value* extension = find(source.extensions, "KHR_materials_transmission")) {
+            material_.transmission = unit(static_cast<double>(number(*extension, "transmissionFactor", 0.0f)));
+            material_.transmission_texture = slot(info_in(*extension, "transmissionTexture"), TextureRole::data);
+        }
+        const Value* volume = find(source.extensions, "KHR_materials_volume");
+        if (!volume) return;
+        material_.thin_walled = !(number(*volume, "thicknessFactor", 0.0f) > 0.0f);
+        const bool attenuates = volume->Has("attenuationDistance") &&
+                                numbers(*volume, "attenuationColor", glm::vec3(1.0f)) != glm::vec3(1.0f);
+        if (attenuates && !material_.thin_walled) {
+            document_.omissions.add("attenuation of KHR_materials_volume", place_);
+        }
+        if (volume->Has("thicknessTexture")) document_.omissions.add("thickness textures", place_);
+    }
+
+    void read_specular(const tinygltf::Material& source) {
+        if (const Value* extension = find(source.extensions, "KHR_materials_ior")) {
+            material_.ior =
+                not_negative(static_cast<double>(number(*extension, "ior", 1.5f)), "extensions/KHR_materials_ior/ior");
+        }
+        if (const Value* extension = find(source.extensions, "KHR_materials_specular")) {
+            material_.specular = unit(static_cast<double>(number(*extension, "specularFactor", 1.0f)));
+            const glm::vec3 color = numbers(*extension, "specularColorFactor", glm::vec3(1.0f));
+            for (int i = 0; i < 3; ++i) {
+                material_.specular_color[i] = not_negative(static_cast<double>(color[i]),
+                                                           "extensions/KHR_materials_specular/specularColorFactor");
+            }
+            material_.specular_texture = slot(info_in(*extension, "specularTexture"), TextureRole::data);
+            material_.specular_color_texture = slot(info_in(*extension, "specularColorTexture"), TextureRole::color);
+        }
+    }
+
+    CoreTextureSlot slot(const TextureInfo& info, TextureRole role) {
+        CoreTextureSlot slot;
+        if (info.texture < 0) return slot;
+        int uv_set = info.uv_set;
+        if (info.transform) {
+            apply_transform(*info.transform, slot);
+            if (info.transform->Has("texCoord")) uv_set = info.transform->Get("texCoord").GetNumberAsInt();
+        }
+        if (uv_set > 1) {
+            document_.omissions.add("textures on more than two uv sets", place_);
+            uv_set = 0;
+        }
+        slot.uv_set = static_cast<uint32_t>(uv_set);
+        slot.texture = textures_.add(info.texture, role);
+        return slot;
+    }
+
+    // KHR_texture_transform: translation * rotation * scale. Angles turn counter-clockwise as seen in the picture,
+    // where v grows downwards; the extension's own example (a lower left quadrant, turned) is only right this way.
+    static void apply_transform(const Value& transform, CoreTextureSlot& slot) {
+        const double angle = transform.Has("rotation") ? transform.Get("rotation").GetNumberAsDouble() : 0.0;
+        const float c = static_cast<float>(std::cos(angle)), s = static_cast<float>(std::sin(angle));
+        const glm::vec3 offset = numbers(transform, "offset", glm::vec3(0.0f));
+        const glm::vec3 scale = numbers(transform, "scale", glm::vec3(1.0f));
+        slot.row_u = {c * scale.x, s * scale.y, offset.x};
+        slot.row_v = {-s * scale.x, c * scale.y, offset.y};
+    }
+
+    float unit(double value) {
+        if (value < 0.0 || value > 1.0) document_.omissions.add("factors outside 0 to 1, which were clamped", place_);
+        return static_cast<float>(std::clamp(value, 0.0, 1.0));
+    }
+
+    float not_negative(double value, const char* what) const {
+        if (value < 0.0) fail_at(place_ + "/" + what, "is negative" + EXPORT_AGAIN);
+        return static_cast<float>(value);
+    }
+
+    GltfDocument& document_;
+    GltfTextures textures_;
+    CoreMaterial material_;
+    std::string place_;
+};
+
+}  // namespace
+
+void add_materials(GltfDocument& document, const std::vector<bool>& used, HostScene& scene) {
+    MaterialReader reader(document, scene);
+    const size_t count = document.model.materials.size();
+    for (size_t i = 0; i < count; ++i) {
+        scene.add_material({document.model.materials[i].name, used[i] ? reader.read(i) : CoreMaterial()});
+    }
+    if (used[count]) scene.add_material({"default", CoreMaterial()});
+}
+
+}  // namespace render_system

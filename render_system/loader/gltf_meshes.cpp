@@ -1,0 +1,295 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "render_system/loader/gltf_meshes.h"
+
+#include <cmath>
+#include <string>
+
+#include "render_system/loader/gltf_accessors.h"
+#include "render_system/loader/load_error.h"
+#include "render_system/loader/tangents.h"
+
+namespace render_system {
+
+namespace {
+
+constexpr int MISSING = -1;
+
+bool has_triangles(const tinygltf::Primitive& primitive) {
+    return primitive.mode == TINYGLTF_MODE_TRIANGLES || primitive.mode == TINYGLTF_MODE_TRIANGLE_STRIP ||
+           primitive.mode == TINYGLTF_MODE_TRIANGLE_FAN;
+}
+
+int attribute(const tinygltf::Primitive& primitive, const char* name) {
+    const auto found = primitive.attributes.find(name);
+    return found == primitive.attributes.end() ? MISSING : found->second;
+}
+
+uint32_t material_of(const GltfDocument& document, const tinygltf::Primitive& primitive) {
+    return static_cast<uint32_t>(primitive.material >= 0 ? static_cast<size_t>(primitive.material)
+                                                         : document.model.materials.size());
+}
+
+// Triangle number `i` of a list, strip or fan, as places in the index list (glTF 2.0, 3.7.2.1). All wind alike.
+glm::uvec3 corners_of(int mode, uint32_t i) {
+    if (mode == TINYGLTF_MODE_TRIANGLE_STRIP) return {i, i + 1 + i % 2, i + 2 - i % 2};
+    if (mode == TINYGLTF_MODE_TRIANGLE_FAN) return {i + 1, i + 2, 0};
+    return {3 * i, 3 * i + 1, 3 * i + 2};
+}
+
+uint64_t triangle_count(int mode, uint64_t corners) {
+    if (mode == TINYGLTF_MODE_TRIANGLES) return corners / 3;
+    return corners < 3 ? 0 : corners - 2;
+}
+
+glm::vec3 flat_normal(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
+    // In double precision: small triangles far from the origin keep a direction.
+    const glm::dvec3 way = glm::cross(glm::dvec3(b) - glm::dvec3(a), glm::dvec3(c) - glm::dvec3(a));
+    const double size = glm::length(way);
+    return size > 0.0 && std::isfinite(size) ? glm::vec3(way / size) : glm::vec3(0.0f, 0.0f, 1.0f);
+}
+
+// Adds the primitives of one glTF mesh to one HostMesh.
+class MeshReader {
+public:
+    MeshReader(GltfDocument& document, int mesh, const HostScene& scene)
+        : document_(document),
+          source_(document.model.meshes[static_cast<size_t>(mesh)]),
+          scene_(scene),
+          mesh_place_("/meshes/" + std::to_string(mesh)) {}
+
+    HostMesh read() {
+        mesh_.name = source_.name;
+        if (!source_.weights.empty()) document_.omissions.add("morph targets", mesh_place_);
+        reserve();
+        for (size_t i = 0; i < source_.primitives.size(); ++i) {
+            place_ = mesh_place_ + "/primitives/" + std::to_string(i);
+            note_omissions(source_.primitives[i]);
+            if (has_triangles(source_.primitives[i])) add(source_.primitives[i]);
+        }
+        return std::move(mesh_);
+    }
+
+private:
+    // Growing by doubling would cost as much again as the mesh itself.
+    void reserve() {
+        uint64_t vertices = 0;
+        uint64_t triangles = 0;
+        for (const tinygltf::Primitive& primitive : source_.primitives) {
+            const int positions = attribute(primitive, "POSITION");
+            if (!has_triangles(primitive) || positions == MISSING) continue;
+            const uint64_t count = accessor_count(document_, positions);
+            const uint64_t corners = primitive.indices >= 0 ? accessor_count(document_, primitive.indices) : count;
+            const uint64_t own = triangle_count(primitive.mode, corners);
+            triangles += own;
+            vertices += attribute(primitive, "NORMAL") == MISSING ? 3 * own : count;
+        }
+        // Counts are not yet held against the buffers: what is absurd waits for its own message.
+        if (vertices > uint64_t{1} << 33 || triangles > uint64_t{1} << 33) return;
+        constexpr uint64_t WORTH_IT = 1 << 16;
+        if (vertices < WORTH_IT && triangles < WORTH_IT) return;
+        mesh_.positions.reserve(vertices);
+        mesh_.normals.reserve(vertices);
+        mesh_.triangles.reserve(triangles);
+    }
+
+    void note_omissions(const tinygltf::Primitive& primitive) {
+        Omissions& omissions = document_.omissions;
+        if (primitive.mode == TINYGLTF_MODE_POINTS) omissions.add("points", place_);
+        if (!has_triangles(primitive) && primitive.mode != TINYGLTF_MODE_POINTS) omissions.add("lines", place_);
+        if (!primitive.targets.empty()) omissions.add("morph targets", mesh_place_);
+        if (attribute(primitive, "TEXCOORD_2") != MISSING) omissions.add("more than two uv sets", mesh_place_);
+        if (attribute(primitive, "COLOR_1") != MISSING) omissions.add("more than one set of colours", mesh_place_);
+    }
+
+    void add(const tinygltf::Primitive& primitive) {
+        const int positions = attribute(primitive, "POSITION");
+        if (positions == MISSING) fail_at(place_, "has no POSITION" + EXPORT_AGAIN);
+        first_vertex_ = mesh_.positions.size();
+        first_triangle_ = mesh_.triangles.size();
+        append_vectors(document_, positions, true, mesh_.positions);
+        if (mesh_.positions.size() >= NONE) fail_at(place_, "the mesh has more than 2^32 vertices; split it");
+        const bool flat = attribute(primitive, "NORMAL") == MISSING;
+        // Tangents without normals mean nothing (glTF 2.0, 3.7.2.1).
+        const bool has_tangents = !flat && attribute(primitive, "TANGENT") != MISSING;
+        add_attribute(primitive, "NORMAL", mesh_.normals);
+        add_attribute(primitive, has_tangents ? "TANGENT" : "", mesh_.tangents);
+        add_attribute(primitive, "TEXCOORD_0", mesh_.uv0);
+        add_attribute(primitive, "TEXCOORD_1", mesh_.uv1);
+        add_colors(primitive);
+        add_triangles(primitive);
+        if (flat)
+            make_flat();
+        else
+            repair_normals();
+        make_tangents(primitive, has_tangents);
+        const size_t vertices = mesh_.positions.size();
+        if (!mesh_.tangents.empty()) mesh_.tangents.resize(vertices, glm::vec4(0.0f));
+        if (!mesh_.uv0.empty()) mesh_.uv0.resize(vertices, glm::vec2(0.0f));
+        if (!mesh_.uv1.empty()) mesh_.uv1.resize(vertices, glm::vec2(0.0f));
+        if (!mesh_.colors.empty()) mesh_.colors.resize(vertices, 0xFFFFFFFFu);
+    }
+
+    // An array that one primitive of a mesh has, all of them get: filled with `T(0)` for those before.
+    template <class T>
+    void add_attribute(const tinygltf::Primitive& primitive, const char* name, std::vector<T>& array) {
+        const int accessor = attribute(primitive, name);
+        if (accessor != MISSING) {
+            check_count(name, accessor);
+            array.resize(first_vertex_, T(0.0f));
+            append_vectors(document_, accessor, true, array);
+        } else if (!array.empty()) {
+            array.resize(mesh_.positions.size(), T(0.0f));
+        }
+    }
+
+    void add_colors(const tinygltf::Primitive& primitive) {
+        constexpr uint32_t WHITE = 0xFFFFFFFFu;
+        const int accessor = attribute(primitive, "COLOR_0");
+        if (accessor != MISSING) {
+            check_count("COLOR_0", accessor);
+            mesh_.colors.resize(first_vertex_, WHITE);
+            append_colors(document_, accessor, mesh_.colors);
+        } else if (!mesh_.colors.empty()) {
+            mesh_.colors.resize(mesh_.positions.size(), WHITE);
+        }
+    }
+
+    void check_count(const char* name, int accessor) const {
+        const uint64_t count = accessor_count(document_, accessor);
+        const uint64_t vertices = mesh_.positions.size() - first_vertex_;
+        if (count == vertices) return;
+        fail_at(place_ + "/attributes/" + name, "has " + std::to_string(count) + " elements for " +
+                                                    std::to_string(vertices) + " positions" + EXPORT_AGAIN);
+    }
+
+    void add_triangles(const tinygltf::Primitive& primitive) {
+        const uint32_t material = material_of(document_, primitive);
+        const uint32_t base = static_cast<uint32_t>(first_vertex_);
+        const uint64_t vertices = mesh_.positions.size() - first_vertex_;
+        std::vector<uint32_t> indices;
+        if (primitive.indices >= 0) {
+            indices = read_indices(document_, primitive.indices);
+            check_indices(indices, vertices);
+        }
+        const uint64_t corners = primitive.indices >= 0 ? indices.size() : vertices;
+        const uint64_t count = triangle_count(primitive.mode, corners);
+        if (corners > NONE || mesh_.triangles.size() + count >= NONE) {
+            fail_at(place_, "the mesh has more than 2^32 corners; split it");
+        }
+        if (primitive.mode == TINYGLTF_MODE_TRIANGLES ? corners % 3 != 0 : corners < 3) {
+            document_.omissions.add("corners that make no whole triangle", place_);
+        }
+        for (uint32_t i = 0; i < count; ++i) {
+            glm::uvec3 t = corners_of(primitive.mode, i);
+            if (primitive.indices >= 0) t = {indices[t.x], indices[t.y], indices[t.z]};
+            mesh_.triangles.emplace_back(base + t.x, base + t.y, base + t.z, material);
+        }
+    }
+
+    void check_indices(const std::vector<uint32_t>& indices, uint64_t vertices) const {
+        for (size_t i = 0; i < indices.size(); ++i) {
+            if (indices[i] < vertices) continue;
+            fail_at(place_ + "/indices", "index " + std::to_string(indices[i]) + " (at " + std::to_string(i) +
+                                             ") is past the " + std::to_string(vertices) + " vertices" + EXPORT_AGAIN);
+        }
+    }
+
+    // glTF 2.0, 3.7.2.1: without normals each triangle is flat, which gives it vertices of its own.
+    void make_flat() {
+        const size_t corners = (mesh_.triangles.size() - first_triangle_) * 3;
+        if (first_vertex_ + corners >= NONE) fail_at(place_, "has too many triangles for flat normals; split it");
+        unshare(mesh_.positions);
+        unshare(mesh_.tangents);
+        unshare(mesh_.uv0);
+        unshare(mesh_.uv1);
+        unshare(mesh_.colors);
+        mesh_.normals.resize(first_vertex_, glm::vec3(0.0f, 0.0f, 1.0f));
+        uint32_t next = static_cast<uint32_t>(first_vertex_);
+        for (size_t i = first_triangle_; i < mesh_.triangles.size(); ++i, next += 3) {
+            mesh_.triangles[i] = {next, next + 1, next + 2, mesh_.triangles[i].w};
+            const glm::vec3 normal =
+                flat_normal(mesh_.positions[next], mesh_.positions[next + 1], mesh_.positions[next + 2]);
+            mesh_.normals.insert(mesh_.normals.end(), 3, normal);
+        }
+    }
+
+    template <class T>
+    void unshare(std::vector<T>& array) {
+        if (array.empty()) return;
+        const std::vector<T> shared(array.begin() + static_cast<std::ptrdiff_t>(first_vertex_), array.end());
+        array.resize(first_vertex_);
+        for (size_t i = first_triangle_; i < mesh_.triangles.size(); ++i) {
+            for (int c = 0; c < 3; ++c) array.push_back(shared[mesh_.triangles[i][c] - first_vertex_]);
+        }
+    }
+
+    // Normals to unit length; where a file has none (0, 0, 0), that of a triangle of the vertex.
+    void repair_normals() {
+        std::vector<bool> broken;
+        for (size_t i = first_vertex_; i < mesh_.normals.size(); ++i) {
+            const float size = glm::length(mesh_.normals[i]);
+            const bool good = size > 0.0f && std::isfinite(size);
+            // Lengths within rounding are left alone, so that exporters' bits survive.
+            if (good && std::abs(size - 1.0f) > 1e-3f) mesh_.normals[i] /= size;
+            if (good) continue;
+            broken.resize(mesh_.normals.size(), false);
+            broken[i] = true;
+            mesh_.normals[i] = glm::vec3(0.0f, 0.0f, 1.0f);
+        }
+        if (broken.empty()) return;
+        document_.omissions.add("normals of no length, which were made anew", place_);
+        for (size_t i = first_triangle_; i < mesh_.triangles.size(); ++i) {
+            const glm::uvec4& t = mesh_.triangles[i];
+            for (int c = 0; c < 3; ++c) {
+                if (!broken[t[c]]) continue;
+                mesh_.normals[t[c]] = flat_normal(mesh_.positions[t.x], mesh_.positions[t.y], mesh_.positions[t.z]);
+            }
+        }
+    }
+
+    // Only a normal map needs tangents. Those of the file are taken as they are, made to be of unit length.
+    void make_tangents(const tinygltf::Primitive& primitive, bool given) {
+        const CoreTextureSlot& slot = scene_.materials()[material_of(document_, primitive)].core.normal_texture;
+        if (given) {
+            for (size_t i = first_vertex_; i < mesh_.tangents.size(); ++i) {
+                glm::vec4& tangent = mesh_.tangents[i];
+                const float size = glm::length(glm::vec3(tangent));
+                const glm::vec3 direction =
+                    size > 0.0f && std::isfinite(size) ? glm::vec3(tangent) / size : any_tangent(mesh_.normals[i]);
+                tangent = glm::vec4(direction, tangent.w < 0.0f ? -1.0f : 1.0f);
+            }
+        } else if (slot.texture != NONE) {
+            mesh_.tangents.resize(first_vertex_);
+            mesh_.tangents.resize(mesh_.positions.size(), glm::vec4(0.0f));
+            generate_tangents(mesh_, first_vertex_, first_triangle_, slot);
+        }
+    }
+
+    GltfDocument& document_;
+    const tinygltf::Mesh& source_;
+    const HostScene& scene_;
+    std::string mesh_place_;
+    std::string place_;
+    HostMesh mesh_;
+    size_t first_vertex_ = 0;    // of the primitive at hand
+    size_t first_triangle_ = 0;  // of the primitive at hand
+};
+
+}  // namespace
+
+std::vector<bool> used_materials(const GltfDocument& document, const std::vector<int>& meshes) {
+    std::vector<bool> used(document.model.materials.size() + 1, false);
+    for (int mesh : meshes) {
+        for (const tinygltf::Primitive& primitive : document.model.meshes[static_cast<size_t>(mesh)].primitives) {
+            if (has_triangles(primitive)) used[material_of(document, primitive)] = true;
+        }
+    }
+    return used;
+}
+
+HostMesh read_mesh(GltfDocument& document, int mesh, const HostScene& scene) {
+    return MeshReader(document, mesh, scene).read();
+}
+
+}  // namespace render_system

@@ -1,0 +1,228 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/quaternion.hpp>
+#include <map>
+#include <new>
+#include <string>
+#include <vector>
+
+#include "render_system/loader/gltf_document.h"
+#include "render_system/loader/gltf_materials.h"
+#include "render_system/loader/gltf_meshes.h"
+#include "render_system/loader/load_error.h"
+#include "render_system/scene_loader.h"
+
+namespace render_system {
+
+namespace {
+
+constexpr double HALF_PI = 1.57079632679489662;
+
+std::string node_place(int node) { return "/nodes/" + std::to_string(node); }
+
+// glTF 2.0, 3.5.3: a matrix by columns, or T * R * S.
+glm::dmat4 local_transform(const tinygltf::Node& node, const std::string& place) {
+    glm::dmat4 matrix(1.0);
+    if (!node.matrix.empty()) {
+        for (int i = 0; i < 16; ++i) matrix[i / 4][i % 4] = node.matrix[static_cast<size_t>(i)];
+        if (matrix[0][3] != 0.0 || matrix[1][3] != 0.0 || matrix[2][3] != 0.0 || matrix[3][3] != 1.0) {
+            fail_at(place + "/matrix", "its last row is not 0 0 0 1" + EXPORT_AGAIN);
+        }
+        return matrix;
+    }
+    if (!node.rotation.empty()) {
+        const glm::dquat rotation(node.rotation[3], node.rotation[0], node.rotation[1], node.rotation[2]);
+        if (!(glm::length(rotation) > 0.0)) fail_at(place + "/rotation", "has no length" + EXPORT_AGAIN);
+        matrix = glm::mat4_cast(glm::normalize(rotation));
+    }
+    for (int i = 0; i < 3 && !node.scale.empty(); ++i) matrix[i] *= node.scale[static_cast<size_t>(i)];
+    for (int i = 0; i < 3 && !node.translation.empty(); ++i) matrix[3][i] = node.translation[static_cast<size_t>(i)];
+    return matrix;
+}
+
+struct PlacedNode {
+    int node = -1;
+    uint32_t parent = NONE;  // into the list of placed nodes
+    glm::dmat4 world{1.0};
+};
+
+// The nodes of the scene to show, parents first. Refuses what is not a tree.
+std::vector<PlacedNode> place_nodes(const tinygltf::Model& model) {
+    std::vector<PlacedNode> placed;
+    const size_t shown = model.defaultScene >= 0 ? static_cast<size_t>(model.defaultScene) : 0;
+    std::vector<bool> seen(model.nodes.size(), false);
+    const auto place = [&](int node, uint32_t parent) {
+        if (seen[static_cast<size_t>(node)]) {
+            fail_at(node_place(node), "is reached twice: nodes must form a tree, without cycles" + EXPORT_AGAIN);
+        }
+        seen[static_cast<size_t>(node)] = true;
+        PlacedNode entry{node, parent, local_transform(model.nodes[static_cast<size_t>(node)], node_place(node))};
+        if (parent != NONE) entry.world = placed[parent].world * entry.world;
+        for (int i = 0; i < 12; ++i) {
+            if (!std::isfinite(static_cast<float>(entry.world[i / 3][i % 3]))) {
+                fail_at(node_place(node), "its transform is past the range of a float" + EXPORT_AGAIN);
+            }
+        }
+        placed.push_back(entry);
+    };
+    for (int root : model.scenes[shown].nodes) place(root, NONE);
+    for (uint32_t i = 0; i < placed.size(); ++i) {
+        for (int child : model.nodes[static_cast<size_t>(placed[i].node)].children) place(child, i);
+    }
+    return placed;
+}
+
+// A matrix that flattens everything leaves no normals, and no way back from world to object space.
+bool is_singular(const glm::dmat4& world) {
+    const CoreTransform t = core_transform(world);
+    const glm::dvec3 x(t.rows[0]), y(t.rows[1]), z(t.rows[2]);
+    const double size = glm::length(x) * glm::length(y) * glm::length(z);
+    return !(std::abs(glm::dot(x, glm::cross(y, z))) > 1e-12 * size) || !(size > 0.0);
+}
+
+class SceneReader {
+public:
+    explicit SceneReader(const std::filesystem::path& path) : document_(open_gltf(path)) {}
+
+    LoadedScene read() {
+        if (document_.model.scenes.empty()) {
+            fail_at("/scenes", "there is no scene, so nothing to show; export the file with one");
+        }
+        nodes_ = place_nodes(document_.model);
+        add_meshes();
+        // What a node carries is numbered by node, whatever the order of the hierarchy.
+        std::vector<size_t> order(nodes_.size());
+        for (size_t i = 0; i < order.size(); ++i) order[i] = i;
+        std::sort(order.begin(), order.end(), [&](size_t a, size_t b) { return nodes_[a].node < nodes_[b].node; });
+        std::vector<HostNode> host_nodes(nodes_.size());  // in the hierarchy's order
+        for (size_t i : order) host_nodes[i] = carry(nodes_[i]);
+        for (HostNode& node : host_nodes) scene().add_node(std::move(node));
+        if (scene().triangle_count() == 0) {
+            fail_at("", "the scene has no triangles; name a file with a mesh in its scene");
+        }
+        write_warnings();
+        return std::move(loaded_);
+    }
+
+private:
+    HostScene& scene() { return loaded_.scene; }
+
+    const tinygltf::Node& source(const PlacedNode& placed) const {
+        return document_.model.nodes[static_cast<size_t>(placed.node)];
+    }
+
+    void add_meshes() {
+        std::map<int, uint32_t> used;
+        for (const PlacedNode& node : nodes_) {
+            if (source(node).mesh >= 0) used.emplace(source(node).mesh, 0);
+        }
+        std::vector<int> meshes;
+        for (const auto& entry : used) meshes.push_back(entry.first);
+        add_materials(document_, used_materials(document_, meshes), scene());
+        constexpr size_t RELEASE_AFTER = size_t{1} << 26;
+        size_t triangles = 0;
+        for (int mesh : meshes) {
+            HostMesh host = read_mesh(document_, mesh, scene());
+            if (host.triangles.empty()) continue;
+            triangles += host.triangles.size();
+            mesh_ids_[mesh] = scene().add_mesh(std::move(host));
+            if (triangles * sizeof(glm::uvec4) < RELEASE_AFTER) continue;
+            document_.release_pages();
+            triangles = 0;
+        }
+    }
+
+    HostNode carry(const PlacedNode& placed) {
+        const tinygltf::Node& node = source(placed);
+        HostNode host;
+        host.name = node.name;
+        host.parent = placed.parent;
+        host.local = local_transform(node, node_place(placed.node));
+        const auto mesh = mesh_ids_.find(node.mesh);
+        if (mesh != mesh_ids_.end()) {
+            const bool hidden = is_singular(placed.world);
+            if (hidden) document_.omissions.add("instances scaled to nothing", node_place(placed.node));
+            host.instance = scene().add_instance(hidden ? NONE : mesh->second, core_transform(placed.world));
+        }
+        if (node.camera >= 0) host.camera = add_camera(placed.node, node.camera);
+        const auto light = node.extensions.find("KHR_lights_punctual");
+        if (light != node.extensions.end()) host.light = add_light(light->second.Get("light").GetNumberAsInt());
+        return host;
+    }
+
+    uint32_t add_camera(int node, int index) {
+        const tinygltf::Camera& source = document_.model.cameras[static_cast<size_t>(index)];
+        if (source.type == "orthographic") {
+            document_.omissions.add("orthographic cameras", node_place(node));
+            return NONE;
+        }
+        const std::string place = "/cameras/" + std::to_string(index);
+        if (!(source.perspective.yfov > 0.0 && source.perspective.yfov < 2.0 * HALF_PI)) {
+            fail_at(place + "/perspective/yfov", "must be between 0 and pi" + EXPORT_AGAIN);
+        }
+        HostCamera camera;
+        const std::string& node_name = document_.model.nodes[static_cast<size_t>(node)].name;
+        camera.name = node_name.empty() ? source.name : node_name;
+        camera.camera.vertical_fov = static_cast<float>(source.perspective.yfov);
+        return scene().add_camera(std::move(camera));
+    }
+
+    uint32_t add_light(int index) {
+        const tinygltf::Light& source = document_.model.lights[static_cast<size_t>(index)];
+        const std::string place = "/extensions/KHR_lights_punctual/lights/" + std::to_string(index);
+        PunctualLight light;
+        light.name = source.name;
+        for (size_t i = 0; i < 3; ++i) {
+            const double color = source.color.size() == 3 ? source.color[i] : 1.0;
+            const float emission = static_cast<float>(color * source.intensity);
+            if (!(emission >= 0.0f) || !std::isfinite(emission)) {
+                fail_at(place, "its colour times intensity is not a number of at least 0" + EXPORT_AGAIN);
+            }
+            light.emission[static_cast<int>(i)] = emission;
+        }
+        if (source.type == "directional") light.kind = LightKind::directional;
+        if (source.type == "spot") {
+            light.kind = LightKind::spot;
+            const double inner = source.spot.innerConeAngle, outer = source.spot.outerConeAngle;
+            if (!(inner >= 0.0 && inner <= outer && outer <= HALF_PI + 1e-6)) {
+                fail_at(place + "/spot", "needs 0 <= innerConeAngle <= outerConeAngle <= pi / 2" + EXPORT_AGAIN);
+            }
+            light.inner_cone = static_cast<float>(inner);
+            light.outer_cone = static_cast<float>(outer);
+        }
+        if (source.range > 0.0) document_.omissions.add("ranges of lights", place);
+        return scene().add_punctual_light(std::move(light));
+    }
+
+    void write_warnings() {
+        const std::string file = document_.path.string() + ": ";
+        if (!document_.omissions.empty()) {
+            loaded_.warnings.push_back(file + "not supported and left out: " + document_.omissions.text());
+        }
+        for (const std::string& warning : document_.warnings) loaded_.warnings.push_back(file + warning);
+    }
+
+    GltfDocument document_;
+    LoadedScene loaded_;
+    std::vector<PlacedNode> nodes_;
+    std::map<int, uint32_t> mesh_ids_;
+};
+
+}  // namespace
+
+Result<LoadedScene> load_scene(const std::filesystem::path& path) {
+    try {
+        return SceneReader(path).read();
+    } catch (const LoadError& error) {
+        return Status::error(error.code, path.string() + ": " + error.message);
+    } catch (const std::bad_alloc&) {
+        return Status::error(StatusCode::unreadable, path.string() + ": the scene does not fit this machine's memory");
+    } catch (const std::exception& error) {
+        // tinygltf and OpenImageIO may throw of their own.
+        return Status::error(StatusCode::unreadable, path.string() + ": cannot be read (" + error.what() + ")");
+    }
+}
+
+}  // namespace render_system

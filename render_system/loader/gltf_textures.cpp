@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "render_system/loader/gltf_textures.h"
+
+#include "render_system/loader/image_reader.h"
+#include "render_system/loader/load_error.h"
+#include "render_system/loader/uri.h"
+
+namespace render_system {
+
+namespace {
+
+TextureWrap wrap_of(int mode) {
+    if (mode == TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE) return TextureWrap::clamp_to_edge;
+    if (mode == TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT) return TextureWrap::mirrored_repeat;
+    return TextureWrap::repeat;
+}
+
+bool uses_mips(int min_filter) {
+    return min_filter != TINYGLTF_TEXTURE_FILTER_NEAREST && min_filter != TINYGLTF_TEXTURE_FILTER_LINEAR;
+}
+
+bool nearest_inside(int min_filter) {
+    return min_filter == TINYGLTF_TEXTURE_FILTER_NEAREST ||
+           min_filter == TINYGLTF_TEXTURE_FILTER_NEAREST_MIPMAP_NEAREST ||
+           min_filter == TINYGLTF_TEXTURE_FILTER_NEAREST_MIPMAP_LINEAR;
+}
+
+std::string image_place(int image) { return "/images/" + std::to_string(image); }
+
+}  // namespace
+
+GltfTextures::Key GltfTextures::key_of(int texture, TextureRole role) const {
+    const tinygltf::Texture& source = document_.model.textures[static_cast<size_t>(texture)];
+    Key key;
+    key.image = source.source;
+    key.role = role;
+    if (source.sampler < 0) return key;
+    const tinygltf::Sampler& sampler = document_.model.samplers[static_cast<size_t>(source.sampler)];
+    key.wrap_s = wrap_of(sampler.wrapS);
+    key.wrap_t = wrap_of(sampler.wrapT);
+    key.mips = uses_mips(sampler.minFilter);
+    // One filter serves both ways; where only one is given, that one.
+    key.nearest = sampler.magFilter == TINYGLTF_TEXTURE_FILTER_NEAREST ||
+                  (sampler.magFilter < 0 && nearest_inside(sampler.minFilter));
+    const bool mixed = sampler.magFilter >= 0 && sampler.minFilter >= 0 &&
+                       nearest_inside(sampler.minFilter) != (sampler.magFilter == TINYGLTF_TEXTURE_FILTER_NEAREST);
+    if (mixed) {
+        document_.omissions.add("minFilter where it differs from magFilter",
+                                "/samplers/" + std::to_string(source.sampler));
+    }
+    return key;
+}
+
+uint32_t GltfTextures::add(int texture, TextureRole role) {
+    const Key key = key_of(texture, role);
+    if (key.image < 0) return load(texture, key);
+    const auto found = known_.find(key);
+    if (found != known_.end()) return found->second;
+    return known_[key] = load(texture, key);
+}
+
+uint32_t GltfTextures::load(int texture, const Key& key) {
+    HostTexture result;
+    try {
+        if (key.image < 0) fail_at("", "has no image in a supported format");
+        result = build_texture(read(key.image), key.role, key.mips);
+    } catch (const LoadError& error) {
+        warn(texture, key.image, error.message);
+        if (key.role == TextureRole::data) return NONE;
+        result = build_texture(placeholder_image(), key.role, false);
+        result.nearest = true;
+        return scene_.add_texture(std::move(result));
+    }
+    const std::string& name = document_.model.textures[static_cast<size_t>(texture)].name;
+    result.name = name.empty() ? image_place(key.image) : name;
+    result.wrap_s = key.wrap_s;
+    result.wrap_t = key.wrap_t;
+    result.nearest = key.nearest;
+    return scene_.add_texture(std::move(result));
+}
+
+Image GltfTextures::read(int image) const {
+    const GltfImage& source = document_.images[static_cast<size_t>(image)];
+    if (source.buffer_view >= 0) return read_image(document_.view_bytes(source.buffer_view), source.mime_type);
+    if (is_data_uri(source.uri)) return read_image(decode_data_uri(source.uri, ""), "");
+    const std::filesystem::path file = file_of_uri(source.uri, document_.path.parent_path(), "");
+    try {
+        const FileBytes bytes(file);
+        return read_image(bytes.bytes(), file.string());
+    } catch (LoadError& error) {
+        error.message = file.string() + ": " + error.message;
+        throw;
+    }
+}
+
+void GltfTextures::warn(int texture, int image, const std::string& why) {
+    const std::string place = image >= 0 ? image_place(image) : "/textures/" + std::to_string(texture);
+    if (!warned_.insert(place).second) return;
+    document_.warnings.push_back(place + ": " + why + "; a placeholder is shown in its stead");
+}
+
+}  // namespace render_system

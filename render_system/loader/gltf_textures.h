@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <compare>
+#include <cstdint>
+#include <map>
+#include <set>
+#include <string>
+
+#include "render_system/host_scene.h"
+#include "render_system/loader/gltf_document.h"
+#include "render_system/texture.h"
+
+namespace render_system {
+
+/// Reads textures as materials ask for them, each combination of image, role and sampler once.
+class GltfTextures {
+public:
+    GltfTextures(GltfDocument& document, HostScene& scene) : document_(document), scene_(scene) {}
+
+    /// The scene's texture for `texture` of the file. An image that cannot be read gives a warning; in its stead
+    /// colour is a visible checkerboard, and data is NONE (the factors alone hold).
+    uint32_t add(int texture, TextureRole role);
+
+private:
+    struct Key {
+        int image = -1;
+        TextureRole role = TextureRole::color;
+        TextureWrap wrap_s = TextureWrap::repeat;
+        TextureWrap wrap_t = TextureWrap::repeat;
+        bool nearest = false;
+        bool mips = true;
+
+        auto operator<=>(const Key&) const = default;
+    };
+
+    Key key_of(int texture, TextureRole role) const;
+    uint32_t load(int texture, const Key& key);
+    Image read(int image) const;
+    void warn(int texture, int image, const std::string& why);
+
+    GltfDocument& document_;
+    HostScene& scene_;
+    std::map<Key, uint32_t> known_;
+    std::set<std::string> warned_;
+};
+
+}  // namespace render_system

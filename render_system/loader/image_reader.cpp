@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "render_system/loader/image_reader.h"
+
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imageio.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cstring>
+#include <memory>
+#include <string_view>
+
+#include "render_system/loader/load_error.h"
+
+namespace render_system {
+
+namespace {
+
+using Bytes = std::span<const std::byte>;
+
+// 16384 x 16384; more than that is a broken header rather than a texture.
+constexpr uint64_t MOST_TEXELS = uint64_t{1} << 28;
+// No format here packs much tighter than 1000 : 1, so a short file cannot hold a large picture.
+constexpr uint64_t MOST_COMPRESSION = 4096;
+
+[[noreturn]] void fail(const std::string& what) { fail_at("", what); }
+
+bool starts_with(Bytes bytes, std::string_view mark) {
+    return bytes.size() >= mark.size() && std::memcmp(bytes.data(), mark.data(), mark.size()) == 0;
+}
+
+// OpenImageIO's name for the reader to use.
+std::string format_name(Bytes bytes, const std::string& name) {
+    if (starts_with(bytes, "\x89PNG")) return "png";
+    if (starts_with(bytes, "\xFF\xD8\xFF")) return "jpeg";
+    if (starts_with(bytes, "\x76\x2F\x31\x01")) return "openexr";
+    if (starts_with(bytes, "#?RADIANCE") || starts_with(bytes, "#?RGBE")) return "hdr";
+    std::string ending = name.substr(std::min(name.size(), name.find_last_of('.')));
+    std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
+    if (ending == ".tga") return "targa";
+    fail("is no PNG, JPEG, TGA, HDR or EXR image; convert it to one of these");
+}
+
+void check_size(const OIIO::ImageSpec& spec, size_t file_size) {
+    const std::string size = std::to_string(spec.width) + "x" + std::to_string(spec.height);
+    if (spec.width < 1 || spec.height < 1 || spec.nchannels < 1) fail("has no pixels (" + size + ")");
+    const uint64_t texels = static_cast<uint64_t>(spec.width) * static_cast<uint64_t>(spec.height);
+    if (texels > MOST_TEXELS || spec.depth > 1) fail("is too large (" + size + "); 16384x16384 is the most");
+    if (texels / MOST_COMPRESSION > file_size) fail("is far too short for its " + size + " pixels; it is cut off");
+}
+
+std::string last_error(OIIO::ImageInput& input) {
+    std::string error = input.geterror();
+    std::replace(error.begin(), error.end(), '\n', ' ');
+    while (!error.empty() && error.back() == ' ') error.pop_back();
+    return error.empty() ? "cannot be decoded" : "cannot be decoded (" + error + ")";
+}
+
+// Channels in the file to RGBA: grey is repeated, alpha defaults to `one`.
+template <class T>
+glm::vec<4, T> rgba_of(const T* texel, int channels, T one) {
+    if (channels <= 2) return {texel[0], texel[0], texel[0], channels == 2 ? texel[1] : one};
+    return {texel[0], texel[1], texel[2], channels >= 4 ? texel[3] : one};
+}
+
+template <class T>
+std::vector<T> read_pixels(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, OIIO::TypeDesc type) {
+    const int channels = std::min(spec.nchannels, 4);
+    std::vector<T> pixels(static_cast<size_t>(spec.width) * static_cast<size_t>(spec.height) *
+                          static_cast<size_t>(channels));
+    if (!input.read_image(0, 0, 0, channels, type, pixels.data())) fail(last_error(input));
+    return pixels;
+}
+
+void fill_bytes(Image& image, const std::vector<uint8_t>& pixels, int channels) {
+    const size_t count = static_cast<size_t>(image.width) * image.height;
+    image.bytes.reserve(count);
+    for (size_t i = 0; i < count; ++i) {
+        const glm::u8vec4 c = rgba_of<uint8_t>(&pixels[i * static_cast<size_t>(channels)], channels, 255);
+        image.bytes.push_back(uint32_t{c.x} | uint32_t{c.y} << 8 | uint32_t{c.z} << 16 | uint32_t{c.w} << 24);
+    }
+}
+
+void fill_floats(Image& image, const std::vector<float>& pixels, int channels) {
+    const size_t count = static_cast<size_t>(image.width) * image.height;
+    image.floats.reserve(count);
+    for (size_t i = 0; i < count; ++i) {
+        image.floats.push_back(rgba_of<float>(&pixels[i * static_cast<size_t>(channels)], channels, 1.0f));
+    }
+}
+
+}  // namespace
+
+Image read_image(std::span<const std::byte> bytes, const std::string& name) {
+    if (bytes.empty()) fail("is empty");
+    const std::string format = format_name(bytes, name);
+    OIIO::Filesystem::IOMemReader memory(const_cast<std::byte*>(bytes.data()), bytes.size());
+    OIIO::ImageSpec hints;
+    hints.attribute("oiio:UnassociatedAlpha", 1);
+    const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::create(format);
+    if (!input) fail("cannot be decoded: this OpenImageIO has no reader for " + format);
+    OIIO::ImageSpec spec;
+    if (!input->set_ioproxy(&memory) || !input->open(format, spec, hints)) fail(last_error(*input));
+    check_size(spec, bytes.size());
+    Image image;
+    image.width = static_cast<uint32_t>(spec.width);
+    image.height = static_cast<uint32_t>(spec.height);
+    const int channels = std::min(spec.nchannels, 4);
+    if (spec.format == OIIO::TypeDesc::UINT8) {
+        fill_bytes(image, read_pixels<uint8_t>(*input, spec, OIIO::TypeDesc::UINT8), channels);
+    } else {
+        // 16-bit integers become 0 to 1, which is what the texture builder expects of them.
+        image.is_hdr = spec.format.is_floating_point();
+        fill_floats(image, read_pixels<float>(*input, spec, OIIO::TypeDesc::FLOAT), channels);
+    }
+    return image;
+}
+
+}  // namespace render_system
