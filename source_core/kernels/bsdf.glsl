@@ -88,9 +88,11 @@ Bsdf make_bsdf(Material material, vec3 wo, vec3 side, Mask front) {
     bsdf.is_smooth = bsdf.alpha < SMOOTH_ALPHA;
     Float weight = fresnel_weight(bsdf, wo.z);
     Float entering = 1.0f - dielectric_reflectance(bsdf, weight);
+    // Microfacets face other ways than the normal: where it reflects all light, some of them still do not.
+    Float entering_somewhere = select(bsdf.is_smooth, entering, max(entering, 0.25f));
     bsdf.pick_diffuse = max_component(bsdf.diffuse_color) * entering;
     bsdf.pick_reflection = max_component(reflectance(bsdf, weight));
-    bsdf.pick_transmission = max_component(bsdf.transmission_color) * entering;
+    bsdf.pick_transmission = max_component(bsdf.transmission_color) * entering_somewhere;
     Float total = max((bsdf.pick_diffuse + bsdf.pick_reflection) + bsdf.pick_transmission, SMALLEST);
     bsdf.pick_diffuse = bsdf.pick_diffuse / total;
     bsdf.pick_reflection = bsdf.pick_reflection / total;
@@ -123,13 +125,18 @@ vec3 sample_visible_normal(vec3 wo, Float alpha, vec2 u) {
     return normalized(vec3(h.x * alpha, h.y * alpha, h.z));
 }
 
-// Lambert under the dielectric interface. Directions that a bent shading normal puts below the surface are folded
-// back at its plane, so that no energy is lost; the density folds alike.
-BsdfValue evaluate_diffuse(Bsdf bsdf, vec3 wi, Float entering) {
-    Float cosine = max(wi.z, 0.0f) + max(mirrored(wi, bsdf.side).z, 0.0f);
+// Lambert under the dielectric interface, which light crosses on its way in and out: with glTF's single factor at
+// the half vector, a white surface would reflect more than it receives at grazing angles. Directions that a bent
+// shading normal puts below the surface are folded back at its plane, so that no energy is lost; the density folds
+// alike.
+BsdfValue evaluate_diffuse(Bsdf bsdf, vec3 wi) {
+    Float folded = mirrored(wi, bsdf.side).z;
+    Float cosine = max(wi.z, 0.0f) + max(folded, 0.0f);
     Float above = select(dot(bsdf.side, wi) > 0.0f, cosine * INVERSE_PI, Float(0.0f));
+    Float entering = 1.0f - dielectric_reflectance(bsdf, fresnel_weight(bsdf, bsdf.wo.z));
+    Float leaving = 1.0f - dielectric_reflectance(bsdf, fresnel_weight(bsdf, max(wi.z, folded)));
     BsdfValue result;
-    result.value = bsdf.diffuse_color * (entering * above);
+    result.value = bsdf.diffuse_color * (entering * leaving * above);
     result.pdf = bsdf.pick_diffuse * above;
     return result;
 }
@@ -176,7 +183,7 @@ BsdfValue evaluate_bsdf(Bsdf bsdf, vec3 wi) {
     vec3 refractor = bsdf.wo + wi * bsdf.eta;
     vec3 h = normalized(select(refracted, select(refractor.z < 0.0f, -refractor, refractor), bisector));
     Float weight = fresnel_weight(bsdf, dot(bsdf.wo, h));
-    BsdfValue diffuse = evaluate_diffuse(bsdf, wi, 1.0f - dielectric_reflectance(bsdf, weight));
+    BsdfValue diffuse = evaluate_diffuse(bsdf, wi);
     BsdfValue glossy = evaluate_reflection(bsdf, wi, h, weight, !above);
     if (has_feature(FEATURE_TRANSMISSION)) {
         BsdfValue refraction = evaluate_refraction(bsdf, wi, h, weight);
@@ -227,7 +234,9 @@ BsdfSample sample_bsdf(Bsdf bsdf, vec2 u, Float lobe) {
                            rough.value * (1.0f / max(rough.pdf, SMALLEST)));
     result.pdf = select(is_delta, Float(0.0f), rough.pdf);
     Mask total_reflection = transmits && bsdf.refracts && sine_squared >= 1.0f;
-    result.valid = !total_reflection && (is_delta || rough.pdf > 0.0f);
+    Mask through_horizon = !diffuses && (wi.z > 0.0f) != reflects;
+    result.valid = is_delta || (rough.pdf > 0.0f && !through_horizon);
+    result.valid = result.valid && !total_reflection;
     return result;
 }
 

@@ -13,11 +13,11 @@ const float FAR_AWAY = 1.0e30f;
 
 // One direction to one light as seen from a point.
 struct LightSample {
-    vec3 direction;   // unit, towards the light
-    Float distance;   // to the light
-    vec3 radiance;    // arriving; divided by the squared distance for point lights
-    Float pdf;        // per solid angle, with the choice of the light; of the choice alone for a delta light
-    Mask is_delta;    // no ray finds this light by chance
+    vec3 direction;  // unit, towards the light
+    Float distance;  // to the light
+    vec3 radiance;   // arriving; divided by the squared distance for point lights
+    Float pdf;       // per solid angle, with the choice of the light; of the choice alone for a delta light
+    Mask is_delta;   // no ray finds this light by chance
 };
 
 // Walker's alias method: entry from the first number, own or alias from the second.
@@ -41,7 +41,8 @@ inline vec2 sample_triangle(vec2 u) {
     return vec2(x, y);
 }
 
-inline LightSample sample_triangle_light(Uint row, vec4 position_row, vec4 vertex1_row, vec4 emission_row, vec3 from, vec2 u) {
+inline LightSample sample_triangle_light(Uint row, vec4 position_row, vec4 vertex1_row, vec4 emission_row, vec3 from,
+                                         vec2 u) {
     vec4 vertex2_row = fetch_lights(row + LIGHT_VERTEX2);
     vec2 b = sample_triangle(u);
     vec3 edge1 = vec3(vertex1_row) - vec3(position_row);
@@ -72,7 +73,8 @@ inline LightSample sample_triangle_light(Uint row, vec4 position_row, vec4 verte
 }
 
 // Point, spot and directional lights of KHR_lights_punctual.
-inline LightSample sample_punctual_light(Uint row, Uint kind, vec4 position_row, vec4 axis_row, vec4 emission_row, vec3 from) {
+inline LightSample sample_punctual_light(Uint row, Uint kind, vec4 position_row, vec4 axis_row, vec4 emission_row,
+                                         vec3 from) {
     vec4 cone_row = fetch_lights(row + LIGHT_VERTEX2);
     vec3 way = vec3(position_row) - from;
     Float distance_squared = max(dot(way, way), SMALLEST);

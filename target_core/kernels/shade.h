@@ -40,7 +40,8 @@ inline void shade_sky(Uint path, vec3 direction, Throughput throughput, Mask whe
     add_radiance(path, throughput.weight * sky.radiance * found_by_chance(throughput, sky.pdf), where);
 }
 
-inline void shade_emission(Uint path, vec3 direction, Surface surface, Material material, Throughput throughput, Mask where) {
+inline void shade_emission(Uint path, vec3 direction, Surface surface, Material material, Throughput throughput,
+                           Mask where) {
     Mask double_sided = (material.flags & MATERIAL_DOUBLE_SIDED) != 0u;
     Mask shines = where && (surface.front || double_sided) && max_component(material.emission) > 0.0f;
     if (any_lane(shines)) {
@@ -106,7 +107,7 @@ inline Float cone_growth(Bsdf bsdf, BsdfSample bsdf_sample) {
 }
 
 inline void continue_path(Uint path, Scatterer scatterer, Surface surface, PathRay path_ray, vec3 weight, Uint stream,
-                   uint first_pair, Mask where) {
+                          uint first_pair, Mask where) {
     vec2 u = random_pair(stream, pass.sample_index, first_pair + PAIR_BSDF);
     vec2 lobe = random_pair(stream, pass.sample_index, first_pair + PAIR_LOBE);
     BsdfSample bsdf_sample = sample_bsdf(scatterer.bsdf, u, lobe.x);

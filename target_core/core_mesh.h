@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "render_system/core_data.h"
+#include "target_core/device/instance_geometry.h"
+#include "target_core/kernels/layout.h"
+
+namespace target_core {
+
+/// All meshes and instances: the tables mesh_triangles, vertices, tangents and instances, and the positions that
+/// Embree reads.
+class CoreMeshes {
+public:
+    /// Stores mesh `id`, which must be known or the next free one. `data` has been validated.
+    void set_mesh(uint id, const render_system::CoreMesh& data);
+
+    /// Puts a mesh into the scene, or hides the instance if `mesh` is NONE.
+    void set_instance(uint id, uint mesh, const render_system::CoreTransform& transform);
+
+    /// Fills the instance table and `geometry()` for the materials at hand; bakes meshes of one instance.
+    void place(std::span<const render_system::CoreMaterial> materials);
+
+    /// True if some instance's rays-may-pass mark would change with these materials: the scene must be placed anew.
+    bool passing_changed(std::span<const render_system::CoreMaterial> materials) const;
+
+    std::span<const InstanceGeometry> geometry() const { return geometry_; }
+    const std::vector<uvec4>& mesh_triangles() const { return mesh_triangles_; }
+    const std::vector<vec4>& vertices() const { return vertices_; }
+    const std::vector<uint>& tangents() const { return tangents_; }
+    const std::vector<vec4>& instances() const { return instances_; }
+    bool has_colors() const;
+    /// FEATURE_INSTANCES, FEATURE_ALPHA, FEATURE_ALPHA_TEXTURES and FEATURE_VERTEX_COLORS.
+    uint features(std::span<const render_system::CoreMaterial> materials) const;
+    uint64_t memory_bytes() const;
+
+private:
+    struct Mesh {
+        std::vector<PackedVertex> positions;  // one more at the end: Embree reads 16 bytes per vertex
+        std::vector<PackedVertex> baked;      // the same in world space, where a transform needs it
+        size_t first_triangle = 0;
+        size_t triangle_count = 0;
+        size_t first_vertex = 0;
+        size_t vertex_count = 0;
+        bool has_tangents = false;
+        bool has_colors = false;
+        std::vector<uint> materials;  // the distinct ones
+    };
+    struct Instance {
+        uint mesh = render_system::NONE;
+        render_system::CoreTransform transform;
+    };
+    bool lets_rays_pass(const Mesh& mesh, std::span<const render_system::CoreMaterial> materials) const;
+    void bake(Mesh& mesh, const render_system::CoreTransform& transform);
+
+    std::vector<Mesh> meshes_;
+    std::vector<Instance> placed_;
+    std::vector<InstanceGeometry> geometry_;
+    std::vector<uvec4> mesh_triangles_;
+    std::vector<vec4> vertices_;
+    std::vector<uint> tangents_;
+    std::vector<vec4> instances_;
+};
+
+}  // namespace target_core

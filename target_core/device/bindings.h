@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <embree3/rtcore.h>
+
+#include "target_core/device/instance_geometry.h"
+#include "target_core/device/tile.h"
+#include "target_core/kernels/layout.h"
+
+namespace target_core {
+
+/// What the source core binds to its descriptor set, bound here to the thread that works on a tile: tables of
+/// layout.h, the tile, the pictures and Embree's scene. A kernel reaches these through buffers.h and trace.h only.
+struct Bindings {
+    const uvec4* mesh_triangles = nullptr;
+    const vec4* vertices = nullptr;
+    const uint* tangents = nullptr;
+    const vec4* instances = nullptr;
+    const vec4* materials = nullptr;
+    const vec4* texture_slots = nullptr;
+    const uvec4* textures = nullptr;
+    const uint* texels = nullptr;
+    const vec4* lights = nullptr;
+    const vec4* light_table = nullptr;
+    const vec4* sky_texels = nullptr;
+    const vec4* sky_table = nullptr;
+    const float* opacities = nullptr;  // per material; negative: needs texture or vertex colour
+    const InstanceGeometry* geometry = nullptr;
+    RTCScene scene = nullptr;
+    vec4* accumulator = nullptr;
+    float* target = nullptr;  // four floats a pixel, without alignment
+    Tile* tile = nullptr;
+};
+
+/// Bound per thread for the duration of a tile, as descriptors are for a dispatch.
+inline constinit thread_local Bindings bound{};
+
+namespace kernels {
+inline constinit thread_local Settings settings{};
+inline constinit thread_local Pass pass{};
+}  // namespace kernels
+
+}  // namespace target_core

@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "target_core/device/embree_callbacks.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "target_core/kernels/trace.h"
+
+namespace target_core {
+
+using namespace kernels;
+
+namespace {
+
+const TraceContext& context_of(RTCIntersectContext* context) { return *reinterpret_cast<const TraceContext*>(context); }
+
+struct Candidate {
+    TriangleTest test;
+    bool met;  // hit, and not let through by its alpha
+};
+
+Candidate test_candidate(const TraceContext& context, uint instance, uint primitive) {
+    TriangleVertices triangle = fetch_triangle(instance, primitive);
+    Candidate candidate;
+    candidate.test =
+        intersect_triangle(context.ray.origin, context.ray.direction, triangle.v0, triangle.v1, triangle.v2);
+    candidate.met = candidate.test.hit;
+    const InstanceGeometry& geometry = bound.geometry[instance];
+    if (candidate.met && geometry.lets_rays_pass) {
+        float opacity = bound.opacities[geometry.triangles[primitive].w];
+        candidate.met = meets_surface(opacity, context.key, instance, primitive, candidate.test.u, candidate.test.v);
+    }
+    return candidate;
+}
+
+PackedVertex world_vertex(const InstanceGeometry& geometry, uint index) {
+    PackedVertex p = geometry.positions[index];
+    if (geometry.baked) {
+        return p;
+    }
+    vec3 w = transform_point(geometry.rows[0], geometry.rows[1], geometry.rows[2], vec3(p.x, p.y, p.z));
+    return {w.x, w.y, w.z};
+}
+
+// Room for rounding in the triangle test, in proportion to the coordinates.
+float pad(float low, float high) { return 1.0e-5f * std::max(std::fabs(low), std::fabs(high)) + 1.0e-30f; }
+
+}  // namespace
+
+void filter_by_alpha(const RTCFilterFunctionNArguments* arguments) {
+    // Nothing is bound while the limit is measured: that traces Embree alone.
+    if (!bound.geometry || !arguments->valid[0]) {
+        return;
+    }
+    const auto* hit = reinterpret_cast<const RTCHit*>(arguments->hit);
+    bool instanced = hit->instID[0] != RTC_INVALID_GEOMETRY_ID;
+    uint instance = instanced ? hit->instID[0] : hit->geomID;
+    const TraceContext& context = context_of(arguments->context);
+    TriangleVertices triangle = fetch_triangle(instance, hit->primID);
+    TriangleTest test =
+        intersect_triangle(context.ray.origin, context.ray.direction, triangle.v0, triangle.v1, triangle.v2);
+    float opacity = bound.opacities[bound.geometry[instance].triangles[hit->primID].w];
+    if (!meets_surface(opacity, context.key, instance, hit->primID, test.u, test.v)) {
+        arguments->valid[0] = 0;
+    }
+}
+
+void bound_triangle(const RTCBoundsFunctionArguments* arguments) {
+    const auto& geometry = *static_cast<const InstanceGeometry*>(arguments->geometryUserPtr);
+    uvec4 corners = geometry.triangles[arguments->primID];
+    PackedVertex a = world_vertex(geometry, corners.x);
+    PackedVertex b = world_vertex(geometry, corners.y);
+    PackedVertex c = world_vertex(geometry, corners.z);
+    RTCBounds& box = *arguments->bounds_o;
+    box.lower_x = std::min({a.x, b.x, c.x});
+    box.lower_y = std::min({a.y, b.y, c.y});
+    box.lower_z = std::min({a.z, b.z, c.z});
+    box.upper_x = std::max({a.x, b.x, c.x});
+    box.upper_y = std::max({a.y, b.y, c.y});
+    box.upper_z = std::max({a.z, b.z, c.z});
+    float margin =
+        std::max({pad(box.lower_x, box.upper_x), pad(box.lower_y, box.upper_y), pad(box.lower_z, box.upper_z)});
+    box.lower_x -= margin;
+    box.lower_y -= margin;
+    box.lower_z -= margin;
+    box.upper_x += margin;
+    box.upper_y += margin;
+    box.upper_z += margin;
+}
+
+void intersect_exactly(const RTCIntersectFunctionNArguments* arguments) {
+    if (!arguments->valid[0]) {
+        return;
+    }
+    auto* best = reinterpret_cast<RTCRayHit*>(arguments->rayhit);
+    uint instance = arguments->geomID;
+    uint primitive = arguments->primID;
+    const TraceContext& context = context_of(arguments->context);
+    Candidate candidate = test_candidate(context, instance, primitive);
+    bool closer = candidate.test.t < best->ray.tfar;
+    bool tied = candidate.test.t == best->ray.tfar && best->hit.geomID != RTC_INVALID_GEOMETRY_ID &&
+                (instance < best->hit.geomID || (instance == best->hit.geomID && primitive < best->hit.primID));
+    if (candidate.met && (closer || tied)) {
+        best->ray.tfar = candidate.test.t;
+        best->hit.geomID = instance;
+        best->hit.primID = primitive;
+        best->hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+    }
+}
+
+void occlude_exactly(const RTCOccludedFunctionNArguments* arguments) {
+    if (!arguments->valid[0]) {
+        return;
+    }
+    auto* ray = reinterpret_cast<RTCRay*>(arguments->ray);
+    Candidate candidate = test_candidate(context_of(arguments->context), arguments->geomID, arguments->primID);
+    if (candidate.met && candidate.test.t < ray->tfar) {
+        ray->tfar = -std::numeric_limits<float>::infinity();
+    }
+}
+
+}  // namespace target_core

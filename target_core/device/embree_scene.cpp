@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "target_core/device/embree_scene.h"
+
+#include <algorithm>
+
+#include "target_core/device/embree_callbacks.h"
+
+namespace target_core {
+
+EmbreeScene::~EmbreeScene() { close(); }
+
+void EmbreeScene::close() {
+    release_scenes();
+    if (device_) {
+        rtcReleaseDevice(device_);
+        device_ = nullptr;
+    }
+}
+
+bool EmbreeScene::open(uint threads, std::string& message) {
+    std::string options = "threads=" + std::to_string(threads);
+    device_ = rtcNewDevice(options.c_str());
+    if (!device_) {
+        message = "Embree could not be opened (error " + std::to_string(rtcGetDeviceError(nullptr)) + ")";
+        return false;
+    }
+    auto count_memory = [](void* pointer, ssize_t bytes, bool) {
+        static_cast<EmbreeScene*>(pointer)->memory_.fetch_add(bytes, std::memory_order_relaxed);
+        return true;
+    };
+    rtcSetDeviceMemoryMonitorFunction(device_, count_memory, this);
+    return true;
+}
+
+void EmbreeScene::release_scenes() {
+    if (scene_) {
+        rtcReleaseScene(scene_);
+        scene_ = nullptr;
+    }
+    for (RTCScene scene : mesh_scenes_) {
+        if (scene) {
+            rtcReleaseScene(scene);
+        }
+    }
+    mesh_scenes_.clear();
+}
+
+RTCGeometry EmbreeScene::triangle_geometry(const InstanceGeometry& geometry) {
+    RTCGeometry triangles = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
+    rtcSetSharedGeometryBuffer(triangles, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, geometry.positions, 0,
+                               sizeof(PackedVertex), geometry.vertex_count);
+    rtcSetSharedGeometryBuffer(triangles, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, geometry.triangles, 0,
+                               sizeof(uvec4), geometry.triangle_count);
+    if (geometry.lets_rays_pass) {
+        rtcSetGeometryIntersectFilterFunction(triangles, filter_by_alpha);
+        rtcSetGeometryOccludedFilterFunction(triangles, filter_by_alpha);
+    }
+    rtcCommitGeometry(triangles);
+    return triangles;
+}
+
+RTCScene EmbreeScene::mesh_scene(const InstanceGeometry& geometry) {
+    if (mesh_scenes_.size() <= geometry.mesh) {
+        mesh_scenes_.resize(geometry.mesh + 1, nullptr);
+    }
+    RTCScene& scene = mesh_scenes_[geometry.mesh];
+    if (!scene) {
+        scene = rtcNewScene(device_);
+        RTCGeometry triangles = triangle_geometry(geometry);
+        rtcAttachGeometry(scene, triangles);
+        rtcReleaseGeometry(triangles);
+        rtcCommitScene(scene);
+    }
+    return scene;
+}
+
+void EmbreeScene::attach(const InstanceGeometry& geometry, uint instance, bool exact) {
+    RTCGeometry attached = nullptr;
+    if (exact) {
+        attached = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_USER);
+        rtcSetGeometryUserPrimitiveCount(attached, geometry.triangle_count);
+        rtcSetGeometryUserData(attached, const_cast<InstanceGeometry*>(&geometry));
+        rtcSetGeometryBoundsFunction(attached, bound_triangle, nullptr);
+        rtcSetGeometryIntersectFunction(attached, intersect_exactly);
+        rtcSetGeometryOccludedFunction(attached, occlude_exactly);
+        rtcCommitGeometry(attached);
+    } else if (geometry.baked) {
+        attached = triangle_geometry(geometry);
+    } else {
+        attached = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_INSTANCE);
+        rtcSetGeometryInstancedScene(attached, mesh_scene(geometry));
+        rtcSetGeometryTransform(attached, 0, RTC_FORMAT_FLOAT3X4_ROW_MAJOR, geometry.rows);
+        rtcCommitGeometry(attached);
+    }
+    rtcAttachGeometryByID(scene_, attached, instance);
+    rtcReleaseGeometry(attached);
+}
+
+bool EmbreeScene::check(std::string& message) {
+    RTCError error = rtcGetDeviceError(device_);
+    if (error == RTC_ERROR_NONE) {
+        return true;
+    }
+    message = error == RTC_ERROR_OUT_OF_MEMORY ? "Embree ran out of memory while building"
+                                               : "Embree failed to build (error " + std::to_string(error) + ")";
+    return false;
+}
+
+bool EmbreeScene::build(std::span<const InstanceGeometry> geometry, bool exact, std::string& message) {
+    release_scenes();
+    scene_ = rtcNewScene(device_);
+    // Exact mode must visit every box that the ray may touch.
+    rtcSetSceneFlags(scene_, exact ? RTC_SCENE_FLAG_ROBUST : RTC_SCENE_FLAG_NONE);
+    for (uint instance = 0; instance < geometry.size(); ++instance) {
+        if (geometry[instance].triangle_count > 0) {
+            attach(geometry[instance], instance, exact);
+        }
+    }
+    rtcCommitScene(scene_);
+    return check(message);
+}
+
+}  // namespace target_core

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+// Kind: rewritten; the original is source_core/kernels/language.glsl.
+//
+// The lane types that the kernel text is compiled for. This is the backend of one lane, the bit-exact reference. A
+// wider one supplies the same names for 8 or 16 values at a time; the kernel text stays as it is.
+#pragma once
+
+#include <bit>
+#include <cmath>
+
+#include "target_core/device/glsl.h"
+
+namespace target_core::kernels {
+
+// A capital letter says "one value per lane"; float, uint and bool mean "the same for all lanes".
+using Float = float;
+using Uint = uint32_t;
+using Int = int32_t;
+using Mask = bool;
+
+using vec2 = Vec2<Float>;
+using vec3 = Vec3<Float>;
+using vec4 = Vec4<Float>;
+using uvec4 = Vec4<Uint>;
+
+inline Float select(Mask where, Float yes, Float no) { return where ? yes : no; }
+inline Uint select(Mask where, Uint yes, Uint no) { return where ? yes : no; }
+inline Int select(Mask where, Int yes, Int no) { return where ? yes : no; }
+inline vec2 select(Mask where, vec2 yes, vec2 no) { return where ? yes : no; }
+inline vec3 select(Mask where, vec3 yes, vec3 no) { return where ? yes : no; }
+inline vec4 select(Mask where, vec4 yes, vec4 no) { return where ? yes : no; }
+
+// True if some lane is set: guards work that no lane needs. What stands under it must still be masked.
+inline bool any_lane(Mask where) { return where; }
+
+inline Float abs(Float x) { return std::fabs(x); }
+inline Float sqrt(Float x) { return std::sqrt(x); }
+inline Float floor(Float x) { return std::floor(x); }
+inline Float min(Float a, Float b) { return b < a ? b : a; }
+inline Float max(Float a, Float b) { return a < b ? b : a; }
+inline Uint min(Uint a, Uint b) { return b < a ? b : a; }
+inline Int min(Int a, Int b) { return b < a ? b : a; }
+inline Int max(Int a, Int b) { return a < b ? b : a; }
+inline vec3 min(vec3 a, vec3 b) { return {min(a.x, b.x), min(a.y, b.y), min(a.z, b.z)}; }
+inline Float clamp(Float x, Float low, Float high) { return min(max(x, low), high); }
+
+inline Uint floatBitsToUint(Float x) { return std::bit_cast<Uint>(x); }
+inline Float uintBitsToFloat(Uint x) { return std::bit_cast<Float>(x); }
+
+inline Uint bitfieldReverse(Uint x) {
+    x = ((x >> 1) & 0x55555555u) | ((x & 0x55555555u) << 1);
+    x = ((x >> 2) & 0x33333333u) | ((x & 0x33333333u) << 2);
+    x = ((x >> 4) & 0x0f0f0f0fu) | ((x & 0x0f0f0f0fu) << 4);
+    return __builtin_bswap32(x);
+}
+
+}  // namespace target_core::kernels

@@ -1,0 +1,148 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "target_core/device/ray_log.h"
+
+#include <tbb/parallel_for.h>
+
+#include <chrono>
+#include <limits>
+
+#include "target_core/device/bindings.h"
+#include "target_core/device/float_mode.h"
+
+namespace target_core {
+
+RayLog::LoggedRay RayLog::logged(const vec4& origin, const vec4& direction, float t_max) {
+    return {{origin.x, origin.y, origin.z}, {direction.x, direction.y, direction.z}, t_max};
+}
+
+void RayLog::record_extension_rays(const Tile& tile, bool primary) {
+    Rays& rays = rays_.local();
+    std::vector<LoggedRay>& kind = primary ? rays.primary : rays.extension;
+    for (uint job = 0; job < tile.current.count; ++job) {
+        uint path = tile.current.paths[job];
+        kind.push_back(logged(tile.origin[path], tile.direction[path], std::numeric_limits<float>::infinity()));
+    }
+}
+
+void RayLog::record_shadow_rays(const Tile& tile) {
+    std::vector<LoggedRay>& kind = rays_.local().shadow;
+    for (uint job = 0; job < tile.shadow_count; ++job) {
+        kind.push_back(logged(tile.shadow_origin[job], tile.shadow_direction[job], tile.shadow_origin[job].w));
+    }
+}
+
+uint64_t RayLog::count() const {
+    uint64_t count = 0;
+    for (const Rays& rays : rays_) {
+        count += rays.primary.size() + rays.extension.size() + rays.shadow.size();
+    }
+    return count;
+}
+
+void RayLog::trace_single(RTCScene scene, const LoggedRay* rays, size_t count) {
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    for (size_t i = 0; i < count; ++i) {
+        RTCRayHit hit{};
+        hit.ray.org_x = rays[i].origin[0];
+        hit.ray.org_y = rays[i].origin[1];
+        hit.ray.org_z = rays[i].origin[2];
+        hit.ray.dir_x = rays[i].direction[0];
+        hit.ray.dir_y = rays[i].direction[1];
+        hit.ray.dir_z = rays[i].direction[2];
+        hit.ray.tfar = rays[i].t_max;
+        hit.ray.mask = ~0u;
+        hit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+        hit.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+        rtcIntersect1(scene, &context, &hit);
+    }
+}
+
+namespace {
+
+// The packet calls of Embree under one name.
+struct Packet8 {
+    static constexpr size_t WIDTH = 8;
+    using RayHit = RTCRayHit8;
+    using Ray = RTCRay8;
+    static void intersect(const int* valid, RTCScene scene, RTCIntersectContext* context, RayHit* rays) {
+        rtcIntersect8(valid, scene, context, rays);
+    }
+    static void occluded(const int* valid, RTCScene scene, RTCIntersectContext* context, Ray* rays) {
+        rtcOccluded8(valid, scene, context, rays);
+    }
+};
+
+struct Packet16 {
+    static constexpr size_t WIDTH = 16;
+    using RayHit = RTCRayHit16;
+    using Ray = RTCRay16;
+    static void intersect(const int* valid, RTCScene scene, RTCIntersectContext* context, RayHit* rays) {
+        rtcIntersect16(valid, scene, context, rays);
+    }
+    static void occluded(const int* valid, RTCScene scene, RTCIntersectContext* context, Ray* rays) {
+        rtcOccluded16(valid, scene, context, rays);
+    }
+};
+
+}  // namespace
+
+template <class Packet>
+void RayLog::trace_packets(RTCScene scene, const LoggedRay* rays, size_t count, bool shadow) {
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    for (size_t first = 0; first < count; first += Packet::WIDTH) {
+        alignas(64) int valid[Packet::WIDTH] = {};
+        alignas(64) typename Packet::RayHit packet{};
+        for (size_t lane = 0; lane < Packet::WIDTH && first + lane < count; ++lane) {
+            const LoggedRay& ray = rays[first + lane];
+            valid[lane] = -1;
+            packet.ray.org_x[lane] = ray.origin[0];
+            packet.ray.org_y[lane] = ray.origin[1];
+            packet.ray.org_z[lane] = ray.origin[2];
+            packet.ray.dir_x[lane] = ray.direction[0];
+            packet.ray.dir_y[lane] = ray.direction[1];
+            packet.ray.dir_z[lane] = ray.direction[2];
+            packet.ray.tfar[lane] = ray.t_max;
+            packet.ray.mask[lane] = ~0u;
+            packet.hit.geomID[lane] = RTC_INVALID_GEOMETRY_ID;
+            packet.hit.instID[0][lane] = RTC_INVALID_GEOMETRY_ID;
+        }
+        if (shadow) {
+            Packet::occluded(valid, scene, &context, &packet.ray);
+        } else {
+            Packet::intersect(valid, scene, &context, &packet);
+        }
+    }
+}
+
+double RayLog::replay(RTCDevice device, RTCScene scene) const {
+    constexpr size_t CHUNK = 1024;
+    bool wide = rtcGetDeviceProperty(device, RTC_DEVICE_PROPERTY_NATIVE_RAY16_SUPPORTED) != 0;
+    auto packets = [&](const LoggedRay* rays, size_t count, bool shadow) {
+        if (wide) {
+            trace_packets<Packet16>(scene, rays, count, shadow);
+        } else {
+            trace_packets<Packet8>(scene, rays, count, shadow);
+        }
+    };
+    auto in_chunks = [&](const std::vector<LoggedRay>& rays, auto&& trace) {
+        tbb::parallel_for(size_t{0}, (rays.size() + CHUNK - 1) / CHUNK, [&](size_t chunk) {
+            FlushDenormals flush;
+            bound = {};
+            size_t first = chunk * CHUNK;
+            trace(rays.data() + first, std::min(CHUNK, rays.size() - first));
+        });
+    };
+    auto start = std::chrono::steady_clock::now();
+    for (const Rays& rays : rays_) {
+        in_chunks(rays.primary, [&](const LoggedRay* r, size_t n) { packets(r, n, false); });
+        in_chunks(rays.extension, [&](const LoggedRay* r, size_t n) { trace_single(scene, r, n); });
+        in_chunks(rays.shadow, [&](const LoggedRay* r, size_t n) { packets(r, n, true); });
+    }
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+}  // namespace target_core

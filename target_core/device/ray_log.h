@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <embree3/rtcore.h>
+#include <tbb/enumerable_thread_specific.h>
+
+#include <vector>
+
+#include "target_core/device/tile.h"
+
+namespace target_core {
+
+/// The rays of a frame, kept by kind, so that Embree alone can trace the very same ones: the limit of this core.
+class RayLog {
+public:
+    void record_extension_rays(const Tile& tile, bool primary);
+    void record_shadow_rays(const Tile& tile);
+
+    uint64_t count() const;
+
+    /// Traces all rays again with the best call for each kind (packets of 16 or 8 for primary and shadow rays, single
+    /// rays for the rest) and nothing else, on the current task arena. Wall time in milliseconds.
+    double replay(RTCDevice device, RTCScene scene) const;
+
+private:
+    struct LoggedRay {
+        float origin[3];
+        float direction[3];
+        float t_max;
+    };
+    struct Rays {
+        std::vector<LoggedRay> primary;
+        std::vector<LoggedRay> extension;
+        std::vector<LoggedRay> shadow;
+    };
+    static LoggedRay logged(const vec4& origin, const vec4& direction, float t_max);
+    static void trace_single(RTCScene scene, const LoggedRay* rays, size_t count);
+    template <class Packet>
+    static void trace_packets(RTCScene scene, const LoggedRay* rays, size_t count, bool shadow);
+
+    tbb::enumerable_thread_specific<Rays> rays_;
+};
+
+}  // namespace target_core

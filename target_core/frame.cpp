@@ -1,0 +1,132 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "target_core/frame.h"
+
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+
+#include <chrono>
+#include <utility>
+
+#include "target_core/device/float_mode.h"
+#include "target_core/kernels/kernels.h"
+
+namespace target_core {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// Adds the time between two calls to a counter.
+class Stopwatch {
+public:
+    void lap(double& milliseconds) {
+        Clock::time_point now = Clock::now();
+        milliseconds += std::chrono::duration<double, std::milli>(now - last_).count();
+        last_ = now;
+    }
+    void restart() { last_ = Clock::now(); }
+
+private:
+    Clock::time_point last_ = Clock::now();
+};
+
+struct Worker {
+    Tile tile;
+    FrameStats stats;
+};
+
+void next_segment(Tile& tile) {
+    std::swap(tile.current, tile.next);
+    tile.next.count = 0;
+    tile.shadow_count = 0;
+}
+
+// One sample of every path of the tile that is bound.
+void render_sample(Worker& worker, RayLog* log) {
+    Tile& tile = worker.tile;
+    FrameStats& stats = worker.stats;
+    Stopwatch watch;
+    tile.next.count = 0;
+    kernels::generate();
+    watch.lap(stats.generate_ms);
+    stats.primary_rays += tile.next.count;
+    for (uint segment = 1; segment <= kernels::settings.max_path_length; ++segment) {
+        next_segment(tile);
+        if (tile.current.count == 0) {
+            break;
+        }
+        stats.extension_rays += segment > 1 ? tile.current.count : 0;
+        kernels::pass.segment = segment;
+        if (log) {
+            log->record_extension_rays(tile, segment == 1);
+            watch.restart();
+        }
+        kernels::extend();
+        watch.lap(stats.extend_ms);
+        kernels::shade();
+        watch.lap(stats.shade_ms);
+        stats.shadow_rays += tile.shadow_count;
+        if (log) {
+            log->record_shadow_rays(tile);
+            watch.restart();
+        }
+        kernels::connect();
+        watch.lap(stats.connect_ms);
+    }
+    kernels::finalize();
+    watch.lap(stats.finalize_ms);
+}
+
+void render_tile(const Frame& frame, uint first_pixel, uint path_count, Worker& worker, RayLog* log) {
+    FlushDenormals flush;
+    bound = frame.bindings;
+    bound.tile = &worker.tile;
+    kernels::settings = frame.settings;
+    for (uint i = 0; i < frame.sample_count; ++i) {
+        uint in_sum = frame.samples_in_sum + i;
+        kernels::pass.sample_index = frame.first_sample + i;
+        kernels::pass.segment = 0;
+        kernels::pass.first_pixel = first_pixel;
+        kernels::pass.path_count = path_count;
+        kernels::pass.sample_scale = 1.0f / static_cast<float>(in_sum + 1);
+        kernels::pass.first_in_sum = in_sum == 0 ? 1u : 0u;
+        render_sample(worker, log);
+    }
+}
+
+}  // namespace
+
+void FrameStats::add(const FrameStats& other) {
+    primary_rays += other.primary_rays;
+    extension_rays += other.extension_rays;
+    shadow_rays += other.shadow_rays;
+    generate_ms += other.generate_ms;
+    extend_ms += other.extend_ms;
+    shade_ms += other.shade_ms;
+    connect_ms += other.connect_ms;
+    finalize_ms += other.finalize_ms;
+}
+
+FrameStats render_frame(const Frame& frame, RayLog* log) {
+    uint pixels = frame.settings.width * frame.settings.height;
+    uint tiles = (pixels + TILE_PATHS - 1) / TILE_PATHS;
+    tbb::enumerable_thread_specific<Worker> workers;
+    tbb::parallel_for(
+        tbb::blocked_range<uint>(0, tiles, 1),
+        [&](const tbb::blocked_range<uint>& range) {
+            Worker& worker = workers.local();
+            for (uint tile = range.begin(); tile < range.end(); ++tile) {
+                uint first = tile * TILE_PATHS;
+                render_tile(frame, first, std::min(TILE_PATHS, pixels - first), worker, log);
+            }
+        },
+        tbb::simple_partitioner());
+    FrameStats stats;
+    for (const Worker& worker : workers) {
+        stats.add(worker.stats);
+    }
+    return stats;
+}
+
+}  // namespace target_core

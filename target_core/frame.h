@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "target_core/device/bindings.h"
+#include "target_core/device/ray_log.h"
+
+namespace target_core {
+
+/// Rays and thread time of the kernels, of one thread or summed over threads.
+struct FrameStats {
+    uint64_t primary_rays = 0;
+    uint64_t extension_rays = 0;
+    uint64_t shadow_rays = 0;
+    double generate_ms = 0.0;
+    double extend_ms = 0.0;
+    double shade_ms = 0.0;
+    double connect_ms = 0.0;
+    double finalize_ms = 0.0;
+
+    void add(const FrameStats& other);
+};
+
+/// What one call renders: samples [first_sample, first_sample + sample_count) of every pixel, added to the
+/// `samples_in_sum` that the accumulator holds.
+struct Frame {
+    Bindings bindings;
+    Settings settings;
+    uint first_sample = 0;
+    uint sample_count = 0;
+    uint samples_in_sum = 0;
+};
+
+/// Renders all tiles of the frame on the threads of the current task arena. Each tile of paths runs through the whole
+/// wavefront on one thread, sample by sample, so the picture is the same on any number of threads. With `log`, the
+/// rays are recorded there as well.
+FrameStats render_frame(const Frame& frame, RayLog* log);
+
+}  // namespace target_core

@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+// Kind: twin of source_core/kernels/extend.comp.
+#include "target_core/kernels/extend.h"
+
+#include "target_core/kernels/kernels.h"
+
+namespace target_core::kernels {
+
+void extend() {
+    uint job_count = extension_job_count();
+    for (uint job = 0; job < job_count; ++job) {
+        extend_path(job);
+    }
+}
+
+}  // namespace target_core::kernels

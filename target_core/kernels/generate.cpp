@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+// Kind: twin of source_core/kernels/generate.comp.
+#include "target_core/kernels/generate.h"
+
+#include "target_core/kernels/kernels.h"
+
+namespace target_core::kernels {
+
+void generate() {
+    uint job_count = pass.path_count;
+    for (uint job = 0; job < job_count; ++job) {
+        generate_path(job);
+    }
+}
+
+}  // namespace target_core::kernels

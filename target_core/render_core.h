@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+
+#include "render_system/core_api.h"
+
+namespace target_core {
+
+/// The CPU port: the source core's kernels in C++, Embree for the rays, TBB for the tiles. The core opens Embree in
+/// Init.
+std::unique_ptr<render_system::CoreAPI> create_core();
+
+}  // namespace target_core
