@@ -10,6 +10,7 @@
 namespace source_core {
 using uint = uint32_t;
 using vec4 = glm::vec4;
+using uvec4 = glm::uvec4;
 #endif
 
 // ---- Scene tables: read through the fetch functions of buffers. A row is one vec4 or uvec4. ----

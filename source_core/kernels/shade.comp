@@ -4,10 +4,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 
-#define KERNEL_SHADE
 #include "shade.glsl"
-
-layout(local_size_x = WORK_GROUP_SIZE) in;
 
 void main() {
     uint job = gl_GlobalInvocationID.x;

@@ -1,0 +1,200 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+// Kind: twin of target_core/core_tables.cpp.
+#include "source_core/core_tables.h"
+
+#include <bit>
+#include <cmath>
+
+namespace source_core {
+
+using namespace render_system;
+
+namespace {
+
+float as_float(uint bits) { return std::bit_cast<float>(bits); }
+
+vec4 row(glm::vec3 v, float w) { return vec4(v.x, v.y, v.z, w); }
+
+uint pack_slot(const CoreTextureSlot& slot, std::vector<vec4>& slots) {
+    if (slot.texture == render_system::NONE) {
+        return render_system::NONE;
+    }
+    uint index = static_cast<uint>(slots.size() / SLOT_ROWS);
+    slots.push_back(row(slot.row_u, as_float(slot.texture)));
+    slots.push_back(row(slot.row_v, as_float(slot.uv_set)));
+    return index;
+}
+
+vec4 pack_alias(const AliasEntry& entry) {
+    return vec4(entry.threshold, as_float(entry.alias), entry.probability, 0.0f);
+}
+
+float area(const CoreLight& light) {
+    return 0.5f * glm::length(glm::cross(light.vertices[1] - light.vertices[0], light.vertices[2] - light.vertices[0]));
+}
+
+bool has_alpha_texture(const CoreMaterial& material) {
+    return material.base_color_texture.texture != render_system::NONE;
+}
+
+}  // namespace
+
+void pack_materials(std::span<const CoreMaterial> materials, SceneTables& tables) {
+    tables.materials.clear();
+    tables.texture_slots.clear();
+    for (const CoreMaterial& material : materials) {
+        uint flags = (material.opaque ? MATERIAL_OPAQUE : 0u) | (material.double_sided ? MATERIAL_DOUBLE_SIDED : 0u) |
+                     (material.thin_walled ? MATERIAL_THIN_WALLED : 0u);
+        std::vector<vec4>& slots = tables.texture_slots;
+        vec4 rows[MATERIAL_ROWS];
+        rows[MATERIAL_BASE_COLOR] = row(material.base_color, material.alpha);
+        rows[MATERIAL_SURFACE] = vec4(material.metallic, material.roughness, material.specular, material.transmission);
+        rows[MATERIAL_EMISSION] = row(material.emission, material.emission_weight);
+        rows[MATERIAL_SPECULAR] = row(material.specular_color, material.ior);
+        rows[MATERIAL_ALPHA] = vec4(material.normal_scale, material.alpha_cutoff, as_float(flags), 0.0f);
+        rows[MATERIAL_SLOTS].x = as_float(pack_slot(material.base_color_texture, slots));
+        rows[MATERIAL_SLOTS].y = as_float(pack_slot(material.metallic_roughness_texture, slots));
+        rows[MATERIAL_SLOTS].z = as_float(pack_slot(material.normal_texture, slots));
+        rows[MATERIAL_SLOTS].w = as_float(pack_slot(material.emission_texture, slots));
+        rows[MATERIAL_MORE_SLOTS].x = as_float(pack_slot(material.transmission_texture, slots));
+        rows[MATERIAL_MORE_SLOTS].y = as_float(pack_slot(material.specular_texture, slots));
+        rows[MATERIAL_MORE_SLOTS].z = as_float(pack_slot(material.specular_color_texture, slots));
+        rows[MATERIAL_MORE_SLOTS].w = 0.0f;
+        tables.materials.insert(tables.materials.end(), rows, rows + MATERIAL_ROWS);
+    }
+}
+
+void pack_textures(std::span<const CoreTexture> textures, SceneTables& tables) {
+    tables.textures.assign(textures.size(), uvec4(0u));
+    tables.texels.clear();
+    for (size_t i = 0; i < textures.size(); ++i) {
+        const CoreTexture& texture = textures[i];
+        uint wraps = static_cast<uint>(texture.wrap_s) | static_cast<uint>(texture.wrap_t) << 8;
+        uint nearest = texture.nearest ? 1u << 16 : 0u;
+        tables.textures[i] = uvec4(static_cast<uint>(texture.format), wraps | nearest, texture.levels,
+                                   static_cast<uint>(tables.textures.size()));
+        uint first = static_cast<uint>(tables.texels.size());
+        for (uint level = 0; level < texture.levels; ++level) {
+            uint width = std::max(1u, texture.width >> level);
+            uint height = std::max(1u, texture.height >> level);
+            tables.textures.push_back(uvec4(first, width, height, 0u));
+            first += width * height;
+        }
+        tables.texels.insert(tables.texels.end(), texture.texels.begin(), texture.texels.end());
+    }
+}
+
+void pack_lights(const CoreLights& lights, SceneTables& tables) {
+    tables.lights.clear();
+    tables.light_table.clear();
+    for (size_t i = 0; i < lights.lights.size(); ++i) {
+        const CoreLight& light = lights.lights[i];
+        bool triangle = light.kind == LightKind::triangle;
+        vec4 rows[LIGHT_ROWS];
+        rows[LIGHT_POSITION] = row(light.vertices[0], as_float(static_cast<uint>(light.kind)));
+        rows[LIGHT_VERTEX1] = row(triangle ? light.vertices[1] : light.direction, as_float(light.two_sided ? 1u : 0u));
+        rows[LIGHT_VERTEX2] = triangle ? row(light.vertices[2], lights.table[i].probability / area(light))
+                                       : vec4(light.spot_scale, light.spot_offset, 0.0f, 0.0f);
+        rows[LIGHT_EMISSION] = row(light.emission, as_float(light.emission_texture.texture));
+        rows[LIGHT_UV01] = vec4(light.uv[0].x, light.uv[0].y, light.uv[1].x, light.uv[1].y);
+        rows[LIGHT_UV2] = vec4(light.uv[2].x, light.uv[2].y, 0.0f, 0.0f);
+        tables.lights.insert(tables.lights.end(), rows, rows + LIGHT_ROWS);
+        tables.light_table.push_back(pack_alias(lights.table[i]));
+    }
+}
+
+void pack_sky(const CoreSky& sky, SceneTables& tables) {
+    tables.sky_texels.clear();
+    tables.sky_table.clear();
+    for (size_t i = 0; i < sky.texels.size(); ++i) {
+        tables.sky_texels.push_back(row(glm::vec3(sky.texels[i]), sky.table[i].probability));
+        tables.sky_table.push_back(pack_alias(sky.table[i]));
+    }
+}
+
+std::vector<vec4> pack_vertices(const CoreMesh& mesh) {
+    std::vector<vec4> rows(mesh.positions.size() * VERTEX_ROWS);
+    for (size_t i = 0; i < mesh.positions.size(); ++i) {
+        glm::vec2 uv0 = mesh.uv0.empty() ? glm::vec2(0.0f) : mesh.uv0[i];
+        glm::vec2 uv1 = mesh.uv1.empty() ? glm::vec2(0.0f) : mesh.uv1[i];
+        uint color = mesh.colors.empty() ? 0xFFFFFFFFu : mesh.colors[i];
+        rows[i * VERTEX_ROWS + VERTEX_NORMAL] = row(mesh.normals[i], as_float(color));
+        rows[i * VERTEX_ROWS + VERTEX_UV] = vec4(uv0.x, uv0.y, uv1.x, uv1.y);
+    }
+    return rows;
+}
+
+std::vector<uint> pack_tangents(const CoreMesh& mesh) {
+    std::vector<uint> words(mesh.positions.size(), 0u);
+    for (size_t i = 0; i < mesh.tangents.size(); ++i) {
+        glm::vec4 t = mesh.tangents[i];
+        float sum = std::fabs(t.x) + std::fabs(t.y) + std::fabs(t.z);
+        float scale = sum > 0.0f ? 1.0f / sum : 0.0f;
+        float x = t.x * scale;
+        float y = t.y * scale;
+        if (t.z < 0.0f) {
+            float folded_x = (1.0f - std::fabs(y)) * (x >= 0.0f ? 1.0f : -1.0f);
+            y = (1.0f - std::fabs(x)) * (y >= 0.0f ? 1.0f : -1.0f);
+            x = folded_x;
+        }
+        uint word_x = static_cast<uint>(std::lround((x * 0.5f + 0.5f) * 65535.0f));
+        uint word_y = static_cast<uint>(std::lround((y * 0.5f + 0.5f) * 32767.0f));
+        words[i] = word_x | word_y << 16 | (t.w < 0.0f ? 0x80000000u : 0u);
+    }
+    return words;
+}
+
+void pack_instance(const CoreTransform& transform, uint first_triangle, uint first_vertex, bool has_tangents,
+                   vec4* rows) {
+    glm::vec3 a(transform.rows[0]);
+    glm::vec3 b(transform.rows[1]);
+    glm::vec3 c(transform.rows[2]);
+    float mirrored = glm::dot(a, glm::cross(b, c)) < 0.0f ? -1.0f : 1.0f;
+    for (uint i = 0; i < 3; ++i) {
+        rows[INSTANCE_TRANSFORM + i] = row(glm::vec3(transform.rows[i]), transform.rows[i].w);
+    }
+    uint flags = has_tangents ? INSTANCE_HAS_TANGENTS : 0u;
+    rows[INSTANCE_MESH] = vec4(as_float(first_triangle), as_float(first_vertex), as_float(flags), mirrored);
+}
+
+float opacity_code(const CoreMaterial& material, bool mesh_has_colors) {
+    if (material.opaque) {
+        return 1.0f;
+    }
+    if (has_alpha_texture(material) || mesh_has_colors) {
+        return -1.0f;
+    }
+    if (material.alpha_cutoff > 0.0f) {
+        return material.alpha >= material.alpha_cutoff ? 1.0f : 0.0f;
+    }
+    return material.alpha;
+}
+
+uint material_features(std::span<const CoreMaterial> materials) {
+    uint features = 0;
+    auto raise = [&features](bool condition, uint bits) { features |= condition ? bits : 0u; };
+    auto has = [](const CoreTextureSlot& slot) { return slot.texture != render_system::NONE; };
+    for (const CoreMaterial& material : materials) {
+        raise(has(material.base_color_texture) || has(material.metallic_roughness_texture), FEATURE_TEXTURES);
+        raise(has(material.normal_texture), FEATURE_NORMAL_MAPS);
+        raise(has(material.emission_texture), FEATURE_TEXTURES | FEATURE_EMISSION_TEXTURES);
+        raise(has(material.transmission_texture) || has(material.specular_texture) ||
+                  has(material.specular_color_texture),
+              FEATURE_TEXTURES | FEATURE_SPECULAR_TEXTURES);
+        raise(material.transmission > 0.0f && !material.thin_walled, FEATURE_TRANSMISSION);
+    }
+    return features;
+}
+
+uint light_features(const CoreLights& lights) {
+    uint features = lights.lights.empty() ? 0u : FEATURE_LIGHTS;
+    for (const CoreLight& light : lights.lights) {
+        bool punctual =
+            light.kind == LightKind::point || light.kind == LightKind::spot || light.kind == LightKind::directional;
+        features |= punctual ? FEATURE_PUNCTUAL_LIGHTS : 0u;
+    }
+    return features;
+}
+
+}  // namespace source_core

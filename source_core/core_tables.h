@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+// Kind: twin of target_core/core_tables.h.
+#pragma once
+
+#include <vector>
+
+#include "render_system/core_data.h"
+#include "source_core/kernels/layout.h"
+
+namespace source_core {
+
+/// Materials, textures, lights and sky as the rows that layout.h describes.
+struct SceneTables {
+    std::vector<vec4> materials;
+    std::vector<vec4> texture_slots;
+    std::vector<uvec4> textures;
+    std::vector<uint> texels;
+    std::vector<vec4> lights;
+    std::vector<vec4> light_table;
+    std::vector<vec4> sky_texels;
+    std::vector<vec4> sky_table;
+};
+
+/// Fills materials and texture_slots.
+void pack_materials(std::span<const render_system::CoreMaterial> materials, SceneTables& tables);
+
+/// Fills textures and texels.
+void pack_textures(std::span<const render_system::CoreTexture> textures, SceneTables& tables);
+
+/// Fills lights and light_table.
+void pack_lights(const render_system::CoreLights& lights, SceneTables& tables);
+
+/// Fills sky_texels and sky_table.
+void pack_sky(const render_system::CoreSky& sky, SceneTables& tables);
+
+/// The attribute rows of one mesh: VERTEX_ROWS per vertex.
+std::vector<vec4> pack_vertices(const render_system::CoreMesh& mesh);
+
+/// One octahedral tangent per vertex; zeros for a mesh without tangents.
+std::vector<uint> pack_tangents(const render_system::CoreMesh& mesh);
+
+/// INSTANCE_ROWS rows of one instance.
+void pack_instance(const render_system::CoreTransform& transform, uint first_triangle, uint first_vertex,
+                   bool has_tangents, vec4* rows);
+
+/// What meets_surface takes for a triangle of this material: 1 opaque, [0, 1) constant coverage, -1 where texture
+/// or vertex colours decide.
+float opacity_code(const render_system::CoreMaterial& material, bool mesh_has_colors);
+
+/// Feature bits that follow from materials and lights.
+uint material_features(std::span<const render_system::CoreMaterial> materials);
+uint light_features(const render_system::CoreLights& lights);
+
+}  // namespace source_core

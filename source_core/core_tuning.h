@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+#include "render_system/core_api.h"
+#include "source_core/device/kernel_set.h"
+
+namespace source_core {
+
+/// What tests turn to reach every path through the core; users have the defaults. Nothing here changes the picture.
+struct CoreTuning {
+    uint32_t largest_batch = 1u << 20;        ///< paths on their way at once
+    std::optional<TableAccess> table_access;  ///< how all tables are reached, whatever their size
+};
+
+std::unique_ptr<render_system::CoreAPI> create_tuned_core(const CoreTuning& tuning);
+
+}  // namespace source_core

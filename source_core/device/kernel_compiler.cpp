@@ -1,0 +1,109 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "source_core/device/kernel_compiler.h"
+
+#include <glslang/Public/ResourceLimits.h>
+#include <glslang/Public/ShaderLang.h>
+#include <glslang/SPIRV/GlslangToSpv.h>
+#include <spirv-tools/optimizer.hpp>
+
+#include <sstream>
+
+#include "source_core/device/spirv_passes.h"
+
+namespace source_core {
+
+namespace {
+
+constexpr int MESSAGES_SHOWN = 3;
+
+// Finds includes in the map of kernel files: one flat folder.
+class MapIncluder : public glslang::TShader::Includer {
+public:
+    explicit MapIncluder(const std::map<std::string, std::string>& files) : files_(files) {}
+
+    IncludeResult* includeLocal(const char* header, const char*, size_t) override {
+        const auto file = files_.find(header);
+        if (file == files_.end()) {
+            return nullptr;
+        }
+        return new IncludeResult(file->first, file->second.data(), file->second.size(), nullptr);
+    }
+    IncludeResult* includeSystem(const char*, const char*, size_t) override { return nullptr; }
+    void releaseInclude(IncludeResult* result) override { delete result; }
+
+private:
+    const std::map<std::string, std::string>& files_;
+};
+
+// glslang writes "ERROR: file:line: text" among summary lines; the first few such lines are what a person needs.
+Status compile_error(const std::string& name, const std::string& log) {
+    std::istringstream lines(log);
+    std::string line;
+    std::string text = "failed to compile the kernel " + name;
+    int shown = 0;
+    while (std::getline(lines, line) && shown < MESSAGES_SHOWN) {
+        if (line.rfind("ERROR: ", 0) == 0 && line.find("compilation errors") == std::string::npos) {
+            text += (shown == 0 ? ": " : "; ") + line.substr(7);
+            ++shown;
+        }
+    }
+    return Status::error(StatusCode::internal, text);
+}
+
+// glslang wants one initialisation a process; it counts calls, so a static pair is enough.
+struct GlslangProcess {
+    GlslangProcess() { glslang::InitializeProcess(); }
+    ~GlslangProcess() { glslang::FinalizeProcess(); }
+};
+
+Result<std::vector<uint32_t>> finish(const std::string& name, const std::vector<uint32_t>& compiled) {
+    spvtools::Optimizer optimizer(SPV_ENV_VULKAN_1_2);
+    optimizer.RegisterPass(spvtools::CreateEliminateDeadFunctionsPass());
+    spvtools::OptimizerOptions options;
+    options.set_run_validator(false);
+    const std::vector<uint32_t> words = forbid_contraction(compiled);
+    std::vector<uint32_t> live;
+    if (!optimizer.Run(words.data(), words.size(), &live, options)) {
+        return Status::error(StatusCode::internal, "failed to remove unused functions from the kernel " + name);
+    }
+    return mark_buffer_access(live);
+}
+
+}  // namespace
+
+Result<std::vector<uint32_t>> compile_kernel(const std::map<std::string, std::string>& files, const std::string& name,
+                                             const std::string& preamble) {
+    static const GlslangProcess process;
+    const auto file = files.find(name);
+    if (file == files.end()) {
+        return Status::error(StatusCode::not_found, "there is no kernel '" + name + "'");
+    }
+    const char* text = file->second.c_str();
+    const int text_length = static_cast<int>(file->second.size());
+    const char* text_name = name.c_str();
+    const auto messages = static_cast<EShMessages>(EShMsgSpvRules | EShMsgVulkanRules);
+
+    glslang::TShader shader(EShLangCompute);
+    shader.setStringsWithLengthsAndNames(&text, &text_length, &text_name, 1);
+    shader.setPreamble(preamble.c_str());
+    shader.setEnvInput(glslang::EShSourceGlsl, EShLangCompute, glslang::EShClientVulkan, 100);
+    shader.setEnvClient(glslang::EShClientVulkan, glslang::EShTargetVulkan_1_2);
+    shader.setEnvTarget(glslang::EShTargetSpv, glslang::EShTargetSpv_1_3);
+    MapIncluder includer(files);
+    if (!shader.parse(GetDefaultResources(), 460, false, messages, includer)) {
+        return compile_error(name, shader.getInfoLog());
+    }
+    glslang::TProgram program;
+    program.addShader(&shader);
+    if (!program.link(messages)) {
+        return compile_error(name, program.getInfoLog());
+    }
+    std::vector<uint32_t> words;
+    glslang::SpvOptions options;
+    options.disableOptimizer = true;
+    glslang::GlslangToSpv(*program.getIntermediate(EShLangCompute), words, &options);
+    return finish(name, words);
+}
+
+}  // namespace source_core

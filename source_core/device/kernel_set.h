@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vulkan/vulkan.h>
+
+#include <array>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "source_core/device/device.h"
+#include "source_core/kernels/bindings.h"
+
+namespace source_core {
+
+enum class Kernel : uint32_t { generate, extend, shade, connect, finalize, schedule };
+constexpr uint32_t KERNEL_COUNT = 6;
+constexpr uint32_t WORK_GROUP_SIZE = 32;
+
+/// Name of a kernel's file without its suffix.
+const char* kernel_name(Kernel kernel);
+
+/// How kernels reach a scene table; see buffers.glsl.
+enum class TableAccess : uint8_t { texels, storage, address };
+
+/// What kernels are compiled for.
+struct KernelVariant {
+    uint32_t features = 0;
+    std::array<TableAccess, TABLE_COUNT> tables{};
+
+    /// Text that comes before a kernel's source.
+    std::string preamble() const;
+};
+
+const char* table_name(uint32_t table);
+
+/// The type of each binding of set 0 under a variant.
+VkDescriptorType descriptor_type(uint32_t binding, const KernelVariant& variant);
+
+/// All kernels compiled for one variant, with the layout that they share and two descriptor sets: in set 1 the roles
+/// of the two queues are exchanged.
+class KernelSet {
+public:
+    /// Fails with internal where a kernel does not compile.
+    static Result<KernelSet> create(const Device& device, const std::map<std::string, std::string>& files,
+                                    const KernelVariant& variant);
+
+    VkPipeline pipeline(Kernel kernel) const { return pipelines_[static_cast<uint32_t>(kernel)].get(); }
+    VkPipelineLayout layout() const { return pipeline_layout_.get(); }
+    VkDescriptorSet descriptor_set(uint32_t parity) const { return sets_[parity]; }
+
+private:
+    KernelSet() = default;
+    Status create_layout(const Device& device, const KernelVariant& variant);
+    Status create_sets(const Device& device, const KernelVariant& variant);
+    Status create_pipeline(const Device& device, Kernel kernel, const std::vector<uint32_t>& words);
+
+    Handle<VkDescriptorSetLayout> set_layout_;
+    Handle<VkPipelineLayout> pipeline_layout_;
+    Handle<VkDescriptorPool> pool_;
+    std::array<VkDescriptorSet, 2> sets_{};
+    std::array<Handle<VkPipeline>, KERNEL_COUNT> pipelines_;
+};
+
+}  // namespace source_core

@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+// Kind: rewritten; the port is target_core/kernels/buffers.h. The contract of both: settings and pass; one fetch
+// function per table of layout.h; has_feature; load and store of path state, store only where the mask is set; queues
+// by push and load; the number of jobs of this dispatch; the accumulator and the target by pixel.
+#ifndef BUFFERS_GLSL
+#define BUFFERS_GLSL
+
+#include "bindings.h"
+#include "language.glsl"
+
+// The host defines before this text: WORK_GROUP_SIZE, FEATURES, KERNEL_<name>, and for each table TABLE_<name> as one
+// of VIA_TEXELS, VIA_STORAGE and VIA_ADDRESS, depending on the table's size.
+layout(local_size_x = WORK_GROUP_SIZE) in;
+
+layout(set = 0, binding = BINDING_SETTINGS, std140) uniform SettingsBlock { Settings settings; };
+layout(set = 0, binding = BINDING_ADDRESSES, std140) uniform AddressesBlock { uvec4 table_addresses[TABLE_COUNT]; };
+layout(push_constant) uniform PassBlock { Pass pass; };
+
+bool has_feature(uint feature) { return (FEATURES & feature) != 0u; }
+
+// ---- Scene tables ----
+
+#define VIA_TEXELS(Row, Texels, get, name, slot)                            \
+    layout(set = 0, binding = slot) uniform Texels name##_table;            \
+    Row fetch_##name(Uint row) { return texelFetch(name##_table, Int(row)) get; }
+
+#define VIA_STORAGE(Row, Texels, get, name, slot)                                                        \
+    layout(set = 0, binding = slot, std430) restrict readonly buffer name##_block { Row name##_table[]; }; \
+    Row fetch_##name(Uint row) { return name##_table[row]; }
+
+#define VIA_ADDRESS(Row, Texels, get, name, slot)                                                     \
+    layout(buffer_reference, std430, buffer_reference_align = 16) restrict readonly buffer name##_block { \
+        Row name##_table[];                                                                           \
+    };                                                                                                \
+    Row fetch_##name(Uint row) { return name##_block(table_addresses[slot].xy).name##_table[row]; }
+
+#define WORDS
+#define FIRST_WORD .x
+
+TABLE_nodes(vec4, textureBuffer, WORDS, nodes, BINDING_NODES)
+TABLE_triangles(vec4, textureBuffer, WORDS, triangles, BINDING_TRIANGLES)
+TABLE_mesh_triangles(uvec4, utextureBuffer, WORDS, mesh_triangles, BINDING_MESH_TRIANGLES)
+TABLE_vertices(vec4, textureBuffer, WORDS, vertices, BINDING_VERTICES)
+TABLE_tangents(uint, utextureBuffer, FIRST_WORD, tangents, BINDING_TANGENTS)
+TABLE_instances(vec4, textureBuffer, WORDS, instances, BINDING_INSTANCES)
+TABLE_materials(vec4, textureBuffer, WORDS, materials, BINDING_MATERIALS)
+TABLE_texture_slots(vec4, textureBuffer, WORDS, texture_slots, BINDING_TEXTURE_SLOTS)
+TABLE_textures(uvec4, utextureBuffer, WORDS, textures, BINDING_TEXTURES)
+TABLE_texels(uint, utextureBuffer, FIRST_WORD, texels, BINDING_TEXELS)
+TABLE_lights(vec4, textureBuffer, WORDS, lights, BINDING_LIGHTS)
+TABLE_light_table(vec4, textureBuffer, WORDS, light_table, BINDING_LIGHT_TABLE)
+TABLE_sky_texels(vec4, textureBuffer, WORDS, sky_texels, BINDING_SKY_TEXELS)
+TABLE_sky_table(vec4, textureBuffer, WORDS, sky_table, BINDING_SKY_TABLE)
+
+// ---- Path state and queues. All buffers are declared alike; the host marks those that a kernel does not write (or
+// does not read) in the compiled module. ----
+
+#define ROWS(Row, name, slot)                                                                              \
+    layout(set = 0, binding = slot, std430) restrict buffer name##_block { Row name##_rows[]; };           \
+    Row load_##name(Uint index) { return name##_rows[index]; }                                             \
+    void store_##name(Uint index, Row row, Mask where) {                                                   \
+        if (where) {                                                                                       \
+            name##_rows[index] = row;                                                                      \
+        }                                                                                                  \
+    }
+
+ROWS(vec4, path_origin, BINDING_PATH_ORIGIN)
+ROWS(vec4, path_direction, BINDING_PATH_DIRECTION)
+ROWS(vec4, path_throughput, BINDING_PATH_THROUGHPUT)
+ROWS(vec4, path_radiance, BINDING_PATH_RADIANCE)
+ROWS(uvec4, path_hit, BINDING_PATH_HIT)
+ROWS(uint, queue, BINDING_QUEUE)
+ROWS(uint, next_queue, BINDING_NEXT_QUEUE)
+ROWS(vec4, shadow_origin, BINDING_SHADOW_ORIGIN)
+ROWS(vec4, shadow_direction, BINDING_SHADOW_DIRECTION)
+ROWS(vec4, shadow_contribution, BINDING_SHADOW_CONTRIBUTION)
+ROWS(vec4, accumulator_row, BINDING_ACCUMULATOR)
+ROWS(vec4, target_row, BINDING_TARGET)
+
+layout(set = 0, binding = BINDING_COUNTERS, std430) restrict buffer CountersBlock { uint counters[]; };
+layout(set = 0, binding = BINDING_ARGUMENTS, std430) restrict buffer ArgumentsBlock { uint arguments[]; };
+
+uint segment_counter(uint segment, uint kind) { return COUNTER_SEGMENTS + segment * COUNTERS_PER_SEGMENT + kind; }
+
+uint extension_job_count() { return counters[segment_counter(pass.segment, COUNTER_EXTENSION)]; }
+
+uint shadow_job_count() { return counters[segment_counter(pass.segment, COUNTER_SHADOW)]; }
+
+Uint load_extension_job(Uint job) { return load_queue(job); }
+
+// generate runs as segment 0.
+void push_extension_ray(Uint path, Mask where) {
+    if (where) {
+        Uint entry = atomicAdd(counters[segment_counter(pass.segment + 1u, COUNTER_EXTENSION)], 1u);
+        store_next_queue(entry, path, true);
+    }
+}
+
+void push_shadow_ray(vec4 origin_tmax, vec4 direction_path, vec4 contribution, Mask where) {
+    if (where) {
+        Uint entry = atomicAdd(counters[segment_counter(pass.segment, COUNTER_SHADOW)], 1u);
+        store_shadow_origin(entry, origin_tmax, true);
+        store_shadow_direction(entry, direction_path, true);
+        store_shadow_contribution(entry, contribution, true);
+    }
+}
+
+// Accumulator and target are bound from the batch's first pixel on.
+vec4 load_accumulator(Uint pixel) { return load_accumulator_row(pixel - pass.first_pixel); }
+
+void store_accumulator(Uint pixel, vec4 sum) {
+    store_accumulator_row(pixel - pass.first_pixel, sum, true);
+}
+
+void store_target(Uint pixel, vec4 mean) { store_target_row(pixel - pass.first_pixel, mean, true); }
+
+#endif

@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "source_core/device/buffer.h"
+#include "source_core/device/kernel_set.h"
+#include "source_core/scene_buffers.h"
+
+namespace source_core {
+
+/// Pixels and paths of one Render.
+struct WavefrontSize {
+    uint64_t pixels = 0;
+    uint32_t batch = 0;  ///< paths that are on their way at once; the pixels are worked off in batches
+
+    bool operator==(const WavefrontSize&) const = default;
+};
+
+/// Rays and device time of some samples.
+struct WavefrontCounts {
+    uint64_t primary_rays = 0;
+    uint64_t extension_rays = 0;  ///< with the primary ones
+    uint64_t shadow_rays = 0;
+    double kernel_ms[KERNEL_COUNT] = {};
+};
+
+/// Samples to take of one batch.
+struct BatchPass {
+    uint32_t first_pixel = 0;
+    uint32_t path_count = 0;
+    uint32_t first_sample = 0;  ///< index of the first sample to take now
+    uint32_t samples = 0;
+    uint32_t samples_before = 0;  ///< in the accumulator already; 0 starts the sums
+};
+
+/// The buffers of path state and queues, and the loop over generate, extend, shade, connect and finalize. The kernels
+/// of a batch run without the host: counters on the device size the next dispatches.
+class Wavefront {
+public:
+    /// Bytes of all buffers of a wavefront of this size.
+    static uint64_t bytes(const WavefrontSize& size, uint32_t max_path_length);
+
+    static Result<Wavefront> create(const Device& device, MemoryBudget& budget, const WavefrontSize& size);
+
+    const WavefrontSize& size() const { return size_; }
+
+    /// Makes room for the counters of that many segments. To be called before bind.
+    Status set_max_path_length(const Device& device, MemoryBudget& budget, uint32_t max_path_length);
+
+    /// Points the kernels at the scene, the settings and one batch's part of the accumulator.
+    void bind(const Device& device, const KernelSet& kernels, const KernelVariant& variant, const SceneBuffers& scene,
+              const Settings& settings, const BatchPass& batch) const;
+
+    /// Runs a batch and adds to `counts`. Work is cut into submissions of a fraction of a second.
+    Status run(const Device& device, const KernelSet& kernels, const BatchPass& batch, WavefrontCounts& counts);
+
+    /// The mean of the samples of the batch that ran last.
+    const Buffer& target() const { return target_; }
+
+private:
+    struct Span {
+        uint32_t first_sample;
+        uint32_t samples;
+        uint32_t first_segment;  // 0: from generate on
+        uint32_t last_segment;
+        bool finalize;
+    };
+
+    Wavefront() = default;
+    Status create_query_pool(const Device& device);
+    void bind_set(const Device& device, const KernelSet& kernels, const KernelVariant& variant,
+                  const SceneBuffers& scene, const BatchPass& batch, uint32_t parity) const;
+    void record(VkCommandBuffer commands, const KernelSet& kernels, const BatchPass& batch, const Span& span);
+    void record_sample(VkCommandBuffer commands, const KernelSet& kernels, const BatchPass& batch, const Span& span,
+                       uint32_t sample);
+    void dispatch(VkCommandBuffer commands, const KernelSet& kernels, Kernel kernel, const Pass& pass);
+    void stamp(VkCommandBuffer commands, uint32_t kernel);
+    Status run_span(const Device& device, const KernelSet& kernels, const BatchPass& batch, const Span& span,
+                    WavefrontCounts& counts);
+    Status read_times(const Device& device, WavefrontCounts& counts) const;
+    uint32_t waiting_rays(uint32_t segment) const;
+
+    WavefrontSize size_;
+    uint32_t max_path_length_ = 0;
+    Buffer settings_;
+    Buffer addresses_;
+    std::vector<Buffer> rows_;  // bindings BINDING_PATH_ORIGIN to BINDING_SHADOW_CONTRIBUTION
+    Buffer counters_;
+    Buffer arguments_;
+    Buffer accumulator_;
+    Buffer target_;
+    Buffer counters_copy_;
+    Handle<VkQueryPool> queries_;
+    std::vector<uint32_t> stamps_;  // the kernel that ran before each timestamp
+    double sample_ms_ = 0.0;        // of the batch at work, to size submissions
+};
+
+}  // namespace source_core
