@@ -1,0 +1,147 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+#include "tests/physics/photometer.h"
+
+using namespace physics;
+using namespace render_system;
+
+namespace {
+
+using Furnace = OnEveryCore;
+
+// A sphere that fills the picture, seen under a sky of radiance 1.
+Reading sphere_in_furnace(const char* core, const HostMaterial& material, uint32_t max_path_length) {
+    HostScene scene;
+    place(scene, sphere_mesh(1.0f, 24, scene.add_material(material)));
+    set_sky(scene, 1.0f);
+    Exposure exposure;
+    exposure.max_path_length = max_path_length;
+    return measure(core, scene, square_view({0.3f, 0.4f, 3.0f}, {0, 0, 0}, 0.6f), exposure);
+}
+
+// A large plane seen at that cosine: all directions above see the sky.
+Reading plane_in_furnace(const char* core, const HostMaterial& material, double cosine) {
+    HostScene scene;
+    place(scene, quad_mesh({-1000, -1000, 0}, {2000, 0, 0}, {0, 2000, 0}, scene.add_material(material)));
+    set_sky(scene, 1.0f);
+    double sine = std::sqrt(1.0 - cosine * cosine);
+    glm::vec3 eye(static_cast<float>(sine), 0.0f, static_cast<float>(cosine));
+    Exposure exposure;
+    exposure.samples = 64;
+    return measure(core, scene, square_view(eye, {0, 0, 0}, 0.001f), exposure);
+}
+
+HostMaterial glass(float roughness, bool thin) {
+    HostMaterial material;
+    material.core.metallic = 0.0f;
+    material.core.roughness = roughness;
+    material.core.transmission = 1.0f;
+    material.core.thin_walled = thin;
+    return material;
+}
+
+TEST_P(Furnace, LambertIsInvisible) {
+    Reading reading = sphere_in_furnace(GetParam(), lambert(1.0f), 8);
+    EXPECT_NEAR(reading.mean, 1.0, 4.0 * reading.error + 1e-4);
+}
+
+TEST_P(Furnace, ThePerfectMirrorIsInvisible) {
+    HostMaterial mirror;
+    mirror.core.roughness = 0.0f;
+    Reading reading = sphere_in_furnace(GetParam(), mirror, 8);
+    EXPECT_NEAR(reading.mean, 1.0, 4.0 * reading.error + 1e-4);
+}
+
+TEST_P(Furnace, SmoothSolidGlassIsInvisibleOnLongPaths) {
+    Reading reading = sphere_in_furnace(GetParam(), glass(0.0f, false), 256);
+    EXPECT_NEAR(reading.mean, 1.0, 4.0 * reading.error + 2e-4);
+}
+
+TEST_P(Furnace, SmoothThinGlassIsInvisibleOnLongPaths) {
+    Reading reading = sphere_in_furnace(GetParam(), glass(0.0f, true), 256);
+    EXPECT_NEAR(reading.mean, 1.0, 4.0 * reading.error + 2e-4);
+}
+
+// The microfacet model in double precision, from the papers and not from the kernels: Walter et al. 2007 for D and
+// the refracted lobe, Heitz 2014 for the height-correlated masking of reflection.
+struct Microfacets {
+    double alpha;
+    double f0;
+    double ior;
+
+    static double lambda_of(double cosine, double alpha) {
+        double tangent2 = (1.0 - cosine * cosine) / (cosine * cosine);
+        return 0.5 * (std::sqrt(1.0 + alpha * alpha * tangent2) - 1.0);
+    }
+    double density(double cosine) const {
+        double c2 = cosine * cosine;
+        double t = 1.0 + (alpha * alpha - 1.0) * c2;
+        return alpha * alpha / (std::numbers::pi * t * t);
+    }
+    double fresnel(double cosine) const { return f0 + (1.0 - f0) * std::pow(1.0 - cosine, 5.0); }
+
+    /// Integral over the hemisphere of reflection * cosine, with `weight(F)` in place of the Fresnel term.
+    double albedo(double cosine, const std::function<double(double)>& weight) const {
+        constexpr int N = 1500;
+        double sine = std::sqrt(1.0 - cosine * cosine);
+        double sum = 0.0;
+        for (int i = 0; i < N; ++i) {
+            double polar = 0.5 * std::numbers::pi * (i + 0.5) / N;
+            for (int j = 0; j < N; ++j) {
+                double phi = std::numbers::pi * (j + 0.5) / N;  // symmetric in phi
+                double zi = std::cos(polar);
+                double hx = sine + std::sin(polar) * std::cos(phi);
+                double hy = std::sin(polar) * std::sin(phi);
+                double hz = cosine + zi;
+                double length = std::sqrt(hx * hx + hy * hy + hz * hz);
+                double cosine_h = (sine * hx + cosine * hz) / length;
+                double masking = 1.0 / (1.0 + lambda_of(cosine, alpha) + lambda_of(zi, alpha));
+                sum += weight(fresnel(cosine_h)) * density(hz / length) * masking / (4.0 * cosine) * std::sin(polar);
+            }
+        }
+        return sum * (0.5 * std::numbers::pi / N) * (2.0 * std::numbers::pi / N);
+    }
+};
+
+TEST_P(Furnace, RoughMetalReflectsItsDirectionalAlbedo) {
+    for (double cosine : {0.95, 0.5}) {
+        for (float roughness : {0.3f, 0.8f}) {
+            HostMaterial metal;
+            metal.core.roughness = roughness;
+            metal.core.base_color = glm::vec3(0.8f);
+            Microfacets model{static_cast<double>(roughness) * roughness, 0.8, 1.5};
+            double truth = model.albedo(cosine, [](double f) { return f; });
+            Reading reading = plane_in_furnace(GetParam(), metal, cosine);
+            EXPECT_LE(reading.mean, 1.0);
+            EXPECT_NEAR(reading.mean, truth, 4.0 * reading.error + 2e-4) << "roughness " << roughness << ", " << cosine;
+        }
+    }
+}
+
+TEST_P(Furnace, RoughThinGlassReflectsAndTransmitsItsDirectionalAlbedo) {
+    for (double cosine : {0.9, 0.4}) {
+        Microfacets model{0.6 * 0.6, 0.04, 1.5};
+        // Reflected and transmitted lobes are mirror images: F and 1 - F add up to the lobe without Fresnel.
+        double truth = model.albedo(cosine, [](double) { return 1.0; });
+        Reading reading = plane_in_furnace(GetParam(), glass(0.6f, true), cosine);
+        EXPECT_LE(reading.mean, 1.0);
+        EXPECT_NEAR(reading.mean, truth, 4.0 * reading.error + 2e-4) << cosine;
+    }
+}
+
+TEST_P(Furnace, RoughSolidGlassStaysBelowOne) {
+    Reading reading = sphere_in_furnace(GetParam(), glass(0.5f, false), 64);
+    EXPECT_LE(reading.mean, 1.0 + 4.0 * reading.error);
+    EXPECT_GE(reading.mean, 0.8);
+}
+
+INSTANTIATE_TEST_SUITE_P(Cores, Furnace, testing::Values("target", "source"),
+                         [](const auto& core) { return std::string(core.param); });
+
+}  // namespace

@@ -1,0 +1,147 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "tests/physics/photometer.h"
+
+using namespace physics;
+using namespace render_system;
+
+namespace {
+
+using Lighting = OnEveryCore;
+
+constexpr float ALBEDO = 0.6f;
+
+HostScene lit_plane() {
+    HostScene scene;
+    place(scene, quad_mesh({-50, -50, 0}, {100, 0, 0}, {0, 100, 0}, scene.add_material(lambert(ALBEDO))));
+    return scene;
+}
+
+// Reads the plane's radiance at `at`, from above and aside.
+Reading read_at(const char* core, const HostScene& scene, const glm::vec3& at, bool next_event_estimation = true) {
+    Exposure exposure;
+    exposure.samples = 64;
+    exposure.max_path_length = 2;
+    exposure.next_event_estimation = next_event_estimation;
+    return measure(core, scene, square_view(at + glm::vec3(-2.0f, 0.5f, 1.0f), at, 0.0005f), exposure);
+}
+
+// Irradiance from a polygon of radiance 1 at the origin with normal +z: Lambert's formula (1760), as in Arvo 1995.
+double polygon_irradiance(const std::vector<glm::dvec3>& corners) {
+    double sum = 0.0;
+    for (size_t i = 0; i < corners.size(); ++i) {
+        glm::dvec3 a = glm::normalize(corners[i]);
+        glm::dvec3 b = glm::normalize(corners[(i + 1) % corners.size()]);
+        sum += std::acos(glm::dot(a, b)) * glm::normalize(glm::cross(a, b)).z;
+    }
+    return std::fabs(0.5 * sum);
+}
+
+TEST_P(Lighting, LambertUnderAQuadLightHasTheClosedForm) {
+    HostScene scene = lit_plane();
+    uint32_t light = scene.add_material(emitter(5.0f));
+    // Faces down: u x v = -z.
+    place(scene, quad_mesh({-1, -1, 2}, {0, 2, 0}, {3, 0, 0.5f}, light));
+    for (glm::vec3 at : {glm::vec3(0, 0, 0), glm::vec3(1.5f, -2.0f, 0)}) {
+        std::vector<glm::dvec3> corners = {{-1, -1, 2}, {-1, 1, 2}, {2, 1, 2.5}, {2, -1, 2.5}};
+        for (glm::dvec3& corner : corners) {
+            corner -= glm::dvec3(at);
+        }
+        double truth = static_cast<double>(ALBEDO) / std::numbers::pi * 5.0 * polygon_irradiance(corners);
+        for (bool nee : {true, false}) {
+            Reading reading = read_at(GetParam(), scene, at, nee);
+            EXPECT_NEAR(reading.mean, truth, 4.0 * reading.error + 1e-4 * truth) << "next event estimation " << nee;
+        }
+    }
+}
+
+TEST_P(Lighting, EmittersShineOnTheirFrontOnly) {
+    for (bool double_sided : {false, true}) {
+        HostScene scene = lit_plane();
+        HostMaterial material = emitter(5.0f);
+        material.core.double_sided = double_sided;
+        // Faces up, away from the plane.
+        place(scene, quad_mesh({-1, -1, 2}, {2, 0, 0}, {0, 2, 0}, scene.add_material(material)));
+        Reading reading = read_at(GetParam(), scene, {0, 0, 0});
+        double truth = double_sided ? static_cast<double>(ALBEDO) / std::numbers::pi * 5.0 *
+                                          polygon_irradiance({{-1, -1, 2}, {1, -1, 2}, {1, 1, 2}, {-1, 1, 2}})
+                                    : 0.0;
+        EXPECT_NEAR(reading.mean, truth, 4.0 * reading.error + 1e-4 * truth);
+    }
+}
+
+TEST_P(Lighting, PointSpotAndDirectionalLightsFollowTheirDefinition) {
+    PunctualLight light;
+    light.position = {1.0f, 0.0f, 2.0f};
+    light.emission = glm::vec3(10.0f);
+    double distance2 = 5.0;
+    double cosine = 2.0 / std::sqrt(distance2);
+    {
+        HostScene scene = lit_plane();
+        light.kind = LightKind::point;
+        scene.add_punctual_light(light);
+        Reading reading = read_at(GetParam(), scene, {0, 0, 0});
+        double truth = static_cast<double>(ALBEDO) / std::numbers::pi * 10.0 * cosine / distance2;
+        EXPECT_NEAR(reading.mean, truth, 4.0 * reading.error + 1e-3 * truth) << "point";
+    }
+    {
+        HostScene scene = lit_plane();
+        light.kind = LightKind::spot;
+        light.direction = {0.0f, 0.0f, -1.0f};
+        light.inner_cone = 0.2f;
+        light.outer_cone = 0.8f;
+        scene.add_punctual_light(light);
+        Reading reading = read_at(GetParam(), scene, {0, 0, 0});
+        double inside = (cosine - std::cos(0.8)) / (std::cos(0.2) - std::cos(0.8));
+        double truth = static_cast<double>(ALBEDO) / std::numbers::pi * 10.0 * inside * inside * cosine / distance2;
+        EXPECT_NEAR(reading.mean, truth, 4.0 * reading.error + 1e-3 * truth) << "spot";
+        EXPECT_EQ(read_at(GetParam(), scene, {8, 0, 0}).mean, 0.0) << "outside the cone";
+    }
+    {
+        HostScene scene = lit_plane();
+        light.kind = LightKind::directional;
+        light.direction = glm::normalize(glm::vec3(0.5f, 0.0f, -1.0f));
+        scene.add_punctual_light(light);
+        Reading reading = read_at(GetParam(), scene, {0, 0, 0});
+        double truth = static_cast<double>(ALBEDO) / std::numbers::pi * 10.0 * (1.0 / std::sqrt(1.25));
+        EXPECT_NEAR(reading.mean, truth, 4.0 * reading.error + 1e-3 * truth) << "directional";
+    }
+}
+
+TEST_P(Lighting, BlendedSurfacesLetTheirShareOfRaysPass) {
+    // A black veil of alpha 0.3 in front of a wall of radiance 1: 0.7 of it comes through.
+    HostScene scene;
+    HostMaterial veil = lambert(0.0f);
+    veil.core.opaque = false;
+    veil.core.alpha = 0.3f;
+    place(scene, quad_mesh({-5, -5, 1}, {10, 0, 0}, {0, 10, 0}, scene.add_material(veil)));
+    set_sky(scene, 1.0f);
+    Exposure exposure;
+    exposure.samples = 64;
+    Reading reading = measure(GetParam(), scene, square_view({0, 0, 3}, {0, 0, 0}, 0.3f), exposure);
+    EXPECT_NEAR(reading.mean, 0.7, 4.0 * reading.error + 1e-4);
+}
+
+TEST_P(Lighting, OneSegmentShowsEmittersAndSkyOnly) {
+    HostScene scene = lit_plane();
+    uint32_t light = scene.add_material(emitter(5.0f));
+    place(scene, quad_mesh({-0.5f, -0.5f, 0.5f}, {1, 0, 0}, {0, 1, 0}, light));
+    set_sky(scene, 0.25f);
+    Exposure exposure;
+    exposure.max_path_length = 1;
+    EXPECT_FLOAT_EQ(
+        static_cast<float>(measure(GetParam(), scene, square_view({0, 0, 3}, {0, 0, 0}, 0.1f), exposure).mean), 5.0f);
+    EXPECT_EQ(measure(GetParam(), scene, square_view({5, 0, 3}, {5, 0, 0}, 0.1f), exposure).mean, 0.0);
+    EXPECT_FLOAT_EQ(
+        static_cast<float>(measure(GetParam(), scene, square_view({0, 0, 3}, {0, 0, 9}, 0.1f), exposure).mean), 0.25f);
+}
+
+INSTANTIATE_TEST_SUITE_P(Cores, Lighting, testing::Values("target", "source"),
+                         [](const auto& core) { return std::string(core.param); });
+
+}  // namespace
