@@ -1,0 +1,312 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+#include "render_system/texel.h"
+#include "tests/render_system/gltf_file.h"
+
+namespace render_system::testing {
+namespace {
+
+using nlohmann::json;
+using ::testing::AllOf;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+// One triangle with that material, loaded; the material with what came with it.
+HostScene scene_with(const json& material, std::vector<std::string>* warnings = nullptr,
+                     const std::vector<std::string>& images = {}) {
+    GltfFile file = one_triangle();
+    for (const std::string& image : images) file.add_texture(image);
+    file.root["meshes"][0]["primitives"][0]["material"] = file.add_material(material);
+    return loaded(file, warnings);
+}
+
+CoreMaterial material_with(const json& material, std::vector<std::string>* warnings = nullptr,
+                           const std::vector<std::string>& images = {}) {
+    const HostScene scene = scene_with(material, warnings, images);
+    return scene.materials().empty() ? CoreMaterial() : scene.materials()[0].core;
+}
+
+json extension(const char* name, const json& values) { return {{"extensions", {{name, values}}}}; }
+
+TEST(LoaderMaterial, HasTheDefaultsOfTheSpecification) {
+    const CoreMaterial m = material_with({{"name", "plain"}});
+    EXPECT_EQ(m.base_color, glm::vec3(1));
+    EXPECT_EQ(m.metallic, 1.0f);
+    EXPECT_EQ(m.roughness, 1.0f);
+    EXPECT_EQ(m.ior, 1.5f);
+    EXPECT_EQ(m.specular, 1.0f);
+    EXPECT_EQ(m.specular_color, glm::vec3(1));
+    EXPECT_EQ(m.transmission, 0.0f);
+    EXPECT_TRUE(m.thin_walled);
+    EXPECT_TRUE(m.opaque);
+    EXPECT_FALSE(m.double_sided);
+    EXPECT_EQ(m.emission, glm::vec3(0));
+    EXPECT_EQ(m.base_color_texture.texture, NONE);
+}
+
+TEST(LoaderMaterial, ReadsTheMetallicRoughnessFactors) {
+    const CoreMaterial m = material_with(
+        {{"doubleSided", true},
+         {"pbrMetallicRoughness",
+          {{"baseColorFactor", {0.25, 0.5, 0.75, 0.5}}, {"metallicFactor", 0.125}, {"roughnessFactor", 0}}}});
+    EXPECT_EQ(m.base_color, glm::vec3(0.25f, 0.5f, 0.75f));
+    EXPECT_EQ(m.alpha, 0.5f);
+    EXPECT_EQ(m.metallic, 0.125f);
+    EXPECT_EQ(m.roughness, 0.0f);
+    EXPECT_TRUE(m.double_sided);
+}
+
+TEST(LoaderMaterial, TellsOpaqueMaskAndBlendApart) {
+    const CoreMaterial opaque = material_with({{"alphaMode", "OPAQUE"}, {"alphaCutoff", 0.7}});
+    EXPECT_TRUE(opaque.opaque);
+    EXPECT_EQ(opaque.alpha_cutoff, 0.0f);
+    const CoreMaterial mask = material_with({{"alphaMode", "MASK"}});
+    EXPECT_FALSE(mask.opaque);
+    EXPECT_EQ(mask.alpha_cutoff, 0.5f);
+    EXPECT_EQ(material_with({{"alphaMode", "MASK"}, {"alphaCutoff", 0.25}}).alpha_cutoff, 0.25f);
+    const CoreMaterial blend = material_with({{"alphaMode", "BLEND"}, {"alphaCutoff", 0.7}});
+    EXPECT_FALSE(blend.opaque);
+    EXPECT_EQ(blend.alpha_cutoff, 0.0f);
+    // A cutoff of 0 lets everything pass; as a number it would mean BLEND.
+    EXPECT_TRUE(material_with({{"alphaMode", "MASK"}, {"alphaCutoff", 0}}).opaque);
+}
+
+TEST(LoaderMaterial, MultipliesEmissionWithItsStrength) {
+    json material = extension("KHR_materials_emissive_strength", {{"emissiveStrength", 3000000000}});
+    material["emissiveFactor"] = {1, 0.5, 0};
+    const CoreMaterial m = material_with(material);
+    EXPECT_EQ(m.emission, glm::vec3(3e9f, 1.5e9f, 0));  // past 32 bits on purpose
+    EXPECT_FLOAT_EQ(m.emission_weight, luminance(m.emission));
+}
+
+TEST(LoaderMaterial, ReadsTransmissionIorAndSpecular) {
+    EXPECT_EQ(material_with(extension("KHR_materials_transmission", {{"transmissionFactor", 0.5}})).transmission, 0.5f);
+    EXPECT_EQ(material_with(extension("KHR_materials_transmission", json::object())).transmission, 0.0f);
+    EXPECT_EQ(material_with(extension("KHR_materials_ior", {{"ior", 1.25}})).ior, 1.25f);
+    EXPECT_EQ(material_with(extension("KHR_materials_ior", {{"ior", 0}})).ior, 0.0f);
+    EXPECT_EQ(material_with(extension("KHR_materials_ior", json::object())).ior, 1.5f);
+    const CoreMaterial m = material_with(
+        extension("KHR_materials_specular", {{"specularFactor", 0.25}, {"specularColorFactor", {0.5, 2, 1}}}));
+    EXPECT_EQ(m.specular, 0.25f);
+    EXPECT_EQ(m.specular_color, glm::vec3(0.5f, 2, 1));
+}
+
+TEST(LoaderMaterial, AVolumeWithThicknessIsSolidAndItsAttenuationIsNamed) {
+    EXPECT_FALSE(material_with(extension("KHR_materials_volume", {{"thicknessFactor", 0.1}})).thin_walled);
+    EXPECT_TRUE(material_with(extension("KHR_materials_volume", json::object())).thin_walled);
+    std::vector<std::string> warnings;
+    material_with(extension("KHR_materials_volume",
+                            {{"thicknessFactor", 1}, {"attenuationDistance", 2}, {"attenuationColor", {1, 0.5, 0.5}}}),
+                  &warnings);
+    EXPECT_THAT(warnings, ElementsAre(HasSubstr("attenuation of KHR_materials_volume (/materials/0)")));
+}
+
+TEST(LoaderMaterial, ClampsFactorsOutsideTheirRangeAndSaysSo) {
+    std::vector<std::string> warnings;
+    const CoreMaterial m =
+        material_with({{"pbrMetallicRoughness", {{"roughnessFactor", 1.5}, {"metallicFactor", -1}}}}, &warnings);
+    EXPECT_EQ(m.roughness, 1.0f);
+    EXPECT_EQ(m.metallic, 0.0f);
+    EXPECT_THAT(warnings, ElementsAre(HasSubstr("clamped (/materials/0)")));
+}
+
+const std::vector<uint8_t> RED = {255, 0, 0};
+
+TEST(LoaderMaterial, ReadsEverySlotWithTheRightRole) {
+    const json info = {{"index", 0}};
+    const HostScene scene =
+        scene_with({{"pbrMetallicRoughness", {{"baseColorTexture", info}, {"metallicRoughnessTexture", info}}},
+                    {"normalTexture", {{"index", 0}, {"scale", 0.5}}},
+                    {"emissiveTexture", info},
+                    {"emissiveFactor", {1, 1, 1}},
+                    {"extensions",
+                     {{"KHR_materials_transmission", {{"transmissionTexture", info}}},
+                      {"KHR_materials_specular", {{"specularTexture", info}, {"specularColorTexture", info}}}}}},
+                   nullptr, {png_uri(1, 1, 3, RED)});
+    const CoreMaterial& m = scene.materials()[0].core;
+    // One image in two roles makes two textures, and no more.
+    ASSERT_EQ(scene.textures().size(), 2u);
+    const auto format = [&](const CoreTextureSlot& slot) { return scene.textures()[slot.texture].format; };
+    EXPECT_EQ(format(m.base_color_texture), TexelFormat::rgba8_srgb);
+    EXPECT_EQ(format(m.emission_texture), TexelFormat::rgba8_srgb);
+    EXPECT_EQ(format(m.specular_color_texture), TexelFormat::rgba8_srgb);
+    EXPECT_EQ(format(m.metallic_roughness_texture), TexelFormat::rgba8);
+    EXPECT_EQ(format(m.normal_texture), TexelFormat::rgba8);
+    EXPECT_EQ(format(m.transmission_texture), TexelFormat::rgba8);
+    EXPECT_EQ(format(m.specular_texture), TexelFormat::rgba8);
+    EXPECT_EQ(m.normal_scale, 0.5f);
+    EXPECT_FLOAT_EQ(m.emission_weight, 0.2126f);  // white times a red texture
+}
+
+glm::vec2 through(const CoreTextureSlot& slot, const glm::vec2& uv) {
+    const glm::vec3 p(uv, 1);
+    return {glm::dot(slot.row_u, p), glm::dot(slot.row_v, p)};
+}
+
+CoreTextureSlot slot_with(const json& transform) {
+    const json info = {{"index", 0}, {"extensions", {{"KHR_texture_transform", transform}}}};
+    return material_with({{"pbrMetallicRoughness", {{"baseColorTexture", info}}}}, nullptr, {png_uri(1, 1, 3, RED)})
+        .base_color_texture;
+}
+
+TEST(LoaderMaterial, TransformsTextureCoordinatesAsTheExtensionsExamplesSay) {
+    // "utilizes only the lower left quadrant of the source image, rotated clockwise 90 degrees"; v grows downwards.
+    const CoreTextureSlot quadrant =
+        slot_with({{"offset", {0, 1}}, {"rotation", 1.57079632679}, {"scale", {0.5, 0.5}}});
+    const glm::vec2 corners[4] = {{0, 0}, {1, 0}, {0, 1}, {1, 1}};
+    const glm::vec2 wanted[4] = {{0, 1}, {0, 0.5f}, {0.5f, 1}, {0.5f, 0.5f}};
+    for (int i = 0; i < 4; ++i) {
+        EXPECT_NEAR(through(quadrant, corners[i]).x, wanted[i].x, 1e-6f) << i;
+        EXPECT_NEAR(through(quadrant, corners[i]).y, wanted[i].y, 1e-6f) << i;
+    }
+    // "inverts the T axis"
+    const CoreTextureSlot inverted = slot_with({{"offset", {0, 1}}, {"scale", {1, -1}}});
+    EXPECT_EQ(through(inverted, {0.25f, 0.25f}), glm::vec2(0.25f, 0.75f));
+    // Unequal scales act before the rotation.
+    const CoreTextureSlot stretched = slot_with({{"rotation", 1.57079632679}, {"scale", {2, 4}}});
+    EXPECT_NEAR(through(stretched, {1, 0}).y, -2.0f, 1e-6f);
+    EXPECT_NEAR(through(stretched, {0, 1}).x, 4.0f, 1e-6f);
+}
+
+TEST(LoaderMaterial, TheTransformMayOverrideTheUvSet) {
+    const json transform = {{"texCoord", 1}};
+    const json info = {{"index", 0}, {"texCoord", 0}, {"extensions", {{"KHR_texture_transform", transform}}}};
+    const CoreMaterial m =
+        material_with({{"pbrMetallicRoughness", {{"baseColorTexture", info}}}}, nullptr, {png_uri(1, 1, 3, RED)});
+    EXPECT_EQ(m.base_color_texture.uv_set, 1u);
+    const CoreMaterial plain =
+        material_with({{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}, {"texCoord", 1}}}}}}, nullptr,
+                      {png_uri(1, 1, 3, RED)});
+    EXPECT_EQ(plain.base_color_texture.uv_set, 1u);
+}
+
+// A base colour texture with that sampler.
+HostTexture texture_with(const json& sampler) {
+    GltfFile file = one_triangle();
+    file.add_texture(png_uri(4, 2, 3, std::vector<uint8_t>(24, 100)));
+    file.root["samplers"] = {sampler};
+    file.root["textures"][0]["sampler"] = 0;
+    file.root["meshes"][0]["primitives"][0]["material"] =
+        file.add_material({{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}}});
+    const HostScene scene = loaded(file);
+    return scene.textures().empty() ? HostTexture() : scene.textures()[0];
+}
+
+TEST(LoaderMaterial, ReadsSamplers) {
+    const HostTexture plain = texture_with(json::object());
+    EXPECT_EQ(plain.wrap_s, TextureWrap::repeat);
+    EXPECT_FALSE(plain.nearest);
+    EXPECT_EQ(plain.levels, 3u);
+    const HostTexture wrapped = texture_with({{"wrapS", 33071}, {"wrapT", 33648}});
+    EXPECT_EQ(wrapped.wrap_s, TextureWrap::clamp_to_edge);
+    EXPECT_EQ(wrapped.wrap_t, TextureWrap::mirrored_repeat);
+    const HostTexture pixels = texture_with({{"magFilter", 9728}, {"minFilter", 9984}});
+    EXPECT_TRUE(pixels.nearest);
+    EXPECT_EQ(pixels.levels, 3u);
+    EXPECT_TRUE(texture_with({{"magFilter", 9728}}).nearest);
+    EXPECT_TRUE(texture_with({{"minFilter", 9728}}).nearest);
+    EXPECT_FALSE(texture_with({{"minFilter", 9987}}).nearest);
+    // Minification without mip maps.
+    EXPECT_EQ(texture_with({{"magFilter", 9729}, {"minFilter", 9729}}).levels, 1u);
+}
+
+TEST(LoaderMaterial, KeepsTheBytesOfAnImage) {
+    std::vector<uint8_t> pixels(16);
+    for (size_t i = 0; i < pixels.size(); ++i) pixels[i] = static_cast<uint8_t>(i * 16 + 3);
+    const json info = {{"index", 0}};
+    const HostScene scene =
+        scene_with({{"pbrMetallicRoughness", {{"baseColorTexture", info}}}}, nullptr, {png_uri(2, 2, 4, pixels)});
+    const std::vector<uint32_t>& texels = scene.textures()[0].texels;
+    ASSERT_EQ(texels.size(), 5u);
+    EXPECT_EQ(std::vector<uint8_t>(reinterpret_cast<const uint8_t*>(texels.data()),
+                                   reinterpret_cast<const uint8_t*>(texels.data()) + 16),
+              pixels);
+}
+
+TEST(LoaderMaterial, ReadsImagesFromFilesViewsAndDataUris) {
+    const TempFolder folder;
+    const std::string image = png(1, 1, 3, {10, 20, 30});
+    write_file(folder / "my image.png", image);
+    GltfFile file = one_triangle();
+    file.add_texture("my%20image.png");
+    file.add_texture("data:image/png;base64," + base64(image));
+    file.root["images"].push_back({{"bufferView", file.add_view(image)}, {"mimeType", "image/png"}});
+    file.root["textures"].push_back({{"source", 2}});
+    for (int i = 0; i < 3; ++i) {
+        file.add_material({{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", i}}}}}});
+        json primitive = file.root["meshes"][0]["primitives"][0];
+        primitive["material"] = i;
+        file.add_node({{"mesh", file.add_mesh(primitive)}});
+    }
+    const Result<LoadedScene> result = file.load(folder);
+    ASSERT_TRUE(result.ok()) << result.status.message;
+    EXPECT_TRUE(result->warnings.empty());
+    ASSERT_EQ(result->scene.textures().size(), 3u);
+    for (const HostTexture& texture : result->scene.textures()) EXPECT_EQ(texture.texels[0], 0xFF1E140Au);
+}
+
+bool is_checkerboard(const HostTexture& texture) {
+    return texture.width == 8 && texture.texels[0] == 0xFFFF00FFu && texture.texels[1] == 0xFF000000u;
+}
+
+TEST(LoaderMaterial, ShowsAPlaceholderForAMissingImageAndWarnsOnce) {
+    std::vector<std::string> warnings;
+    const json info = {{"index", 0}};
+    const HostScene scene = scene_with({{"pbrMetallicRoughness", {{"baseColorTexture", info}}},
+                                        {"normalTexture", info},
+                                        {"emissiveTexture", info},
+                                        {"emissiveFactor", {1, 1, 1}}},
+                                       &warnings, {"nowhere.png"});
+    ASSERT_EQ(scene.textures().size(), 1u);
+    EXPECT_TRUE(is_checkerboard(scene.textures()[0]));
+    EXPECT_EQ(scene.materials()[0].core.normal_texture.texture, NONE);
+    EXPECT_THAT(warnings, ElementsAre(AllOf(HasSubstr("/images/0"), HasSubstr("nowhere.png: there is no such file"),
+                                            HasSubstr("placeholder"))));
+}
+
+TEST(LoaderMaterial, ShowsAPlaceholderForImagesThatCannotBeDecoded) {
+    const std::string image = png(64, 64, 3, std::vector<uint8_t>(64 * 64 * 3, 77));
+    const json material = {{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}}};
+    const std::string broken[] = {
+        "data:image/png;base64," + base64(image.substr(0, image.size() / 2)),
+        "data:image/png;base64," + base64("this is no image"),
+        "data:image/png;base64,!!!!",
+        "data:image/png;base64,",
+        "https://example.com/image.png",
+    };
+    for (const std::string& uri : broken) {
+        std::vector<std::string> warnings;
+        const HostScene scene = scene_with(material, &warnings, {uri});
+        ASSERT_EQ(scene.textures().size(), 1u) << uri;
+        EXPECT_TRUE(is_checkerboard(scene.textures()[0])) << uri;
+        EXPECT_EQ(warnings.size(), 1u) << uri;
+    }
+}
+
+TEST(LoaderMaterial, ATextureWithoutASupportedImageGetsAPlaceholder) {
+    GltfFile file = one_triangle();
+    file.root["extensionsUsed"] = {"EXT_texture_webp"};
+    file.root["textures"] = {{{"extensions", {{"EXT_texture_webp", {{"source", 0}}}}}}};
+    file.root["meshes"][0]["primitives"][0]["material"] =
+        file.add_material({{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}}});
+    std::vector<std::string> warnings;
+    const HostScene scene = loaded(file, &warnings);
+    EXPECT_TRUE(is_checkerboard(scene.textures()[0]));
+    EXPECT_THAT(warnings, ElementsAre(HasSubstr("extension EXT_texture_webp"), HasSubstr("/textures/0")));
+}
+
+TEST(LoaderMaterial, ReadsOnlyTheTexturesOfMaterialsInUse) {
+    GltfFile file = one_triangle();
+    file.add_texture("nowhere.png");
+    file.add_material({{"name", "unused"}, {"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}}});
+    const HostScene scene = loaded(file);
+    EXPECT_TRUE(scene.textures().empty());
+    EXPECT_EQ(scene.materials().size(), 2u);  // and the default one, which is in use
+}
+
+}  // namespace
+}  // namespace render_system::testing
