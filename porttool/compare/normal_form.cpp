@@ -104,7 +104,6 @@ private:
             if (word() == "constexpr") emit();
             if (word() != "(") return simple();
             group();
-            if (text == "while" && word() == ";") return emit();  // do ... while (x);
             controlled(depth);
             directives();
             if ((text == "if" || text == "cif") && word() == "else") {
@@ -115,7 +114,10 @@ private:
         }
         if (text == "do" || text == "else") {
             emit();
-            return controlled(depth);
+            controlled(depth);
+            directives();
+            if (text == "do" && word() == "while") simple();
+            return;
         }
         if (text == "switch") {
             emit();

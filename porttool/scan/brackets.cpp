@@ -3,6 +3,8 @@
 #include "porttool/scan/brackets.h"
 
 #include <algorithm>
+#include <array>
+#include <string_view>
 
 namespace porttool {
 namespace {
@@ -12,7 +14,7 @@ public:
     BracketMatcher(const LexedText& lexed, Structure& out, bool by_indent)
         : lexed_(lexed), out_(out), by_indent_(by_indent) {}
 
-    /// False if a brace stays without partner.
+    /// False if a brace stays without partner, or seems to have found the wrong one.
     bool run() {
         out_.match.assign(out_.tokens.size(), kNoMatch);
         for (uint32_t i = 0; i < out_.tokens.size(); ++i) {
@@ -23,7 +25,7 @@ public:
             if (token.kind != TokenKind::Punctuator || token.length != 1) continue;
             read(i, lexed_.text[token.offset]);
         }
-        return lone_closing_ == 0 && open_braces_ == 0;
+        return lone_closing_ == 0 && open_braces_ == 0 && !lost_brace_;
     }
 
 private:
@@ -56,7 +58,20 @@ private:
             if (token.column > open_.back().indent) return;  // one too many, inside a block that goes on
             unwind_to_indent(token.column);
         }
+        lost_brace_ = lost_brace_ || seems_lost(i, token);
         pair(i);
+    }
+
+    /// A brace in the first column that closes an indented block, with a declaration behind it in the first column: the
+    /// block lost its own brace, even if another one too many makes the sum right.
+    bool seems_lost(uint32_t i, const Token& brace) const {
+        if (brace.column != 1 || (brace.flags & kStartsLine) == 0 || open_.back().indent == 1) return false;
+        if (i + 1 >= out_.tokens.size() || open_braces_ < 2 || open_.front().indent != 1) return false;
+        const Token& next = lexed_.tokens[out_.tokens[i + 1]];
+        if (next.column != 1 || next.kind != TokenKind::Identifier) return false;
+        constexpr std::array<std::string_view, 11> kGoesOn = {"else", "while", "catch",  "case",  "default", "if",
+                                                              "for",  "do",    "return", "break", "switch"};
+        return std::find(kGoesOn.begin(), kGoesOn.end(), lexed_.view(next)) == kGoesOn.end();
     }
 
     /// If an open block is indented like this brace, drops those above it, which should have closed before.
@@ -85,6 +100,7 @@ private:
     std::vector<Open> open_;
     int64_t open_braces_ = 0;
     int64_t lone_closing_ = 0;
+    bool lost_brace_ = false;
     uint32_t line_ = 0;
     uint32_t indent_ = 0;
 };

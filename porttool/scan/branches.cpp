@@ -39,15 +39,17 @@ struct Branch {
     bool ends_statement = true;
 };
 
-struct Group {
-    std::vector<Branch> branches;
-    bool mid_statement = false;  ///< opened in the middle of a statement
-    bool true_branch_seen = false;
-};
-
 struct Range {
     uint32_t first;
     uint32_t end;
+};
+
+struct Group {
+    std::vector<Branch> branches;
+    std::vector<Range> directives;
+    bool all_constant = true;    ///< every condition is a literal: the lines themselves are as good as comments
+    bool mid_statement = false;  ///< opened in the middle of a statement
+    bool true_branch_seen = false;
 };
 
 bool ends_statement(std::string_view text) { return text == ";" || text == "}" || text == "{"; }
@@ -68,7 +70,7 @@ public:
     explicit BranchChooser(LexedText& lexed) : lexed_(lexed) {}
 
     void run() {
-        open_.push_back({{Branch{}}});
+        open_.push_back({{Branch{}}, {}});
         uint32_t token = 0;
         for (const Directive& directive : lexed_.directives) {
             read_tokens(token, directive.first_token);
@@ -111,7 +113,9 @@ private:
                 open_.back().branches.push_back(new_branch(directive, open_.back()));
                 break;
             case DirectiveKind::Endif:
-                if (open_.size() > 1) close_group(directive.first_token);
+                if (open_.size() < 2) break;
+                open_.back().directives.push_back({directive.first_token, directive.end_token});
+                close_group(directive.first_token);
                 break;
             default:
                 break;
@@ -122,6 +126,8 @@ private:
         Branch branch;
         branch.first_token = directive.end_token;
         const auto value = constant_condition(lexed_, directive);
+        group.directives.push_back({directive.first_token, directive.end_token});
+        if (!value && directive.kind != DirectiveKind::Else) group.all_constant = false;
         branch.dead = group.true_branch_seen || value == false;
         if (value == true) group.true_branch_seen = true;
         return branch;
@@ -131,6 +137,7 @@ private:
         Group group = std::move(open_.back());
         open_.pop_back();
         group.branches.back().end_token = end_token;
+        if (group.all_constant) dead_.insert(dead_.end(), group.directives.begin(), group.directives.end());
         const std::vector<bool> kept = keep(group);
         Branch& parent = current();
         for (size_t i = 0; i < group.branches.size(); ++i) {

@@ -89,6 +89,10 @@ bool is_macro_like(std::string_view word) {
     return letter && word.size() > 1;
 }
 
+bool is_word_character(char c) {
+    return c == '_' || (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+}
+
 /// A token of the head, or a whole bracketed group.
 struct Item {
     uint32_t at;     ///< position in Structure::tokens; of a group, its opening bracket
@@ -345,11 +349,15 @@ private:
         for (const Candidate& candidate : candidates) {
             if (!ends_head(candidate.group + 1)) continue;
             // MACRO(256) f(int a): what starts the head without a type is a macro if another list follows
-            const bool bare = candidate.name == 0 && is_macro_like(word_of(0));
-            if (first_fit == nullptr || (first_fit->name == 0 && is_macro_like(word_of(0)))) first_fit = &candidate;
+            const bool bare = candidate.name == 0 && is_macro_like(word_of(0)) && is_followed_by_name(candidate.group);
+            if (first_fit == nullptr || !bare) first_fit = &candidate;
             if (!bare) break;
         }
         return first_fit != nullptr ? *first_fit : candidates.back();
+    }
+
+    bool is_followed_by_name(size_t item) const {
+        return item + 1 < items_.size() && !items_[item + 1].group() && is_name(items_[item + 1].at);
     }
 
     /// True if only what may follow a parameter list stands from `item` to the body.
@@ -378,6 +386,7 @@ private:
                 head_.name = macro_name(word_of(chosen.name), items_[chosen.group - 1], false);
         } else if (chosen.name == 0 && chosen.group == 1 && !context_.in_class && is_macro_call(chosen)) {
             head_.name = macro_name(word_of(0), items_[1], true);
+            if (builds_type(word_of(0))) head_.kind = HeadKind::Struct;
         } else {
             head_.name = plain_name(chosen);
         }
@@ -393,6 +402,15 @@ private:
     bool is_macro_call(const Candidate& chosen) const {
         const std::string_view text = word_of(chosen.name);
         return context_.macros.contains(text) || is_macro_like(text);
+    }
+
+    /// `#define STRUCT(NAME) struct NAME`
+    bool builds_type(std::string_view macro) const {
+        const auto known = context_.macros.find(macro);
+        if (known == context_.macros.end()) return false;
+        const auto& words = known->second.replacement;
+        return !words.empty() && is_type_key(words.front()) &&
+               std::find(words.begin(), words.end(), "(") == words.end();
     }
 
     /// The items of the name, without template arguments; words are kept apart by a blank.
@@ -432,7 +450,7 @@ private:
         }
         std::string name;
         for (std::string text : words) {
-            std::erase_if(text, [](char c) { return !(c == '_' || (c >= '0' && c <= '9') || (c | 32) >= 'a'); });
+            std::erase_if(text, [](char c) { return !is_word_character(c); });
             if (!text.empty()) name += (name.empty() ? "" : "_") + text;
         }
         return name.empty() ? std::string(macro) : name;
@@ -445,6 +463,7 @@ private:
             if (i > 0 && words[i] == "(" && !takes_attribute_arguments(words[i - 1])) return words[i - 1];
         }
         if (!whole_head && words.size() == 1) return words[0];
+        if (whole_head && words.size() == 2 && is_type_key(words[0])) return words[1];
         return {};
     }
 
@@ -464,23 +483,27 @@ private:
         }
     }
 
-    /// Leaves macro lines out that a blank line or a comment separates from the signature.
+    /// Leaves macro lines out that have nothing to do with the signature: a blank line or a comment stands between, or
+    /// the macro is known to define something of its own.
     void trim_lead(size_t name_item) {
         size_t i = 0;
         while (i < name_item) {
             const bool has_arguments = i + 1 < name_item && is_paren(i + 1);
             const size_t next = i + (has_arguments ? 2 : 1);
-            const bool macro = !items_[i].group() && is_macro_like(word_of(i));
-            if (next > name_item || next >= items_.size() || (!macro && !has_arguments)) break;
-            if (!is_name(items_[i].at)) break;
-            const uint32_t end_line = token(has_arguments ? items_[i + 1].close : items_[i].at).line;
-            uint32_t start = items_[next].at;  // a template prefix or attribute before the next item belongs to it
+            if (items_[i].group() || !is_name(items_[i].at) || next > name_item) break;
+            if (!has_arguments && !is_macro_like(word_of(i))) break;
+            if (has_arguments && takes_attribute_arguments(word_of(i))) break;
             const uint32_t behind = (has_arguments ? items_[i + 1].close : items_[i].at) + 1;
-            start = std::min(start, behind);
-            if (token(start).line <= end_line + 1) break;
-            head_.first = start;
+            if (token(behind).line > token(behind - 1).line + 1 || defines_something(word_of(i))) head_.first = behind;
             i = next;
         }
+    }
+
+    bool defines_something(std::string_view macro) const {
+        const auto known = context_.macros.find(macro);
+        if (known == context_.macros.end()) return false;
+        const auto& words = known->second.replacement;
+        return std::find(words.begin(), words.end(), "{") != words.end() || (!words.empty() && words.back() == ";");
     }
 
     bool is_kernel() const {

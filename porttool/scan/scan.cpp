@@ -67,17 +67,21 @@ void classify_lines(ScannedFile& file, const std::vector<TokenRange>& declaratio
     const LexedText& lexed = file.lexed;
     file.lines.assign(lexed.line_count, LineClass::Blank);
     for (const LineSpan& comment : lexed.comments) mark(file.lines, comment.first, comment.last, LineClass::Comment);
-    std::vector<bool> understood(lexed.tokens.size(), false);
-    for (const TokenRange& range : declarations)
-        for (uint32_t i = range.first; i < range.end; ++i) understood[i] = true;
+    std::vector<int32_t> change(lexed.tokens.size() + 1, 0);  // ranges nest: count them in and out
+    for (const TokenRange& range : declarations) {
+        ++change[range.first];
+        --change[range.end];
+    }
+    int32_t understood = 0;
     for (uint32_t i = 0; i < lexed.tokens.size(); ++i) {
         const Token& token = lexed.tokens[i];
+        understood += change[i];
         LineClass line_class = LineClass::Unclassified;
         if (token.flags & kDead)
             line_class = LineClass::Comment;
         else if (token.flags & kInDirective)
             line_class = LineClass::Directive;
-        else if (understood[i] || (token.flags & kOffStructure))
+        else if (understood > 0 || (token.flags & kOffStructure))
             line_class = LineClass::Declaration;
         uint32_t last = token.line;
         if (token.kind == TokenKind::String)  // raw strings span lines

@@ -108,7 +108,25 @@ private:
 
     void end_statement() {
         if (assigned_ || variable_) add_constants();
+        if (declares_old_parameters()) {
+            ++at_;
+            return;
+        }
         next_statement(at_ + 1);
+    }
+
+    /// C before prototypes: `int add(a, b) int a; int b; {`. The head goes on behind the semicolon.
+    bool declares_old_parameters() const {
+        if (context_.language != Language::C || assigned_ || at_ >= end_) return false;
+        for (uint32_t at = start_; at + 2 < at_; ++at) {
+            if (word(at) == "typedef") return false;
+            if (word(at) != "(" || structure_.match[at] == kNoMatch) continue;
+            const uint32_t behind = structure_.match[at] + 1;
+            if (at == start_ || takes_attribute_arguments(word(at - 1))) return false;
+            return behind + 1 < at_ && lexed_.tokens[token(behind)].kind == TokenKind::Identifier &&
+                   !takes_attribute_arguments(word(behind)) && word(behind + 1) != "(";
+        }
+        return false;
     }
 
     void add_constants() {
@@ -191,7 +209,9 @@ private:
 
     void enter_scope(uint32_t close, const std::string& name, bool is_class, size_t unit = kNoUnit) {
         declare(start_, at_ + 1);
-        const std::string prefix = scopes_.back().prefix + (name.empty() ? "" : name + "::");
+        std::string prefix = scopes_.back().prefix;
+        constexpr size_t kLongestPrefix = 1024;  // a thousand nested scopes would fill the memory with their names
+        if (!name.empty() && prefix.size() < kLongestPrefix) prefix += name + "::";
         scopes_.push_back({close, prefix, is_class, unit});
         begin_statement(at_ + 1);
     }

@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+// The command line as a user meets it: exit codes, streams, JSON.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "porttool/command/commands.h"
+
+namespace porttool {
+namespace {
+
+struct CommandRun {
+    int exit_code;
+    std::string out, err;
+};
+
+CommandRun run(Disk& disk, std::vector<const char*> arguments) {
+    arguments.insert(arguments.begin(), "porttool");
+    std::ostringstream out, err;
+    const int code = run_porttool(static_cast<int>(arguments.size()), arguments.data(), disk, out, err);
+    return {code, out.str(), err.str()};
+}
+
+TEST(Command, ScanPrintsTheContractsFields) {
+    MemoryDisk disk;
+    disk.files = {{"/r/k/a.cl", "// c\n__kernel void f(int a) {\n}\n"},
+                  {"/r/k/empty.h", "int x;\n"},
+                  {"/r/.git/HEAD", ""},
+                  {"/r/k/bad.cu", std::string(1, '\0')}};
+    const CommandRun got = run(disk, {"-C", "/r/k", "scan", ".", "--format", "json"});
+    ASSERT_EQ(got.exit_code, 0) << got.err;
+    const auto json = nlohmann::json::parse(got.out);
+    ASSERT_EQ(json["units"].size(), 2u);
+    const auto& unit = json["units"][0];
+    EXPECT_EQ(unit["id"], "k/a.cl:f");
+    EXPECT_EQ(unit["file"], "k/a.cl");
+    EXPECT_EQ(unit["kind"], "kernel");
+    EXPECT_EQ(unit["language"], "opencl");
+    EXPECT_EQ(unit["start_line"], 2);
+    EXPECT_EQ(unit["end_line"], 3);
+    EXPECT_EQ(unit["fingerprint"].get<std::string>().size(), 16u);
+    EXPECT_EQ(json["units"][1]["id"], "k/empty.h:@file");
+    EXPECT_EQ(json["units"][1]["kind"], "file");
+    EXPECT_EQ(json["skipped"][0]["file"], "k/bad.cu");
+}
+
+TEST(Command, NamesThatAreNotUtf8GiveValidJson) {
+    MemoryDisk disk;
+    disk.files = {{"/r/a.cl", "void f\xE4() {}\n"}};
+    const CommandRun got = run(disk, {"-C", "/r", "scan", "a.cl", "--format", "json"});
+    ASSERT_EQ(got.exit_code, 0);
+    EXPECT_NO_THROW({ const auto json = nlohmann::json::parse(got.out); });
+}
+
+TEST(Command, WhatCannotBeDoneIsExitCodeTwoWithEmptyStdout) {
+    MemoryDisk disk;
+    disk.files = {{"/r/a.cl", "void f() {}\n"}};
+    for (const auto& arguments : std::vector<std::vector<const char*>>{{},
+                                                                       {"scna", "a"},
+                                                                       {"scan"},
+                                                                       {"scan", "/r/none"},
+                                                                       {"-C", "/none", "scan", "."},
+                                                                       {"-C", "/r", "scan", "a.cl", "--format", "xml"},
+                                                                       {"scan", "--bogus", "x"}}) {
+        const CommandRun got = run(disk, arguments);
+        EXPECT_EQ(got.exit_code, 2);
+        EXPECT_EQ(got.out, "");
+        EXPECT_FALSE(got.err.empty());
+        EXPECT_LE(std::count(got.err.begin(), got.err.end(), '\n'), 2) << got.err;
+    }
+    EXPECT_NE(run(disk, {"scna", "a"}).err.find("did you mean 'scan'"), std::string::npos);
+}
+
+TEST(Command, HelpAndVersionAreExitCodeZero) {
+    MemoryDisk disk;
+    for (const auto& arguments :
+         std::vector<std::vector<const char*>>{{"--help"}, {"--version"}, {"scan", "--help"}, {"map", "--help"}}) {
+        const CommandRun got = run(disk, arguments);
+        EXPECT_EQ(got.exit_code, 0);
+        EXPECT_FALSE(got.out.empty());
+        EXPECT_EQ(got.err, "");
+    }
+}
+
+TEST(Command, OutputGoesToTheFile) {
+    MemoryDisk disk;
+    disk.files = {{"/r/a.cl", "void f() {}\n"}};
+    const CommandRun got = run(disk, {"-C", "/r", "scan", "a.cl", "-o", "/r/out.txt"});
+    EXPECT_EQ(got.exit_code, 0);
+    EXPECT_EQ(got.out, "");
+    EXPECT_NE(disk.files["/r/out.txt"].find("a.cl:f"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace porttool

@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+// Small texts, one hard case each.
+#include "tests/porttool/fixtures.h"
+
+namespace porttool::testing {
+namespace {
+
+TEST(Scan, MainOfAShaderIsAKernelAndThatOfAProgramIsNot) {
+    EXPECT_EQ(units_of("a.comp", "void main() {}\n"), "kernel 1-1 main\n");
+    EXPECT_EQ(units_of("a.cpp", "int main() {}\n"), "function 1-1 main\n");
+}
+
+TEST(Scan, ABlockWithLayoutIsNoFunction) {
+    EXPECT_EQ(
+        units_of("a.rgen", "layout(set = 0, binding = 1) uniform Camera {\n  mat4 view;\n} camera;\nvoid main() {}\n"),
+        "struct 1-3 Camera\nkernel 4-4 main\n");
+}
+
+TEST(Scan, LayoutBeforeMainDoesNotHideIt) {
+    EXPECT_EQ(units_of("a.comp", "layout(local_size_x = 8, local_size_y = 8) in;\nvoid main()\n{\n}\n"),
+              "kernel 2-4 main\n");
+}
+
+TEST(Scan, BranchesThatAreWholeFunctionsAreVariants) {
+    EXPECT_EQ(units_of("a.cu", "#ifdef A\nint f(int a) { return a; }\n#else\nint f(int a) { return -a; }\n#endif\n"),
+              "function 2-2 f\nfunction 4-4 f#2\n");
+}
+
+TEST(Scan, OfTwoHeadsForOneBodyTheFirstCounts) {
+    EXPECT_EQ(
+        units_of("a.cu",
+                 "#ifdef A\nint f(int a) {\n#else\nint g(float a) {\n#endif\n  return 1;\n}\nint h() { return 2; }\n"),
+        "function 2-7 f\nfunction 8-8 h\n");
+}
+
+TEST(Scan, ABranchFourTimesLongerCountsInsteadOfTheFirst) {
+    EXPECT_EQ(units_of("a.cu",
+                       "#ifdef A\nint f() {\n#else\nint helper(int a) { return a + a + a + a + a + a; }\n"
+                       "int g(float a) {\n#endif\n  return 1;\n}\n"),
+              "function 4-4 helper\nfunction 5-8 g\n");
+}
+
+TEST(Scan, DeadCodeIsNoUnit) {
+    EXPECT_EQ(
+        units_of("a.cl",
+                 "#if 0\nint f() { }\n#else\nint g() { }\n#endif\n#if 1\nint h() { }\n#else\nint i() { }\n#endif\n"),
+        "function 4-4 g\nfunction 7-7 h\n");
+}
+
+TEST(Scan, FunctionsWithinFunctionsStayInside) {
+    EXPECT_EQ(units_of("a.cpp",
+                       "int f() {\n  struct L { int g() { return 1; } };\n  auto h = [](int x) { return x; };\n  "
+                       "return h(L().g());\n}\n"),
+              "function 1-5 f\n");
+}
+
+TEST(Scan, AFileOnlyScopeIsNotInTheName) {
+    EXPECT_EQ(units_of("a.cpp", "namespace { namespace b { int f() { return 1; } } }\n"), "function 1-1 b::f\n");
+}
+
+TEST(Scan, ANameOfAMacroIsReadFromItsDefinition) {
+    EXPECT_EQ(units_of("a.h", "#define FN(n) bvh_##n##_motion\nint FN(trace)(int a) { return a; }\n"),
+              "constant 1-1 FN\nfunction 2-2 bvh_trace_motion\n");
+    EXPECT_EQ(units_of("a.h", "int FN(trace)(int a) { return a; }\n"), "function 1-1 trace\n");
+}
+
+TEST(Scan, AMacroOnItsOwnLineBelongsToTheFunctionOnlyWithoutAGap) {
+    EXPECT_EQ(units_of("a.cpp", "ATTR(1)\nint f() {}\n"), "function 1-2 f\n");
+    EXPECT_EQ(units_of("a.cpp", "EXPORT(Foo)\n\nint f() {}\n"), "function 3-3 f\n");
+    EXPECT_EQ(units_of("a.cpp", "EXPORT(Foo)\n\nFoo::Foo(int a) : b(a), c{a} {\n}\n"), "function 3-4 Foo::Foo\n");
+}
+
+TEST(Scan, InitialisersAreNotBodies) {
+    EXPECT_EQ(units_of("a.cpp", "Foo x{1, 2};\nstd::vector<int> y = {1, 2};\nint f() { return 1; }\n"),
+              "function 3-3 f\n");
+}
+
+TEST(Scan, EnumsCarryValues) {
+    EXPECT_EQ(units_of("a.cpp", "enum class Mode : int {\n  A = 1,\n};\n"), "constant 1-3 Mode\n");
+}
+
+TEST(Scan, IncludeGuardsAndQualifierWordsCarryNone) {
+    EXPECT_EQ(units_of("a.h", "#ifndef A_H\n#define A_H\n#define INLINE static inline\n#define PI 3.14f\n#endif\n"),
+              "constant 4-4 PI\n");
+}
+
+TEST(Scan, EmptyAndOddFilesHaveNoUnits) {
+    EXPECT_EQ(units_of("a.cpp", ""), "");
+    EXPECT_EQ(units_of("a.cpp", "}}}\n"), "");
+    EXPECT_EQ(units_of("a.cpp", "#else\n#endif\n#endif\nint f() {}\n"), "function 4-4 f\n");
+}
+
+TEST(Scan, AFunctionCutOffByTheEndIsStillThere) {
+    EXPECT_EQ(units_of("a.cpp", "int f() {\n  if (a) {\n"), "function 1-2 f\n");
+}
+
+}  // namespace
+}  // namespace porttool::testing

@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/read/source_files.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+namespace porttool {
+namespace {
+
+std::vector<std::string> names(const SourceSet& set) {
+    std::vector<std::string> out;
+    for (const SourceText& file : set.files) out.push_back(file.path);
+    return out;
+}
+
+using Names = std::vector<std::string>;
+
+TEST(SourceFiles, FoldersAreReadByKnownSuffixAndIgnoreRules) {
+    MemoryDisk disk;
+    disk.files = {{"/r/a.cl", "x"},      {"/r/b.txt", "x"},           {"/r/out/c.cl", "x"},
+                  {"/r/k/d.cu", "x"},    {"/r/.gitignore", "out/\n"}, {"/r/.git/e.cl", "x"},
+                  {"/r/k/.cuda.cu", "x"}};
+    std::vector<std::string> missing;
+    EXPECT_EQ(names(read_paths(disk, "/r", {"/r"}, missing)), (Names{"a.cl", "k/.cuda.cu", "k/d.cu"}));
+    EXPECT_EQ(names(read_paths(disk, "/r", {"/r/b.txt", "/r/k"}, missing)), (Names{"b.txt", "k/.cuda.cu", "k/d.cu"}));
+    EXPECT_TRUE(missing.empty());
+    read_paths(disk, "/r", {"/r/none.cl"}, missing);
+    EXPECT_EQ(missing, Names{"/r/none.cl"});
+}
+
+TEST(SourceFiles, GlobsThatMatchNothingAreNamed) {
+    MemoryDisk disk;
+    disk.files = {{"/r/src/a.cl", "x"}, {"/r/src/b.inc", "x"}};
+    std::vector<std::string> unmatched;
+    EXPECT_EQ(names(read_globs(disk, "/r", {"src/**"}, unmatched)), Names{"src/a.cl"});
+    EXPECT_EQ(names(read_globs(disk, "/r", {"src/*.inc"}, unmatched)), Names{"src/b.inc"});
+    EXPECT_TRUE(unmatched.empty());
+    read_globs(disk, "/r", {"lib/*.cl"}, unmatched);
+    EXPECT_EQ(unmatched, Names{"lib/*.cl"});
+}
+
+TEST(SourceFiles, WhatCannotBeReadIsSkippedWithItsReason) {
+    MemoryDisk disk;
+    disk.files = {{"/r/bin.cl", std::string("a\0b", 3)}, {"/r/wide.cl", "\xFF\xFEi"}, {"/r/ok.cl", "x"}};
+    disk.errors = {{"/r/gone.cl", "cannot be read: No such file or directory"}};
+    std::vector<std::string> missing;
+    const SourceSet set = read_paths(disk, "/r", {"/r"}, missing);
+    EXPECT_EQ(names(set), Names{"ok.cl"});
+    ASSERT_EQ(set.skipped.size(), 3u);
+    EXPECT_EQ(set.skipped[0].reason, "is binary: byte 1 is NUL");
+    EXPECT_EQ(set.skipped[1].reason, "cannot be read: No such file or directory");
+    EXPECT_EQ(set.skipped[2].reason, "is UTF-16; save it as UTF-8 to have it scanned");
+}
+
+TEST(SourceFiles, LoopsOfSymbolicLinksEnd) {
+    const auto root = std::filesystem::temp_directory_path() / "porttool_loop_test";
+    std::filesystem::remove_all(root);
+    std::filesystem::create_directories(root / "a");
+    std::filesystem::create_directory_symlink("..", root / "a" / "up");
+    std::filesystem::create_symlink("self.cl", root / "self.cl");
+    RealDisk disk;
+    ASSERT_EQ(disk.write((root / "a" / "k.cl").string(), "int f() {}\n"), "");
+    std::vector<std::string> missing;
+    const SourceSet set = read_paths(disk, root.string(), {root.string()}, missing);
+    EXPECT_EQ(names(set), Names{"a/k.cl"});
+    ASSERT_EQ(set.skipped.size(), 1u);
+    EXPECT_EQ(set.skipped[0].file, "self.cl");
+    std::filesystem::remove_all(root);
+}
+
+}  // namespace
+}  // namespace porttool
