@@ -44,7 +44,7 @@ vec3 sky_map_radiance(vec2 coordinates) {
 Float sky_density(Float probability, Float v) {
     Float sine = cos_sin_turns(min(v * 0.5f, 0.5f)).y;
     return probability * float(settings.sky_width) * float(settings.sky_height) /
-           (2.0f * PI * PI * max(sine, 1.0e-6f));
+           (TWO_PI_SQUARED * max(sine, 1.0e-6f));
 }
 
 struct SkyLookup {

@@ -8,11 +8,13 @@
 namespace target_core::kernels {
 
 // Functions whose built-in versions differ between devices in their last bits are written out here, so that both
-// cores compute the same bits: only + - * / sqrt, comparisons and bit casts are used.
+// cores compute the same bits: only + - * / sqrt, comparisons and bit casts are used. Constants are not multiplied with
+// each other: a GLSL compiler folds them in double precision, a C++ compiler in float.
 
 const float PI = 3.14159265358979f;
 const float INVERSE_PI = 0.318309886183791f;
 const float HALF_PI = 1.57079632679490f;
+const float TWO_PI_SQUARED = 19.7392088021787f;
 const float SMALLEST = 1.0e-30f;
 
 inline Float square(Float x) { return x * x; }
