@@ -1,0 +1,385 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <vector>
+
+#include "render_system/core_api.h"
+
+// What core_api.h promises, held against a core. For a core of its own, a test writes
+//
+//     struct SourceCore {
+//         static std::unique_ptr<CoreAPI> create();
+//         static CoreOptions options();
+//     };
+//     INSTANTIATE_TYPED_TEST_SUITE_P(Source, CoreContractSuite, SourceCore);
+//
+// A core without a device on this machine skips with its own reasons.
+
+namespace render_system::testing {
+
+/// Two triangles in front of the camera that fill most of the picture, in memory of its own.
+struct ContractScene {
+    std::vector<glm::vec3> positions = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}};
+    std::vector<glm::vec3> normals = std::vector<glm::vec3>(4, glm::vec3(0, 0, 1));
+    std::vector<glm::vec2> uv0 = {{0, 1}, {1, 1}, {1, 0}, {0, 0}};
+    std::vector<glm::uvec4> triangles = {{0, 1, 2, 0}, {0, 2, 3, 0}};
+    std::vector<uint32_t> texels = {0xFF0000FFu, 0xFF00FF00u, 0xFFFF0000u, 0xFFFFFFFFu, 0xFF808080u};
+    std::vector<CoreMaterial> materials = std::vector<CoreMaterial>(1);
+    std::vector<CoreLight> lights = std::vector<CoreLight>(1);
+    std::vector<AliasEntry> table = {{1.0f, 0, 1.0f}};
+
+    ContractScene() {
+        materials[0].base_color_texture.texture = 0;
+        lights[0].kind = LightKind::point;
+        lights[0].vertices[0] = glm::vec3(0, 0, 2);
+        lights[0].emission = glm::vec3(5);
+    }
+
+    CoreMesh mesh() const {
+        CoreMesh mesh;
+        mesh.positions = positions;
+        mesh.normals = normals;
+        mesh.uv0 = uv0;
+        mesh.triangles = triangles;
+        return mesh;
+    }
+
+    CoreTexture texture() const {
+        CoreTexture texture;
+        texture.width = 2;
+        texture.height = 2;
+        texture.levels = 2;
+        texture.texels = texels;
+        return texture;
+    }
+
+    CoreLights light_table() const { return {lights, table, 4.0f}; }
+
+    static CoreSky sky() {
+        CoreSky sky;
+        sky.radiance = glm::vec3(0.5f);
+        return sky;
+    }
+};
+
+inline ViewPyramid contract_view() {
+    ViewPyramid view;
+    view.eye = {0, 0, 3};
+    view.top_left = {-0.5f, 0.5f, 2};
+    view.top_right = {0.5f, 0.5f, 2};
+    view.bottom_left = {-0.5f, -0.5f, 2};
+    return view;
+}
+
+template <class Core>
+class CoreContractSuite : public ::testing::Test {
+protected:
+    static constexpr uint32_t SIDE = 16;
+
+    void SetUp() override { core_ = Core::create(); }
+
+    /// Init, or a skip if this machine cannot run the core.
+    bool opened() {
+        const Status status = core_->Init(Core::options());
+        if (status.ok()) return true;
+        EXPECT_EQ(status.code, StatusCode::no_device) << status.message;
+        return false;
+    }
+
+    void send(const ContractScene& scene) {
+        const CoreTexture texture = scene.texture();
+        expect_ok(core_->SetTextures({&texture, 1}));
+        expect_ok(core_->SetMaterials(0, scene.materials));
+        expect_ok(core_->SetGeometry(0, scene.mesh()));
+        expect_ok(core_->SetInstance(0, 0, CoreTransform()));
+        expect_ok(core_->SetLights(scene.light_table()));
+        expect_ok(core_->SetSkyData(ContractScene::sky()));
+        expect_ok(core_->Setting(CoreSettings()));
+    }
+
+    CoreTarget target(uint32_t side = SIDE) {
+        pixels_.assign(static_cast<size_t>(side) * side, glm::vec4(std::numeric_limits<float>::quiet_NaN()));
+        return {side, side, pixels_};
+    }
+
+    std::vector<glm::vec4> render(uint32_t samples = 1, Convergence convergence = Convergence::Restart) {
+        expect_ok(core_->Render(contract_view(), convergence, samples));
+        for (const glm::vec4& pixel : pixels_) {
+            EXPECT_TRUE(std::isfinite(pixel.x + pixel.y + pixel.z));
+            EXPECT_EQ(pixel.w, 1.0f);
+        }
+        return pixels_;
+    }
+
+    static void expect_ok(const Status& status) { EXPECT_TRUE(status.ok()) << status.message; }
+
+    static void expect_refused(const Status& status, StatusCode code = StatusCode::invalid_argument) {
+        EXPECT_EQ(status.code, code) << status.message;
+        EXPECT_FALSE(status.message.empty());
+    }
+
+    /// Every call but Init answers wrong_order.
+    void expect_all_refused() {
+        const ContractScene scene;
+        const CoreTexture texture = scene.texture();
+        expect_refused(core_->SetTarget(target()), StatusCode::wrong_order);
+        expect_refused(core_->Setting(CoreSettings()), StatusCode::wrong_order);
+        expect_refused(core_->SetTextures({&texture, 1}), StatusCode::wrong_order);
+        expect_refused(core_->SetMaterials(0, scene.materials), StatusCode::wrong_order);
+        expect_refused(core_->SetLights(scene.light_table()), StatusCode::wrong_order);
+        expect_refused(core_->SetSkyData(ContractScene::sky()), StatusCode::wrong_order);
+        expect_refused(core_->SetGeometry(0, scene.mesh()), StatusCode::wrong_order);
+        expect_refused(core_->SetInstance(0, NONE, CoreTransform()), StatusCode::wrong_order);
+        expect_refused(core_->Render(contract_view(), Convergence::Restart, 1), StatusCode::wrong_order);
+    }
+
+    std::unique_ptr<CoreAPI> core_;
+    std::vector<glm::vec4> pixels_;
+};
+
+#define SKIP_WITHOUT_DEVICE() \
+    if (!this->opened()) GTEST_SKIP() << "no device for this core"
+
+TYPED_TEST_SUITE_P(CoreContractSuite);
+
+TYPED_TEST_P(CoreContractSuite, NothingWorksBeforeInitOrAfterShutdown) {
+    this->expect_all_refused();
+    SKIP_WITHOUT_DEVICE();
+    this->expect_refused(this->core_->Init(TypeParam::options()), StatusCode::wrong_order);
+    this->core_->Shutdown();
+    this->expect_all_refused();
+    this->core_->Shutdown();
+}
+
+TYPED_TEST_P(CoreContractSuite, StatisticsAreZeroBeforeTheFirstRender) {
+    SKIP_WITHOUT_DEVICE();
+    const CoreStats stats = this->core_->GetCoreStats();
+    EXPECT_EQ(stats.samples, 0u);
+    EXPECT_EQ(stats.primary_rays + stats.extension_rays + stats.shadow_rays, 0u);
+    EXPECT_EQ(stats.total_ms, 0.0);
+}
+
+TYPED_TEST_P(CoreContractSuite, RendersAndCounts) {
+    SKIP_WITHOUT_DEVICE();
+    this->send(ContractScene());  // gone before the first Render: a core copies
+    this->expect_ok(this->core_->SetTarget(this->target()));
+    this->render(3);
+    const CoreStats stats = this->core_->GetCoreStats();
+    EXPECT_FALSE(stats.core.empty());
+    EXPECT_FALSE(stats.device.empty());
+    EXPECT_EQ(stats.samples, 3u);
+    EXPECT_EQ(stats.triangles, 2u);
+    EXPECT_EQ(stats.primary_rays, 3u * this->SIDE * this->SIDE);
+}
+
+TYPED_TEST_P(CoreContractSuite, ConvergeAddsAndRestartDrops) {
+    SKIP_WITHOUT_DEVICE();
+    this->send(ContractScene());
+    this->expect_ok(this->core_->SetTarget(this->target()));
+    const std::vector<glm::vec4> first = this->render(1);
+    this->render(2, Convergence::Converge);
+    EXPECT_EQ(this->core_->GetCoreStats().samples, 3u);
+    EXPECT_EQ(this->render(1), first);
+    EXPECT_EQ(this->core_->GetCoreStats().samples, 1u);
+}
+
+TYPED_TEST_P(CoreContractSuite, SamplesTakenInPartsGiveTheSamePicture) {
+    SKIP_WITHOUT_DEVICE();
+    this->send(ContractScene());
+    this->expect_ok(this->core_->SetTarget(this->target()));
+    const std::vector<glm::vec4> whole = this->render(4);
+    this->render(1);
+    EXPECT_EQ(this->render(3, Convergence::Converge), whole);
+}
+
+TYPED_TEST_P(CoreContractSuite, ATargetOfAnotherSizeStartsAnew) {
+    SKIP_WITHOUT_DEVICE();
+    this->send(ContractScene());
+    this->expect_ok(this->core_->SetTarget(this->target()));
+    this->render(2);
+    this->expect_ok(this->core_->SetTarget(this->target(7)));
+    this->render(1, Convergence::Converge);
+    EXPECT_EQ(this->core_->GetCoreStats().samples, 1u);
+    EXPECT_EQ(this->core_->GetCoreStats().primary_rays, 49u);
+}
+
+TYPED_TEST_P(CoreContractSuite, AnEmptySceneIsAllSky) {
+    SKIP_WITHOUT_DEVICE();
+    this->expect_ok(this->core_->SetTarget(this->target()));
+    const std::vector<glm::vec4> pixels = this->render();
+    for (const glm::vec4& pixel : pixels) EXPECT_EQ(pixel, pixels[0]);
+    EXPECT_EQ(this->core_->GetCoreStats().triangles, 0u);
+}
+
+TYPED_TEST_P(CoreContractSuite, RefusesTargetsAndSettingsThatMakeNoSense) {
+    SKIP_WITHOUT_DEVICE();
+    CoreTarget target = this->target();
+    target.width = 0;
+    this->expect_refused(this->core_->SetTarget(target));
+    target = this->target();
+    target.height = 0;
+    this->expect_refused(this->core_->SetTarget(target));
+    target = this->target();
+    target.pixels = target.pixels.first(target.pixels.size() - 1);
+    this->expect_refused(this->core_->SetTarget(target));
+    CoreSettings settings;
+    settings.max_path_length = 0;
+    this->expect_refused(this->core_->Setting(settings));
+    this->expect_refused(this->core_->Render(contract_view(), Convergence::Restart, 1), StatusCode::wrong_order);
+}
+
+TYPED_TEST_P(CoreContractSuite, RefusesTexturesThatAreNoMipChain) {
+    SKIP_WITHOUT_DEVICE();
+    const ContractScene scene;
+    for (uint32_t levels : {0u, 1u, 3u}) {
+        CoreTexture texture = scene.texture();
+        texture.levels = levels;
+        this->expect_refused(this->core_->SetTextures({&texture, 1}));
+    }
+    CoreTexture texture = scene.texture();
+    texture.width = 0;
+    this->expect_refused(this->core_->SetTextures({&texture, 1}));
+}
+
+TYPED_TEST_P(CoreContractSuite, RefusesGapsInNumberedThings) {
+    SKIP_WITHOUT_DEVICE();
+    const ContractScene scene;
+    this->expect_refused(this->core_->SetMaterials(1, scene.materials));
+    this->expect_refused(this->core_->SetGeometry(1, scene.mesh()));
+    this->expect_refused(this->core_->SetInstance(1, NONE, CoreTransform()));
+    this->send(scene);
+    this->expect_refused(this->core_->SetMaterials(2, scene.materials));
+    this->expect_ok(this->core_->SetMaterials(1, scene.materials));
+    this->expect_ok(this->core_->SetGeometry(1, scene.mesh()));
+    this->expect_ok(this->core_->SetInstance(1, 1, CoreTransform()));
+}
+
+TYPED_TEST_P(CoreContractSuite, RefusesMeshesThatContradictThemselves) {
+    SKIP_WITHOUT_DEVICE();
+    ContractScene scene;
+    scene.triangles[1].y = 4;
+    this->expect_refused(this->core_->SetGeometry(0, scene.mesh()));
+    scene = ContractScene();
+    CoreMesh mesh = scene.mesh();
+    mesh.normals = mesh.normals.first(3);
+    this->expect_refused(this->core_->SetGeometry(0, mesh));
+    mesh = scene.mesh();
+    mesh.uv0 = mesh.uv0.first(1);
+    this->expect_refused(this->core_->SetGeometry(0, mesh));
+    const std::vector<glm::vec4> tangents(5);
+    mesh = scene.mesh();
+    mesh.tangents = tangents;
+    this->expect_refused(this->core_->SetGeometry(0, mesh));
+    const std::vector<uint32_t> colors(3);
+    mesh = scene.mesh();
+    mesh.colors = colors;
+    this->expect_refused(this->core_->SetGeometry(0, mesh));
+}
+
+TYPED_TEST_P(CoreContractSuite, RefusesInstancesOfNothingAndMatricesThatAreNotFinite) {
+    SKIP_WITHOUT_DEVICE();
+    this->expect_refused(this->core_->SetInstance(0, 0, CoreTransform()));
+    this->send(ContractScene());
+    CoreTransform transform;
+    transform.rows[1].z = std::numeric_limits<float>::quiet_NaN();
+    this->expect_refused(this->core_->SetInstance(0, 0, transform));
+    transform.rows[1].z = std::numeric_limits<float>::infinity();
+    this->expect_refused(this->core_->SetInstance(0, 0, transform));
+}
+
+TYPED_TEST_P(CoreContractSuite, RefusesTablesOfTheWrongLength) {
+    SKIP_WITHOUT_DEVICE();
+    const ContractScene scene;
+    CoreLights lights = scene.light_table();
+    lights.table = {};
+    this->expect_refused(this->core_->SetLights(lights));
+    const std::vector<AliasEntry> wild = {{0.5f, 7, 1.0f}};
+    lights.table = wild;
+    this->expect_refused(this->core_->SetLights(lights));
+    const std::vector<glm::vec4> texels(2, glm::vec4(1));
+    CoreSky sky;
+    sky.width = 2;
+    sky.height = 1;
+    sky.texels = texels;
+    this->expect_refused(this->core_->SetSkyData(sky));
+    const std::vector<AliasEntry> table = {{1.0f, 0, 0.5f}, {1.0f, 1, 0.5f}};
+    sky.table = table;
+    this->expect_ok(this->core_->SetSkyData(sky));
+    sky.width = 3;
+    this->expect_refused(this->core_->SetSkyData(sky));
+}
+
+TYPED_TEST_P(CoreContractSuite, DanglingIdsAreRefusedAtRender) {
+    SKIP_WITHOUT_DEVICE();
+    this->expect_ok(this->core_->SetTarget(this->target()));
+    ContractScene scene;
+    scene.triangles[1].w = 1;  // no such material yet
+    this->send(scene);
+    this->expect_refused(this->core_->Render(contract_view(), Convergence::Restart, 1));
+    this->expect_ok(this->core_->SetMaterials(1, scene.materials));
+    this->render();
+    scene.materials[0].emission_texture.texture = 1;  // no such texture
+    this->expect_ok(this->core_->SetMaterials(1, scene.materials));
+    this->expect_refused(this->core_->Render(contract_view(), Convergence::Restart, 1));
+    this->expect_ok(this->core_->SetMaterials(1, ContractScene().materials));
+    this->render();
+    this->expect_ok(this->core_->SetTextures({}));
+    this->expect_refused(this->core_->Render(contract_view(), Convergence::Restart, 1));
+}
+
+TYPED_TEST_P(CoreContractSuite, AFailedCallLeavesWhatWasSetBefore) {
+    SKIP_WITHOUT_DEVICE();
+    const ContractScene scene;
+    this->send(scene);
+    this->expect_ok(this->core_->SetTarget(this->target()));
+    const std::vector<glm::vec4> before = this->render();
+    ContractScene broken;
+    broken.triangles[0].x = 99;
+    this->expect_refused(this->core_->SetGeometry(0, broken.mesh()));
+    this->expect_refused(this->core_->SetMaterials(9, broken.materials));
+    this->expect_refused(this->core_->SetInstance(0, 5, CoreTransform()));
+    CoreTexture texture = broken.texture();
+    texture.levels = 9;
+    this->expect_refused(this->core_->SetTextures({&texture, 1}));
+    CoreTarget target{this->SIDE, 0, {}};
+    this->expect_refused(this->core_->SetTarget(target));
+    EXPECT_EQ(this->render(), before);
+}
+
+TYPED_TEST_P(CoreContractSuite, EditsTakeEffectWithTheNextRender) {
+    SKIP_WITHOUT_DEVICE();
+    const ContractScene scene;
+    this->send(scene);
+    this->expect_ok(this->core_->SetTarget(this->target()));
+    const std::vector<glm::vec4> before = this->render();
+    this->expect_ok(this->core_->SetInstance(0, NONE, CoreTransform()));
+    this->render();
+    EXPECT_EQ(this->core_->GetCoreStats().triangles, 0u);
+    ContractScene half;
+    half.triangles.pop_back();
+    this->expect_ok(this->core_->SetGeometry(0, half.mesh()));
+    this->expect_ok(this->core_->SetInstance(0, 0, CoreTransform()));
+    this->render();
+    EXPECT_EQ(this->core_->GetCoreStats().triangles, 1u);
+    this->expect_ok(this->core_->SetGeometry(0, scene.mesh()));
+    EXPECT_EQ(this->render(), before);
+}
+
+#undef SKIP_WITHOUT_DEVICE
+
+REGISTER_TYPED_TEST_SUITE_P(CoreContractSuite, NothingWorksBeforeInitOrAfterShutdown,
+                            StatisticsAreZeroBeforeTheFirstRender, RendersAndCounts, ConvergeAddsAndRestartDrops,
+                            SamplesTakenInPartsGiveTheSamePicture, ATargetOfAnotherSizeStartsAnew, AnEmptySceneIsAllSky,
+                            RefusesTargetsAndSettingsThatMakeNoSense, RefusesTexturesThatAreNoMipChain,
+                            RefusesGapsInNumberedThings, RefusesMeshesThatContradictThemselves,
+                            RefusesInstancesOfNothingAndMatricesThatAreNotFinite, RefusesTablesOfTheWrongLength,
+                            DanglingIdsAreRefusedAtRender, AFailedCallLeavesWhatWasSetBefore,
+                            EditsTakeEffectWithTheNextRender);
+
+}  // namespace render_system::testing
