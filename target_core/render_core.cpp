@@ -5,6 +5,7 @@
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 
+#include <algorithm>
 #include <chrono>
 #include <new>
 #include <optional>
@@ -66,7 +67,8 @@ private:
     EmbreeScene embree_;
     std::optional<tbb::global_control> parallelism_;
     std::optional<tbb::task_arena> arena_;
-    std::vector<vec4> accumulator_;
+    std::vector<vec4> accumulator_;  // sums of all samples
+    std::vector<vec4> picture_;      // their mean; copied to the target, whose memory need not be aligned
     float total_light_weight_ = 0.0f;
     uint light_features_ = 0;
     glm::vec3 sky_radiance_{0.0f};
@@ -120,6 +122,7 @@ Status TargetCore::SetTarget(const CoreTarget& target) {
     return guarded([&] {
         if (target.width != target_.width || target.height != target_.height) {
             accumulator_.assign(size_t{target.width} * target.height, vec4(0.0f));
+            picture_ = accumulator_;
             restart();
         }
         target_ = target;
@@ -298,7 +301,7 @@ Bindings TargetCore::bindings() {
     bindings.geometry = meshes_.geometry().data();
     bindings.scene = embree_.scene();
     bindings.accumulator = accumulator_.data();
-    bindings.target = &target_.pixels.data()->x;
+    bindings.target = picture_.data();
     return bindings;
 }
 
@@ -341,6 +344,8 @@ Status TargetCore::Render(const ViewPyramid& view, Convergence convergence, uint
         stats_.shade_ms += rendered.shade_ms / threads;
         stats_.connect_ms += rendered.connect_ms / threads;
         stats_.finalize_ms += rendered.finalize_ms / threads;
+        std::transform(picture_.begin(), picture_.end(), target_.pixels.begin(),
+                       [](const vec4& p) { return glm::vec4(p.x, p.y, p.z, p.w); });
         stats_.total_ms += milliseconds_since(start);
         if (log) {
             measure_limit(*log);
@@ -351,9 +356,9 @@ Status TargetCore::Render(const ViewPyramid& view, Convergence convergence, uint
 
 uint64_t TargetCore::memory_bytes() const {
     auto bytes = [](const auto& rows) { return rows.capacity() * sizeof(rows[0]); };
-    return meshes_.memory_bytes() + embree_.memory_bytes() + bytes(accumulator_) + bytes(tables_.materials) +
-           bytes(tables_.texture_slots) + bytes(tables_.textures) + bytes(tables_.texels) + bytes(tables_.lights) +
-           bytes(tables_.light_table) + bytes(tables_.sky_texels) + bytes(tables_.sky_table);
+    return meshes_.memory_bytes() + embree_.memory_bytes() + bytes(accumulator_) + bytes(picture_) +
+           bytes(tables_.materials) + bytes(tables_.texture_slots) + bytes(tables_.textures) + bytes(tables_.texels) +
+           bytes(tables_.lights) + bytes(tables_.light_table) + bytes(tables_.sky_texels) + bytes(tables_.sky_table);
 }
 
 void TargetCore::Shutdown() {
@@ -362,6 +367,7 @@ void TargetCore::Shutdown() {
     meshes_ = {};
     tables_ = {};
     accumulator_ = {};
+    picture_ = {};
     arena_.reset();
     parallelism_.reset();
 }

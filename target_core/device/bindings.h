@@ -29,7 +29,7 @@ struct Bindings {
     const InstanceGeometry* geometry = nullptr;
     RTCScene scene = nullptr;
     vec4* accumulator = nullptr;
-    float* target = nullptr;  // four floats a pixel, without alignment
+    vec4* target = nullptr;
     Tile* tile = nullptr;
 };
 

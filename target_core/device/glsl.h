@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstdint>
+#include <type_traits>
 
 namespace target_core {
 
@@ -34,7 +35,7 @@ struct Vec3 {
 };
 
 template <class F>
-struct alignas(4 * sizeof(F)) Vec4 {
+struct alignas(sizeof(F) == 4 ? 16 : alignof(F)) Vec4 {
     F x, y, z, w;
     Vec4() = default;
     Vec4(F x_in, F y_in, F z_in, F w_in) : x(x_in), y(y_in), z(z_in), w(w_in) {}
@@ -52,7 +53,7 @@ inline Vec2<F> operator+(Vec2<F> a, Vec2<F> b) {
     return {a.x + b.x, a.y + b.y};
 }
 template <class F>
-inline Vec2<F> operator*(Vec2<F> a, F s) {
+inline Vec2<F> operator*(Vec2<F> a, std::type_identity_t<F> s) {
     return {a.x * s, a.y * s};
 }
 
@@ -74,7 +75,7 @@ inline Vec3<F> operator*(Vec3<F> a, Vec3<F> b) {
     return {a.x * b.x, a.y * b.y, a.z * b.z};
 }
 template <class F>
-inline Vec3<F> operator*(Vec3<F> a, F s) {
+inline Vec3<F> operator*(Vec3<F> a, std::type_identity_t<F> s) {
     return {a.x * s, a.y * s, a.z * s};
 }
 template <class F>
@@ -95,7 +96,7 @@ inline Vec4<F> operator-(Vec4<F> a, Vec4<F> b) {
     return {a.x - b.x, a.y - b.y, a.z - b.z, a.w - b.w};
 }
 template <class F>
-inline Vec4<F> operator*(Vec4<F> a, F s) {
+inline Vec4<F> operator*(Vec4<F> a, std::type_identity_t<F> s) {
     return {a.x * s, a.y * s, a.z * s, a.w * s};
 }
 

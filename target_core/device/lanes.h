@@ -3,8 +3,13 @@
 // Kind: rewritten; the original is source_core/kernels/language.glsl.
 //
 // The lane types that the kernel text is compiled for. This is the backend of one lane, the bit-exact reference. A
-// wider one supplies the same names for 8 or 16 values at a time; the kernel text stays as it is.
+// wider one supplies the same names for 8 or 16 values at a time and is put in place of this one by defining
+// TARGET_CORE_LANES as its header and `kernels` as a namespace of its own; the kernel text stays as it is.
 #pragma once
+
+#ifdef TARGET_CORE_LANES
+#include TARGET_CORE_LANES
+#else
 
 #include <bit>
 #include <cmath>
@@ -55,4 +60,27 @@ inline Uint bitfieldReverse(Uint x) {
     return __builtin_bswap32(x);
 }
 
+// ---- Memory: a row per lane ----
+
+template <class Row>
+inline Row gather(const Row* rows, Uint index) {
+    return rows[index];
+}
+
+template <class Row>
+inline void scatter(Row* rows, Uint index, Row row, Mask where) {
+    if (where) {
+        rows[index] = row;
+    }
+}
+
+// Appends the rows of the lanes that are set; the new length.
+template <class Row>
+inline uint compact(Row* rows, uint length, Row row, Mask where) {
+    scatter(rows, length, row, where);
+    return length + (where ? 1u : 0u);
+}
+
 }  // namespace target_core::kernels
+
+#endif

@@ -5,6 +5,10 @@
 // Here the walk is Embree's; t, u and v come from the shared triangle test, so that all after the hit agrees.
 #pragma once
 
+#ifdef TARGET_CORE_LANES
+#include TARGET_CORE_TRACE
+#else
+
 #include <limits>
 
 #include "target_core/device/trace_context.h"
@@ -82,3 +86,5 @@ inline Mask trace_any(Ray ray, Float t_max, Uint key) {
 }
 
 }  // namespace target_core::kernels
+
+#endif

@@ -1,0 +1,240 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+// The kernel text runs eight paths at a time, unchanged and with the bits of the scalar build: what a vector backend
+// of this core relies on.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+
+#include "target_core/core_mesh.h"
+#include "target_core/core_tables.h"
+#include "target_core/device/bindings.h"
+#include "target_core/device/embree_scene.h"
+#include "target_core/kernels/kernels.h"
+#include "tests/target_core/eight_lanes_kernels.h"
+
+using namespace target_core;
+
+namespace {
+
+// A bumpy, textured, coloured sheet of many materials under a light and a sky map: every branch of shade.
+class EightLanes : public testing::Test {
+protected:
+    void SetUp() override {
+        make_textures();
+        make_materials();
+        make_lights();
+        make_sheet();
+        meshes_.place(materials_);
+        std::string message;
+        ASSERT_TRUE(embree_.open(1, message)) << message;
+        ASSERT_TRUE(embree_.build(meshes_.geometry(), false, message)) << message;
+        make_frame();
+    }
+    void TearDown() override { bound = {}; }
+
+    void make_textures() {
+        for (uint i = 0; i < 64 + 16 + 4 + 1; ++i) {
+            texels_.push_back(0xFF000000u | ((i * 2654435761u) >> 8));
+        }
+        render_system::CoreTexture texture;
+        texture.width = 8;
+        texture.height = 8;
+        texture.levels = 4;
+        texture.texels = texels_;
+        render_system::CoreTexture curved = texture;
+        curved.format = render_system::TexelFormat::rgba8_srgb;
+        curved.wrap_s = render_system::TextureWrap::mirrored_repeat;
+        render_system::CoreTexture textures[] = {texture, curved};
+        pack_textures(textures, tables_);
+    }
+
+    void make_materials() {
+        for (uint i = 0; i < 24; ++i) {
+            render_system::CoreMaterial material;
+            material.base_color = {0.9f, 0.2f + 0.03f * static_cast<float>(i), 0.5f};
+            material.metallic = i % 3 == 0 ? 1.0f : 0.1f * static_cast<float>(i % 4);
+            material.roughness = 0.25f * static_cast<float>(i % 5);
+            material.transmission = i % 4 == 1 ? 0.7f : 0.0f;
+            material.thin_walled = i % 8 != 1;
+            material.emission = glm::vec3(i % 7 == 0 ? 0.5f : 0.0f);
+            material.emission_weight = material.emission.x;
+            material.double_sided = i % 2 == 0;
+            material.base_color_texture.texture = i % 2 == 0 ? 1 : render_system::NONE;
+            material.normal_texture.texture = i % 3 == 1 ? 0 : render_system::NONE;
+            material.metallic_roughness_texture.texture = i % 5 == 2 ? 0 : render_system::NONE;
+            material.metallic_roughness_texture.uv_set = 1;
+            material.emission_texture.texture = i % 14 == 0 ? 1 : render_system::NONE;
+            materials_.push_back(material);
+        }
+        pack_materials(materials_, tables_);
+    }
+
+    void make_lights() {
+        render_system::CoreLight triangle;
+        triangle.kind = render_system::LightKind::triangle;
+        triangle.vertices[0] = {-1, 3, -1};
+        triangle.vertices[1] = {1, 3, -1};
+        triangle.vertices[2] = {0, 3, 1};
+        triangle.emission = glm::vec3(7.0f);
+        triangle.emission_texture.texture = 1;
+        triangle.uv[1] = {1, 0};
+        triangle.uv[2] = {0, 1};
+        render_system::CoreLight spot;
+        spot.kind = render_system::LightKind::spot;
+        spot.vertices[0] = {1, 2, 0};
+        spot.direction = {0, -1, 0};
+        spot.emission = glm::vec3(3.0f);
+        spot.spot_scale = 2.0f;
+        spot.spot_offset = -0.5f;
+        render_system::CoreLight sky;
+        sky.kind = render_system::LightKind::sky;
+        lights_ = {triangle, spot, sky};
+        light_table_ = {{0.9f, 2, 0.3f}, {0.5f, 2, 0.2f}, {1.0f, 0, 0.5f}};
+        render_system::CoreLights lights{lights_, light_table_, 10.0f};
+        pack_lights(lights, tables_);
+        light_features_ = light_features(lights);
+        for (uint i = 0; i < 32; ++i) {
+            sky_texels_.push_back(glm::vec4(0.1f * static_cast<float>(i), 0.5f, 1.0f, 1.0f));
+            sky_table_.push_back({0.5f, (i * 7) % 32, 1.0f / 32.0f});
+        }
+        pack_sky({glm::vec3(0.0f), 8, 4, sky_texels_, sky_table_, 0.5f}, tables_);
+    }
+
+    void make_sheet() {
+        constexpr uint N = 20;
+        std::vector<glm::vec3> positions, normals;
+        std::vector<glm::vec4> tangents;
+        std::vector<glm::vec2> uv;
+        std::vector<uint32_t> colors;
+        std::vector<glm::uvec4> triangles;
+        for (uint i = 0; i < N * N; ++i) {
+            float x = static_cast<float>(i % N) * 0.2f - 2.0f;
+            float z = static_cast<float>(i / N) * 0.2f - 2.0f;
+            positions.push_back({x, 0.3f * std::sin(3.0f * x) * std::cos(2.0f * z), z});
+            normals.push_back(glm::normalize(glm::vec3(-0.5f * std::cos(3.0f * x), 1.0f, 0.3f * std::sin(2.0f * z))));
+            tangents.push_back({1, 0, 0, i % 2 == 0 ? 1.0f : -1.0f});
+            uv.push_back({x * 1.7f, z * 0.9f});
+            colors.push_back(0xFF808080u + i * 12345u % 0x7F7F7Fu);
+        }
+        for (uint i = 0; i + N < N * N; ++i) {
+            if (i % N + 1 < N) {
+                triangles.push_back({i, i + N, i + 1, i % 24});
+                triangles.push_back({i + 1, i + N, i + N + 1, (i * 5) % 24});
+            }
+        }
+        meshes_.set_mesh(0, {positions, normals, tangents, uv, uv, colors, triangles});
+        meshes_.set_instance(0, 0, {});
+    }
+
+    void make_frame() {
+        settings_.eye = target_core::vec4(0.0f, 2.5f, 4.0f, 0.02f);
+        settings_.screen = target_core::vec4(-1.0f, 0.2f, -1.5f, 0.0f);
+        settings_.screen_right = target_core::vec4(2.0f, 0.0f, 0.0f, 0.0f);
+        settings_.screen_down = target_core::vec4(0.0f, -1.6f, 0.0f, 0.0f);
+        settings_.width = 32;
+        settings_.height = 32;
+        settings_.max_path_length = 8;
+        settings_.russian_roulette = 1;
+        settings_.next_event_estimation = 1;
+        settings_.light_count = 3;
+        settings_.sky_width = 8;
+        settings_.sky_height = 4;
+        settings_.sky_light_probability = 0.5f;
+        settings_.light_weight_scale = 0.1f;
+        settings_.features =
+            material_features(materials_) | light_features_ | meshes_.features(materials_) | FEATURE_SKY_MAP;
+        pass_.path_count = TILE_PATHS;
+        bindings_.mesh_triangles = meshes_.mesh_triangles().data();
+        bindings_.vertices = meshes_.vertices().data();
+        bindings_.tangents = meshes_.tangents().data();
+        bindings_.instances = meshes_.instances().data();
+        bindings_.materials = tables_.materials.data();
+        bindings_.texture_slots = tables_.texture_slots.data();
+        bindings_.textures = tables_.textures.data();
+        bindings_.texels = tables_.texels.data();
+        bindings_.lights = tables_.lights.data();
+        bindings_.light_table = tables_.light_table.data();
+        bindings_.sky_texels = tables_.sky_texels.data();
+        bindings_.sky_table = tables_.sky_table.data();
+        bindings_.geometry = meshes_.geometry().data();
+        bindings_.scene = embree_.scene();
+    }
+
+    void use(Tile& tile) {
+        bound = bindings_;
+        bound.tile = &tile;
+        kernels::settings = settings_;
+        kernels::pass = pass_;
+    }
+
+    template <class Row>
+    static bool same_bits(const std::unique_ptr<Row[]>& a, const std::unique_ptr<Row[]>& b, uint count = TILE_PATHS) {
+        return std::memcmp(a.get(), b.get(), count * sizeof(Row)) == 0;
+    }
+
+    static void copy_state(const Tile& from, Tile& to) {
+        std::copy_n(from.origin.get(), TILE_PATHS, to.origin.get());
+        std::copy_n(from.direction.get(), TILE_PATHS, to.direction.get());
+        std::copy_n(from.throughput.get(), TILE_PATHS, to.throughput.get());
+        std::copy_n(from.radiance.get(), TILE_PATHS, to.radiance.get());
+        std::copy_n(from.hit.get(), TILE_PATHS, to.hit.get());
+        std::copy_n(from.current.paths.get(), TILE_PATHS, to.current.paths.get());
+        to.current.count = from.current.count;
+    }
+
+    std::vector<uint32_t> texels_;
+    std::vector<render_system::CoreMaterial> materials_;
+    std::vector<render_system::CoreLight> lights_;
+    std::vector<render_system::AliasEntry> light_table_;
+    std::vector<glm::vec4> sky_texels_;
+    std::vector<render_system::AliasEntry> sky_table_;
+    uint light_features_ = 0;
+    SceneTables tables_;
+    CoreMeshes meshes_;
+    EmbreeScene embree_;
+    Settings settings_{};
+    Pass pass_{};
+    Bindings bindings_;
+};
+
+TEST_F(EightLanes, TheKernelTextGivesTheBitsOfTheScalarBuild) {
+    Tile scalar;
+    Tile wide;
+    use(wide);
+    eight_lanes::generate(settings_, pass_);
+    use(scalar);
+    kernels::generate();
+    ASSERT_TRUE(same_bits(scalar.origin, wide.origin));
+    ASSERT_TRUE(same_bits(scalar.direction, wide.direction));
+    for (uint segment = 1; segment <= 3; ++segment) {
+        pass_.segment = segment;
+        std::swap(scalar.current, scalar.next);
+        scalar.next.count = 0;
+        scalar.shadow_count = 0;
+        scalar.current.count -= scalar.current.count % 8;
+        ASSERT_GT(scalar.current.count, 0u) << "segment " << segment;
+        use(scalar);
+        kernels::extend();
+        copy_state(scalar, wide);
+        wide.next.count = 0;
+        wide.shadow_count = 0;
+        kernels::shade();
+        use(wide);
+        eight_lanes::shade(settings_, pass_);
+        ASSERT_EQ(scalar.next.count, wide.next.count);
+        ASSERT_EQ(scalar.shadow_count, wide.shadow_count);
+        EXPECT_GT(scalar.shadow_count, 0u) << "segment " << segment;
+        EXPECT_TRUE(same_bits(scalar.next.paths, wide.next.paths, scalar.next.count)) << "segment " << segment;
+        EXPECT_TRUE(same_bits(scalar.origin, wide.origin)) << "segment " << segment;
+        EXPECT_TRUE(same_bits(scalar.direction, wide.direction)) << "segment " << segment;
+        EXPECT_TRUE(same_bits(scalar.throughput, wide.throughput)) << "segment " << segment;
+        EXPECT_TRUE(same_bits(scalar.radiance, wide.radiance)) << "segment " << segment;
+        EXPECT_TRUE(same_bits(scalar.shadow_origin, wide.shadow_origin, scalar.shadow_count));
+        EXPECT_TRUE(same_bits(scalar.shadow_direction, wide.shadow_direction, scalar.shadow_count));
+        EXPECT_TRUE(same_bits(scalar.shadow_contribution, wide.shadow_contribution, scalar.shadow_count));
+    }
+}
+
+}  // namespace
