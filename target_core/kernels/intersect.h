@@ -35,21 +35,28 @@ struct TriangleTest {
     Float v;
 };
 
-// Moller and Trumbore 1997, both sides. The one formula by which both cores find t, u and v, whoever found the
-// triangle. A degenerate triangle is never hit.
+// The one formula by which both cores find t, u and v, whoever found the triangle; both sides count. Plucker
+// coordinates seen from the origin (Davidovic et al. 2012): the two triangles at an edge compute its side with the
+// same bits and opposite signs, so no ray slips between them. A degenerate triangle is never hit.
 inline TriangleTest intersect_triangle(vec3 origin, vec3 direction, vec3 v0, vec3 v1, vec3 v2) {
-    vec3 edge1 = v1 - v0;
-    vec3 edge2 = v2 - v0;
-    vec3 p = cross(direction, edge2);
-    Float determinant = dot(edge1, p);
-    Float scale = 1.0f / select(determinant == 0.0f, Float(1.0f), determinant);
-    vec3 s = origin - v0;
-    vec3 q = cross(s, edge1);
+    vec3 a = v0 - origin;
+    vec3 b = v1 - origin;
+    vec3 c = v2 - origin;
+    Float weight0 = dot(cross(b, c), direction);
+    Float weight1 = dot(cross(c, a), direction);
+    Float weight2 = dot(cross(a, b), direction);
+    Float sum = (weight0 + weight1) + weight2;
+    Float lowest = min(min(weight0, weight1), weight2);
+    Float highest = max(max(weight0, weight1), weight2);
+    vec3 normal = cross(v1 - v0, v2 - v0);
+    Float approach = dot(normal, direction);
+    Mask crosses = sum != 0.0f && approach != 0.0f;
+    Float scale = 1.0f / select(crosses, sum, Float(1.0f));
     TriangleTest test;
-    test.u = dot(s, p) * scale;
-    test.v = dot(direction, q) * scale;
-    test.t = dot(edge2, q) * scale;
-    test.hit = determinant != 0.0f && test.u >= 0.0f && test.v >= 0.0f && test.u + test.v <= 1.0f && test.t > 0.0f;
+    test.t = dot(normal, a) / select(crosses, approach, Float(1.0f));
+    test.u = weight1 * scale;
+    test.v = weight2 * scale;
+    test.hit = crosses && (lowest >= 0.0f || highest <= 0.0f) && test.t > 0.0f;
     return test;
 }
 

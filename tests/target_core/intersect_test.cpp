@@ -50,6 +50,22 @@ TEST(Intersect, MissesBehindBesideAndDegenerate) {
     EXPECT_FALSE(intersect_triangle(vec3(0.25f, 0, 1), down, a, b, b).hit) << "no area";
 }
 
+TEST(Intersect, NoRaySlipsBetweenTheTrianglesOfAnEdge) {
+    // A huge square of two triangles, looked at along its diagonal from close by, where rounding is at its worst.
+    vec3 corners[4] = {vec3(-1000, -1000, 0), vec3(1000, -1000, 0), vec3(1000, 1000, 0), vec3(-1000, 1000, 0)};
+    std::mt19937 generator(2);
+    std::uniform_real_distribution<float> near(-5.0e-4f, 5.0e-4f);
+    std::uniform_real_distribution<float> along(-900.0f, 900.0f);
+    for (int i = 0; i < 200000; ++i) {
+        vec3 origin(0.3f, 0.1f, 0.95f);
+        float d = i % 2 == 0 ? 0.0f : along(generator);
+        vec3 direction = normalized(vec3(d + near(generator), d + near(generator), 0.0f) - origin);
+        bool first = intersect_triangle(origin, direction, corners[0], corners[1], corners[2]).hit;
+        bool second = intersect_triangle(origin, direction, corners[0], corners[2], corners[3]).hit;
+        ASSERT_TRUE(first || second) << i;
+    }
+}
+
 TEST(Intersect, OffsetPointsClearTheirSurfaceAtAnyScale) {
     for (float scale : {1.0e-3f, 1.0f, 1.0e3f, 1.0e6f}) {
         vec3 p(0.7f * scale, -0.3f * scale, 0.01f * scale);
