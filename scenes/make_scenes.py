@@ -318,15 +318,16 @@ def room(scene):
     warm = scene.material("terracotta", (0.72, 0.28, 0.16))
     cool = scene.material("teal", (0.10, 0.34, 0.36))
     light = scene.material("lamp", (0, 0, 0), emissiveFactor=[1.0, 0.86, 0.68],
-                           extensions={"KHR_materials_emissive_strength": {"emissiveStrength": 16.0}})
+                           extensions={"KHR_materials_emissive_strength": {"emissiveStrength": 6.5}})
     l, r, t, b, f = -2, 2, 2.8, -2, 2
+    h = t - 0.01  # of the lamp
     walls = [
         ("floor", quad([l, 0, f], [r, 0, f], [r, 0, b], [l, 0, b], 3.0), wood),
         ("back wall", quad([l, 0, b], [r, 0, b], [r, t, b], [l, t, b]), white),
         ("ceiling", quad([l, t, b], [r, t, b], [r, t, f], [l, t, f]), white),
         ("left wall", quad([l, 0, f], [l, 0, b], [l, t, b], [l, t, f]), warm),
         ("right wall", quad([r, 0, b], [r, 0, f], [r, t, f], [r, t, b]), cool),
-        ("lamp", quad([-0.6, t - 0.01, -0.7], [0.6, t - 0.01, -0.7], [0.6, t - 0.01, 0.3], [-0.6, t - 0.01, 0.3]), light),
+        ("lamp", quad([-1.1, h, -1.1], [1.1, h, -1.1], [1.1, h, 0.5], [-1.1, h, 0.5]), light),
     ]
     for name, shape, material in walls:
         scene.node(name=name, mesh=scene.mesh(name, scene.shape(shape), material))
@@ -342,14 +343,15 @@ def still_life(folder):
     write_png(folder / "floor.png", 256, 256, lambda x, y: parquet(x, y, 256))
     plaster = room(scene)
 
-    ball = scene.shape(sphere(40, 20))
+    ball = scene.shape(sphere(48, 24))
     glass = scene.material("glass", (1, 1, 1), roughness=0.0, extensions={
         "KHR_materials_transmission": {"transmissionFactor": 1.0}, "KHR_materials_ior": {"ior": 1.5},
         "KHR_materials_volume": {"thicknessFactor": 1.0}})
-    copper = scene.material("brushed copper", (0.93, 0.52, 0.36), metallic=1.0, roughness=0.28)
+    copper = scene.material("brushed copper", (0.93, 0.52, 0.36), metallic=1.0, roughness=0.3)
     glaze = scene.material("blue glaze", (0.04, 0.12, 0.42), roughness=0.08)
-    pearls = [scene.mesh(name, ball, scene.material(name, color, metallic, roughness)) for name, color, metallic, roughness
-              in (("gold", (1.0, 0.77, 0.34), 1.0, 0.12), ("ivory", (0.86, 0.82, 0.72), 0.0, 0.25),
+    pearls = [scene.mesh(name, ball, scene.material(name, color, metallic, roughness))
+              for name, color, metallic, roughness in (
+                  ("gold", (1.0, 0.77, 0.34), 1.0, 0.2), ("ivory", (0.86, 0.82, 0.72), 0.0, 0.25),
                   ("coral", (0.80, 0.16, 0.12), 0.0, 0.35))]
 
     scene.node(name="pedestal", mesh=scene.mesh("pedestal", scene.shape(box()), plaster), scale=[0.46, 0.34, 0.46],
@@ -413,7 +415,7 @@ def parity_textures(folder):
 
 def parity_meshes(scene):
     """One mesh for each thing that two cores could see differently."""
-    leaf, checker, bumps, metal = (scene.texture(name) for name in ("leaf.png", "checker.png", "bumps.png", "metal.png"))
+    leaf, checker, bumps, metal = (scene.texture(f"{name}.png") for name in ("leaf", "checker", "bumps", "metal"))
     cube, ball = scene.shape(box()), scene.shape(sphere(20, 10))
     card = scene.shape(quad([-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]))
     transform = {"KHR_texture_transform": {"offset": [0.25, 0.1], "rotation": 0.4, "scale": [2.0, 1.5]}}

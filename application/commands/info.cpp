@@ -25,6 +25,11 @@ uint64_t host_memory_bytes() {
 Json describe_core(const CoreRegistry& registry, const std::string& id) {
     Json entry = {
         {"id", id}, {"available", false}, {"device", nullptr}, {"memory_bytes", nullptr}, {"reason", nullptr}};
+    const auto built = registry.ids();
+    if (std::find(built.begin(), built.end(), id) == built.end()) {
+        entry["reason"] = "left out of this program: its libraries were missing when it was built";
+        return entry;
+    }
     auto core = registry.CreateCoreAPI(id);
     Status status = core.ok() ? (*core)->Init({}) : core.status;
     if (!status.ok()) {

@@ -53,12 +53,10 @@ std::vector<std::string> files_in(const fs::path& folder) {
     return names;
 }
 
-RunResult run_pathtracer(const std::vector<std::string>& arguments, const fs::path& cwd,
-                         const std::vector<std::string>& environment) {
+RunResult run_program(const std::vector<std::string>& words, const fs::path& cwd,
+                      const std::vector<std::string>& environment) {
     const TemporaryFolder streams;
     const std::string out = streams.path / "out", err = streams.path / "err";
-    std::vector<std::string> words = {PATHTRACER};
-    words.insert(words.end(), arguments.begin(), arguments.end());
     std::vector<std::string> variables;
     for (char** variable = environ; *variable != nullptr; ++variable) variables.emplace_back(*variable);
     variables.insert(variables.begin(), environment.begin(), environment.end());  // the first of a name counts
@@ -70,8 +68,8 @@ RunResult run_pathtracer(const std::vector<std::string>& arguments, const fs::pa
     posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, out.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
     posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, err.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
     pid_t child = 0;
-    const int failed =
-        posix_spawn(&child, PATHTRACER, &actions, nullptr, pointers(words).data(), pointers(variables).data());
+    const int failed = posix_spawnp(&child, words.front().c_str(), &actions, nullptr, pointers(words).data(),
+                                    pointers(variables).data());
     posix_spawn_file_actions_destroy(&actions);
 
     RunResult result;
@@ -80,4 +78,11 @@ RunResult run_pathtracer(const std::vector<std::string>& arguments, const fs::pa
     result.out = read_file(out);
     result.err = read_file(err);
     return result;
+}
+
+RunResult run_pathtracer(const std::vector<std::string>& arguments, const fs::path& cwd,
+                         const std::vector<std::string>& environment) {
+    std::vector<std::string> words = {PATHTRACER};
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    return run_program(words, cwd, environment);
 }

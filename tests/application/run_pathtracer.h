@@ -15,7 +15,11 @@ struct RunResult {
     std::string err;
 };
 
-/// Runs pathtracer with these arguments in folder `cwd`; `environment` holds NAME=VALUE strings to add.
+/// Runs a program (words[0], sought in PATH) in folder `cwd`; `environment` holds NAME=VALUE strings to add.
+RunResult run_program(const std::vector<std::string>& words, const std::filesystem::path& cwd,
+                      const std::vector<std::string>& environment = {});
+
+/// Runs pathtracer with these arguments.
 RunResult run_pathtracer(const std::vector<std::string>& arguments, const std::filesystem::path& cwd,
                          const std::vector<std::string>& environment = {});
 

@@ -1,0 +1,189 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What the program promises of the two cores, on the built-in scene at small sizes. A core that this machine cannot run
+// is skipped, with the reason shown.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/application/run_pathtracer.h"
+
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+
+const std::string SCENE = "still_life";
+const std::string NO_VULKAN = "VK_DRIVER_FILES=/nowhere";
+
+/// Why `core` cannot run here; empty if it can.
+std::string reason_against(const std::string& core) {
+    const RunResult result = run_pathtracer({"info", "--format", "json"}, ".");
+    const json info = json::parse(result.out, nullptr, false);
+    if (!info.is_object()) return "pathtracer info failed: " + result.err;
+    for (const json& entry : info["cores"]) {
+        if (entry["id"] == core) return entry["available"].get<bool>() ? "" : entry["reason"].get<std::string>();
+    }
+    return "pathtracer info does not list it";
+}
+
+#define SKIP_WITHOUT(core) \
+    if (const std::string reason = reason_against(core); !reason.empty()) GTEST_SKIP() << core << ": " << reason
+
+class Cores : public testing::Test {
+protected:
+    RunResult run(const std::vector<std::string>& arguments, const std::vector<std::string>& environment = {}) {
+        return run_pathtracer(arguments, folder.path, environment);
+    }
+    /// The bytes of a small EXR of the built-in scene.
+    std::string picture(const std::string& core, const std::vector<std::string>& more = {}) {
+        std::vector<std::string> arguments = {"render", SCENE,   "--core", core, "--size",
+                                              "96x54",  "--spp", "4",      "-o", "a.exr"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        const RunResult result = run(arguments);
+        EXPECT_EQ(result.exit_code, 0) << result.err;
+        return read_file(folder.path / "a.exr");
+    }
+
+    const TemporaryFolder folder;
+};
+
+class EachCore : public Cores, public testing::WithParamInterface<std::string> {};
+
+INSTANTIATE_TEST_SUITE_P(, EachCore, testing::Values("source", "target"), [](const auto& core) { return core.param; });
+
+TEST_P(EachCore, GivesTheSameFileOnAnyNumberOfThreads) {
+    SKIP_WITHOUT(GetParam());
+    const std::string first = picture(GetParam());
+    ASSERT_THAT(first, Not(IsEmpty()));
+    for (const char* threads : {"1", "2", "5"}) {
+        for (int repetition = 0; repetition < 3; ++repetition) {
+            EXPECT_TRUE(picture(GetParam(), {"--threads", threads}) == first) << threads << " threads";
+        }
+    }
+}
+
+TEST_P(EachCore, GivesAnotherFileForAnotherSeed) {
+    SKIP_WITHOUT(GetParam());
+    EXPECT_TRUE(picture(GetParam(), {"--seed", "1"}) != picture(GetParam(), {"--seed", "2"}));
+}
+
+TEST_P(EachCore, CountsItsRays) {
+    SKIP_WITHOUT(GetParam());
+    const RunResult result =
+        run({"bench", SCENE, "--core", GetParam(), "--size", "96x54", "--spp", "3", "--format", "json"});
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    const json bench = json::parse(result.out);
+    const json& rays = bench["rays"];
+    EXPECT_EQ(bench["core"], GetParam());
+    EXPECT_EQ(rays["primary"], 96 * 54);
+    EXPECT_GT(rays["extension"], 0);
+    EXPECT_GT(rays["shadow"], 0);
+    EXPECT_EQ(rays["total"].get<int>(),
+              rays["primary"].get<int>() + rays["extension"].get<int>() + rays["shadow"].get<int>());
+    EXPECT_GT(bench["ms_per_frame"]["total"], 0.0);
+    EXPECT_GT(bench["ms_per_frame"]["extend"], 0.0);
+    EXPECT_EQ(bench["embree_limit_mrays_per_s"].is_number(), GetParam() == "target");
+}
+
+TEST_P(EachCore, TracesNoShadowRaysWithoutNextEventEstimationAndNoBouncesAtLengthOne) {
+    SKIP_WITHOUT(GetParam());
+    picture(GetParam(), {"--no-nee", "--stats", "a.json"});
+    EXPECT_EQ(json::parse(read_file(folder.path / "a.json"))["rays"]["shadow"], 0);
+    picture(GetParam(), {"--max-path-length", "1", "--stats", "a.json"});
+    const json rays = json::parse(read_file(folder.path / "a.json"))["rays"];
+    EXPECT_EQ(rays["extension"], 0);
+    EXPECT_EQ(rays["shadow"], 0);
+}
+
+TEST_F(Cores, CompareFindsThePicturesAlike) {
+    SKIP_WITHOUT("source");
+    SKIP_WITHOUT("target");
+    const RunResult result = run({"compare", SCENE, "--size", "320x180", "--spp", "4,1", "--limit-ssim", "0.999",
+                                  "--format", "json", "-o", "dir"});
+    ASSERT_EQ(result.exit_code, 0) << result.err << result.out;
+    const json comparison = json::parse(result.out);
+    ASSERT_EQ(comparison["results"].size(), 2u);
+    EXPECT_EQ(comparison["results"][0]["spp"], 4) << "results come in the order asked for";
+    EXPECT_EQ(comparison["results"][1]["spp"], 1);
+    EXPECT_GE(comparison["results"][0]["ssim"], 0.9999);
+    EXPECT_LE(comparison["results"][1]["pixels_off"], 0.0002);
+    EXPECT_EQ(files_in(folder.path / "dir"),
+              (std::vector<std::string>{"difference_1spp.png", "difference_4spp.png", "source_1spp.png",
+                                        "source_4spp.png", "target_1spp.png", "target_4spp.png"}));
+}
+
+TEST_F(Cores, CompareExitsWithOneExactlyBelowTheLimit) {
+    SKIP_WITHOUT("source");
+    SKIP_WITHOUT("target");
+    const RunResult result =
+        run({"compare", SCENE, "--size", "96x54", "--spp", "2", "--limit-ssim", "1", "--format", "json"});
+    const double ssim = json::parse(result.out)["results"][0]["ssim"];
+    EXPECT_EQ(result.exit_code, ssim < 1.0 ? 1 : 0);
+}
+
+TEST_F(Cores, APictureDoesNotDependOnThePortionsItWasRenderedIn) {
+    SKIP_WITHOUT("source");
+    SKIP_WITHOUT("target");
+    ASSERT_EQ(run({"compare", SCENE, "--size", "96x54", "--spp", "1,3,7", "-o", "portions"}).exit_code, 0);
+    ASSERT_EQ(run({"compare", SCENE, "--size", "96x54", "--spp", "7", "-o", "whole"}).exit_code, 0);
+    for (const char* file : {"source_7spp.png", "target_7spp.png"}) {
+        EXPECT_TRUE(read_file(folder.path / "portions" / file) == read_file(folder.path / "whole" / file)) << file;
+    }
+}
+
+TEST_F(Cores, AgreeInEveryBitInExactModeOnTheParityScene) {
+    SKIP_WITHOUT("source");
+    SKIP_WITHOUT("target");
+    const RunResult result = run({"compare", PARITY_SCENE, "--sky", PARITY_SKY, "--size", "320x180", "--spp", "1,3",
+                                  "--exact", "--format", "json"});
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    for (const json& comparison : json::parse(result.out)["results"]) {
+        EXPECT_EQ(comparison["identical_pixels"], 1.0) << comparison;
+    }
+}
+
+TEST_F(Cores, WithoutVulkanTheTargetCoreStillWorks) {
+    SKIP_WITHOUT("target");
+    const std::string expected = picture("target");
+    const RunResult refused = run({"render", SCENE, "--core", "source", "-o", "b.exr"}, {NO_VULKAN});
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_THAT(refused.err, Not(IsEmpty()));
+    EXPECT_EQ(files_in(folder.path), std::vector<std::string>{"a.exr"});
+    const RunResult result =
+        run({"render", SCENE, "--size", "96x54", "--spp", "4", "-o", "b.exr", "--stats", "b.json"}, {NO_VULKAN});
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_THAT(result.err, HasSubstr("target"));
+    EXPECT_TRUE(read_file(folder.path / "b.exr") == expected);
+    EXPECT_EQ(json::parse(read_file(folder.path / "b.json"))["core"], "target");
+}
+
+TEST_F(Cores, WhatDoesNotFitTheDeviceIsLeftToTheTargetCore) {
+    SKIP_WITHOUT("source");
+    SKIP_WITHOUT("target");
+    const std::string expected = picture("target");
+    const RunResult refused = run({"render", SCENE, "--core", "source", "--gpu-memory-limit", "1", "-o", "b.exr"});
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_THAT(refused.err, HasSubstr("MiB"));
+    const RunResult result = run({"render", SCENE, "--gpu-memory-limit", "1", "--size", "96x54", "--spp", "4", "-o",
+                                  "b.exr", "--stats", "s.json"});
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_THAT(result.err, testing::ContainsRegex("target.*MiB.*MiB"));
+    EXPECT_TRUE(read_file(folder.path / "b.exr") == expected);
+    EXPECT_THAT(json::parse(read_file(folder.path / "s.json"))["core_reason"].get<std::string>(), HasSubstr("MiB"));
+}
+
+TEST_F(Cores, AnInterruptedRenderingLeavesNothingBehind) {
+    SKIP_WITHOUT("target");
+    const RunResult result =
+        run_program({"timeout", "-s", "INT", "1", PATHTRACER, "render", SCENE, "--core", "target", "--spp", "1000000"},
+                    folder.path);
+    EXPECT_EQ(result.exit_code, 124) << "it should have been interrupted: " << result.err;
+    EXPECT_THAT(files_in(folder.path), IsEmpty());
+}
+
+}  // namespace
