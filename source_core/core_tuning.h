@@ -15,6 +15,7 @@ namespace source_core {
 struct CoreTuning {
     uint32_t largest_batch = 1u << 20;        ///< paths on their way at once
     std::optional<TableAccess> table_access;  ///< how all tables are reached, whatever their size
+    bool assisted_validation = true;          ///< CoreOptions::validate includes the GPU-assisted checks
 };
 
 std::unique_ptr<render_system::CoreAPI> create_tuned_core(const CoreTuning& tuning);

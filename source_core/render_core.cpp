@@ -130,7 +130,8 @@ Status SourceCore::Init(const CoreOptions& options) {
 
 Status SourceCore::open_device(const CoreOptions& options) {
     gpu_ = std::make_unique<Gpu>();
-    Result<Instance> instance = Instance::create(options.validate);
+    const Validation checks = tuning_.assisted_validation ? Validation::assisted : Validation::host;
+    Result<Instance> instance = Instance::create(options.validate ? checks : Validation::none);
     if (!instance.ok()) {
         return instance.status;
     }

@@ -253,6 +253,9 @@ void Wavefront::record(VkCommandBuffer commands, const KernelSet& kernels, const
         vkCmdResetQueryPool(commands, queries_.get(), 0, MOST_STAMPS);
     }
     vkCmdFillBuffer(commands, counters_.handle(), 0, COUNTER_SEGMENTS * sizeof(uint32_t), 0);
+    barrier(commands, VK_PIPELINE_STAGE_TRANSFER_BIT, VK_ACCESS_TRANSFER_WRITE_BIT,
+            VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT | VK_PIPELINE_STAGE_TRANSFER_BIT,
+            VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_SHADER_WRITE_BIT | VK_ACCESS_TRANSFER_READ_BIT);
     stamp(commands, NO_KERNEL);
     for (uint32_t i = 0; i < span.samples; ++i) {
         record_sample(commands, kernels, batch, span, span.first_sample + i);

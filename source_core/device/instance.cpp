@@ -49,7 +49,8 @@ Status ValidationLog::take() {
     return Status::error(StatusCode::internal, std::move(text));
 }
 
-Result<Instance> Instance::create(bool validate) {
+Result<Instance> Instance::create(Validation validation) {
+    const bool validate = validation != Validation::none;
     if (validate && !validation_layer_present()) {
         return Status::error(StatusCode::no_device, std::string("the Vulkan layer ") + VALIDATION_LAYER +
                                                         " is not installed (Debian: vulkan-validationlayers)");
@@ -59,10 +60,10 @@ Result<Instance> Instance::create(bool validate) {
     application.pApplicationName = "pathtracer";
     application.apiVersion = VK_API_VERSION_1_2;
 
-    const VkValidationFeatureEnableEXT enables[] = {VK_VALIDATION_FEATURE_ENABLE_GPU_ASSISTED_EXT,
-                                                    VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATION_EXT};
+    const VkValidationFeatureEnableEXT enables[] = {VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATION_EXT,
+                                                    VK_VALIDATION_FEATURE_ENABLE_GPU_ASSISTED_EXT};
     VkValidationFeaturesEXT features{VK_STRUCTURE_TYPE_VALIDATION_FEATURES_EXT};
-    features.enabledValidationFeatureCount = 2;
+    features.enabledValidationFeatureCount = validation == Validation::assisted ? 2 : 1;
     features.pEnabledValidationFeatures = enables;
 
     VkDebugUtilsMessengerCreateInfoEXT messenger{VK_STRUCTURE_TYPE_DEBUG_UTILS_MESSENGER_CREATE_INFO_EXT};

@@ -25,12 +25,18 @@ private:
     std::vector<std::string> messages_;
 };
 
-/// The connection to the Vulkan loader, with or without the validation layers (core checks, GPU-assisted checks of
-/// buffer accesses, synchronization checks).
+/// Which checks of the validation layers to run under.
+enum class Validation {
+    none,
+    host,      ///< core and synchronization checks
+    assisted,  ///< these and GPU-assisted checks of buffer accesses, for which kernels take far longer to compile
+};
+
+/// The connection to the Vulkan loader, with or without the validation layers.
 class Instance {
 public:
     /// Fails with no_device where there is no loader, no driver, or no validation layer though asked for.
-    static Result<Instance> create(bool validate);
+    static Result<Instance> create(Validation validation);
 
     Instance(Instance&& other) noexcept;
     Instance& operator=(Instance&&) = delete;
