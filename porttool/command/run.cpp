@@ -12,7 +12,7 @@ namespace {
 using Command = Outcome (*)(const Options&, Workplace&);
 
 const std::map<std::string, Command>& commands() {
-    static const std::map<std::string, Command> table = {{"scan", scan_command}};
+    static const std::map<std::string, Command> table = {{"scan", scan_command}, {"map", map_command}};
     return table;
 }
 

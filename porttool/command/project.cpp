@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/command/project.h"
+
+#include <filesystem>
+
+#include "porttool/scan/scan.h"
+
+namespace porttool {
+namespace {
+
+std::string absolute(const std::string& path) {
+    std::error_code error;
+    return clean_path(std::filesystem::absolute(path, error).generic_string());
+}
+
+std::vector<ScannedFile> scan_all(const SourceSet& set) {
+    std::vector<ScannedFile> files;
+    files.reserve(set.files.size());
+    for (const SourceText& source : set.files) files.push_back(scan_text(source.path, source.text));
+    return files;
+}
+
+void require_matches(const std::vector<std::string>& unmatched, const char* side) {
+    if (unmatched.empty()) return;
+    throw CannotDo(std::string(side) + " glob '" + unmatched.front() +
+                   "' matches no file that is read; globs are relative to the root, ** crosses folders");
+}
+
+}  // namespace
+
+Project open_project(const Options& options, Workplace& place, bool needs_map) {
+    if (options.source.empty() != options.target.empty())
+        throw CannotDo("--source and --target go together; name both sides, or neither to use portmap.toml");
+    Project project;
+    const bool globs_given = !options.source.empty();
+    project.root = globs_given ? absolute(options.directory) : find_root(place.disk, options.directory);
+    project.map_path = options.config.empty() ? join_path(project.root, "portmap.toml")
+                                              : absolute(join_path(options.directory, options.config));
+    const bool there = place.disk.exists(project.map_path);
+    if (!options.config.empty() && !there) throw CannotDo("--config " + options.config + ": no such file");
+    if (there && (!globs_given || !options.config.empty())) {
+        const FileText file = place.disk.read(project.map_path, kLargestFile);
+        if (!file.error.empty()) throw CannotDo(project.map_path + ": " + file.error);
+        project.map_text = file.bytes;
+        ReadMap read = read_map(options.config.empty() ? "portmap.toml" : options.config, file.bytes);
+        if (!read.error.empty()) throw CannotDo(read.error);
+        project.map = std::move(read.map);
+        project.has_map = true;
+    }
+    if (globs_given) {
+        project.map.source = options.source;
+        project.map.target = options.target;
+    } else if (!project.has_map && needs_map) {
+        throw CannotDo("no portmap.toml in " + project.root +
+                       " or above; write one with: porttool init --source GLOB --target GLOB");
+    }
+    if (project.map.source.empty() || project.map.target.empty())
+        throw CannotDo(
+            "no sides named: put [sides] source and target into portmap.toml, or give --source and --target");
+    return project;
+}
+
+void read_sides(Project& project, Workplace& place) {
+    std::vector<std::string> unmatched;
+    const SourceSet source = read_globs(place.disk, project.root, project.map.source, unmatched);
+    require_matches(unmatched, "source");
+    const std::string target_root =
+        project.map.target_root.empty() ? project.root : clean_path(join_path(project.root, project.map.target_root));
+    const SourceSet target = read_globs(place.disk, target_root, project.map.target, unmatched);
+    require_matches(unmatched, "target");
+    project.source = scan_all(source);
+    project.target = scan_all(target);
+    project.skipped = source.skipped;
+    project.skipped.insert(project.skipped.end(), target.skipped.begin(), target.skipped.end());
+}
+
+Settled settled_by(const MapFile& map) {
+    Settled settled;
+    for (const MapPair& pair : map.pairs)
+        for (const std::string& target : pair.targets) settled.pairs.emplace_back(pair.source, target);
+    for (const MapIgnore& ignore : map.ignores) settled.ignored.push_back(ignore.id);
+    return settled;
+}
+
+}  // namespace porttool

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "porttool/command/commands.h"
+#include "porttool/match/match.h"
+#include "porttool/read/map_file.h"
+#include "porttool/read/source_files.h"
+
+namespace porttool {
+
+/// The two sides of a repository, read and scanned.
+struct Project {
+    std::string root;
+    std::string map_path;  ///< where portmap.toml is or would be
+    bool has_map = false;
+    std::string map_text;
+    MapFile map;
+    std::vector<ScannedFile> source, target;
+    std::vector<SkippedFile> skipped;
+};
+
+/// Opens the project that the options name: its root and, if there is one, its map. With both globs given the root is
+/// the folder itself and no map is needed. Throws CannotDo.
+Project open_project(const Options& options, Workplace& place, bool needs_map);
+
+/// Reads and scans both sides. Throws CannotDo for globs that match nothing.
+void read_sides(Project& project, Workplace& place);
+
+/// What the map has settled.
+Settled settled_by(const MapFile& map);
+
+}  // namespace porttool

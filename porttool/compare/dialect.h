@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace porttool {
+
+/// One vocabulary for all dialects: each type, built-in and qualifier leads to the name that it goes by here. A
+/// qualifier that has no counterpart elsewhere (address spaces, inlining, storage) leads to "".
+class Dialect {
+public:
+    /// The built-in table, extended by `rows` from portmap.toml (`"vec3" = "float3"`: the two are one).
+    explicit Dialect(const std::vector<std::pair<std::string, std::string>>& rows = {});
+
+    /// The common name of a word, or nullptr if the table does not know it.
+    const std::string* find(std::string_view word) const;
+
+private:
+    struct Hash {
+        using is_transparent = void;
+        size_t operator()(std::string_view text) const { return std::hash<std::string_view>()(text); }
+    };
+    std::unordered_map<std::string, std::string, Hash, std::equal_to<>> names_;
+};
+
+}  // namespace porttool

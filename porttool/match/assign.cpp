@@ -1,0 +1,143 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/match/assign.h"
+
+#include <algorithm>
+#include <unordered_map>
+
+namespace porttool {
+namespace {
+
+constexpr uint32_t kNobody = 0xFFFFFFFFu;
+
+struct Choice {
+    float score;
+    uint32_t source;
+    uint32_t candidate;  ///< index into the source's list
+};
+
+class Assigner {
+public:
+    Assigner(const std::vector<UnitFeatures>& source, const std::vector<UnitFeatures>& target,
+             std::vector<std::vector<Candidate>> candidates)
+        : source_(source), target_(target), candidates_(std::move(candidates)) {
+        for (const auto& list : candidates_) {
+            scores_.emplace_back();
+            for (const Candidate& candidate : list) scores_.back().push_back(candidate.similarity.score);
+        }
+    }
+
+    std::vector<Assignment> run() {
+        choose();
+        add_affinity();
+        choose();
+        return describe();
+    }
+
+private:
+    void choose() {
+        std::vector<Choice> choices;
+        for (uint32_t s = 0; s < candidates_.size(); ++s)
+            for (uint32_t c = 0; c < candidates_[s].size(); ++c) choices.push_back({scores_[s][c], s, c});
+        std::sort(choices.begin(), choices.end(), [&](const Choice& a, const Choice& b) {
+            if (a.score != b.score) return a.score > b.score;
+            if (a.source != b.source) return a.source < b.source;
+            return a.candidate < b.candidate;
+        });
+        choice_.assign(source_.size(), kNobody);
+        claimed_.assign(target_.size(), kNobody);
+        for (const Choice& choice : choices) {
+            const uint32_t t = candidates_[choice.source][choice.candidate].target;
+            if (choice_[choice.source] != kNobody || claimed_[t] != kNobody) continue;
+            choice_[choice.source] = choice.candidate;
+            claimed_[t] = choice.source;
+        }
+    }
+
+    static uint64_t file_pair(uint32_t a, uint32_t b) { return static_cast<uint64_t>(a) << 32 | b; }
+
+    /// Files that share certain pairs lift the scores between their other units.
+    void add_affinity() {
+        constexpr float kCertainScore = 0.55f, kCertainMargin = 0.1f, kMostBonus = 0.05f;
+        std::unordered_map<uint64_t, float> shared;
+        std::unordered_map<uint32_t, float> most;
+        for (uint32_t s = 0; s < source_.size(); ++s) {
+            if (choice_[s] == kNobody) continue;
+            const Candidate& chosen = candidates_[s][choice_[s]];
+            if (scores_[s][choice_[s]] < kCertainScore ||
+                rival(s, choice_[s], false) + kCertainMargin > scores_[s][choice_[s]])
+                continue;
+            const float count = ++shared[file_pair(source_[s].file, target_[chosen.target].file)];
+            most[source_[s].file] = std::max(most[source_[s].file], count);
+        }
+        for (uint32_t s = 0; s < source_.size(); ++s) {
+            for (uint32_t c = 0; c < candidates_[s].size(); ++c) {
+                const auto found = shared.find(file_pair(source_[s].file, target_[candidates_[s][c].target].file));
+                if (found != shared.end())
+                    scores_[s][c] += kMostBonus * found->second / std::max(2.0f, most[source_[s].file]);
+            }
+        }
+    }
+
+    /// The best score that a source has elsewhere. Other variants of the chosen one's name are no rivals.
+    float rival(uint32_t s, uint32_t chosen, bool only_free) const {
+        constexpr float kStronger = 0.05f;
+        float best = 0;
+        for (uint32_t c = 0; c < candidates_[s].size(); ++c) {
+            const uint32_t t = candidates_[s][c].target;
+            if (c == chosen || target_[t].folded_name == target_[candidates_[s][chosen].target].folded_name) continue;
+            if (only_free && claimed_[t] != kNobody && claimed_[t] != s &&
+                scores_[claimed_[t]][choice_[claimed_[t]]] > scores_[s][c] + kStronger)
+                continue;
+            best = std::max(best, scores_[s][c]);
+        }
+        return best;
+    }
+
+    std::vector<Assignment> describe() const {
+        std::vector<float> column_best(target_.size(), 0);  // best score of a source other than the claiming one
+        for (uint32_t s = 0; s < source_.size(); ++s)
+            for (uint32_t c = 0; c < candidates_[s].size(); ++c) {
+                const uint32_t t = candidates_[s][c].target;
+                if (claimed_[t] == s) continue;
+                if (claimed_[t] != kNobody && source_[claimed_[t]].folded_name == source_[s].folded_name) continue;
+                column_best[t] = std::max(column_best[t], scores_[s][c]);
+            }
+        std::unordered_map<std::string, int> source_names, target_names;
+        for (const UnitFeatures& unit : source_) ++source_names[unit.folded_name];
+        for (const UnitFeatures& unit : target_) ++target_names[unit.folded_name];
+        std::vector<Assignment> all;
+        for (uint32_t s = 0; s < source_.size(); ++s) {
+            if (choice_[s] == kNobody) continue;
+            const Candidate& chosen = candidates_[s][choice_[s]];
+            Assignment out;
+            out.source = s;
+            out.target = chosen.target;
+            out.similarity = chosen.similarity;
+            out.score = scores_[s][choice_[s]];
+            out.source_margin = out.score - rival(s, choice_[s], false);
+            out.free_margin = out.score - rival(s, choice_[s], true);
+            out.target_margin = out.score - column_best[chosen.target];
+            out.only_one =
+                source_names[source_[s].folded_name] == 1 && target_names[target_[chosen.target].folded_name] == 1;
+            all.push_back(out);
+        }
+        return all;
+    }
+
+    const std::vector<UnitFeatures>& source_;
+    const std::vector<UnitFeatures>& target_;
+    std::vector<std::vector<Candidate>> candidates_;
+    std::vector<std::vector<float>> scores_;
+    std::vector<uint32_t> choice_;   ///< of each source, an index into its candidates
+    std::vector<uint32_t> claimed_;  ///< of each target, the source
+};
+
+}  // namespace
+
+std::vector<Assignment> assign(const std::vector<UnitFeatures>& source, const std::vector<UnitFeatures>& target,
+                               std::vector<std::vector<Candidate>> candidates) {
+    return Assigner(source, target, std::move(candidates)).run();
+}
+
+}  // namespace porttool

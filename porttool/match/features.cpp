@@ -1,0 +1,279 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/match/features.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "porttool/compare/normal_form.h"
+#include "porttool/match/words.h"
+
+namespace porttool {
+namespace {
+
+Group group_of(UnitKind kind) {
+    if (kind == UnitKind::Struct) return Group::Struct;
+    return kind == UnitKind::Constant ? Group::Constant : Group::Code;
+}
+
+std::string_view leaf_of(std::string_view name) {
+    const size_t colons = name.rfind("::");
+    return colons == std::string_view::npos ? name : name.substr(colons + 2);
+}
+
+/// What the suffix of a ray-tracing shader says is part of a function's name elsewhere: `__closesthit__radiance`.
+std::string_view stage_word(std::string_view path) {
+    if (path.ends_with(".rgen")) return "raygen";
+    if (path.ends_with(".rchit")) return "closesthit";
+    if (path.ends_with(".rahit")) return "anyhit";
+    if (path.ends_with(".rmiss")) return "miss";
+    if (path.ends_with(".rint")) return "intersection";
+    if (path.ends_with(".rcall")) return "callable";
+    return {};
+}
+
+/// The value of a number whatever its suffix: a literal 2.0f is the same thing as 2.
+std::string value_of(std::string_view text) {
+    std::string value = normal_number(text);
+    while (!value.empty() && (value.back() == 'f' || value.back() == 'u' || value.back() == 'l' || value.back() == 'h'))
+        value.pop_back();
+    if (value.ends_with(".0")) value.resize(value.size() - 2);
+    return value;
+}
+
+class FeatureReader {
+public:
+    FeatureReader(const ScannedFile& file, const Dialect& dialect, Vocabulary& vocabulary)
+        : file_(file), dialect_(dialect), vocabulary_(vocabulary) {}
+
+    UnitFeatures read(const Unit& unit) {
+        UnitFeatures features;
+        counts_ = {};
+        features.group = group_of(unit.kind);
+        features.kernel = unit.kind == UnitKind::Kernel;
+        read_names(unit, features);
+        read_place();
+        read_parameters(unit, features);
+        read_body(unit, features);
+        for (size_t family = 0; family < kFamilies; ++family)
+            for (const auto& [id, count] : counts_[family]) features.bags[family].push_back({id, count});
+        return features;
+    }
+
+private:
+    void count(Family family, std::string_view text, float amount = 1) {
+        counts_[family][vocabulary_.id(family, text)] += amount;
+    }
+
+    void count_words(Family family, std::string_view name, float amount) {
+        for (const std::string& word : split_words(name)) count(family, word, amount);
+    }
+
+    void read_names(const Unit& unit, UnitFeatures& features) {
+        const std::string_view name = std::string_view(unit.name).substr(0, unit.name.find('#'));
+        const std::string_view leaf = leaf_of(name);
+        const std::string_view stem = file_stem(file_.path);
+        features.whole_file_main = unit.kind == UnitKind::File || (features.kernel && leaf == "main");
+        features.lifecycle = is_lifecycle(name, leaf);
+        const std::string_view shown = features.whole_file_main ? stem : name;
+        features.folded_name = fold(shown);
+        features.folded_leaf = fold(leaf_of(shown));
+        constexpr float kScopeWeight = 0.7f;
+        count_words(kName, leaf_of(shown), 1);
+        count_words(kName, shown.substr(0, shown.size() - leaf_of(shown).size()), kScopeWeight);
+        if (features.whole_file_main) {
+            count_words(kName, stage_word(file_.path), 1);
+            count_words(kPlace, stage_word(file_.path), 1);
+        }
+        for (const auto& [id, amount] : counts_[kName]) features.name_words.push_back(id);
+        // The place also carries the name: a class here is a file there.
+        count_words(kPlace, shown, 1);
+    }
+
+    /// `Ray::Ray`, `Ray::~Ray`
+    static bool is_lifecycle(std::string_view name, std::string_view leaf) {
+        if (leaf.starts_with('~')) return true;
+        if (leaf.size() == name.size()) return false;
+        return leaf_of(name.substr(0, name.size() - leaf.size() - 2)) == leaf;
+    }
+
+    void read_place() {
+        constexpr float kFolderWeight = 0.35f;
+        count_words(kPlace, file_stem(file_.path), 1);
+        count_words(kPlace, folder_of(file_.path), kFolderWeight);
+    }
+
+    void read_parameters(const Unit& unit, UnitFeatures& features) {
+        if (unit.parameters.empty()) return;
+        features.parameters = 1;
+        int depth = 0;
+        for (uint32_t i = unit.parameters.first; i < unit.parameters.end; ++i) {
+            const Token& token = file_.lexed.tokens[i];
+            if (token.flags & (kInDirective | kDead)) continue;
+            const std::string_view text = file_.lexed.view(token);
+            if (text == "(" || text == "<") ++depth;
+            if (text == ")" || text == ">") --depth;
+            if (text == "," && depth == 0) ++features.parameters;
+            if (token.kind != TokenKind::Identifier) continue;
+            const std::string* common = dialect_.find(text);
+            if (common == nullptr)
+                count_words(kBody, text, 1);
+            else if (!common->empty())
+                features.parameter_types.push_back(vocabulary_.id(kBody, *common));
+        }
+        std::sort(features.parameter_types.begin(), features.parameter_types.end());
+    }
+
+    void read_body(const Unit& unit, UnitFeatures& features) {
+        shape_.clear();
+        size_t hole = 0;
+        for (uint32_t i = unit.body.first; i < unit.body.end; ++i) {
+            while (hole < unit.holes.size() && unit.holes[hole].end <= i) ++hole;
+            if (hole < unit.holes.size() && unit.holes[hole].first <= i) {
+                i = unit.holes[hole].end - 1;
+                continue;
+            }
+            const Token& token = file_.lexed.tokens[i];
+            if ((token.flags & kDead) == 0) read_token(i, token);
+        }
+        features.size = static_cast<uint32_t>(shape_.size());
+        read_shape();
+        if (features.group == Group::Constant) features.value = constant_value(unit);
+    }
+
+    void read_token(uint32_t i, const Token& token) {
+        const std::string_view text = file_.lexed.view(token);
+        if (token.kind == TokenKind::Identifier) return read_identifier(i, text);
+        if (token.kind == TokenKind::Number) {
+            const std::string value = value_of(text);
+            if (value.size() > 1) count(kLiterals, value);
+            shape_.push_back(hash_text(value));
+            return;
+        }
+        if (token.kind == TokenKind::String) {
+            if (text.size() > 4) count(kLiterals, text);
+            shape_.push_back(1);
+            return;
+        }
+        if (text == "::") return;  // scopes come and go between languages
+        const std::string* common = dialect_.find(text);
+        shape_.push_back(hash_text(common != nullptr ? *common : std::string(text)));
+    }
+
+    void read_identifier(uint32_t i, std::string_view text) {
+        const std::string* common = dialect_.find(text);
+        if (common != nullptr && common->empty()) return;
+        const bool call = i + 1 < file_.lexed.tokens.size() && file_.lexed.view(i + 1) == "(";
+        if (common != nullptr) {
+            count(kBody, *common);
+            shape_.push_back(hash_text(*common));
+            return;
+        }
+        if (is_keyword(text)) {
+            shape_.push_back(hash_text(text));
+            return;
+        }
+        if (call) count_words(kCalls, text, 1);
+        count_words(kBody, text, 1);
+        shape_.push_back(call ? 3 : 2);
+    }
+
+    static bool is_keyword(std::string_view text) {
+        return text == "if" || text == "else" || text == "for" || text == "while" || text == "do" || text == "return" ||
+               text == "switch" || text == "case" || text == "break" || text == "continue" || text == "default" ||
+               text == "true" || text == "false" || text == "struct";
+    }
+
+    void read_shape() {
+        constexpr size_t kLength = 5;
+        for (size_t i = 0; i + kLength <= shape_.size(); ++i) {
+            uint64_t hash = 0;
+            for (size_t k = 0; k < kLength; ++k) hash = hash * 0x9E3779B97F4A7C15ull + shape_[i + k];
+            const std::string_view bytes(reinterpret_cast<const char*>(&hash), sizeof hash);
+            count(kShape, bytes);
+        }
+    }
+
+    std::string constant_value(const Unit& unit) const {
+        std::string value;
+        bool seen = file_.lexed.tokens[unit.tokens.first].flags & kInDirective;
+        const uint32_t first = seen ? unit.body.first : unit.tokens.first;
+        for (uint32_t i = first; i < unit.tokens.end && value.size() < 400; ++i) {
+            const Token& token = file_.lexed.tokens[i];
+            const std::string_view text = file_.lexed.view(token);
+            if (seen) value += token.kind == TokenKind::Number ? value_of(text) : std::string(text);
+            seen = seen || text == "=" || text == "{";
+        }
+        return value;
+    }
+
+    const ScannedFile& file_;
+    const Dialect& dialect_;
+    Vocabulary& vocabulary_;
+    std::array<std::map<uint32_t, float>, kFamilies> counts_;
+    std::vector<uint64_t> shape_;
+};
+
+/// Words such as a project's prefix, in more than a fifth of the names of a side, tell nothing apart.
+void drop_common_words(std::vector<UnitFeatures>& units) {
+    std::unordered_map<uint32_t, size_t> frequency;
+    for (const UnitFeatures& unit : units)
+        for (const uint32_t word : unit.name_words) ++frequency[word];
+    constexpr size_t kShare = 5, kFewest = 20;
+    if (units.size() < kFewest) return;
+    for (UnitFeatures& unit : units) {
+        std::vector<uint32_t> kept;
+        for (const uint32_t word : unit.name_words)
+            if (frequency[word] * kShare <= units.size()) kept.push_back(word);
+        if (!kept.empty()) unit.name_words = std::move(kept);
+    }
+}
+
+}  // namespace
+
+uint32_t Vocabulary::id(Family family, std::string_view text) {
+    key_.assign(1, static_cast<char>(family));
+    key_.append(text);
+    return ids_.emplace(key_, static_cast<uint32_t>(ids_.size())).first->second;
+}
+
+std::vector<UnitFeatures> read_features(const std::vector<ScannedFile>& files, const Dialect& dialect,
+                                        Vocabulary& vocabulary) {
+    std::vector<UnitFeatures> all;
+    for (size_t f = 0; f < files.size(); ++f) {
+        FeatureReader reader(files[f], dialect, vocabulary);
+        for (size_t u = 0; u < files[f].units.size(); ++u) {
+            all.push_back(reader.read(files[f].units[u]));
+            all.back().file = static_cast<uint32_t>(f);
+            all.back().unit = static_cast<uint32_t>(u);
+        }
+    }
+    drop_common_words(all);
+    return all;
+}
+
+void weigh(std::vector<UnitFeatures>& source, std::vector<UnitFeatures>& target, size_t terms) {
+    std::vector<float> frequency(terms, 0);
+    for (const auto* side : {&source, &target})
+        for (const UnitFeatures& unit : *side)
+            for (const Bag& bag : unit.bags)
+                for (const Term& term : bag) frequency[term.id] += 1;
+    const auto total = static_cast<float>(source.size() + target.size());
+    for (auto* side : {&source, &target}) {
+        for (UnitFeatures& unit : *side) {
+            for (Bag& bag : unit.bags) {
+                float square = 0;
+                for (Term& term : bag) {
+                    const float idf = std::log((total + 1) / (frequency[term.id] + 0.5f));
+                    term.weight = (term.weight > 1 ? 1 + std::log(term.weight) : term.weight) * std::max(0.05f, idf);
+                    square += term.weight * term.weight;
+                }
+                const float scale = square > 0 ? 1 / std::sqrt(square) : 0;
+                for (Term& term : bag) term.weight *= scale;
+            }
+        }
+    }
+}
+
+}  // namespace porttool

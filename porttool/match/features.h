@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "porttool/compare/dialect.h"
+#include "porttool/scan/unit.h"
+
+namespace porttool {
+
+/// The kinds of evidence that are weighed as bags of terms.
+enum Family : size_t { kName, kPlace, kBody, kShape, kCalls, kLiterals, kFamilies };
+
+struct Term {
+    uint32_t id;
+    float weight;
+};
+
+/// Terms sorted by id; after weighing, a unit vector.
+using Bag = std::vector<Term>;
+
+/// Units are only paired within one group.
+enum class Group : uint8_t { Code, Struct, Constant };
+
+/// What one unit shows to the matcher.
+struct UnitFeatures {
+    uint32_t file = 0;  ///< index into the side's files
+    uint32_t unit = 0;  ///< index into the file's units
+    Group group = Group::Code;
+    bool kernel = false;
+    bool whole_file_main = false;  ///< a shader's main: the file's name is its name
+    bool lifecycle = false;        ///< a constructor or destructor
+    std::string folded_name;       ///< qualified, letters and digits only
+    std::string folded_leaf;
+    std::array<Bag, kFamilies> bags;
+    std::vector<uint32_t> name_words;       ///< sorted term ids, without words that stand in most names of the side
+    std::vector<uint32_t> parameter_types;  ///< sorted term ids
+    uint32_t parameters = 0;
+    uint32_t size = 0;  ///< tokens of the body
+    std::string value;  ///< of a constant, normalised
+};
+
+/// Numbers terms; both sides share one.
+class Vocabulary {
+public:
+    uint32_t id(Family family, std::string_view text);
+    size_t size() const { return ids_.size(); }
+
+private:
+    std::unordered_map<std::string, uint32_t> ids_;
+    std::string key_;
+};
+
+/// Reads the features of all units of one side. Weights are raw counts; weigh() makes them comparable.
+std::vector<UnitFeatures> read_features(const std::vector<ScannedFile>& files, const Dialect& dialect,
+                                        Vocabulary& vocabulary);
+
+/// Turns counts into tf-idf unit vectors, with document frequencies over both sides.
+void weigh(std::vector<UnitFeatures>& source, std::vector<UnitFeatures>& target, size_t terms);
+
+}  // namespace porttool

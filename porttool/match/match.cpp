@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/match/match.h"
+
+#include <algorithm>
+#include <set>
+#include <unordered_map>
+#include <unordered_set>
+
+#include "porttool/match/decide.h"
+#include "porttool/read/glob.h"
+#include "porttool/scan/scan.h"
+
+namespace porttool {
+namespace {
+
+std::string id_of(const std::vector<ScannedFile>& files, const UnitFeatures& unit) {
+    return unit_id(files[unit.file], files[unit.file].units[unit.unit]);
+}
+
+bool is_ignored(const std::vector<Glob>& ignored, const std::string& id) {
+    return std::any_of(ignored.begin(), ignored.end(),
+                       [&](const Glob& glob) { return glob.text() == id || glob.matches(id); });
+}
+
+/// Takes the units out that are ignored or stand in a settled pair.
+void keep_open_units(std::vector<UnitFeatures>& units, const std::vector<ScannedFile>& files,
+                     const std::unordered_set<std::string>& settled, const std::vector<Glob>& ignored) {
+    std::erase_if(units, [&](const UnitFeatures& unit) {
+        const std::string id = id_of(files, unit);
+        return settled.contains(id) || is_ignored(ignored, id);
+    });
+}
+
+void add_unmapped(std::vector<std::string>& out, const std::vector<UnitFeatures>& units,
+                  const std::vector<ScannedFile>& files, const std::vector<bool>& mapped) {
+    for (size_t i = 0; i < units.size(); ++i)
+        if (!mapped[i]) out.push_back(id_of(files, units[i]));
+    std::sort(out.begin(), out.end());
+}
+
+constexpr size_t kMostCandidates = 24;
+
+}  // namespace
+
+Matching match_units(const std::vector<ScannedFile>& source, const std::vector<ScannedFile>& target,
+                     const Settled& settled, const Dialect& dialect) {
+    Matching out;
+    std::unordered_set<std::string> settled_source, settled_target;
+    for (const auto& [from, to] : settled.pairs) {
+        out.pairs.push_back({from, to, 1.0f, PairState::Confirmed});
+        settled_source.insert(from);
+        settled_target.insert(to);
+    }
+    std::vector<Glob> ignored;
+    for (const std::string& text : settled.ignored) ignored.emplace_back(text);
+
+    Vocabulary vocabulary;
+    auto source_units = read_features(source, dialect, vocabulary);
+    auto target_units = read_features(target, dialect, vocabulary);
+    keep_open_units(source_units, source, settled_source, ignored);
+    keep_open_units(target_units, target, settled_target, ignored);
+    weigh(source_units, target_units, vocabulary.size());
+
+    std::vector<bool> source_mapped(source_units.size(), false), target_mapped(target_units.size(), false);
+    const auto assignments =
+        assign(source_units, target_units, find_candidates(source_units, target_units, kMostCandidates));
+    for (const Assignment& pair : assignments) {
+        const float score = confidence(source_units[pair.source], target_units[pair.target], pair);
+        if (score < kLeastConfidence) continue;
+        source_mapped[pair.source] = target_mapped[pair.target] = true;
+        out.pairs.push_back({id_of(source, source_units[pair.source]), id_of(target, target_units[pair.target]), score,
+                             PairState::Suggested});
+    }
+    std::sort(out.pairs.begin(), out.pairs.end(), [](const MatchedPair& a, const MatchedPair& b) {
+        return a.source != b.source ? a.source < b.source : a.target < b.target;
+    });
+    add_unmapped(out.unmapped_source, source_units, source, source_mapped);
+    add_unmapped(out.unmapped_target, target_units, target, target_mapped);
+    return out;
+}
+
+}  // namespace porttool

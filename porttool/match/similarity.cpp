@@ -1,0 +1,134 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/match/similarity.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace porttool {
+
+const std::array<float, kFamilies> kFamilyWeights = {0.26f, 0.20f, 0.20f, 0.10f, 0.08f, 0.04f};
+
+namespace {
+
+/// Share of letter triples that two names have in common (Dice).
+float trigram_share(const std::string& a, const std::string& b) {
+    constexpr size_t kLength = 3;
+    if (a.size() < kLength || b.size() < kLength) return a == b ? 1.0f : 0.0f;
+    auto triples = [](const std::string& text) {
+        std::vector<uint32_t> out;
+        for (size_t i = 0; i + kLength <= text.size(); ++i)
+            out.push_back(static_cast<uint32_t>(static_cast<unsigned char>(text[i])) << 16 |
+                          static_cast<uint32_t>(static_cast<unsigned char>(text[i + 1])) << 8 |
+                          static_cast<unsigned char>(text[i + 2]));
+        std::sort(out.begin(), out.end());
+        return out;
+    };
+    const auto left = triples(a), right = triples(b);
+    size_t shared = 0;
+    for (size_t i = 0, k = 0; i < left.size() && k < right.size();) {
+        if (left[i] == right[k])
+            ++shared, ++i, ++k;
+        else if (left[i] < right[k])
+            ++i;
+        else
+            ++k;
+    }
+    return 2.0f * static_cast<float>(shared) / static_cast<float>(left.size() + right.size());
+}
+
+float name_likeness(const UnitFeatures& a, const UnitFeatures& b) {
+    if (a.folded_name == b.folded_name) return 1;
+    if (a.folded_leaf == b.folded_leaf) return 0.85f;
+    return 0.8f * std::max(trigram_share(a.folded_leaf, b.folded_leaf), trigram_share(a.folded_name, b.folded_name));
+}
+
+/// Dice's share of two sorted lists.
+float dice(const std::vector<uint32_t>& a, const std::vector<uint32_t>& b) {
+    if (a.empty() && b.empty()) return 1;
+    size_t shared = 0;
+    for (size_t i = 0, k = 0; i < a.size() && k < b.size();) {
+        if (a[i] == b[k])
+            ++shared, ++i, ++k;
+        else if (a[i] < b[k])
+            ++i;
+        else
+            ++k;
+    }
+    return 2.0f * static_cast<float>(shared) / static_cast<float>(a.size() + b.size());
+}
+
+/// A file with one main is named by its subject alone (`argsort.comp`), the function by more (`k_argsort_f32_i32`):
+/// there the share of the file's words counts.
+float words_likeness(const UnitFeatures& a, const UnitFeatures& b) {
+    const float both = dice(a.name_words, b.name_words);
+    if (a.whole_file_main == b.whole_file_main || a.kernel != b.kernel) return both;
+    const auto& file = a.whole_file_main ? a.name_words : b.name_words;
+    const float sum = static_cast<float>(a.name_words.size() + b.name_words.size());
+    const float contained = file.empty() ? 0 : both * sum / (2 * static_cast<float>(file.size()));
+    return std::max(both, 0.95f * contained);
+}
+
+float kind_likeness(const UnitFeatures& a, const UnitFeatures& b) {
+    if (a.lifecycle != b.lifecycle) return 0;
+    if (a.kernel == b.kernel) return 1;
+    return a.whole_file_main || b.whole_file_main ? 0.0f : 0.4f;  // an entry point is a kernel's port before all else
+}
+
+float signature_likeness(const UnitFeatures& a, const UnitFeatures& b) {
+    const float few = static_cast<float>(std::min(a.parameters, b.parameters));
+    const float many = static_cast<float>(std::max(a.parameters, b.parameters));
+    const float counts = many > 0 ? few / many : 1;
+    const float types = dice(a.parameter_types, b.parameter_types);
+    return 0.5f * counts + 0.5f * types;
+}
+
+float size_likeness(const UnitFeatures& a, const UnitFeatures& b) {
+    const float few = 8 + static_cast<float>(std::min(a.size, b.size));
+    const float many = 8 + static_cast<float>(std::max(a.size, b.size));
+    return few / many;
+}
+
+}  // namespace
+
+float cosine(const Bag& a, const Bag& b) {
+    float sum = 0;
+    for (size_t i = 0, k = 0; i < a.size() && k < b.size();) {
+        if (a[i].id == b[k].id)
+            sum += a[i++].weight * b[k++].weight;
+        else if (a[i].id < b[k].id)
+            ++i;
+        else
+            ++k;
+    }
+    return sum;
+}
+
+Similarity compare_units(const UnitFeatures& a, const UnitFeatures& b) {
+    Similarity out;
+    constexpr float kNameWeight = 0.12f, kWordsWeight = 0.08f, kSignatureWeight = 0.06f, kSizeWeight = 0.05f,
+                    kKindWeight = 0.09f;
+    float weight = kNameWeight + kWordsWeight + kSizeWeight;
+    out.same_name = name_likeness(a, b);
+    out.words = words_likeness(a, b);
+    out.size = size_likeness(a, b);
+    float score = kNameWeight * out.same_name + kWordsWeight * out.words + kSizeWeight * out.size;
+    for (size_t family = 0; family < kFamilies; ++family) {
+        const bool left = !a.bags[family].empty(), right = !b.bags[family].empty();
+        if (!left && !right) continue;  // neither calls anything: says nothing
+        out.families[family] = left && right ? cosine(a.bags[family], b.bags[family]) : 0;
+        const float share = left && right ? kFamilyWeights[family] : 0.5f * kFamilyWeights[family];
+        score += share * out.families[family];
+        weight += share;
+    }
+    if (a.group == Group::Code) {
+        out.signature = signature_likeness(a, b);
+        out.kind = kind_likeness(a, b);
+        score += kSignatureWeight * out.signature + kKindWeight * out.kind;
+        weight += kSignatureWeight + kKindWeight;
+    }
+    out.score = std::clamp(score / weight, 0.0f, 1.0f);
+    return out;
+}
+
+}  // namespace porttool

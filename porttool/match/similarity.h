@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+
+#include "porttool/match/features.h"
+
+namespace porttool {
+
+/// How two units resemble each other, signal by signal, each in [0, 1].
+struct Similarity {
+    std::array<float, kFamilies> families{};
+    float same_name = 0;  ///< 1: the whole names fold to one; less: the last parts do, or share their letters
+    float words = 0;      ///< share of the names' words, each counting the same
+    float signature = 0;
+    float size = 0;
+    float kind = 0;   ///< 1: both kernels or both not, both constructors or both not
+    float score = 0;  ///< all together
+};
+
+Similarity compare_units(const UnitFeatures& a, const UnitFeatures& b);
+
+/// The product of two weighed bags.
+float cosine(const Bag& a, const Bag& b);
+
+/// What each family adds to a score, also used to find candidates.
+extern const std::array<float, kFamilies> kFamilyWeights;
+
+}  // namespace porttool

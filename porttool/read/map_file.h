@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace porttool {
+
+struct MapPair {
+    std::string source;
+    std::vector<std::string> targets;
+    int line = 0;
+};
+
+struct MapIgnore {
+    std::string id;
+    std::string reason;
+    int line = 0;
+};
+
+struct MapBlock {
+    std::string name;
+    std::vector<std::string> source, target;
+};
+
+/// What portmap.toml says.
+struct MapFile {
+    std::vector<std::string> source, target;  ///< globs
+    std::string reference = "source";
+    std::string target_root;  ///< where the target side lies, if in another checkout
+    std::vector<MapPair> pairs;
+    std::vector<MapIgnore> ignores;
+    std::vector<MapBlock> blocks;
+    std::map<std::string, std::string> rules;
+    std::vector<std::pair<std::string, std::string>> dialect;
+};
+
+/// A map, or the error as it is shown: file:line:column, what is wrong, the line with a caret.
+struct ReadMap {
+    MapFile map;
+    std::string error;
+};
+
+/// Reads the text of a portmap.toml. Unknown keys are errors with the nearest known one.
+ReadMap read_map(const std::string& path, const std::string& text);
+
+/// The names of the rules that [rules] may set, and the levels that it may set them to.
+const std::vector<std::string>& rule_names();
+
+}  // namespace porttool
