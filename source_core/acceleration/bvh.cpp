@@ -12,7 +12,13 @@ namespace {
 
 constexpr uint32_t WIDTH = 4;
 constexpr float NOWHERE = 1.0e30f;
-constexpr uint32_t DEPTHS_TO_TRY[] = {48, 24, 12, 6, 0};  // of the heuristic's splits, before medians
+
+// Ways to build, from the fastest tree to that of the least depth.
+struct Attempt {
+    uint32_t median_depth;  // splits are medians from this depth on
+    bool fold_by_area;      // else by level: then a tree of medians needs 3 entries for every factor of 4
+};
+constexpr Attempt ATTEMPTS[] = {{48, true}, {24, true}, {12, true}, {0, false}};
 
 WideNode empty_node() {
     WideNode node;
@@ -33,8 +39,8 @@ void set_child_box(WideNode& node, uint32_t child, const BinaryNode& box) {
 // Folds the binary tree: a wide node takes in those inner children that rays meet most often.
 class Folder {
 public:
-    Folder(const std::vector<BinaryNode>& binary, const std::vector<BuildPrimitive>& primitives)
-        : binary_(binary), primitives_(primitives) {}
+    Folder(const std::vector<BinaryNode>& binary, const std::vector<BuildPrimitive>& primitives, bool by_area)
+        : binary_(binary), primitives_(primitives), by_area_(by_area) {}
 
     WideTree fold() {
         tree_.order.reserve(primitives_.size());
@@ -66,15 +72,18 @@ private:
     // Fills node `wide` from the inner node `binary`; the stack that a walk below it needs.
     uint32_t fold_node(uint32_t binary, uint32_t wide) {
         uint32_t children[WIDTH] = {binary_[binary].first, binary_[binary].first + 1};
+        uint32_t levels[WIDTH] = {1, 1};
         uint32_t count = 2;
         while (count < WIDTH) {
-            const int widest = largest_inner(children, count);
-            if (widest < 0) {
+            const int chosen = choose_inner(children, levels, count);
+            if (chosen < 0) {
                 break;
             }
-            const uint32_t pair = binary_[children[widest]].first;
-            children[widest] = pair;
-            children[count++] = pair + 1;
+            const uint32_t pair = binary_[children[chosen]].first;
+            children[chosen] = pair;
+            children[count] = pair + 1;
+            levels[count] = ++levels[chosen];
+            ++count;
         }
         uint32_t need_below = 0;
         for (uint32_t i = 0; i < count; ++i) {
@@ -92,19 +101,26 @@ private:
         return need_below + count - 1;
     }
 
-    int largest_inner(const uint32_t* children, uint32_t count) const {
-        int largest = -1;
+    // The inner child to take in next; -1: there is none.
+    int choose_inner(const uint32_t* children, const uint32_t* levels, uint32_t count) const {
+        int chosen = -1;
         for (uint32_t i = 0; i < count; ++i) {
             const BinaryNode& child = binary_[children[i]];
-            if (child.count == 0 && (largest < 0 || half_area(child) > half_area(binary_[children[largest]]))) {
-                largest = static_cast<int>(i);
+            if (child.count != 0) {
+                continue;
+            }
+            const bool larger = chosen < 0 || half_area(child) > half_area(binary_[children[chosen]]);
+            const bool higher = chosen < 0 || levels[i] < levels[chosen];
+            if (by_area_ ? larger : higher) {
+                chosen = static_cast<int>(i);
             }
         }
-        return largest;
+        return chosen;
     }
 
     const std::vector<BinaryNode>& binary_;
     const std::vector<BuildPrimitive>& primitives_;
+    bool by_area_;
     WideTree tree_;
 };
 
@@ -116,9 +132,9 @@ WideTree build_wide_tree(std::vector<BuildPrimitive> primitives, uint32_t thread
         tree.nodes.push_back(empty_node());
         return tree;
     }
-    for (const uint32_t median_depth : DEPTHS_TO_TRY) {
-        const std::vector<BinaryNode> binary = build_binary_tree(primitives, threads, median_depth);
-        tree = Folder(binary, primitives).fold();
+    for (const Attempt& attempt : ATTEMPTS) {
+        const std::vector<BinaryNode> binary = build_binary_tree(primitives, threads, attempt.median_depth);
+        tree = Folder(binary, primitives, attempt.fold_by_area).fold();
         if (tree.stack_need <= stack_limit) {
             break;
         }

@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <map>
+#include <set>
+#include <spirv-tools/libspirv.hpp>
+
+#include "source_core/device/kernel_compiler.h"
+#include "source_core/device/kernel_files.h"
+#include "source_core/device/kernel_set.h"
+#include "source_core/device/spirv_passes.h"
+
+using namespace source_core;
+
+namespace {
+
+constexpr uint32_t ALL_FEATURES = 0xFFFFFFFFu;
+
+std::map<std::string, std::string> built_in_kernels() {
+    auto files = read_kernel_files("");
+    EXPECT_TRUE(files.ok());
+    return *files;
+}
+
+std::vector<uint32_t> compile(Kernel kernel, uint32_t features, TableAccess access) {
+    static const auto files = built_in_kernels();
+    KernelVariant variant;
+    variant.features = features;
+    variant.tables.fill(access);
+    auto words = compile_kernel(files, std::string(kernel_name(kernel)) + ".comp", variant.preamble());
+    EXPECT_TRUE(words.ok()) << words.status.message;
+    return words.ok() ? *words : std::vector<uint32_t>{};
+}
+
+std::string disassemble(const std::vector<uint32_t>& words) {
+    std::string text;
+    spvtools::SpirvTools(SPV_ENV_VULKAN_1_2).Disassemble(
+        words, &text, SPV_BINARY_TO_TEXT_OPTION_NO_HEADER | SPV_BINARY_TO_TEXT_OPTION_FRIENDLY_NAMES);
+    return text;
+}
+
+void for_each_line(const std::string& text, const std::function<void(const std::string&)>& visit) {
+    size_t at = 0;
+    while (at < text.size()) {
+        const size_t end = text.find('\n', at);
+        visit(text.substr(at, end - at));
+        at = end + 1;
+    }
+}
+
+class EveryModule : public testing::TestWithParam<std::tuple<uint32_t, uint32_t, TableAccess>> {
+protected:
+    Kernel kernel() const { return static_cast<Kernel>(std::get<0>(GetParam())); }
+    std::vector<uint32_t> module() const { return compile(kernel(), std::get<1>(GetParam()), std::get<2>(GetParam())); }
+};
+
+}  // namespace
+
+TEST_P(EveryModule, IsValid) {
+    spvtools::SpirvTools tools(SPV_ENV_VULKAN_1_2);
+    std::string messages;
+    tools.SetMessageConsumer([&messages](spv_message_level_t, const char*, const spv_position_t&, const char* text) {
+        messages += std::string(text) + "; ";
+    });
+    EXPECT_TRUE(tools.Validate(module())) << messages;
+}
+
+TEST_P(EveryModule, FusesNoFloatArithmetic) {
+    const std::string text = disassemble(module());
+    std::set<std::string> decorated;
+    std::set<std::string> computed;
+    for_each_line(text, [&](const std::string& line) {
+        if (line.find("NoContraction") != std::string::npos) {
+            const size_t start = line.find('%');
+            decorated.insert(line.substr(start, line.find(' ', start) - start));
+        }
+        for (const char* op : {"OpFAdd ", "OpFSub ", "OpFMul ", "OpFDiv ", "OpFNegate ", "OpDot ",
+                               "OpVectorTimesScalar ", " Sqrt ", " Floor ", " FMix "}) {
+            if (line.find(op) != std::string::npos && line.find(" = ") != std::string::npos) {
+                const size_t start = line.find('%');
+                computed.insert(line.substr(start, line.find(' ', start) - start));
+            }
+        }
+    });
+    for (const std::string& id : computed) {
+        EXPECT_TRUE(decorated.contains(id)) << id;
+    }
+    if (kernel() == Kernel::shade) {
+        EXPECT_GT(computed.size(), 300u) << "the test would not notice";
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Kernels, EveryModule,
+                         testing::Combine(testing::Range(0u, KERNEL_COUNT), testing::Values(0u, ALL_FEATURES),
+                                          testing::Values(TableAccess::texels, TableAccess::storage,
+                                                          TableAccess::address)));
+
+TEST(BufferAccess, IsMarkedByWhatAKernelDoes) {
+    // A buffer's member decorations, by the name of its block.
+    const auto marks = [](Kernel kernel) {
+        std::map<std::string, std::string> result;
+        for_each_line(disassemble(compile(kernel, ALL_FEATURES, TableAccess::texels)), [&](const std::string& line) {
+            for (const char* mark : {"NonWritable", "NonReadable"}) {
+                if (line.find("OpMemberDecorate %") != std::string::npos && line.find(mark) != std::string::npos) {
+                    const size_t start = line.find('%') + 1;
+                    result[line.substr(start, line.find(' ', start) - start)] += mark;
+                }
+            }
+        });
+        return result;
+    };
+    auto extend = marks(Kernel::extend);
+    EXPECT_EQ(extend["path_origin_block"], "NonWritable");
+    EXPECT_EQ(extend["queue_block"], "NonWritable");
+    EXPECT_EQ(extend["path_hit_block"], "NonReadable");
+    EXPECT_EQ(extend["path_radiance_block"], "") << "not used";
+    auto shade = marks(Kernel::shade);
+    EXPECT_EQ(shade["path_hit_block"], "NonWritable");
+    EXPECT_EQ(shade["next_queue_block"], "NonReadable");
+    EXPECT_EQ(shade["path_radiance_block"], "") << "read and written";
+    EXPECT_EQ(shade["CountersBlock"], "") << "atomics read and write";
+}
+
+TEST(ForbidContraction, LeavesADecoratedModuleAlone) {
+    const auto words = compile(Kernel::extend, 0, TableAccess::texels);
+    EXPECT_EQ(forbid_contraction(words), words);
+}
