@@ -8,7 +8,7 @@
 
 #include "application/command_table.h"
 #include "application/declare_options.h"
-#include "application/suggest.h"
+#include "metrics/text/suggest.h"
 
 namespace application {
 namespace {
@@ -65,7 +65,7 @@ std::string describe_extras(const CLI::App& app) {
     if (extras.empty()) return "unexpected arguments";
     const std::string& word = extras.front();
     if (!word.starts_with("-")) return "unexpected argument '" + word + "'";
-    const auto near = suggest(word.substr(0, word.find('=')), option_names(app));
+    const auto near = metrics::suggest(word.substr(0, word.find('=')), option_names(app));
     return "unknown option '" + word + "'" + (near ? "; did you mean '" + *near + "'?" : "");
 }
 
@@ -76,7 +76,7 @@ std::string unknown_command(const std::string& word) {
         names.push_back(command.name);
         list += (list.empty() ? "" : ", ") + command.name;
     }
-    const auto near = suggest(word, names);
+    const auto near = metrics::suggest(word, names);
     return "unknown command '" + word + "'; " + (near ? "did you mean '" + *near + "'?" : "there are " + list);
 }
 

@@ -84,8 +84,7 @@ void declare_paths(CLI::App& app, Options& options) {
 void declare_machine(CLI::App& app, Options& options) {
     add_choice<std::string>(app, "--core", options.core,
                             {{"source", "source"}, {"target", "target"}, {"auto", "auto"}, {"null", "null"}},
-                            "source (Vulkan), target (Embree), null (paints nothing), or auto: source where the scene "
-                            "fits, else target (auto)")
+                            "source (Vulkan), target (Embree), null (black), or auto: source if the scene fits (auto)")
         ->type_name("CORE")
         ->each([&options](const std::string&) { options.core_given = true; });
     add_number(app, "--threads", options.threads, 1, MAX_THREADS, "Host threads; never changes the picture (all)")
@@ -98,11 +97,14 @@ void declare_machine(CLI::App& app, Options& options) {
         ->type_name("DIR");
 }
 
-/// What render, compare and bench share.
-void declare_scene_command(CLI::App& app, Options& options) {
+void declare_scene(CLI::App& app, Options& options) {
     app.add_option("SCENE", options.scene, "A .gltf or .glb file, or the name of a built-in scene: still_life")
         ->required()
         ->type_name("");
+}
+
+/// What render, compare and bench share, after what is their own.
+void declare_rendering(CLI::App& app, Options& options) {
     declare_picture(app, options);
     declare_paths(app, options);
     declare_machine(app, options);
@@ -131,14 +133,17 @@ void declare_common(CLI::App& app, Options& options) {
 }
 
 void declare_render(CLI::App& app, Options& options) {
-    declare_scene_command(app, options);
-    declare_samples(app, options, "Samples per pixel (16)");
+    declare_scene(app, options);
     app.add_option("-o,--output", options.output, "The picture, .png or .exr (<scene>.png in this folder)")
         ->type_name("FILE");
+    declare_samples(app, options, "Samples per pixel (16)");
+    declare_rendering(app, options);
 }
 
 void declare_compare(CLI::App& app, Options& options) {
-    declare_scene_command(app, options);
+    declare_scene(app, options);
+    app.add_option("-o,--output", options.output, "Folder for both pictures and their difference times 16 (none)")
+        ->type_name("DIR");
     add_parsed(
         app, "--spp", parse_sample_counts, [&options](const std::vector<uint32_t>& counts) { options.spp = counts; },
         "Samples per pixel; several counts are separated by commas (16)")
@@ -147,14 +152,14 @@ void declare_compare(CLI::App& app, Options& options) {
         app, "--limit-ssim", parse_ssim, [&options](double limit) { options.limit_ssim = limit; },
         "Exit with 1 where the SSIM is below this")
         ->type_name("X");
-    app.add_option("-o,--output", options.output, "Folder for both pictures and their difference (none written)")
-        ->type_name("DIR");
+    declare_rendering(app, options);
 }
 
 void declare_bench(CLI::App& app, Options& options) {
-    declare_scene_command(app, options);
-    declare_samples(app, options, "Frames to time, of one sample per pixel each (16)");
+    declare_scene(app, options);
     app.add_option("-o,--output", options.output, "Write the result here instead of stdout")->type_name("FILE");
+    declare_samples(app, options, "Frames to time, of one sample per pixel each (16)");
+    declare_rendering(app, options);
 }
 
 void declare_info(CLI::App& app, Options& options) {

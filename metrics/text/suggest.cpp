@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The porttool authors
 // SPDX-License-Identifier: Apache-2.0
-#include "application/suggest.h"
+#include "metrics/text/suggest.h"
 
 #include <algorithm>
 #include <vector>
 
-namespace application {
+namespace metrics {
 namespace {
 
 /// Optimal string alignment distance: Levenshtein's with swaps of neighbours.
@@ -40,4 +40,4 @@ std::optional<std::string> suggest(std::string_view word, std::span<const std::s
     return best;
 }
 
-}  // namespace application
+}  // namespace metrics

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The porttool authors
 // SPDX-License-Identifier: Apache-2.0
-#include "application/suggest.h"
+#include "metrics/text/suggest.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 
 namespace {
 
-using application::suggest;
+using metrics::suggest;
 
 const std::vector<std::string> COMMANDS = {"render", "compare", "bench", "info"};
 
