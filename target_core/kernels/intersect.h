@@ -37,14 +37,15 @@ struct TriangleTest {
 
 // The one formula by which both cores find t, u and v, whoever found the triangle; both sides count. Plucker
 // coordinates seen from the origin (Davidovic et al. 2012): the two triangles at an edge compute its side with the
-// same bits and opposite signs, so no ray slips between them. A degenerate triangle is never hit.
+// same bits and opposite signs, so no ray slips between them. Sums times differences, (b + c) x (c - b) = 2 b x c,
+// lose no digits on small triangles far away. A degenerate triangle is never hit.
 inline TriangleTest intersect_triangle(vec3 origin, vec3 direction, vec3 v0, vec3 v1, vec3 v2) {
     vec3 a = v0 - origin;
     vec3 b = v1 - origin;
     vec3 c = v2 - origin;
-    Float weight0 = dot(cross(b, c), direction);
-    Float weight1 = dot(cross(c, a), direction);
-    Float weight2 = dot(cross(a, b), direction);
+    Float weight0 = dot(cross(b + c, c - b), direction);
+    Float weight1 = dot(cross(c + a, a - c), direction);
+    Float weight2 = dot(cross(a + b, b - a), direction);
     Float sum = (weight0 + weight1) + weight2;
     Float lowest = min(min(weight0, weight1), weight2);
     Float highest = max(max(weight0, weight1), weight2);
