@@ -12,7 +12,8 @@ namespace {
 using Command = Outcome (*)(const Options&, Workplace&);
 
 const std::map<std::string, Command>& commands() {
-    static const std::map<std::string, Command> table = {{"scan", scan_command}, {"map", map_command}};
+    static const std::map<std::string, Command> table = {
+        {"scan", scan_command}, {"map", map_command}, {"init", init_command}};
     return table;
 }
 

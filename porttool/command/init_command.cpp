@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "porttool/command/commands.h"
+#include "porttool/command/lock_store.h"
+
+namespace porttool {
+namespace {
+
+/// A basic TOML string.
+std::string quoted(const std::string& text) {
+    std::string out = "\"";
+    for (const char c : text) {
+        if (c == '"' || c == '\\') out += '\\';
+        out += c;
+    }
+    return out + "\"";
+}
+
+std::string list(const std::vector<std::string>& texts) {
+    std::string out;
+    for (const std::string& text : texts) out += (out.empty() ? "" : ", ") + quoted(text);
+    return "[" + out + "]";
+}
+
+std::string map_text(const Project& project, const Matching& matching) {
+    std::string out =
+        "# Which units are ports of which. Written by porttool init; yours to edit.\nversion = 1\n\n[sides]\n";
+    out += "source = " + list(project.map.source) + "\ntarget = " + list(project.map.target) +
+           "\nreference = \"source\"\n";
+    for (const MatchedPair& pair : matching.pairs)
+        out += fmt::format("\n[[pair]]  # {:.0f} % sure\nsource = {}\ntarget = {}\n", 100 * pair.score,
+                           quoted(pair.source), quoted(pair.target));
+    return out;
+}
+
+LockFile first_lock(const Matching& matching, const States& states) {
+    LockFile lock;
+    for (const MatchedPair& pair : matching.pairs)
+        lock.pairs.push_back(
+            {pair.source, pair.target, states.source.at(pair.source).prints, states.target.at(pair.target).prints});
+    for (const std::string& id : matching.unmapped_source)
+        lock.baseline.push_back({id, states.source.at(id).prints.written});
+    return lock;
+}
+
+std::string summary(const Matching& matching, const Project& project) {
+    const auto sure =
+        std::count_if(matching.pairs.begin(), matching.pairs.end(), [](const auto& p) { return p.score >= 0.8f; });
+    std::string out = fmt::format(
+        "{} pairs found, {} of them more than 80 % sure; {} source units have no port, {} target units no source.\n",
+        matching.pairs.size(), sure, matching.unmapped_source.size(), matching.unmapped_target.size());
+    auto least = matching.pairs;
+    std::stable_sort(least.begin(), least.end(), [](const auto& a, const auto& b) { return a.score < b.score; });
+    constexpr size_t kShown = 5;
+    if (!least.empty() && least.front().score < 0.8f) out += "Look at these first:\n";
+    for (size_t i = 0; i < least.size() && i < kShown && least[i].score < 0.8f; ++i)
+        out += fmt::format("  {:.0f} %  {} = {}\n", 100 * least[i].score, least[i].source, least[i].target);
+    return out + "Wrote portmap.toml, portmap.lock and portmap.base/ in " + project.root +
+           "; commit all three.\nNext: porttool check\n";
+}
+
+}  // namespace
+
+Outcome init_command(const Options& options, Workplace& place) {
+    require_format(options.format, {"text"});
+    if (options.source.empty() || options.target.empty())
+        throw CannotDo("init needs --source GLOB and --target GLOB: the files that are ported from, and their ports");
+    Options fresh = options;
+    fresh.config.clear();
+    Project project = open_project(fresh, place, false);
+    if (!options.config.empty()) project.map_path = clean_path(join_path(project.root, options.config));
+    for (const std::string& path : {project.map_path, lock_path(project)})
+        if (!options.force && place.disk.exists(path))
+            throw CannotDo(path + " is there already; replace it with --force, or edit it and run: porttool check");
+    read_sides(project, place);
+    for (const SkippedFile& file : project.skipped) place.err << "skipped " << file.file << ": " << file.reason << "\n";
+    const Matching matching = match_units(project.source, project.target, {}, Dialect());
+    const States states = read_states(project);
+    store_lock(project, first_lock(matching, states), states, place.disk);
+    if (const std::string failure = place.disk.write(project.map_path, map_text(project, matching)); !failure.empty())
+        throw CannotDo(project.map_path + ": " + failure);
+    return {summary(matching, project), 0};
+}
+
+}  // namespace porttool

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "porttool/compare/normal_form.h"
+
+namespace porttool {
+
+/// What tells whether a unit changed, and how.
+struct Fingerprints {
+    std::string written;  ///< as written, without what is cosmetic
+    std::string renamed;  ///< with locals and parameters numbered
+    std::string blanked;  ///< ... and numbers blanked
+
+    bool operator==(const Fingerprints&) const = default;
+};
+
+/// A unit as it stands now, with its text in normal form.
+struct UnitState {
+    std::string id;
+    std::string file;
+    std::string name;
+    UnitKind kind = UnitKind::Function;
+    uint32_t start_line = 0;
+    uint32_t end_line = 0;
+    Fingerprints prints;
+    std::vector<NormalToken> text;     ///< as written
+    std::vector<std::string> renamed;  ///< the same with locals and parameters numbered
+};
+
+UnitState unit_state(const ScannedFile& file, const Unit& unit);
+
+/// The names that a unit declares for itself, in order of appearance: parameters and local variables.
+std::vector<std::string> local_names(const ScannedFile& file, const Unit& unit);
+
+/// The text of a unit as it is kept in portmap.base/: one statement a line, tokens apart by blanks.
+std::string state_text(const UnitState& state);
+
+/// The tokens of such a text.
+std::vector<std::string> read_state_text(const std::string& text);
+
+}  // namespace porttool

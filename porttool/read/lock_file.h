@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "porttool/compare/unit_state.h"
+
+namespace porttool {
+
+/// A pair as it was when its sides were last in step.
+struct LockedPair {
+    std::string source, target;
+    Fingerprints source_prints, target_prints;
+};
+
+/// A source unit that had no counterpart when the baseline was taken.
+struct LockedUnit {
+    std::string id;
+    std::string print;
+};
+
+/// A verdict that a person gave on a pair, for the texts that it had then.
+struct LedgerEntry {
+    std::string verdict;  ///< "defer" or "ignore"
+    std::string source, target;
+    std::string source_print, target_print;
+    std::string owner, until, reason;
+};
+
+struct LockFile {
+    std::vector<LockedPair> pairs;
+    std::vector<LockedUnit> baseline;
+    std::vector<LedgerEntry> ledger;
+};
+
+/// A lock, or why it cannot be used and what to do.
+struct ReadLock {
+    LockFile lock;
+    std::string error;
+};
+
+ReadLock read_lock(const std::string& text);
+
+/// The text of a lock: one sorted line a fact, fields apart by tabs, so that merges are unions.
+std::string lock_text(const LockFile& lock);
+
+}  // namespace porttool
