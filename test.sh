@@ -24,7 +24,7 @@ case "${1:-}" in
         build release
         ctest --preset release -j "$jobs"
         build dev sanitized_tests
-        ctest --preset dev -j "$jobs" -L sanitized
+        ctest --preset dev -j "$jobs" -L "sanitized|porttool"
         ;;
     --tsan)
         build tsan threaded_tests

@@ -3,12 +3,12 @@
 #include "target_core/frame.h"
 
 #include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for.h>
 
 #include <chrono>
 #include <utility>
 
 #include "target_core/device/float_mode.h"
+#include "target_core/device/parallel.h"
 #include "target_core/kernels/kernels.h"
 
 namespace target_core {
@@ -112,16 +112,10 @@ FrameStats render_frame(const Frame& frame, RayLog* log) {
     uint pixels = frame.settings.width * frame.settings.height;
     uint tiles = (pixels + TILE_PATHS - 1) / TILE_PATHS;
     tbb::enumerable_thread_specific<Worker> workers;
-    tbb::parallel_for(
-        tbb::blocked_range<uint>(0, tiles, 1),
-        [&](const tbb::blocked_range<uint>& range) {
-            Worker& worker = workers.local();
-            for (uint tile = range.begin(); tile < range.end(); ++tile) {
-                uint first = tile * TILE_PATHS;
-                render_tile(frame, first, std::min(TILE_PATHS, pixels - first), worker, log);
-            }
-        },
-        tbb::simple_partitioner());
+    for_each_tile(tiles, [&](uint tile) {
+        uint first = tile * TILE_PATHS;
+        render_tile(frame, first, std::min(TILE_PATHS, pixels - first), workers.local(), log);
+    });
     FrameStats stats;
     for (const Worker& worker : workers) {
         stats.add(worker.stats);

@@ -2,13 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "target_core/device/ray_log.h"
 
-#include <tbb/parallel_for.h>
-
 #include <chrono>
 #include <limits>
 
 #include "target_core/device/bindings.h"
 #include "target_core/device/float_mode.h"
+#include "target_core/device/parallel.h"
 
 namespace target_core {
 
@@ -130,7 +129,7 @@ double RayLog::replay(RTCDevice device, RTCScene scene) const {
         }
     };
     auto in_chunks = [&](const std::vector<LoggedRay>& rays, auto&& trace) {
-        tbb::parallel_for(size_t{0}, (rays.size() + CHUNK - 1) / CHUNK, [&](size_t chunk) {
+        for_each_tile(static_cast<uint>((rays.size() + CHUNK - 1) / CHUNK), [&](uint chunk) {
             FlushDenormals flush;
             bound = {};
             size_t first = chunk * CHUNK;

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/application/run_pathtracer.h"
+#include "tests/application/skip_without_core.h"
 
 namespace {
 
@@ -19,20 +20,6 @@ using testing::Not;
 
 const std::string SCENE = "still_life";
 const std::string NO_VULKAN = "VK_DRIVER_FILES=/nowhere";
-
-/// Why `core` cannot run here; empty if it can.
-std::string reason_against(const std::string& core) {
-    const RunResult result = run_pathtracer({"info", "--format", "json"}, ".");
-    const json info = json::parse(result.out, nullptr, false);
-    if (!info.is_object()) return "pathtracer info failed: " + result.err;
-    for (const json& entry : info["cores"]) {
-        if (entry["id"] == core) return entry["available"].get<bool>() ? "" : entry["reason"].get<std::string>();
-    }
-    return "pathtracer info does not list it";
-}
-
-#define SKIP_WITHOUT(core) \
-    if (const std::string reason = reason_against(core); !reason.empty()) GTEST_SKIP() << core << ": " << reason
 
 class Cores : public testing::Test {
 protected:
@@ -55,17 +42,6 @@ protected:
 class EachCore : public Cores, public testing::WithParamInterface<std::string> {};
 
 INSTANTIATE_TEST_SUITE_P(, EachCore, testing::Values("source", "target"), [](const auto& core) { return core.param; });
-
-TEST_P(EachCore, GivesTheSameFileOnAnyNumberOfThreads) {
-    SKIP_WITHOUT(GetParam());
-    const std::string first = picture(GetParam());
-    ASSERT_THAT(first, Not(IsEmpty()));
-    for (const char* threads : {"1", "2", "5"}) {
-        for (int repetition = 0; repetition < 3; ++repetition) {
-            EXPECT_TRUE(picture(GetParam(), {"--threads", threads}) == first) << threads << " threads";
-        }
-    }
-}
 
 TEST_P(EachCore, GivesAnotherFileForAnotherSeed) {
     SKIP_WITHOUT(GetParam());

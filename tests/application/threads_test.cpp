@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What threads may not change. ./test.sh --tsan runs this once more under the thread sanitizer, where the program
+// exits with 66 if it finds a race.
+#include <gtest/gtest.h>
+
+#include "tests/application/run_pathtracer.h"
+#include "tests/application/skip_without_core.h"
+
+namespace {
+
+const std::string SCENE = "still_life";
+
+class Threads : public testing::TestWithParam<std::string> {
+protected:
+    void SetUp() override {
+        SKIP_WITHOUT(GetParam());
+#ifdef __SANITIZE_THREAD__
+        if (GetParam() == "source") GTEST_SKIP() << "the sanitizer cannot see into the Vulkan driver's threads";
+#endif
+    }
+    /// The bytes of a small EXR of the built-in scene.
+    std::string picture(const std::vector<std::string>& more) {
+        std::vector<std::string> arguments = {"render", SCENE,   "--core", GetParam(), "--size",
+                                              "96x54",  "--spp", "4",      "-o",       "a.exr"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        const RunResult result = run_pathtracer(arguments, folder.path);
+        EXPECT_EQ(result.exit_code, 0) << result.err;
+        return read_file(folder.path / "a.exr");
+    }
+
+    const TemporaryFolder folder;
+};
+
+INSTANTIATE_TEST_SUITE_P(Each, Threads, testing::Values("source", "target"),
+                         [](const auto& core) { return core.param; });
+
+TEST_P(Threads, NeverChangeThePicture) {
+    const std::string first = picture({});
+    ASSERT_FALSE(first.empty());
+    for (const char* threads : {"1", "2", "5"}) {
+        for (int repetition = 0; repetition < 3; ++repetition) {
+            EXPECT_TRUE(picture({"--threads", threads}) == first) << threads << " threads";
+        }
+    }
+}
+
+TEST_P(Threads, NeverChangeTheExactPicture) {
+    EXPECT_TRUE(picture({"--exact", "--threads", "1"}) == picture({"--exact", "--threads", "4"}));
+}
+
+TEST_P(Threads, ShareTheWorkOfABenchmark) {
+    const RunResult result = run_pathtracer(
+        {"bench", SCENE, "--core", GetParam(), "--size", "96x54", "--spp", "2", "--threads", "4"}, folder.path);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+}
+
+}  // namespace
