@@ -79,7 +79,7 @@ void render_sample(Worker& worker, RayLog* log) {
 }
 
 void render_tile(const Frame& frame, uint first_pixel, uint path_count, Worker& worker, RayLog* log) {
-    FlushDenormals flush;
+    KeepDenormals keep;
     bound = frame.bindings;
     bound.tile = &worker.tile;
     kernels::settings = frame.settings;

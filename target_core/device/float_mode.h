@@ -8,26 +8,26 @@
 
 namespace target_core {
 
-/// Treats denormal floats as zero while it lives, on this thread, as the source core's device does and as Embree
-/// wants it for speed.
-class FlushDenormals {
+/// Keeps denormal floats while it lives, on this thread: lavapipe, the source core's reference device, keeps them too,
+/// and a library may have set a thread of its pool to flush them.
+class KeepDenormals {
 public:
 #if defined(__x86_64__)
-    FlushDenormals() : saved_(_mm_getcsr()) { _mm_setcsr(saved_ | FLUSH_TO_ZERO | DENORMALS_ARE_ZERO); }
-    ~FlushDenormals() { _mm_setcsr(saved_); }
+    KeepDenormals() : saved_(_mm_getcsr()) { _mm_setcsr(saved_ & ~(FLUSH_TO_ZERO | DENORMALS_ARE_ZERO)); }
+    ~KeepDenormals() { _mm_setcsr(saved_); }
 
 private:
     static constexpr unsigned FLUSH_TO_ZERO = 0x8000;
     static constexpr unsigned DENORMALS_ARE_ZERO = 0x0040;
     unsigned saved_;
 #else
-    FlushDenormals() {}
-    ~FlushDenormals() {}
+    KeepDenormals() {}
+    ~KeepDenormals() {}
 
 public:
 #endif
-    FlushDenormals(const FlushDenormals&) = delete;
-    FlushDenormals& operator=(const FlushDenormals&) = delete;
+    KeepDenormals(const KeepDenormals&) = delete;
+    KeepDenormals& operator=(const KeepDenormals&) = delete;
 };
 
 }  // namespace target_core

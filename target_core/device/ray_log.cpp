@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "target_core/device/bindings.h"
-#include "target_core/device/float_mode.h"
 #include "target_core/device/parallel.h"
 
 namespace target_core {
@@ -130,7 +129,6 @@ double RayLog::replay(RTCDevice device, RTCScene scene) const {
     };
     auto in_chunks = [&](const std::vector<LoggedRay>& rays, auto&& trace) {
         for_each_tile(static_cast<uint>((rays.size() + CHUNK - 1) / CHUNK), [&](uint chunk) {
-            FlushDenormals flush;
             bound = {};
             size_t first = chunk * CHUNK;
             trace(rays.data() + first, std::min(CHUNK, rays.size() - first));
