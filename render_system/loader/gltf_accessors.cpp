@@ -191,9 +191,7 @@ void append(const GltfDocument& document, int index, bool must_be_finite, std::v
 
 std::string accessor_place(int accessor) { return "/accessors/" + std::to_string(accessor); }
 
-uint64_t accessor_count(const GltfDocument& document, int accessor) {
-    return document.model.accessors[static_cast<size_t>(accessor)].count;
-}
+uint64_t accessor_count(const GltfDocument& document, int accessor) { return open_accessor(document, accessor).count; }
 
 void append_vectors(const GltfDocument& document, int accessor, bool must_be_finite, std::vector<glm::vec2>& out) {
     append(document, accessor, must_be_finite, out);

@@ -84,8 +84,6 @@ private:
             triangles += own;
             vertices += attribute(primitive, "NORMAL") == MISSING ? 3 * own : count;
         }
-        // Counts are not yet held against the buffers: what is absurd waits for its own message.
-        if (vertices > uint64_t{1} << 33 || triangles > uint64_t{1} << 33) return;
         constexpr uint64_t WORTH_IT = 1 << 16;
         if (vertices < WORTH_IT && triangles < WORTH_IT) return;
         mesh_.positions.reserve(vertices);

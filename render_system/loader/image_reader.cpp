@@ -65,8 +65,7 @@ glm::vec<4, T> rgba_of(const T* texel, int channels, T one) {
 }
 
 template <class T>
-std::vector<T> read_pixels(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, OIIO::TypeDesc type) {
-    const int channels = std::min(spec.nchannels, 4);
+std::vector<T> read_pixels(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, int channels, OIIO::TypeDesc type) {
     std::vector<T> pixels(static_cast<size_t>(spec.width) * static_cast<size_t>(spec.height) *
                           static_cast<size_t>(channels));
     if (!input.read_image(0, 0, 0, channels, type, pixels.data())) fail(last_error(input));
@@ -106,13 +105,14 @@ Image read_image(std::span<const std::byte> bytes, const std::string& name) {
     Image image;
     image.width = static_cast<uint32_t>(spec.width);
     image.height = static_cast<uint32_t>(spec.height);
-    const int channels = std::min(spec.nchannels, 4);
     if (spec.format == OIIO::TypeDesc::UINT8) {
-        fill_bytes(image, read_pixels<uint8_t>(*input, spec, OIIO::TypeDesc::UINT8), channels);
+        // Without a type, as in the file: OpenImageIO then needs no buffer of its own, which would be of 16 MiB.
+        fill_bytes(image, read_pixels<uint8_t>(*input, spec, spec.nchannels, OIIO::TypeUnknown), spec.nchannels);
     } else {
         // 16-bit integers become 0 to 1, which is what the texture builder expects of them.
         image.is_hdr = spec.format.is_floating_point();
-        fill_floats(image, read_pixels<float>(*input, spec, OIIO::TypeDesc::FLOAT), channels);
+        const int channels = std::min(spec.nchannels, 4);
+        fill_floats(image, read_pixels<float>(*input, spec, channels, OIIO::TypeDesc::FLOAT), channels);
     }
     return image;
 }
