@@ -31,6 +31,11 @@ struct Outcome {
 Outcome scan_command(const Options& options, Workplace& place);
 Outcome map_command(const Options& options, Workplace& place);
 Outcome init_command(const Options& options, Workplace& place);
+Outcome check_command(const Options& options, Workplace& place);
+Outcome accept_command(const Options& options, Workplace& place);
+Outcome defer_command(const Options& options, Workplace& place);
+Outcome ignore_command(const Options& options, Workplace& place);
+Outcome explain_command(const Options& options, Workplace& place);
 
 /// The root folder: the nearest one upwards with a portmap.toml, else that of the git work tree, else `directory`.
 std::string find_root(const Disk& disk, const std::string& directory);

@@ -63,6 +63,25 @@ ParsedOptions parse_options(int argc, const char* const* argv) {
     CLI::App* init = app.add_subcommand("init", "Write a first portmap.toml and portmap.lock");
     add_sides(*init, options);
     init->add_flag("--force", options.force, "Replace what is there");
+    CLI::App* check = app.add_subcommand("check", "Find what changed on one side only, or differently on both");
+    check->add_flag("--strict", options.strict, "Exit 1 for warnings too");
+    CLI::App* accept = app.add_subcommand("accept", "Record that a pair is in step now");
+    accept->add_option("id", options.paths, "Ids, SOURCE=TARGET, or fingerprints of findings")->type_name("ID");
+    accept->add_flag("--all", options.all, "Every pair whose two edits are equivalent");
+    accept->add_flag("--force", options.force, "With --all: every pair");
+    accept->add_option("--reason", options.reason, "Why")->type_name("TEXT");
+    CLI::App* defer = app.add_subcommand("defer", "Postpone a finding");
+    defer->add_option("id", options.paths, "Id, SOURCE=TARGET, or fingerprint")->required()->type_name("ID");
+    defer->add_option("--owner", options.owner, "Who will port it")->required()->type_name("NAME");
+    defer->add_option("--until", options.until, "YYYY-MM-DD")->required()->type_name("DATE");
+    defer->add_option("--reason", options.reason, "Why not now")->required()->type_name("TEXT");
+    CLI::App* ignore = app.add_subcommand("ignore", "Settle a finding for good");
+    ignore->add_option("id", options.paths, "Id, SOURCE=TARGET, or fingerprint")->required()->type_name("ID");
+    ignore->add_option("--reason", options.reason, "Why")->required()->type_name("TEXT");
+    CLI::App* explain = app.add_subcommand("explain", "Show why a finding stands, or what a rule means");
+    explain->add_option("id", options.paths, "Id, SOURCE=TARGET, fingerprint or rule")
+        ->required()
+        ->type_name("ID|RULE");
     try {
         app.parse(argc, argv);
         options.command = app.get_subcommands().front()->get_name();

@@ -21,6 +21,11 @@ struct Options {
     std::vector<std::string> source;  ///< globs
     std::vector<std::string> target;
     bool force = false;
+    bool all = false;
+    bool strict = false;
+    std::string owner, until, reason;
+    std::string base;  ///< a revision
+    bool staged = false;
 };
 
 /// The options, or what to print and the exit code: 0 for --help and --version (on stdout), 2 for a usage error.

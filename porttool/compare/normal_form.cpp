@@ -199,6 +199,14 @@ std::string normal_number(std::string_view text) {
     return std::to_string(value) + suffix;
 }
 
+std::string number_value(std::string_view text) {
+    std::string value = normal_number(text);
+    while (!value.empty() && (value.back() == 'f' || value.back() == 'u' || value.back() == 'l' || value.back() == 'h'))
+        value.pop_back();
+    if (value.ends_with(".0")) value.resize(value.size() - 2);
+    return value;
+}
+
 std::vector<NormalToken> normal_form(const ScannedFile& file, const Unit& unit) {
     std::vector<NormalToken> out;
     const std::vector<uint32_t> own = own_tokens(file, unit);

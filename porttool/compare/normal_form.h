@@ -24,6 +24,9 @@ std::vector<NormalToken> normal_form(const ScannedFile& file, const Unit& unit);
 /// One spelling per value: `0.0F`, `0.f` and `0.0f` become `0f`; `0x10` becomes `16`.
 std::string normal_number(std::string_view text);
 
+/// The value of a number whatever its suffix: `2.0f`, `2.` and `2` are one.
+std::string number_value(std::string_view text);
+
 /// 64 bits over the texts, as 16 hexadecimal digits.
 std::string fingerprint(const std::vector<NormalToken>& tokens);
 

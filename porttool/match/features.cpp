@@ -33,15 +33,6 @@ std::string_view stage_word(std::string_view path) {
     return {};
 }
 
-/// The value of a number whatever its suffix: a literal 2.0f is the same thing as 2.
-std::string value_of(std::string_view text) {
-    std::string value = normal_number(text);
-    while (!value.empty() && (value.back() == 'f' || value.back() == 'u' || value.back() == 'l' || value.back() == 'h'))
-        value.pop_back();
-    if (value.ends_with(".0")) value.resize(value.size() - 2);
-    return value;
-}
-
 class FeatureReader {
 public:
     FeatureReader(const ScannedFile& file, const Dialect& dialect, Vocabulary& vocabulary)
@@ -146,7 +137,7 @@ private:
         const std::string_view text = file_.lexed.view(token);
         if (token.kind == TokenKind::Identifier) return read_identifier(i, text);
         if (token.kind == TokenKind::Number) {
-            const std::string value = value_of(text);
+            const std::string value = number_value(text);
             if (value.size() > 1) count(kLiterals, value);
             shape_.push_back(hash_text(value));
             return;
@@ -202,7 +193,7 @@ private:
         for (uint32_t i = first; i < unit.tokens.end && value.size() < 400; ++i) {
             const Token& token = file_.lexed.tokens[i];
             const std::string_view text = file_.lexed.view(token);
-            if (seen) value += token.kind == TokenKind::Number ? value_of(text) : std::string(text);
+            if (seen) value += token.kind == TokenKind::Number ? number_value(text) : std::string(text);
             seen = seen || text == "=" || text == "{";
         }
         return value;

@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <string>
+
+#include "porttool/command/lock_store.h"
+#include "porttool/judge/judge.h"
+
+namespace porttool {
+
+/// A project with everything that its judgement rests on. The judgement points into the states: keep them together.
+struct CheckedProject {
+    Project project;
+    LockFile lock;
+    States states;
+    Judgement judgement;
+};
+
+/// Reads, scans and judges. Throws CannotDo.
+CheckedProject check_project(const Options& options, Workplace& place);
+
+/// YYYY-MM-DD; SOURCE_DATE_EPOCH overrides the clock.
+std::string today();
+
+}  // namespace porttool

@@ -1,0 +1,202 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+// accept, defer, ignore and explain: what a person does with a finding.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "porttool/command/check_command.h"
+#include "porttool/command/suggest.h"
+
+namespace porttool {
+namespace {
+
+/// The pairs that an id means: either side's id, SOURCE=TARGET, or a finding's fingerprint.
+std::vector<const JudgedPair*> pairs_of(const CheckedProject& checked, const std::string& id) {
+    std::vector<const JudgedPair*> out;
+    std::string by_print;
+    for (const Finding& finding : checked.judgement.findings)
+        if (finding.fingerprint == id)
+            for (const JudgedPair& pair : checked.judgement.pairs)
+                if (fingerprint({{finding.rule, 0}, {pair.map_source, 0}, {pair.map_target, 0}}) == id)
+                    out.push_back(&pair);
+    for (const JudgedPair& pair : checked.judgement.pairs) {
+        const bool today =
+            (pair.source != nullptr && pair.source->id == id) || (pair.target != nullptr && pair.target->id == id);
+        if (today || pair.map_source == id || pair.map_target == id || pair.map_source + "=" + pair.map_target == id)
+            out.push_back(&pair);
+    }
+    std::sort(out.begin(), out.end());
+    out.erase(std::unique(out.begin(), out.end()), out.end());
+    return out;
+}
+
+[[noreturn]] void unknown_id(const CheckedProject& checked, const std::string& id) {
+    std::vector<std::string> names;
+    for (const JudgedPair& pair : checked.judgement.pairs) {
+        names.push_back(pair.map_source);
+        names.push_back(pair.map_target);
+    }
+    for (const Finding& finding : checked.judgement.findings) names.push_back(finding.fingerprint);
+    std::string near = nearest(id, names);
+    if (near.empty())
+        for (const std::string& name : names)
+            if (name.ends_with(":" + id) || name.ends_with("::" + id)) near = name;
+    throw CannotDo(id + ": no such pair or finding" +
+                   (near.empty() ? std::string("; porttool map lists the pairs") : "; did you mean '" + near + "'?"));
+}
+
+/// The lock's line for a pair is made to match today's units.
+void record(LockFile& lock, const JudgedPair& pair) {
+    std::erase_if(lock.pairs,
+                  [&](const LockedPair& p) { return p.source == pair.map_source && p.target == pair.map_target; });
+    std::erase_if(lock.ledger,
+                  [&](const LedgerEntry& e) { return e.source == pair.map_source && e.target == pair.map_target; });
+    std::erase_if(lock.baseline, [&](const LockedUnit& u) { return u.id == pair.map_source; });
+    if (pair.source != nullptr && pair.target != nullptr)
+        lock.pairs.push_back({pair.map_source, pair.map_target, pair.source->prints, pair.target->prints});
+}
+
+Outcome settle(const Options& options, Workplace& place, const std::string& verdict) {
+    require_format(options.format, {"text"});
+    CheckedProject checked = check_project(options, place);
+    std::string out;
+    for (const std::string& id : options.paths) {
+        const auto pairs = pairs_of(checked, id);
+        const auto unported = std::find_if(
+            checked.judgement.findings.begin(), checked.judgement.findings.end(),
+            [&](const Finding& f) { return f.rule == "unported" && (f.fingerprint == id || f.source->id == id); });
+        if (verdict == "ignore" && unported != checked.judgement.findings.end()) {
+            checked.lock.baseline.push_back(
+                {unported->source->id, checked.states.source.at(unported->source->id).prints.written});
+            out += "ignored " + unported->source->id + "\n";
+            continue;
+        }
+        if (pairs.empty()) unknown_id(checked, id);
+        for (const JudgedPair* pair : pairs) {
+            std::erase_if(checked.lock.ledger, [&](const LedgerEntry& e) {
+                return e.source == pair->map_source && e.target == pair->map_target;
+            });
+            checked.lock.ledger.push_back({verdict, pair->map_source, pair->map_target,
+                                           pair->source != nullptr ? pair->source->prints.written : "-",
+                                           pair->target != nullptr ? pair->target->prints.written : "-", options.owner,
+                                           options.until, options.reason});
+            out += fmt::format("{} {} = {}\n", verdict == "defer" ? "deferred" : "ignored", pair->map_source,
+                               pair->map_target);
+        }
+    }
+    store_lock(checked.project, checked.lock, checked.states, place.disk);
+    return {out, 0};
+}
+
+bool is_date(const std::string& text) {
+    int year = 0, month = 0, day = 0;
+    char rest = 0;
+    return text.size() == 10 && std::sscanf(text.c_str(), "%4d-%2d-%2d%c", &year, &month, &day, &rest) == 3 &&
+           month >= 1 && month <= 12 && day >= 1 && day <= 31;
+}
+
+void explain_pair(const CheckedProject& checked, const JudgedPair& pair, std::string& out) {
+    out += fmt::format("source  {}\nport    {}\n", pair.map_source, pair.map_target);
+    bool any = false;
+    for (const Finding& finding : checked.judgement.findings) {
+        if (finding.fingerprint != fingerprint({{finding.rule, 0}, {pair.map_source, 0}, {pair.map_target, 0}}))
+            continue;
+        any = true;
+        out += fmt::format("{} [{}]: {}\n", level_name(finding.level), finding.rule, finding.message);
+        if (!finding.verdict.empty())
+            out += fmt::format("  settled by '{}': {}\n", finding.verdict, finding.verdict_reason);
+        for (const std::string& detail : finding.details) out += "  " + detail + "\n";
+        out += "  " + finding.remedy + "\n";
+    }
+    if (!any) out += "in step\n";
+}
+
+/// Both edits, side by side: what each side lost and gained since the two were in step.
+void explain_edits(const CheckedProject& checked, const JudgedPair& pair, const Disk& disk, std::string& out) {
+    const auto lock = std::find_if(checked.lock.pairs.begin(), checked.lock.pairs.end(), [&](const LockedPair& p) {
+        return p.source == pair.map_source && p.target == pair.map_target;
+    });
+    if (lock == checked.lock.pairs.end() || pair.source == nullptr || pair.target == nullptr) return;
+    auto rows = [&](const UnitState& unit, const std::string& print) {
+        std::vector<std::string> now, lines;
+        for (const NormalToken& token : unit.text) now.push_back(token.text);
+        const Edit edit = edit_of(read_state_text(base_text(checked.project, disk, print)), now);
+        for (const std::string& statement : edit.lost) lines.push_back("- " + statement);
+        for (const std::string& statement : edit.gained) lines.push_back("+ " + statement);
+        return lines;
+    };
+    const auto left = rows(*pair.source, lock->source_prints.written),
+               right = rows(*pair.target, lock->target_prints.written);
+    if (left.empty() && right.empty()) return;
+    constexpr size_t kWidth = 58;
+    out += fmt::format("{:<{}} | {}\n", fmt::format("source {}:{}", pair.source->file, pair.source->start_line), kWidth,
+                       fmt::format("port {}:{}", pair.target->file, pair.target->start_line));
+    for (size_t i = 0; i < std::max(left.size(), right.size()); ++i)
+        out += fmt::format("{:<{}} | {}\n", i < left.size() ? left[i] : "", kWidth, i < right.size() ? right[i] : "");
+}
+
+}  // namespace
+
+Outcome accept_command(const Options& options, Workplace& place) {
+    require_format(options.format, {"text"});
+    if (options.all == !options.paths.empty())
+        throw CannotDo("accept needs ids, or --all for every pair whose two edits are equivalent");
+    CheckedProject checked = check_project(options, place);
+    size_t accepted = 0, left = 0;
+    if (options.all) {
+        for (const JudgedPair& pair : checked.judgement.pairs) {
+            if (!pair.changed) continue;
+            if (!pair.equivalent && !options.force) {
+                ++left;
+                continue;
+            }
+            record(checked.lock, pair);
+            ++accepted;
+        }
+        if (options.force)
+            for (const Finding& finding : checked.judgement.findings)
+                if (finding.rule == "unported")
+                    checked.lock.baseline.push_back(
+                        {finding.source->id, checked.states.source.at(finding.source->id).prints.written});
+    }
+    for (const std::string& id : options.paths) {
+        const auto pairs = pairs_of(checked, id);
+        if (pairs.empty()) unknown_id(checked, id);
+        for (const JudgedPair* pair : pairs) record(checked.lock, *pair);
+        accepted += pairs.size();
+    }
+    store_lock(checked.project, checked.lock, checked.states, place.disk);
+    std::string out = fmt::format("{} pairs recorded as in step\n", accepted);
+    if (left > 0)
+        out += fmt::format("{} changed pairs left: their edits are not equivalent; name them, or add --force\n", left);
+    return {out, 0};
+}
+
+Outcome defer_command(const Options& options, Workplace& place) {
+    if (!is_date(options.until)) throw CannotDo("--until " + options.until + ": expected a date as YYYY-MM-DD");
+    return settle(options, place, "defer");
+}
+
+Outcome ignore_command(const Options& options, Workplace& place) { return settle(options, place, "ignore"); }
+
+Outcome explain_command(const Options& options, Workplace& place) {
+    require_format(options.format, {"text"});
+    std::string out;
+    for (const std::string& id : options.paths) {
+        if (const std::string help = rule_help(id); !help.empty()) {
+            out += id + "\n" + help + "\n";
+            continue;
+        }
+        const CheckedProject checked = check_project(options, place);
+        const auto pairs = pairs_of(checked, id);
+        if (pairs.empty()) unknown_id(checked, id);
+        for (const JudgedPair* pair : pairs) {
+            explain_pair(checked, *pair, out);
+            explain_edits(checked, *pair, place.disk, out);
+        }
+    }
+    return {out, 0};
+}
+
+}  // namespace porttool

@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "porttool/compare/dialect.h"
+#include "porttool/compare/unit_state.h"
+
+namespace porttool {
+
+enum class Change : uint8_t { None, Cosmetic, Constant, Semantic };
+
+/// How a unit changed, by its fingerprints alone: a consistent renaming of locals and parameters is cosmetic.
+Change classify(const Fingerprints& before, const Fingerprints& now);
+
+/// What one side's edit did, statement by statement, as a reader sees it.
+struct Edit {
+    std::vector<std::string> gained;
+    std::vector<std::string> lost;
+};
+
+/// Two edits of one pair held against each other after translation into one vocabulary.
+struct EditComparison {
+    bool equivalent = false;
+    Edit source, target;                   ///< what each side did
+    std::vector<std::string> differences;  ///< sentences: what is missing on which side
+};
+
+/// Compares the edit before -> now of the source with that of the target. All four are tokens in normal form.
+EditComparison compare_edits(const std::vector<std::string>& source_before, const std::vector<std::string>& source_now,
+                             const std::vector<std::string>& target_before, const std::vector<std::string>& target_now,
+                             const Dialect& dialect);
+
+/// What changed between two texts.
+Edit edit_of(const std::vector<std::string>& before, const std::vector<std::string>& now);
+
+/// The value of a constant or the fields of a struct in one vocabulary, to compare two sides by value.
+std::string value_in_common_words(const std::vector<std::string>& tokens, const Dialect& dialect, bool is_struct);
+
+}  // namespace porttool

@@ -1,0 +1,382 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/judge/judge.h"
+
+#include <algorithm>
+#include <array>
+#include <tuple>
+
+#include "porttool/judge/resolve.h"
+#include "porttool/read/glob.h"
+
+namespace porttool {
+namespace {
+
+struct RuleRow {
+    const char* name;
+    Level level;
+    const char* help;
+};
+
+constexpr std::array<RuleRow, 12> kRules = {{
+    {"source-changed", Level::Error,
+     "The source changed since both sides were last in step, and its port did not.\n"
+     "Port the change; if it needs no port, run: porttool accept ID --reason TEXT"},
+    {"port-differs", Level::Error,
+     "Both sides changed, but the two edits are not the same after translation.\n"
+     "Bring the port in line; if it is right as it is, run: porttool accept ID --reason TEXT"},
+    {"target-changed", Level::Warning,
+     "The port changed and its source did not.\n"
+     "If the change belongs to the port alone, run: porttool accept ID; else carry it to the source"},
+    {"unported", Level::Error,
+     "A source unit has no counterpart and is not in the baseline.\n"
+     "Port it and add a [[pair]] to portmap.toml, or run: porttool ignore ID --reason TEXT"},
+    {"orphaned", Level::Warning,
+     "The source unit is gone and its port is still there.\n"
+     "Remove the port and its [[pair]], or name the new source in portmap.toml"},
+    {"dead-link", Level::Error,
+     "The map names a unit that never was, or whose port is gone.\n"
+     "Correct or remove the [[pair]] in portmap.toml"},
+    {"constant-differs", Level::Error,
+     "A paired constant changed and the two sides now have different values.\n"
+     "Give both the same value, or run: porttool accept ID --reason TEXT"},
+    {"layout-differs", Level::Error,
+     "A paired struct changed and the two sides now have different fields.\n"
+     "Give both the same fields in the same order, or run: porttool accept ID --reason TEXT"},
+    {"deferral-expired", Level::Error,
+     "A deferred finding is past its date.\nPort the change now, or defer it anew with an owner and a reason"},
+    {"unused-suppression", Level::Warning, "A suppression settles nothing any more.\nRemove it"},
+    {"unreadable", Level::Warning, "A file of the map could not be read.\nMake it readable, or take it out of [sides]"},
+    {"dialect-hazard", Level::Note,
+     "A built-in means different things on the two sides.\nGuard the argument on both sides"},
+}};
+
+const RuleRow& rule_row(const std::string& name) {
+    return *std::find_if(kRules.begin(), kRules.end(), [&](const RuleRow& row) { return name == row.name; });
+}
+
+std::string second_line(const char* help) {
+    const std::string text = help;
+    return text.substr(text.find('\n') + 1);
+}
+
+std::vector<std::string> words_of(const UnitState& unit) {
+    std::vector<std::string> words;
+    words.reserve(unit.text.size());
+    for (const NormalToken& token : unit.text) words.push_back(token.text);
+    return words;
+}
+
+std::string change_name(Change change) { return change == Change::Constant ? "constant" : "semantic"; }
+
+class Judge {
+public:
+    explicit Judge(const Case& facts)
+        : facts_(facts),
+          dialect_(facts.map.dialect),
+          source_(facts.source, named_ids(true)),
+          target_(facts.target, named_ids(false)) {
+        for (const LockedPair& pair : facts.lock.pairs) locked_[{pair.source, pair.target}] = &pair;
+        for (const MapIgnore& ignore : facts.map.ignores) ignored_.emplace_back(ignore.id);
+    }
+
+    Judgement run() {
+        for (const MapPair& pair : facts_.map.pairs)
+            for (const std::string& target : pair.targets) judge_pair(pair.source, target);
+        find_unported();
+        for (const SkippedFile& file : facts_.skipped) {
+            Finding& finding = add("unreadable", file.file, "");
+            finding.source = Place{file.file + ":@file", file.file, 1, 1};
+            finding.message = file.file + " " + file.reason;
+        }
+        std::sort(out_.findings.begin(), out_.findings.end(),
+                  [](const Finding& a, const Finding& b) { return key(a) < key(b); });
+        return std::move(out_);
+    }
+
+private:
+    static std::tuple<std::string, uint32_t, std::string, std::string> key(const Finding& f) {
+        const Place place = f.source ? *f.source : f.target.value_or(Place{});
+        return {place.file, place.line, f.rule, f.fingerprint};
+    }
+
+    std::set<std::string> named_ids(bool source) const {
+        std::set<std::string> ids;
+        for (const MapPair& pair : facts_.map.pairs) {
+            if (source)
+                ids.insert(pair.source);
+            else
+                ids.insert(pair.targets.begin(), pair.targets.end());
+        }
+        return ids;
+    }
+
+    Level level_of(const std::string& rule) const {
+        const auto set = facts_.map.rules.find(rule);
+        if (set == facts_.map.rules.end()) return rule_row(rule).level;
+        return set->second == "error"     ? Level::Error
+               : set->second == "warning" ? Level::Warning
+               : set->second == "note"    ? Level::Note
+                                          : Level::Off;
+    }
+
+    Finding& add(const std::string& rule, const std::string& source, const std::string& target) {
+        Finding finding;
+        finding.rule = rule;
+        finding.level = level_of(rule);
+        finding.remedy = second_line(rule_row(rule).help);
+        const size_t id = finding.remedy.find("ID");
+        if (id != std::string::npos && !source.empty()) finding.remedy.replace(id, 2, "'" + source + "'");
+        finding.fingerprint = fingerprint({{rule, 0}, {source, 0}, {target, 0}});
+        out_.findings.push_back(std::move(finding));
+        return out_.findings.back();
+    }
+
+    static Place place_of(const UnitState& unit) { return {unit.id, unit.file, unit.start_line, unit.end_line}; }
+
+    Finding& add_for(const JudgedPair& pair, const std::string& rule, const std::string& change,
+                     const std::string& message) {
+        Finding& finding = add(rule, pair.map_source, pair.map_target);
+        if (pair.source != nullptr) finding.source = place_of(*pair.source);
+        if (pair.target != nullptr) finding.target = place_of(*pair.target);
+        finding.change = change;
+        finding.message = message;
+        return finding;
+    }
+
+    void judge_pair(const std::string& source_id, const std::string& target_id) {
+        const auto found = locked_.find({source_id, target_id});
+        const LockedPair* lock = found == locked_.end() ? nullptr : found->second;
+        const Resolved source = source_.find(source_id, lock != nullptr ? &lock->source_prints : nullptr);
+        const Resolved target = target_.find(target_id, lock != nullptr ? &lock->target_prints : nullptr);
+        source_.take(source.unit);
+        target_.take(target.unit);
+        JudgedPair pair{source_id, target_id, source.unit, target.unit, false, false};
+        const size_t before = out_.findings.size();
+        examine(pair, lock);
+        if (source.elsewhere || target.elsewhere) note_moved(pair, source, target);
+        settle(pair, before);
+        out_.pairs.push_back(pair);
+    }
+
+    void note_moved(const JudgedPair& pair, const Resolved& source, const Resolved& target) {
+        const UnitState& unit = source.elsewhere ? *source.unit : *target.unit;
+        const std::string& old_id = source.elsewhere ? pair.map_source : pair.map_target;
+        const bool same_file = old_id.substr(0, old_id.find(':')) == unit.file;
+        Finding& finding =
+            add_for(pair, source.elsewhere ? "source-changed" : "target-changed", same_file ? "rename" : "moved",
+                    old_id + " is now " + unit.id + "; its text is the same");
+        finding.level = std::min(finding.level, Level::Note);
+        finding.remedy = "Write the new id into portmap.toml and run: porttool accept '" + unit.id + "'";
+    }
+
+    /// Adds what there is to find on one pair.
+    void examine(JudgedPair& pair, const LockedPair* lock) {
+        if (pair.target == nullptr && pair.source == nullptr) {
+            add_for(pair, lock != nullptr ? "orphaned" : "dead-link", "removed",
+                    lock != nullptr
+                        ? "both sides of this pair are gone: " + pair.map_source + " and " + pair.map_target
+                        : "the map names two units that are not there: " + pair.map_source + " and " + pair.map_target);
+            return;
+        }
+        if (pair.target == nullptr) {
+            add_for(pair, "dead-link", "removed",
+                    lock != nullptr ? "the port " + pair.map_target + " is gone"
+                                    : "the map names a port that is not there: " + pair.map_target);
+            return;
+        }
+        if (pair.source == nullptr) {
+            if (lock != nullptr)
+                add_for(pair, "orphaned", "removed", pair.map_source + " is gone; its port is still there");
+            else
+                add_for(pair, "dead-link", "", "the map names a source unit that is not there: " + pair.map_source);
+            return;
+        }
+        if (lock == nullptr) {
+            pair.changed = true;
+            Finding& finding =
+                add_for(pair, "target-changed", "", "this pair is in the map, but was never recorded as in step");
+            finding.remedy =
+                "Compare the two once, then run: porttool accept '" + pair.map_source + "=" + pair.map_target + "'";
+            return;
+        }
+        compare_pair(pair, *lock);
+    }
+
+    void compare_pair(JudgedPair& pair, const LockedPair& lock) {
+        const Change source = classify(lock.source_prints, pair.source->prints);
+        const Change target = classify(lock.target_prints, pair.target->prints);
+        const bool source_changed = source > Change::Cosmetic, target_changed = target > Change::Cosmetic;
+        pair.changed = source != Change::None || target != Change::None;
+        pair.equivalent = pair.changed && !source_changed && !target_changed;
+        if (!source_changed && !target_changed) return;
+        const bool constants = pair.source->kind == UnitKind::Constant && pair.target->kind == UnitKind::Constant;
+        const bool structs = pair.source->kind == UnitKind::Struct && pair.target->kind == UnitKind::Struct;
+        if (constants || structs) return compare_values(pair, structs, source_changed ? source : target);
+        if (source_changed && target_changed) return compare_both(pair, lock, std::max(source, target));
+        if (source_changed) return report_one(pair, lock, true, source);
+        report_one(pair, lock, false, target);
+    }
+
+    void compare_values(JudgedPair& pair, bool structs, Change change) {
+        const std::string left = value_in_common_words(words_of(*pair.source), dialect_, structs);
+        const std::string right = value_in_common_words(words_of(*pair.target), dialect_, structs);
+        if (left == right) {
+            pair.equivalent = true;
+            return;
+        }
+        add_for(pair, structs ? "layout-differs" : "constant-differs", change_name(change),
+                structs ? "the fields are " + shorten(left) + " in the source and " + shorten(right) + " in the port"
+                        : "the value is " + shorten(left) + " in the source and " + shorten(right) + " in the port");
+    }
+
+    static std::string shorten(std::string text) {
+        while (!text.empty() && (text.back() == ';' || text.back() == ' ')) text.pop_back();
+        constexpr size_t kLongest = 80;
+        if (text.size() > kLongest) text = text.substr(0, kLongest) + "...";
+        return "'" + text + "'";
+    }
+
+    void report_one(const JudgedPair& pair, const LockedPair& lock, bool source, Change change) {
+        const UnitState& unit = source ? *pair.source : *pair.target;
+        const std::string base = facts_.base_text(source ? lock.source_prints.written : lock.target_prints.written);
+        Finding& finding =
+            add_for(pair, source ? "source-changed" : "target-changed", change_name(change),
+                    source ? "the source changed; its port did not" : "the port changed; its source did not");
+        if (base.empty()) return;
+        const Edit edit = edit_of(read_state_text(base), words_of(unit));
+        for (const std::string& statement : edit.lost) finding.details.push_back("- " + statement);
+        for (const std::string& statement : edit.gained) finding.details.push_back("+ " + statement);
+        if (finding.details.empty()) finding.details.emplace_back("the statements were rearranged");
+        finding.message += ": " + finding.details.front() + (finding.details.size() > 1 ? " ..." : "");
+    }
+
+    void compare_both(JudgedPair& pair, const LockedPair& lock, Change change) {
+        const std::string source_base = facts_.base_text(lock.source_prints.written);
+        const std::string target_base = facts_.base_text(lock.target_prints.written);
+        if (source_base.empty() || target_base.empty()) {
+            add_for(pair, "port-differs", change_name(change),
+                    "both sides changed, and the texts to compare the edits by are not in portmap.base/");
+            return;
+        }
+        const EditComparison edits = compare_edits(read_state_text(source_base), words_of(*pair.source),
+                                                   read_state_text(target_base), words_of(*pair.target), dialect_);
+        pair.equivalent = edits.equivalent;
+        if (edits.equivalent) return;
+        Finding& finding = add_for(pair, "port-differs", change_name(change), edits.differences.front());
+        finding.details = edits.differences;
+        if (finding.details.size() > 1)
+            finding.message += " (and " + std::to_string(finding.details.size() - 1) + " more)";
+    }
+
+    /// Lets the ledger settle the pair's findings, and counts the pair.
+    void settle(const JudgedPair& pair, size_t first) {
+        ++out_.summary.pairs;
+        std::string verdict;
+        bool expired = false;
+        for (const LedgerEntry& entry : facts_.lock.ledger) {
+            if (entry.source != pair.map_source || entry.target != pair.map_target) continue;
+            const bool same_texts = (pair.source == nullptr || entry.source_print == pair.source->prints.written) &&
+                                    (pair.target == nullptr || entry.target_print == pair.target->prints.written);
+            const bool needed = out_.findings.size() > first;
+            if (entry.verdict == "ignore" && same_texts && needed) verdict = "ignore";
+            if (entry.verdict == "defer" && needed) {
+                if (entry.until < facts_.today)
+                    expired = true;
+                else if (verdict.empty())
+                    verdict = "defer";
+            }
+            if (!needed) {
+                Finding& unused = add_for(pair, "unused-suppression", "",
+                                          "'" + entry.verdict + "' on this pair settles nothing: it is in step");
+                unused.remedy = "Run: porttool accept '" + pair.map_source + "'";
+                count(pair, first, "");
+                return;
+            }
+            for (size_t i = first; i < out_.findings.size() && !verdict.empty(); ++i) {
+                out_.findings[i].verdict = verdict;
+                out_.findings[i].verdict_reason = entry.reason;
+            }
+        }
+        if (expired && verdict.empty()) add_for(pair, "deferral-expired", "", "the deferral of this pair has expired");
+        count(pair, first, verdict);
+    }
+
+    void count(const JudgedPair&, size_t first, const std::string& verdict) {
+        Level worst = Level::Off;
+        for (size_t i = first; i < out_.findings.size(); ++i) worst = std::max(worst, out_.findings[i].level);
+        if (verdict == "defer")
+            ++out_.summary.deferred;
+        else if (verdict == "ignore")
+            ++out_.summary.ignored;
+        else if (worst == Level::Error)
+            ++out_.summary.drifted;
+        else if (worst == Level::Warning)
+            ++out_.summary.review;
+        else
+            ++out_.summary.in_step;
+    }
+
+    bool is_ignored(const std::string& id) const {
+        return std::any_of(ignored_.begin(), ignored_.end(),
+                           [&](const Glob& g) { return g.text() == id || g.matches(id); });
+    }
+
+    void find_unported() {
+        std::set<std::string> known_ids, known_texts;
+        for (const LockedUnit& unit : facts_.lock.baseline) {
+            known_ids.insert(unit.id);
+            known_texts.insert(unit.print);
+        }
+        for (const auto& [id, unit] : facts_.source) {
+            if (source_.taken(unit) || unit.kind == UnitKind::File) continue;
+            ++out_.summary.unported;
+            if (known_ids.contains(id) || known_texts.contains(unit.prints.written) || is_ignored(id)) continue;
+            Finding& finding = add("unported", id, "");
+            finding.source = place_of(unit);
+            finding.change = "added";
+            finding.message = std::string(unit_kind_name(unit.kind)) + " " + unit.name + " has no port";
+        }
+    }
+
+    const Case& facts_;
+    Dialect dialect_;
+    Resolver source_, target_;
+    std::map<std::pair<std::string, std::string>, const LockedPair*> locked_;
+    std::vector<Glob> ignored_;
+    Judgement out_;
+};
+
+}  // namespace
+
+std::string Judgement::verdict() const {
+    Level worst = Level::Off;
+    for (const Finding& finding : findings)
+        if (finding.verdict.empty()) worst = std::max(worst, finding.level);
+    if (worst == Level::Error) return "drift";
+    return worst == Level::Warning ? "review" : "in_step";
+}
+
+Judgement judge(const Case& facts) { return Judge(facts).run(); }
+
+std::string rule_help(const std::string& rule) {
+    for (const RuleRow& row : kRules)
+        if (rule == row.name) return row.help;
+    return {};
+}
+
+std::string_view level_name(Level level) {
+    switch (level) {
+        case Level::Error:
+            return "error";
+        case Level::Warning:
+            return "warning";
+        case Level::Note:
+            return "note";
+        case Level::Off:
+            break;
+    }
+    return "off";
+}
+
+}  // namespace porttool

@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "porttool/compare/edits.h"
+#include "porttool/read/lock_file.h"
+#include "porttool/read/map_file.h"
+#include "porttool/read/source_files.h"
+
+namespace porttool {
+
+enum class Level : uint8_t { Off, Note, Warning, Error };
+
+/// Where a finding points.
+struct Place {
+    std::string id, file;
+    uint32_t line = 0;
+    uint32_t end_line = 0;
+};
+
+struct Finding {
+    std::string rule;
+    Level level = Level::Error;
+    std::string change;  ///< semantic, constant, rename, moved, added, removed, or empty
+    std::optional<Place> source, target;
+    std::string message, remedy;
+    std::string fingerprint;  ///< stable: of the rule and the ids
+    std::string verdict;      ///< "defer" or "ignore" if the ledger settles it
+    std::string verdict_reason;
+    std::vector<std::string> details;  ///< what is missing on which side
+};
+
+/// Each pair counts once, at its worst.
+struct Summary {
+    size_t pairs = 0, in_step = 0, drifted = 0, review = 0, unported = 0, deferred = 0, ignored = 0;
+};
+
+/// A pair as the map and the lock name it today, for the commands that settle findings.
+struct JudgedPair {
+    std::string map_source, map_target;  ///< ids in portmap.toml
+    const UnitState* source = nullptr;   ///< today's units, if there
+    const UnitState* target = nullptr;
+    bool changed = false;
+    bool equivalent = false;  ///< both sides changed alike
+};
+
+struct Judgement {
+    std::vector<Finding> findings;  ///< sorted by place
+    Summary summary;
+    std::vector<JudgedPair> pairs;
+    std::string verdict() const;  ///< in_step, review or drift
+};
+
+/// Everything that a judgement rests on.
+struct Case {
+    const MapFile& map;
+    const LockFile& lock;
+    const std::map<std::string, UnitState>& source;
+    const std::map<std::string, UnitState>& target;
+    const std::vector<SkippedFile>& skipped;
+    std::function<std::string(const std::string&)> base_text;  ///< the text behind a fingerprint, or ""
+    std::string today;                                         ///< YYYY-MM-DD
+};
+
+/// Holds today's units against the lock. Reads nothing but the case.
+Judgement judge(const Case& facts);
+
+/// What a rule means and how to resolve its findings, for `explain RULE`; "" for an unknown one.
+std::string rule_help(const std::string& rule);
+
+std::string_view level_name(Level level);
+
+}  // namespace porttool

@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "porttool/judge/judge.h"
+
+namespace porttool {
+
+std::string check_json(const Judgement& judgement);
+/// Findings with their remedies, then one line of summary; `color` adds terminal colours.
+std::string check_table(const Judgement& judgement, bool color);
+
+}  // namespace porttool
