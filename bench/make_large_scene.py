@@ -72,7 +72,7 @@ def document(tiles, size, count):
 
 
 def main(arguments):
-    if len(arguments) not in (1, 2):
+    if len(arguments) not in (1, 2) or arguments[0].startswith("-"):
         sys.exit("usage: make_large_scene.py DIR [TILES]")
     folder = pathlib.Path(arguments[0])
     tiles = int(arguments[1]) if len(arguments) == 2 else 6
