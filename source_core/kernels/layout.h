@@ -50,8 +50,8 @@ const uint SLOT_ROWS = 2u;
 const uint SLOT_U = 0u;  // row_u.xyz, texture as bits
 const uint SLOT_V = 1u;  // row_v.xyz, uv set as bits
 
-// textures: uvec4 rows: row i is the header of texture i: format, wraps (s in bits 0-7, t in bits 8-15) and nearest (bit
-// 16), levels, row of level 0; the rows of levels follow all headers: first texel, width, height, unused.
+// textures: uvec4 rows: row i is the header of texture i: format, wraps (s in bits 0-7, t in bits 8-15) and nearest
+// (bit 16), levels, row of level 0; the rows of levels follow all headers: first texel, width, height, unused.
 const uint TEXEL_RGBA8 = 0u;
 const uint TEXEL_RGBA8_SRGB = 1u;
 const uint TEXEL_RGB9E5 = 2u;
@@ -78,12 +78,12 @@ const uint LIGHT_SKY = 4u;
 
 // ---- Features of the scene: kernels leave out what a scene does not need. ----
 
-const uint FEATURE_INSTANCES = 1u;          // some meshes are not in world space
-const uint FEATURE_ALPHA = 2u;              // some triangles let rays through
-const uint FEATURE_ALPHA_TEXTURES = 4u;     // and need a texture or a vertex colour for that
-const uint FEATURE_TEXTURES = 8u;           // some material reads a texture other than a normal map
+const uint FEATURE_INSTANCES = 1u;       // some meshes are not in world space
+const uint FEATURE_ALPHA = 2u;           // some triangles let rays through
+const uint FEATURE_ALPHA_TEXTURES = 4u;  // and need a texture or a vertex colour for that
+const uint FEATURE_TEXTURES = 8u;        // some material reads a texture other than a normal map
 const uint FEATURE_NORMAL_MAPS = 16u;
-const uint FEATURE_LIGHTS = 32u;            // next event estimation has something to choose
+const uint FEATURE_LIGHTS = 32u;  // next event estimation has something to choose
 const uint FEATURE_EMISSION_TEXTURES = 64u;
 const uint FEATURE_SKY_MAP = 128u;
 const uint FEATURE_TRANSMISSION = 256u;
@@ -96,12 +96,12 @@ const uint NONE = 0xFFFFFFFFu;
 // ---- Settings: the same for all kernels of one Render. Scalars come in fours: std140 and C++ agree. ----
 
 struct Settings {
-    vec4 eye;          // xyz; w: the angle of one pixel, for ray cones
-    vec4 screen;       // top left corner of the screen minus the eye
-    vec4 screen_right; // top right minus top left
-    vec4 screen_down;  // bottom left minus top left
-    vec4 sky_radiance; // rgb of a constant sky
-    vec4 scene_extent; // largest coordinate in magnitude: x, y, z; w unused
+    vec4 eye;           // xyz; w: the angle of one pixel, for ray cones
+    vec4 screen;        // top left corner of the screen minus the eye
+    vec4 screen_right;  // top right minus top left
+    vec4 screen_down;   // bottom left minus top left
+    vec4 sky_radiance;  // rgb of a constant sky
+    vec4 scene_extent;  // largest coordinate in magnitude: x, y, z; w unused
     uint width;
     uint height;
     uint seed;
