@@ -225,8 +225,8 @@ BsdfSample sample_bsdf(Bsdf bsdf, vec2 u, Float lobe) {
     wi = normalized(select(diffuses, sample_diffuse(bsdf, u), wi));
     BsdfValue rough = evaluate_bsdf(bsdf, wi);
     vec3 reflection_weight = reflectance(bsdf, weight) * (1.0f / max(bsdf.pick_reflection, SMALLEST));
-    vec3 transmission_weight = bsdf.transmission_color * ((1.0f - dielectric_reflectance(bsdf, weight)) /
-                                                          max(bsdf.pick_transmission, SMALLEST));
+    vec3 transmission_weight = bsdf.transmission_color *
+                               ((1.0f - dielectric_reflectance(bsdf, weight)) / max(bsdf.pick_transmission, SMALLEST));
     Mask is_delta = bsdf.is_smooth && !diffuses;
     BsdfSample result;
     result.wi = wi;

@@ -12,17 +12,15 @@ const float FAR_AWAY = 1.0e30f;
 
 // One direction to one light as seen from a point.
 struct LightSample {
-    vec3 direction;   // unit, towards the light
-    Float distance;   // to the light
-    vec3 radiance;    // arriving; divided by the squared distance for point lights
-    Float pdf;        // per solid angle, with the choice of the light; of the choice alone for a delta light
-    Mask is_delta;    // no ray finds this light by chance
+    vec3 direction;  // unit, towards the light
+    Float distance;  // to the light
+    vec3 radiance;   // arriving; divided by the squared distance for point lights
+    Float pdf;       // per solid angle, with the choice of the light; of the choice alone for a delta light
+    Mask is_delta;   // no ray finds this light by chance
 };
 
 // Walker's alias method: entry from the first number, own or alias from the second.
-Uint pick_from(Uint entry, vec4 row, Float fraction) {
-    return select(fraction < row.x, entry, floatBitsToUint(row.y));
-}
+Uint pick_from(Uint entry, vec4 row, Float fraction) { return select(fraction < row.x, entry, floatBitsToUint(row.y)); }
 
 Uint entry_of(Float u, uint count) { return min(Uint(u * float(count)), Uint(count - 1u)); }
 

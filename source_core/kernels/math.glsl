@@ -40,7 +40,8 @@ vec2 cos_sin_turns(Float turns) {
     Float nearest = floor(quarters + 0.5f);
     Float x = (quarters - nearest) * HALF_PI;
     Float x2 = x * x;
-    Float sine = x * (1.0f + x2 * (-0.166666667f + x2 * (8.33333333e-3f + x2 * (-1.98412698e-4f + x2 * 2.75573192e-6f))));
+    Float sine =
+        x * (1.0f + x2 * (-0.166666667f + x2 * (8.33333333e-3f + x2 * (-1.98412698e-4f + x2 * 2.75573192e-6f))));
     Float cosine = 1.0f + x2 * (-0.5f + x2 * (4.16666667e-2f + x2 * (-1.38888889e-3f + x2 * 2.48015873e-5f)));
     Uint quadrant = Uint(nearest) & 3u;
     Mask swapped = (quadrant & 1u) != 0u;
@@ -118,7 +119,9 @@ Frame frame_around(vec3 normal) {
     return frame;
 }
 
-vec3 to_local(Frame frame, vec3 v) { return vec3(dot(v, frame.tangent), dot(v, frame.bitangent), dot(v, frame.normal)); }
+vec3 to_local(Frame frame, vec3 v) {
+    return vec3(dot(v, frame.tangent), dot(v, frame.bitangent), dot(v, frame.normal));
+}
 
 vec3 to_world(Frame frame, vec3 v) { return frame.tangent * v.x + frame.bitangent * v.y + frame.normal * v.z; }
 

@@ -9,13 +9,13 @@
 // Random numbers are a pure function of (pixel, sample, dimension, seed): no state, so the order in which rays are
 // handled never matters. Order of draws at path vertex k (the contract between the cores): the pairs below.
 
-const uint PAIR_PIXEL = 0u;       // position inside the pixel
-const uint PAIRS_PER_VERTEX = 5u; // vertex k, from 1, uses pairs k * PAIRS_PER_VERTEX + ...
-const uint PAIR_BSDF = 0u;        // direction of the next segment
-const uint PAIR_LOBE = 1u;        // x: lobe, y: Russian roulette
-const uint PAIR_LIGHT = 2u;       // point on the light
-const uint PAIR_LIGHT_PICK = 3u;  // entry and fraction of the light table
-const uint PAIR_SKY_PICK = 4u;    // entry and fraction of the sky table
+const uint PAIR_PIXEL = 0u;        // position inside the pixel
+const uint PAIRS_PER_VERTEX = 5u;  // vertex k, from 1, uses pairs k * PAIRS_PER_VERTEX + ...
+const uint PAIR_BSDF = 0u;         // direction of the next segment
+const uint PAIR_LOBE = 1u;         // x: lobe, y: Russian roulette
+const uint PAIR_LIGHT = 2u;        // point on the light
+const uint PAIR_LIGHT_PICK = 3u;   // entry and fraction of the light table
+const uint PAIR_SKY_PICK = 4u;     // entry and fraction of the sky table
 
 // Bijective hash of 32 bits (Wellons, "lowbias32").
 Uint hash_bits(Uint x) {

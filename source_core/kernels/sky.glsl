@@ -43,8 +43,7 @@ vec3 sky_map_radiance(vec2 coordinates) {
 // Density per solid angle of choosing a direction through sky_table, given the probability of its texel.
 Float sky_density(Float probability, Float v) {
     Float sine = cos_sin_turns(min(v * 0.5f, 0.5f)).y;
-    return probability * float(settings.sky_width) * float(settings.sky_height) /
-           (TWO_PI_SQUARED * max(sine, 1.0e-6f));
+    return probability * float(settings.sky_width) * float(settings.sky_height) / (TWO_PI_SQUARED * max(sine, 1.0e-6f));
 }
 
 struct SkyLookup {

@@ -31,11 +31,10 @@ Float unorm8(Uint byte_value) { return Float(byte_value) / 255.0f; }
 
 vec4 decode_texel(Uint bits, Uint format) {
     vec4 color = vec4(unorm8(bits & 255u), unorm8((bits >> 8) & 255u), unorm8((bits >> 16) & 255u), unorm8(bits >> 24));
-    vec4 curved =
-        vec4(linear_from_srgb(color.x), linear_from_srgb(color.y), linear_from_srgb(color.z), color.w);
+    vec4 curved = vec4(linear_from_srgb(color.x), linear_from_srgb(color.y), linear_from_srgb(color.z), color.w);
     Float scale = uintBitsToFloat(((bits >> 27) + 103u) << 23);
-    vec4 shared_exponent = vec4(Float(bits & 511u) * scale, Float((bits >> 9) & 511u) * scale,
-                                Float((bits >> 18) & 511u) * scale, 1.0f);
+    vec4 shared_exponent =
+        vec4(Float(bits & 511u) * scale, Float((bits >> 9) & 511u) * scale, Float((bits >> 18) & 511u) * scale, 1.0f);
     color = select(format == TEXEL_RGBA8_SRGB, curved, color);
     return select(format == TEXEL_RGB9E5, shared_exponent, color);
 }
@@ -108,8 +107,7 @@ vec4 sample_slot(Uint slot, TextureCoordinates at) {
         vec2 uv = select(second, at.uv1, at.uv0);
         Float area = abs(row_u.x * row_v.y - row_u.y * row_v.x);
         Float footprint = select(second, at.footprint1, at.footprint0) * area;
-        vec2 moved =
-            vec2((row_u.x * uv.x + row_u.y * uv.y) + row_u.z, (row_v.x * uv.x + row_v.y * uv.y) + row_v.z);
+        vec2 moved = vec2((row_u.x * uv.x + row_u.y * uv.y) + row_u.z, (row_v.x * uv.x + row_v.y * uv.y) + row_v.z);
         color = select(used, sample_texture(floatBitsToUint(row_u.w), moved, footprint), color);
     }
     return color;
