@@ -4,25 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
-#include <sstream>
 
-#include "porttool/command/commands.h"
+#include "tests/porttool/run_command.h"
 
-namespace porttool {
+namespace porttool::testing {
 namespace {
-
-struct CommandRun {
-    int exit_code;
-    std::string out, err;
-};
-
-CommandRun run(Disk& disk, std::vector<const char*> arguments) {
-    arguments.insert(arguments.begin(), "porttool");
-    std::ostringstream out, err;
-    const int code = run_porttool(static_cast<int>(arguments.size()), arguments.data(), disk, out, err);
-    return {code, out.str(), err.str()};
-}
 
 TEST(Command, ScanPrintsTheContractsFields) {
     MemoryDisk disk;
@@ -58,7 +44,7 @@ TEST(Command, NamesThatAreNotUtf8GiveValidJson) {
 TEST(Command, WhatCannotBeDoneIsExitCodeTwoWithEmptyStdout) {
     MemoryDisk disk;
     disk.files = {{"/r/a.cl", "void f() {}\n"}};
-    for (const auto& arguments : std::vector<std::vector<const char*>>{{},
+    for (const auto& arguments : std::vector<std::vector<std::string>>{{},
                                                                        {"scna", "a"},
                                                                        {"scan"},
                                                                        {"scan", "/r/none"},
@@ -77,7 +63,7 @@ TEST(Command, WhatCannotBeDoneIsExitCodeTwoWithEmptyStdout) {
 TEST(Command, HelpAndVersionAreExitCodeZero) {
     MemoryDisk disk;
     for (const auto& arguments :
-         std::vector<std::vector<const char*>>{{"--help"}, {"--version"}, {"scan", "--help"}, {"map", "--help"}}) {
+         std::vector<std::vector<std::string>>{{"--help"}, {"--version"}, {"scan", "--help"}, {"map", "--help"}}) {
         const CommandRun got = run(disk, arguments);
         EXPECT_EQ(got.exit_code, 0);
         EXPECT_FALSE(got.out.empty());
@@ -95,4 +81,4 @@ TEST(Command, OutputGoesToTheFile) {
 }
 
 }  // namespace
-}  // namespace porttool
+}  // namespace porttool::testing

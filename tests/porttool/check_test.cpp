@@ -1,0 +1,275 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+// The gate: what is in step, what is not, and what a person can say about it.
+#include <gtest/gtest.h>
+
+#include "tests/porttool/run_command.h"
+
+namespace porttool::testing {
+namespace {
+
+const char* kSource = R"(
+#define MAX_PATH_LENGTH 8
+struct Hit { float t; float u, v; int prim; };
+__device__ float luminance(const float3 c) { return dot(c, make_float3(0.299f, 0.587f, 0.114f)); }
+__device__ float3 shade(const Hit hit, const float3 throughput, float pdf) {
+    float3 result = make_float3(0.0f);
+    if (hit.t < 0.0f) { return result; }
+    float weight = luminance(throughput) / max(pdf, 1e-6f);
+    result = lerp(result, throughput, weight);
+    return result * 0.5f;
+}
+)";
+const char* kTarget = R"(#version 450
+#define MAX_PATH_LENGTH 8
+struct Hit { float t; float u, v; int prim; };
+float luminance(vec3 c) { return dot(c, vec3(0.299, 0.587, 0.114)); }
+vec3 shade(Hit hit, vec3 throughput, float pdf) {
+    vec3 result = vec3(0.0);
+    if (hit.t < 0.0) { return result; }
+    float weight = luminance(throughput) / max(pdf, 1e-6);
+    result = mix(result, throughput, weight);
+    return result * 0.5;
+}
+)";
+
+std::vector<std::string> rules(const nlohmann::json& report) {
+    std::vector<std::string> out;
+    for (const auto& finding : report["findings"]) out.push_back(finding["rule"]);
+    return out;
+}
+
+using Rules = std::vector<std::string>;
+
+TEST(Check, AFreshMapIsInStep) {
+    MemoryDisk disk = started(kSource, kTarget);
+    const auto report = check(disk);
+    EXPECT_EQ(report["verdict"], "in_step");
+    EXPECT_EQ(report["summary"]["pairs"], 4);
+    EXPECT_EQ(report["summary"]["in_step"], 4);
+    EXPECT_TRUE(report["findings"].empty());
+}
+
+TEST(Check, InitRefusesToReplaceAndCheckNeedsALock) {
+    MemoryDisk disk = started(kSource, kTarget);
+    EXPECT_EQ(run(disk, {"-C", "/r", "init", "--source", "src/*", "--target", "port/*"}).exit_code, 2);
+    EXPECT_EQ(run(disk, {"-C", "/r", "init", "--source", "src/*", "--target", "port/*", "--force"}).exit_code, 0);
+    disk.files.erase("/r/portmap.lock");
+    const CommandRun got = run(disk, {"-C", "/r", "check"});
+    EXPECT_EQ(got.exit_code, 2);
+    EXPECT_NE(got.err.find("porttool init"), std::string::npos);
+}
+
+TEST(Check, ASourceEditWithoutPortIsDrift) {
+    MemoryDisk disk = started(kSource, kTarget);
+    disk.files["/r/src/k.cu"] =
+        replaced(kSource, "float weight =", "if (pdf <= 0.0f) return result;\n    float weight =");
+    const CommandRun got = run(disk, {"-C", "/r", "check", "--format", "json"});
+    EXPECT_EQ(got.exit_code, 1);
+    const auto report = nlohmann::json::parse(got.out);
+    ASSERT_EQ(rules(report), Rules{"source-changed"});
+    const auto& finding = report["findings"][0];
+    EXPECT_EQ(finding["level"], "error");
+    EXPECT_EQ(finding["change"], "semantic");
+    EXPECT_EQ(finding["source"]["id"], "src/k.cu:shade");
+    EXPECT_EQ(finding["target"]["id"], "port/k.comp:shade");
+    EXPECT_NE(finding["message"].get<std::string>().find("if (pdf <= 0f)"), std::string::npos) << finding["message"];
+    EXPECT_EQ(report["verdict"], "drift");
+    EXPECT_EQ(report["summary"]["drifted"], 1);
+}
+
+TEST(Check, CosmeticEditsRaiseNothing) {
+    MemoryDisk disk = started(kSource, kTarget);
+    std::string text = replaced(kSource, "if (hit.t < 0.0f) { return result; }",
+                                "// gone\n    if (hit.t < 0.F)\n        return result;");
+    text = replaced(
+        text, "float weight = luminance(throughput) / max(pdf, 1e-6f);\n    result = lerp(result, throughput, weight);",
+        "float w = luminance(throughput) / max(pdf, 0.000001f);\n    result = lerp(result, throughput, w);");
+    disk.files["/r/src/k.cu"] = text;
+    EXPECT_EQ(check(disk)["verdict"], "in_step");
+}
+
+TEST(Check, ARenamingThatIsNotOneIsSemantic) {
+    MemoryDisk disk = started(kSource, kTarget);
+    disk.files["/r/src/k.cu"] = replaced(kSource, "max(pdf, 1e-6f)", "max(throughput, 1e-6f)");
+    EXPECT_EQ(rules(check(disk)), Rules{"source-changed"});
+    disk.files["/r/src/k.cu"] = replaced(kSource, "hit.t < 0.0f", "hit.u < 0.0f");  // a member is no local
+    EXPECT_EQ(rules(check(disk)), Rules{"source-changed"});
+    disk.files["/r/src/k.cu"] = replaced(kSource, "luminance(throughput)", "average(throughput)");
+    EXPECT_EQ(rules(check(disk)), Rules{"source-changed"});
+}
+
+TEST(Check, AChangedNumberIsAConstantChange) {
+    MemoryDisk disk = started(kSource, kTarget);
+    disk.files["/r/src/k.cu"] = replaced(kSource, "result * 0.5f", "result * 0.25f");
+    EXPECT_EQ(check(disk)["findings"][0]["change"], "constant");
+}
+
+TEST(Check, TheSameEditOnBothSidesIsInStep) {
+    const std::vector<std::pair<std::pair<std::string, std::string>, std::pair<std::string, std::string>>> edits = {
+        {{"float weight =", "if (pdf <= 0.0f) return result;\n float weight ="},
+         {"float weight =", "if (pdf <= 0.0) { return result; }\n float weight ="}},
+        {{"result * 0.5f", "result * 0.25f"}, {"result * 0.5", "result * .25"}},
+        {{"lerp(result, throughput, weight)", "lerp(throughput, result, weight)"},
+         {"mix(result, throughput, weight)", "mix(throughput, result, weight)"}},
+        {{"max(pdf, 1e-6f)", "fmaxf(pdf, 1e-5f)"}, {"max(pdf, 1e-6)", "max(pdf, 1e-5)"}},
+        {{"hit.t < 0.0f", "hit.t <= 0.0f"}, {"hit.t < 0.0", "hit.t <= 0.0"}},
+        {{"return result * 0.5f;", "result += make_float3(1.0f);\n return result * 0.5f;"},
+         {"return result * 0.5;", "result += vec3(1.0);\n return result * 0.5;"}},
+        {{"if (hit.t < 0.0f) { return result; }", ""}, {"if (hit.t < 0.0) { return result; }", ""}},
+        {{"float3 result = make_float3(0.0f);", "float3 result = make_float3(rsqrtf(pdf));"},
+         {"vec3 result = vec3(0.0);", "vec3 result = vec3(inversesqrt(pdf));"}},
+        {{"#define MAX_PATH_LENGTH 8", "#define MAX_PATH_LENGTH 12"},
+         {"#define MAX_PATH_LENGTH 8", "#define MAX_PATH_LENGTH 0xC"}},
+        {{"int prim;", "int prim; int inst;"}, {"int prim;", "int prim; int inst;"}}};
+    for (const auto& [source, target] : edits) {
+        MemoryDisk disk = started(kSource, kTarget);
+        disk.files["/r/src/k.cu"] = replaced(kSource, source.first, source.second);
+        disk.files["/r/port/k.comp"] = replaced(kTarget, target.first, target.second);
+        const auto report = check(disk);
+        EXPECT_EQ(report["verdict"], "in_step") << source.second << "\n" << report.dump(1);
+    }
+}
+
+TEST(Check, AWrongPortIsNamed) {
+    struct Wrong {
+        std::string source_from, source_to, target_from, target_to, rule, says;
+    };
+    const std::vector<Wrong> cases = {
+        {"float weight =", "if (pdf <= 0.0f) return result;\n float weight =", "float weight =",
+         "float unused = 1.0;\n float weight =", "port-differs", "if (pdf <= 0f)"},
+        {"result * 0.5f", "result * 0.25f", "result * 0.5", "result * 0.75", "port-differs", "0.25"},
+        {"lerp(result, throughput, weight)", "lerp(throughput, result, weight)", "mix(result, throughput, weight)",
+         "mix(result, throughput, 1.0 - weight)", "port-differs", "throughput, result"},
+        {"hit.t < 0.0f", "hit.t <= 0.0f", "hit.t < 0.0", "hit.t > 0.0", "port-differs", "<="},
+        {"max(pdf, 1e-6f)", "max(pdf, 1e-5f)", "max(pdf, 1e-6)", "max(pdf, 1e-4)", "port-differs", "1e-05"},
+        {"if (hit.t < 0.0f) { return result; }", "", "result = mix(result, throughput, weight);", "", "port-differs",
+         "lost"},
+        {"luminance(throughput)", "luminance(result)", "luminance(throughput)", "luminance(vec3(pdf))", "port-differs",
+         "luminance"},
+        {"float weight =", "if (pdf <= 0.0f) return result;\n float weight =", "return result * 0.5;",
+         "if (pdf <= 0.0) return result;\n return result * 0.5;", "port-differs", "different places"},
+        {"#define MAX_PATH_LENGTH 8", "#define MAX_PATH_LENGTH 12", "#define MAX_PATH_LENGTH 8",
+         "#define MAX_PATH_LENGTH 7", "constant-differs", "'12'"},
+        {"int prim;", "int prim; int inst;", "int prim;", "int inst; int prim;", "layout-differs", "inst"}};
+    for (const Wrong& wrong : cases) {
+        MemoryDisk disk = started(kSource, kTarget);
+        disk.files["/r/src/k.cu"] = replaced(kSource, wrong.source_from, wrong.source_to);
+        disk.files["/r/port/k.comp"] = replaced(kTarget, wrong.target_from, wrong.target_to);
+        const auto report = check(disk);
+        ASSERT_EQ(rules(report), Rules{wrong.rule}) << wrong.target_to << report.dump(1);
+        EXPECT_NE(report.dump().find(wrong.says), std::string::npos) << report.dump(1);
+    }
+}
+
+TEST(Check, NewGoneAndMovedUnits) {
+    MemoryDisk disk = started(kSource, kTarget);
+    disk.files["/r/src/k.cu"] = std::string(kSource) + "__device__ int fresh(int a) { return a + 1; }\n";
+    EXPECT_EQ(rules(check(disk)), Rules{"unported"});
+    disk.files["/r/src/k.cu"] = replaced(
+        kSource, "__device__ float luminance(const float3 c) { return dot(c, make_float3(0.299f, 0.587f, 0.114f)); }",
+        "");
+    EXPECT_EQ(rules(check(disk)), Rules{"orphaned"});
+    disk.files["/r/src/k.cu"] = kSource;
+    disk.files["/r/port/k.comp"] =
+        replaced(kTarget, "float luminance(vec3 c) { return dot(c, vec3(0.299, 0.587, 0.114)); }", "");
+    EXPECT_EQ(rules(check(disk)), Rules{"dead-link"});
+    disk.files["/r/port/k.comp"] = replaced(kTarget, "float luminance(vec3 c)", "float brightness(vec3 c)");
+    const auto report = check(disk);
+    EXPECT_EQ(report["verdict"], "in_step") << report.dump(1);
+    EXPECT_EQ(report["findings"][0]["change"], "rename");
+}
+
+TEST(Check, OrderOfFunctionsAndOfVariantsRaisesNothing) {
+    const std::string one = "__device__ int pick(int a) { int b = a * 3; return b + 17; }\n";
+    const std::string two = "__device__ int pick(float a) { float b = a * 5.0f; return int(b) - 4; }\n";
+    MemoryDisk disk = started(one + two,
+                              "int pick(int a) { int b = a * 3; return b + 17; }\nint pick(float a) { float b = a * "
+                              "5.0; return int(b) - 4; }\n");
+    EXPECT_EQ(check(disk)["summary"]["pairs"], 2);
+    disk.files["/r/src/k.cu"] = two + one;
+    EXPECT_EQ(check(disk)["verdict"], "in_step");
+}
+
+TEST(Check, AcceptDeferAndIgnore) {
+    MemoryDisk disk = started(kSource, kTarget);
+    disk.files["/r/src/k.cu"] = replaced(kSource, "result * 0.5f", "result * 0.25f");
+    const std::string print = check(disk)["findings"][0]["fingerprint"];
+    EXPECT_EQ(run(disk, {"-C", "/r", "defer", "src/k.cu:shade", "--owner", "me", "--until", "2999-01-01", "--reason",
+                         "later"})
+                  .exit_code,
+              0);
+    EXPECT_EQ(check(disk)["summary"]["deferred"], 1);
+    EXPECT_EQ(check(disk)["verdict"], "in_step");
+    EXPECT_EQ(run(disk, {"-C", "/r", "defer", print, "--owner", "me", "--until", "2001-01-01", "--reason", "later"})
+                  .exit_code,
+              0);
+    EXPECT_EQ(rules(check(disk)), (Rules{"deferral-expired", "source-changed"}));
+    EXPECT_EQ(run(disk, {"-C", "/r", "ignore", "port/k.comp:shade", "--reason", "GPU only"}).exit_code, 0);
+    EXPECT_EQ(check(disk)["summary"]["ignored"], 1);
+    disk.files["/r/src/k.cu"] = replaced(kSource, "result * 0.5f", "result * 0.125f");
+    EXPECT_EQ(check(disk)["verdict"], "drift") << "an ignored text that changed again is a finding again";
+    EXPECT_EQ(run(disk, {"-C", "/r", "accept", "src/k.cu:shade=port/k.comp:shade", "--reason", "checked"}).exit_code,
+              0);
+    EXPECT_EQ(check(disk)["verdict"], "in_step");
+    const CommandRun unknown = run(disk, {"-C", "/r", "accept", "src/k.cu:shad"});
+    EXPECT_EQ(unknown.exit_code, 2);
+    EXPECT_NE(unknown.err.find("did you mean 'src/k.cu:shade'"), std::string::npos) << unknown.err;
+    EXPECT_EQ(run(disk, {"-C", "/r", "defer", "src/k.cu:shade", "--owner", "me", "--until", "soon", "--reason", "x"})
+                  .exit_code,
+              2);
+}
+
+TEST(Check, AcceptAllTakesOnlyEquivalentEdits) {
+    MemoryDisk disk = started(kSource, kTarget);
+    disk.files["/r/src/k.cu"] = replaced(replaced(kSource, "result * 0.5f", "result * 0.25f"), "0.299f", "0.3f");
+    disk.files["/r/port/k.comp"] = replaced(kTarget, "0.299", "0.3");
+    run(disk, {"-C", "/r", "accept", "--all"});
+    EXPECT_EQ(rules(check(disk)), Rules{"source-changed"});
+    run(disk, {"-C", "/r", "accept", "--all", "--force"});
+    EXPECT_TRUE(check(disk)["findings"].empty());
+}
+
+TEST(Check, ExplainShowsBothEditsAndRules) {
+    MemoryDisk disk = started(kSource, kTarget);
+    disk.files["/r/src/k.cu"] = replaced(kSource, "result * 0.5f", "result * 0.25f");
+    const CommandRun got = run(disk, {"-C", "/r", "explain", "src/k.cu:shade"});
+    EXPECT_NE(got.out.find("- return result * 0.5f"), std::string::npos) << got.out;
+    EXPECT_NE(got.out.find("+ return result * 0.25f"), std::string::npos) << got.out;
+    EXPECT_NE(run(disk, {"explain", "port-differs"}).out.find("not the same after translation"), std::string::npos);
+}
+
+TEST(Check, BadMapsAndLocksAreNamed) {
+    MemoryDisk disk = started(kSource, kTarget);
+    const std::string map = disk.files["/r/portmap.toml"], lock = disk.files["/r/portmap.lock"];
+    auto error = [&](const std::string& map_text, const std::string& lock_text) {
+        disk.files["/r/portmap.toml"] = map_text;
+        disk.files["/r/portmap.lock"] = lock_text;
+        const CommandRun got = run(disk, {"-C", "/r", "check"});
+        EXPECT_EQ(got.exit_code, 2);
+        EXPECT_EQ(got.out, "");
+        return got.err;
+    };
+    EXPECT_NE(error("version = 1\n[sides\n", lock).find("portmap.toml:2:"), std::string::npos);
+    EXPECT_NE(error("version = 1\n[sides]\nsorce = [\"a\"]\n", lock).find("did you mean 'source'"), std::string::npos);
+    EXPECT_NE(error("version = 2\n", lock).find("version"), std::string::npos);
+    EXPECT_NE(error(replaced(map, "src/*", "nowhere/*"), lock).find("'nowhere/*' matches no file"), std::string::npos);
+    EXPECT_NE(error(map, replaced(lock, "porttool-lock\t1", "porttool-lock\t9")).find("another version"),
+              std::string::npos);
+    EXPECT_NE(error(map, lock + "<<<<<<< HEAD\n").find("merge conflict"), std::string::npos);
+    EXPECT_NE(error(map, lock + "pair\tx\n").find("cannot be read"), std::string::npos);
+    EXPECT_NE(error(map, "").find("empty"), std::string::npos);
+}
+
+TEST(Check, RulesCanBeTurnedDownAndStrictTurnsWarningsUp) {
+    MemoryDisk disk = started(kSource, kTarget);
+    disk.files["/r/port/k.comp"] = replaced(kTarget, "result * 0.5", "result * 0.25");
+    EXPECT_EQ(run(disk, {"-C", "/r", "check"}).exit_code, 0);
+    EXPECT_EQ(run(disk, {"-C", "/r", "check", "--strict"}).exit_code, 1);
+    disk.files["/r/portmap.toml"] += "[rules]\n\"target-changed\" = \"off\"\n";
+    EXPECT_EQ(check(disk)["verdict"], "in_step");
+    EXPECT_TRUE(check(disk)["findings"].empty());
+}
+
+}  // namespace
+}  // namespace porttool::testing
