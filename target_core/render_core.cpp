@@ -93,12 +93,15 @@ Status TargetCore::Init(const CoreOptions& options) {
     uint32_t hardware = std::max(1u, std::thread::hardware_concurrency());
     options_ = options;
     options_.threads = options.threads > 0 ? options.threads : hardware;
-    std::string message;
-    if (!embree_.open(options_.threads, message)) {
-        return Status::error(StatusCode::no_device, "target core: " + message);
-    }
     parallelism_.emplace(tbb::global_control::max_allowed_parallelism, std::max(hardware, options_.threads));
     arena_.emplace(static_cast<int>(options_.threads));
+    std::string message;
+    bool opened = false;
+    // Inside the arena: elsewhere Embree limits TBB to the machine's threads, and TBB says so on stderr.
+    arena_->execute([&] { opened = embree_.open(options_.threads, message); });
+    if (!opened) {
+        return Status::error(StatusCode::no_device, "target core: " + message);
+    }
     stats_.core = "target";
     stats_.device = "CPU, Embree " RTC_VERSION_STRING;
     stats_.threads = options_.threads;

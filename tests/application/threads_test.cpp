@@ -27,6 +27,7 @@ protected:
         arguments.insert(arguments.end(), more.begin(), more.end());
         const RunResult result = run_pathtracer(arguments, folder.path);
         EXPECT_EQ(result.exit_code, 0) << result.err;
+        EXPECT_EQ(result.err, "") << "no library may talk on its own";
         return read_file(folder.path / "a.exr");
     }
 
@@ -47,6 +48,9 @@ TEST_P(Threads, NeverChangeThePicture) {
 }
 
 TEST_P(Threads, NeverChangeTheExactPicture) {
+#ifdef __SANITIZE_THREAD__
+    GTEST_SKIP() << "the sanitizer cannot see that Embree's threads are done with our callbacks when it has built";
+#endif
     EXPECT_TRUE(picture({"--exact", "--threads", "1"}) == picture({"--exact", "--threads", "4"}));
 }
 
