@@ -354,6 +354,32 @@ private:
     json& document_;
 };
 
+// Rules that look at more than one value.
+void check_nodes(const json& document) {
+    if (!document.contains("nodes")) return;
+    size_t index = 0;
+    for (const json& node : document["nodes"]) {
+        const bool has_parts = node.contains("translation") || node.contains("rotation") || node.contains("scale");
+        if (node.contains("matrix") && has_parts) {
+            fail("/nodes/" + std::to_string(index), "has a matrix and also a translation, rotation or scale");
+        }
+        ++index;
+    }
+}
+
+void check_strides(const json& document) {
+    if (!document.contains("bufferViews")) return;
+    size_t index = 0;
+    for (const json& view : document["bufferViews"]) {
+        const std::string place = "/bufferViews/" + std::to_string(index++) + "/byteStride";
+        if (!view.contains("byteStride")) continue;
+        const uint64_t stride = view["byteStride"].get<uint64_t>();
+        if (stride < 4 || stride > 252 || stride % 4 != 0) {
+            fail(place, "is " + std::to_string(stride) + "; it must be a multiple of 4 from 4 to 252");
+        }
+    }
+}
+
 }  // namespace
 
 void check_gltf_schema(json& document) {
@@ -363,6 +389,8 @@ void check_gltf_schema(json& document) {
     for (const char* info : TEXTURE_INFOS) {
         for (const Rule& rule : TEXTURE_INFO_RULES) checker.check(rule, std::string(info) + rule.path);
     }
+    check_nodes(document);
+    check_strides(document);
 }
 
 }  // namespace render_system

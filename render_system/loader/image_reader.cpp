@@ -10,6 +10,7 @@
 #include <cstring>
 #include <memory>
 #include <string_view>
+#include <vector>
 
 #include "render_system/loader/load_error.h"
 
@@ -40,6 +41,28 @@ std::string format_name(Bytes bytes, const std::string& name) {
     std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
     if (ending == ".tga") return "targa";
     fail("is no PNG, JPEG, TGA, HDR or EXR image; convert it to one of these");
+}
+
+// The chunks of a PNG that make its picture (PNG 1.2, 3 and 4.1). The others are left out: libpng writes to stderr what
+// it thinks of colour profiles, and a texture's meaning is its role, not what such chunks say.
+std::vector<std::byte> picture_chunks(Bytes bytes) {
+    constexpr size_t SIGNATURE = 8;
+    std::vector<std::byte> kept(bytes.begin(),
+                                bytes.begin() + static_cast<std::ptrdiff_t>(std::min(bytes.size(), SIGNATURE)));
+    bool ended = false;
+    for (size_t at = SIGNATURE; !ended;) {
+        if (at > bytes.size() || bytes.size() - at < 12) fail("is cut off: it ends before its last chunk");
+        uint64_t length = 12;  // the length itself, name and checksum
+        for (size_t i = 0; i < 4; ++i) length += static_cast<uint64_t>(bytes[at + i]) << (24 - 8 * i);
+        if (length > bytes.size() - at) fail("is cut off: it ends within a chunk");
+        const Bytes chunk = bytes.subspan(at, length);
+        const std::string_view name(reinterpret_cast<const char*>(chunk.data()) + 4, 4);
+        ended = name == "IEND";
+        const bool needed = ended || name == "IHDR" || name == "PLTE" || name == "tRNS" || name == "IDAT";
+        if (needed) kept.insert(kept.end(), chunk.begin(), chunk.end());
+        at += length;
+    }
+    return kept;
 }
 
 void check_size(const OIIO::ImageSpec& spec, size_t file_size) {
@@ -94,6 +117,11 @@ void fill_floats(Image& image, const std::vector<float>& pixels, int channels) {
 Image read_image(std::span<const std::byte> bytes, const std::string& name) {
     if (bytes.empty()) fail("is empty");
     const std::string format = format_name(bytes, name);
+    std::vector<std::byte> picture;
+    if (format == "png") {
+        picture = picture_chunks(bytes);
+        bytes = picture;
+    }
     OIIO::Filesystem::IOMemReader memory(const_cast<std::byte*>(bytes.data()), bytes.size());
     OIIO::ImageSpec hints;
     hints.attribute("oiio:UnassociatedAlpha", 1);

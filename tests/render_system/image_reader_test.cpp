@@ -88,6 +88,14 @@ TEST(ImageReader, ReadsHdrAndExr) {
     }
 }
 
+TEST(ImageReader, PassesOverWhatPngsSayAboutColour) {
+    // A gamma chunk (with a wrong checksum, which nobody looks at): the bytes stay what they are.
+    std::string image = png(1, 1, 3, {10, 20, 30});
+    const std::string gamma("\0\0\0\4gAMA\0\1\x86\xA0\0\0\0\0", 16);
+    image.insert(image.find("IDAT") - 4, gamma);
+    EXPECT_THAT(read_image(bytes_of(image), "a.png").bytes, ElementsAre(0xFF1E140Au));
+}
+
 std::string refusal_of(const std::string& content, const std::string& name) {
     try {
         read_image(bytes_of(content), name);
@@ -101,9 +109,13 @@ TEST(ImageReader, RefusesWhatItCannotDecode) {
     EXPECT_THAT(refusal_of("", "a.png"), HasSubstr("is empty"));
     EXPECT_THAT(refusal_of("GIF89a", "a.gif"), HasSubstr("is no PNG, JPEG, TGA, HDR or EXR image; convert it"));
     EXPECT_THAT(refusal_of("GIF89a", "a.png"), HasSubstr("is no PNG"));
-    EXPECT_THAT(refusal_of("\x89PNG and then nothing", "a.png"), HasSubstr("cannot be decoded"));
+    EXPECT_THAT(refusal_of("\x89PNG and then nothing", "a.png"), HasSubstr("is cut off"));
     const std::string whole = png(8, 8, 3, std::vector<uint8_t>(192, 9));
-    EXPECT_THAT(refusal_of(whole.substr(0, 20), "a.png"), HasSubstr("cannot be decoded"));
+    EXPECT_THAT(refusal_of(whole.substr(0, 20), "a.png"), HasSubstr("is cut off"));
+    EXPECT_THAT(refusal_of(whole.substr(0, whole.size() - 1), "a.png"), HasSubstr("is cut off"));
+    std::string damaged = whole;
+    damaged[whole.find("IDAT") + 8] ^= 0x55;
+    EXPECT_THAT(refusal_of(damaged, "a.png"), HasSubstr("cannot be decoded"));
     // A header that promises more pixels than the file can hold.
     std::string huge = whole;
     huge[16] = 0;
