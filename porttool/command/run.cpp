@@ -57,7 +57,8 @@ int run_porttool(int argc, const char* const* argv, Disk& disk, std::ostream& ou
         const Outcome outcome = commands().at(options.command)(options, place);
         if (options.output.empty()) {
             out << outcome.text << std::flush;
-        } else if (const std::string failure = disk.write(options.output, outcome.text); !failure.empty()) {
+        } else if (const std::string failure = disk.write(join_path(options.directory, options.output), outcome.text);
+                   !failure.empty()) {
             throw CannotDo("-o " + options.output + ": " + failure);
         }
         return outcome.exit_code;

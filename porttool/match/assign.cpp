@@ -21,9 +21,12 @@ public:
     Assigner(const std::vector<UnitFeatures>& source, const std::vector<UnitFeatures>& target,
              std::vector<std::vector<Candidate>> candidates)
         : source_(source), target_(target), candidates_(std::move(candidates)) {
+        for (const UnitFeatures& unit : source_) ++source_names_[unit.folded_name];
+        for (const UnitFeatures& unit : target_) ++target_names_[unit.folded_name];
         for (const auto& list : candidates_) {
             scores_.emplace_back();
-            for (const Candidate& candidate : list) scores_.back().push_back(candidate.similarity.score);
+            for (const Candidate& candidate : list)
+                scores_.back().push_back(candidate.similarity.score + (is_namesake(candidate) ? kNamesakeBonus : 0.0f));
         }
     }
 
@@ -35,6 +38,15 @@ public:
     }
 
 private:
+    static constexpr float kNamesakeBonus = 0.08f;
+
+    /// One name that stands once on either side.
+    bool is_namesake(const Candidate& candidate) const {
+        const std::string& name = source_[candidate.source].folded_name;
+        return name == target_[candidate.target].folded_name && source_names_.at(name) == 1 &&
+               target_names_.at(name) == 1;
+    }
+
     void choose() {
         std::vector<Choice> choices;
         for (uint32_t s = 0; s < candidates_.size(); ++s)
@@ -103,9 +115,6 @@ private:
                 if (claimed_[t] != kNobody && source_[claimed_[t]].folded_name == source_[s].folded_name) continue;
                 column_best[t] = std::max(column_best[t], scores_[s][c]);
             }
-        std::unordered_map<std::string, int> source_names, target_names;
-        for (const UnitFeatures& unit : source_) ++source_names[unit.folded_name];
-        for (const UnitFeatures& unit : target_) ++target_names[unit.folded_name];
         std::vector<Assignment> all;
         for (uint32_t s = 0; s < source_.size(); ++s) {
             if (choice_[s] == kNobody) continue;
@@ -118,8 +127,8 @@ private:
             out.source_margin = out.score - rival(s, choice_[s], false);
             out.free_margin = out.score - rival(s, choice_[s], true);
             out.target_margin = out.score - column_best[chosen.target];
-            out.only_one =
-                source_names[source_[s].folded_name] == 1 && target_names[target_[chosen.target].folded_name] == 1;
+            out.only_one = source_names_.at(source_[s].folded_name) == 1 &&
+                           target_names_.at(target_[chosen.target].folded_name) == 1;
             all.push_back(out);
         }
         return all;
@@ -129,6 +138,7 @@ private:
     const std::vector<UnitFeatures>& target_;
     std::vector<std::vector<Candidate>> candidates_;
     std::vector<std::vector<float>> scores_;
+    std::unordered_map<std::string, int> source_names_, target_names_;
     std::vector<uint32_t> choice_;   ///< of each source, an index into its candidates
     std::vector<uint32_t> claimed_;  ///< of each target, the source
 };

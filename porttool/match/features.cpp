@@ -62,7 +62,8 @@ private:
     }
 
     void read_names(const Unit& unit, UnitFeatures& features) {
-        const std::string_view name = std::string_view(unit.name).substr(0, unit.name.find('#'));
+        const std::string_view name =
+            std::string_view(unit.name).substr(0, unit.name.find('#')).substr(unit.namespace_length);
         const std::string_view leaf = leaf_of(name);
         const std::string_view stem = file_stem(file_.path);
         features.whole_file_main = unit.kind == UnitKind::File || (features.kernel && leaf == "main");
@@ -73,11 +74,14 @@ private:
         constexpr float kScopeWeight = 0.7f;
         count_words(kName, leaf_of(shown), 1);
         count_words(kName, shown.substr(0, shown.size() - leaf_of(shown).size()), kScopeWeight);
-        if (features.whole_file_main) {
-            count_words(kName, stage_word(file_.path), 1);
-            count_words(kPlace, stage_word(file_.path), 1);
+        const std::string_view stage = features.whole_file_main ? stage_word(file_.path) : std::string_view();
+        if (!stage.empty()) {
+            count_words(kName, stage, 1);
+            count_words(kPlace, stage, 1);
+            features.name_words = {vocabulary_.id(kName, split_words(stage).front())};
+        } else {
+            for (const auto& [id, amount] : counts_[kName]) features.name_words.push_back(id);
         }
-        for (const auto& [id, amount] : counts_[kName]) features.name_words.push_back(id);
         // The place also carries the name: a class here is a file there.
         count_words(kPlace, shown, 1);
     }

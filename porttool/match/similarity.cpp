@@ -127,7 +127,10 @@ Similarity compare_units(const UnitFeatures& a, const UnitFeatures& b) {
         score += kSignatureWeight * out.signature + kKindWeight * out.kind;
         weight += kSignatureWeight + kKindWeight;
     }
-    out.score = std::clamp(score / weight, 0.0f, 1.0f);
+    // Helpers and launchers of a kernel resemble its port as well, sometimes more than the kernel itself.
+    constexpr float kNoEntryPoint = 0.12f;
+    const bool helper = (a.whole_file_main || b.whole_file_main) && a.kernel != b.kernel;
+    out.score = std::clamp(score / weight - (helper ? kNoEntryPoint : 0.0f), 0.0f, 1.0f);
     return out;
 }
 

@@ -37,6 +37,7 @@ struct Unit {
     TokenRange body;          ///< between the braces
     uint32_t name_token = 0;  ///< where the name stands
     std::vector<TokenRange> holes;
+    uint32_t namespace_length = 0;  ///< how much of the name is namespaces, which ports rarely share
 };
 
 enum class LineClass : uint8_t { Blank, Comment, Directive, Declaration, Unit, Unclassified };

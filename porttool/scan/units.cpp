@@ -21,7 +21,7 @@ public:
 
     UnitList run() {
         end_ = static_cast<uint32_t>(structure_.tokens.size());
-        scopes_.push_back({end_, "", false, kNoUnit});
+        scopes_.push_back({end_, "", false, kNoUnit, 0});
         while (at_ < end_ || scopes_.size() > 1) step();
         declare(start_, end_);
         return std::move(out_);
@@ -34,7 +34,8 @@ private:
         uint32_t close;      ///< position of the closing brace, or the end of the file
         std::string prefix;  ///< "A::B::"
         bool is_class;
-        size_t unit;  ///< the class as a unit
+        size_t unit;              ///< the class as a unit
+        uint32_t namespaces = 0;  ///< length of the prefix that is namespaces
     };
 
     std::string_view word(uint32_t at) const {
@@ -143,6 +144,7 @@ private:
         Unit unit;
         unit.kind = kind;
         unit.name = scopes_.back().prefix + std::string(name);
+        unit.namespace_length = scopes_.back().namespaces;
         unit.tokens = {token(first), token(end - 1) + 1};
         unit.start_line = lexed_.tokens[token(first)].line;
         unit.end_line = lexed_.tokens[token(end - 1)].line;
@@ -212,7 +214,8 @@ private:
         std::string prefix = scopes_.back().prefix;
         constexpr size_t kLongestPrefix = 1024;  // a thousand nested scopes would fill the memory with their names
         if (!name.empty() && prefix.size() < kLongestPrefix) prefix += name + "::";
-        scopes_.push_back({close, prefix, is_class, unit});
+        const auto namespaces = is_class ? scopes_.back().namespaces : static_cast<uint32_t>(prefix.size());
+        scopes_.push_back({close, prefix, is_class, unit, namespaces});
         begin_statement(at_ + 1);
     }
 

@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+// The first steps in docs/porttool.md are run as they stand there, with the real program.
+#include <sys/wait.h>
+
+#include <cstdlib>
+
+#include "tests/porttool/fixtures.h"
+
+namespace porttool::testing {
+namespace {
+
+std::vector<std::string> tested_lines() {
+    const std::string text = read_text(std::filesystem::path(REPOSITORY) / "docs/porttool.md");
+    const size_t mark = text.find("<!-- tested: first steps -->");
+    const size_t first = text.find('\n', text.find("```sh", mark)) + 1;
+    std::istringstream block(text.substr(first, text.find("```", first) - first));
+    std::vector<std::string> lines;
+    for (std::string line; std::getline(block, line);) lines.push_back(line);
+    return lines;
+}
+
+void write_text(const std::filesystem::path& path, const std::string& text) {
+    std::filesystem::create_directories(path.parent_path());
+    std::ofstream(path) << text;
+}
+
+TEST(Docs, TheFirstStepsWorkAsWritten) {
+    const auto home = std::filesystem::temp_directory_path() / "porttool_docs_test";
+    std::filesystem::remove_all(home);
+    write_text(home / "my-repository/cuda/shade.cu",
+               "__device__ float3 shade(float3 albedo, float cosine) {\n    return albedo * cosine * 0.5f;\n}\n");
+    write_text(home / "my-repository/glsl/shade.glsl",
+               "vec3 shade(vec3 albedo, float cosine) {\n    return albedo * cosine * 0.5;\n}\n");
+    std::filesystem::path folder = home;
+    const auto lines = tested_lines();
+    ASSERT_EQ(lines.size(), 10u);
+    for (const std::string& line : lines) {
+        if (line.starts_with("cd ")) {
+            folder /= line.substr(3);
+            continue;
+        }
+        const size_t exits = line.find("# exits ");
+        const int expected = exits == std::string::npos ? 0 : line[exits + 8] - '0';
+        const std::string command = "( cd '" + folder.string() + "' && PATH='" + std::string(PROGRAM_FOLDER) +
+                                    "':$PATH && " + line + "\n) > /dev/null";
+        const int status = std::system(command.c_str());
+        ASSERT_TRUE(WIFEXITED(status));
+        EXPECT_EQ(WEXITSTATUS(status), expected) << line;
+    }
+    std::filesystem::remove_all(home);
+}
+
+}  // namespace
+}  // namespace porttool::testing
