@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <ctime>
 
+#include "porttool/command/base_lock.h"
 #include "porttool/report/check_report.h"
 
 namespace porttool {
@@ -24,15 +25,32 @@ std::string today() {
 CheckedProject check_project(const Options& options, Workplace& place) {
     CheckedProject checked;
     checked.project = open_project(options, place, true);
-    read_sides(checked.project, place);
-    checked.lock = load_lock(checked.project, place.disk);
+    if (options.staged)
+        read_staged_sides(checked.project, place);
+    else
+        read_sides(checked.project, place);
     checked.states = read_states(checked.project);
+    std::map<std::string, std::string> texts;
+    if (options.base.empty()) {
+        checked.lock = load_lock(checked.project, place.disk);
+    } else {
+        const bool there = place.disk.exists(lock_path(checked.project));
+        BaseLock base = base_lock(checked.project, options.base,
+                                  there ? load_lock(checked.project, place.disk) : LockFile(), checked.states);
+        checked.lock = std::move(base.lock);
+        texts = std::move(base.texts);
+    }
+    const auto text_of = [&](const std::string& print) {
+        if (options.base.empty()) return base_text(checked.project, place.disk, print);
+        const auto found = texts.find(print);
+        return found == texts.end() ? std::string() : found->second;
+    };
     const Case facts{checked.project.map,
                      checked.lock,
                      checked.states.source,
                      checked.states.target,
                      checked.project.skipped,
-                     [&](const std::string& print) { return base_text(checked.project, place.disk, print); },
+                     text_of,
                      today()};
     checked.judgement = judge(facts);
     return checked;

@@ -75,6 +75,13 @@ void read_sides(Project& project, Workplace& place) {
     project.skipped.insert(project.skipped.end(), target.skipped.begin(), target.skipped.end());
 }
 
+void read_sides_from(Project& project, const Disk& disk, const std::string& target_root) {
+    std::vector<std::string> unmatched;
+    project.source = scan_all(read_globs(disk, project.root, project.map.source, unmatched));
+    project.target = scan_all(read_globs(disk, target_root, project.map.target, unmatched));
+    project.skipped.clear();
+}
+
 Settled settled_by(const MapFile& map) {
     Settled settled;
     for (const MapPair& pair : map.pairs)

@@ -30,6 +30,9 @@ Project open_project(const Options& options, Workplace& place, bool needs_map);
 /// Reads and scans both sides. Throws CannotDo for globs that match nothing.
 void read_sides(Project& project, Workplace& place);
 
+/// The same from another disk, without complaint about globs that match nothing there.
+void read_sides_from(Project& project, const Disk& disk, const std::string& target_root);
+
 /// What the map has settled.
 Settled settled_by(const MapFile& map);
 
