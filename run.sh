@@ -7,7 +7,7 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
 
-samples=8
+samples=6
 ./setup.sh
 [ -f build/release/build.ninja ] || cmake --preset release
 cmake --build --preset release --target pathtracer

@@ -17,13 +17,14 @@ using render_system::Result;
 using render_system::Status;
 using render_system::StatusCode;
 
-/// Encodes into memory, so that the file itself is written in one place for all kinds. `extension` chooses the format.
-Result<std::string> encode(const std::string& extension, OIIO::ImageSpec spec, OIIO::TypeDesc type,
-                           const void* values) {
+/// Encodes into memory, so that the file itself is written in one place for all kinds. `extension` chooses the format,
+/// the format of `spec` is that of the values.
+Result<std::string> encode(const std::string& extension, const OIIO::ImageSpec& spec, const void* values) {
     const std::string name = "picture." + extension;
     OIIO::Filesystem::IOVecOutput memory;
     auto output = OIIO::ImageOutput::create(name, &memory);
-    const bool written = output && output->open(name, spec) && output->write_image(type, values) && output->close();
+    const bool written =
+        output && output->open(name, spec) && output->write_image(spec.format, values) && output->close();
     if (!written) {
         const std::string reason = output ? output->geterror() : OIIO::geterror();
         return Status::error(StatusCode::internal,
@@ -33,7 +34,7 @@ Result<std::string> encode(const std::string& extension, OIIO::ImageSpec spec, O
     return std::string(bytes.begin(), bytes.end());
 }
 
-OIIO::ImageSpec plain_spec(uint32_t width, uint32_t height, OIIO::TypeDesc type) {
+OIIO::ImageSpec plain_spec(uint32_t width, uint32_t height, OIIO::TypeDesc::BASETYPE type) {
     OIIO::ImageSpec spec(static_cast<int>(width), static_cast<int>(height), 3, type);
     // Left alone, OpenImageIO adds the time of day, and the same pixels would give other bytes. An empty one is not
     // written at all.
@@ -57,14 +58,14 @@ Result<ImageKind> image_kind(const std::string& file_name) {
 Result<std::string> encode_png(const Channels<uint8_t>& image) {
     OIIO::ImageSpec spec = plain_spec(image.width, image.height, OIIO::TypeDesc::UINT8);
     spec.attribute("oiio:ColorSpace", "sRGB");
-    return encode("png", spec, OIIO::TypeDesc::UINT8, image.rgb.data());
+    return encode("png", spec, image.rgb.data());
 }
 
 Result<std::string> encode_exr(const Channels<float>& image) {
     OIIO::ImageSpec spec = plain_spec(image.width, image.height, OIIO::TypeDesc::FLOAT);
     spec.attribute("oiio:ColorSpace", "Linear");
     spec.attribute("compression", "zip");
-    return encode("exr", spec, OIIO::TypeDesc::FLOAT, image.rgb.data());
+    return encode("exr", spec, image.rgb.data());
 }
 
 Result<std::string> encode_picture(const Picture& picture, ImageKind kind) {

@@ -12,7 +12,7 @@ uint8_t srgb_level(float linear) {
     if (!(linear > 0.0f)) return 0;
     const double value = std::min(static_cast<double>(linear), 1.0);
     const double encoded = value <= 0.0031308 ? 12.92 * value : 1.055 * std::pow(value, 1.0 / 2.4) - 0.055;
-    return static_cast<uint8_t>(255.0 * encoded + 0.5);
+    return static_cast<uint8_t>(std::lround(255.0 * encoded));
 }
 
 Channels<uint8_t> srgb_levels(const Picture& picture) {

@@ -84,7 +84,7 @@ path scene_path(const std::string& scene) {
     std::error_code error;
     if (std::filesystem::exists(scene, error) || scene.find('/') != std::string::npos) return scene;
     for (const path& folder : {installed_data_folder(), path(PORTTOOL_SOURCE_FOLDER)}) {
-        const path built_in = folder / "scenes" / scene / (scene + ".gltf");
+        path built_in = folder / "scenes" / scene / (scene + ".gltf");
         if (!folder.empty() && std::filesystem::exists(built_in, error)) return built_in;
     }
     return scene;

@@ -56,6 +56,7 @@ double mean(const std::vector<double>& values) {
 
 std::vector<double> column(const std::vector<FrameFigures>& frames, double FrameFigures::*field) {
     std::vector<double> values;
+    values.reserve(frames.size());
     for (const FrameFigures& frame : frames) values.push_back(frame.*field);
     return values;
 }

@@ -10,7 +10,6 @@ namespace application {
 namespace {
 
 using render_system::CoreStats;
-using render_system::Result;
 using render_system::Status;
 
 std::string render_text(const Options& options, const std::string& file, const CoreStats& stats) {

@@ -9,7 +9,8 @@
 namespace metrics {
 namespace {
 
-constexpr size_t WINDOW = 11;
+constexpr size_t RADIUS = 5;
+constexpr size_t WINDOW = 2 * RADIUS + 1;
 constexpr double SIGMA = 1.5;
 constexpr double C1 = (0.01 * 255.0) * (0.01 * 255.0);
 constexpr double C2 = (0.03 * 255.0) * (0.03 * 255.0);
@@ -32,7 +33,7 @@ Kernel gaussian() {
     Kernel kernel{};
     double sum = 0.0;
     for (size_t i = 0; i < WINDOW; ++i) {
-        const double x = static_cast<double>(i) - static_cast<double>(WINDOW / 2);
+        const double x = static_cast<double>(i) - static_cast<double>(RADIUS);
         kernel[i] = std::exp(-0.5 * x * x / (SIGMA * SIGMA));
         sum += kernel[i];
     }
