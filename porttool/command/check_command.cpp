@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "porttool/command/check_command.h"
 
-#include <chrono>
+#include <unistd.h>
+
 #include <cstdlib>
 #include <ctime>
 
 #include "porttool/command/base_lock.h"
 #include "porttool/report/check_report.h"
+#include "porttool/report/ci_reports.h"
 
 namespace porttool {
 
@@ -56,14 +58,27 @@ CheckedProject check_project(const Options& options, Workplace& place) {
     return checked;
 }
 
+namespace {
+
+std::string formatted(const Judgement& judgement, const Options& options) {
+    if (options.format == "json") return check_json(judgement);
+    if (options.format == "sarif") return check_sarif(judgement);
+    if (options.format == "junit") return check_junit(judgement);
+    if (options.format == "github") return check_github(judgement);
+    if (options.format == "gitlab") return check_gitlab(judgement);
+    if (options.format == "markdown") return check_markdown(judgement);
+    const bool terminal = isatty(STDOUT_FILENO) != 0 && options.output.empty() && std::getenv("NO_COLOR") == nullptr;
+    return check_table(judgement, options.color == "always" || (options.color == "auto" && terminal));
+}
+
+}  // namespace
+
 Outcome check_command(const Options& options, Workplace& place) {
-    require_format(options.format, {"text", "json"});
+    require_format(options.format, {"text", "json", "sarif", "junit", "github", "gitlab", "markdown"});
     const CheckedProject checked = check_project(options, place);
     const std::string verdict = checked.judgement.verdict();
     const bool fails = verdict == "drift" || (verdict == "review" && options.strict);
-    const bool color = options.color == "always";
-    return {options.format == "json" ? check_json(checked.judgement) : check_table(checked.judgement, color),
-            fails ? 1 : 0};
+    return {formatted(checked.judgement, options), fails ? 1 : 0};
 }
 
 }  // namespace porttool

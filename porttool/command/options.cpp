@@ -15,7 +15,9 @@ constexpr const char* kVersion = "porttool 0.1.0";
 void add_common(CLI::App& app, Options& options) {
     app.add_option("-C", options.directory, "Run as if started in this folder")->type_name("DIR");
     app.add_option("--config", options.config, "The map to use instead of the nearest portmap.toml")->type_name("FILE");
-    app.add_option("--format", options.format, "How to print: text or json")->type_name("FORMAT");
+    app.add_option("--format", options.format,
+                   "How to print: text, json; check also sarif, junit, github, gitlab, markdown")
+        ->type_name("FORMAT");
     app.add_option("-o,--output", options.output, "Write there instead of to stdout")->type_name("FILE");
     app.add_option("--color", options.color, "auto, always or never")
         ->check(CLI::IsMember({"auto", "always", "never"}));

@@ -1,0 +1,214 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/report/ci_reports.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+#include <set>
+
+namespace porttool {
+namespace {
+
+using nlohmann::ordered_json;
+
+bool is_open(const Finding& f) { return f.level != Level::Off && f.verdict.empty(); }
+
+std::string dumped(const ordered_json& json) {
+    return json.dump(1, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+}
+
+/// Where a finding is shown: the changed source, else the target, else the map.
+Place shown_at(const Finding& f) {
+    if (f.source) return *f.source;
+    return f.target.value_or(Place{"", "portmap.toml", 1, 1});
+}
+
+/// A path as the path of a relative URI.
+std::string uri(const std::string& path) {
+    std::string out;
+    for (const char c : path) {
+        const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+                           std::string_view("/-._~").find(c) != std::string_view::npos;
+        out += plain ? std::string(1, c) : fmt::format("%{:02X}", static_cast<unsigned char>(c));
+    }
+    return out;
+}
+
+ordered_json sarif_location(const Place& place) {
+    return {{"physicalLocation",
+             {{"artifactLocation", {{"uri", uri(place.file)}, {"uriBaseId", "%SRCROOT%"}}},
+              {"region",
+               {{"startLine", std::max(1u, place.line)}, {"endLine", std::max({1u, place.line, place.end_line})}}}}},
+            {"logicalLocations", ordered_json::array({{{"fullyQualifiedName", place.id}}})}};
+}
+
+std::string escaped_xml(const std::string& text) {
+    std::string out;
+    for (const char c : text) {
+        if (c == '&')
+            out += "&amp;";
+        else if (c == '<')
+            out += "&lt;";
+        else if (c == '>')
+            out += "&gt;";
+        else if (c == '"')
+            out += "&quot;";
+        else if (static_cast<unsigned char>(c) >= 32 || c == '\n' || c == '\t')
+            out += c;
+    }
+    return out;
+}
+
+/// Text in a workflow command; properties also may not hold colons and commas.
+std::string escaped_command(const std::string& text, bool property) {
+    std::string out;
+    for (const char c : text) {
+        if (c == '%')
+            out += "%25";
+        else if (c == '\r')
+            out += "%0D";
+        else if (c == '\n')
+            out += "%0A";
+        else if (property && c == ':')
+            out += "%3A";
+        else if (property && c == ',')
+            out += "%2C";
+        else
+            out += c;
+    }
+    return out;
+}
+
+std::string escaped_markdown(const std::string& text) {
+    std::string out;
+    for (const char c : text) {
+        if (c == '|' || c == '<' || c == '*' || c == '_') out += '\\';
+        out += c == '\n' ? ' ' : c;
+    }
+    return out;
+}
+
+}  // namespace
+
+std::string check_sarif(const Judgement& judgement) {
+    std::set<std::string> used;
+    ordered_json results = ordered_json::array();
+    for (const Finding& f : judgement.findings)
+        if (f.level != Level::Off) used.insert(f.rule);
+    ordered_json rules = ordered_json::array();
+    for (const std::string& rule : used) {
+        const std::string help = rule_help(rule);
+        rules.push_back({{"id", rule},
+                         {"shortDescription", {{"text", help.substr(0, help.find('\n'))}}},
+                         {"help", {{"text", help}}}});
+    }
+    for (const Finding& f : judgement.findings) {
+        if (f.level == Level::Off) continue;
+        ordered_json result = {{"ruleId", f.rule},
+                               {"ruleIndex", std::distance(used.begin(), used.find(f.rule))},
+                               {"level", level_name(f.level)},
+                               {"message", {{"text", f.message + "\n" + f.remedy}}},
+                               {"locations", ordered_json::array({sarif_location(shown_at(f))})},
+                               {"partialFingerprints", {{"porttool/v1", f.fingerprint}}}};
+        if (f.source && f.target) {
+            ordered_json related = sarif_location(*f.target);
+            related["id"] = 1;
+            related["message"] = {{"text", "the port"}};
+            result["relatedLocations"] = ordered_json::array({related});
+        }
+        if (!f.verdict.empty())
+            result["suppressions"] = ordered_json::array(
+                {{{"kind", "external"}, {"status", "accepted"}, {"justification", f.verdict_reason}}});
+        results.push_back(std::move(result));
+    }
+    return dumped(
+        {{"$schema", "https://json.schemastore.org/sarif-2.1.0.json"},
+         {"version", "2.1.0"},
+         {"runs",
+          ordered_json::array(
+              {{{"tool", {{"driver", {{"name", "porttool"}, {"version", "0.1.0"}, {"rules", rules}}}}},
+                {"originalUriBaseIds", {{"%SRCROOT%", {{"description", {{"text", "The root of the repository"}}}}}}},
+                {"columnKind", "utf16CodeUnits"},
+                {"results", results}}})}});
+}
+
+std::string check_junit(const Judgement& judgement) {
+    std::string cases;
+    size_t tests = 0, failures = 0;
+    for (const Finding& f : judgement.findings) {
+        if (!is_open(f) || f.level == Level::Note) continue;
+        ++tests;
+        const Place place = shown_at(f);
+        cases += fmt::format("    <testcase classname=\"porttool.{}\" name=\"{}\" file=\"{}\">\n", escaped_xml(f.rule),
+                             escaped_xml(place.id), escaped_xml(place.file));
+        if (f.level == Level::Error) {
+            ++failures;
+            cases += fmt::format("      <failure type=\"{}\" message=\"{}\">{}:{}\n{}</failure>\n", escaped_xml(f.rule),
+                                 escaped_xml(f.message), escaped_xml(place.file), place.line, escaped_xml(f.remedy));
+        } else {
+            cases +=
+                fmt::format("      <system-out>{}\n{}</system-out>\n", escaped_xml(f.message), escaped_xml(f.remedy));
+        }
+        cases += "    </testcase>\n";
+    }
+    if (tests == 0) {
+        tests = 1;
+        cases = "    <testcase classname=\"porttool\" name=\"in step\"/>\n";
+    }
+    return fmt::format(
+        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n  <testsuite name=\"porttool\" tests=\"{}\" "
+        "failures=\"{}\" errors=\"0\">\n{}  </testsuite>\n</testsuites>\n",
+        tests, failures, cases);
+}
+
+std::string check_github(const Judgement& judgement) {
+    std::string out;
+    for (const Finding& f : judgement.findings) {
+        if (!is_open(f)) continue;
+        const Place place = shown_at(f);
+        const char* command = f.level == Level::Error ? "error" : f.level == Level::Warning ? "warning" : "notice";
+        out += fmt::format("::{} file={},line={},endLine={},title={}::{}\n", command, escaped_command(place.file, true),
+                           place.line, place.end_line, escaped_command("porttool " + f.rule, true),
+                           escaped_command(f.message + "\n" + f.remedy, false));
+    }
+    return out;
+}
+
+std::string check_gitlab(const Judgement& judgement) {
+    ordered_json out = ordered_json::array();
+    for (const Finding& f : judgement.findings) {
+        if (!is_open(f)) continue;
+        const Place place = shown_at(f);
+        out.push_back({{"description", f.message + ". " + f.remedy},
+                       {"check_name", f.rule},
+                       {"fingerprint", f.fingerprint},
+                       {"severity", f.level == Level::Error     ? "major"
+                                    : f.level == Level::Warning ? "minor"
+                                                                : "info"},
+                       {"location", {{"path", place.file}, {"lines", {{"begin", std::max(1u, place.line)}}}}}});
+    }
+    return dumped(out);
+}
+
+std::string check_markdown(const Judgement& judgement) {
+    const Summary& s = judgement.summary;
+    std::string out = fmt::format(
+        "### porttool: {}\n\n{} pairs: {} in step, {} drifted, {} to review, {} deferred, {} ignored; {} source units "
+        "without a port.\n",
+        judgement.verdict(), s.pairs, s.in_step, s.drifted, s.review, s.deferred, s.ignored, s.unported);
+    bool any = false;
+    for (const Finding& f : judgement.findings) {
+        if (!is_open(f)) continue;
+        if (!any) out += "\n| | source | port | finding |\n| --- | --- | --- | --- |\n";
+        any = true;
+        auto cell = [](const std::optional<Place>& place) {
+            return place ? escaped_markdown(place->file) + ":" + std::to_string(place->line) : std::string();
+        };
+        out += fmt::format("| {} | {} | {} | {} ({}) |\n", level_name(f.level), cell(f.source), cell(f.target),
+                           escaped_markdown(f.message), f.rule);
+    }
+    return out;
+}
+
+}  // namespace porttool

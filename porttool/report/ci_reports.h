@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "porttool/judge/judge.h"
+
+namespace porttool {
+
+/// SARIF 2.1.0 for code scanning: one rule entry per rule, the changed source as first location, the counterpart as
+/// related location, relative URIs under %SRCROOT%, settled findings as suppressions.
+std::string check_sarif(const Judgement& judgement);
+/// JUnit XML: one test case a finding, or one that passed.
+std::string check_junit(const Judgement& judgement);
+/// Workflow commands that GitHub shows as annotations.
+std::string check_github(const Judgement& judgement);
+/// GitLab's code quality report.
+std::string check_gitlab(const Judgement& judgement);
+/// A comment for a merge request.
+std::string check_markdown(const Judgement& judgement);
+
+}  // namespace porttool
