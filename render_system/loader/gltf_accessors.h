@@ -14,7 +14,7 @@ namespace render_system {
 /// JSON pointer of an accessor, for messages.
 std::string accessor_place(int accessor);
 
-/// Elements in an accessor. Throws LoadError if they do not lie in their buffer view, so that the number can be trusted.
+/// Elements in an accessor. Throws LoadError if they do not lie in their buffer view: the number can be trusted.
 uint64_t accessor_count(const GltfDocument& document, int accessor);
 
 /// Appends an accessor's elements to `out` as floats: any component type, normalised or not, any stride, sparse or

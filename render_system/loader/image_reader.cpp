@@ -133,14 +133,17 @@ Image read_image(std::span<const std::byte> bytes, const std::string& name) {
     Image image;
     image.width = static_cast<uint32_t>(spec.width);
     image.height = static_cast<uint32_t>(spec.height);
+    // Without a type, pixels come as they are in the file: OpenImageIO then needs no buffer of its own, which would be
+    // of 16 MiB. That takes all channels.
     if (spec.format == OIIO::TypeDesc::UINT8) {
-        // Without a type, as in the file: OpenImageIO then needs no buffer of its own, which would be of 16 MiB.
         fill_bytes(image, read_pixels<uint8_t>(*input, spec, spec.nchannels, OIIO::TypeUnknown), spec.nchannels);
     } else {
         // 16-bit integers become 0 to 1, which is what the texture builder expects of them.
         image.is_hdr = spec.format.is_floating_point();
+        const bool as_stored = spec.format == OIIO::TypeDesc::FLOAT && spec.nchannels <= 4;
+        const OIIO::TypeDesc type = as_stored ? OIIO::TypeUnknown : OIIO::TypeDesc(OIIO::TypeDesc::FLOAT);
         const int channels = std::min(spec.nchannels, 4);
-        fill_floats(image, read_pixels<float>(*input, spec, channels, OIIO::TypeDesc::FLOAT), channels);
+        fill_floats(image, read_pixels<float>(*input, spec, channels, type), channels);
     }
     return image;
 }
