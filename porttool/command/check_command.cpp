@@ -47,13 +47,18 @@ CheckedProject check_project(const Options& options, Workplace& place) {
         const auto found = texts.find(print);
         return found == texts.end() ? std::string() : found->second;
     };
+    std::vector<PlacedSuppression> suppressions;
+    for (const auto* side : {&checked.project.source, &checked.project.target})
+        for (const ScannedFile& file : *side)
+            for (const Suppression& comment : file.lexed.suppressions) suppressions.push_back({file.path, comment});
     const Case facts{checked.project.map,
                      checked.lock,
                      checked.states.source,
                      checked.states.target,
                      checked.project.skipped,
                      text_of,
-                     today()};
+                     today(),
+                     std::move(suppressions)};
     checked.judgement = judge(facts);
     return checked;
 }

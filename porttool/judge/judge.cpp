@@ -84,6 +84,7 @@ public:
         for (const MapPair& pair : facts_.map.pairs)
             for (const std::string& target : pair.targets) judge_pair(pair.source, target);
         find_unported();
+        find_unused_suppressions();
         for (const SkippedFile& file : facts_.skipped) {
             Finding& finding = add("unreadable", file.file, "");
             finding.source = Place{file.file + ":@file", file.file, 1, 1};
@@ -298,8 +299,44 @@ private:
                 out_.findings[i].verdict_reason = entry.reason;
             }
         }
+        if (verdict.empty() && suppress(first)) verdict = "ignore";
         if (expired && verdict.empty()) add_for(pair, "deferral-expired", "", "the deferral of this pair has expired");
         count(pair, first, verdict);
+    }
+
+    /// A comment within the unit, or on the line before it.
+    static bool covers(const PlacedSuppression& suppression, const std::optional<Place>& place) {
+        return place && suppression.file == place->file && suppression.comment.line + 1 >= place->line &&
+               suppression.comment.line <= place->end_line;
+    }
+
+    /// Lets comments settle findings from `first` on; true if none is left open.
+    bool suppress(size_t first) {
+        bool all = out_.findings.size() > first;
+        for (size_t i = first; i < out_.findings.size(); ++i) {
+            Finding& finding = out_.findings[i];
+            for (size_t k = 0; k < facts_.suppressions.size(); ++k) {
+                const PlacedSuppression& suppression = facts_.suppressions[k];
+                if (suppression.comment.rule != finding.rule) continue;
+                if (!covers(suppression, finding.source) && !covers(suppression, finding.target)) continue;
+                used_suppressions_.insert(k);
+                finding.verdict = "ignore";
+                finding.verdict_reason = suppression.comment.reason;
+            }
+            all = all && !finding.verdict.empty();
+        }
+        return all;
+    }
+
+    void find_unused_suppressions() {
+        for (size_t k = 0; k < facts_.suppressions.size(); ++k) {
+            if (used_suppressions_.contains(k)) continue;
+            const auto& [file, comment] = facts_.suppressions[k];
+            Finding& finding = add("unused-suppression", file + ":" + comment.rule, "");
+            finding.source = Place{file + ":@file", file, comment.line, comment.line};
+            finding.message = "this comment ignores '" + comment.rule + "', of which there is no finding here";
+            finding.remedy = "Remove the comment";
+        }
     }
 
     void count(const JudgedPair&, size_t first, const std::string& verdict) {
@@ -336,6 +373,7 @@ private:
             finding.source = place_of(unit);
             finding.change = "added";
             finding.message = std::string(unit_kind_name(unit.kind)) + " " + unit.name + " has no port";
+            suppress(out_.findings.size() - 1);
         }
     }
 
@@ -344,6 +382,7 @@ private:
     Resolver source_, target_;
     std::map<std::pair<std::string, std::string>, const LockedPair*> locked_;
     std::vector<Glob> ignored_;
+    std::set<size_t> used_suppressions_;
     Judgement out_;
 };
 

@@ -57,6 +57,12 @@ struct Judgement {
     std::string verdict() const;  ///< in_step, review or drift
 };
 
+/// A comment in the code that settles findings of one rule in its unit.
+struct PlacedSuppression {
+    std::string file;
+    Suppression comment;
+};
+
 /// Everything that a judgement rests on.
 struct Case {
     const MapFile& map;
@@ -66,6 +72,7 @@ struct Case {
     const std::vector<SkippedFile>& skipped;
     std::function<std::string(const std::string&)> base_text;  ///< the text behind a fingerprint, or ""
     std::string today;                                         ///< YYYY-MM-DD
+    std::vector<PlacedSuppression> suppressions = {};          ///< of both sides
 };
 
 /// Holds today's units against the lock. Reads nothing but the case.

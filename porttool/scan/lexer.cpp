@@ -119,10 +119,28 @@ private:
 
     void comment(size_t end) {
         const uint32_t first = line_;
+        read_suppressions(text_.substr(at_, end - at_));
         const bool fresh = line_is_fresh_;
         advance(end);
         line_is_fresh_ = fresh;  // `/* a */ #define` is a directive
         out_.comments.push_back({first, line_});
+    }
+
+    /// `porttool: ignore(RULE) reason`, also several in one comment.
+    void read_suppressions(std::string_view comment) {
+        constexpr std::string_view kMark = "porttool: ignore(";
+        for (size_t at = comment.find(kMark); at != std::string_view::npos; at = comment.find(kMark, at + 1)) {
+            const size_t rule = at + kMark.size();
+            const size_t close = comment.find(')', rule);
+            if (close == std::string_view::npos) return;
+            std::string_view reason = comment.substr(close + 1, comment.find('\n', close) - close - 1);
+            if (const size_t end = reason.find("*/"); end != std::string_view::npos) reason = reason.substr(0, end);
+            while (!reason.empty() && reason.front() == ' ') reason.remove_prefix(1);
+            while (!reason.empty() && reason.back() == ' ') reason.remove_suffix(1);
+            const auto line = line_ + static_cast<uint32_t>(std::count(
+                                          comment.begin(), comment.begin() + static_cast<std::ptrdiff_t>(at), '\n'));
+            out_.suppressions.push_back({std::string(comment.substr(rule, close - rule)), std::string(reason), line});
+        }
     }
 
     void token() {

@@ -45,12 +45,19 @@ struct LineSpan {
     uint32_t last = 0;
 };
 
+/// A comment `porttool: ignore(RULE) reason`.
+struct Suppression {
+    std::string rule, reason;
+    uint32_t line = 0;
+};
+
 /// A file as tokens. `text` is the file without byte order mark, carriage returns and line splices.
 struct LexedText {
     std::string text;
     std::vector<Token> tokens;
     std::vector<Directive> directives;
     std::vector<LineSpan> comments;
+    std::vector<Suppression> suppressions;
     uint32_t line_count = 0;
 
     std::string_view view(const Token& token) const {

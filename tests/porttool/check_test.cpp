@@ -261,6 +261,21 @@ TEST(Check, BadMapsAndLocksAreNamed) {
     EXPECT_NE(error(map, "").find("empty"), std::string::npos);
 }
 
+TEST(Check, CommentsSuppressInTheirUnitAndUnusedOnesAreReported) {
+    MemoryDisk disk = started(kSource, kTarget);
+    const std::string edited =
+        replaced(kSource, "result * 0.5f;", "result * 0.25f;  // porttool: ignore(source-changed) measured on the GPU");
+    disk.files["/r/src/k.cu"] = edited;
+    EXPECT_EQ(check(disk)["verdict"], "in_step");
+    EXPECT_EQ(check(disk)["summary"]["ignored"], 1);
+    disk.files["/r/src/k.cu"] = replaced(edited, "source-changed", "port-differs");
+    EXPECT_EQ(rules(check(disk)), (Rules{"source-changed", "unused-suppression"}));
+    disk.files["/r/src/k.cu"] =
+        std::string(kSource) +
+        "// porttool: ignore(unported) a helper of the host\nint host_only(int a) { return a; }\n";
+    EXPECT_EQ(check(disk)["verdict"], "in_step");
+}
+
 TEST(Check, RulesCanBeTurnedDownAndStrictTurnsWarningsUp) {
     MemoryDisk disk = started(kSource, kTarget);
     disk.files["/r/port/k.comp"] = replaced(kTarget, "result * 0.5", "result * 0.25");
