@@ -18,7 +18,7 @@ using Lanes = float __attribute__((vector_size(16)));  // x, y, z and a fourth t
 
 constexpr uint32_t LARGEST_LEAF = 4;
 constexpr uint32_t BINS = 16;
-constexpr float NODE_COST = 1.0f;      // of testing a node against that of a triangle
+constexpr float NODE_COST = 2.0f;        // against a triangle test; higher makes fewer, fuller leaves, no slower
 constexpr size_t PARALLEL_RANGE = 8192;  // primitives below which a thread of its own is not worth it
 constexpr float LARGEST = std::numeric_limits<float>::max();
 
@@ -52,36 +52,55 @@ Lanes load_upper(const BuildPrimitive& primitive) {
 
 Lanes centre(const BuildPrimitive& primitive) { return load_lower(primitive) * 0.5f + load_upper(primitive) * 0.5f; }
 
+// What a range of primitives needs before it can be split.
+struct RangeBounds {
+    Bounds boxes;
+    Bounds centres;
+    bool some_alone = false;
+
+    void include(const BuildPrimitive& primitive) {
+        boxes.include(load_lower(primitive), load_upper(primitive));
+        const Lanes middle = centre(primitive);
+        centres.include(middle, middle);
+        some_alone |= primitive.alone != 0;
+    }
+};
+
 struct Split {
-    int axis = -1;  // -1: none
+    int axis = -1;     // -1: none
     uint32_t bin = 0;  // first bin of the right side
     float cost = LARGEST;
 };
 
-// How centroids map to bins.
+// How centres map to bins. Small ranges get few: their bins would be empty.
 struct BinScale {
     Lanes origin;
     Lanes scale;
+    uint32_t count;
 
-    uint32_t bin(Lanes centroid, int axis) const {
-        const float position = (centroid[axis] - origin[axis]) * scale[axis];
-        return std::min(static_cast<uint32_t>(position), BINS - 1);
+    uint32_t bin(Lanes middle, int axis) const {
+        const float position = (middle[axis] - origin[axis]) * scale[axis];
+        return std::min(static_cast<uint32_t>(position), count - 1);
     }
 };
 
-BinScale make_scale(const Bounds& centroids) {
-    BinScale result{centroids.lower, {}};
+BinScale make_scale(const Bounds& centres, size_t range) {
+    BinScale result{centres.lower, {}, static_cast<uint32_t>(std::min<size_t>(BINS, 4 + range / 8))};
     for (int axis = 0; axis < 3; ++axis) {
-        const float extent = centroids.upper[axis] - centroids.lower[axis];
-        const float scale = static_cast<float>(BINS) / extent;
+        const float extent = centres.upper[axis] - centres.lower[axis];
+        const float scale = static_cast<float>(result.count) / extent;
         result.scale[axis] = extent > 0.0f && scale < LARGEST ? scale : 0.0f;
     }
     return result;
 }
 
+struct Bin {
+    Bounds bounds;
+    uint32_t count = 0;
+};
+
 struct Bins {
-    Bounds bounds[3][BINS];
-    uint32_t counts[3][BINS] = {};
+    Bin bins[3][BINS];
 };
 
 void fill(Bins& bins, const BinScale& scale, std::span<const BuildPrimitive> range) {
@@ -90,27 +109,27 @@ void fill(Bins& bins, const BinScale& scale, std::span<const BuildPrimitive> ran
         const Lanes upper = load_upper(primitive);
         const Lanes position = (centre(primitive) - scale.origin) * scale.scale;
         for (int axis = 0; axis < 3; ++axis) {
-            const uint32_t bin = std::min(static_cast<uint32_t>(position[axis]), BINS - 1);
-            bins.bounds[axis][bin].include(lower, upper);
-            ++bins.counts[axis][bin];
+            Bin& bin = bins.bins[axis][std::min(static_cast<uint32_t>(position[axis]), scale.count - 1)];
+            bin.bounds.include(lower, upper);
+            ++bin.count;
         }
     }
 }
 
-void sweep_axis(const Bins& bins, int axis, Split& best) {
+void sweep_axis(const Bin* bins, uint32_t bin_count, int axis, Split& best) {
     float right_cost[BINS];
     Bounds right;
     uint32_t count = 0;
-    for (uint32_t bin = BINS - 1; bin > 0; --bin) {
-        right.include(bins.bounds[axis][bin].lower, bins.bounds[axis][bin].upper);
-        count += bins.counts[axis][bin];
+    for (uint32_t bin = bin_count - 1; bin > 0; --bin) {
+        right.include(bins[bin].bounds.lower, bins[bin].bounds.upper);
+        count += bins[bin].count;
         right_cost[bin] = count == 0 ? LARGEST : right.half_area() * static_cast<float>(count);
     }
     Bounds left;
     count = 0;
-    for (uint32_t bin = 1; bin < BINS; ++bin) {
-        left.include(bins.bounds[axis][bin - 1].lower, bins.bounds[axis][bin - 1].upper);
-        count += bins.counts[axis][bin - 1];
+    for (uint32_t bin = 1; bin < bin_count; ++bin) {
+        left.include(bins[bin - 1].bounds.lower, bins[bin - 1].bounds.upper);
+        count += bins[bin - 1].count;
         if (count == 0 || right_cost[bin] == LARGEST) {
             continue;
         }
@@ -119,6 +138,59 @@ void sweep_axis(const Bins& bins, int axis, Split& best) {
             best = {axis, bin, cost};
         }
     }
+}
+
+Split find_split(const BinScale& scale, std::span<const BuildPrimitive> range) {
+    Bins bins;
+    fill(bins, scale, range);
+    Split best;
+    for (int axis = 0; axis < 3; ++axis) {
+        if (scale.scale[axis] > 0.0f) {
+            sweep_axis(bins.bins[axis], scale.count, axis, best);
+        }
+    }
+    return best;
+}
+
+// The two parts of a range; an empty left part makes a leaf.
+struct Parts {
+    size_t left_count = 0;
+    RangeBounds left;
+    RangeBounds right;
+};
+
+Parts partition(std::span<BuildPrimitive> range, const BinScale& scale, const Split& split) {
+    Parts parts;
+    size_t left = 0;
+    size_t right = range.size();
+    while (left < right) {
+        if (scale.bin(centre(range[left]), split.axis) < split.bin) {
+            parts.left.include(range[left++]);
+        } else {
+            std::swap(range[left], range[--right]);
+            parts.right.include(range[right]);
+        }
+    }
+    parts.left_count = left;
+    return parts;
+}
+
+Parts halve(std::span<BuildPrimitive> range, const Bounds& centres) {
+    const Lanes extent = centres.upper - centres.lower;
+    int axis = extent[1] > extent[0] ? 1 : 0;
+    axis = extent[2] > extent[axis] ? 2 : axis;
+    const auto middle = range.begin() + static_cast<std::ptrdiff_t>(range.size() / 2);
+    std::nth_element(range.begin(), middle, range.end(), [axis](const BuildPrimitive& a, const BuildPrimitive& b) {
+        const float centre_a = centre(a)[axis];
+        const float centre_b = centre(b)[axis];
+        return centre_a < centre_b || (centre_a == centre_b && a.id < b.id);
+    });
+    Parts parts;
+    parts.left_count = range.size() / 2;
+    for (size_t i = 0; i < range.size(); ++i) {
+        (i < parts.left_count ? parts.left : parts.right).include(range[i]);
+    }
+    return parts;
 }
 
 class Builder {
@@ -130,29 +202,23 @@ public:
     }
 
     std::vector<BinaryNode> build() {
-        build_range(0, 0, primitives_.size(), 0);
+        RangeBounds bounds;
+        for (const BuildPrimitive& primitive : primitives_) {
+            bounds.include(primitive);
+        }
+        build_range(0, 0, primitives_.size(), bounds, 0);
         nodes_.resize(next_node_);
         return std::move(nodes_);
     }
 
 private:
-    void build_range(uint32_t node, size_t begin, size_t end, uint32_t depth) {
+    void build_range(uint32_t node, size_t begin, size_t end, const RangeBounds& bounds, uint32_t depth) {
         const std::span<BuildPrimitive> range(primitives_.data() + begin, end - begin);
-        Bounds bounds;
-        Bounds centroids;
-        bool some_alone = false;
-        for (const BuildPrimitive& primitive : range) {
-            bounds.include(load_lower(primitive), load_upper(primitive));
-            const Lanes centroid = centre(primitive);
-            centroids.include(centroid, centroid);
-            some_alone |= primitive.alone != 0;
-        }
         BinaryNode& result = nodes_[node];
-        result.lower = {bounds.lower[0], bounds.lower[1], bounds.lower[2]};
-        result.upper = {bounds.upper[0], bounds.upper[1], bounds.upper[2]};
-        const bool may_be_leaf = range.size() == 1 || (range.size() <= LARGEST_LEAF && !some_alone);
-        const size_t middle = begin + split(range, bounds, centroids, may_be_leaf, depth);
-        if (middle == begin) {
+        result.lower = {bounds.boxes.lower[0], bounds.boxes.lower[1], bounds.boxes.lower[2]};
+        result.upper = {bounds.boxes.upper[0], bounds.boxes.upper[1], bounds.boxes.upper[2]};
+        const Parts parts = split(range, bounds, depth);
+        if (parts.left_count == 0) {
             result.first = static_cast<uint32_t>(begin);
             result.count = static_cast<uint32_t>(range.size());
             return;
@@ -160,67 +226,43 @@ private:
         const uint32_t left = next_node_.fetch_add(2);
         result.first = left;
         result.count = 0;
-        build_children(left, begin, middle, end, depth + 1);
-    }
-
-    void build_children(uint32_t left, size_t begin, size_t middle, size_t end, uint32_t depth) {
+        const size_t middle = begin + parts.left_count;
         const bool large = std::min(middle - begin, end - middle) >= PARALLEL_RANGE;
-        if (large && spare_threads_.fetch_sub(1) > 0) {
-            auto other = std::async(std::launch::async, [=, this] { build_range(left, begin, middle, depth); });
-            build_range(left + 1, middle, end, depth);
+        if (large && take_thread()) {
+            auto other =
+                std::async(std::launch::async, [=, this] { build_range(left, begin, middle, parts.left, depth + 1); });
+            build_range(left + 1, middle, end, parts.right, depth + 1);
             other.get();
             spare_threads_.fetch_add(1);
             return;
         }
-        if (large) {
-            spare_threads_.fetch_add(1);
-        }
-        build_range(left, begin, middle, depth);
-        build_range(left + 1, middle, end, depth);
+        build_range(left, begin, middle, parts.left, depth + 1);
+        build_range(left + 1, middle, end, parts.right, depth + 1);
     }
 
-    // Reorders the range and returns the size of its left part; 0 makes a leaf.
-    size_t split(std::span<BuildPrimitive> range, const Bounds& bounds, const Bounds& centroids, bool may_be_leaf,
-                 uint32_t depth) {
+    bool take_thread() {
+        if (spare_threads_.fetch_sub(1) > 0) {
+            return true;
+        }
+        spare_threads_.fetch_add(1);
+        return false;
+    }
+
+    Parts split(std::span<BuildPrimitive> range, const RangeBounds& bounds, uint32_t depth) const {
+        const bool may_be_leaf = range.size() == 1 || (range.size() <= LARGEST_LEAF && !bounds.some_alone);
         if (range.size() == 1 || (may_be_leaf && depth >= median_depth_)) {
-            return 0;
+            return {};
         }
         if (depth >= median_depth_) {
-            return median(range, centroids);
+            return halve(range, bounds.centres);
         }
-        const BinScale scale = make_scale(centroids);
-        Bins bins;
-        fill(bins, scale, range);
-        Split best;
-        for (int axis = 0; axis < 3; ++axis) {
-            if (scale.scale[axis] > 0.0f) {
-                sweep_axis(bins, axis, best);
-            }
-        }
-        const float leaf_cost = bounds.half_area() * (static_cast<float>(range.size()) - NODE_COST);
+        const BinScale scale = make_scale(bounds.centres, range.size());
+        const Split best = find_split(scale, range);
+        const float leaf_cost = bounds.boxes.half_area() * (static_cast<float>(range.size()) - NODE_COST);
         if (may_be_leaf && !(best.cost < leaf_cost)) {
-            return 0;
+            return {};
         }
-        if (best.axis < 0) {
-            return median(range, centroids);
-        }
-        const auto middle = std::partition(range.begin(), range.end(), [&](const BuildPrimitive& primitive) {
-            return scale.bin(centre(primitive), best.axis) < best.bin;
-        });
-        return static_cast<size_t>(middle - range.begin());
-    }
-
-    static size_t median(std::span<BuildPrimitive> range, const Bounds& centroids) {
-        const Lanes extent = centroids.upper - centroids.lower;
-        int axis = extent[1] > extent[0] ? 1 : 0;
-        axis = extent[2] > extent[axis] ? 2 : axis;
-        const auto middle = range.begin() + static_cast<std::ptrdiff_t>(range.size() / 2);
-        std::nth_element(range.begin(), middle, range.end(), [axis](const BuildPrimitive& a, const BuildPrimitive& b) {
-            const float centre_a = centre(a)[axis];
-            const float centre_b = centre(b)[axis];
-            return centre_a < centre_b || (centre_a == centre_b && a.id < b.id);
-        });
-        return range.size() / 2;
+        return best.axis < 0 ? halve(range, bounds.centres) : partition(range, scale, best);
     }
 
     std::vector<BuildPrimitive>& primitives_;

@@ -12,7 +12,6 @@ namespace {
 
 constexpr uint32_t NEEDED_STORAGE_BUFFERS = 32;  // path state and, where a table is bound so, tables
 constexpr uint32_t NEEDED_TEXEL_BUFFERS = 16;
-constexpr uint32_t NEEDED_SHARED_BYTES = 16384;
 constexpr uint32_t NO_FAMILY = 0xFFFFFFFFu;
 
 struct Candidate {
@@ -58,10 +57,6 @@ std::string refusal_of(VkPhysicalDevice physical, const VkPhysicalDeviceProperti
         return "binds " + std::to_string(limits.maxPerStageDescriptorSampledImages) + " texel buffers, " +
                std::to_string(NEEDED_TEXEL_BUFFERS) + " are needed";
     }
-    if (limits.maxComputeSharedMemorySize < NEEDED_SHARED_BYTES) {
-        return "has " + std::to_string(limits.maxComputeSharedMemorySize) + " bytes of shared memory, " +
-               std::to_string(NEEDED_SHARED_BYTES) + " are needed";
-    }
     for (const VkFormat format : {VK_FORMAT_R32G32B32A32_SFLOAT, VK_FORMAT_R32G32B32A32_UINT, VK_FORMAT_R32_UINT}) {
         if (!reads_texels(physical, format)) {
             return "cannot read 32-bit texel buffers";
@@ -72,11 +67,16 @@ std::string refusal_of(VkPhysicalDevice physical, const VkPhysicalDeviceProperti
 
 int rank_of(VkPhysicalDeviceType type) {
     switch (type) {
-        case VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU: return 4;
-        case VK_PHYSICAL_DEVICE_TYPE_INTEGRATED_GPU: return 3;
-        case VK_PHYSICAL_DEVICE_TYPE_VIRTUAL_GPU: return 2;
-        case VK_PHYSICAL_DEVICE_TYPE_CPU: return 1;
-        default: return 0;
+        case VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU:
+            return 4;
+        case VK_PHYSICAL_DEVICE_TYPE_INTEGRATED_GPU:
+            return 3;
+        case VK_PHYSICAL_DEVICE_TYPE_VIRTUAL_GPU:
+            return 2;
+        case VK_PHYSICAL_DEVICE_TYPE_CPU:
+            return 1;
+        default:
+            return 0;
     }
 }
 

@@ -65,12 +65,14 @@ const uint NODE_ROWS = 7u;
 const uint NODE_CHILDREN = 6u;
 
 // A child word is the number of a node, or a leaf: LEAF, a count of triangles in bits 28 to 30, the first triangle
-// slot below. A leaf of no triangles is empty; one of LEAF_INSTANCE triangles is an instance, its record below.
+// slot below. A leaf of no triangles is empty; one of LEAF_INSTANCE triangles is an instance, its record below. The
+// two largest slots are never used: as empty leaves they mark places on the stack.
 const uint LEAF = 0x80000000u;
 const uint LEAF_COUNT_SHIFT = 28u;
 const uint LEAF_COUNT_MASK = 7u;
 const uint LEAF_INSTANCE = 7u;
 const uint LEAF_FIRST_MASK = 0x0fffffffu;
+const uint MOST_SLOTS = 0x0ffffffeu;
 
 // An instance's record takes a node's place: 3 rows of the world-to-mesh matrix; a row with what rays are padded by
 // in mesh space at least, and the root of the mesh's tree; a row with the instance's number, and what the pad grows

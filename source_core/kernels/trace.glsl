@@ -11,13 +11,13 @@
 #include "alpha.glsl"
 #include "intersect.glsl"
 
-const uint DONE = 0x80000001u;            // at the bottom of the stack: an empty leaf
-const uint LEAVE_INSTANCE = 0x80000002u;  // on the stack, an empty leaf too: the instance's tree is done
-const float NO_HIT = 1.0e29f;             // beyond every box but those of empty children
-const float MISSED = 2.0e30f;             // beyond every distance
-const float PAD_SCALE = 4.76837158203125e-7f;  // 2^-21
+const uint DONE = LEAF | 0x0fffffffu;            // at the bottom of the stack: an empty leaf
+const uint LEAVE_INSTANCE = LEAF | 0x0ffffffeu;  // on the stack, an empty leaf too: the instance's tree is done
+const float NO_HIT = 1.0e29f;                    // beyond every box but those of empty children
+const float MISSED = 2.0e30f;                    // beyond every distance
+const float PAD_SCALE = 4.76837158203125e-7f;    // 2^-21
 
-shared uint trace_stack[STACK_SIZE * WORK_GROUP_SIZE];
+uint trace_stack[STACK_SIZE];
 
 // The host's vertices of a triangle slot, in mesh or in world space.
 struct TriangleSlot {
@@ -134,14 +134,14 @@ vec4 entry_distances(BoxRay box_ray, Uint row, Float latest) {
 
 void push_word(inout Uint depth, Uint word, Mask where) {
     if (where) {
-        trace_stack[depth * WORK_GROUP_SIZE + gl_LocalInvocationIndex] = word;
+        trace_stack[depth] = word;
         depth += 1u;
     }
 }
 
 Uint pop_word(inout Uint depth) {
     depth -= 1u;
-    return trace_stack[depth * WORK_GROUP_SIZE + gl_LocalInvocationIndex];
+    return trace_stack[depth];
 }
 
 // Two children with their distances, the nearer one first.
@@ -171,86 +171,144 @@ Uint descend(BoxRay box_ray, Uint node, Float latest, inout Uint depth) {
     return near.x < MISSED ? words.x : pop_word(depth);
 }
 
-struct Best {
-    Hit hit;
-    Uint primitive;
+// Where a walk stands.
+struct Walk {
+    Uint word;      // what to visit next: a node, or what is left of a leaf
+    Uint depth;     // entries on the stack
+    Uint instance;  // whose tree this is; NONE: the scene's
+    Hit best;
+    Uint best_primitive;
+    Mask undecided;  // `candidate` would be the best hit if rays do not pass through it
+    Hit candidate;
+    Uint candidate_primitive;
+    Float candidate_opacity;
 };
 
-// One triangle against the best hit so far.
-void test_slot(Ray ray, Uint slot, Uint instance, Uint key, bool any_hit, inout Best best) {
-    TriangleSlot triangle = place_slot(fetch_slot(slot), instance);
-    TriangleTest test = intersect_triangle(ray.origin, ray.direction, triangle.v0, triangle.v1, triangle.v2);
-    Mask earlier = triangle.instance < best.hit.instance ||
-                   (triangle.instance == best.hit.instance && triangle.primitive < best.primitive);
-    Mask better = test.hit && (test.t < best.hit.t || (!any_hit && test.t == best.hit.t && earlier));
-    if (has_feature(FEATURE_ALPHA)) {
-        if (better && triangle.opacity < 1.0f) {
-            better = meets_surface(triangle.opacity, key, triangle.instance, triangle.primitive, test.u, test.v);
-        }
-    }
-    best.hit.t = select(better, test.t, best.hit.t);
-    best.hit.u = select(better, test.u, best.hit.u);
-    best.hit.v = select(better, test.v, best.hit.v);
-    best.hit.instance = select(better, triangle.instance, best.hit.instance);
-    best.hit.triangle = select(better, slot, best.hit.triangle);
-    best.primitive = select(better, triangle.primitive, best.primitive);
+Walk start_walk(Float tmax) {
+    Walk walk;
+    walk.best.instance = NONE;
+    walk.best.triangle = 0u;
+    walk.best.t = tmax;
+    walk.best.u = 0.0f;
+    walk.best.v = 0.0f;
+    walk.best_primitive = 0u;
+    walk.undecided = false;
+    walk.candidate = walk.best;
+    walk.candidate_primitive = 0u;
+    walk.candidate_opacity = 1.0f;
+    walk.instance = NONE;
+    walk.word = 0u;
+    walk.depth = 0u;
+    push_word(walk.depth, DONE, true);
+    return walk;
 }
 
-// The walk of both kinds of rays. Loops test at their end: lavapipe runs a loop's body once before it looks whether
-// any lane needs it, and both sides of every branch.
-Hit walk(Ray ray, Float tmax, Uint key, bool any_hit) {
-    BoxRay box_ray = make_world_box_ray(ray);
-    Best best;
-    best.hit.instance = NONE;
-    best.hit.triangle = 0u;
-    best.hit.t = tmax;
-    best.hit.u = 0.0f;
-    best.hit.v = 0.0f;
-    best.primitive = 0u;
-    Uint instance = NONE;
-    Uint depth = 0u;
-    push_word(depth, DONE, true);
-    Uint word = 0u;
+Hit select(Mask where, Hit yes, Hit no) {
+    Hit hit;
+    hit.instance = select(where, yes.instance, no.instance);
+    hit.triangle = select(where, yes.triangle, no.triangle);
+    hit.t = select(where, yes.t, no.t);
+    hit.u = select(where, yes.u, no.u);
+    hit.v = select(where, yes.v, no.v);
+    return hit;
+}
+
+// Tests the first triangle of the leaf in walk.word, and takes it off.
+void test_next(Ray ray, bool any_hit, inout Walk walk) {
+    Uint slot = walk.word & LEAF_FIRST_MASK;
+    walk.word += 1u - (1u << LEAF_COUNT_SHIFT);
+    TriangleSlot triangle = place_slot(fetch_slot(slot), walk.instance);
+    TriangleTest test = intersect_triangle(ray.origin, ray.direction, triangle.v0, triangle.v1, triangle.v2);
+    Mask earlier = triangle.instance < walk.best.instance ||
+                   (triangle.instance == walk.best.instance && triangle.primitive < walk.best_primitive);
+    Mask better = test.hit && (test.t < walk.best.t || (!any_hit && test.t == walk.best.t && earlier));
+    Hit hit;
+    hit.instance = triangle.instance;
+    hit.triangle = slot;
+    hit.t = test.t;
+    hit.u = test.u;
+    hit.v = test.v;
+    if (has_feature(FEATURE_ALPHA)) {
+        walk.undecided = better && triangle.opacity < 1.0f;
+        walk.candidate = hit;
+        walk.candidate_primitive = triangle.primitive;
+        walk.candidate_opacity = triangle.opacity;
+        better = better && !walk.undecided;
+    }
+    walk.best = select(better, hit, walk.best);
+    walk.best_primitive = select(better, triangle.primitive, walk.best_primitive);
+}
+
+void decide_candidate(Uint key, inout Walk walk) {
+    Mask met = walk.undecided && meets_surface(walk.candidate_opacity, key, walk.candidate.instance,
+                                               walk.candidate_primitive, walk.candidate.u, walk.candidate.v);
+    walk.best = select(met, walk.candidate, walk.best);
+    walk.best_primitive = select(met, walk.candidate_primitive, walk.best_primitive);
+    walk.undecided = false;
+}
+
+// Goes over to the tree of an instance, or back to the scene's.
+void change_tree(Ray ray, inout BoxRay box_ray, inout Walk walk) {
+    Uint count = (walk.word >> LEAF_COUNT_SHIFT) & LEAF_COUNT_MASK;
+    if (walk.word == LEAVE_INSTANCE) {
+        box_ray = make_world_box_ray(ray);
+        walk.instance = NONE;
+    } else if (count == LEAF_INSTANCE) {
+        Uint row = (walk.word & LEAF_FIRST_MASK) * NODE_ROWS;
+        box_ray = make_mesh_box_ray(ray, row);
+        walk.instance = floatBitsToUint(fetch_nodes(row + RECORD_INSTANCE).w);
+        push_word(walk.depth, LEAVE_INSTANCE, true);
+        push_word(walk.depth, floatBitsToUint(fetch_nodes(row + RECORD_PAD).w), true);
+        walk.word = LEAF;
+    }
+}
+
+Mask has_triangles(Uint word) { return ((word >> LEAF_COUNT_SHIFT) & LEAF_COUNT_MASK) != 0u; }
+
+// The walk of both kinds of rays, up to its end or to a triangle that has to be decided. Loops test at their end and
+// costly decisions stand outside of them: lavapipe runs a loop's body once before it looks whether any lane needs it,
+// and both sides of every branch.
+void walk_on(Ray ray, bool any_hit, inout BoxRay box_ray, inout Walk walk) {
     do {
         do {
-            if ((word & LEAF) == 0u) {
-                word = descend(box_ray, word, best.hit.t, depth);
+            if ((walk.word & LEAF) == 0u) {
+                walk.word = descend(box_ray, walk.word, walk.best.t, walk.depth);
             }
-        } while ((word & LEAF) == 0u);
-        Uint count = (word >> LEAF_COUNT_SHIFT) & LEAF_COUNT_MASK;
-        Uint first = word & LEAF_FIRST_MASK;
+        } while ((walk.word & LEAF) == 0u);
         if (has_feature(FEATURE_INSTANCES)) {
-            if (word == LEAVE_INSTANCE) {
-                box_ray = make_world_box_ray(ray);
-                instance = NONE;
-            } else if (count == LEAF_INSTANCE) {
-                Uint row = first * NODE_ROWS;
-                box_ray = make_mesh_box_ray(ray, row);
-                instance = floatBitsToUint(fetch_nodes(row + RECORD_INSTANCE).w);
-                push_word(depth, LEAVE_INSTANCE, true);
-                push_word(depth, floatBitsToUint(fetch_nodes(row + RECORD_PAD).w), true);
-            }
-            count = select(count == LEAF_INSTANCE, 0u, count);
+            change_tree(ray, box_ray, walk);
         }
         do {
-            if (count != 0u) {
-                test_slot(ray, first, instance, key, any_hit, best);
-                first += 1u;
-                count -= 1u;
+            if (has_triangles(walk.word)) {
+                test_next(ray, any_hit, walk);
             }
-        } while (count != 0u);
-        if (any_hit && best.hit.instance != NONE) {
-            word = DONE;
+        } while (has_triangles(walk.word) && !walk.undecided);
+        if (any_hit && walk.best.instance != NONE) {
+            walk.word = DONE;
         }
-        if (word != DONE) {
-            word = pop_word(depth);
+        if (walk.word != DONE && !walk.undecided) {
+            walk.word = pop_word(walk.depth);
         }
-    } while (word != DONE);
-    return best.hit;
+    } while (walk.word != DONE && !walk.undecided);
 }
 
-Hit trace_closest(Ray ray, Uint key) { return walk(ray, NO_HIT, key, false); }
+Hit walk_tree(Ray ray, Float tmax, Uint key, bool any_hit) {
+    BoxRay box_ray = make_world_box_ray(ray);
+    Walk walk = start_walk(tmax);
+    do {
+        walk_on(ray, any_hit, box_ray, walk);
+        if (has_feature(FEATURE_ALPHA)) {
+            decide_candidate(key, walk);
+            if (any_hit && walk.best.instance != NONE) {
+                walk.word = DONE;
+            }
+        }
+    } while (walk.word != DONE);
+    return walk.best;
+}
 
-Mask trace_any(Ray ray, Float tmax, Uint key) { return walk(ray, min(tmax, NO_HIT), key, true).instance != NONE; }
+Hit trace_closest(Ray ray, Uint key) { return walk_tree(ray, NO_HIT, key, false); }
+
+Mask trace_any(Ray ray, Float tmax, Uint key) { return walk_tree(ray, min(tmax, NO_HIT), key, true).instance != NONE; }
 
 #endif
