@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "target_core/render_core.h"
+#include "tests/render_system/core_contract_suite.h"
+
+namespace render_system::testing {
+
+struct TargetCore {
+    static std::unique_ptr<CoreAPI> create() { return target_core::create_core(); }
+    static CoreOptions options() { return {}; }
+};
+
+struct ExactTargetCore {
+    static std::unique_ptr<CoreAPI> create() { return target_core::create_core(); }
+    static CoreOptions options() {
+        CoreOptions options;
+        options.exact = true;
+        return options;
+    }
+};
+
+INSTANTIATE_TYPED_TEST_SUITE_P(Target, CoreContractSuite, TargetCore);
+INSTANTIATE_TYPED_TEST_SUITE_P(ExactTarget, CoreContractSuite, ExactTargetCore);
+
+}  // namespace render_system::testing
