@@ -10,15 +10,22 @@ cd "$(dirname "${BASH_SOURCE[0]}")"
 samples=6
 ./setup.sh
 [ -f build/release/build.ninja ] || cmake --preset release
-cmake --build --preset release --target pathtracer
+cmake --build --preset release --target pathtracer porttool
 
 echo "Rendering scenes/still_life on the source core (Vulkan) and on the target core (Embree)"
 build/release/bin/pathtracer compare still_life --size 640x360 --spp "$samples" --progress -o out
 
-echo "port-drift check: left out until \`porttool check\` is built"
+drift=0
+if [ -f portmap.toml ]; then
+    echo "Port drift of the project's own kernels:"
+    build/release/bin/porttool check || drift=$?
+else
+    echo "port-drift check: left out until portmap.toml pairs the kernels"
+fi
 echo "out/portability.html: left out until \`porttool report\` is built"
 
 echo "Written:"
 for picture in source target difference; do
     echo "  out/${picture}_${samples}spp.png"
 done
+exit "$drift"
