@@ -38,7 +38,10 @@ TEST(Command, NamesThatAreNotUtf8GiveValidJson) {
     disk.files = {{"/r/a.cl", "void f\xE4() {}\n"}};
     const CommandRun got = run(disk, {"-C", "/r", "scan", "a.cl", "--format", "json"});
     ASSERT_EQ(got.exit_code, 0);
-    EXPECT_NO_THROW({ const auto json = nlohmann::json::parse(got.out); });
+    EXPECT_EQ(nlohmann::json::parse(got.out)["units"][0]["id"], "a.cl:f%E4");
+    disk.files["/r/b.cpp"] = "void f\xE4() {}\n";
+    ASSERT_EQ(run(disk, {"-C", "/r", "init", "--source", "a.cl", "--target", "b.cpp"}).exit_code, 0);
+    EXPECT_EQ(run(disk, {"-C", "/r", "check"}).exit_code, 0);
 }
 
 TEST(Command, WhatCannotBeDoneIsExitCodeTwoWithEmptyStdout) {
