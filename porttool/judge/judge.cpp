@@ -6,6 +6,7 @@
 #include <array>
 #include <tuple>
 
+#include "porttool/compare/hazards.h"
 #include "porttool/judge/resolve.h"
 #include "porttool/read/glob.h"
 
@@ -213,10 +214,20 @@ private:
         if (!source_changed && !target_changed) return;
         const bool constants = pair.source->kind == UnitKind::Constant && pair.target->kind == UnitKind::Constant;
         const bool structs = pair.source->kind == UnitKind::Struct && pair.target->kind == UnitKind::Struct;
+        if (source_changed) note_hazards(pair, lock);
         if (constants || structs) return compare_values(pair, structs, source_changed ? source : target);
         if (source_changed && target_changed) return compare_both(pair, lock, std::max(source, target));
         if (source_changed) return report_one(pair, lock, true, source);
         report_one(pair, lock, false, target);
+    }
+
+    /// Built-ins that the source's edit brings in and that mean different things in different dialects.
+    void note_hazards(const JudgedPair& pair, const LockedPair& lock) {
+        const std::string base = facts_.base_text(lock.source_prints.written);
+        if (base.empty()) return;
+        const Edit edit = edit_of(read_state_text(base), words_of(*pair.source));
+        for (const std::string& hazard : hazards_of(edit.gained, edit.lost))
+            add_for(pair, "dialect-hazard", "", hazard);
     }
 
     void compare_values(JudgedPair& pair, bool structs, Change change) {

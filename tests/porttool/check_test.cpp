@@ -276,6 +276,16 @@ TEST(Check, CommentsSuppressInTheirUnitAndUnusedOnesAreReported) {
     EXPECT_EQ(check(disk)["verdict"], "in_step");
 }
 
+TEST(Check, AHazardThatAnEditBringsInIsANote) {
+    MemoryDisk disk = started(kSource, kTarget);
+    disk.files["/r/src/k.cu"] = replaced(kSource, "result * 0.5f", "result * powf(pdf, 0.5f)");
+    disk.files["/r/port/k.comp"] = replaced(kTarget, "result * 0.5", "result * pow(pdf, 0.5)");
+    const auto report = check(disk);
+    EXPECT_EQ(rules(report), Rules{"dialect-hazard"});
+    EXPECT_EQ(report["findings"][0]["level"], "note");
+    EXPECT_EQ(report["verdict"], "in_step");
+}
+
 TEST(Check, RulesCanBeTurnedDownAndStrictTurnsWarningsUp) {
     MemoryDisk disk = started(kSource, kTarget);
     disk.files["/r/port/k.comp"] = replaced(kTarget, "result * 0.5", "result * 0.25");
