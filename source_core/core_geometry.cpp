@@ -18,7 +18,7 @@ using render_system::StatusCode;
 
 namespace {
 
-constexpr float FARTHEST = 1.0e18f;           // triangles beyond cannot be hit: their products overflow
+constexpr float FARTHEST = 1.0e18f;            // triangles beyond cannot be hit: their products overflow
 constexpr double PAD_SCALE = 1.0 / (1 << 21);  // as in trace.glsl
 constexpr double BOX_SLACK = 1.0 / (1 << 20);  // for the rounding of transformed vertices
 constexpr uint32_t MESH_STACK_LIMIT = 30;

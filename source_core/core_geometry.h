@@ -36,8 +36,8 @@ struct GeometryTables {
     std::vector<glm::vec4> vertices;
     std::vector<uint32_t> tangents;
     std::vector<glm::vec4> instances;
-    glm::vec3 extent{0.0f};  ///< largest coordinate in magnitude, world space
-    uint32_t features = 0;   ///< FEATURE_INSTANCES, FEATURE_ALPHA, ... as the triangles need them
+    glm::vec3 extent{0.0f};       ///< largest coordinate in magnitude, world space
+    uint32_t features = 0;        ///< FEATURE_INSTANCES, FEATURE_ALPHA, ... as the triangles need them
     uint64_t triangle_count = 0;  ///< in all visible instances
 };
 

@@ -247,9 +247,9 @@ uint64_t SourceCore::all_table_bytes() const {
 // As many paths at once as there are pixels, up to the limit; fewer where that helps to fit the budget.
 WavefrontSize SourceCore::wavefront_size(uint64_t table_bytes) const {
     const uint64_t pixels = uint64_t{target_.width} * target_.height;
-    const uint64_t limits_batch = std::min<uint64_t>(
-        {tuning_.largest_batch, uint64_t{gpu_->device->limits().work_group_count} * WORK_GROUP_SIZE,
-         gpu_->device->limits().storage_buffer_range / 16});
+    const uint64_t limits_batch =
+        std::min<uint64_t>({tuning_.largest_batch, uint64_t{gpu_->device->limits().work_group_count} * WORK_GROUP_SIZE,
+                            gpu_->device->limits().storage_buffer_range / 16});
     WavefrontSize size{pixels, static_cast<uint32_t>(std::min(pixels, limits_batch))};
     while (size.batch / 2 >= SMALLEST_BATCH &&
            table_bytes + Wavefront::bytes(size, settings_.max_path_length) + 2 * Staging::PIECE >
@@ -260,8 +260,8 @@ WavefrontSize SourceCore::wavefront_size(uint64_t table_bytes) const {
 }
 
 Status SourceCore::check_budget(uint64_t table_bytes) {
-    const uint64_t needed = table_bytes + 2 * Staging::PIECE +
-                            Wavefront::bytes(wavefront_size(table_bytes), settings_.max_path_length);
+    const uint64_t needed =
+        table_bytes + 2 * Staging::PIECE + Wavefront::bytes(wavefront_size(table_bytes), settings_.max_path_length);
     if (needed > gpu_->budget->limit()) {
         return Status::out_of_memory("source core: the scene needs more device memory than allowed", needed,
                                      gpu_->budget->limit());
@@ -272,8 +272,7 @@ Status SourceCore::check_budget(uint64_t table_bytes) {
 Status SourceCore::choose_table_access() {
     variant_.features = scene_.features();
     for (uint32_t table = 0; table < TABLE_COUNT; ++table) {
-        const Result<TableAccess> access =
-            choose_access(gpu_->device->limits(), table, scene_.bytes(table));
+        const Result<TableAccess> access = choose_access(gpu_->device->limits(), table, scene_.bytes(table));
         if (!access.ok()) {
             return access.status;
         }

@@ -16,8 +16,10 @@ uint64_t row_bytes(uint32_t table) { return table_format(table) == VK_FORMAT_R32
 
 VkBufferUsageFlags usage_of(TableAccess access) {
     switch (access) {
-        case TableAccess::texels: return VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT;
-        case TableAccess::storage: return VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
+        case TableAccess::texels:
+            return VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT;
+        case TableAccess::storage:
+            return VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
         case TableAccess::address:
             return VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT;
     }
@@ -29,10 +31,13 @@ VkBufferUsageFlags usage_of(TableAccess access) {
 VkFormat table_format(uint32_t table) {
     switch (table) {
         case BINDING_MESH_TRIANGLES:
-        case BINDING_TEXTURES: return VK_FORMAT_R32G32B32A32_UINT;
+        case BINDING_TEXTURES:
+            return VK_FORMAT_R32G32B32A32_UINT;
         case BINDING_TANGENTS:
-        case BINDING_TEXELS: return VK_FORMAT_R32_UINT;
-        default: return VK_FORMAT_R32G32B32A32_SFLOAT;
+        case BINDING_TEXELS:
+            return VK_FORMAT_R32_UINT;
+        default:
+            return VK_FORMAT_R32G32B32A32_SFLOAT;
     }
 }
 
@@ -47,9 +52,9 @@ Result<TableAccess> choose_access(const DeviceLimits& limits, uint32_t table, ui
     if (limits.device_address) {
         return TableAccess::address;
     }
-    return Status::out_of_memory(std::string("the table '") + table_name(table) + "' is larger than any buffer binding",
-                                 size, std::max(limits.texel_buffer_elements * row_bytes(table),
-                                                limits.storage_buffer_range));
+    return Status::out_of_memory(
+        std::string("the table '") + table_name(table) + "' is larger than any buffer binding", size,
+        std::max(limits.texel_buffer_elements * row_bytes(table), limits.storage_buffer_range));
 }
 
 uint64_t table_bytes(uint64_t bytes) { return std::max(bytes, SMALLEST_TABLE); }
@@ -59,18 +64,16 @@ Status SceneBuffers::replace(const Device& device, MemoryBudget& budget, const S
     views_[table] = {};
     buffers_[table] = {};
     const uint64_t size = table_bytes(rows.size());
-    Result<Buffer> buffer =
-        Buffer::create(device, budget, table_name(table), size, usage_of(access) | VK_BUFFER_USAGE_TRANSFER_DST_BIT,
-                       BufferPlace::device);
+    Result<Buffer> buffer = Buffer::create(device, budget, table_name(table), size,
+                                           usage_of(access) | VK_BUFFER_USAGE_TRANSFER_DST_BIT, BufferPlace::device);
     if (!buffer.ok()) {
         return buffer.status;
     }
-    const Status status =
-        staging.upload(device, *buffer, size, [rows](uint64_t offset, std::span<std::byte> piece) {
-            const uint64_t present = offset < rows.size() ? std::min<uint64_t>(piece.size(), rows.size() - offset) : 0;
-            std::memcpy(piece.data(), rows.data() + offset, present);
-            std::memset(piece.data() + present, 0, piece.size() - present);
-        });
+    const Status status = staging.upload(device, *buffer, size, [rows](uint64_t offset, std::span<std::byte> piece) {
+        const uint64_t present = offset < rows.size() ? std::min<uint64_t>(piece.size(), rows.size() - offset) : 0;
+        std::memcpy(piece.data(), rows.data() + offset, present);
+        std::memset(piece.data() + present, 0, piece.size() - present);
+    });
     if (!status.ok()) {
         return status;
     }

@@ -131,21 +131,36 @@ Status SceneStore::build(uint32_t threads) {
 std::span<const std::byte> SceneStore::rows(uint32_t table) const {
     const auto bytes = [](const auto& rows) { return std::as_bytes(std::span(rows)); };
     switch (table) {
-        case BINDING_NODES: return bytes(geometry_.nodes);
-        case BINDING_TRIANGLES: return bytes(geometry_.triangles);
-        case BINDING_MESH_TRIANGLES: return bytes(geometry_.mesh_triangles);
-        case BINDING_VERTICES: return bytes(geometry_.vertices);
-        case BINDING_TANGENTS: return bytes(geometry_.tangents);
-        case BINDING_INSTANCES: return bytes(geometry_.instances);
-        case BINDING_MATERIALS: return bytes(tables_.materials);
-        case BINDING_TEXTURE_SLOTS: return bytes(tables_.texture_slots);
-        case BINDING_TEXTURES: return bytes(tables_.textures);
-        case BINDING_TEXELS: return bytes(tables_.texels);
-        case BINDING_LIGHTS: return bytes(tables_.lights);
-        case BINDING_LIGHT_TABLE: return bytes(tables_.light_table);
-        case BINDING_SKY_TEXELS: return bytes(tables_.sky_texels);
-        case BINDING_SKY_TABLE: return bytes(tables_.sky_table);
-        default: return {};
+        case BINDING_NODES:
+            return bytes(geometry_.nodes);
+        case BINDING_TRIANGLES:
+            return bytes(geometry_.triangles);
+        case BINDING_MESH_TRIANGLES:
+            return bytes(geometry_.mesh_triangles);
+        case BINDING_VERTICES:
+            return bytes(geometry_.vertices);
+        case BINDING_TANGENTS:
+            return bytes(geometry_.tangents);
+        case BINDING_INSTANCES:
+            return bytes(geometry_.instances);
+        case BINDING_MATERIALS:
+            return bytes(tables_.materials);
+        case BINDING_TEXTURE_SLOTS:
+            return bytes(tables_.texture_slots);
+        case BINDING_TEXTURES:
+            return bytes(tables_.textures);
+        case BINDING_TEXELS:
+            return bytes(tables_.texels);
+        case BINDING_LIGHTS:
+            return bytes(tables_.lights);
+        case BINDING_LIGHT_TABLE:
+            return bytes(tables_.light_table);
+        case BINDING_SKY_TEXELS:
+            return bytes(tables_.sky_texels);
+        case BINDING_SKY_TABLE:
+            return bytes(tables_.sky_table);
+        default:
+            return {};
     }
 }
 

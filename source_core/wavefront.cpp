@@ -20,9 +20,9 @@ constexpr uint32_t FIRST_ROWS = BINDING_PATH_ORIGIN;
 constexpr uint32_t LAST_ROWS = BINDING_SHADOW_CONTRIBUTION;
 constexpr VkBufferUsageFlags STORAGE = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
 
-const char* const ROWS_NAMES[] = {"path origins", "path directions", "path throughputs", "path radiances", "path hits",
-                                  "queue",        "next queue",      "shadow origins",   "shadow directions",
-                                  "shadow contributions"};
+const char* const ROWS_NAMES[] = {
+    "path origins", "path directions", "path throughputs", "path radiances",    "path hits",
+    "queue",        "next queue",      "shadow origins",   "shadow directions", "shadow contributions"};
 
 uint64_t rows_bytes(uint32_t binding, uint32_t batch) {
     const bool queue = binding == BINDING_QUEUE || binding == BINDING_NEXT_QUEUE;
@@ -108,10 +108,9 @@ Status Wavefront::set_max_path_length(const Device& device, MemoryBudget& budget
     }
     counters_ = {};
     counters_copy_ = {};
-    Result<Buffer> counters =
-        Buffer::create(device, budget, "counters", bytes,
-                       STORAGE | VK_BUFFER_USAGE_TRANSFER_DST_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT,
-                       BufferPlace::device);
+    Result<Buffer> counters = Buffer::create(
+        device, budget, "counters", bytes,
+        STORAGE | VK_BUFFER_USAGE_TRANSFER_DST_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT, BufferPlace::device);
     if (!counters.ok()) {
         return counters.status;
     }
@@ -194,8 +193,7 @@ void Wavefront::bind_set(const Device& device, const KernelSet& kernels, const K
     vkUpdateDescriptorSets(device.handle(), BINDING_COUNT, writes.data(), 0, nullptr);
 }
 
-Status Wavefront::run(const Device& device, const KernelSet& kernels, const BatchPass& batch,
-                      WavefrontCounts& counts) {
+Status Wavefront::run(const Device& device, const KernelSet& kernels, const BatchPass& batch, WavefrontCounts& counts) {
     const bool in_one = max_path_length_ <= SEGMENTS_PER_SUBMISSION;
     uint32_t done = 0;
     while (done < batch.samples) {
@@ -234,8 +232,7 @@ uint32_t Wavefront::waiting_rays(uint32_t segment) const {
 Status Wavefront::run_span(const Device& device, const KernelSet& kernels, const BatchPass& batch, const Span& span,
                            WavefrontCounts& counts) {
     stamps_.clear();
-    Status status = device.submit_and_wait(
-        [&](VkCommandBuffer commands) { record(commands, kernels, batch, span); });
+    Status status = device.submit_and_wait([&](VkCommandBuffer commands) { record(commands, kernels, batch, span); });
     if (status.ok()) {
         status = counters_copy_.invalidate();
     }
@@ -310,8 +307,12 @@ void Wavefront::dispatch(VkCommandBuffer commands, const KernelSet& kernels, Ker
     vkCmdPushConstants(commands, kernels.layout(), VK_SHADER_STAGE_COMPUTE_BIT, 0, sizeof(pass), &pass);
     switch (kernel) {
         case Kernel::generate:
-        case Kernel::finalize: vkCmdDispatch(commands, group_count(pass.path_count), 1, 1); break;
-        case Kernel::schedule: vkCmdDispatch(commands, 1, 1, 1); break;
+        case Kernel::finalize:
+            vkCmdDispatch(commands, group_count(pass.path_count), 1, 1);
+            break;
+        case Kernel::schedule:
+            vkCmdDispatch(commands, 1, 1, 1);
+            break;
         case Kernel::extend:
         case Kernel::shade:
             vkCmdDispatchIndirect(commands, arguments_.handle(), ARGUMENTS_EXTENSION * sizeof(uint32_t));

@@ -19,9 +19,12 @@ Status over_budget(const std::string& name, uint64_t needed, const MemoryBudget&
 
 VkMemoryPropertyFlags required_memory(BufferPlace place) {
     switch (place) {
-        case BufferPlace::device: return VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT;
-        case BufferPlace::upload: return VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
-        case BufferPlace::readback: return VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT;
+        case BufferPlace::device:
+            return VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT;
+        case BufferPlace::upload:
+            return VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
+        case BufferPlace::readback:
+            return VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT;
     }
     return 0;
 }
@@ -142,13 +145,13 @@ void Buffer::swap(Buffer& other) {
 
 Result<Staging> Staging::create(const Device& device, MemoryBudget& budget) {
     Staging staging;
-    Result<Buffer> upload = Buffer::create(device, budget, "staging", PIECE, VK_BUFFER_USAGE_TRANSFER_SRC_BIT,
-                                           BufferPlace::upload);
+    Result<Buffer> upload =
+        Buffer::create(device, budget, "staging", PIECE, VK_BUFFER_USAGE_TRANSFER_SRC_BIT, BufferPlace::upload);
     if (!upload.ok()) {
         return upload.status;
     }
-    Result<Buffer> readback = Buffer::create(device, budget, "read-back", PIECE, VK_BUFFER_USAGE_TRANSFER_DST_BIT,
-                                             BufferPlace::readback);
+    Result<Buffer> readback =
+        Buffer::create(device, budget, "read-back", PIECE, VK_BUFFER_USAGE_TRANSFER_DST_BIT, BufferPlace::readback);
     if (!readback.ok()) {
         return readback.status;
     }

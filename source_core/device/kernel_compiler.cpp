@@ -5,8 +5,8 @@
 #include <glslang/Public/ResourceLimits.h>
 #include <glslang/Public/ShaderLang.h>
 #include <glslang/SPIRV/GlslangToSpv.h>
-#include <spirv-tools/optimizer.hpp>
 
+#include <spirv-tools/optimizer.hpp>
 #include <sstream>
 
 #include "source_core/device/spirv_passes.h"

@@ -9,9 +9,9 @@ namespace source_core {
 namespace {
 
 constexpr const char* KERNEL_NAMES[KERNEL_COUNT] = {"generate", "extend", "shade", "connect", "finalize", "schedule"};
-constexpr const char* TABLE_NAMES[TABLE_COUNT] = {
-    "nodes",         "triangles", "mesh_triangles", "vertices", "tangents",    "instances",  "materials",
-    "texture_slots", "textures",  "texels",         "lights",   "light_table", "sky_texels", "sky_table"};
+constexpr const char* TABLE_NAMES[TABLE_COUNT] = {"nodes",     "triangles",   "mesh_triangles", "vertices", "tangents",
+                                                  "instances", "materials",   "texture_slots",  "textures", "texels",
+                                                  "lights",    "light_table", "sky_texels",     "sky_table"};
 constexpr const char* ACCESS_NAMES[] = {"VIA_TEXELS", "VIA_STORAGE", "VIA_ADDRESS"};
 
 }  // namespace
@@ -21,7 +21,8 @@ const char* kernel_name(Kernel kernel) { return KERNEL_NAMES[static_cast<uint32_
 const char* table_name(uint32_t table) { return TABLE_NAMES[table]; }
 
 std::string KernelVariant::preamble() const {
-    std::string text = "#extension GL_EXT_buffer_reference : enable\n#extension GL_EXT_buffer_reference_uvec2 : enable\n";
+    std::string text =
+        "#extension GL_EXT_buffer_reference : enable\n#extension GL_EXT_buffer_reference_uvec2 : enable\n";
     text += "#define WORK_GROUP_SIZE " + std::to_string(WORK_GROUP_SIZE) + "u\n";
     text += "#define FEATURES " + std::to_string(features) + "u\n";
     for (uint32_t table = 0; table < TABLE_COUNT; ++table) {

@@ -97,8 +97,10 @@ bool is_float_arithmetic(uint32_t op) {
         case OP_FMUL:
         case OP_FDIV:
         case OP_FREM:
-        case OP_FMOD: return true;
-        default: return op >= OP_VECTOR_TIMES_SCALAR && op <= OP_DOT;
+        case OP_FMOD:
+            return true;
+        default:
+            return op >= OP_VECTOR_TIMES_SCALAR && op <= OP_DOT;
     }
 }
 
@@ -107,7 +109,9 @@ class BufferAccess {
 public:
     void look_at(const Instruction& instruction) {
         switch (instruction.op()) {
-            case OP_TYPE_POINTER: pointee_[instruction[1]] = instruction[3]; break;
+            case OP_TYPE_POINTER:
+                pointee_[instruction[1]] = instruction[3];
+                break;
             case OP_VARIABLE:
                 if (instruction[3] == STORAGE_CLASS_STORAGE_BUFFER) {
                     blocks_[instruction[2]] = pointee_[instruction[1]];
@@ -115,11 +119,17 @@ public:
                 }
                 break;
             case OP_ACCESS_CHAIN:
-            case OP_IN_BOUNDS_ACCESS_CHAIN: follow(instruction[2], instruction[3]); break;
+            case OP_IN_BOUNDS_ACCESS_CHAIN:
+                follow(instruction[2], instruction[3]);
+                break;
             case OP_LOAD:
-            case OP_ATOMIC_LOAD: note(read_, instruction[3]); break;
+            case OP_ATOMIC_LOAD:
+                note(read_, instruction[3]);
+                break;
             case OP_STORE:
-            case OP_ATOMIC_STORE: note(written_, instruction[1]); break;
+            case OP_ATOMIC_STORE:
+                note(written_, instruction[1]);
+                break;
             default:
                 if (instruction.op() >= OP_ATOMIC_EXCHANGE && instruction.op() <= OP_ATOMIC_XOR) {
                     note(read_, instruction[3]);

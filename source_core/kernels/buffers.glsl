@@ -9,8 +9,8 @@
 #include "bindings.h"
 #include "language.glsl"
 
-// The host defines before this text: WORK_GROUP_SIZE, FEATURES, KERNEL_<name>, and for each table TABLE_<name> as one
-// of VIA_TEXELS, VIA_STORAGE and VIA_ADDRESS, depending on the table's size.
+// The host defines before this text: WORK_GROUP_SIZE, FEATURES, and for each table TABLE_<name> as one of VIA_TEXELS,
+// VIA_STORAGE and VIA_ADDRESS, depending on the table's size.
 layout(local_size_x = WORK_GROUP_SIZE) in;
 
 layout(set = 0, binding = BINDING_SETTINGS, std140) uniform SettingsBlock { Settings settings; };
@@ -21,18 +21,19 @@ bool has_feature(uint feature) { return (FEATURES & feature) != 0u; }
 
 // ---- Scene tables ----
 
-#define VIA_TEXELS(Row, Texels, get, name, slot)                            \
-    layout(set = 0, binding = slot) uniform Texels name##_table;            \
+// clang-format off
+#define VIA_TEXELS(Row, Texels, get, name, slot)                 \
+    layout(set = 0, binding = slot) uniform Texels name##_table; \
     Row fetch_##name(Uint row) { return texelFetch(name##_table, Int(row)) get; }
 
-#define VIA_STORAGE(Row, Texels, get, name, slot)                                                        \
+#define VIA_STORAGE(Row, Texels, get, name, slot)                                                          \
     layout(set = 0, binding = slot, std430) restrict readonly buffer name##_block { Row name##_table[]; }; \
     Row fetch_##name(Uint row) { return name##_table[row]; }
 
-#define VIA_ADDRESS(Row, Texels, get, name, slot)                                                     \
+#define VIA_ADDRESS(Row, Texels, get, name, slot)                                                         \
     layout(buffer_reference, std430, buffer_reference_align = 16) restrict readonly buffer name##_block { \
-        Row name##_table[];                                                                           \
-    };                                                                                                \
+        Row name##_table[];                                                                               \
+    };                                                                                                    \
     Row fetch_##name(Uint row) { return name##_block(table_addresses[slot].xy).name##_table[row]; }
 
 #define WORDS
@@ -56,13 +57,13 @@ TABLE_sky_table(vec4, textureBuffer, WORDS, sky_table, BINDING_SKY_TABLE)
 // ---- Path state and queues. All buffers are declared alike; the host marks those that a kernel does not write (or
 // does not read) in the compiled module. ----
 
-#define ROWS(Row, name, slot)                                                                              \
-    layout(set = 0, binding = slot, std430) restrict buffer name##_block { Row name##_rows[]; };           \
-    Row load_##name(Uint index) { return name##_rows[index]; }                                             \
-    void store_##name(Uint index, Row row, Mask where) {                                                   \
-        if (where) {                                                                                       \
-            name##_rows[index] = row;                                                                      \
-        }                                                                                                  \
+#define ROWS(Row, name, slot)                                                                    \
+    layout(set = 0, binding = slot, std430) restrict buffer name##_block { Row name##_rows[]; }; \
+    Row load_##name(Uint index) { return name##_rows[index]; }                                   \
+    void store_##name(Uint index, Row row, Mask where) {                                         \
+        if (where) {                                                                             \
+            name##_rows[index] = row;                                                            \
+        }                                                                                        \
     }
 
 ROWS(vec4, path_origin, BINDING_PATH_ORIGIN)
@@ -80,6 +81,7 @@ ROWS(vec4, target_row, BINDING_TARGET)
 
 layout(set = 0, binding = BINDING_COUNTERS, std430) restrict buffer CountersBlock { uint counters[]; };
 layout(set = 0, binding = BINDING_ARGUMENTS, std430) restrict buffer ArgumentsBlock { uint arguments[]; };
+// clang-format on
 
 uint segment_counter(uint segment, uint kind) { return COUNTER_SEGMENTS + segment * COUNTERS_PER_SEGMENT + kind; }
 
@@ -109,9 +111,7 @@ void push_shadow_ray(vec4 origin_tmax, vec4 direction_path, vec4 contribution, M
 // Accumulator and target are bound from the batch's first pixel on.
 vec4 load_accumulator(Uint pixel) { return load_accumulator_row(pixel - pass.first_pixel); }
 
-void store_accumulator(Uint pixel, vec4 sum) {
-    store_accumulator_row(pixel - pass.first_pixel, sum, true);
-}
+void store_accumulator(Uint pixel, vec4 sum) { store_accumulator_row(pixel - pass.first_pixel, sum, true); }
 
 void store_target(Uint pixel, vec4 mean) { store_target_row(pixel - pass.first_pixel, mean, true); }
 

@@ -82,20 +82,20 @@ struct BoxRay {
     uvec3 far_row;
 };
 
-Float safe_inverse(Float x) {
-    return 1.0f / select(abs(x) < 1.0e-20f, select(x < 0.0f, -1.0e-20f, 1.0e-20f), x);
-}
+Float safe_inverse(Float x) { return 1.0f / select(abs(x) < 1.0e-20f, select(x < 0.0f, -1.0e-20f, 1.0e-20f), x); }
 
 BoxRay make_box_ray(vec3 origin, vec3 direction, vec3 pad) {
-    uvec3 negative = uvec3(direction.x < 0.0f ? 1u : 0u, direction.y < 0.0f ? 1u : 0u, direction.z < 0.0f ? 1u : 0u);
-    vec3 shift = vec3(negative.x != 0u ? -pad.x : pad.x, negative.y != 0u ? -pad.y : pad.y,
-                      negative.z != 0u ? -pad.z : pad.z);
+    Mask back_x = direction.x < 0.0f;
+    Mask back_y = direction.y < 0.0f;
+    Mask back_z = direction.z < 0.0f;
+    uvec3 back = uvec3(select(back_x, 1u, 0u), select(back_y, 1u, 0u), select(back_z, 1u, 0u));
+    vec3 shift = vec3(select(back_x, -pad.x, pad.x), select(back_y, -pad.y, pad.y), select(back_z, -pad.z, pad.z));
     BoxRay box_ray;
     box_ray.near = origin + shift;
     box_ray.far = origin - shift;
     box_ray.inverse = vec3(safe_inverse(direction.x), safe_inverse(direction.y), safe_inverse(direction.z));
-    box_ray.near_row = uvec3(0u, 2u, 4u) + negative;
-    box_ray.far_row = uvec3(1u, 3u, 5u) - negative;
+    box_ray.near_row = uvec3(0u, 2u, 4u) + back;
+    box_ray.far_row = uvec3(1u, 3u, 5u) - back;
     return box_ray;
 }
 

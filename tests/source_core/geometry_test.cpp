@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The porttool authors
 // SPDX-License-Identifier: Apache-2.0
-#include "source_core/core_geometry.h"
-
 #include <gtest/gtest.h>
 
 #include <bit>
 #include <cmath>
 #include <limits>
 #include <random>
+
+#include "source_core/core_geometry.h"
 
 using namespace source_core;
 using render_system::CoreTransform;
@@ -29,8 +29,9 @@ CoreTransform moved(float x) {
     return transform;
 }
 
-GeometryTables build(const std::vector<CoreMeshCopy>& meshes, const std::vector<CoreInstance>& instances,
-                     const OpacityOf& opacity = [](uint32_t, bool) { return 1.0f; }) {
+GeometryTables build(
+    const std::vector<CoreMeshCopy>& meshes, const std::vector<CoreInstance>& instances,
+    const OpacityOf& opacity = [](uint32_t, bool) { return 1.0f; }) {
     auto built = build_geometry(meshes, instances, opacity, 1);
     EXPECT_TRUE(built.ok()) << built.status.message;
     return *built;

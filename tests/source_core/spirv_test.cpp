@@ -36,8 +36,8 @@ std::vector<uint32_t> compile(Kernel kernel, uint32_t features, TableAccess acce
 
 std::string disassemble(const std::vector<uint32_t>& words) {
     std::string text;
-    spvtools::SpirvTools(SPV_ENV_VULKAN_1_2).Disassemble(
-        words, &text, SPV_BINARY_TO_TEXT_OPTION_NO_HEADER | SPV_BINARY_TO_TEXT_OPTION_FRIENDLY_NAMES);
+    spvtools::SpirvTools(SPV_ENV_VULKAN_1_2)
+        .Disassemble(words, &text, SPV_BINARY_TO_TEXT_OPTION_NO_HEADER | SPV_BINARY_TO_TEXT_OPTION_FRIENDLY_NAMES);
     return text;
 }
 

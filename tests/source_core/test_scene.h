@@ -78,10 +78,10 @@ private:
 }  // namespace source_core_test
 
 /// Opens `core` or skips the test with the reason.
-#define OPEN_CORE_OR_SKIP(core, ...)                            \
-    auto core = source_core_test::open_core(__VA_ARGS__);       \
-    if (!core) {                                                \
-        GTEST_SKIP() << source_core_test::last_open_error();    \
+#define OPEN_CORE_OR_SKIP(core, ...)                         \
+    auto core = source_core_test::open_core(__VA_ARGS__);    \
+    if (!core) {                                             \
+        GTEST_SKIP() << source_core_test::last_open_error(); \
     }
 
 namespace source_core_test {

@@ -29,6 +29,18 @@ void generate_path(Uint job) {
 #endif
 )GLSL";
 
+// All rays decide about alpha by the same key here.
+constexpr const char* EXTEND = R"GLSL(
+#ifndef EXTEND_GLSL
+#define EXTEND_GLSL
+#include "trace.glsl"
+void extend_path(Uint job) {
+    Uint path = load_extension_job(job);
+    store_hit(path, trace_closest(load_path_ray(path).ray, 0u), true);
+}
+#endif
+)GLSL";
+
 constexpr const char* SHADE = R"GLSL(
 #ifndef SHADE_GLSL
 #define SHADE_GLSL
@@ -103,6 +115,20 @@ float intersect(const TestRay& ray, glm::vec3 v0, glm::vec3 v1, glm::vec3 v2) {
     return sum != 0.0f && approach != 0.0f && inside && t > 0.0f ? t : -1.0f;
 }
 
+// The hashed decision of kernels/alpha.glsl for the key 0: the share of (instance, primitive) that rays meet.
+uint32_t hash_bits(uint32_t x) {
+    x = (x ^ (x >> 16)) * 0x7feb352du;
+    x = (x ^ (x >> 15)) * 0x846ca68bu;
+    return x ^ (x >> 16);
+}
+
+uint32_t hash_pair(uint32_t a, uint32_t b) { return hash_bits(a ^ (hash_bits(b) + 0x9e3779b9u)); }
+
+bool meets(const CoreMaterial& material, uint32_t instance, uint32_t primitive) {
+    const float draw = static_cast<float>(hash_pair(0, hash_pair(instance, primitive)) >> 8) * 0x1p-24f;
+    return material.opaque || draw < material.alpha;
+}
+
 // All triangles in the order of (instance, primitive): the first of equal t wins.
 Found brute_force(const TestScene& scene, const TestRay& ray) {
     Found best;
@@ -114,9 +140,12 @@ Found brute_force(const TestScene& scene, const TestRay& ray) {
         const CoreTransform& transform = scene.instances[i].transform;
         for (size_t k = 0; k < mesh.triangles.size(); ++k) {
             const glm::uvec4& corners = mesh.triangles[k];
-            const float t = intersect(ray, place(transform, mesh.positions[corners.x]),
-                                      place(transform, mesh.positions[corners.y]),
-                                      place(transform, mesh.positions[corners.z]));
+            if (!meets(scene.materials[corners.w], static_cast<uint32_t>(i), static_cast<uint32_t>(k))) {
+                continue;
+            }
+            const float t =
+                intersect(ray, place(transform, mesh.positions[corners.x]), place(transform, mesh.positions[corners.y]),
+                          place(transform, mesh.positions[corners.z]));
             if (t > 0.0f && (best.instance < 0.0f || t < best.t)) {
                 best.instance = static_cast<float>(i);
                 best.primitive = static_cast<float>(k);
@@ -152,6 +181,7 @@ protected:
     void SetUp() override {
         folder_.write_kernels();
         folder_.write("generate.glsl", GENERATE);
+        folder_.write("extend.glsl", EXTEND);
         folder_.write("shade.glsl", SHADE);
         folder_.write("finalize.glsl", FINALIZE);
     }
@@ -221,7 +251,7 @@ TEST_F(Trace, InstancesOfAnyScaleAndHandAreFound) {
     }
     scene.instances.push_back({2, random_transform(0.5f, true, random)});
     scene.instances.push_back({NONE, {}});
-    scene.instances[7].transform.rows[1] *= 1e-4f;  // nearly flat
+    scene.instances[7].transform.rows[1] *= 1e-4f;           // nearly flat
     scene.instances[9].transform.rows[2] = {0, 0, 0, 0.5f};  // flat: no inverse
     for (glm::vec4& row : scene.instances[11].transform.rows) {
         row = glm::vec4(glm::vec3(row) * 50.0f, row.w);  // far larger than the rest
@@ -247,6 +277,27 @@ TEST_F(Trace, TiesGoToTheLowerInstanceAndPrimitive) {
         ray.origin.z = std::fabs(ray.origin.z) + 0.5f;
     }
     expect_brute_force(scene, rays);
+}
+
+TEST_F(Trace, AlphaIsDecidedPerTriangleInAnyOrder) {
+    std::mt19937 random(17);
+    TestScene scene;
+    scene.meshes = {random_mesh(500, 1.0f, 0.4f, random), random_mesh(60, 0.4f, 0.3f, random)};
+    scene.materials.resize(3);
+    scene.materials[1].opaque = false;
+    scene.materials[1].alpha = 0.5f;
+    scene.materials[2].opaque = false;
+    scene.materials[2].alpha = 0.0f;
+    for (TestMesh& mesh : scene.meshes) {
+        for (size_t k = 0; k < mesh.triangles.size(); ++k) {
+            mesh.triangles[k].w = k % 5 == 0 ? 0 : 1 + k % 2;
+        }
+    }
+    scene.instances.push_back({0, {}});
+    for (uint32_t i = 0; i < 12; ++i) {
+        scene.instances.push_back({1, random_transform(1.0f, i % 2 == 0, random)});
+    }
+    expect_brute_force(scene, random_rays(4000, 1.0f, random));
 }
 
 TEST_F(Trace, DegenerateTrianglesAreNeverHit) {

@@ -67,6 +67,15 @@ TEST(Validation, AccessesToStorageBuffersStayInside) {
     expect_clean(tuning, false);
 }
 
+// Minutes on a software device: run by hand with --gtest_also_run_disabled_tests after a change to buffers or trace.
+TEST(Validation, DISABLED_AllAccessesStayInside) { expect_clean({}, true); }
+
+TEST(Validation, DISABLED_AllAccessesToStorageBuffersStayInside) {
+    source_core::CoreTuning tuning;
+    tuning.table_access = source_core::TableAccess::storage;
+    expect_clean(tuning, true);
+}
+
 TEST(Validation, ASceneOfNothingRunsClean) {
     CoreOptions options;
     options.validate = true;

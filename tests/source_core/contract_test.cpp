@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "source_core/render_core.h"
+#include "tests/render_system/core_contract_suite.h"
+
+namespace render_system::testing {
+
+struct SourceCore {
+    static std::unique_ptr<CoreAPI> create() { return source_core::create_core(); }
+    static CoreOptions options() { return {}; }
+};
+
+INSTANTIATE_TYPED_TEST_SUITE_P(Source, CoreContractSuite, SourceCore);
+
+}  // namespace render_system::testing
