@@ -281,7 +281,7 @@ TEST(Check, AHazardThatAnEditBringsInIsANote) {
     disk.files["/r/src/k.cu"] = replaced(kSource, "result * 0.5f", "result * powf(pdf, 0.5f)");
     disk.files["/r/port/k.comp"] = replaced(kTarget, "result * 0.5", "result * pow(pdf, 0.5)");
     const auto report = check(disk);
-    EXPECT_EQ(rules(report), Rules{"dialect-hazard"});
+    ASSERT_EQ(rules(report), Rules{"dialect-hazard"});
     EXPECT_EQ(report["findings"][0]["level"], "note");
     EXPECT_EQ(report["verdict"], "in_step");
 }
