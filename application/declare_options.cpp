@@ -28,6 +28,14 @@ CLI::Option* add_number(CLI::App& app, const std::string& name, uint32_t& value,
         [&value](uint32_t number) { value = number; }, help);
 }
 
+/// A file or folder. An empty name is a slip (an unset variable in a script, say), not a wish for the default.
+CLI::Option* add_name(CLI::App& app, const std::string& name, std::string& value, const std::string& help) {
+    const auto check = [](const std::string& text) {
+        return text.empty() ? std::string("the name is empty; give one, or leave the option out") : std::string();
+    };
+    return app.add_option(name, value, help)->check(CLI::Validator(check, ""));
+}
+
 template <class Value>
 CLI::Option* add_choice(CLI::App& app, const std::string& name, Value& value, std::map<std::string, Value> choices,
                         const std::string& help) {
@@ -93,12 +101,12 @@ void declare_machine(CLI::App& app, Options& options) {
         app, "--gpu-memory-limit", parse_mebibytes, [&options](uint64_t bytes) { options.gpu_memory_limit = bytes; },
         "Device memory the source core may use (its device-local heap)")
         ->type_name("MIB");
-    app.add_option("--kernels", options.kernels, "Folder of kernels to use in place of those built in")
+    add_name(app, "--kernels", options.kernels, "Folder of kernels to use in place of those built in")
         ->type_name("DIR");
 }
 
 void declare_scene(CLI::App& app, Options& options) {
-    app.add_option("SCENE", options.scene, "A .gltf or .glb file, or the name of a built-in scene: still_life")
+    add_name(app, "SCENE", options.scene, "A .gltf or .glb file, or the name of a built-in scene: still_life")
         ->required()
         ->type_name("");
 }
@@ -108,7 +116,7 @@ void declare_rendering(CLI::App& app, Options& options) {
     declare_picture(app, options);
     declare_paths(app, options);
     declare_machine(app, options);
-    app.add_option("--stats", options.stats, "Write counters and times as JSON")->type_name("FILE.json");
+    add_name(app, "--stats", options.stats, "Write counters and times as JSON")->type_name("FILE.json");
     declare_format(app, options);
     app.add_flag("--progress", options.progress, "Show the progress bar even where stderr is no terminal");
 }
@@ -134,7 +142,7 @@ void declare_common(CLI::App& app, Options& options) {
 
 void declare_render(CLI::App& app, Options& options) {
     declare_scene(app, options);
-    app.add_option("-o,--output", options.output, "The picture, .png or .exr (<scene>.png in this folder)")
+    add_name(app, "-o,--output", options.output, "The picture, .png or .exr (<scene>.png in this folder)")
         ->type_name("FILE");
     declare_samples(app, options, "Samples per pixel (16)");
     declare_rendering(app, options);
@@ -142,7 +150,7 @@ void declare_render(CLI::App& app, Options& options) {
 
 void declare_compare(CLI::App& app, Options& options) {
     declare_scene(app, options);
-    app.add_option("-o,--output", options.output, "Folder for both pictures and their difference times 16 (none)")
+    add_name(app, "-o,--output", options.output, "Folder for both pictures and their difference times 16 (none)")
         ->type_name("DIR");
     add_parsed(
         app, "--spp", parse_sample_counts, [&options](const std::vector<uint32_t>& counts) { options.spp = counts; },
@@ -157,14 +165,14 @@ void declare_compare(CLI::App& app, Options& options) {
 
 void declare_bench(CLI::App& app, Options& options) {
     declare_scene(app, options);
-    app.add_option("-o,--output", options.output, "Write the result here instead of stdout")->type_name("FILE");
+    add_name(app, "-o,--output", options.output, "Write the result here instead of stdout")->type_name("FILE");
     declare_samples(app, options, "Frames to time, of one sample per pixel each (16)");
     declare_rendering(app, options);
 }
 
 void declare_info(CLI::App& app, Options& options) {
     declare_format(app, options);
-    app.add_option("-o,--output", options.output, "Write the result here instead of stdout")->type_name("FILE");
+    add_name(app, "-o,--output", options.output, "Write the result here instead of stdout")->type_name("FILE");
 }
 
 }  // namespace application

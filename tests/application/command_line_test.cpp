@@ -94,6 +94,20 @@ TEST(CommandLine, TheLastOfARepeatedOptionCounts) {
     EXPECT_EQ(parse("render a.gltf --seed 1 --seed 2").options.seed, 2u);
 }
 
+TEST(CommandLine, AnEmptyNameIsRefused) {
+    for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
+             {"render", ""},
+             {"render", "a.gltf", "-o", ""},
+             {"render", "a.gltf", "--stats", ""},
+             {"bench", "a.gltf", "--kernels", ""},
+             {"info", "--output="},
+         }) {
+        const Invocation invocation = parse_command_line(words);
+        EXPECT_EQ(invocation.exit_code, FAILED) << words.back();
+        EXPECT_EQ(invocation.command, nullptr);
+    }
+}
+
 struct Refusal {
     std::string line;
     std::string says;
