@@ -3,7 +3,6 @@
 #include "source_core/scene_buffers.h"
 
 #include <algorithm>
-#include <cstring>
 #include <string>
 
 namespace source_core {
@@ -70,9 +69,10 @@ Status SceneBuffers::replace(const Device& device, MemoryBudget& budget, const S
         return buffer.status;
     }
     const Status status = staging.upload(device, *buffer, size, [rows](uint64_t offset, std::span<std::byte> piece) {
-        const uint64_t present = offset < rows.size() ? std::min<uint64_t>(piece.size(), rows.size() - offset) : 0;
-        std::memcpy(piece.data(), rows.data() + offset, present);
-        std::memset(piece.data() + present, 0, piece.size() - present);
+        const auto present = rows.subspan(std::min<uint64_t>(offset, rows.size()));
+        const uint64_t count = std::min(piece.size(), present.size());
+        std::copy_n(present.begin(), count, piece.begin());
+        std::fill(piece.begin() + static_cast<std::ptrdiff_t>(count), piece.end(), std::byte{0});
     });
     if (!status.ok()) {
         return status;
