@@ -11,15 +11,17 @@
 namespace porttool {
 namespace {
 
+bool is_of(const Finding& finding, const JudgedPair& pair) {
+    return finding.map_source == pair.map_source && finding.map_target == pair.map_target;
+}
+
 /// The pairs that an id means: either side's id, SOURCE=TARGET, or a finding's fingerprint.
 std::vector<const JudgedPair*> pairs_of(const CheckedProject& checked, const std::string& id) {
     std::vector<const JudgedPair*> out;
-    std::string by_print;
     for (const Finding& finding : checked.judgement.findings)
         if (finding.fingerprint == id)
             for (const JudgedPair& pair : checked.judgement.pairs)
-                if (fingerprint({{finding.rule, 0}, {pair.map_source, 0}, {pair.map_target, 0}}) == id)
-                    out.push_back(&pair);
+                if (is_of(finding, pair)) out.push_back(&pair);
     for (const JudgedPair& pair : checked.judgement.pairs) {
         const bool today =
             (pair.source != nullptr && pair.source->id == id) || (pair.target != nullptr && pair.target->id == id);
@@ -46,8 +48,8 @@ std::vector<const JudgedPair*> pairs_of(const CheckedProject& checked, const std
                    (near.empty() ? std::string("; porttool map lists the pairs") : "; did you mean '" + near + "'?"));
 }
 
-/// The lock's line for a pair is made to match today's units.
-void record(LockFile& lock, const JudgedPair& pair) {
+/// The lock's line for a pair is made to match today's units; a reason is kept beside it, with its day.
+void record(LockFile& lock, const JudgedPair& pair, const std::string& reason) {
     std::erase_if(lock.pairs,
                   [&](const LockedPair& p) { return p.source == pair.map_source && p.target == pair.map_target; });
     std::erase_if(lock.ledger,
@@ -55,6 +57,10 @@ void record(LockFile& lock, const JudgedPair& pair) {
     std::erase_if(lock.baseline, [&](const LockedUnit& u) { return u.id == pair.map_source; });
     if (pair.source != nullptr && pair.target != nullptr)
         lock.pairs.push_back({pair.map_source, pair.map_target, pair.source->prints, pair.target->prints});
+    if (!reason.empty())
+        lock.ledger.push_back({"accept", pair.map_source, pair.map_target,
+                               pair.source != nullptr ? pair.source->prints.written : "-",
+                               pair.target != nullptr ? pair.target->prints.written : "-", "", today(), reason});
 }
 
 Outcome settle(const Options& options, Workplace& place, const std::string& verdict) {
@@ -68,7 +74,7 @@ Outcome settle(const Options& options, Workplace& place, const std::string& verd
             [&](const Finding& f) { return f.rule == "unported" && (f.fingerprint == id || f.source->id == id); });
         if (verdict == "ignore" && unported != checked.judgement.findings.end()) {
             checked.lock.baseline.push_back(
-                {unported->source->id, checked.states.source.at(unported->source->id).prints.written});
+                {unported->source->id, checked.states.source.at(unported->source->id).prints.written, options.reason});
             out += "ignored " + unported->source->id + "\n";
             continue;
         }
@@ -100,8 +106,7 @@ void explain_pair(const CheckedProject& checked, const JudgedPair& pair, std::st
     out += fmt::format("source  {}\nport    {}\n", pair.map_source, pair.map_target);
     bool any = false;
     for (const Finding& finding : checked.judgement.findings) {
-        if (finding.fingerprint != fingerprint({{finding.rule, 0}, {pair.map_source, 0}, {pair.map_target, 0}}))
-            continue;
+        if (!is_of(finding, pair)) continue;
         any = true;
         out += fmt::format("{} [{}]: {}\n", level_name(finding.level), finding.rule, finding.message);
         if (!finding.verdict.empty())
@@ -110,6 +115,9 @@ void explain_pair(const CheckedProject& checked, const JudgedPair& pair, std::st
         out += "  " + finding.remedy + "\n";
     }
     if (!any) out += "in step\n";
+    for (const LedgerEntry& entry : checked.lock.ledger)
+        if (entry.verdict == "accept" && entry.source == pair.map_source && entry.target == pair.map_target)
+            out += fmt::format("last accepted on {}: {}\n", entry.until, entry.reason);
 }
 
 /// Both edits, side by side: what each side lost and gained since the two were in step.
@@ -151,19 +159,20 @@ Outcome accept_command(const Options& options, Workplace& place) {
                 ++left;
                 continue;
             }
-            record(checked.lock, pair);
+            record(checked.lock, pair, options.reason);
             ++accepted;
         }
         if (options.force)
             for (const Finding& finding : checked.judgement.findings)
                 if (finding.rule == "unported")
-                    checked.lock.baseline.push_back(
-                        {finding.source->id, checked.states.source.at(finding.source->id).prints.written});
+                    checked.lock.baseline.push_back({finding.source->id,
+                                                     checked.states.source.at(finding.source->id).prints.written,
+                                                     options.reason});
     }
     for (const std::string& id : options.paths) {
         const auto pairs = pairs_of(checked, id);
         if (pairs.empty()) unknown_id(checked, id);
-        for (const JudgedPair* pair : pairs) record(checked.lock, *pair);
+        for (const JudgedPair* pair : pairs) record(checked.lock, *pair, options.reason);
         accepted += pairs.size();
     }
     store_lock(checked.project, checked.lock, checked.states, place.disk);

@@ -93,6 +93,7 @@ public:
         }
         std::sort(out_.findings.begin(), out_.findings.end(),
                   [](const Finding& a, const Finding& b) { return key(a) < key(b); });
+        number_fingerprints();
         return std::move(out_);
     }
 
@@ -100,6 +101,15 @@ private:
     static std::tuple<std::string, uint32_t, std::string, std::string> key(const Finding& f) {
         const Place place = f.source ? *f.source : f.target.value_or(Place{});
         return {place.file, place.line, f.rule, f.fingerprint};
+    }
+
+    /// Findings that are alike in all but their place, as two idle comments in one file, are told apart by their order.
+    void number_fingerprints() {
+        std::map<std::string, int> seen;
+        for (Finding& finding : out_.findings) {
+            const int number = ++seen[finding.fingerprint];
+            if (number > 1) finding.fingerprint = fingerprint({{finding.fingerprint, 0}, {std::to_string(number), 0}});
+        }
     }
 
     std::set<std::string> named_ids(bool source) const {
@@ -129,6 +139,8 @@ private:
         finding.remedy = second_line(rule_row(rule).help);
         const size_t id = finding.remedy.find("ID");
         if (id != std::string::npos && !source.empty()) finding.remedy.replace(id, 2, "'" + source + "'");
+        finding.map_source = source;
+        finding.map_target = target;
         finding.fingerprint = fingerprint({{rule, 0}, {source, 0}, {target, 0}});
         out_.findings.push_back(std::move(finding));
         return out_.findings.back();
@@ -227,7 +239,8 @@ private:
         if (base.empty()) return;
         const Edit edit = edit_of(read_state_text(base), words_of(*pair.source));
         for (const std::string& hazard : hazards_of(edit.gained, edit.lost))
-            add_for(pair, "dialect-hazard", "", hazard);
+            add_for(pair, "dialect-hazard", "", hazard).fingerprint =
+                fingerprint({{"dialect-hazard", 0}, {pair.map_source, 0}, {pair.map_target, 0}, {hazard, 0}});
     }
 
     void compare_values(JudgedPair& pair, bool structs, Change change) {
@@ -288,6 +301,7 @@ private:
         bool expired = false;
         for (const LedgerEntry& entry : facts_.lock.ledger) {
             if (entry.source != pair.map_source || entry.target != pair.map_target) continue;
+            if (entry.verdict == "accept") continue;  // a record of why, which settles nothing
             const bool same_texts = (pair.source == nullptr || entry.source_print == pair.source->prints.written) &&
                                     (pair.target == nullptr || entry.target_print == pair.target->prints.written);
             const bool needed = out_.findings.size() > first;

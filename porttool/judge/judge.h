@@ -30,7 +30,8 @@ struct Finding {
     std::string change;  ///< semantic, constant, rename, moved, added, removed, or empty
     std::optional<Place> source, target;
     std::string message, remedy;
-    std::string fingerprint;  ///< stable: of the rule and the ids
+    std::string map_source, map_target;  ///< the ids of its pair in portmap.toml; the second empty outside pairs
+    std::string fingerprint;  ///< stable: of the rule, the ids, and the subject where a rule finds several on one pair
     std::string verdict;      ///< "defer" or "ignore" if the ledger settles it
     std::string verdict_reason;
     std::vector<std::string> details;  ///< what is missing on which side

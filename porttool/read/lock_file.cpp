@@ -24,9 +24,9 @@ std::vector<std::string> split(const std::string& line) {
 bool read_line(LockFile& lock, const std::vector<std::string>& f) {
     if (f[0] == "pair" && f.size() == 9) {
         lock.pairs.push_back({f[1], f[2], {f[3], f[4], f[5]}, {f[6], f[7], f[8]}});
-    } else if (f[0] == "baseline" && f.size() == 3) {
-        lock.baseline.push_back({f[1], f[2]});
-    } else if ((f[0] == "defer" || f[0] == "ignore") && f.size() == 8) {
+    } else if (f[0] == "baseline" && (f.size() == 3 || f.size() == 4)) {
+        lock.baseline.push_back({f[1], f[2], f.size() == 4 ? f[3] : std::string()});
+    } else if ((f[0] == "accept" || f[0] == "defer" || f[0] == "ignore") && f.size() == 8) {
         lock.ledger.push_back({f[0], f[1], f[2], f[3], f[4], f[5], f[6], f[7]});
     } else {
         return false;
@@ -85,7 +85,9 @@ std::string lock_text(const LockFile& lock) {
         lines.push_back("pair\t" + pair.source + "\t" + pair.target + "\t" + s.written + "\t" + s.renamed + "\t" +
                         s.blanked + "\t" + t.written + "\t" + t.renamed + "\t" + t.blanked);
     }
-    for (const LockedUnit& unit : lock.baseline) lines.push_back("baseline\t" + unit.id + "\t" + unit.print);
+    for (const LockedUnit& unit : lock.baseline)
+        lines.push_back("baseline\t" + unit.id + "\t" + unit.print +
+                        (unit.reason.empty() ? std::string() : "\t" + plain(unit.reason)));
     for (const LedgerEntry& entry : lock.ledger)
         lines.push_back(entry.verdict + "\t" + entry.source + "\t" + entry.target + "\t" + entry.source_print + "\t" +
                         entry.target_print + "\t" + plain(entry.owner) + "\t" + plain(entry.until) + "\t" +

@@ -19,14 +19,17 @@ struct LockedPair {
 struct LockedUnit {
     std::string id;
     std::string print;
+    std::string reason = {};  ///< why it needs none, if somebody said so
 };
 
 /// A verdict that a person gave on a pair, for the texts that it had then.
 struct LedgerEntry {
-    std::string verdict;  ///< "defer" or "ignore"
+    std::string verdict;  ///< "accept", "defer" or "ignore"
     std::string source, target;
     std::string source_print, target_print;
-    std::string owner, until, reason;
+    std::string owner;
+    std::string until;  ///< YYYY-MM-DD: the last day of a deferral; the day of an acceptance
+    std::string reason;
 };
 
 struct LockFile {

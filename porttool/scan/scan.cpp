@@ -33,22 +33,6 @@ std::vector<Unit> merge(std::vector<Unit> units, std::vector<Unit> macros) {
     return out;
 }
 
-/// A class shows only the lines before its first inner unit, so that no line has two owners.
-void end_before_inner_units(ScannedFile& file) {
-    for (Unit& unit : file.units) {
-        if (unit.holes.empty()) continue;
-        const TokenRange& inner = unit.holes.front();
-        const uint32_t inner_line = file.lexed.tokens[inner.first].line;
-        uint32_t last = unit.start_line;
-        for (uint32_t i = inner.first; i-- > unit.tokens.first;) {
-            if (file.lexed.tokens[i].line >= inner_line && inner_line > unit.start_line) continue;
-            last = file.lexed.tokens[i].line;
-            break;
-        }
-        unit.end_line = std::max(unit.start_line, last);
-    }
-}
-
 /// Later units of one name get #2, #3.
 void number_names(std::vector<Unit>& units) {
     std::map<std::string, int> seen;
@@ -89,6 +73,21 @@ void mark(std::vector<LineClass>& lines, uint32_t first, uint32_t last, LineClas
         lines[line - 1] = std::max(lines[line - 1], line_class);
 }
 
+/// Classes hold other units, to any depth: units are counted in and out.
+void mark_units(ScannedFile& file) {
+    std::vector<int32_t> change(file.lines.size() + 2, 0);
+    for (const Unit& unit : file.units) {
+        if (unit.start_line > file.lines.size()) continue;
+        ++change[unit.start_line];
+        --change[std::min<size_t>(unit.end_line, file.lines.size()) + 1];
+    }
+    int32_t within = 0;
+    for (size_t line = 1; line <= file.lines.size(); ++line) {
+        within += change[line];
+        if (within > 0) file.lines[line - 1] = LineClass::Unit;
+    }
+}
+
 void classify_lines(ScannedFile& file, const std::vector<TokenRange>& declarations) {
     const LexedText& lexed = file.lexed;
     file.lines.assign(lexed.line_count, LineClass::Blank);
@@ -116,9 +115,7 @@ void classify_lines(ScannedFile& file, const std::vector<TokenRange>& declaratio
     }
     for (const Directive& directive : lexed.directives)
         mark(file.lines, directive.line, directive.end_line, LineClass::Directive);
-    for (const Unit& unit : file.units)
-        for (uint32_t line = unit.start_line; line <= unit.end_line && line <= file.lines.size(); ++line)
-            file.lines[line - 1] = LineClass::Unit;
+    mark_units(file);
 }
 
 }  // namespace
@@ -149,7 +146,6 @@ ScannedFile scan_text(std::string_view path, std::string_view text) {
     file.balanced = structure.balanced;
     UnitList found = find_units(file.lexed, structure, file.language);
     file.units = merge(std::move(found.units), find_macro_units(file.lexed));
-    end_before_inner_units(file);
     for (Unit& unit : file.units) unit.name = as_utf8(unit.name);
     number_names(file.units);
     for (const Unit& unit : file.units) found.declarations.push_back(unit.tokens);

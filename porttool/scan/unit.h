@@ -31,7 +31,7 @@ struct Unit {
     std::string name;  ///< qualified, with #2, #3 for later ones of the same name
     UnitKind kind = UnitKind::Function;
     uint32_t start_line = 0;
-    uint32_t end_line = 0;  ///< of a class with inner units: the last line before the first of these
+    uint32_t end_line = 0;  ///< that of the closing brace; the lines of a class go around those of its inner units
     TokenRange tokens;
     TokenRange parameters;    ///< between the parentheses; functions only
     TokenRange body;          ///< between the braces

@@ -286,6 +286,44 @@ TEST(Check, AHazardThatAnEditBringsInIsANote) {
     EXPECT_EQ(report["verdict"], "in_step");
 }
 
+TEST(Check, SeveralHazardsOfOnePairHaveTheirOwnStableFingerprints) {
+    MemoryDisk disk = started(kSource, kTarget);
+    disk.files["/r/src/k.cu"] = replaced(kSource, "result * 0.5f", "result * powf(pdf, fmodf(pdf, 0.5f))");
+    disk.files["/r/port/k.comp"] = replaced(kTarget, "result * 0.5", "result * pow(pdf, mod(pdf, 0.5))");
+    auto prints = [&] {
+        std::vector<std::string> out;
+        const auto report = check(disk);
+        for (const auto& finding : report["findings"])
+            if (finding["rule"] == "dialect-hazard") out.push_back(finding["fingerprint"]);
+        return out;
+    };
+    const auto before = prints();
+    ASSERT_EQ(before.size(), 2u);
+    EXPECT_NE(before[0], before[1]);
+    disk.files["/r/src/k.cu"] = "// further down\n\n" + disk.files["/r/src/k.cu"];
+    EXPECT_EQ(prints(), before);
+    for (const std::string& print : before)
+        EXPECT_NE(run(disk, {"-C", "/r", "explain", print}).out.find("src/k.cu:shade"), std::string::npos);
+}
+
+TEST(Check, ReasonsAreKeptWithTheirDay) {
+    MemoryDisk disk = started(kSource, kTarget);
+    disk.files["/r/src/k.cu"] = replaced(kSource, "result * 0.5f", "result * 0.25f");
+    disk.files["/r/src/k.cu"] += "__device__ int fresh(int a) { return a + 1; }\n";
+    setenv("SOURCE_DATE_EPOCH", "86400", 1);
+    run(disk, {"-C", "/r", "accept", "src/k.cu:shade", "--reason", "the port\tsquares it"});
+    unsetenv("SOURCE_DATE_EPOCH");
+    run(disk, {"-C", "/r", "ignore", "src/k.cu:fresh", "--reason", "host only"});
+    const std::string& lock = disk.files["/r/portmap.lock"];
+    EXPECT_NE(lock.find("\t1970-01-02\tthe port squares it\n"), std::string::npos) << lock;
+    EXPECT_NE(lock.find("\thost only\n"), std::string::npos) << lock;
+    const auto report = check(disk);
+    EXPECT_EQ(report["verdict"], "in_step");
+    EXPECT_TRUE(report["findings"].empty()) << report.dump(1);
+    EXPECT_NE(run(disk, {"-C", "/r", "explain", "src/k.cu:shade"}).out.find("1970-01-02: the port squares it"),
+              std::string::npos);
+}
+
 TEST(Check, RulesCanBeTurnedDownAndStrictTurnsWarningsUp) {
     MemoryDisk disk = started(kSource, kTarget);
     disk.files["/r/port/k.comp"] = replaced(kTarget, "result * 0.5", "result * 0.25");

@@ -77,6 +77,9 @@ TEST(Scan, InitialisersAreNotBodies) {
 }
 
 TEST(Scan, EnumsCarryValues) {
+    EXPECT_EQ(units_of("a.cpp", "class A {\n  int a;\n  int f() { return a; }\n  int b;\n};\n"),
+              "struct 1-5 A\nfunction 3-3 A::f\n")
+        << "a class ends at its closing brace, around what it defines inside";
     EXPECT_EQ(units_of("a.cpp", "enum class Mode : int {\n  A = 1,\n};\n"), "constant 1-3 Mode\n");
 }
 
