@@ -114,7 +114,7 @@ Status SourceCore::Init(const CoreOptions& options) {
             return files.status;
         }
         kernel_files_ = std::move(*files);
-        const Status status = open_device(options);
+        Status status = open_device(options);
         if (!status.ok()) {
             gpu_.reset();
             return status;
@@ -314,7 +314,7 @@ Status SourceCore::upload() {
     }
     for (uint32_t table = 0; table < TABLE_COUNT; ++table) {
         if (scene_.changed(table) || !gpu_->scene.buffer(table)) {
-            const Status status = gpu_->scene.replace(*gpu_->device, *gpu_->budget, *gpu_->staging, table,
+            Status status = gpu_->scene.replace(*gpu_->device, *gpu_->budget, *gpu_->staging, table,
                                                       scene_.rows(table), variant_.tables[table]);
             if (!status.ok()) {
                 return status;

@@ -68,7 +68,7 @@ Status SceneBuffers::replace(const Device& device, MemoryBudget& budget, const S
     if (!buffer.ok()) {
         return buffer.status;
     }
-    const Status status = staging.upload(device, *buffer, size, [rows](uint64_t offset, std::span<std::byte> piece) {
+    Status status = staging.upload(device, *buffer, size, [rows](uint64_t offset, std::span<std::byte> piece) {
         const auto present = rows.subspan(std::min<uint64_t>(offset, rows.size()));
         const uint64_t count = std::min(piece.size(), present.size());
         std::copy_n(present.begin(), count, piece.begin());

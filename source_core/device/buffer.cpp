@@ -171,7 +171,7 @@ Status Staging::upload(const Device& device, const Buffer& target, uint64_t size
     for (uint64_t offset = 0; offset < size; offset += PIECE) {
         const uint64_t count = std::min(PIECE, size - offset);
         produce(offset, {static_cast<std::byte*>(upload_.mapped()), count});
-        const Status status = device.submit_and_wait([&](VkCommandBuffer commands) {
+        Status status = device.submit_and_wait([&](VkCommandBuffer commands) {
             const VkBufferCopy copy{0, offset, count};
             vkCmdCopyBuffer(commands, upload_.handle(), target.handle(), 1, &copy);
         });

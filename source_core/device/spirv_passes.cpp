@@ -181,11 +181,10 @@ std::vector<uint32_t> forbid_contraction(const std::vector<uint32_t>& words) {
     std::vector<uint32_t> results;
     for_each_instruction(words, [&](const Instruction& instruction) {
         const uint32_t op = instruction.op();
+        const bool composite = op == OP_TYPE_VECTOR || op == OP_TYPE_MATRIX;
         if (op == OP_DECORATE && instruction[2] == DECORATION_NO_CONTRACTION) {
             decorated.insert(instruction[1]);
-        } else if (op == OP_TYPE_FLOAT) {
-            float_types.insert(instruction[1]);
-        } else if ((op == OP_TYPE_VECTOR || op == OP_TYPE_MATRIX) && float_types.contains(instruction[2])) {
+        } else if (op == OP_TYPE_FLOAT || (composite && float_types.contains(instruction[2]))) {
             float_types.insert(instruction[1]);
         } else if (is_float_arithmetic(op) || (op == OP_EXT_INST && float_types.contains(instruction[1]))) {
             results.push_back(instruction[2]);
