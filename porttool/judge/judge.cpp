@@ -83,7 +83,7 @@ public:
 
     Judgement run() {
         for (const MapPair& pair : facts_.map.pairs)
-            for (const std::string& target : pair.targets) judge_pair(pair.source, target);
+            for (const std::string& target : pair.targets) judge_pair(pair.source, target, pair.line);
         find_unported();
         find_unused_suppressions();
         for (const SkippedFile& file : facts_.skipped) {
@@ -153,19 +153,21 @@ private:
         Finding& finding = add(rule, pair.map_source, pair.map_target);
         if (pair.source != nullptr) finding.source = place_of(*pair.source);
         if (pair.target != nullptr) finding.target = place_of(*pair.target);
+        finding.map_line = pair.map_line;
         finding.change = change;
         finding.message = message;
         return finding;
     }
 
-    void judge_pair(const std::string& source_id, const std::string& target_id) {
+    void judge_pair(const std::string& source_id, const std::string& target_id, int line) {
         const auto found = locked_.find({source_id, target_id});
         const LockedPair* lock = found == locked_.end() ? nullptr : found->second;
         const Resolved source = source_.find(source_id, lock != nullptr ? &lock->source_prints : nullptr);
         const Resolved target = target_.find(target_id, lock != nullptr ? &lock->target_prints : nullptr);
         source_.take(source.unit);
         target_.take(target.unit);
-        JudgedPair pair{source_id, target_id, source.unit, target.unit, false, false};
+        JudgedPair pair{source_id, target_id, static_cast<uint32_t>(std::max(1, line)), source.unit, target.unit,
+                        false,     false};
         const size_t before = out_.findings.size();
         examine(pair, lock);
         if (source.elsewhere || target.elsewhere) note_moved(pair, source, target);
@@ -347,6 +349,7 @@ private:
                 used_suppressions_.insert(k);
                 finding.verdict = "ignore";
                 finding.verdict_reason = suppression.comment.reason;
+                finding.settled_in_source = true;
             }
             all = all && !finding.verdict.empty();
         }

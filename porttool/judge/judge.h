@@ -34,6 +34,8 @@ struct Finding {
     std::string fingerprint;  ///< stable: of the rule, the ids, and the subject where a rule finds several on one pair
     std::string verdict;      ///< "defer" or "ignore" if the ledger settles it
     std::string verdict_reason;
+    bool settled_in_source = false;    ///< by a comment, not by the ledger
+    uint32_t map_line = 1;             ///< of its pair in portmap.toml
     std::vector<std::string> details;  ///< what is missing on which side
 };
 
@@ -45,6 +47,7 @@ struct Summary {
 /// A pair as the map and the lock name it today, for the commands that settle findings.
 struct JudgedPair {
     std::string map_source, map_target;  ///< ids in portmap.toml
+    uint32_t map_line = 1;               ///< where the pair stands there
     const UnitState* source = nullptr;   ///< today's units, if there
     const UnitState* target = nullptr;
     bool changed = false;

@@ -21,7 +21,7 @@ std::string dumped(const ordered_json& json) {
 /// Where a finding is shown: the changed source, else the target, else the map.
 Place shown_at(const Finding& f) {
     if (f.source) return *f.source;
-    return f.target.value_or(Place{"", "portmap.toml", 1, 1});
+    return f.target.value_or(Place{f.map_source, "portmap.toml", f.map_line, f.map_line});
 }
 
 /// A path as the path of a relative URI.
@@ -118,8 +118,9 @@ std::string check_sarif(const Judgement& judgement) {
             result["relatedLocations"] = ordered_json::array({related});
         }
         if (!f.verdict.empty())
-            result["suppressions"] = ordered_json::array(
-                {{{"kind", "external"}, {"status", "accepted"}, {"justification", f.verdict_reason}}});
+            result["suppressions"] = ordered_json::array({{{"kind", f.settled_in_source ? "inSource" : "external"},
+                                                           {"status", "accepted"},
+                                                           {"justification", f.verdict_reason}}});
         results.push_back(std::move(result));
     }
     return dumped(
