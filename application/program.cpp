@@ -41,7 +41,7 @@ int run_program(std::span<const std::string> arguments) {
     const bool color = use_color(invocation.options.color, is_terminal, std::getenv("NO_COLOR"));
     Console console(invocation.options, color, is_terminal);
     const ExitCode code = carry_out(invocation, console);
-    if (std::fflush(stdout) == 0) return code;
+    if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
     console.error("cannot write to stdout");
     return FAILED;
 }

@@ -47,7 +47,7 @@ public:
     virtual Status SetSkyData(const CoreSky& sky) = 0;
 
     /// Sets mesh `mesh`; ids are dense, a new mesh has the next free id. Fails with invalid_argument on an index past
-    /// the vertices or spans of unequal length, with out_of_memory as soon as the meshes alone exceed the budget.
+    /// the vertices or spans of unequal length. What does not fit the budget is refused by Render, which knows all of it.
     virtual Status SetGeometry(uint32_t mesh, const CoreMesh& data) = 0;
 
     /// Puts mesh `mesh` into the scene as instance `instance` (dense ids), or moves it there. NONE as mesh hides it.

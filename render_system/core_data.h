@@ -71,7 +71,7 @@ struct CoreMaterial {
     float transmission = 0.0f;       ///< KHR_materials_transmission
     bool thin_walled = true;         ///< transmission without refraction; false: a solid, refracting at ior
     glm::vec3 emission{0.0f};        ///< emissiveFactor times KHR_materials_emissive_strength
-    float emission_weight = 0.0f;    ///< luminance of the mean emission; see CoreLights::total_weight
+    float emission_weight = 0.0f;    ///< luminance of the mean emission that alpha leaves; see CoreLights::total_weight
     float normal_scale = 1.0f;
     CoreTextureSlot base_color_texture;          ///< RGB, alpha in A
     CoreTextureSlot metallic_roughness_texture;  ///< roughness in G, metallic in B

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "render_system/light_table.h"
 #include "render_system/texture.h"
 
 namespace render_system {
@@ -233,7 +234,7 @@ void HostScene::mark_all_changed() {
 float HostScene::emission_weight(const CoreMaterial& material) const {
     const uint32_t texture = material.emission_texture.texture;
     const float mean = texture < texture_means_.size() ? luminance(texture_means_[texture]) : 1.0f;
-    return luminance(material.emission) * mean;
+    return luminance(material.emission) * mean * even_coverage(material);
 }
 
 void HostScene::update_emission_weights(uint32_t texture) {

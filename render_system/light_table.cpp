@@ -9,6 +9,13 @@
 
 namespace render_system {
 
+float even_coverage(const CoreMaterial& material) {
+    if (material.opaque) return 1.0f;
+    if (material.base_color_texture.texture != NONE) return 0.0f;
+    if (material.alpha_cutoff > 0.0f) return material.alpha >= material.alpha_cutoff ? 1.0f : 0.0f;
+    return material.alpha;
+}
+
 namespace {
 
 constexpr double PI = 3.14159265358979323846;
@@ -51,7 +58,7 @@ void add_instance_triangles(Builder& builder, const HostScene& scene, const Host
         const uint32_t order[3] = {triangle.x, mirrored ? triangle.z : triangle.y, mirrored ? triangle.y : triangle.z};
         CoreLight light;
         light.kind = LightKind::triangle;
-        light.emission = material.emission;
+        light.emission = material.emission * even_coverage(material);
         light.two_sided = material.double_sided;
         light.emission_texture = material.emission_texture;
         for (int i = 0; i < 3; ++i) {

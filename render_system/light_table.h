@@ -9,6 +9,10 @@
 
 namespace render_system {
 
+/// The share of an emitter that alpha leaves, where it is the same everywhere: next event estimation multiplies the
+/// emission by it. 0 where a texture decides: such an emitter is left to be found by chance, which is right on average.
+float even_coverage(const CoreMaterial& material);
+
 /// All lights of a scene in world space, with the table that chooses among them by power.
 ///
 /// Weights are emitted power over pi, in scene units squared times radiance, so that they can be added up:

@@ -213,11 +213,6 @@ Status SourceCore::SetGeometry(uint32_t mesh, const CoreMesh& data) {
     if (Status status = contract_.check_geometry(mesh, data); !status.ok()) {
         return status;
     }
-    const uint64_t least = scene_.least_table_bytes_with(mesh, data);
-    if (least > gpu_->budget->limit()) {
-        return Status::out_of_memory("source core: the meshes alone need more device memory than allowed", least,
-                                     gpu_->budget->limit());
-    }
     return guarded([&] {
         scene_.set_mesh(mesh, data);
         contract_.accept_geometry(mesh, data);
@@ -283,12 +278,14 @@ Status SourceCore::choose_table_access() {
 
 // Builds and uploads what changed since the last Render. Nothing is uploaded unless all of it fits.
 Status SourceCore::prepare() {
+    // What the tables hold at least tells early that there is no room; how much would do is told with the tree.
     Status status = check_budget(scene_.least_table_bytes());
-    if (status.ok()) {
-        status = scene_.build(options_.threads);
-        stats_.build_ms = scene_.build_ms();
-        stats_.triangles = contract_.triangles();
+    if (!status.ok()) {
+        return check_budget(scene_.likely_table_bytes());
     }
+    status = scene_.build(options_.threads);
+    stats_.build_ms = scene_.build_ms();
+    stats_.triangles = contract_.triangles();
     if (status.ok()) {
         status = check_budget(all_table_bytes());
     }
@@ -314,8 +311,8 @@ Status SourceCore::upload() {
     }
     for (uint32_t table = 0; table < TABLE_COUNT; ++table) {
         if (scene_.changed(table) || !gpu_->scene.buffer(table)) {
-            Status status = gpu_->scene.replace(*gpu_->device, *gpu_->budget, *gpu_->staging, table,
-                                                      scene_.rows(table), variant_.tables[table]);
+            Status status = gpu_->scene.replace(*gpu_->device, *gpu_->budget, *gpu_->staging, table, scene_.rows(table),
+                                                variant_.tables[table]);
             if (!status.ok()) {
                 return status;
             }

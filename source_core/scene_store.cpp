@@ -13,6 +13,9 @@ using namespace render_system;
 
 namespace {
 
+// The tree's share, a little above what real scenes need; it is known only once the tree is built.
+constexpr uint64_t NODE_BYTES_PER_TRIANGLE = 32;
+
 uint64_t least_bytes_of(const CoreMeshCopy& mesh) { return least_bytes(mesh.triangles.size(), mesh.positions.size()); }
 
 }  // namespace
@@ -86,9 +89,12 @@ uint64_t SceneStore::plain_table_bytes() const {
 
 uint64_t SceneStore::least_table_bytes() const { return mesh_bytes_ + plain_table_bytes(); }
 
-uint64_t SceneStore::least_table_bytes_with(uint32_t mesh, const CoreMesh& more) const {
-    const uint64_t replaced = mesh < meshes_.size() ? least_bytes_of(meshes_[mesh]) : 0;
-    return least_table_bytes() - replaced + least_bytes(more.triangles.size(), more.positions.size());
+uint64_t SceneStore::likely_table_bytes() const {
+    uint64_t triangles = 0;
+    for (const CoreMeshCopy& mesh : meshes_) {
+        triangles += mesh.triangles.size();
+    }
+    return least_table_bytes() + triangles * NODE_BYTES_PER_TRIANGLE;
 }
 
 void SceneStore::update_opacities() {

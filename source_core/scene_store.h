@@ -26,9 +26,10 @@ public:
     void set_mesh(uint32_t mesh, const render_system::CoreMesh& data);
     void set_instance(uint32_t instance, uint32_t mesh, const render_system::CoreTransform& transform);
 
-    /// Bytes that the tables take at least, before anything is built; with `more` in place of mesh `mesh`.
+    /// Bytes that the tables take at least, before anything is built.
     uint64_t least_table_bytes() const;
-    uint64_t least_table_bytes_with(uint32_t mesh, const render_system::CoreMesh& more) const;
+    /// The same with a tree of the usual size.
+    uint64_t likely_table_bytes() const;
 
     /// Builds what changed. Afterwards rows() of the tables marked in changed() are there, and bytes() of all.
     render_system::Status build(uint32_t threads);

@@ -68,6 +68,11 @@ CameraFile camera_file_of(const json& root) {
     if (!(degrees > 0.0f && degrees < 180.0f)) fail_at("/vfov_degrees", "must be between 0 and 180");
     if (position == target) fail_at("/target", "is the camera's own position; name a point to look at");
     if (up == glm::vec3(0.0f)) fail_at("/up", "has no length; use e.g. [0, 1, 0]");
+    const glm::dvec3 aside = glm::cross(glm::dvec3(target) - glm::dvec3(position), glm::dvec3(up));
+    if (glm::length(aside) <=
+        1e-6 * glm::length(glm::dvec3(target) - glm::dvec3(position)) * glm::length(glm::dvec3(up))) {
+        fail_at("/up", "is parallel to the view; use a direction that is not");
+    }
     file.camera = look_at(position, target, up, degrees * RADIANS_PER_DEGREE);
     file.has_sky = root.contains("sky_radiance");
     if (file.has_sky) file.sky_radiance = radiance_of(root["sky_radiance"], "/sky_radiance");

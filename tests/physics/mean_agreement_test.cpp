@@ -75,6 +75,46 @@ TEST_P(MeanAgreement, NextEventEstimationOfASkyMapKeepsTheMean) {
     with_and_without(GetParam(), scene);
 }
 
+// A Lambert floor under an emitter with alpha.
+void floor_under(const char* core, const HostMaterial& light, const HostTexture* texture) {
+    HostScene scene;
+    HostMaterial lamp = light;
+    if (texture) {
+        lamp.core.base_color_texture.texture = scene.add_texture(*texture);
+    }
+    uint32_t floor = scene.add_material(lambert(0.7f));
+    uint32_t emitting = scene.add_material(lamp);
+    place(scene, quad_mesh({-2, 0, 2}, {4, 0, 0}, {0, 0, -4}, floor));
+    place(scene, quad_mesh({-1, 2, -1}, {2, 0, 0}, {0, 0, 2}, emitting));
+    Exposure exposure;
+    exposure.samples = 256;
+    exposure.max_path_length = 2;
+    ViewPyramid view = square_view({0.0f, 1.5f, 4.0f}, {0, 0, 0}, 0.3f);
+    Reading on = measure(core, scene, view, exposure);
+    exposure.next_event_estimation = false;
+    Reading off = measure(core, scene, view, exposure);
+    double spread = std::sqrt(on.error * on.error + off.error * off.error);
+    EXPECT_NEAR(on.mean, off.mean, 3.5 * spread + 1e-9);
+}
+
+TEST_P(MeanAgreement, EmittersWithAlphaShineWithWhatItLeavesOfThem) {
+    HostMaterial light = emitter(8.0f);
+    light.core.opaque = false;
+    light.core.alpha = 0.4f;
+    floor_under(GetParam(), light, nullptr);
+    light.core.alpha_cutoff = 0.5f;
+    floor_under(GetParam(), light, nullptr);
+    light.core.alpha = 1.0f;
+    HostTexture holes;
+    holes.width = 2;
+    holes.height = 2;
+    holes.nearest = true;
+    holes.texels = {0xFFFFFFFFu, 0x00FFFFFFu, 0x00FFFFFFu, 0xFFFFFFFFu};
+    floor_under(GetParam(), light, &holes);
+    light.core.alpha_cutoff = 0.0f;
+    floor_under(GetParam(), light, &holes);
+}
+
 TEST_P(MeanAgreement, AnEvenSkyMapEqualsAConstantSky) {
     HostScene scene = little_room();
     Exposure exposure;

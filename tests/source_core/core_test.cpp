@@ -159,20 +159,27 @@ TEST(SourceCore, AnEditShowsInTheNextPicture) {
     EXPECT_EQ(render(*core, 8, 8, 1)[36], glm::vec4(1.0f, 1.0f, 5.0f, 1.0f));
 }
 
-TEST(SourceCore, MeshesOverTheBudgetAreRefusedAtOnce) {
+TEST(SourceCore, MeshesOverTheBudgetAreRefusedBeforeATreeIsBuiltWithTheNeedOfThemAll) {
     CoreOptions options;
     options.memory_limit = 1 << 20;
     OPEN_CORE_OR_SKIP(core, options);
     std::mt19937 random(1);
-    TestMesh mesh = random_mesh(20000, 1.0f, 0.1f, random);
+    TestScene scene;
+    for (uint32_t i = 0; i < 4; ++i) {
+        scene.meshes.push_back(random_mesh(20000, 1.0f, 0.1f, random));
+        scene.instances.push_back({i, {}});
+    }
+    ASSERT_TRUE(scene.send(*core).ok());
+    std::vector<glm::vec4> pixels(64);
+    ASSERT_TRUE(core->SetTarget({8, 8, pixels}).ok());
     const uint64_t before = core->GetCoreStats().memory_bytes;
-    const Status status = core->SetGeometry(0, mesh.view());
+    const Status status = core->Render(front_view(), Convergence::Restart, 1);
     EXPECT_EQ(status.code, StatusCode::out_of_memory);
     EXPECT_EQ(status.allowed_bytes, 1u << 20);
     // 64 bytes a triangle and 36 a vertex, before any node.
-    EXPECT_GE(status.needed_bytes, 20000u * 64 + 60000u * 36);
+    EXPECT_GE(status.needed_bytes, 4 * (20000u * 64 + 60000u * 36));
     EXPECT_EQ(core->GetCoreStats().memory_bytes, before);
-    EXPECT_EQ(core->SetInstance(0, 0, {}).code, StatusCode::invalid_argument) << "the refused mesh must not be there";
+    EXPECT_EQ(core->GetCoreStats().build_ms, 0.0);
 }
 
 TEST(SourceCore, ASceneOverTheBudgetIsRefusedBeforeAnyUpload) {
