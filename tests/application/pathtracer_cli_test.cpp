@@ -141,10 +141,12 @@ TEST_F(Pathtracer, BenchesTheNullCore) {
     EXPECT_THAT(read_file(folder.path / "b.txt"), HasSubstr("null core"));
 }
 
-TEST_F(Pathtracer, TellsAFullStdout) {
-    const RunResult result = run({"info", "-o", "/dev/full"});
-    EXPECT_EQ(result.exit_code, 2);
-    EXPECT_THAT(result.err, HasSubstr("/dev/full"));
+TEST_F(Pathtracer, TellsThatTheResultCouldNotBeWritten) {
+    for (const char* line : {" info -o /dev/full", " info > /dev/full", " --help > /dev/full"}) {
+        const RunResult result = run_program({"sh", "-c", PATHTRACER + std::string(line)}, folder.path);
+        EXPECT_EQ(result.exit_code, 2) << line;
+        EXPECT_THAT(result.err, HasSubstr("cannot write")) << line;
+    }
 }
 
 TEST_F(Pathtracer, InfoListsBothCoresWithOrWithoutADevice) {
