@@ -98,7 +98,6 @@ Result<SceneSetup> set_up_scene(const Options& options, Console& console) {
     if (!loaded.ok()) return loaded.status;
     for (const std::string& warning : loaded->warnings) console.warning(warning);
     HostScene& scene = loaded->scene;
-    if (scene.triangle_count() == 0) console.note("no triangles in the scene: only the sky is seen");
 
     bool sky_given = false;
     const auto camera = choose_camera(options, scene, sky_given, console);
