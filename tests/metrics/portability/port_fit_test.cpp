@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "metrics/portability/port_fit.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+namespace {
+
+using namespace metrics;
+
+TEST(StudentQuantile, AgreesWithThePublishedTable) {
+    EXPECT_NEAR(student_quantile(0.975, 1), 12.706, 5e-4);
+    EXPECT_NEAR(student_quantile(0.975, 2), 4.303, 5e-4);
+    EXPECT_NEAR(student_quantile(0.975, 5), 2.571, 5e-4);
+    EXPECT_NEAR(student_quantile(0.975, 8), 2.306, 5e-4);
+    EXPECT_NEAR(student_quantile(0.95, 30), 1.697, 5e-4);
+    EXPECT_NEAR(student_quantile(0.025, 5), -2.571, 5e-4);
+}
+
+TEST(LeastSquares, FitsAnscombesFirstSetAsPublished) {
+    // F. J. Anscombe, "Graphs in Statistical Analysis", 1973: y = 3.00 + 0.500 x, residual deviation 1.237, standard
+    // error of the slope 0.118.
+    const std::vector<double> x = {10, 8, 13, 9, 11, 14, 6, 4, 12, 7, 5};
+    const std::vector<double> y = {8.04, 6.95, 7.58, 8.81, 8.33, 9.96, 7.24, 4.26, 10.84, 4.82, 5.68};
+    std::vector<std::vector<double>> rows;
+    for (const double value : x) rows.push_back({1, value});
+    const LinearFit fit = *fit_least_squares(rows, y);
+    EXPECT_NEAR(fit.coefficients[0], 3.0001, 1e-4);
+    EXPECT_NEAR(fit.coefficients[1], 0.5001, 1e-4);
+    EXPECT_NEAR(fit.residual_deviation, 1.237, 5e-4);
+    EXPECT_NEAR(fit.residual_deviation * std::sqrt(fit.inverse[1][1]), 0.1179, 1e-4);
+    EXPECT_EQ(fit.degrees_of_freedom, 9);
+    // At the mean, x = 9, with n = 11: t(9) = 2.262, so 7.501 +- 2.262 x 1.237 x sqrt(1 + 1 / 11).
+    const Prediction at_mean = predict(fit, {1, 9});
+    EXPECT_NEAR(at_mean.value, 7.501, 1e-3);
+    EXPECT_NEAR(at_mean.high - at_mean.value, 2.262 * 1.2366 * std::sqrt(12.0 / 11), 2e-3);
+}
+
+std::vector<RecordedPort> ports(size_t count) {
+    std::vector<RecordedPort> out;
+    for (size_t i = 0; i < count; ++i) {
+        const double novel = 10.0 * static_cast<double>(i + 1), carried = 5.0 * static_cast<double>(i * i % 7);
+        out.push_back({novel, carried, 2 + 0.25 * novel + 0.05 * carried});
+    }
+    return out;
+}
+
+TEST(PortFit, RefusesBelowEightPorts) {
+    const PortFit refused = fit_ports(ports(7));
+    EXPECT_FALSE(refused.fit);
+    EXPECT_EQ(refused.refusal, "7 ports with hours are recorded; a fit needs at least 8");
+    EXPECT_TRUE(fit_ports(ports(8)).fit);
+}
+
+TEST(PortFit, RefusesPortsThatAreAllAlike) {
+    const std::vector<RecordedPort> alike(9, RecordedPort{10, 5, 3});
+    EXPECT_FALSE(fit_ports(alike).fit);
+    EXPECT_NE(fit_ports(alike).refusal.find("too alike"), std::string::npos);
+}
+
+TEST(PortFit, FindsThePlaneThatMadeTheRecords) {
+    const PortFit fit = fit_ports(ports(10));
+    const Figure hours = predicted_hours(fit, 100, 40);
+    EXPECT_NEAR(hours.value, 2 + 25 + 2, 1e-8);
+    EXPECT_NEAR(hours.low, hours.high, 1e-6) << "records without scatter leave no doubt";
+    const Figure degree = *degree_from_prediction(hours, 116);
+    EXPECT_NEAR(degree.value, 0.75, 1e-9);
+}
+
+TEST(PortFit, WidensWithScatterAndStaysAboveZero) {
+    std::vector<RecordedPort> scattered = ports(10);
+    for (size_t i = 0; i < scattered.size(); ++i) scattered[i].hours += i % 2 == 0 ? 4 : -4;
+    const Figure hours = predicted_hours(fit_ports(scattered), 1, 1);
+    EXPECT_GE(hours.low, 0);
+    EXPECT_GT(hours.high - hours.low, 4);
+    EXPECT_LE(hours.low, hours.value);
+    EXPECT_LE(hours.value, hours.high);
+}
+
+}  // namespace
