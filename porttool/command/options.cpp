@@ -82,6 +82,11 @@ ParsedOptions parse_options(int argc, const char* const* argv) {
     CLI::App* ignore = app.add_subcommand("ignore", "Settle a finding for good");
     ignore->add_option("id", options.paths, "Id, SOURCE=TARGET, or fingerprint")->required()->type_name("ID");
     ignore->add_option("--reason", options.reason, "Why")->required()->type_name("TEXT");
+    CLI::App* compare = app.add_subcommand("compare", "Measure how much two files or two units share");
+    compare->add_option("side", options.paths, "Two files, or units as PATH:NAME")
+        ->required()
+        ->expected(2)
+        ->type_name("A B");
     CLI::App* explain = app.add_subcommand("explain", "Show why a finding stands, or what a rule means");
     explain->add_option("id", options.paths, "Id, SOURCE=TARGET, fingerprint or rule")
         ->required()

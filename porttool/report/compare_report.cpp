@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/report/compare_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+namespace porttool {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
+
+Json range(const ExcerptLines& lines) { return Json::array({lines.first, lines.last}); }
+
+std::string figure(const std::optional<double>& value, int digits) {
+    return value ? fmt::format("{:.{}f}", *value, digits) : "-";
+}
+
+std::string row(const std::string& name, const std::string& a, const std::string& b) {
+    return fmt::format("{:<26}{:>10}{:>10}\n", name, a, b);
+}
+
+std::string row(const std::string& name, const std::optional<double>& both) {
+    constexpr int kDigits = 3;
+    return fmt::format("{:<26}{:>10}\n", name, figure(both, kDigits));
+}
+
+}  // namespace
+
+std::string compare_json(const CompareReport& report) {
+    const Similarity& s = report.similarity;
+    Json matches = Json::array();
+    for (const LineMatch& match : s.matches) matches.push_back({{"a", range(match.a)}, {"b", range(match.b)}});
+    const Json out = {
+        {"a", {{"id", report.a_id}, {"file", report.a_file}, {"lines", s.a.lines}, {"tokens", s.a.tokens}}},
+        {"b", {{"id", report.b_id}, {"file", report.b_file}, {"lines", s.b.lines}, {"tokens", s.b.tokens}}},
+        {"shared_lines_a", s.a.shared_lines},
+        {"shared_lines_b", s.b.shared_lines},
+        {"moss_percent_a", or_null(s.a.moss_percent)},
+        {"moss_percent_b", or_null(s.b.moss_percent)},
+        {"moss_percent_blind_a", or_null(s.a.moss_percent_blind)},
+        {"moss_percent_blind_b", or_null(s.b.moss_percent_blind)},
+        {"moss_percent_raw_a", or_null(s.a.moss_percent_raw)},
+        {"moss_percent_raw_b", or_null(s.b.moss_percent_raw)},
+        {"tiling", or_null(s.tiling)},
+        {"token_edit", or_null(s.token_edit)},
+        {"tree_distance", or_null(s.tree_distance)},
+        {"line_divergence", or_null(s.line_divergence)},
+        {"unmeasured", s.unmeasured},
+        {"parameters",
+         {{"k", report.parameters.k}, {"w", report.parameters.w}, {"guarantee", report.parameters.guarantee()}}},
+        {"matches", matches}};
+    return out.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string compare_table(const CompareReport& report) {
+    const Similarity& s = report.similarity;
+    std::string out = fmt::format("a: {}\nb: {}\n\n", report.a_id, report.b_id);
+    out += row("", "a", "b");
+    out += row("lines with code", std::to_string(s.a.lines), std::to_string(s.b.lines));
+    out += row("tokens", std::to_string(s.a.tokens), std::to_string(s.b.tokens));
+    out += row("shared lines", std::to_string(s.a.shared_lines), std::to_string(s.b.shared_lines));
+    out += row("Moss %, dialect", figure(s.a.moss_percent, 1), figure(s.b.moss_percent, 1));
+    out += row("Moss %, blind", figure(s.a.moss_percent_blind, 1), figure(s.b.moss_percent_blind, 1));
+    out += row("Moss %, raw", figure(s.a.moss_percent_raw, 1), figure(s.b.moss_percent_raw, 1));
+    out += row("tiling (1 is alike)", s.tiling);
+    out += row("token edit (1 is alike)", s.token_edit);
+    out += row("tree distance (0 is alike)", s.tree_distance);
+    out += row("line divergence (0 is alike)", s.line_divergence);
+    for (const auto& [name, reason] : s.unmeasured) out += fmt::format("{}: {}\n", name, reason);
+    out += fmt::format("\nk = {} tokens, w = {}: each run of {} tokens that both sides have is found\n",
+                       report.parameters.k, report.parameters.w, report.parameters.guarantee());
+    return out;
+}
+
+}  // namespace porttool
