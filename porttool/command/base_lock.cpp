@@ -27,11 +27,6 @@ MemoryDisk disk_of(const std::string& root, GitFiles files) {
     return disk;
 }
 
-std::string target_root(const Project& project) {
-    return project.map.target_root.empty() ? project.root
-                                           : clean_path(join_path(project.root, project.map.target_root));
-}
-
 bool same(const LockedPair& a, const LockedPair& b) {
     return a.source_prints == b.source_prints && a.target_prints == b.target_prints;
 }

@@ -8,6 +8,7 @@
 #include <ctime>
 
 #include "porttool/command/base_lock.h"
+#include "porttool/command/spirv_check.h"
 #include "porttool/report/check_report.h"
 #include "porttool/report/ci_reports.h"
 
@@ -51,6 +52,11 @@ CheckedProject check_project(const Options& options, Workplace& place) {
     for (const auto* side : {&checked.project.source, &checked.project.target})
         for (const ScannedFile& file : *side)
             for (const Suppression& comment : file.lexed.suppressions) suppressions.push_back({file.path, comment});
+    std::unique_ptr<SpirvCheck> spirv;
+    if (options.spirv) spirv = std::make_unique<SpirvCheck>(checked.project, options, place.disk);
+    const auto same_code = [&](const UnitState& unit, bool source, const std::string& before) {
+        return spirv->same_code(unit, source, before);
+    };
     const Case facts{checked.project.map,
                      checked.lock,
                      checked.states.source,
@@ -58,8 +64,11 @@ CheckedProject check_project(const Options& options, Workplace& place) {
                      checked.project.skipped,
                      text_of,
                      today(),
-                     std::move(suppressions)};
+                     std::move(suppressions),
+                     spirv ? SameCode(same_code) : SameCode()};
     checked.judgement = judge(facts);
+    if (spirv)
+        for (const std::string& line : spirv->obstacles()) place.err << line << "\n";
     return checked;
 }
 

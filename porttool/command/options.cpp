@@ -68,6 +68,7 @@ ParsedOptions parse_options(int argc, const char* const* argv) {
     CLI::App* check = app.add_subcommand("check", "Find what changed on one side only, or differently on both");
     check->add_option("--base", options.base, "Hold the work tree against merge-base(REV, HEAD)")->type_name("REV");
     check->add_flag("--staged", options.staged, "Take the index in place of the work tree");
+    check->add_flag("--spirv", options.spirv, "Compile edited GLSL; what gives the same SPIR-V is a note");
     check->add_flag("--strict", options.strict, "Exit 1 for warnings too");
     CLI::App* accept = app.add_subcommand("accept", "Record that a pair is in step now");
     accept->add_option("id", options.paths, "Ids, SOURCE=TARGET, or fingerprints of findings")->type_name("ID");

@@ -26,6 +26,7 @@ struct Options {
     std::string owner, until, reason;
     std::string base;  ///< a revision
     bool staged = false;
+    bool spirv = false;  ///< ask glslang whether an edit reaches the compiled code
 };
 
 /// The options, or what to print and the exit code: 0 for --help and --version (on stdout), 2 for a usage error.

@@ -65,9 +65,7 @@ void read_sides(Project& project, Workplace& place) {
     std::vector<std::string> unmatched;
     const SourceSet source = read_globs(place.disk, project.root, project.map.source, unmatched);
     require_matches(unmatched, "source");
-    const std::string target_root =
-        project.map.target_root.empty() ? project.root : clean_path(join_path(project.root, project.map.target_root));
-    const SourceSet target = read_globs(place.disk, target_root, project.map.target, unmatched);
+    const SourceSet target = read_globs(place.disk, target_root(project), project.map.target, unmatched);
     require_matches(unmatched, "target");
     project.source = scan_all(source);
     project.target = scan_all(target);
@@ -80,6 +78,11 @@ void read_sides_from(Project& project, const Disk& disk, const std::string& targ
     project.source = scan_all(read_globs(disk, project.root, project.map.source, unmatched));
     project.target = scan_all(read_globs(disk, target_root, project.map.target, unmatched));
     project.skipped.clear();
+}
+
+std::string target_root(const Project& project) {
+    return project.map.target_root.empty() ? project.root
+                                           : clean_path(join_path(project.root, project.map.target_root));
 }
 
 Settled settled_by(const MapFile& map) {

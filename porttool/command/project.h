@@ -33,6 +33,9 @@ void read_sides(Project& project, Workplace& place);
 /// The same from another disk, without complaint about globs that match nothing there.
 void read_sides_from(Project& project, const Disk& disk, const std::string& target_root);
 
+/// The root of the target side, which may be another checkout.
+std::string target_root(const Project& project);
+
 /// What the map has settled.
 Settled settled_by(const MapFile& map);
 

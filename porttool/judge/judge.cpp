@@ -264,7 +264,7 @@ private:
         return "'" + text + "'";
     }
 
-    void report_one(const JudgedPair& pair, const LockedPair& lock, bool source, Change change) {
+    void report_one(JudgedPair& pair, const LockedPair& lock, bool source, Change change) {
         const UnitState& unit = source ? *pair.source : *pair.target;
         const std::string base = facts_.base_text(source ? lock.source_prints.written : lock.target_prints.written);
         Finding& finding =
@@ -276,6 +276,16 @@ private:
         for (const std::string& statement : edit.gained) finding.details.push_back("+ " + statement);
         if (finding.details.empty()) finding.details.emplace_back("the statements were rearranged");
         finding.message += ": " + finding.details.front() + (finding.details.size() > 1 ? " ..." : "");
+        if (change == Change::Semantic && facts_.same_code) soften(pair, finding, facts_.same_code(unit, source, base));
+    }
+
+    /// An edit that does not reach the compiled code is no drift.
+    static void soften(JudgedPair& pair, Finding& finding, const std::string& same) {
+        if (same.empty()) return;
+        pair.equivalent = true;
+        finding.level = std::min(finding.level, Level::Note);
+        finding.message += "; but it " + same;
+        finding.remedy = "Nothing to port; to be rid of this note, run: porttool accept '" + pair.map_source + "'";
     }
 
     void compare_both(JudgedPair& pair, const LockedPair& lock, Change change) {

@@ -67,6 +67,10 @@ struct PlacedSuppression {
     Suppression comment;
 };
 
+/// Says of a function whose edit is semantic that it compiles to the same code as `before`, its earlier text; "" if
+/// not.
+using SameCode = std::function<std::string(const UnitState& unit, bool source, const std::string& before)>;
+
 /// Everything that a judgement rests on.
 struct Case {
     const MapFile& map;
@@ -77,6 +81,7 @@ struct Case {
     std::function<std::string(const std::string&)> base_text;  ///< the text behind a fingerprint, or ""
     std::string today;                                         ///< YYYY-MM-DD
     std::vector<PlacedSuppression> suppressions = {};          ///< of both sides
+    SameCode same_code = {};                                   ///< if compilers are to be asked
 };
 
 /// Holds today's units against the lock. Reads nothing but the case.

@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "porttool/read/map_file.h"
 
+#include <fmt/format.h>
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <sstream>
 #include <stdexcept>
 
@@ -23,7 +26,9 @@ public:
 
     MapFile read() {
         const toml::table root = parse();
-        only(root, {"version", "sides", "pair", "ignore", "block", "rules", "dialect"}, "portmap.toml");
+        only(root,
+             {"version", "sides", "pair", "ignore", "block", "rules", "dialect", "spirv", "cost", "reuse", "effort"},
+             "portmap.toml");
         const auto version = root["version"].value<int64_t>();
         if (!version || *version != 1)
             fail(root.get("version") != nullptr ? root.get("version")->source() : root.source(),
@@ -36,6 +41,13 @@ public:
             map_.blocks.push_back({text(*block, "name"), list(*block, "source", false), list(*block, "target", false)});
         }
         if (const toml::table* rules = section(root, "rules")) read_rules(*rules);
+        if (const toml::table* cost = section(root, "cost")) read_weights(*cost);
+        if (const toml::table* reuse = section(root, "reuse")) read_reuse(*reuse);
+        for (const toml::table* effort : tables(root, "effort")) read_effort(*effort);
+        if (const toml::table* spirv = section(root, "spirv")) {
+            only(*spirv, {"include", "preamble"}, "[spirv]");
+            map_.shaders = {list(*spirv, "include", false), list(*spirv, "preamble", false)};
+        }
         if (const toml::table* dialect = section(root, "dialect"))
             for (const auto& [key, node] : *dialect) map_.dialect.emplace_back(key.str(), text(*dialect, key.str()));
         return std::move(map_);
@@ -150,6 +162,70 @@ private:
             map_.rules[std::string(key.str())] = level;
         }
     }
+
+    /// A number within bounds, or nothing where the key is not there.
+    std::optional<double> number(const toml::table& table, std::string_view key, double most) const {
+        const toml::node* node = table.get(key);
+        if (node == nullptr) return std::nullopt;
+        const auto value = node->value<double>();
+        if (!value || !(*value >= 0 && *value <= most))
+            fail(node->source(), std::isfinite(most) ? fmt::format("'{}': expected a number from 0 to {:g}", key, most)
+                                                     : fmt::format("'{}': expected a number of at least 0", key));
+        return value;
+    }
+    double amount(const toml::table& table, std::string_view key, double otherwise = 0) const {
+        return number(table, key, kUnbounded).value_or(otherwise);
+    }
+
+    void read_weights(const toml::table& cost) {
+        only(cost, {"design", "coding", "testing", "documentation", "retest"}, "[cost]");
+        map_.weights = {amount(cost, "design"), amount(cost, "coding", 1), amount(cost, "testing"),
+                        amount(cost, "documentation"), number(cost, "retest", 1).value_or(0)};
+        if (redevelopment_from_lines(1, map_.weights).total() <= 0)
+            fail(cost.source(), "[cost]: every weight is 0; at least one must be more");
+    }
+
+    void read_reuse(const toml::table& reuse) {
+        only(reuse, {"design_modified", "integration", "assessment", "understanding", "unfamiliarity", "translated"},
+             "[reuse]");
+        constexpr double kPercent = 100, kHighestAssessment = 8, kLowestClarity = 50;
+        map_.reuse = {number(reuse, "design_modified", kPercent),
+                      number(reuse, "integration", kPercent),
+                      number(reuse, "assessment", kHighestAssessment),
+                      number(reuse, "understanding", kLowestClarity),
+                      number(reuse, "unfamiliarity", 1),
+                      number(reuse, "translated", kPercent)};
+    }
+
+    void read_effort(const toml::table& effort) {
+        only(effort, {"what", "block", "from", "to", "lines", "novel", "port", "redevelopment", "uncertainty"},
+             "[[effort]]");
+        MapEffort entry;
+        entry.line = static_cast<int>(effort.source().begin.line);
+        entry.what = text(effort, "what");
+        for (const auto& [key, field] : {std::pair{"block", &entry.block}, {"from", &entry.from}, {"to", &entry.to}})
+            if (effort.get(key) != nullptr) *field = text(effort, key);
+        entry.lines = number(effort, "lines", kUnbounded);
+        entry.novel = number(effort, "novel", kUnbounded);
+        if (entry.novel && (!entry.lines || *entry.novel > *entry.lines))
+            fail(effort.get("novel")->source(), "'novel': expected at most 'lines', which counts them too");
+        entry.uncertainty = number(effort, "uncertainty", kMostUncertain).value_or(0);
+        if (const toml::table* port = section(effort, "port")) {
+            only(*port, {"coding", "testing", "documentation"}, "port of [[effort]]");
+            entry.port = {amount(*port, "coding"), amount(*port, "testing"), amount(*port, "documentation")};
+        }
+        if (const toml::table* anew = section(effort, "redevelopment")) {
+            only(*anew, {"design", "coding", "testing", "documentation"}, "redevelopment of [[effort]]");
+            entry.redevelopment = {amount(*anew, "design"), amount(*anew, "coding"), amount(*anew, "testing"),
+                                   amount(*anew, "documentation")};
+            if (entry.redevelopment->total() <= 0)
+                fail(anew->source(), "redevelopment: no hours in design, coding, testing or documentation");
+        }
+        map_.efforts.push_back(std::move(entry));
+    }
+
+    static constexpr double kMostUncertain = 0.9;
+    static constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 
     std::string path_;
     const std::string& text_;

@@ -3,9 +3,13 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "metrics/portability/degree.h"
+#include "metrics/portability/reuse.h"
 
 namespace porttool {
 
@@ -26,6 +30,24 @@ struct MapBlock {
     std::vector<std::string> source, target;
 };
 
+/// What shaders are compiled with for `check --spirv`.
+struct MapShaders {
+    std::vector<std::string> include;   ///< folders, relative to the root
+    std::vector<std::string> preamble;  ///< what the host puts before the text; one compile for each
+};
+
+/// A port that somebody recorded: lines as `porttool effort` counts them, hours by hand.
+struct MapEffort {
+    std::string what;
+    std::string block;     ///< the functional block that was ported, if it was one
+    std::string from, to;  ///< the commits, if known
+    std::optional<double> lines, novel;
+    std::optional<metrics::PortCost> port;  ///< hours
+    std::optional<metrics::RedevelopmentCost> redevelopment;
+    double uncertainty = 0;
+    int line = 0;
+};
+
 /// What portmap.toml says.
 struct MapFile {
     std::vector<std::string> source, target;  ///< globs
@@ -36,6 +58,10 @@ struct MapFile {
     std::vector<MapBlock> blocks;
     std::map<std::string, std::string> rules;
     std::vector<std::pair<std::string, std::string>> dialect;
+    MapShaders shaders;
+    metrics::LineWeights weights;    ///< [cost]
+    metrics::ReuseSettings reuse;    ///< [reuse]
+    std::vector<MapEffort> efforts;  ///< [[effort]]
 };
 
 /// A map, or the error as it is shown: file:line:column, what is wrong, the line with a caret.
