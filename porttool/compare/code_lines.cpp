@@ -7,61 +7,66 @@
 namespace porttool {
 namespace {
 
-/// The pair of directives that opens an include guard (`#ifndef X`, `#define X`), and the `#endif` that closes it.
-struct Guard {
-    bool there = false;
-    size_t endif = 0;  ///< an index into LexedText::directives
-};
-
-bool is_first_token(const LexedText& lexed, uint32_t token) { return lexed.directives.front().first_token == token; }
-
-Guard find_guard(const LexedText& lexed) {
+/// `#ifndef X`, `#define X` before everything else, and the `#endif` of the former behind it.
+bool is_include_guard(const LexedText& lexed) {
     const std::vector<Directive>& directives = lexed.directives;
-    if (directives.size() < 3 || lexed.tokens.empty() || !is_first_token(lexed, 0)) return {};
+    if (directives.size() < 3) return false;
     const Directive &test = directives[0], &define = directives[1], &last = directives.back();
-    const bool shape = test.end_token - test.first_token == 3 && lexed.view(test.first_token + 1) == "ifndef" &&
-                       define.kind == DirectiveKind::Define && define.first_token == test.end_token &&
-                       define.end_token - define.first_token == 3 &&
-                       lexed.view(test.first_token + 2) == lexed.view(define.first_token + 2) &&
-                       last.kind == DirectiveKind::Endif && last.end_token == lexed.tokens.size();
-    if (!shape) return {};
+    const bool shape = test.first_token == 0 && test.end_token == 3 && lexed.view(1) == "ifndef" &&
+                       define.kind == DirectiveKind::Define && define.first_token == 3 && define.end_token == 6 &&
+                       lexed.view(2) == lexed.view(5) && last.kind == DirectiveKind::Endif &&
+                       last.end_token == lexed.tokens.size();
+    if (!shape) return false;
     int depth = 0;
-    for (size_t i = 0; i < directives.size(); ++i) {
-        if (directives[i].kind == DirectiveKind::If) ++depth;
-        if (directives[i].kind == DirectiveKind::Endif && --depth == 0) return {i + 1 == directives.size(), i};
+    for (const Directive& directive : directives) {
+        if (directive.kind == DirectiveKind::If) ++depth;
+        if (directive.kind == DirectiveKind::Endif && --depth == 0) return &directive == &last;
     }
-    return {};
+    return false;
 }
 
-/// 1 for each token that is boilerplate.
-std::vector<uint8_t> boilerplate(const LexedText& lexed) {
-    std::vector<uint8_t> out(lexed.tokens.size());
-    const Guard guard = find_guard(lexed);
-    for (size_t i = 0; i < lexed.directives.size(); ++i) {
-        const Directive& directive = lexed.directives[i];
-        const bool of_guard = guard.there && (i < 2 || i == guard.endif);
-        if (of_guard || directive.kind == DirectiveKind::Include || directive.kind == DirectiveKind::Other)
-            std::fill(out.begin() + directive.first_token, out.begin() + directive.end_token, uint8_t{1});
+/// The directives within a range that are boilerplate, ascending.
+std::vector<TokenRange> boilerplate(const LexedText& lexed, TokenRange range) {
+    const std::vector<Directive>& directives = lexed.directives;
+    auto at = std::lower_bound(directives.begin(), directives.end(), range.first,
+                               [](const Directive& directive, uint32_t token) { return directive.end_token <= token; });
+    const bool guarded = (range.first < 6 || range.end == lexed.tokens.size()) && is_include_guard(lexed);
+    std::vector<TokenRange> out;
+    for (; at != directives.end() && at->first_token < range.end; ++at) {
+        const bool of_guard = guarded && (at - directives.begin() < 2 || at + 1 == directives.end());
+        if (of_guard || at->kind == DirectiveKind::Include || at->kind == DirectiveKind::Other)
+            out.push_back({at->first_token, at->end_token});
     }
     return out;
 }
+
+/// Walks ascending ranges with ascending tokens.
+class RangeCursor {
+public:
+    explicit RangeCursor(std::vector<TokenRange> ranges) : ranges_(std::move(ranges)) {}
+    bool holds(uint32_t token) {
+        while (at_ < ranges_.size() && ranges_[at_].end <= token) ++at_;
+        return at_ < ranges_.size() && ranges_[at_].first <= token;
+    }
+
+private:
+    std::vector<TokenRange> ranges_;
+    size_t at_ = 0;
+};
 
 }  // namespace
 
 std::vector<std::vector<uint32_t>> code_runs(const Excerpt& excerpt) {
     const LexedText& lexed = excerpt.file->lexed;
-    const std::vector<uint8_t> left_out = boilerplate(lexed);
     const TokenRange range =
         excerpt.unit != nullptr ? excerpt.unit->tokens : TokenRange{0, static_cast<uint32_t>(lexed.tokens.size())};
-    const std::vector<TokenRange> holes = excerpt.unit != nullptr ? excerpt.unit->holes : std::vector<TokenRange>();
+    RangeCursor left_out(boilerplate(lexed, range));
+    RangeCursor holes(excerpt.unit != nullptr ? excerpt.unit->holes : std::vector<TokenRange>());
     std::vector<std::vector<uint32_t>> runs(1);
-    auto hole = holes.begin();
     for (uint32_t i = range.first; i < range.end; ++i) {
-        while (hole != holes.end() && hole->end <= i) ++hole;
-        if (hole != holes.end() && hole->first <= i) {
+        if (holes.holds(i)) {
             if (!runs.back().empty()) runs.emplace_back();
-            i = hole->end - 1;
-        } else if (left_out[i] == 0 && (lexed.tokens[i].flags & kDead) == 0) {
+        } else if ((lexed.tokens[i].flags & kDead) == 0 && !left_out.holds(i)) {
             runs.back().push_back(i);
         }
     }

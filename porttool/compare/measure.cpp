@@ -3,8 +3,11 @@
 #include "porttool/compare/measure.h"
 
 #include <algorithm>
-#include <numeric>
 
+#include "metrics/code/line_divergence.h"
+#include "metrics/code/string_tiling.h"
+#include "metrics/code/token_edit.h"
+#include "porttool/compare/structure_tree.h"
 #include "porttool/compare/symbols.h"
 
 namespace porttool {
@@ -25,20 +28,36 @@ struct Sides {
     std::vector<PlacedToken> a, b;
 };
 
+uint64_t mix_hash(uint64_t hash, uint32_t symbol) {
+    hash = (hash ^ (symbol + 1ull)) * 0x9E3779B97F4A7C15ull;
+    return hash ^ (hash >> 29);
+}
+
 Shares find_shares(const SymbolTable& table, const Sides& sides, Vocabulary vocabulary,
                    const WinnowingParameters& parameters) {
     Shares shares;
     shares.a = table.sequence(sides.a, vocabulary, 0);
     shares.b = table.sequence(sides.b, vocabulary, 1);
-    shares.matches = metrics::winnowing_matches(shares.a.symbols, shares.b.symbols, parameters);
+    shares.measured = std::min(shares.a.longest_run, shares.b.longest_run) >= parameters.guarantee();
+    if (shares.measured) shares.matches = metrics::winnowing_matches(shares.a.symbols, shares.b.symbols, parameters);
     shares.covered_a = metrics::covered_in_a(shares.matches, shares.a.symbols.size());
     shares.covered_b = metrics::covered_in_b(shares.matches, shares.b.symbols.size());
-    shares.measured = std::min(shares.a.longest_run, shares.b.longest_run) >= parameters.guarantee();
     return shares;
 }
 
 double percent(const std::vector<uint8_t>& covered, uint32_t of) {
-    return 100.0 * std::accumulate(covered.begin(), covered.end(), 0.0) / of;
+    return 100.0 * static_cast<double>(std::count(covered.begin(), covered.end(), 1)) / of;
+}
+
+/// Why nothing can be measured: what a side lacks.
+std::string shortness(const Shares& shares, const WinnowingParameters& parameters) {
+    const bool in_a = shares.a.longest_run <= shares.b.longest_run;
+    const SymbolSequence& side = in_a ? shares.a : shares.b;
+    const std::string name = in_a ? "a" : "b";
+    if (side.token_count == 0) return "too short: " + name + " has no code";
+    return "too short: " + name + " has " + std::to_string(side.longest_run) + " tokens" +
+           (side.longest_run < side.token_count ? " in one piece" : "") + ", " +
+           std::to_string(parameters.guarantee()) + " are needed";
 }
 
 /// The code lines of each excerpt. A line is shared if at least half of its tokens are covered; one whose tokens all
@@ -91,24 +110,101 @@ ExcerptLines lines_between(const std::vector<PlacedToken>& tokens, const SymbolS
     return {start.excerpt, start.line, end.line};
 }
 
-}  // namespace
+/// One number a line, the same for lines that say the same.
+std::vector<uint64_t> line_texts(const std::vector<PlacedToken>& tokens, const SymbolSequence& sequence) {
+    std::vector<uint64_t> out;
+    const PlacedToken* before = nullptr;
+    for (size_t i = 0; i < sequence.symbols.size(); ++i) {
+        if (sequence.tokens[i] == kNoToken) continue;
+        const PlacedToken& token = tokens[sequence.tokens[i]];
+        const bool same_line = before != nullptr && before->excerpt == token.excerpt && before->line == token.line;
+        if (!same_line) out.push_back(0);
+        out.back() = mix_hash(out.back(), sequence.symbols[i]);
+        before = &token;
+    }
+    return out;
+}
 
-Similarity measure_shares(const Passage& a, const Passage& b, const Dialect& dialect,
-                          const WinnowingParameters& parameters) {
+/// The figures whose cost grows faster than the text.
+class SlowFigures {
+public:
+    SlowFigures(const Shares& shares, Similarity& out) : shares_(shares), out_(out) {}
+
+    void measure_tiling() {
+        constexpr metrics::TilingParameters kParameters;
+        if (is_too_long("tiling")) return;
+        const auto tiles = metrics::greedy_tiles(shares_.a.symbols, shares_.b.symbols, kParameters);
+        if (tiles)
+            out_.tiling = metrics::tiling_similarity(*tiles, shares_.a.token_count, shares_.b.token_count);
+        else
+            out_.unmeasured["tiling"] = "too repetitive: above " + std::to_string(kParameters.most_pairs) +
+                                        " pairs of equal runs of " + std::to_string(kParameters.minimum) + " tokens";
+    }
+
+    void measure_edits() {
+        if (is_too_long("token_edit")) return;
+        const std::vector<uint32_t> a = without_separators(shares_.a), b = without_separators(shares_.b);
+        constexpr uint64_t kMostCells = 4'000'000'000;
+        if (a.size() * b.size() > kMostCells)
+            out_.unmeasured["token_edit"] = "too long: above " + std::to_string(kMostCells) + " pairs of tokens";
+        else
+            out_.token_edit = metrics::edit_similarity(a, b);
+    }
+
+    void measure_trees(const Passage& a, const Passage& b, const Dialect& dialect) {
+        if (is_too_long("tree_distance")) return;
+        const metrics::Tree left = structure_tree(a, dialect), right = structure_tree(b, dialect);
+        constexpr uint64_t kMostSteps = 30'000'000;
+        if (metrics::tree_distance_cost(left, right) > kMostSteps)
+            out_.unmeasured["tree_distance"] = "too large: trees of " + std::to_string(left.size()) + " and " +
+                                               std::to_string(right.size()) + " statements and blocks";
+        else
+            out_.tree_distance = metrics::normalized_tree_distance(left, right);
+    }
+
+private:
+    bool is_too_long(const char* figure) {
+        constexpr uint32_t kMostTokens = 100'000;
+        const uint32_t longer = std::max(shares_.a.token_count, shares_.b.token_count);
+        if (longer <= kMostTokens) return false;
+        out_.unmeasured[figure] =
+            "too long: " + std::to_string(longer) + " tokens, at most " + std::to_string(kMostTokens);
+        return true;
+    }
+
+    static std::vector<uint32_t> without_separators(const SymbolSequence& sequence) {
+        std::vector<uint32_t> out;
+        for (size_t i = 0; i < sequence.symbols.size(); ++i)
+            if (sequence.tokens[i] != kNoToken) out.push_back(sequence.symbols[i]);
+        return out;
+    }
+
+    const Shares& shares_;
+    Similarity& out_;
+};
+
+/// Everything that costs linear time; also hands out the shares in the common vocabulary.
+Similarity measure_linear(const Passage& a, const Passage& b, const Dialect& dialect,
+                          const WinnowingParameters& parameters, Shares& shares) {
     SymbolTable table(dialect);
-    const Sides sides{table.place(a), table.place(b)};
+    Sides sides;
+    sides.a = table.place(a);
+    sides.b = table.place(b);
     Similarity out;
-    const Shares shares = find_shares(table, sides, Vocabulary::Dialect, parameters);
-    const Shares blind = find_shares(table, sides, Vocabulary::Blind, parameters);
-    const Shares raw = find_shares(table, sides, Vocabulary::Raw, parameters);
-    auto put = [](const Shares& from, std::optional<double>& in_a, std::optional<double>& in_b) {
-        if (!from.measured) return;
-        in_a = percent(from.covered_a, from.a.token_count);
-        in_b = percent(from.covered_b, from.b.token_count);
+    auto measure_one = [&](Vocabulary vocabulary, const char* name, std::optional<double>& in_a,
+                           std::optional<double>& in_b) {
+        Shares found = find_shares(table, sides, vocabulary, parameters);
+        if (found.measured) {
+            in_a = percent(found.covered_a, found.a.token_count);
+            in_b = percent(found.covered_b, found.b.token_count);
+        } else {
+            out.unmeasured[name] = shortness(found, parameters);
+        }
+        return found;
     };
-    put(shares, out.a.moss_percent, out.b.moss_percent);
-    put(blind, out.a.moss_percent_blind, out.b.moss_percent_blind);
-    put(raw, out.a.moss_percent_raw, out.b.moss_percent_raw);
+    shares = measure_one(Vocabulary::Dialect, "moss_percent", out.a.moss_percent, out.b.moss_percent);
+    measure_one(Vocabulary::Blind, "moss_percent_blind", out.a.moss_percent_blind, out.b.moss_percent_blind);
+    measure_one(Vocabulary::Raw, "moss_percent_raw", out.a.moss_percent_raw, out.b.moss_percent_raw);
     out.a.tokens = shares.a.token_count;
     out.b.tokens = shares.b.token_count;
     out.a_lines = lines_of(a, sides.a, shares.a, shares.covered_a);
@@ -119,11 +215,34 @@ Similarity measure_shares(const Passage& a, const Passage& b, const Dialect& dia
          metrics::essential_matches(shares.matches, shares.a.symbols.size(), shares.b.symbols.size()))
         out.matches.push_back({lines_between(sides.a, shares.a, match.a, match.length),
                                lines_between(sides.b, shares.b, match.b, match.length)});
+    if (shares.measured)
+        out.line_divergence = metrics::line_divergence(line_texts(sides.a, shares.a), line_texts(sides.b, shares.b));
+    else
+        out.unmeasured["line_divergence"] = shortness(shares, parameters);
     return out;
 }
 
+}  // namespace
+
+Similarity measure_shares(const Passage& a, const Passage& b, const Dialect& dialect,
+                          const WinnowingParameters& parameters) {
+    Shares shares;
+    return measure_linear(a, b, dialect, parameters, shares);
+}
+
 Similarity measure(const Passage& a, const Passage& b, const Dialect& dialect, const WinnowingParameters& parameters) {
-    return measure_shares(a, b, dialect, parameters);
+    Shares shares;
+    Similarity out = measure_linear(a, b, dialect, parameters, shares);
+    if (!shares.measured) {
+        for (const char* name : {"tiling", "token_edit", "tree_distance"})
+            out.unmeasured[name] = shortness(shares, parameters);
+        return out;
+    }
+    SlowFigures figures(shares, out);
+    figures.measure_tiling();
+    figures.measure_edits();
+    figures.measure_trees(a, b, dialect);
+    return out;
 }
 
 }  // namespace porttool

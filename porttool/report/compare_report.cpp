@@ -21,12 +21,12 @@ std::string figure(const std::optional<double>& value, int digits) {
 }
 
 std::string row(const std::string& name, const std::string& a, const std::string& b) {
-    return fmt::format("{:<26}{:>10}{:>10}\n", name, a, b);
+    return fmt::format("{:<30}{:>10}{:>10}\n", name, a, b);
 }
 
 std::string row(const std::string& name, const std::optional<double>& both) {
     constexpr int kDigits = 3;
-    return fmt::format("{:<26}{:>10}\n", name, figure(both, kDigits));
+    return fmt::format("{:<30}{:>10}\n", name, figure(both, kDigits));
 }
 
 }  // namespace
