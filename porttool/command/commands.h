@@ -36,6 +36,7 @@ Outcome accept_command(const Options& options, Workplace& place);
 Outcome defer_command(const Options& options, Workplace& place);
 Outcome ignore_command(const Options& options, Workplace& place);
 Outcome explain_command(const Options& options, Workplace& place);
+Outcome effort_command(const Options& options, Workplace& place);
 Outcome compare_command(const Options& options, Workplace& place);
 
 /// The root folder: the nearest one upwards with a portmap.toml, else that of the git work tree, else `directory`.

@@ -92,6 +92,9 @@ ParsedOptions parse_options(int argc, const char* const* argv) {
     explain->add_option("id", options.paths, "Id, SOURCE=TARGET, fingerprint or rule")
         ->required()
         ->type_name("ID|RULE");
+    CLI::App* effort = app.add_subcommand("effort", "Tell what porting a range of commits cost");
+    effort->add_option("--from", options.from, "The commit before the change")->required()->type_name("REV");
+    effort->add_option("--to", options.to, "The commit that ends it (HEAD)")->type_name("REV");
     try {
         app.parse(argc, argv);
         options.command = app.get_subcommands().front()->get_name();

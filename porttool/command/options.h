@@ -26,6 +26,9 @@ struct Options {
     std::string owner, until, reason;
     std::string base;  ///< a revision
     bool staged = false;
+    std::string from, to = "HEAD";  ///< effort's revisions
+    std::string since;              ///< history's
+    bool no_cache = false;
     bool spirv = false;  ///< ask glslang whether an edit reaches the compiled code
 };
 

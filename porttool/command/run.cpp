@@ -13,9 +13,10 @@ using Command = Outcome (*)(const Options&, Workplace&);
 
 const std::map<std::string, Command>& commands() {
     static const std::map<std::string, Command> table = {
-        {"scan", scan_command},     {"map", map_command},         {"init", init_command},
-        {"check", check_command},   {"accept", accept_command},   {"defer", defer_command},
-        {"ignore", ignore_command}, {"explain", explain_command}, {"compare", compare_command},
+        {"scan", scan_command},       {"map", map_command},         {"init", init_command},
+        {"check", check_command},     {"accept", accept_command},   {"defer", defer_command},
+        {"ignore", ignore_command},   {"explain", explain_command}, {"effort", effort_command},
+        {"compare", compare_command},
     };
     return table;
 }

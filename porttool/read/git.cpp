@@ -2,135 +2,185 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "porttool/read/git.h"
 
-#include <git2.h>
-
-#include <filesystem>
-#include <memory>
+#include "porttool/read/disk.h"
+#include "porttool/read/git_open.h"
 
 namespace porttool {
 namespace {
 
-template <class T, void (*Free)(T*)>
-struct Freed {
-    void operator()(T* object) const { Free(object); }
-};
-using Repository = std::unique_ptr<git_repository, Freed<git_repository, git_repository_free>>;
-using Object = std::unique_ptr<git_object, Freed<git_object, git_object_free>>;
-using Commit = std::unique_ptr<git_commit, Freed<git_commit, git_commit_free>>;
-using Tree = std::unique_ptr<git_tree, Freed<git_tree, git_tree_free>>;
-using Index = std::unique_ptr<git_index, Freed<git_index, git_index_free>>;
-using Blob = std::unique_ptr<git_blob, Freed<git_blob, git_blob_free>>;
+using Object = GitOwned<git_object, git_object_free>;
+using Commit = GitOwned<git_commit, git_commit_free>;
+using Tree = GitOwned<git_tree, git_tree_free>;
+using Index = GitOwned<git_index, git_index_free>;
+using Blob = GitOwned<git_blob, git_blob_free>;
+using TreeEntry = GitOwned<git_tree_entry, git_tree_entry_free>;
+using Submodule = GitOwned<git_repository, git_repository_free>;
 
-std::string last_error() {
-    const git_error* error = git_error_last();
-    return error != nullptr && error->message != nullptr ? error->message : "no reason given";
-}
+OpenedGit open(const std::string& root) { return open_git(root, "Check without --base and --staged, or try"); }
 
-/// A repository with its work tree's path to the root in question.
-struct Opened {
-    Repository repository;
-    std::string prefix;  ///< "sub/folder/" or ""
-    std::string error;
-};
-
-Opened open(const std::string& root) {
-    git_libgit2_init();
-    // Objects are only read: that the work tree belongs to another user (as in CI containers) does no harm.
-    git_libgit2_opts(GIT_OPT_SET_OWNER_VALIDATION, 0);
-    Opened out;
-    git_repository* repository = nullptr;
-    if (git_repository_open_ext(&repository, root.c_str(), 0, nullptr) != 0) {
-        out.error = root + " is in no git repository that can be read (" + last_error() +
-                    ")\nCheck without --base and --staged, or try: git -C '" + root + "' status";
-        return out;
-    }
-    out.repository.reset(repository);
-    const char* workdir = git_repository_workdir(repository);
-    if (workdir == nullptr) {
-        out.error = root + " is a bare repository; porttool needs a work tree: git worktree add";
-        return out;
-    }
-    std::error_code error;
-    const auto below = std::filesystem::relative(std::filesystem::canonical(root, error),
-                                                 std::filesystem::canonical(workdir, error), error);
-    const std::string path = below.generic_string();
-    out.prefix = path == "." || path.empty() ? "" : path + "/";
-    return out;
-}
-
-void add_blob(GitFiles& out, git_repository* repository, const git_oid& id, const std::string& path) {
-    git_blob* blob = nullptr;
-    if (git_blob_lookup(&blob, repository, &id) != 0) return;
-    const Blob owner(blob);
-    out.files[path].assign(static_cast<const char*>(git_blob_rawcontent(blob)),
-                           static_cast<size_t>(git_blob_rawsize(blob)));
-}
-
+/// Where the files of one repository go.
 struct Walk {
     GitFiles& out;
     git_repository* repository;
-    const std::string& prefix;
+    std::string prefix;  ///< the folder of the repository that is read, "sub/folder/" or ""
+    std::string before;  ///< what stands before its paths in `out`: the place of a submodule
     const WantsFile& wants;
+    const git_tree* tree = nullptr;  ///< while one is read
+
+    /// The path that a file has in `out`.
+    std::string name_of(const std::string& path) const { return before + path.substr(prefix.size()); }
 };
+
+/// Reads one file; false with an error in `out` if it is not here.
+bool add_blob(const Walk& walk, const git_oid& id, const std::string& path) {
+    git_blob* blob = nullptr;
+    if (git_blob_lookup(&blob, walk.repository, &id) != 0) {
+        walk.out.error = path + ": git knows this file, but its text is not here (" + git_last_error() +
+                         "), as in a partial clone\nFetch it: git fetch --refetch --no-filter";
+        return false;
+    }
+    const Blob owner(blob);
+    walk.out.files[path].assign(static_cast<const char*>(git_blob_rawcontent(blob)),
+                                static_cast<size_t>(git_blob_rawsize(blob)));
+    return true;
+}
+
+/// The path within the repository that a symbolic link leads to: its blob holds it.
+std::string link_target(git_repository* repository, const git_oid& id, const std::string& path) {
+    git_blob* blob = nullptr;
+    if (git_blob_lookup(&blob, repository, &id) != 0) return {};
+    const Blob owner(blob);
+    const std::string text(static_cast<const char*>(git_blob_rawcontent(blob)),
+                           static_cast<size_t>(git_blob_rawsize(blob)));
+    return clean_path(join_path(path.substr(0, path.find_last_of('/') + 1), text));
+}
+
+/// Reads the file behind a link, as the work tree shows it; a link that leads nowhere here is no file.
+bool add_linked(const Walk& walk, const git_oid& link, const std::string& path) {
+    git_tree_entry* entry = nullptr;
+    const std::string target = link_target(walk.repository, link, path);
+    if (target.empty() || git_tree_entry_bypath(&entry, walk.tree, target.c_str()) != 0) return true;
+    const TreeEntry owner(entry);
+    if (git_tree_entry_type(entry) != GIT_OBJECT_BLOB) return true;
+    return add_blob(walk, *git_tree_entry_id(entry), walk.name_of(path));
+}
+
+bool read_tree(const Walk& walk, const git_oid& commit_id);
+
+/// Reads a submodule at the commit that its parent names. One that is not checked out has no files on either side of a
+/// comparison. False if a commit that is needed is not here.
+bool read_submodule(const Walk& walk, const git_oid& commit, const std::string& path) {
+    const char* workdir = git_repository_workdir(walk.repository);
+    git_repository* repository = nullptr;
+    if (workdir == nullptr || git_repository_open(&repository, (workdir + path).c_str()) != 0) return true;
+    const Submodule owner(repository);
+    const Walk inside{walk.out, repository, "", walk.name_of(path) + "/", walk.wants};
+    if (read_tree(inside, commit)) return true;
+    git_index* index = nullptr;
+    if (git_repository_index(&index, repository) != 0) return true;
+    const Index index_owner(index);
+    bool wanted = false;
+    for (size_t i = 0; i < git_index_entrycount(index) && !wanted; ++i)
+        wanted = walk.wants(inside.name_of(git_index_get_byindex(index, i)->path));
+    if (wanted) return false;
+    walk.out.error.clear();  // a submodule that the map does not name
+    return true;
+}
 
 int visit_entry(const char* folder, const git_tree_entry* entry, void* payload) {
     const Walk& walk = *static_cast<Walk*>(payload);
     const std::string path = std::string(folder) + git_tree_entry_name(entry);
+    const git_oid& id = *git_tree_entry_id(entry);
     if (git_tree_entry_type(entry) == GIT_OBJECT_TREE) {
         const std::string inside = path + "/";  // skip folders that do not lead to the root or lie below it
         return inside.starts_with(walk.prefix) || walk.prefix.starts_with(inside) ? 0 : 1;
     }
-    if (git_tree_entry_type(entry) != GIT_OBJECT_BLOB || !path.starts_with(walk.prefix)) return 0;
-    const std::string below = path.substr(walk.prefix.size());
-    if (walk.wants(below)) add_blob(walk.out, walk.repository, *git_tree_entry_id(entry), below);
-    return 0;
+    if (!path.starts_with(walk.prefix)) return 0;
+    if (git_tree_entry_type(entry) == GIT_OBJECT_COMMIT) return read_submodule(walk, id, path) ? 0 : -1;
+    if (git_tree_entry_type(entry) != GIT_OBJECT_BLOB || !walk.wants(walk.name_of(path))) return 0;
+    const bool link = git_tree_entry_filemode(entry) == GIT_FILEMODE_LINK;
+    return (link ? add_linked(walk, id, path) : add_blob(walk, id, walk.name_of(path))) ? 0 : -1;
+}
+
+bool read_tree(const Walk& walk, const git_oid& commit_id) {
+    git_commit* commit = nullptr;
+    git_tree* tree = nullptr;
+    if (git_commit_lookup(&commit, walk.repository, &commit_id) != 0) {
+        walk.out.error =
+            (walk.before.empty() ? "the merge base" : "the submodule " + walk.before) +
+            " cannot be read: " + git_last_error() + "\nFetch it: " +
+            (walk.before.empty() ? "git fetch"
+                                 : "git submodule update --init; or git -C '" + walk.before + "' fetch --unshallow");
+        return false;
+    }
+    const Commit commit_owner(commit);
+    if (git_commit_tree(&tree, commit) != 0) {
+        walk.out.error = "the merge base cannot be read: " + git_last_error() + "\nLook into it with: git fsck";
+        return false;
+    }
+    const Tree tree_owner(tree);
+    Walk payload = walk;
+    payload.tree = tree;
+    const int result = git_tree_walk(tree, GIT_TREEWALK_PRE, visit_entry, &payload);
+    if (result != 0 && walk.out.error.empty())
+        walk.out.error = "the merge base cannot be read: " + git_last_error() + "\nLook into it with: git fsck";
+    return walk.out.error.empty();
+}
+
+/// How to get a revision that is not here.
+std::string fetch_command(const std::string& revision) {
+    const std::string remote = "origin/";
+    if (revision.starts_with(remote)) return "git fetch origin " + revision.substr(remote.size());
+    return "git fetch origin " + revision + ", and then use --base FETCH_HEAD";
 }
 
 }  // namespace
 
 GitFiles files_at_base(const std::string& root, const std::string& revision, const WantsFile& wants) {
     GitFiles out;
-    const Opened opened = open(root);
+    const OpenedGit opened = open(root);
     if (!opened.error.empty()) return {{}, opened.error};
     git_repository* repository = opened.repository.get();
-    git_object* found = nullptr;
-    if (git_revparse_single(&found, repository, (revision + "^{commit}").c_str()) != 0)
-        return {{}, "--base " + revision + ": no such revision here\nFetch it first: git fetch origin " + revision};
-    const Object base(found);
     git_oid head{}, merge_base{};
     if (git_reference_name_to_id(&head, repository, "HEAD") != 0)
         return {{}, "HEAD names no commit yet; commit once, or check without --base"};
+    git_object* found = nullptr;
+    if (git_revparse_single(&found, repository, (revision + "^{commit}").c_str()) != 0)
+        return {{}, "--base " + revision + ": no such revision here\nFetch it first: " + fetch_command(revision)};
+    const Object base(found);
     if (git_merge_base(&merge_base, repository, git_object_id(base.get()), &head) != 0)
         return {{},
                 "--base " + revision +
                     ": no common ancestor with HEAD is here, as in a shallow clone\nFetch the history: git fetch "
                     "--unshallow (in CI: fetch-depth: 0)"};
-    git_commit* commit = nullptr;
-    if (git_commit_lookup(&commit, repository, &merge_base) != 0)
-        return {{}, "the merge base cannot be read: " + last_error()};
-    const Commit commit_owner(commit);
-    git_tree* tree = nullptr;
-    if (git_commit_tree(&tree, commit) != 0) return {{}, "the merge base cannot be read: " + last_error()};
-    const Tree tree_owner(tree);
-    Walk walk{out, repository, opened.prefix, wants};
-    git_tree_walk(tree, GIT_TREEWALK_PRE, visit_entry, &walk);
+    read_tree({out, repository, opened.prefix, "", wants}, merge_base);
     return out;
 }
 
 GitFiles files_in_index(const std::string& root, const WantsFile& wants) {
     GitFiles out;
-    const Opened opened = open(root);
+    const OpenedGit opened = open(root);
     if (!opened.error.empty()) return {{}, opened.error};
     git_index* index = nullptr;
     if (git_repository_index(&index, opened.repository.get()) != 0)
-        return {{}, "the index cannot be read: " + last_error()};
+        return {{}, "the index cannot be read: " + git_last_error() + "\nLook into it with: git status"};
     const Index owner(index);
-    for (size_t i = 0; i < git_index_entrycount(index); ++i) {
+    const Walk walk{out, opened.repository.get(), opened.prefix, "", wants};
+    for (size_t i = 0; i < git_index_entrycount(index) && out.error.empty(); ++i) {
         const git_index_entry* entry = git_index_get_byindex(index, i);
         const std::string path = entry->path;
         if (!path.starts_with(opened.prefix)) continue;
-        const std::string below = path.substr(opened.prefix.size());
-        if (wants(below)) add_blob(out, opened.repository.get(), entry->id, below);
+        if (entry->mode == GIT_FILEMODE_COMMIT) {
+            read_submodule(walk, entry->id, path);
+        } else if (walk.wants(walk.name_of(path))) {
+            if (git_index_entry_stage(entry) != 0)
+                return {{},
+                        walk.name_of(path) + ": a merge conflict is not resolved\nResolve it and run: git add '" +
+                            walk.name_of(path) + "'; or check without --staged"};
+            if (entry->mode == GIT_FILEMODE_LINK)
+                entry = git_index_get_bypath(index, link_target(walk.repository, entry->id, path).c_str(), 0);
+            if (entry != nullptr) add_blob(walk, entry->id, walk.name_of(path));
+        }
     }
     return out;
 }

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "porttool/command/commands.h"
+#include "porttool/read/git_repository.h"
+#include "porttool/read/glob.h"
+#include "porttool/read/map_file.h"
+
+namespace porttool {
+
+/// The files of one side among all paths: what the globs match, by known suffix or one that a glob names.
+class SideGlobs {
+public:
+    explicit SideGlobs(const std::vector<std::string>& globs);
+    bool takes(const std::string& path) const;
+
+private:
+    struct Named {
+        Glob glob;
+        bool names_suffix;
+    };
+    std::vector<Named> globs_;
+};
+
+/// A repository whose past is looked at, with the map of today, if there is one.
+struct Past {
+    std::string root;
+    std::unique_ptr<GitRepository> git;
+    bool has_map_today = false;
+    bool map_is_given = false;  ///< by --config: it counts for every commit
+    MapFile map_today;
+    std::string map_name;  ///< as messages name it
+};
+
+/// Opens the repository around `-C`. Throws CannotDo: no git repository, a map that cannot be read.
+Past open_past(const Options& options, Workplace& place);
+
+/// A commit by the revision that an option gave. Throws CannotDo for an unknown one, with what is known instead.
+GitCommit find_commit(const Past& past, const std::string& option, const std::string& revision);
+
+/// Throws CannotDo for a map that history cannot use: without sides, or with a target in another repository.
+void require_sides(const MapFile& map, const std::string& where);
+
+}  // namespace porttool

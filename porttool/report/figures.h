@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+
+#include "metrics/portability/figure.h"
+
+namespace porttool {
+
+/// `{"value", "low", "high", "model", "inputs": {name: value}}`; a figure in lines goes by "loc" in place of "value".
+nlohmann::ordered_json figure_json(const std::optional<metrics::Figure>& figure);
+
+/// A number as JSON, or null; rounded to six decimals so that files stay the same from machine to machine.
+nlohmann::ordered_json number_json(const std::optional<double>& number);
+
+/// "0.73 (0.60 to 0.81)", or "-".
+std::string figure_text(const std::optional<metrics::Figure>& figure);
+
+/// One field of a CSV line, quoted where it must be.
+std::string csv_field(const std::string& text);
+
+/// YYYY-MM-DD of seconds since 1970.
+std::string day_of(int64_t time);
+
+}  // namespace porttool

@@ -1,0 +1,257 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+// porttool effort: what porting a range of commits cost, with figures counted by hand.
+#include "tests/porttool/temporary_repository.h"
+
+namespace porttool::testing {
+namespace {
+
+const std::string kMap =
+    "version = 1\n[sides]\nsource = [\"src/*\"]\ntarget = [\"port/*\"]\n"
+    "[[pair]]\nsource = \"src/k.cu:shade\"\ntarget = \"port/k.comp:shade\"\n";
+
+const std::string kSource =
+    "__device__ float shade(float a, float b) {\n"
+    "  float c = a * b;\n"
+    "  return c * 0.5f;\n"
+    "}\n";
+const std::string kTarget =
+    "float shade(float a, float b) {\n"
+    "  float c = a * b;\n"
+    "  return c * 0.5;\n"
+    "}\n";
+
+class Effort : public TemporaryRepository {
+protected:
+    void SetUp() override {
+        TemporaryRepository::SetUp();
+        if (IsSkipped()) return;
+        write("portmap.toml", kMap);
+        write("src/k.cu", kSource);
+        write("port/k.comp", kTarget);
+        commit("Both cores");
+    }
+    /// Two lines on both sides, and one that only the port needs.
+    void port_a_change() const {
+        write("src/k.cu", replaced(kSource, "  return",
+                                   "  float d = max(c, 0.0f);  // no light from below\n"
+                                   "  c = d * rsqrtf(a) + b;\n  return"));
+        write("port/k.comp", replaced(kTarget, "  return",
+                                      "  float d = max(c, 0.0);\n"
+                                      "  c = d * inversesqrt(a) + b;\n"
+                                      "  imageStore(result, ivec2(gl_GlobalInvocationID.xy), vec4(c, c, c, 1.0));\n"
+                                      "  return"));
+        commit("A floor", 2);
+    }
+};
+
+TEST_F(Effort, CountsWhatWasCarriedOverAndWhatIsNovel) {
+    port_a_change();
+    const nlohmann::json report = json({"effort", "--from", "HEAD~1", "--to", "HEAD"});
+    EXPECT_EQ(report["commits"], 1);
+    ASSERT_EQ(report["pairs"].size(), 1u);
+    for (const nlohmann::json& edit : {report["pairs"][0], report["totals"]}) {
+        EXPECT_EQ(edit["source_added"], 2);
+        EXPECT_EQ(edit["source_removed"], 0);
+        EXPECT_EQ(edit["target_added"], 3);
+        EXPECT_EQ(edit["target_removed"], 0);
+        EXPECT_EQ(edit["novel_lines"], 1);
+        EXPECT_EQ(edit["carried_over"], 1.0);
+        // The two lines have 9 and 10 tokens in the common vocabulary on both sides, the third has 22.
+        EXPECT_NEAR(edit["edit_similarity"], 2.0 * 19 / (19 + 41), 1e-6);
+        EXPECT_NEAR(edit["degree_of_portability"]["loc"], 2.0 / 3, 1e-6);
+        EXPECT_EQ(edit["degree_of_portability"]["low"], 0.0) << "0.0f and rsqrtf are written otherwise";
+        EXPECT_GE(edit["degree_of_portability"]["high"], edit["degree_of_portability"]["loc"]);
+    }
+    // COCOMO II: CM = IM = 100 / 3, so AAF = 20 and AAM = (4 + 20 x 1.24) / 100.
+    ASSERT_EQ(report["degrees_of_portability"].size(), 2u);
+    EXPECT_EQ(report["degrees_of_portability"][1]["model"], "COCOMO II reuse");
+    EXPECT_NEAR(report["degrees_of_portability"][1]["value"], 1 - 0.288, 1e-6);
+}
+
+TEST_F(Effort, AnEditOnOneSideHasNoDegreeOfPortability) {
+    write("src/k.cu", replaced(kSource, "a * b", "a + b"));
+    commit("Only here", 2);
+    const nlohmann::json report = json({"effort", "--from", "HEAD~1"});
+    EXPECT_EQ(report["totals"]["source_added"], 1);
+    EXPECT_EQ(report["totals"]["source_removed"], 1);
+    EXPECT_EQ(report["totals"]["carried_over"], 0.0);
+    EXPECT_TRUE(report["totals"]["edit_similarity"].is_null());
+    EXPECT_TRUE(report["totals"]["degree_of_portability"].is_null());
+}
+
+TEST_F(Effort, AWrongPortIsNovel) {
+    write("src/k.cu", replaced(kSource, "a * b", "a + b"));
+    write("port/k.comp", replaced(kTarget, "a * b", "a - b"));
+    commit("Not alike", 2);
+    const nlohmann::json report = json({"effort", "--from", "HEAD~1"});
+    EXPECT_EQ(report["totals"]["novel_lines"], 1);
+    EXPECT_EQ(report["totals"]["carried_over"], 0.0);
+    EXPECT_EQ(report["totals"]["degree_of_portability"]["loc"], 0.0);
+}
+
+TEST_F(Effort, CommentsAndBlanksAreNoLines) {
+    write("src/k.cu", "// A comment.\n\n" + replaced(kSource, "a * b;", "a  *  b;  // product"));
+    commit("Words", 2);
+    const nlohmann::json report = json({"effort", "--from", "HEAD~1"});
+    EXPECT_EQ(report["totals"]["source_added"], 0);
+    EXPECT_EQ(report["pairs"].size(), 0u);
+    EXPECT_NE(porttool({"effort", "--from", "HEAD~1"}).out.find("no line of code changed"), std::string::npos);
+}
+
+TEST_F(Effort, CodeOutsidePairsIsCountedOnce) {
+    write("port/k.comp", kTarget + "float helper(float x) {\n  return x * x;\n}\n");
+    write("port/extra.comp", "float other(float x) {\n  return x + 1.0;\n}\n");
+    commit("Helpers", 2);
+    const nlohmann::json report = json({"effort", "--from", "HEAD~1"});
+    EXPECT_EQ(report["totals"]["target_added"], 6);
+    EXPECT_EQ(report["totals"]["novel_lines"], 6);
+    EXPECT_EQ(report["totals"]["degree_of_portability"]["loc"], 0.0);
+    EXPECT_EQ(report["target_outside_pairs"].size(), 2u);
+    EXPECT_EQ(report["target_outside_pairs"][1]["added"], 3);
+}
+
+TEST_F(Effort, APortOfOldCodeIsCarriedOverFromIt) {
+    const std::string body =
+        "  float sum = a * a + b * b + 1.0;\n"
+        "  float root = sqrt(sum) * (a - b) / (a + b + 2.0);\n"
+        "  return clamp(root, 0.0, 1.0) * sum;\n}\n";
+    write("src/k.cu", "__device__ float shade(float a, float b) {\n" + body);
+    std::filesystem::remove(root / "port/k.comp");
+    commit("Not ported yet", 2);
+    write("port/k.comp", "float shade(float a, float b) {\n" + body);
+    commit("Ported", 3);
+    const nlohmann::json report = json({"effort", "--from", "HEAD~1"});
+    EXPECT_EQ(report["totals"]["source_added"], 0);
+    EXPECT_EQ(report["totals"]["target_added"], 5);
+    EXPECT_EQ(report["totals"]["novel_lines"], 0);
+    EXPECT_EQ(report["totals"]["degree_of_portability"]["loc"], 1.0);
+}
+
+TEST_F(Effort, AFileThatMovedHasNotChanged) {
+    git("mv port/k.comp port/shade.comp");
+    write("portmap.toml", replaced(kMap, "port/k.comp", "port/shade.comp"));
+    commit("Moved", 2);
+    EXPECT_EQ(json({"effort", "--from", "HEAD~1"})["totals"]["target_added"], 0);
+}
+
+TEST_F(Effort, AUnitInTwoPairsCountsOnceInAll) {
+    write("portmap.toml", kMap + "[[pair]]\nsource = \"src/k.cu:shade\"\ntarget = \"port/l.comp:shade\"\n");
+    write("port/l.comp", kTarget);
+    commit("A second port", 2);
+    write("src/k.cu", replaced(kSource, "a * b", "a * b + 1.0f"));
+    write("port/k.comp", replaced(kTarget, "a * b", "a * b + 1.0"));
+    write("port/l.comp", replaced(kTarget, "a * b", "a * b + 1.0"));
+    commit("Plus one", 3);
+    const nlohmann::json report = json({"effort", "--from", "HEAD~1"});
+    EXPECT_EQ(report["pairs"].size(), 2u);
+    EXPECT_EQ(report["totals"]["source_added"], 1);
+    EXPECT_EQ(report["totals"]["target_added"], 2);
+    EXPECT_EQ(report["totals"]["novel_lines"], 0);
+}
+
+TEST_F(Effort, HoursFromTheLedgerGiveTheirOwnFigure) {
+    port_a_change();
+    write("portmap.toml", kMap + porttool({"effort", "--from", "HEAD~1", "--format", "toml"}).out +
+                              "port = { coding = 2, testing = 0.5 }\n"
+                              "redevelopment = { design = 2, coding = 4, testing = 3, documentation = 1 }\n");
+    const nlohmann::json report = json({"effort", "--from", "HEAD~1"});
+    ASSERT_EQ(report["degrees_of_portability"].size(), 3u);
+    EXPECT_EQ(report["degrees_of_portability"][2]["model"], "hours");
+    EXPECT_EQ(report["degrees_of_portability"][2]["value"], 0.75);
+    EXPECT_EQ(report["ledger_degree_of_portability"]["inputs"]["records"], 1.0);
+    EXPECT_NE(report["not_given"].dump().find("1 ports with hours are recorded; a fit needs at least 8"),
+              std::string::npos);
+}
+
+TEST_F(Effort, EightRecordedPortsPredictTheHours) {
+    port_a_change();
+    std::string map = kMap;
+    for (int i = 1; i <= 8; ++i) {  // 1 hour + 0.5 for a novel line + 0.25 for a carried one; 2 a line anew
+        const int novel = 2 * i, carried = i * i % 5;
+        map += "[[effort]]\nwhat = \"port\"\nlines = " + std::to_string(novel + carried) +
+               "\nnovel = " + std::to_string(novel) +
+               "\nport = { coding = " + std::to_string(1 + 0.5 * novel + 0.25 * carried) +
+               " }\nredevelopment = { coding = " + std::to_string(2 * (novel + carried)) + " }\n";
+    }
+    write("portmap.toml", map);
+    const nlohmann::json report = json({"effort", "--from", "HEAD~1"});
+    EXPECT_NEAR(report["predicted_hours"]["value"], 1 + 0.5 * 1 + 0.25 * 2, 1e-6);
+    EXPECT_NEAR(report["degrees_of_portability"].back()["value"], 1 - 2.0 / 6, 1e-6);
+}
+
+TEST_F(Effort, CommitsThatAreNotInLineAreComparedAsTheyAre) {
+    port_a_change();
+    const CommandRun got = porttool({"effort", "--from", "HEAD", "--to", "HEAD~1"});
+    EXPECT_EQ(got.exit_code, 0);
+    EXPECT_NE(got.err.find("HEAD is no ancestor of HEAD~1"), std::string::npos) << got.err;
+    EXPECT_NE(got.out.find("+0 -3"), std::string::npos) << got.out;
+}
+
+TEST_F(Effort, TextAndCsvNameModelAndInterval) {
+    port_a_change();
+    const std::string text = porttool({"effort", "--from", "HEAD~1"}).out;
+    EXPECT_NE(text.find("lines of the port 3, shared 2"), std::string::npos) << text;
+    EXPECT_NE(text.find("COCOMO II reuse"), std::string::npos);
+    EXPECT_EQ(text.find("Moss"), std::string::npos);
+    const std::string csv = porttool({"effort", "--from", "HEAD~1", "--format", "csv"}).out;
+    EXPECT_NE(csv.find("total,,,2,0,3,0,1,1,0.633333,0.666667,"), std::string::npos) << csv;
+}
+
+TEST_F(Effort, WhatGitCannotGiveIsExitCodeTwo) {
+    CommandRun got = porttool({"effort", "--from", "HEAD~1"});
+    EXPECT_EQ(got.exit_code, 2);
+    EXPECT_NE(got.err.find("--from HEAD~1: no such revision"), std::string::npos) << got.err;
+    EXPECT_NE(got.err.find("a single commit"), std::string::npos) << got.err;
+    port_a_change();
+    git("clone -q --depth 1 'file://" + root.string() + "' shallow");
+    got = porttool({"effort", "--from", "HEAD~1"}, (root / "shallow").string());
+    EXPECT_EQ(got.exit_code, 2);
+    EXPECT_NE(got.err.find("git fetch --unshallow"), std::string::npos) << got.err;
+    got = porttool({"effort", "--from", "HEAD", "--format", "html"});
+    EXPECT_EQ(got.exit_code, 2);
+    EXPECT_EQ(got.out, "");
+    std::filesystem::remove_all(root / ".git");
+    got = porttool({"effort", "--from", "HEAD"});
+    EXPECT_EQ(got.exit_code, 2);
+    EXPECT_NE(got.err.find("no git repository"), std::string::npos) << got.err;
+}
+
+TEST_F(Effort, TheMapMayBeYoungerThanTheRange) {
+    port_a_change();
+    git("rm -q --cached portmap.toml");
+    git("commit -q --amend -m unmapped");
+    std::filesystem::remove(root / "portmap.toml");
+    EXPECT_EQ(json({"effort", "--from", "HEAD~1"})["pairs"].size(), 1u) << "the map of the older commit";
+    git("checkout -q --orphan other");
+    commit("Alone");
+    const CommandRun got = porttool({"effort", "--from", "HEAD"});
+    EXPECT_EQ(got.exit_code, 2);
+    EXPECT_NE(got.err.find("there is no portmap.toml at"), std::string::npos) << got.err;
+    write("portmap.toml", kMap);
+    EXPECT_EQ(porttool({"effort", "--from", "HEAD"}).exit_code, 0) << "today's";
+}
+
+TEST(EffortLedger, AMapNamesWhatItCannotRead) {
+    MemoryDisk disk = started(kSource, kTarget);
+    const std::string map = disk.files.at("/r/portmap.toml");
+    auto error_of = [&](const std::string& entry) {
+        disk.files["/r/portmap.toml"] = map + entry;
+        const CommandRun got = run(disk, {"-C", "/r", "check"});
+        EXPECT_EQ(got.exit_code, 2) << entry;
+        return got.err;
+    };
+    EXPECT_NE(error_of("[[effort]]\nwaht = \"x\"\n").find("did you mean 'what'"), std::string::npos);
+    EXPECT_NE(error_of("[[effort]]\nlines = 3\n").find("'what' is missing"), std::string::npos);
+    EXPECT_NE(error_of("[[effort]]\nwhat = \"x\"\nport = { design = 1 }\n").find("unknown key 'design'"),
+              std::string::npos);
+    EXPECT_NE(error_of("[[effort]]\nwhat = \"x\"\nport = { coding = -1 }\n").find("at least 0"), std::string::npos);
+    EXPECT_NE(error_of("[[effort]]\nwhat = \"x\"\nlines = 3\nnovel = 4\n").find("at most 'lines'"), std::string::npos);
+    EXPECT_NE(error_of("[[effort]]\nwhat = \"x\"\nredevelopment = { coding = 0 }\n").find("no hours"),
+              std::string::npos);
+    EXPECT_NE(error_of("[reuse]\nunderstanding = 60\n").find("from 0 to 50"), std::string::npos);
+    EXPECT_NE(error_of("[cost]\ncoding = 0\n").find("every weight is 0"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace porttool::testing
