@@ -38,6 +38,7 @@ Outcome ignore_command(const Options& options, Workplace& place);
 Outcome explain_command(const Options& options, Workplace& place);
 Outcome effort_command(const Options& options, Workplace& place);
 Outcome compare_command(const Options& options, Workplace& place);
+Outcome report_command(const Options& options, Workplace& place);
 
 /// The root folder: the nearest one upwards with a portmap.toml, else that of the git work tree, else `directory`.
 std::string find_root(const Disk& disk, const std::string& directory);

@@ -95,6 +95,12 @@ ParsedOptions parse_options(int argc, const char* const* argv) {
     CLI::App* effort = app.add_subcommand("effort", "Tell what porting a range of commits cost");
     effort->add_option("--from", options.from, "The commit before the change")->required()->type_name("REV");
     effort->add_option("--to", options.to, "The commit that ends it (HEAD)")->type_name("REV");
+    CLI::App* report = app.add_subcommand("report", "Report what is shared, what drifted, and what porting costs");
+    report->add_option("--base", options.base, "Show each figure with its change against merge-base(REV, HEAD)")
+        ->type_name("REV");
+    report->add_option("--fail-under", options.fail_under, "Exit 1 if a block's target shares less, in Moss percent")
+        ->allow_extra_args(false)
+        ->type_name("BLOCK=PERCENT");
     try {
         app.parse(argc, argv);
         options.command = app.get_subcommands().front()->get_name();

@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "porttool/command/check_command.h"
+#include "porttool/command/finding_ages.h"
+#include "porttool/command/past_project.h"
+#include "porttool/command/suggest.h"
+#include "porttool/report/portability_page.h"
+#include "porttool/report/portability_text.h"
+
+namespace porttool {
+namespace {
+
+/// A bar that a block's moss_percent_target must not fall below.
+struct Bar {
+    std::string block;
+    double percent = 0;
+};
+
+/// Reads BLOCK=PERCENT; the block may hold equal signs itself.
+Bar read_bar(const std::string& text) {
+    const std::string start = "--fail-under " + text + ": ";
+    const size_t cut = text.rfind('=');
+    if (cut == std::string::npos || cut == 0)
+        throw CannotDo(start + "expected BLOCK=PERCENT, as in --fail-under BSDF=90");
+    Bar bar{text.substr(0, cut), 0};
+    std::string number = text.substr(cut + 1);
+    if (number.ends_with('%')) number.pop_back();
+    const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), bar.percent);
+    constexpr double kMost = 100;
+    if (error != std::errc() || end != number.data() + number.size() || !(bar.percent >= 0 && bar.percent <= kMost))
+        throw CannotDo(start + "'" + text.substr(cut + 1) + "' is no percentage; expected a number from 0 to 100");
+    return bar;
+}
+
+const BlockReport& block_of(const PortabilityReport& report, const Bar& bar) {
+    if (const BlockReport* block = find_block(report.blocks, bar.block)) return *block;
+    std::vector<std::string> names;
+    std::string list;
+    for (const BlockReport& block : report.blocks) {
+        names.push_back(block.name);
+        list += (list.empty() ? "" : ", ") + block.name;
+    }
+    const std::string near = nearest(bar.block, names);
+    throw CannotDo("--fail-under " + bar.block + ": no such block" +
+                   (near.empty()   ? std::string()
+                    : list.empty() ? std::string()
+                                   : "; did you mean '" + near + "'?") +
+                   "\nBlocks here: " + (list.empty() ? "none" : list));
+}
+
+/// The blocks that fall below their bars, one line each.
+std::string below_bars(const PortabilityReport& report, const std::vector<Bar>& bars) {
+    std::string out;
+    for (const Bar& bar : bars) {
+        const std::optional<double> percent = block_of(report, bar).measures[1].moss_percent;
+        if (!percent)
+            throw CannotDo("--fail-under " + bar.block +
+                           ": the block is too short to be measured; choose a larger one, or leave the bar out");
+        if (*percent < bar.percent)
+            out += fmt::format("porttool: {}: moss_percent_target is {:.2f}, below the bar of {:g}\n", bar.block,
+                               *percent, bar.percent);
+    }
+    return out;
+}
+
+SideTexts read_texts(const Project& project, const Disk& disk) {
+    SideTexts texts;
+    const auto read = [&](size_t side, const std::vector<ScannedFile>& files, const std::string& root) {
+        for (const ScannedFile& file : files)
+            texts[side][file.path] = disk.read(join_path(root, file.path), kLargestFile).bytes;
+    };
+    read(0, project.source, project.root);
+    read(1, project.target, target_root(project));
+    return texts;
+}
+
+PortabilityReport report_of(const Project& project, const LockFile& lock, const Judgement& judgement, bool strict) {
+    const BlockTexts blocks = find_blocks(project.map, project.source, project.target, judgement);
+    if (strict && !blocks.error.empty()) throw CannotDo(blocks.error);
+    return portability_report({project.map, lock, project.source, project.target, judgement, blocks});
+}
+
+std::string formatted(const WholeReport& whole, const Options& options, const Project& project, const Disk& disk) {
+    if (options.format == "html") return portability_html(whole, read_texts(project, disk));
+    if (options.format == "json") return json_text(portability_json(whole), 1) + "\n";
+    if (options.format == "csv") return portability_csv(whole);
+    return options.format == "markdown" ? portability_markdown(whole) : portability_table(whole);
+}
+
+}  // namespace
+
+Outcome report_command(const Options& options, Workplace& place) {
+    require_format(options.format, {"text", "html", "markdown", "json", "csv"});
+    std::vector<Bar> bars;
+    for (const std::string& text : options.fail_under) bars.push_back(read_bar(text));
+    Options against_lock = options;
+    against_lock.base.clear();
+    const CheckedProject checked = check_project(against_lock, place);
+    const PortabilityReport report = report_of(checked.project, checked.lock, checked.judgement, true);
+    const std::string low = below_bars(report, bars);
+    const std::string date = today();
+    WholeReport whole{checked.project.map, report, checked.judgement, {}, date, {}};
+    whole.ledger = drift_ledger(checked.judgement, checked.lock, finding_ages(checked, date), date);
+    PastProject past;
+    if (!options.base.empty()) {
+        read_past(past, checked.project, options.base, date);
+        whole.base = BaseReport{options.base, report_of(past.project, past.lock, past.judgement, false), {}};
+        if (past.is_recorded) whole.base->drift = past.judgement.summary;
+    }
+    Outcome outcome{formatted(whole, options, checked.project, place.disk), low.empty() ? 0 : 1};
+    place.err << low;
+    return outcome;
+}
+
+}  // namespace porttool

@@ -1,0 +1,48 @@
+// Elements and numbers. Text always goes in as text nodes, so that no source line is ever read as markup.
+
+const SVG = "http://www.w3.org/2000/svg";
+
+function fill(node, attributes, children) {
+  for (const [name, value] of Object.entries(attributes || {})) {
+    if (value === null || value === undefined || value === false) continue;
+    if (name.startsWith("on")) node.addEventListener(name.slice(2), value);
+    else node.setAttribute(name, value === true ? "" : String(value));
+  }
+  for (const child of children.flat(Infinity)) {
+    if (child === null || child === undefined || child === false) continue;
+    node.append(child instanceof Node ? child : String(child));
+  }
+  return node;
+}
+
+const h = (tag, attributes, ...children) => fill(document.createElement(tag), attributes, children);
+const s = (tag, attributes, ...children) => fill(document.createElementNS(SVG, tag), attributes, children);
+const byId = (id) => document.getElementById(id);
+const put = (id, ...children) => fill(byId(id), null, children);
+
+const whole = new Intl.NumberFormat("en-US");
+const number = (value) => whole.format(value).replace("-", "−");
+const plural = (count, one, many) => `${number(count)} ${count === 1 ? one : many || one + "s"}`;
+const TOO_SHORT = "too short";
+const percent = (value) => (value === null ? TOO_SHORT : `${value.toFixed(1)} %`);
+const degree = (value) => value.toFixed(2).replace("-", "−");
+
+// A signed change with its arrow, or nothing where nothing changed. `good` is the sign that is welcome: 1, -1, or 0.
+function change(value, digits, good) {
+  if (value === null || value === undefined) return null;
+  const rounded = Number(value.toFixed(digits));
+  if (rounded === 0) return h("span", { class: "change" }, "±0");
+  const tone = good === 0 ? "" : Math.sign(rounded) === good ? " better" : " worse";
+  const text = digits === 0 ? number(Math.abs(rounded)) : Math.abs(rounded).toFixed(digits);
+  return h("span", { class: "change" + tone }, `${rounded > 0 ? "▲ +" : "▼ −"}${text}`);
+}
+
+const NAMES = {
+  in_step: "in step", drifted: "drifted", review: "to review", deferred: "deferred", ignored: "ignored",
+  twin: "twin", rewritten: "rewritten", one_sided: "one-sided", unmatched: "unmatched",
+};
+const KINDS = ["twin", "rewritten", "one_sided", "unmatched"];
+const STATES = ["in_step", "drifted", "review", "deferred", "ignored"];
+
+const tag = (name) => h("span", { class: `tag ${name}` }, NAMES[name] || name);
+const capital = (text) => text[0].toUpperCase() + text.slice(1);

@@ -1,0 +1,105 @@
+// The verdict, the figures that a lead asks for first, and the thesis's Table 2.
+
+const VERDICTS = {
+  in_step: ["In step", "Every port says what its source says."],
+  review: ["To review", "Nothing drifted for certain, but somebody should look."],
+  drift: ["Drifted", "Some ports no longer say what their sources say."],
+};
+
+function tile(label, value, note, href) {
+  const inside = [h("span", { class: "label" }, label), h("span", { class: "value" }, value), h("span", { class: "note" }, note)];
+  return href ? h("a", { class: "tile", href }, inside) : h("div", { class: "tile" }, inside);
+}
+
+function portabilityOf(block) {
+  const dp = block.degree_of_portability;
+  return dp === null ? null : dp;
+}
+
+const range = (dp) => (dp.low === dp.high ? "" : `${degree(dp.low)} to ${degree(dp.high)}`);
+
+function showSummary() {
+  const { drift, totals, base } = report;
+  const [title, sentence] = VERDICTS[drift.verdict];
+  const count = drift.summary;
+  const rest = [["drifted", count.drifted], ["review", count.review], ["deferred", count.deferred], ["ignored", count.ignored]]
+    .filter(([, n]) => n > 0).map(([name, n]) => `${number(n)} ${NAMES[name]}`);
+  const unported = openFindings().filter((finding) => finding.rule === "unported").length;
+  if (unported > 0) rest.push(`${plural(unported, "new unit")} without a port`);
+  const dp = portabilityOf(totals);
+  const since = (side) => (totals.change ? [" ", change(totals.change[side], 0, 0)] : []);
+  put("summary",
+    h("p", { class: "kicker" }, "Source ", h("code", null, report.sides.source.join(", ")), " and target ",
+      h("code", null, report.sides.target.join(", "))),
+    h("h1", { id: "verdict", class: drift.verdict }, h("span", { class: "dot", "aria-hidden": "true" }), title),
+    h("p", { class: "lead" }, count.pairs === 0 ? "No units are paired yet." : sentence, " ",
+      count.pairs > 0 && h("a", { href: listAddress({ state: "in_step" }) },
+        `${number(count.in_step)} of ${plural(count.pairs, "pair")} in step`),
+      rest.length > 0 ? `, ${rest.join(", ")}.` : count.pairs > 0 ? "." : ""),
+    base && h("p", { class: "since" }, "Changes are against the merge base with ", h("code", null, base.revision), "."),
+    h("div", { class: "tiles" },
+      tile("Lines, source and target", [number(totals.source_lines), since("source_lines"), h("i", null, " / "),
+        number(totals.target_lines), since("target_lines")], "that hold code", "#lines"),
+      tile("Shared, of the target", [percent(totals.moss_percent_target), " ",
+        totals.change && change(totals.change.moss_percent_target, 1, 1)],
+        `Moss %; ${percent(totals.moss_percent_source)} of the source`,
+        linesAddress("", "target", "shared")),
+      tile("Degree of portability", [dp ? degree(dp.loc) : "–", " ",
+        totals.change && change(totals.change.degree_of_portability, 2, 1)],
+        dp ? [range(dp), range(dp) && " · ", dp.model] : "needs lines on both sides", "#blocks"),
+      tile("Open findings", [number(openFindings().length)],
+        `${plural(count.deferred, "pair")} deferred, ${number(count.ignored)} ignored`, "#ledger")));
+}
+
+const openFindings = () => report.drift.findings.filter((finding) => finding.status === "open");
+
+function bar(value, label) {
+  if (value === null) return h("span", { class: "short" }, TOO_SHORT);
+  return h("span", { class: "bar", title: label }, h("span", { style: `width:${Math.max(0, Math.min(100, value))}%` }));
+}
+
+function sideCells(block, side) {
+  const delta = block.change || {};
+  const link = (only, text, label) => h("a", { href: linesAddress(block.isTotal ? "" : block.name, side, only), "aria-label":
+    `${block.name}, ${side}, ${label}: show these lines` }, text);
+  return [
+    h("td", { class: "n", "data-label": `${side} lines` }, link("", number(block[`${side}_lines`]), "lines"),
+      change(delta[`${side}_lines`], 0, 0)),
+    h("td", { class: "n", "data-label": `${side} shared` }, link("shared", number(block[`shared_${side}`]), "shared lines"),
+      change(delta[`shared_${side}`], 0, 0)),
+    h("td", { class: "n moss", "data-label": `${side} Moss` }, h("span", { class: "figure" }, percent(block[`moss_percent_${side}`])),
+      change(delta[`moss_percent_${side}`], 1, 1), bar(block[`moss_percent_${side}`])),
+  ];
+}
+
+function blockRow(block) {
+  const dp = portabilityOf(block);
+  return h("tr", { class: block.isTotal ? "total" : null, "data-block": block.name },
+    h("th", { scope: "row" }, block.isTotal ? block.name : h("a", { href: listAddress({ block: block.name }) }, block.name)),
+    sideCells(block, "source"), sideCells(block, "target"),
+    h("td", { class: "n dp", "data-label": "portability" }, dp ? h("span", { class: "figure", title: dp.model }, degree(dp.loc)) : "–",
+      change((block.change || {}).degree_of_portability, 2, 1),
+      dp && range(dp) && h("small", null, range(dp))));
+}
+
+function showBlocks() {
+  const total = { ...report.totals, name: "All lines", isTotal: true };
+  const group = (text, span) => h("th", { colspan: span, scope: "colgroup" }, text);
+  const head = (...names) => names.map((name) => h("th", { scope: "col", class: "n" }, name));
+  const dp = report.blocks.map(portabilityOf).find(Boolean) || portabilityOf(total);
+  put("blocks",
+    h("h2", { id: "blocks-title" }, "Blocks"),
+    h("p", { class: "about" }, report.blocks.length === 0
+      ? "No functional blocks: portmap.toml names none, and no files are paired. The last row holds both sides as a whole."
+      : report.blocks_are_file_pairs
+        ? "portmap.toml names no functional blocks, so each pair of files is one. Every number leads to its lines."
+        : "The functional blocks of portmap.toml; one may lie within another. Every number leads to its lines."),
+    h("div", { class: "scroll", tabindex: "0", role: "region", "aria-label": "Blocks, table" },
+      h("table", { class: "blocks" },
+        h("thead", null,
+          h("tr", null, h("td"), group("Source", 3), group("Target", 3), h("td")),
+          h("tr", null, h("th", { scope: "col" }, "Block"), head("Lines", "Shared", "Moss %", "Lines", "Shared", "Moss %"),
+            h("th", { scope: "col", class: "n", title: "Degree of portability" }, "DP"))),
+        h("tbody", null, report.blocks.map(blockRow), blockRow(total)))),
+    dp && h("p", { class: "fine" }, `DP: degree of portability by lines, model ${dp.model}, with its interval.`));
+}

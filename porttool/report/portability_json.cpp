@@ -1,0 +1,244 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/report/portability_json.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "porttool/report/figures.h"
+
+namespace porttool {
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr std::array<const char*, 2> kSides = {"source", "target"};
+
+ordered_json text_or_null(const std::string& text) { return text.empty() ? ordered_json(nullptr) : ordered_json(text); }
+
+ordered_json spans_json(const std::vector<LineSpan>& spans) {
+    ordered_json out = ordered_json::array();
+    for (const LineSpan& span : spans) out.push_back({span.first, span.last});
+    return out;
+}
+
+void add_measures(ordered_json& out, const std::array<SideMeasure, 2>& measures) {
+    for (const size_t side : {0, 1}) {
+        const std::string end = std::string("_") + kSides[side];
+        out["moss_percent" + end] = number_json(measures[side].moss_percent);
+        out["moss_percent_blind" + end] = number_json(measures[side].moss_percent_blind);
+        out["moss_percent_raw" + end] = number_json(measures[side].moss_percent_raw);
+    }
+}
+
+ordered_json parts_json(const LineParts& parts) {
+    return {{"twin", parts.twin},
+            {"rewritten", parts.rewritten},
+            {"one_sided", parts.one_sided},
+            {"unmatched", parts.unmatched},
+            {"total", parts.total()}};
+}
+
+ordered_json lines_json(const std::vector<FileLines>& lines) {
+    ordered_json out = ordered_json::array();
+    for (const FileLines& file : lines)
+        out.push_back({{"file", file.file}, {"code", spans_json(file.code)}, {"shared", spans_json(file.shared)}});
+    return out;
+}
+
+ordered_json change_json(const BlockChange& change) {
+    ordered_json out;
+    for (const size_t side : {0, 1}) out[kSides[side] + std::string("_lines")] = number_json(change.lines[side]);
+    for (const size_t side : {0, 1}) out[std::string("shared_") + kSides[side]] = number_json(change.shared[side]);
+    for (const size_t side : {0, 1}) out[std::string("moss_percent_") + kSides[side]] = number_json(change.moss[side]);
+    out["degree_of_portability"] = number_json(change.portability);
+    return out;
+}
+
+ordered_json block_json(const BlockReport& block, const BlockReport* then, bool with_change) {
+    ordered_json out;
+    if (!block.name.empty()) out["name"] = block.name;
+    out["source_lines"] = block.measures[0].lines;
+    out["target_lines"] = block.measures[1].lines;
+    out["shared_source"] = block.measures[0].shared_lines;
+    out["shared_target"] = block.measures[1].shared_lines;
+    add_measures(out, block.measures);
+    out["degree_of_portability"] = figure_json(block.portability);
+    out["decomposition"] = {{"source", parts_json(block.parts[0])}, {"target", parts_json(block.parts[1])}};
+    out["lines"] = {{"source", lines_json(block.lines[0])}, {"target", lines_json(block.lines[1])}};
+    if (with_change) out["change"] = then != nullptr ? change_json(change_of(block, *then)) : ordered_json(nullptr);
+    return out;
+}
+
+ordered_json side_json(const std::optional<RowSide>& side) {
+    if (!side) return nullptr;
+    return {{"id", side->id},
+            {"file", side->file},
+            {"name", side->name},
+            {"kind", side->kind},
+            {"line", side->span.first},
+            {"end_line", side->span.last},
+            {"lines", side->lines},
+            {"code", spans_json(side->code)},
+            {"shared", spans_json(side->shared)}};
+}
+
+ordered_json row_json(const RowReport& row, const std::vector<BlockReport>& blocks) {
+    ordered_json out = {{"key", row_key(row)},
+                        {"share", share_name(row.share)},
+                        {"state", text_or_null(row.state)},
+                        {"reason", text_or_null(row.reason)},
+                        {"source", side_json(row.sides[0])},
+                        {"target", side_json(row.sides[1])}};
+    if (row.sides[0] && row.sides[1]) {
+        add_measures(out, row.measures);
+        out["likeness"] = number_json(row.likeness);
+    }
+    const RowSide& first = row.sides[0] ? *row.sides[0] : *row.sides[1];
+    out["block"] = first.block < 0 ? ordered_json(nullptr) : ordered_json(blocks[first.block].name);
+    out["blocks"] = ordered_json::array();
+    for (size_t i = 0; i < blocks.size(); ++i) {
+        const auto in = [&](const std::optional<RowSide>& side) {
+            return side &&
+                   std::find(side->blocks.begin(), side->blocks.end(), static_cast<int>(i)) != side->blocks.end();
+        };
+        if (in(row.sides[0]) || in(row.sides[1])) out["blocks"].push_back(blocks[i].name);
+    }
+    return out;
+}
+
+ordered_json place_json(const std::optional<Place>& place) {
+    if (!place) return nullptr;
+    return {{"id", place->id}, {"file", place->file}, {"line", place->line}, {"end_line", place->end_line}};
+}
+
+template <class T>
+ordered_json or_null(const std::optional<T>& value) {
+    return value ? ordered_json(*value) : ordered_json(nullptr);
+}
+
+ordered_json ledger_row_json(const LedgerRow& row) {
+    const Finding& f = *row.finding;
+    return {{"status", row.status},
+            {"rule", f.rule},
+            {"level", level_name(f.level)},
+            {"change", text_or_null(f.change)},
+            {"source", place_json(f.source)},
+            {"target", place_json(f.target)},
+            {"pair", f.map_target.empty() ? f.map_source : f.map_source + "=" + f.map_target},
+            {"message", f.message},
+            {"details", f.details},
+            {"remedy", f.remedy},
+            {"fingerprint", f.fingerprint},
+            {"age_days", or_null(row.age_days)},
+            {"age_is_least", row.age_is_least},
+            {"owner", text_or_null(row.owner)},
+            {"until", text_or_null(row.until)},
+            {"days_left", or_null(row.days_left)},
+            {"reason", text_or_null(row.reason)}};
+}
+
+ordered_json summary_json(const Summary& s) {
+    return {{"pairs", s.pairs},       {"in_step", s.in_step},   {"drifted", s.drifted}, {"review", s.review},
+            {"unported", s.unported}, {"deferred", s.deferred}, {"ignored", s.ignored}};
+}
+
+ordered_json drift_json(const WholeReport& whole) {
+    ordered_json out = {{"verdict", whole.judgement.verdict()}, {"summary", summary_json(whole.judgement.summary)}};
+    if (whole.base) {
+        out["change"] = nullptr;
+        if (whole.base->drift) {
+            const ordered_json now = out["summary"], then = summary_json(*whole.base->drift);
+            ordered_json change = ordered_json::object();
+            for (const auto& [name, value] : now.items())
+                change[name] = value.get<int64_t>() - then[name].get<int64_t>();
+            out["change"] = change;
+        }
+    }
+    out["as_of"] = whole.today;
+    out["findings"] = ordered_json::array();
+    for (const LedgerRow& row : whole.ledger.rows) out["findings"].push_back(ledger_row_json(row));
+    out["accepted"] = ordered_json::array();
+    for (const AcceptedRow& row : whole.ledger.accepted)
+        out["accepted"].push_back({{"source", row.source},
+                                   {"target", row.target},
+                                   {"date", row.date},
+                                   {"reason", row.reason},
+                                   {"age_days", or_null(row.age_days)}});
+    return out;
+}
+
+ordered_json own_blocks_json(const PortabilityReport& report) {
+    ordered_json out = ordered_json::array();
+    const auto add = [&](const ordered_json& name, const std::array<std::pair<size_t, size_t>, 2>& alone) {
+        out.push_back({{"name", name},
+                       {"source_lines", alone[0].first},
+                       {"source_shared", alone[0].second},
+                       {"target_lines", alone[1].first},
+                       {"target_shared", alone[1].second}});
+    };
+    for (const BlockReport& block : report.blocks) add(block.name, block.alone);
+    add(nullptr, report.in_no_block);
+    return out;
+}
+
+std::optional<double> difference(const std::optional<double>& now, const std::optional<double>& then) {
+    if (!now || !then) return std::nullopt;
+    return *now - *then;
+}
+
+}  // namespace
+
+BlockChange change_of(const BlockReport& now, const BlockReport& then) {
+    BlockChange change;
+    for (const size_t side : {0, 1}) {
+        const SideMeasure &a = now.measures[side], &b = then.measures[side];
+        change.lines[side] = static_cast<double>(a.lines) - b.lines;
+        change.shared[side] = static_cast<double>(a.shared_lines) - b.shared_lines;
+        change.moss[side] = difference(a.moss_percent, b.moss_percent);
+    }
+    if (now.portability && then.portability) change.portability = now.portability->value - then.portability->value;
+    return change;
+}
+
+const BlockReport* find_block(const std::vector<BlockReport>& blocks, const std::string& name) {
+    const auto found =
+        std::find_if(blocks.begin(), blocks.end(), [&](const BlockReport& block) { return block.name == name; });
+    return found == blocks.end() ? nullptr : &*found;
+}
+
+std::string row_key(const RowReport& row) {
+    if (row.sides[0] && row.sides[1]) return row.sides[0]->id + "=" + row.sides[1]->id;
+    return (row.sides[0] ? row.sides[0] : row.sides[1])->id;
+}
+
+ordered_json portability_json(const WholeReport& whole) {
+    const PortabilityReport& report = whole.report;
+    const bool with_change = whole.base.has_value();
+    ordered_json blocks = ordered_json::array(), rows = ordered_json::array();
+    for (const BlockReport& block : report.blocks)
+        blocks.push_back(
+            block_json(block, with_change ? find_block(whole.base->report.blocks, block.name) : nullptr, with_change));
+    for (const RowReport& row : report.rows) rows.push_back(row_json(row, report.blocks));
+    ordered_json out = {
+        {"blocks", blocks},
+        {"totals", block_json(report.totals, with_change ? &whole.base->report.totals : nullptr, with_change)},
+        {"drift", drift_json(whole)},
+        {"units", rows},
+        {"own_blocks", own_blocks_json(report)},
+        {"blocks_are_file_pairs", report.blocks_are_file_pairs},
+        {"sides", {{"source", whole.map.source}, {"target", whole.map.target}}},
+        {"parameters",
+         {{"k", metrics::WinnowingParameters{}.k},
+          {"w", metrics::WinnowingParameters{}.w},
+          {"twin_percent", kTwinBound}}}};
+    out["base"] = nullptr;
+    if (with_change) out["base"] = {{"revision", whole.base->revision}};
+    return out;
+}
+
+std::string json_text(const ordered_json& value, int indent) {
+    return value.dump(indent, ' ', false, ordered_json::error_handler_t::replace);
+}
+
+}  // namespace porttool

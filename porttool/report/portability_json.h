@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+
+#include "porttool/report/portability_ledger.h"
+#include "porttool/report/portability_model.h"
+
+namespace porttool {
+
+/// The report at the merge base, to show changes against.
+struct BaseReport {
+    std::string revision;
+    PortabilityReport report;
+    std::optional<Summary> drift;  ///< none where nothing was recorded then
+};
+
+/// All that `porttool report` prints, whatever the format.
+struct WholeReport {
+    const MapFile& map;
+    const PortabilityReport& report;
+    const Judgement& judgement;
+    DriftLedger ledger;
+    std::string today;
+    std::optional<BaseReport> base;
+};
+
+/// How the figures of a block changed; those that one of the two has not stay absent.
+struct BlockChange {
+    std::array<std::optional<double>, 2> lines, shared, moss;
+    std::optional<double> portability;
+};
+BlockChange change_of(const BlockReport& now, const BlockReport& then);
+
+/// The block of that name, or nullptr.
+const BlockReport* find_block(const std::vector<BlockReport>& blocks, const std::string& name);
+
+/// As the contract has it, with every figure's lines.
+nlohmann::ordered_json portability_json(const WholeReport& whole);
+
+/// The text of a JSON value: bytes that are no UTF-8 are replaced.
+std::string json_text(const nlohmann::ordered_json& value, int indent);
+
+/// The name of a row in the page's addresses: an id, or SOURCE=TARGET.
+std::string row_key(const RowReport& row);
+
+}  // namespace porttool

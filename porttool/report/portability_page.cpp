@@ -1,0 +1,180 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/report/portability_page.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+namespace porttool {
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr std::string_view kReplacement = "\xEF\xBF\xBD";
+
+/// Length of the UTF-8 sequence at the start of a text, or 0 if there is none: overlong ones and surrogates are none.
+size_t sequence_length(std::string_view text) {
+    const auto byte = [&](size_t i) { return static_cast<unsigned char>(text[i]); };
+    const unsigned char lead = byte(0);
+    const size_t length = lead < 0x80                   ? 1
+                          : lead >= 0xC2 && lead < 0xE0 ? 2
+                          : (lead >> 4) == 14           ? 3
+                          : lead >= 0xF0 && lead < 0xF5 ? 4
+                                                        : 0;
+    if (length == 0 || length > text.size()) return 0;
+    for (size_t i = 1; i < length; ++i)
+        if ((byte(i) & 0xC0) != 0x80) return 0;
+    if ((lead == 0xE0 && byte(1) < 0xA0) || (lead == 0xED && byte(1) >= 0xA0)) return 0;
+    if ((lead == 0xF0 && byte(1) < 0x90) || (lead == 0xF4 && byte(1) >= 0x90)) return 0;
+    return length;
+}
+
+std::vector<std::string_view> lines_of(std::string_view bytes) {
+    if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);
+    std::vector<std::string_view> lines;
+    while (!bytes.empty()) {
+        const size_t end = std::min(bytes.find_first_of("\r\n"), bytes.size());
+        lines.push_back(bytes.substr(0, end));
+        const size_t skip = bytes.substr(end).starts_with("\r\n") ? 2 : 1;
+        bytes.remove_prefix(std::min(end + skip, bytes.size()));
+    }
+    return lines;
+}
+
+void append_utf8(std::string& out, std::string_view bytes) {
+    while (!bytes.empty()) {
+        const size_t length = sequence_length(bytes);
+        out += length > 0 ? bytes.substr(0, length) : kReplacement;
+        bytes.remove_prefix(std::max<size_t>(1, length));
+    }
+}
+
+/// How many UTF-16 units, the way JavaScript counts, the first `count` bytes of a line take in the page.
+uint32_t utf16_units(std::string_view line, size_t count) {
+    uint32_t units = 0;
+    for (size_t at = 0; at < std::min(count, line.size());) {
+        const size_t length = sequence_length(line.substr(at));
+        units += length == 4 ? 2 : 1;
+        at += std::max<size_t>(1, length);
+    }
+    return units;
+}
+
+/// first, length, 1 if the dialect makes both sides equal here; for each mark.
+ordered_json marks_json(const std::vector<Mark>& marks, std::string_view line) {
+    ordered_json out = ordered_json::array();
+    for (const Mark& mark : marks) {
+        const uint32_t first = utf16_units(line, mark.first), end = utf16_units(line, mark.first + mark.length);
+        for (const uint32_t value : {first, end - first, mark.translated ? 1u : 0u}) out.push_back(value);
+    }
+    return out;
+}
+
+using TextLines = std::map<std::string, std::vector<std::string_view>>;
+
+TextLines split(const std::map<std::string, std::string>& texts) {
+    TextLines out;
+    for (const auto& [path, bytes] : texts) out.emplace(path, lines_of(bytes));
+    return out;
+}
+
+std::string_view line_at(const TextLines& texts, const std::string& file, uint32_t line) {
+    const auto found = texts.find(file);
+    return found == texts.end() || line == 0 || line > found->second.size() ? std::string_view()
+                                                                            : found->second[line - 1];
+}
+
+/// source line, target line (0: none), and where something differs the marks of both.
+ordered_json rows_json(const RowReport& row, const std::array<TextLines, 2>& texts, const Dialect& dialect) {
+    std::array<Unit, 2> whole;
+    std::array<UnitPlace, 2> places;
+    for (const size_t side : {0, 1}) {
+        places[side] = row.sides[side]->place;
+        if (places[side].unit != nullptr) continue;
+        whole[side].kind = UnitKind::File;
+        whole[side].start_line = row.sides[side]->span.first;
+        whole[side].end_line = row.sides[side]->span.last;
+        places[side].unit = &whole[side];
+    }
+    ordered_json out = ordered_json::array();
+    for (const AlignedRow& aligned : align_units(places[0], places[1], dialect)) {
+        ordered_json one = {aligned.source_line, aligned.target_line};
+        if (!aligned.source_marks.empty() || !aligned.target_marks.empty()) {
+            one.push_back(marks_json(aligned.source_marks, line_at(texts[0], row.sides[0]->file, aligned.source_line)));
+            one.push_back(marks_json(aligned.target_marks, line_at(texts[1], row.sides[1]->file, aligned.target_line)));
+        }
+        out.push_back(std::move(one));
+    }
+    return out;
+}
+
+ordered_json page_data(const WholeReport& whole, const SideTexts& texts) {
+    ordered_json data = portability_json(whole);
+    const std::array<TextLines, 2> lines = {split(texts[0]), split(texts[1])};
+    const Dialect dialect(whole.map.dialect);
+    for (size_t i = 0; i < whole.report.rows.size(); ++i) {
+        const RowReport& row = whole.report.rows[i];
+        if (row.sides[0] && row.sides[1]) data["units"][i]["rows"] = rows_json(row, lines, dialect);
+    }
+    data["texts"] = ordered_json::object();
+    for (const size_t side : {0, 1}) {
+        ordered_json files = ordered_json::object();
+        for (const auto& [path, bytes] : texts[side]) files[path] = page_text(bytes);
+        data["texts"][side == 0 ? "source" : "target"] = std::move(files);
+    }
+    return data;
+}
+
+/// JSON that may stand in a script element: without `<` it can neither end the element nor open a comment.
+std::string script_safe(const std::string& json) {
+    std::string out;
+    out.reserve(json.size() + json.size() / 64);
+    for (const char c : json) {
+        if (c == '<')
+            out += "\\u003c";
+        else
+            out += c;
+    }
+    return out;
+}
+
+/// Replaces each @NAME@ of the template once, in one pass: what is put in is never looked at again.
+std::string filled(std::string_view page, const std::map<std::string_view, std::string_view>& values) {
+    std::string out;
+    while (!page.empty()) {
+        size_t at = page.size();
+        const std::pair<const std::string_view, std::string_view>* next = nullptr;
+        for (const auto& value : values) {
+            const size_t found = page.find(value.first);
+            if (found < at) {
+                at = found;
+                next = &value;
+            }
+        }
+        out += page.substr(0, at);
+        if (next == nullptr) break;
+        out += next->second;
+        page.remove_prefix(at + next->first.size());
+    }
+    return out;
+}
+
+}  // namespace
+
+std::string page_text(std::string_view bytes) {
+    std::string out;
+    for (const std::string_view line : lines_of(bytes)) {
+        append_utf8(out, line);
+        out += '\n';
+    }
+    return out;
+}
+
+std::string portability_html(const WholeReport& whole, const SideTexts& texts) {
+    const std::string data = script_safe(json_text(page_data(whole, texts), -1));
+    const PageParts parts = page_parts();
+    return filled(parts.page, {{"@STYLE@", parts.style}, {"@DATA@", data}, {"@SCRIPT@", parts.script}});
+}
+
+}  // namespace porttool

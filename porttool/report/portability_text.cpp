@@ -1,0 +1,216 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/report/portability_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "porttool/report/figures.h"
+
+namespace porttool {
+namespace {
+
+constexpr const char* kTooShort = "too short";
+
+std::string percent(const std::optional<double>& value) { return value ? fmt::format("{:.1f} %", *value) : kTooShort; }
+
+/// " ▲ +3" or " ▼ -3"; nothing where nothing changed or nothing is known.
+std::string arrow(const std::optional<double>& change, int digits) {
+    if (!change) return {};
+    const std::string text = fmt::format("{:.{}f}", std::abs(*change), digits);
+    if (text.find_first_not_of("0.") == std::string::npos) return {};
+    return *change > 0 ? " ▲ +" + text : " ▼ -" + text;
+}
+
+std::string verdict_words(const std::string& verdict) {
+    if (verdict == "drift") return "drifted";
+    return verdict == "review" ? "to review" : "in step";
+}
+
+std::string summary_line(const Summary& s) {
+    return fmt::format(
+        "{} of {} pairs in step, {} drifted, {} to review, {} deferred, {} ignored; {} source units without a port",
+        s.in_step, s.pairs, s.drifted, s.review, s.deferred, s.ignored, s.unported);
+}
+
+/// A block with what it is compared with, if anything.
+struct Shown {
+    std::string name;
+    const BlockReport* block;
+    std::optional<BlockChange> change;
+};
+
+std::vector<Shown> shown_blocks(const WholeReport& whole) {
+    std::vector<Shown> out;
+    const auto add = [&](const std::string& name, const BlockReport& block, const BlockReport* then) {
+        out.push_back({name, &block, then != nullptr ? std::optional(change_of(block, *then)) : std::nullopt});
+    };
+    for (const BlockReport& block : whole.report.blocks)
+        add(block.name, block, whole.base ? find_block(whole.base->report.blocks, block.name) : nullptr);
+    add("All lines", whole.report.totals, whole.base ? &whole.base->report.totals : nullptr);
+    return out;
+}
+
+/// The text of a cell, in code where it is an id.
+std::string cell(const std::string& text) {
+    std::string out;
+    for (const char c : text) {
+        if (c == '|' || c == '\\' || c == '`' || c == '*' || c == '_' || c == '[' || c == ']' || c == '<' || c == '>')
+            out += '\\';
+        out += c == '\n' || c == '\r' ? ' ' : c;
+    }
+    return out;
+}
+
+std::string block_rows(const WholeReport& whole) {
+    std::string out =
+        "| block | source lines | shared | Moss % | target lines | shared | Moss % | degree of portability |\n"
+        "| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: |\n";
+    for (const Shown& shown : shown_blocks(whole)) {
+        const BlockChange change = shown.change.value_or(BlockChange());
+        out += "| " + cell(shown.name) + " |";
+        for (const size_t side : {0, 1}) {
+            const SideMeasure& measure = shown.block->measures[side];
+            out +=
+                fmt::format(" {}{} | {}{} | {}{} |", measure.lines, arrow(change.lines[side], 0), measure.shared_lines,
+                            arrow(change.shared[side], 0), percent(measure.moss_percent), arrow(change.moss[side], 1));
+        }
+        out += fmt::format(" {}{} |\n", figure_text(shown.block->portability), arrow(change.portability, 2));
+    }
+    return out;
+}
+
+std::string part_rows(const PortabilityReport& report) {
+    std::string out =
+        "| | twin | rewritten | one-sided | unmatched | all |\n| --- | ---: | ---: | ---: | ---: | ---: |\n";
+    for (const size_t side : {0, 1}) {
+        const LineParts& parts = report.totals.parts[side];
+        out += fmt::format("| {} | {} | {} | {} | {} | {} |\n", side == 0 ? "source lines" : "target lines", parts.twin,
+                           parts.rewritten, parts.one_sided, parts.unmatched, parts.total());
+    }
+    return out;
+}
+
+std::string open_findings(const WholeReport& whole) {
+    std::string out;
+    for (const LedgerRow& row : whole.ledger.rows) {
+        const Finding& f = *row.finding;
+        if (row.status == "ignored") continue;
+        if (out.empty()) out = "\n| | source | port | finding |\n| --- | --- | --- | --- |\n";
+        const std::string note = row.until.empty() ? "" : " Deferred until " + row.until + " to " + row.owner + ".";
+        out += fmt::format("| {} | {} | {} | {} ({}){} |\n", row.status == "open" ? level_name(f.level) : "deferred",
+                           cell(f.source ? f.source->id : f.map_source), cell(f.target ? f.target->id : f.map_target),
+                           cell(f.message), f.rule, cell(note));
+    }
+    return out;
+}
+
+std::string details(const std::string& title, const std::vector<std::string>& items) {
+    if (items.empty()) return {};
+    std::string out = fmt::format("\n<details><summary>{}: {}</summary>\n\n", title, items.size());
+    for (const std::string& item : items) out += "- " + item + "\n";
+    return out + "\n</details>\n";
+}
+
+/// Where the figures lead: pairs that are not twins, and what has no counterpart.
+std::string where_to_look(const PortabilityReport& report) {
+    std::vector<std::string> rewritten, unmatched;
+    for (const RowReport& row : report.rows) {
+        const RowSide& side = row.sides[0] ? *row.sides[0] : *row.sides[1];
+        if (row.share == Share::Rewritten)
+            rewritten.push_back(fmt::format("{} and {}: {}", cell(side.id), cell(row.sides[1]->id),
+                                            row.likeness ? fmt::format("{:.0f} %", *row.likeness) : kTooShort));
+        if (row.share == Share::Unmatched && side.lines > 0)
+            unmatched.push_back(
+                fmt::format("{}: {} {}", cell(side.id), side.lines, side.lines == 1 ? "line" : "lines"));
+    }
+    return details("Rewritten pairs", rewritten) + details("Without counterpart", unmatched);
+}
+
+std::string number(const std::optional<double>& value) { return value ? fmt::format("{:.4f}", *value) : std::string(); }
+
+void add_change_fields(std::string& out, const std::optional<BlockChange>& change) {
+    const BlockChange c = change.value_or(BlockChange());
+    const auto count = [](const std::optional<double>& value) {
+        return value ? fmt::format("{:.0f}", *value) : std::string();
+    };
+    out += fmt::format(",{},{},{},{},{},{},{}", count(c.lines[0]), count(c.lines[1]), count(c.shared[0]),
+                       count(c.shared[1]), number(c.moss[0]), number(c.moss[1]), number(c.portability));
+}
+
+}  // namespace
+
+std::string portability_table(const WholeReport& whole) {
+    const std::vector<Shown> blocks = shown_blocks(whole);
+    size_t width = 5;
+    for (const Shown& shown : blocks) width = std::max(width, shown.name.size());
+    std::string out =
+        fmt::format("{}: {}\n\n", verdict_words(whole.judgement.verdict()), summary_line(whole.judgement.summary));
+    out += fmt::format("{:<{}}  {:>12} {:>7} {:>9}  {:>12} {:>7} {:>9}  {}\n", "block", width, "source lines", "shared",
+                       "Moss", "target lines", "shared", "Moss", "degree of portability");
+    for (const Shown& shown : blocks) {
+        const SideMeasure &a = shown.block->measures[0], &b = shown.block->measures[1];
+        out += fmt::format("{:<{}}  {:>12} {:>7} {:>9}  {:>12} {:>7} {:>9}  {}\n", shown.name, width, a.lines,
+                           a.shared_lines, percent(a.moss_percent), b.lines, b.shared_lines, percent(b.moss_percent),
+                           figure_text(shown.block->portability));
+        if (!shown.change) continue;
+        const BlockChange& c = *shown.change;
+        const std::string changes = arrow(c.lines[0], 0) + arrow(c.shared[0], 0) + arrow(c.moss[0], 1) +
+                                    arrow(c.lines[1], 0) + arrow(c.shared[1], 0) + arrow(c.moss[1], 1) +
+                                    arrow(c.portability, 2);
+        if (changes.empty()) continue;
+        out += fmt::format("{:<{}}  {:>12} {:>7} {:>9}  {:>12} {:>7} {:>9}  {}\n", "", width, arrow(c.lines[0], 0),
+                           arrow(c.shared[0], 0), arrow(c.moss[0], 1), arrow(c.lines[1], 0), arrow(c.shared[1], 0),
+                           arrow(c.moss[1], 1), arrow(c.portability, 2));
+    }
+    for (const size_t side : {0, 1}) {
+        const LineParts& parts = whole.report.totals.parts[side];
+        out += fmt::format("{}{}: {} lines = {} twin + {} rewritten + {} one-sided + {} unmatched\n",
+                           side == 0 ? "\n" : "", side == 0 ? "source" : "target", parts.total(), parts.twin,
+                           parts.rewritten, parts.one_sided, parts.unmatched);
+    }
+    return out;
+}
+
+std::string portability_markdown(const WholeReport& whole) {
+    std::string out = "<!-- Made by: porttool report --format markdown -->\n";
+    out += fmt::format("### Port: {}\n\n{}.\n", verdict_words(whole.judgement.verdict()),
+                       summary_line(whole.judgement.summary));
+    if (whole.base) out += fmt::format("Changes are against the merge base with `{}`.\n", whole.base->revision);
+    out += open_findings(whole);
+    out += "\n" + block_rows(whole) + "\n" + part_rows(whole.report);
+    out += where_to_look(whole.report);
+    return out;
+}
+
+std::string portability_csv(const WholeReport& whole) {
+    std::string out =
+        "block,source_lines,target_lines,shared_source,shared_target,moss_percent_source,moss_percent_target,"
+        "moss_percent_blind_source,moss_percent_blind_target,moss_percent_raw_source,moss_percent_raw_target,"
+        "degree_of_portability,degree_low,degree_high,degree_model";
+    if (whole.base)
+        out +=
+            ",source_lines_change,target_lines_change,shared_source_change,shared_target_change,"
+            "moss_percent_source_change,moss_percent_target_change,degree_of_portability_change";
+    out += "\r\n";
+    for (const BlockReport& block : whole.report.blocks) {
+        const SideMeasure &a = block.measures[0], &b = block.measures[1];
+        out += fmt::format("{},{},{},{},{},{},{},{},{},{},{}", csv_field(block.name), a.lines, b.lines, a.shared_lines,
+                           b.shared_lines, number(a.moss_percent), number(b.moss_percent), number(a.moss_percent_blind),
+                           number(b.moss_percent_blind), number(a.moss_percent_raw), number(b.moss_percent_raw));
+        if (const auto& dp = block.portability)
+            out += fmt::format(",{:.4f},{:.4f},{:.4f},{}", dp->value, dp->low, dp->high, csv_field(dp->model));
+        else
+            out += ",,,,";
+        if (whole.base) {
+            const BlockReport* then = find_block(whole.base->report.blocks, block.name);
+            add_change_fields(out, then != nullptr ? std::optional(change_of(block, *then)) : std::nullopt);
+        }
+        out += "\r\n";
+    }
+    return out;
+}
+
+}  // namespace porttool
