@@ -19,7 +19,7 @@ packages=(
     # The tool
     libgit2-dev libtomlplusplus-dev
     # Tests and style
-    libgtest-dev libgmock-dev universal-ctags clang-format
+    libgtest-dev libgmock-dev universal-ctags similarity-tester clang-format
 )
 
 missing=()

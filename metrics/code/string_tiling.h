@@ -14,7 +14,7 @@ namespace metrics {
 
 struct TilingParameters {
     uint32_t minimum = 9;              ///< the shortest tile, in symbols; 9 is JPlag's default for Java
-    uint64_t most_pairs = 20'000'000;  ///< pairs of equal runs of that length; with more, nothing is computed
+    uint64_t most_pairs = 10'000'000;  ///< pairs of equal runs of that length; with more, nothing is computed
 };
 
 /// Greedy string tiling (Wise 1993; JPlag: Prechelt, Malpohl, Philippsen 2002): takes the longest run that both sides

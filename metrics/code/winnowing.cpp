@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace metrics {
 namespace {
@@ -15,17 +16,19 @@ uint64_t spread(uint64_t x) {
     return x ^ (x >> 31);
 }
 
-/// A sequence with its hashes and fingerprints; `by_hash` sorts the fingerprints by hash, then place.
+/// A sequence with its hashes, and its fingerprints sorted by hash, then place.
 struct Side {
     Side(std::span<const uint32_t> text, const WinnowingParameters& parameters)
-        : symbols(text), hashes(kgram_hashes(text, parameters)), prints(winnow(hashes, parameters.w)), by_hash(prints) {
-        std::sort(by_hash.begin(), by_hash.end(),
-                  [this](uint32_t x, uint32_t y) { return hashes[x] != hashes[y] ? hashes[x] < hashes[y] : x < y; });
+        : symbols(text), hashes(kgram_hashes(text, parameters)) {
+        std::vector<std::pair<uint64_t, uint32_t>> prints;
+        for (const uint32_t place : winnow(hashes, parameters.w)) prints.emplace_back(hashes[place], place);
+        std::sort(prints.begin(), prints.end());
+        by_hash.reserve(prints.size());
+        for (const auto& [hash, place] : prints) by_hash.push_back(place);
     }
 
     std::span<const uint32_t> symbols;
     std::vector<uint64_t> hashes;
-    std::vector<uint32_t> prints;
     std::vector<uint32_t> by_hash;
 };
 

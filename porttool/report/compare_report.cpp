@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
 
 namespace porttool {
@@ -38,8 +38,8 @@ std::string compare_json(const CompareReport& report) {
     const Json out = {
         {"a", {{"id", report.a_id}, {"file", report.a_file}, {"lines", s.a.lines}, {"tokens", s.a.tokens}}},
         {"b", {{"id", report.b_id}, {"file", report.b_file}, {"lines", s.b.lines}, {"tokens", s.b.tokens}}},
-        {"shared_lines_a", s.a.shared_lines},
-        {"shared_lines_b", s.b.shared_lines},
+        {"shared_lines_a", s.a.moss_percent ? Json(s.a.shared_lines) : Json(nullptr)},
+        {"shared_lines_b", s.b.moss_percent ? Json(s.b.shared_lines) : Json(nullptr)},
         {"moss_percent_a", or_null(s.a.moss_percent)},
         {"moss_percent_b", or_null(s.b.moss_percent)},
         {"moss_percent_blind_a", or_null(s.a.moss_percent_blind)},
@@ -63,7 +63,10 @@ std::string compare_table(const CompareReport& report) {
     out += row("", "a", "b");
     out += row("lines with code", std::to_string(s.a.lines), std::to_string(s.b.lines));
     out += row("tokens", std::to_string(s.a.tokens), std::to_string(s.b.tokens));
-    out += row("shared lines", std::to_string(s.a.shared_lines), std::to_string(s.b.shared_lines));
+    if (s.a.moss_percent)
+        out += row("shared lines", std::to_string(s.a.shared_lines), std::to_string(s.b.shared_lines));
+    else
+        out += row("shared lines", "-", "-");
     out += row("Moss %, dialect", figure(s.a.moss_percent, 1), figure(s.b.moss_percent, 1));
     out += row("Moss %, blind", figure(s.a.moss_percent_blind, 1), figure(s.b.moss_percent_blind, 1));
     out += row("Moss %, raw", figure(s.a.moss_percent_raw, 1), figure(s.b.moss_percent_raw, 1));
@@ -71,7 +74,9 @@ std::string compare_table(const CompareReport& report) {
     out += row("token edit (1 is alike)", s.token_edit);
     out += row("tree distance (0 is alike)", s.tree_distance);
     out += row("line divergence (0 is alike)", s.line_divergence);
-    for (const auto& [name, reason] : s.unmeasured) out += fmt::format("{}: {}\n", name, reason);
+    std::map<std::string, std::string> names;  // of the figures that one reason left out
+    for (const auto& [name, reason] : s.unmeasured) names[reason] += (names[reason].empty() ? "" : ", ") + name;
+    for (const auto& [reason, figures] : names) out += fmt::format("{} ({})\n", reason, figures);
     out += fmt::format("\nk = {} tokens, w = {}: each run of {} tokens that both sides have is found\n",
                        report.parameters.k, report.parameters.w, report.parameters.guarantee());
     return out;
