@@ -55,6 +55,20 @@ const LockedPair* accepted_since(const LockFile& then, const LockFile& now, cons
     return matches ? line : nullptr;
 }
 
+/// The target side of another checkout: where it knows no such revision, its own last commit is what it was in step as.
+std::string add_other_checkout(MemoryDisk& disk, const Project& project, const std::string& revision) {
+    const std::string root = target_root(project);
+    std::string note;
+    GitFiles files = files_at_base(root, revision, wanted(project.map.target));
+    if (!files.error.empty()) {
+        files = files_at_base(root, "HEAD", wanted(project.map.target));
+        note = "--base " + revision + " names nothing in " + root + "; its HEAD is taken for the port as it was";
+    }
+    if (!files.error.empty()) throw CannotDo("target_root: " + files.error);
+    for (auto& [path, bytes] : files.files) disk.files[join_path(root, path)] = std::move(bytes);
+    return note;
+}
+
 }  // namespace
 
 BaseLock base_lock(const Project& project, const std::string& revision, const LockFile& lock, const States& today) {
@@ -62,13 +76,14 @@ BaseLock base_lock(const Project& project, const std::string& revision, const Lo
     if (project.map.target_root.empty())
         globs.insert(globs.end(), project.map.target.begin(), project.map.target.end());
     MemoryDisk disk = disk_of(project.root, files_at_base(project.root, revision, wanted(globs)));
+    BaseLock out;
+    if (!project.map.target_root.empty()) out.note = add_other_checkout(disk, project, revision);
     const FileText old_lock = disk.read(join_path(project.root, "portmap.lock"), kLargestFile);
     const LockFile then = old_lock.error.empty() ? read_lock(old_lock.bytes).lock : LockFile();
 
     Project past = project;
     read_sides_from(past, disk, target_root(project));
     const States states = read_states(past);
-    BaseLock out;
     for (const auto* side : {&states.source, &states.target, &today.source, &today.target})
         for (const auto& [id, state] : *side) out.texts.emplace(state.prints.written, state_text(state));
     std::set<std::string> mapped;
@@ -81,8 +96,12 @@ BaseLock base_lock(const Project& project, const std::string& revision, const Lo
             }
             const UnitState* left = find_in(states.source, pair.source);
             const UnitState* right = find_in(states.target, target);
-            if (left == nullptr || right == nullptr) {  // the pair is new since the base: nothing to hold it against
-                left = find_in(today.source, pair.source);
+            if (left == nullptr || right == nullptr) {  // the pair is new since the base
+                if (const LockedPair* line = line_of(lock, pair.source, target)) {
+                    out.lock.pairs.push_back(*line);
+                    continue;
+                }
+                left = find_in(today.source, pair.source);  // nothing to hold it against
                 right = find_in(today.target, target);
             }
             if (left != nullptr && right != nullptr)
@@ -96,11 +115,29 @@ BaseLock base_lock(const Project& project, const std::string& revision, const Lo
     return out;
 }
 
-void read_staged_sides(Project& project, Workplace&) {
-    std::vector<std::string> globs = project.map.source;
-    globs.insert(globs.end(), project.map.target.begin(), project.map.target.end());
-    const MemoryDisk disk = disk_of(project.root, files_in_index(project.root, wanted(globs)));
+MemoryDisk read_staged_sides(Project& project) {
+    const std::string map_folder = project.map_path.substr(0, project.map_path.find_last_of('/'));
+    const auto is_of_map = [](const std::string& path) { return path.starts_with("portmap."); };
+    MemoryDisk disk = disk_of(map_folder, files_in_index(map_folder, is_of_map));
+    if (const auto map = disk.files.find(project.map_path); map != disk.files.end()) {
+        ReadMap read = read_map("portmap.toml (staged)", map->second);
+        if (!read.error.empty()) throw CannotDo(read.error);
+        project.map = std::move(read.map);
+    }
+    auto add = [&](const std::string& root, const std::vector<std::string>& globs) {
+        GitFiles files = files_in_index(root, wanted(globs));
+        if (!files.error.empty()) throw CannotDo(files.error);
+        for (auto& [path, bytes] : files.files) disk.files[join_path(root, path)] = std::move(bytes);
+    };
+    add(project.root, project.map.source);
+    add(target_root(project), project.map.target);
     read_sides_from(project, disk, target_root(project));
+    for (const auto* side : {&project.source, &project.target})
+        if (side->empty())
+            throw CannotDo(std::string("--staged: the index holds no file of the ") +
+                           (side == &project.source ? "source" : "target") +
+                           " side\nStage them with: git add; or check without --staged");
+    return disk;
 }
 
 }  // namespace porttool

@@ -13,13 +13,16 @@ namespace porttool {
 struct BaseLock {
     LockFile lock;
     std::map<std::string, std::string> texts;  ///< by fingerprint, as in portmap.base/
+    std::string note;                          ///< what a user should know of it, or ""
 };
 
 /// Reads the merge base of `revision` and HEAD. `lock` is today's lock, if there is one: a pair whose line in it
-/// changed since the base and matches today's units was accepted meanwhile and counts as in step. Throws CannotDo.
+/// changed since the base and matches today's units was accepted meanwhile and counts as in step. A target side in
+/// another checkout is read at the same revision there, else at its HEAD, else as it is. Throws CannotDo.
 BaseLock base_lock(const Project& project, const std::string& revision, const LockFile& lock, const States& today);
 
-/// Replaces a project's sides by what the index holds. Throws CannotDo.
-void read_staged_sides(Project& project, Workplace& place);
+/// Replaces a project's map and sides by what the index holds, and gives what of the lock and its texts is there (maybe
+/// nothing). Throws CannotDo.
+MemoryDisk read_staged_sides(Project& project);
 
 }  // namespace porttool

@@ -28,30 +28,35 @@ std::string today() {
 CheckedProject check_project(const Options& options, Workplace& place) {
     CheckedProject checked;
     checked.project = open_project(options, place, true);
+    MemoryDisk staged;
     if (options.staged)
-        read_staged_sides(checked.project, place);
+        staged = read_staged_sides(checked.project);
     else
         read_sides(checked.project, place);
+    const Disk& disk = staged.exists(lock_path(checked.project)) ? staged : place.disk;  // the lock's
     checked.states = read_states(checked.project);
     std::map<std::string, std::string> texts;
     if (options.base.empty()) {
-        checked.lock = load_lock(checked.project, place.disk);
+        checked.lock = load_lock(checked.project, disk);
     } else {
-        const bool there = place.disk.exists(lock_path(checked.project));
-        BaseLock base = base_lock(checked.project, options.base,
-                                  there ? load_lock(checked.project, place.disk) : LockFile(), checked.states);
+        const bool there = disk.exists(lock_path(checked.project));
+        BaseLock base = base_lock(checked.project, options.base, there ? load_lock(checked.project, disk) : LockFile(),
+                                  checked.states);
+        if (!base.note.empty()) place.err << base.note << "\n";
         checked.lock = std::move(base.lock);
         texts = std::move(base.texts);
     }
     const auto text_of = [&](const std::string& print) {
-        if (options.base.empty()) return base_text(checked.project, place.disk, print);
         const auto found = texts.find(print);
-        return found == texts.end() ? std::string() : found->second;
+        return found == texts.end() ? base_text(checked.project, disk, print) : found->second;
     };
     std::vector<PlacedSuppression> suppressions;
     for (const auto* side : {&checked.project.source, &checked.project.target})
         for (const ScannedFile& file : *side)
-            for (const Suppression& comment : file.lexed.suppressions) suppressions.push_back({file.path, comment});
+            for (const Suppression& comment : file.lexed.suppressions)
+                suppressions.push_back(
+                    {side == &checked.project.source ? file.path : target_path(checked.project.map, file.path),
+                     comment});
     std::unique_ptr<SpirvCheck> spirv;
     if (options.spirv) spirv = std::make_unique<SpirvCheck>(checked.project, options, place.disk);
     const auto same_code = [&](const UnitState& unit, bool source, const std::string& before) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 #include "porttool/command/commands.h"
 #include "porttool/command/lock_store.h"
@@ -63,12 +64,45 @@ std::string summary(const Matching& matching, const Project& project) {
            "; commit all three.\nNext: porttool check\n";
 }
 
+/// With a map that is there already: it stays as it is, and its pairs are recorded as in step.
+Outcome record_map(const Options& options, Workplace& place) {
+    Project project = open_project(options, place, true);
+    if (!options.force && place.disk.exists(lock_path(project)))
+        throw CannotDo(lock_path(project) + " is there already; replace it with --force, or run: porttool accept");
+    read_sides(project, place);
+    const States states = read_states(project);
+    LockFile lock;
+    std::set<std::string> mapped;
+    for (const MapPair& pair : project.map.pairs) {
+        mapped.insert(pair.source);
+        for (const std::string& target : pair.targets) {
+            const auto left = states.source.find(pair.source), right = states.target.find(target);
+            if (left != states.source.end() && right != states.target.end())
+                lock.pairs.push_back({pair.source, target, left->second.prints, right->second.prints});
+        }
+    }
+    for (const auto& [id, state] : states.source)
+        if (!mapped.contains(id)) lock.baseline.push_back({id, state.prints.written});
+    store_lock(project, lock, states, place.disk);
+    return {fmt::format("{} pairs of {} recorded as in step, {} source units without a port as the baseline.\n"
+                        "Next: porttool check\n",
+                        lock.pairs.size(), project.map_path, lock.baseline.size()),
+            0};
+}
+
 }  // namespace
 
 Outcome init_command(const Options& options, Workplace& place) {
     require_format(options.format, {"text"});
-    if (options.source.empty() || options.target.empty())
-        throw CannotDo("init needs --source GLOB and --target GLOB: the files that are ported from, and their ports");
+    if (options.source.empty() && options.target.empty()) {
+        const std::string map = options.config.empty()
+                                    ? join_path(find_root(place.disk, options.directory), "portmap.toml")
+                                    : options.config;
+        if (options.config.empty() && !place.disk.exists(map))
+            throw CannotDo(
+                "init needs --source GLOB and --target GLOB: the files that are ported from, and their ports");
+        return record_map(options, place);
+    }
     Options fresh = options;
     fresh.config.clear();
     Project project = open_project(fresh, place, false);

@@ -66,7 +66,9 @@ ParsedOptions parse_options(int argc, const char* const* argv) {
     add_sides(*init, options);
     init->add_flag("--force", options.force, "Replace what is there");
     CLI::App* check = app.add_subcommand("check", "Find what changed on one side only, or differently on both");
-    check->add_option("--base", options.base, "Hold the work tree against merge-base(REV, HEAD)")->type_name("REV");
+    check->add_option("--base", options.base, "Hold the work tree against merge-base(REV, HEAD)")
+        ->type_name("REV")
+        ->check([](const std::string& text) { return text.empty() ? "expected a revision" : ""; });
     check->add_flag("--staged", options.staged, "Take the index in place of the work tree");
     check->add_flag("--spirv", options.spirv, "Compile edited GLSL; what gives the same SPIR-V is a note");
     check->add_flag("--strict", options.strict, "Exit 1 for warnings too");

@@ -70,7 +70,10 @@ void read_sides(Project& project, Workplace& place) {
     project.source = scan_all(source);
     project.target = scan_all(target);
     project.skipped = source.skipped;
-    project.skipped.insert(project.skipped.end(), target.skipped.begin(), target.skipped.end());
+    for (const SkippedFile& file : target.skipped)
+        project.skipped.push_back(
+            {project.map.target_root.empty() ? file.file : clean_path(join_path(project.map.target_root, file.file)),
+             file.reason});
 }
 
 void read_sides_from(Project& project, const Disk& disk, const std::string& target_root) {

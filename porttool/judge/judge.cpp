@@ -8,6 +8,7 @@
 
 #include "porttool/compare/hazards.h"
 #include "porttool/judge/resolve.h"
+#include "porttool/read/disk.h"
 #include "porttool/read/glob.h"
 
 namespace porttool {
@@ -146,13 +147,16 @@ private:
         return out_.findings.back();
     }
 
-    static Place place_of(const UnitState& unit) { return {unit.id, unit.file, unit.start_line, unit.end_line}; }
+    /// Ids keep the paths of their side; a place's file leads there from the root, also into another checkout.
+    Place place_of(const UnitState& unit, bool source) const {
+        return {unit.id, source ? unit.file : target_path(facts_.map, unit.file), unit.start_line, unit.end_line};
+    }
 
     Finding& add_for(const JudgedPair& pair, const std::string& rule, const std::string& change,
                      const std::string& message) {
         Finding& finding = add(rule, pair.map_source, pair.map_target);
-        if (pair.source != nullptr) finding.source = place_of(*pair.source);
-        if (pair.target != nullptr) finding.target = place_of(*pair.target);
+        if (pair.source != nullptr) finding.source = place_of(*pair.source, true);
+        if (pair.target != nullptr) finding.target = place_of(*pair.target, false);
         finding.map_line = pair.map_line;
         finding.change = change;
         finding.message = message;
@@ -408,7 +412,7 @@ private:
             ++out_.summary.unported;
             if (known_ids.contains(id) || known_texts.contains(unit.prints.written) || is_ignored(id)) continue;
             Finding& finding = add("unported", id, "");
-            finding.source = place_of(unit);
+            finding.source = place_of(unit, true);
             finding.change = "added";
             finding.message = std::string(unit_kind_name(unit.kind)) + " " + unit.name + " has no port";
             suppress(out_.findings.size() - 1);
@@ -432,6 +436,10 @@ std::string Judgement::verdict() const {
         if (finding.verdict.empty()) worst = std::max(worst, finding.level);
     if (worst == Level::Error) return "drift";
     return worst == Level::Warning ? "review" : "in_step";
+}
+
+std::string target_path(const MapFile& map, const std::string& path) {
+    return map.target_root.empty() ? path : clean_path(join_path(map.target_root, path));
 }
 
 Judgement judge(const Case& facts) { return Judge(facts).run(); }

@@ -84,6 +84,9 @@ struct Case {
     SameCode same_code = {};                                   ///< if compilers are to be asked
 };
 
+/// The path of a file of the target side as seen from the root.
+std::string target_path(const MapFile& map, const std::string& path);
+
 /// Holds today's units against the lock. Reads nothing but the case.
 Judgement judge(const Case& facts);
 

@@ -57,7 +57,7 @@ std::string check_table(const Judgement& judgement, bool color) {
     std::string out;
     for (const Finding& f : judgement.findings) {
         if (!is_shown(f)) continue;
-        const Place place = f.source ? *f.source : f.target.value_or(Place{"", "portmap.toml", 1, 1});
+        const Place place = f.source ? *f.source : f.target.value_or(Place{"", "portmap.toml", f.map_line, f.map_line});
         const std::string level = color ? fmt::format("{}{}\x1b[0m", color_of(f.level), level_name(f.level))
                                         : std::string(level_name(f.level));
         out += fmt::format("{}:{}: {}: {} [{}]\n", place.file, place.line, level, f.message, f.rule);

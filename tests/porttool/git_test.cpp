@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The porttool authors
 // SPDX-License-Identifier: Apache-2.0
 // The gate against a revision and on the index, in a repository made for each test.
+#include <unistd.h>
+
 #include <cstdlib>
 
 #include "tests/porttool/fixtures.h"
@@ -16,6 +18,7 @@ protected:
         root = std::filesystem::temp_directory_path() /
                ("porttool_git_test_" + std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()));
         std::filesystem::remove_all(root);
+        std::filesystem::remove_all(beside("other"));
         write("src/k.cu", source);
         write("port/k.comp", target);
         git("init -q -b main . && git config user.email a@b && git config user.name a");
@@ -23,7 +26,22 @@ protected:
         ASSERT_EQ(porttool({"init", "--source", "src/*", "--target", "port/*"}).exit_code, 0);
         git("add -A && git commit -qm two && git branch base");
     }
-    void TearDown() override { std::filesystem::remove_all(root); }
+    void TearDown() override {
+        std::filesystem::remove_all(root);
+        std::filesystem::remove_all(beside("other"));
+    }
+
+    /// A folder next to the repository, for a second one.
+    std::filesystem::path beside(const std::string& name) const { return root.string() + "_" + name; }
+    /// What is wrong, for calls that must fail.
+    std::string error_of(std::vector<std::string> options, const std::string& folder = "") {
+        options.insert(options.begin(), "check");
+        const CommandRun got = porttool(options, folder);
+        EXPECT_EQ(got.exit_code, 2) << got.out;
+        EXPECT_EQ(got.out, "");
+        EXPECT_LE(std::count(got.err.begin(), got.err.end(), '\n'), 2) << got.err;
+        return got.err;
+    }
 
     void write(const std::string& path, const std::string& text) const {
         std::filesystem::create_directories((root / path).parent_path());
@@ -97,18 +115,208 @@ TEST_F(Git, WorkTreesSubfoldersAndDetachedHeadsWork) {
 }
 
 TEST_F(Git, WhatGitCannotGiveIsExitCodeTwo) {
-    CommandRun got = porttool({"check", "--base", "nowhere"});
-    EXPECT_EQ(got.exit_code, 2);
-    EXPECT_NE(got.err.find("git fetch origin nowhere"), std::string::npos);
+    EXPECT_NE(error_of({"--base", "nowhere"}).find("git fetch origin nowhere"), std::string::npos);
+    EXPECT_NE(error_of({"--base", "origin/main"}).find("git fetch origin main\n"), std::string::npos);
+    EXPECT_NE(error_of({"--base", "HEAD:src"}).find("no such revision"), std::string::npos);
+    EXPECT_NE(error_of({"--base", ""}).find("--base"), std::string::npos) << "an empty variable in a CI file";
     git("checkout -q --orphan other && git commit -qm alone");
-    got = porttool({"check", "--base", "base"});
-    EXPECT_EQ(got.exit_code, 2);
-    EXPECT_NE(got.err.find("fetch-depth: 0"), std::string::npos) << got.err;
+    EXPECT_NE(error_of({"--base", "base"}).find("fetch-depth: 0"), std::string::npos);
     std::filesystem::remove_all(root / ".git");
-    got = porttool({"check", "--base", "base"});
-    EXPECT_EQ(got.exit_code, 2);
-    EXPECT_NE(got.err.find("no git repository"), std::string::npos) << got.err;
-    EXPECT_EQ(got.out, "");
+    EXPECT_NE(error_of({"--base", "base"}).find("no git repository"), std::string::npos);
+    EXPECT_NE(error_of({"--staged"}).find("no git repository"), std::string::npos);
+}
+
+TEST_F(Git, AShallowCloneWithoutTheMergeBaseNamesTheRemedyAndTheRemedyHelps) {
+    git("commit -q --allow-empty -m three && git checkout -q -b feature base");
+    write("src/k.cu", replaced(source, "a * b", "a + b"));
+    git("commit -qam four");
+    git("clone -q --depth 1 --no-single-branch -b feature 'file://" + root.string() + "' '" + beside("other").string() +
+        "'");
+    const std::string clone = beside("other").string();
+    EXPECT_EQ(check({}, clone)["verdict"], "drift") << "the lock needs no history";
+    const std::string error = error_of({"--base", "origin/main"}, clone);
+    EXPECT_NE(error.find("fetch-depth: 0"), std::string::npos) << error;
+    ASSERT_NE(error.find("git fetch --unshallow"), std::string::npos) << error;
+    ASSERT_EQ(std::system(("cd '" + clone + "' && git fetch --unshallow > /dev/null 2>&1").c_str()), 0);
+    EXPECT_EQ(check({"--base", "origin/main"}, clone)["verdict"], "drift");
+}
+
+TEST_F(Git, BeforeTheFirstCommitOnlyTheIndexHelps) {
+    std::filesystem::remove_all(root / ".git");
+    git("init -q -b main .");
+    EXPECT_NE(error_of({"--base", "main"}).find("HEAD names no commit yet"), std::string::npos);
+    EXPECT_NE(error_of({"--staged"}).find("git add"), std::string::npos) << "an empty index is no clean one";
+    git("add -A");
+    EXPECT_EQ(check({"--staged"})["verdict"], "in_step");
+    EXPECT_EQ(check({})["verdict"], "in_step");
+}
+
+TEST_F(Git, AConflictInTheIndexIsNotJudged) {
+    git("checkout -q -b feature base");
+    write("src/k.cu", replaced(source, "a * b", "a + b"));
+    git("commit -qam three && git checkout -q main");
+    write("src/k.cu", replaced(source, "a * b", "a - b"));
+    git("commit -qam four && ! git merge feature");
+    const std::string error = error_of({"--staged"});
+    EXPECT_NE(error.find("src/k.cu: a merge conflict is not resolved"), std::string::npos) << error;
+    EXPECT_NE(error.find("git add 'src/k.cu'"), std::string::npos) << error;
+    write("src/k.cu", source);
+    git("add src/k.cu");
+    EXPECT_EQ(check({"--staged"})["verdict"], "in_step");
+}
+
+TEST_F(Git, TheLockThatCountsForTheIndexIsTheStagedOne) {
+    write("src/k.cu", replaced(source, "a * b", "a + b"));
+    git("add -A");
+    ASSERT_EQ(porttool({"accept", "src/k.cu:shade", "--reason", "GPU only"}).exit_code, 0);
+    EXPECT_EQ(check({})["verdict"], "in_step");
+    EXPECT_EQ(check({"--staged"})["verdict"], "drift") << "the commit would not hold the new lock";
+    git("add -A");
+    EXPECT_EQ(check({"--staged"})["verdict"], "in_step");
+}
+
+TEST_F(Git, SubmodulesWorkFromWithinAndFromAbove) {
+    const std::string parent = beside("other").string();
+    git("init -q -b main '" + parent + "' && cd '" + parent +
+        "' && git config user.email a@b && git config user.name a && git -c protocol.file.allow=always submodule -q "
+        "add '" +
+        root.string() + "' sub && git add -A && git commit -qm parent");
+    const std::string within = parent + "/sub";
+    ASSERT_EQ(std::system(("cd '" + within + "' && git config user.email a@b && git config user.name a").c_str()), 0);
+    EXPECT_EQ(check({"--base", "HEAD"}, within)["verdict"], "in_step");
+    ASSERT_EQ(porttool({"init", "--source", "sub/src/*", "--target", "sub/port/*"}, parent).exit_code, 0);
+    ASSERT_EQ(std::system(("cd '" + parent + "' && git add -A && git commit -qm map").c_str()), 0);
+    EXPECT_EQ(check({"--base", "HEAD"}, parent)["verdict"], "in_step");
+    EXPECT_EQ(check({"--staged"}, parent)["verdict"], "in_step");
+    std::ofstream(within + "/src/k.cu") << replaced(source, "a * b", "a + b");
+    EXPECT_EQ(check({"--base", "HEAD"}, within)["verdict"], "drift");
+    EXPECT_EQ(check({"--base", "HEAD"}, parent)["verdict"], "drift");
+    EXPECT_EQ(check({"--staged"}, parent)["verdict"], "in_step");
+    ASSERT_EQ(std::system(("cd '" + within + "' && git commit -qam edit && cd .. && git add sub").c_str()), 0);
+    EXPECT_EQ(check({"--staged"}, parent)["verdict"], "drift");
+}
+
+TEST_F(Git, ARepositoryOfAnotherUserIsRead) {
+    if (::geteuid() != 0) GTEST_SKIP() << "only root can give a folder away";
+    ASSERT_EQ(std::system(("chown -R nobody '" + root.string() + "'").c_str()), 0);
+    ASSERT_NE(std::system(("cd '" + root.string() + "' && SUDO_UID= git status > /dev/null 2>&1").c_str()), 0)
+        << "git itself refuses";
+    write("src/k.cu", replaced(source, "a * b", "a + b"));
+    EXPECT_EQ(check({"--base", "base"})["verdict"], "drift");
+    EXPECT_EQ(check({"--staged"})["verdict"], "in_step");
+}
+
+TEST_F(Git, ALinkToAFileIsReadAsTheFile) {
+    std::filesystem::rename(root / "src/k.cu", root / "k.cu");
+    std::filesystem::create_symlink("../k.cu", root / "src/k.cu");
+    git("add -A && git commit -qm linked");
+    EXPECT_EQ(check({"--base", "HEAD"})["verdict"], "in_step");
+    write("k.cu", replaced(source, "a * b", "a + b"));
+    EXPECT_EQ(check({"--base", "HEAD"})["verdict"], "drift");
+    EXPECT_EQ(check({"--staged"})["verdict"], "in_step");
+    git("add -A");
+    EXPECT_EQ(check({"--staged"})["verdict"], "drift");
+}
+
+TEST_F(Git, ATextThatIsNotHereIsNotTakenForNone) {
+    ASSERT_EQ(std::system(("cd '" + root.string() + "' && git rev-parse HEAD:src/k.cu > id").c_str()), 0);
+    const std::string id = read_text(root / "id").substr(0, 40);
+    std::filesystem::remove(root / ".git/objects" / id.substr(0, 2) / id.substr(2));
+    EXPECT_NE(error_of({"--base", "base"}).find("src/k.cu"), std::string::npos);
+}
+
+TEST_F(Git, AUnitThatWasMovedSinceTheBaseIsHeldAgainstTheLock) {
+    // Its old id is not in the map any more, so that the base has nothing to say.
+    std::filesystem::rename(root / "src/k.cu", root / "src/moved.cu");
+    write("portmap.toml", replaced(read_text(root / "portmap.toml"), "src/k.cu:shade", "src/moved.cu:shade"));
+    ASSERT_EQ(porttool({"accept", "--all", "--force"}).exit_code, 0);
+    git("add -A && git commit -qm moved");
+    EXPECT_EQ(check({"--base", "base"})["verdict"], "in_step");
+    write("src/moved.cu", replaced(source, "a * b", "a + b"));
+    EXPECT_EQ(check({"--base", "base"})["verdict"], "drift");
+}
+
+TEST_F(Git, TheTwoSidesMayLieInTwoCheckouts) {
+    const std::string other = beside("other").string();
+    std::filesystem::create_directories(other);
+    std::filesystem::rename(root / "port", other + "/port");
+    ASSERT_EQ(std::system(("cd '" + other +
+                           "' && git init -q -b main . && git config user.email a@b && git config "
+                           "user.name a && git add -A && git commit -qm port && git branch base")
+                              .c_str()),
+              0);
+    write("portmap.toml", "version = 1\n[sides]\nsource = [\"src/*\"]\ntarget = [\"port/*\"]\ntarget_root = \"../" +
+                              std::filesystem::path(other).filename().string() +
+                              "\"\n[[pair]]\nsource = \"src/k.cu:shade\"\ntarget = \"port/k.comp:shade\"\n");
+    git("add -A && git commit -qm apart && git branch -f base");
+    EXPECT_NE(porttool({"map"}).out.find("confirmed"), std::string::npos);
+    std::filesystem::remove(root / "portmap.lock");
+    ASSERT_EQ(porttool({"init"}).exit_code, 0) << "a map written by hand gets its lock";
+    git("add -A && git commit -q --allow-empty -m lock && git branch -f base");
+    for (const std::vector<std::string>& options :
+         std::vector<std::vector<std::string>>{{}, {"--base", "base"}, {"--staged"}})
+        EXPECT_EQ(check(options)["verdict"], "in_step");
+
+    write("src/k.cu", replaced(source, "a * b", "a + b"));
+    git("add -A");
+    for (const std::vector<std::string>& options :
+         std::vector<std::vector<std::string>>{{}, {"--base", "base"}, {"--staged"}}) {
+        const auto report = check(options);
+        ASSERT_EQ(report["findings"].size(), 1u);
+        const auto& port = report["findings"][0]["target"];
+        EXPECT_EQ(port["id"], "port/k.comp:shade");
+        EXPECT_EQ(port["file"], "../" + std::filesystem::path(other).filename().string() + "/port/k.comp")
+            << "a path that leads there from the root";
+    }
+    EXPECT_NE(porttool({"explain", "port/k.comp:shade"}).out.find("+ float c = a + b"), std::string::npos);
+
+    std::ofstream(other + "/port/k.comp") << replaced(target, "a * b", "a + b");
+    EXPECT_EQ(check({})["verdict"], "in_step");
+    EXPECT_EQ(check({"--base", "base"})["verdict"], "in_step");
+    EXPECT_EQ(check({"--staged"})["verdict"], "drift") << "the port is not staged in its own checkout";
+    ASSERT_EQ(std::system(("cd '" + other + "' && git add -A").c_str()), 0);
+    EXPECT_EQ(check({"--staged"})["verdict"], "in_step");
+    ASSERT_EQ(porttool({"accept", "port/k.comp:shade"}).exit_code, 0);
+    EXPECT_TRUE(check({})["findings"].empty());
+
+    git("branch only_here HEAD");
+    const CommandRun got = porttool({"check", "--base", "only_here"});
+    EXPECT_EQ(got.exit_code, 0);
+    EXPECT_NE(got.err.find("its HEAD is taken"), std::string::npos) << got.err;
+    std::filesystem::remove_all(other + "/.git");
+    EXPECT_NE(error_of({"--base", "base"}).find("target_root"), std::string::npos);
+}
+
+TEST_F(Git, ARenamedGlobalConstantIsNoChangeOfCode) {
+    write("src/k.cu", "");
+    const std::string shader =
+        "#version 450\nlayout(std430, binding = 0) buffer Values { float values[]; };\nconst float SCALE = 0.5;\n"
+        "void main() {\n  values[0] = values[1] * SCALE;\n}\n";
+    write("src/g.comp", shader);
+    write("port/g.cpp", "const float SCALE = 0.5f;\nvoid main() {\n  values[0] = values[1] * SCALE;\n}\n");
+    write("portmap.toml",
+          "version = 1\n[sides]\nsource = [\"src/*\"]\ntarget = [\"port/*\"]\n[[pair]]\nsource = \"src/g.comp:main\"\n"
+          "target = \"port/g.cpp:main\"\n");
+    ASSERT_EQ(porttool({"init", "--force"}).exit_code, 0);
+    git("add -A && git commit -qm shader");
+    write("src/g.comp", replaced(replaced(shader, "SCALE", "FACTOR"), "SCALE", "FACTOR"));
+    auto level_of_main = [&](const std::vector<std::string>& options) {
+        const auto report = check(options);
+        for (const auto& finding : report["findings"])
+            if (finding["source"].is_object() && finding["source"]["id"] == "src/g.comp:main")
+                return finding["level"].get<std::string>();
+        return std::string("none");
+    };
+    EXPECT_EQ(level_of_main({}), "error");
+    if (porttool({"check", "--spirv"}).exit_code == 2) GTEST_SKIP() << "this build has no glslang";
+    EXPECT_EQ(level_of_main({"--spirv"}), "note");
+    EXPECT_EQ(level_of_main({"--spirv", "--base", "HEAD"}), "note");
+    git("add -A");
+    EXPECT_EQ(level_of_main({"--spirv", "--staged"}), "note");
+    std::filesystem::remove_all(root / ".git");
+    const CommandRun got = porttool({"check", "--spirv"});
+    EXPECT_EQ(got.exit_code, 1);
+    EXPECT_NE(got.err.find("no earlier files"), std::string::npos) << got.err;
 }
 
 }  // namespace
