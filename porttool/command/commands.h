@@ -37,6 +37,7 @@ Outcome defer_command(const Options& options, Workplace& place);
 Outcome ignore_command(const Options& options, Workplace& place);
 Outcome explain_command(const Options& options, Workplace& place);
 Outcome effort_command(const Options& options, Workplace& place);
+Outcome history_command(const Options& options, Workplace& place);
 Outcome compare_command(const Options& options, Workplace& place);
 Outcome report_command(const Options& options, Workplace& place);
 

@@ -17,7 +17,7 @@ namespace {
 std::optional<MapFile> map_at(const Past& past, const GitCommit& commit) {
     const auto found = past.git->changes("", commit.id, [](const std::string& path) { return path == "portmap.toml"; });
     if (found.empty()) return std::nullopt;
-    ReadMap read = read_map("portmap.toml at " + commit.id, past.git->blob(found.front().blob));
+    ReadMap read = read_map("portmap.toml at " + commit.id, read_blob(past, "portmap.toml", found.front().blob));
     if (!read.error.empty()) throw CannotDo(read.error);
     return std::move(read.map);
 }
@@ -36,7 +36,7 @@ std::vector<ScannedFile> scan_side(const Past& past, const GitCommit& commit, co
     std::vector<ScannedFile> files;
     for (const GitChange& file :
          past.git->changes("", commit.id, [&](const std::string& path) { return side.takes(path); })) {
-        const std::string text = past.git->blob(file.blob);
+        const std::string text = read_blob(past, file.path, file.blob);
         if (const std::string reason = unreadable_reason(text); !reason.empty())
             place.err << "skipped " << file.path << " at " << commit.id << ": " << reason << "\n";
         else

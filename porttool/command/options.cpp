@@ -97,6 +97,9 @@ ParsedOptions parse_options(int argc, const char* const* argv) {
     CLI::App* effort = app.add_subcommand("effort", "Tell what porting a range of commits cost");
     effort->add_option("--from", options.from, "The commit before the change")->required()->type_name("REV");
     effort->add_option("--to", options.to, "The commit that ends it (HEAD)")->type_name("REV");
+    CLI::App* history = app.add_subcommand("history", "Show metrics and drift debt over the git history");
+    history->add_option("--since", options.since, "Show only what came after this commit")->type_name("REV");
+    history->add_flag("--no-cache", options.no_cache, "Neither use nor keep what was measured before");
     CLI::App* report = app.add_subcommand("report", "Report what is shared, what drifted, and what porting costs");
     report->add_option("--base", options.base, "Show each figure with its change against merge-base(REV, HEAD)")
         ->type_name("REV");

@@ -24,9 +24,12 @@ struct Options {
     bool all = false;
     bool strict = false;
     std::string owner, until, reason;
-    std::string base;  ///< a revision
+    std::string base;                     ///< a revision
     std::vector<std::string> fail_under;  ///< report's bars, BLOCK=PERCENT each
     bool staged = false;
+    std::string from, to = "HEAD";  ///< effort's revisions
+    std::string since;              ///< history's
+    bool no_cache = false;
     std::string from, to = "HEAD";  ///< effort's revisions
     std::string since;              ///< history's
     bool no_cache = false;

@@ -62,6 +62,12 @@ GitCommit find_commit(const Past& past, const std::string& option, const std::st
     throw CannotDo(option + " " + revision + ": no such revision here\n" + remedy_for(past));
 }
 
+std::string read_blob(const Past& past, const std::string& path, const std::string& blob) {
+    if (auto text = past.git->find_blob(blob)) return std::move(*text);
+    throw CannotDo(path + ": git knows version " + blob +
+                   " of it, but its text is not here, as in a partial clone\nFetch it: git fetch --refetch --no-filter");
+}
+
 void require_sides(const MapFile& map, const std::string& where) {
     if (map.source.empty() || map.target.empty())
         throw CannotDo(where + ": no sides named; put [sides] source and target into it");

@@ -43,6 +43,9 @@ Past open_past(const Options& options, Workplace& place);
 /// A commit by the revision that an option gave. Throws CannotDo for an unknown one, with what is known instead.
 GitCommit find_commit(const Past& past, const std::string& option, const std::string& revision);
 
+/// The content of a file at some commit. Throws CannotDo where the clone lacks it.
+std::string read_blob(const Past& past, const std::string& path, const std::string& blob);
+
 /// Throws CannotDo for a map that history cannot use: without sides, or with a target in another repository.
 void require_sides(const MapFile& map, const std::string& where);
 

@@ -16,7 +16,7 @@ const std::map<std::string, Command>& commands() {
         {"scan", scan_command},       {"map", map_command},         {"init", init_command},
         {"check", check_command},     {"accept", accept_command},   {"defer", defer_command},
         {"ignore", ignore_command},   {"explain", explain_command}, {"effort", effort_command},
-        {"compare", compare_command},   {"report", report_command},
+        {"history", history_command}, {"compare", compare_command}, {"report", report_command},
     };
     return table;
 }

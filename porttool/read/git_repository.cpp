@@ -132,12 +132,13 @@ std::vector<GitChange> GitRepository::changes(const std::string& older, const st
     return out;
 }
 
-std::string GitRepository::blob(const std::string& text) const {
+std::optional<std::string> GitRepository::find_blob(const std::string& text) const {
     const auto id = oid_of(text);
     git_blob* blob = nullptr;
-    if (!id || git_blob_lookup(&blob, handle_->repository(), &*id) != 0) return {};
+    if (!id || git_blob_lookup(&blob, handle_->repository(), &*id) != 0) return std::nullopt;
     const Blob owner(blob);
-    return {static_cast<const char*>(git_blob_rawcontent(blob)), static_cast<size_t>(git_blob_rawsize(blob))};
+    return std::string(static_cast<const char*>(git_blob_rawcontent(blob)),
+                       static_cast<size_t>(git_blob_rawsize(blob)));
 }
 
 }  // namespace porttool

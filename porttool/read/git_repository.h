@@ -56,8 +56,10 @@ public:
     /// What changed from one commit to another, in wanted paths; from nothing if `older` is empty. Symbolic links and
     /// submodules are no files. Sorted by path.
     std::vector<GitChange> changes(const std::string& older, const std::string& newer, const WantsFile& wants) const;
-    /// The content of a blob; empty if it is not here.
-    std::string blob(const std::string& id) const;
+    /// The content of a blob; none if it is not here, as in a partial clone.
+    std::optional<std::string> find_blob(const std::string& id) const;
+    /// The same, empty if it is not here.
+    std::string blob(const std::string& id) const { return find_blob(id).value_or(std::string()); }
 
 private:
     struct Handle;

@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/command/blob_facts_source.h"
+
+#include <algorithm>
+
+#include "porttool/read/source_files.h"
+#include "porttool/scan/scan.h"
+
+namespace porttool {
+namespace {
+
+/// What a path adds to a content: its dialect is told by the suffix.
+std::string version_key(const FileVersion& file) {
+    const size_t name = file.path.find_last_of('/') + 1;
+    const size_t dot = file.path.find('.', name);
+    return file.blob + (dot == std::string::npos ? std::string() : file.path.substr(dot));
+}
+
+std::string joined(const std::vector<std::string>& units) {
+    std::string text;
+    for (const std::string& unit : units) text += unit + "\n";
+    return text;
+}
+
+Passage passage_of(const ScannedFile& file, const std::vector<std::string>& units) {
+    if (units.empty()) return {{&file, nullptr}};
+    Passage passage;
+    for (const Unit& unit : file.units)
+        if (std::find(units.begin(), units.end(), unit.name) != units.end()) passage.push_back({&file, &unit});
+    return passage;
+}
+
+ByValue by_value(const UnitFacts& source, const UnitFacts& target) {
+    if (source.kind == UnitKind::Constant && target.kind == UnitKind::Constant) return ByValue::Constant;
+    return source.kind == UnitKind::Struct && target.kind == UnitKind::Struct ? ByValue::Struct : ByValue::No;
+}
+
+}  // namespace
+
+void BlobFactsSource::use_dialect(const std::vector<std::pair<std::string, std::string>>& rows) {
+    dialect_ = Dialect(rows);
+    std::string text;
+    for (const auto& [left, right] : rows) text += left + "=" + right + "\n";
+    dialect_key_ = BlobCache::key({text});
+}
+
+const ScannedFile& BlobFactsSource::scanned(const FileVersion& file) {
+    auto& kept = scanned_[file.path];
+    if (kept.first == file.blob) return kept.second;
+    const std::string text = read_blob(past_, file.path, file.blob);
+    kept = {file.blob, scan_text(file.path, unreadable_reason(text).empty() ? text : std::string())};
+    return kept.second;
+}
+
+const BlobFacts& BlobFactsSource::facts(const FileVersion& file) {
+    const std::string version = version_key(file);
+    if (const auto known = facts_.find(version); known != facts_.end()) return known->second;
+    const std::string key = BlobCache::key({"facts", version});
+    std::optional<BlobFacts> facts;
+    if (const std::string* line = cache_.find(key)) facts = read_blob_facts(*line);
+    if (!facts) {
+        facts = blob_facts(scanned(file));
+        cache_.put(key, facts_line(*facts));
+    }
+    for (const UnitFacts& unit : facts->units) places_.emplace(unit.prints.written, file);
+    return facts_.emplace(version, std::move(*facts)).first->second;
+}
+
+const PieceMeasure& BlobFactsSource::measure(const Piece& source, const Piece& target) {
+    const std::string key = BlobCache::key({"measure", version_key(source.file), joined(source.units),
+                                            version_key(target.file), joined(target.units), dialect_key_});
+    if (const auto known = measures_.find(key); known != measures_.end()) return known->second;
+    std::optional<PieceMeasure> measure;
+    if (const std::string* line = cache_.find(key)) measure = read_piece_measure(*line);
+    if (!measure) {
+        measure = measure_pieces(passage_of(scanned(source.file), source.units),
+                                 passage_of(scanned(target.file), target.units), dialect_);
+        cache_.put(key, facts_line(*measure));
+    }
+    return measures_.emplace(key, std::move(*measure)).first->second;
+}
+
+std::string BlobFactsSource::text_of(const std::string& print, const BaseBlob& base_blob) {
+    if (const auto place = places_.find(print); place != places_.end()) {
+        const std::string text = read_blob(past_, place->second.path, place->second.blob);
+        const ScannedFile file = scan_text(place->second.path, unreadable_reason(text).empty() ? text : std::string());
+        for (const Unit& unit : file.units)
+            if (const UnitState state = unit_state(file, unit); state.prints.written == print) return state_text(state);
+        return state_text(unit_state(file, whole_file_unit(file)));
+    }
+    const std::string blob = base_blob(print);
+    return blob.empty() ? std::string() : read_blob(past_, "portmap.base/" + print, blob);
+}
+
+EditFacts BlobFactsSource::edits(const Fingerprints& source_before, const UnitFacts& source_now,
+                                 const Fingerprints& target_before, const UnitFacts& target_now,
+                                 const BaseBlob& base_blob) {
+    const ByValue value = by_value(source_now, target_now);
+    const std::string key =
+        BlobCache::key({"edits", source_before.written, source_now.prints.written, target_before.written,
+                        target_now.prints.written, std::to_string(static_cast<int>(value)), dialect_key_});
+    if (const std::string* line = cache_.find(key))
+        if (const auto facts = read_edit_facts(*line)) return *facts;
+    const EditTexts texts{text_of(source_before.written, base_blob), text_of(source_now.prints.written, base_blob),
+                          text_of(target_before.written, base_blob), text_of(target_now.prints.written, base_blob)};
+    const EditFacts facts = edit_facts(texts, value, dialect_);
+    cache_.put(key, facts_line(facts));
+    return facts;
+}
+
+}  // namespace porttool

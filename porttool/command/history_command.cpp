@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/command/commands.h"
+#include "porttool/command/past.h"
+#include "porttool/command/timeline.h"
+#include "porttool/read/blob_cache.h"
+#include "porttool/report/figures.h"
+#include "porttool/report/history_report.h"
+
+namespace porttool {
+namespace {
+
+constexpr uint64_t kLargestCache = 256ull * 1024 * 1024;
+
+std::string formatted(const History& history, const std::string& format) {
+    if (format == "json") return history_json(history);
+    if (format == "csv") return history_csv(history);
+    if (format == "html") return history_html(history);
+    return history_table(history);
+}
+
+}  // namespace
+
+Outcome history_command(const Options& options, Workplace& place) {
+    require_format(options.format, {"text", "html", "json", "csv"});
+    const Past past = open_past(options, place);
+    const std::string path = join_path(past.git->own_folder(), "porttool/history.cache");
+    BlobCache cache;
+    if (!options.no_cache)
+        if (const FileText file = place.disk.read(path, kLargestCache); file.error.empty())
+            cache = BlobCache(file.bytes);
+    const History history = history_of(past, options.since, cache, place);
+    if (!options.no_cache && cache.changed())
+        if (const std::string failure = place.disk.write(path, cache.file(kLargestCache / 2));
+            !failure.empty() && options.verbose)
+            place.err << "porttool: " << path << ": " << failure << "; the next run measures anew\n";
+    if (history.cut && !options.quiet)
+        place.err << "porttool: this is a shallow clone; its history reaches back to " << history.oldest.id << " ("
+                  << day_of(history.oldest.time) << ")\nFetch the rest: git fetch --unshallow\n";
+    return {formatted(history, options.format), 0};
+}
+
+}  // namespace porttool

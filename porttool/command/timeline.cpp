@@ -1,0 +1,432 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/command/timeline.h"
+
+#include <algorithm>
+#include <set>
+
+#include "metrics/portability/degree.h"
+#include "porttool/command/blob_facts_source.h"
+#include "porttool/read/lock_file.h"
+
+namespace porttool {
+namespace {
+
+using Paths = std::set<std::string>;
+
+/// Splits PATH:NAME.
+std::pair<std::string, std::string> split_id(const std::string& id) {
+    const size_t colon = id.find(':');
+    return {id.substr(0, colon), colon == std::string::npos ? std::string() : id.substr(colon + 1)};
+}
+
+/// What a block takes of each of its files: named units, or all of it if none is named.
+using Selection = std::map<std::string, std::vector<std::string>>;
+
+struct BlockPlan {
+    std::string name;
+    std::array<Selection, 2> sides;
+    bool names_units = false;  ///< what it takes depends on what the files hold
+    bool touched = true;       ///< since its figures were last computed
+    BlockPoint point;
+};
+
+struct PairPlan {
+    PairId id;
+    std::string source_path, target_path;
+};
+
+class Timeline {
+public:
+    Timeline(const Past& past, BlobCache& cache, Workplace& place)
+        : past_(past),
+          place_(place),
+          blobs_(past, cache),
+          drift_([this](const Fingerprints& source_before, const UnitFacts& source_now,
+                        const Fingerprints& target_before, const UnitFacts& target_now) {
+              return blobs_.edits(source_before, source_now, target_before, target_now,
+                                  [this](const std::string& print) { return blob_at("portmap.base/" + print); });
+          }) {
+        if (past.has_map_today) use_map(past.map_today, past.map_name);
+    }
+
+    /// Takes in a commit; true if it touched anything that matters here.
+    bool step(const GitCommit& commit, const std::vector<GitChange>& changes) {
+        Paths touched;
+        bool files_came_or_went = false;
+        for (const GitChange& change : changes) {
+            files_came_or_went |= change.blob.empty() || !tree_.contains(change.path);
+            if (change.blob.empty())
+                tree_.erase(change.path);
+            else
+                tree_[change.path] = change.blob;
+            if (side_of(change.path)) touched.insert(change.path);
+        }
+        const bool new_map = read_map_of(commit);
+        const bool new_lock = read_lock_now();
+        if (!has_map_ || (!new_map && !new_lock && touched.empty())) return false;
+        if (new_map) {
+            collect_files();
+            collect_pairs();
+        }
+        update_files(touched);
+        if (new_map || files_came_or_went) plan_blocks();
+        update_selections(touched);
+        update_drift(new_map || new_lock, touched, commit.time);
+        return true;
+    }
+
+    HistoryPoint point(const GitCommit& commit) {
+        HistoryPoint out;
+        out.commit = commit;
+        for (BlockPlan& block : blocks_) {
+            if (block.touched) block.point = figures_of(block);
+            block.touched = false;
+            out.blocks.push_back(block.point);
+        }
+        out.totals = figures_of(everything_);
+        out.pairs = there_.size();
+        out.open_pairs = drift_.open_count();
+        out.debt = drift_.debt(commit.time);
+        return out;
+    }
+
+    bool has_map() const { return has_map_; }
+    std::vector<OpenPair> open() const { return drift_.open(); }
+
+private:
+    std::string blob_at(const std::string& path) const {
+        const auto found = tree_.find(path);
+        return found == tree_.end() ? std::string() : found->second;
+    }
+
+    bool side_of(const std::string& path) const { return globs_[0].takes(path) || globs_[1].takes(path); }
+
+    void use_map(MapFile map, const std::string& name) {
+        require_sides(map, name);
+        map_ = std::move(map);
+        has_map_ = true;
+        globs_ = {SideGlobs(map_.source), SideGlobs(map_.target)};
+        blobs_.use_dialect(map_.dialect);
+    }
+
+    /// Reads the commit's own map if it is another than before; true if the map changed.
+    bool read_map_of(const GitCommit& commit) {
+        if (past_.map_is_given) return std::exchange(fresh_, false);
+        const std::string blob = blob_at("portmap.toml");
+        if (blob == map_blob_) return std::exchange(fresh_, false);
+        map_blob_ = blob;
+        fresh_ = false;
+        if (blob.empty()) {
+            if (past_.has_map_today) use_map(past_.map_today, past_.map_name);
+            return past_.has_map_today;
+        }
+        const std::string name = "portmap.toml at " + commit.id;
+        const ReadMap read = read_map(name, read_blob(past_, "portmap.toml", blob));
+        try {
+            if (!read.error.empty()) throw CannotDo(read.error);
+            use_map(read.map, name);
+        } catch (const CannotDo& problem) {  // history cannot be mended
+            place_.err << "porttool: " << problem.what() << "\nThis commit is read with the map before it\n";
+            return false;
+        }
+        return true;
+    }
+
+    bool read_lock_now() {
+        const std::string blob = blob_at("portmap.lock");
+        if (blob == lock_blob_) return false;
+        lock_blob_ = blob;
+        lock_ = blob.empty() ? LockFile() : read_lock(read_blob(past_, "portmap.lock", blob)).lock;
+        locked_.clear();
+        for (const LockedPair& pair : lock_.pairs) locked_[{pair.source, pair.target}] = &pair;
+        return true;
+    }
+
+    /// The files of both sides, after the map changed.
+    void collect_files() {
+        for (size_t side = 0; side < 2; ++side) {
+            files_[side].clear();
+            for (const auto& [path, blob] : tree_)
+                if (globs_[side].takes(path)) files_[side][path] = blob;
+        }
+    }
+
+    void update_files(const Paths& touched) {
+        for (const std::string& path : touched)
+            for (size_t side = 0; side < 2; ++side) {
+                files_[side].erase(path);
+                const std::string blob = blob_at(path);
+                if (!blob.empty() && globs_[side].takes(path)) files_[side][path] = blob;
+            }
+    }
+
+    FileVersion version(size_t side, const std::string& path) const { return {path, files_[side].at(path)}; }
+
+    /// The pairs of a new map; those that only the old one had are forgotten.
+    void collect_pairs() {
+        std::set<PairId> gone;
+        for (const PairPlan& pair : pairs_) gone.insert(pair.id);
+        pairs_.clear();
+        for (const MapPair& pair : map_.pairs)
+            for (const std::string& target : pair.targets) {
+                pairs_.push_back({{pair.source, target}, split_id(pair.source).first, split_id(target).first});
+                gone.erase(pairs_.back().id);
+            }
+        for (const PairId& id : gone) {
+            drift_.forget(id);
+            there_.erase(id);
+        }
+    }
+
+    /// Which files hold pairs, and what each block takes of them.
+    void plan_blocks() {
+        links_ = {};
+        std::set<std::pair<std::string, std::string>> paths;
+        for (const PairPlan& pair : pairs_) {
+            if (!files_[0].contains(pair.source_path) || !files_[1].contains(pair.target_path)) continue;
+            paths.emplace(pair.source_path, pair.target_path);
+            links_[0][pair.source_path].insert(pair.target_path);
+            links_[1][pair.target_path].insert(pair.source_path);
+        }
+        blocks_.clear();
+        for (const MapBlock& block : map_.blocks) blocks_.push_back(plan(block));
+        if (map_.blocks.empty())
+            for (const auto& [left, right] : paths) {
+                BlockPlan block;
+                block.name = left + "=" + right;
+                block.sides = {Selection{{left, {}}}, Selection{{right, {}}}};
+                blocks_.push_back(std::move(block));
+            }
+        everything_ = {};
+        for (size_t side = 0; side < 2; ++side)
+            for (const auto& [path, blob] : files_[side]) everything_.sides[side][path];
+    }
+
+    /// A pattern takes the files that it matches, or, where it matches none, the units whose ids it matches.
+    BlockPlan plan(const MapBlock& block) {
+        BlockPlan out;
+        out.name = block.name;
+        const std::array<const std::vector<std::string>*, 2> patterns = {&block.source, &block.target};
+        for (size_t side = 0; side < 2; ++side)
+            for (const std::string& text : *patterns[side]) {
+                const Glob pattern(text);
+                bool any = false;
+                for (const auto& [path, blob] : files_[side]) {
+                    if (!pattern.matches(path) && text != path + ":@file") continue;
+                    out.sides[side][path] = {};
+                    any = true;
+                }
+                if (any) continue;
+                out.names_units = true;
+                for (const auto& [path, blob] : files_[side]) select_units(out.sides[side], side, path, text, pattern);
+            }
+        return out;
+    }
+
+    void select_units(Selection& selection, size_t side, const std::string& path, const std::string& text,
+                      const Glob& pattern) {
+        const auto there = selection.find(path);
+        if (there != selection.end() && there->second.empty()) return;  // all of it, already
+        for (const UnitFacts& unit : blobs_.facts(version(side, path)).units) {
+            const std::string id = path + ":" + unit.name;
+            if (unit.kind == UnitKind::File || (id != text && !pattern.matches(id))) continue;
+            std::vector<std::string>& names = selection[path];
+            if (std::find(names.begin(), names.end(), unit.name) == names.end()) names.push_back(unit.name);
+        }
+    }
+
+    /// Blocks of units follow the units that come and go within their files.
+    void update_selections(const Paths& touched) {
+        for (size_t i = 0; i < blocks_.size(); ++i) {
+            BlockPlan& block = blocks_[i];
+            if (block.names_units && i < map_.blocks.size() && !block.touched) block = plan(map_.blocks[i]);
+            for (const std::string& path : touched)
+                block.touched |= block.sides[0].contains(path) || block.sides[1].contains(path);
+        }
+    }
+
+    BlockPoint figures_of(const BlockPlan& block) {
+        BlockPoint point;
+        point.name = block.name;
+        metrics::SharedLines port;
+        for (size_t side = 0; side < 2; ++side) point.sides[side] = side_figures(block, side, port);
+        point.degree = metrics::degree_from_lines(port, map_.weights);
+        return point;
+    }
+
+    /// What a file shares with those of the other side that it holds pairs with.
+    struct FileShare {
+        size_t lines = 0, tokens = 0;
+        std::vector<bool> shared;
+        double covered = 0, raw = 0, blind = 0;  ///< tokens; lines' worth of tokens
+        bool measured = false;
+    };
+
+    FileShare share_of(const BlockPlan& block, size_t side, const std::string& path,
+                       const std::vector<std::string>& units) {
+        FileShare out;
+        const BlobFacts& facts = blobs_.facts(version(side, path));
+        out.lines = facts.lines;
+        out.tokens = facts.tokens;
+        if (!units.empty()) {
+            out.lines = 0;
+            for (const UnitFacts& unit : facts.units)
+                if (std::find(units.begin(), units.end(), unit.name) != units.end()) out.lines += unit.lines;
+        }
+        const auto links = links_[side].find(path);
+        if (links == links_[side].end()) return out;
+        for (const std::string& other : links->second) {
+            const auto piece = block.sides[1 - side].find(other);
+            if (piece == block.sides[1 - side].end()) continue;
+            const BlobFactsSource::Piece here{version(side, path), units},
+                there{version(1 - side, other), piece->second};
+            const PieceMeasure& both = side == 0 ? blobs_.measure(here, there) : blobs_.measure(there, here);
+            add_measure(side == 0 ? both.source : both.target, out);
+        }
+        return out;
+    }
+
+    static void add_measure(const PieceSide& piece, FileShare& out) {
+        const SideMeasure& measure = piece.measure;
+        out.lines = measure.lines;
+        out.tokens = measure.tokens;
+        out.shared.resize(measure.lines);
+        for (size_t i = 0; i < piece.shared.size() && i < out.shared.size(); ++i)
+            if (piece.shared[i]) out.shared[i] = true;
+        if (!measure.moss_percent) return;
+        out.measured = true;
+        constexpr double kPercent = 100;
+        out.covered = std::max(out.covered, measure.tokens * *measure.moss_percent / kPercent);
+        out.raw = std::max(out.raw, measure.lines * measure.moss_percent_raw.value_or(0) / kPercent);
+        out.blind = std::max(out.blind, measure.lines * measure.moss_percent_blind.value_or(0) / kPercent);
+    }
+
+    /// Adds up one side; the target's lines go to `port`, too.
+    BlockSide side_figures(const BlockPlan& block, size_t side, metrics::SharedLines& port) {
+        BlockSide out;
+        double tokens = 0, covered = 0;
+        bool measured = false;
+        for (const auto& [path, units] : block.sides[side]) {
+            const FileShare share = share_of(block, side, path, units);
+            const auto shared = static_cast<size_t>(std::count(share.shared.begin(), share.shared.end(), true));
+            const auto counted = static_cast<double>(shared);
+            out.lines += share.lines;
+            out.shared_lines += shared;
+            tokens += static_cast<double>(share.tokens);
+            covered += share.covered;
+            measured |= share.measured;
+            if (side == 0) continue;
+            port.lines += static_cast<double>(share.lines);
+            port.shared += counted;
+            port.shared_low += share.measured ? std::min({counted, share.raw, share.blind}) : counted;
+            port.shared_high += share.measured ? std::max({counted, share.raw, share.blind}) : counted;
+        }
+        constexpr double kPercent = 100;
+        if (measured && tokens > 0) out.moss_percent = kPercent * covered / tokens;
+        return out;
+    }
+
+    const UnitFacts* unit_of(size_t side, const std::string& id) {
+        const auto [path, name] = split_id(id);
+        return files_[side].contains(path) ? blobs_.facts(version(side, path)).find(name) : nullptr;
+    }
+
+    bool is_ignored(const PairId& id, const UnitFacts* source, const UnitFacts* target) const {
+        return std::any_of(lock_.ledger.begin(), lock_.ledger.end(), [&](const LedgerEntry& entry) {
+            return entry.verdict == "ignore" && entry.source == id.first && entry.target == id.second &&
+                   (source == nullptr || entry.source_print == source->prints.written) &&
+                   (target == nullptr || entry.target_print == target->prints.written);
+        });
+    }
+
+    void update_drift(bool all, const Paths& touched, int64_t time) {
+        if (all) {
+            for (const PairPlan& pair : pairs_) update_pair(pair.id, time);
+            return;
+        }
+        for (const PairPlan& pair : pairs_)
+            if (touched.contains(pair.source_path) || touched.contains(pair.target_path)) update_pair(pair.id, time);
+    }
+
+    void update_pair(const PairId& id, int64_t time) {
+        PairNow now;
+        now.source = unit_of(0, id.first);
+        now.target = unit_of(1, id.second);
+        const auto locked = locked_.find(id);
+        if (locked != locked_.end()) {
+            now.locked_source = &locked->second->source_prints;
+            now.locked_target = &locked->second->target_prints;
+        }
+        now.ignored = is_ignored(id, now.source, now.target);
+        if (now.source != nullptr && now.target != nullptr)
+            there_.insert(id);
+        else
+            there_.erase(id);
+        drift_.update(id, now, time);
+    }
+
+    const Past& past_;
+    Workplace& place_;
+    BlobFactsSource blobs_;
+    DriftReplay drift_;
+    std::map<std::string, std::string> tree_;  ///< all files of the commit: path to blob
+    bool has_map_ = false, fresh_ = true;
+    MapFile map_;
+    std::string map_blob_, lock_blob_;
+    std::array<SideGlobs, 2> globs_ = {SideGlobs({}), SideGlobs({})};
+    LockFile lock_;
+    std::map<PairId, const LockedPair*> locked_;
+    std::array<std::map<std::string, std::string>, 2> files_;  ///< of the sides: path to blob
+    std::array<std::map<std::string, Paths>, 2> links_;        ///< files with pairs between them
+    std::vector<BlockPlan> blocks_;
+    BlockPlan everything_;
+    std::vector<PairPlan> pairs_;
+    std::set<PairId> there_;  ///< those of which both sides are there
+};
+
+/// The place in the chain from which on commits are shown: behind the newest one that `since` has.
+size_t first_shown(const Past& past, const std::vector<GitCommit>& chain, const std::string& since) {
+    if (since.empty()) return 0;
+    const GitCommit base = find_commit(past, "--since", since);
+    size_t low = 0, high = chain.size();  // the ancestors of a commit are the start of the chain
+    while (low < high) {
+        const size_t middle = (low + high) / 2;
+        if (past.git->is_ancestor(chain[middle].id, base.id))
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+}  // namespace
+
+History history_of(const Past& past, const std::string& since, BlobCache& cache, Workplace& place) {
+    const auto head = past.git->commit("HEAD");
+    if (!head) throw CannotDo("HEAD names no commit yet; commit once, then there is a history");
+    const GitChain chain = past.git->first_parents(head->id);
+    const size_t first = first_shown(past, chain.commits, since);
+    History history;
+    history.commits = chain.commits.size();
+    history.cut = chain.cut;
+    history.oldest = chain.commits.front();
+    Timeline timeline(past, cache, place);
+    std::string before;
+    for (size_t i = 0; i < chain.commits.size(); ++i) {
+        const GitCommit& commit = chain.commits[i];
+        const bool touched =
+            timeline.step(commit, past.git->changes(before, commit.id, [](const std::string&) { return true; }));
+        before = commit.id;
+        const bool last = i + 1 == chain.commits.size();
+        if (timeline.has_map() && (last || (touched && i >= first))) history.points.push_back(timeline.point(commit));
+    }
+    if (!timeline.has_map())
+        throw CannotDo(
+            "there is no portmap.toml in the work tree or in any commit of this history\nWrite one with: "
+            "porttool init --source GLOB --target GLOB");
+    history.open = timeline.open();
+    return history;
+}
+
+}  // namespace porttool

@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/report/history_report.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "porttool/report/figures.h"
+
+namespace porttool {
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr size_t kShortId = 10;
+constexpr double kSecondsOfDay = 86400;
+
+ordered_json block_json(const BlockPoint& block) {
+    return {{"name", block.name},
+            {"source_lines", block.sides[0].lines},
+            {"target_lines", block.sides[1].lines},
+            {"shared_source", block.sides[0].shared_lines},
+            {"shared_target", block.sides[1].shared_lines},
+            {"moss_percent_source", number_json(block.sides[0].moss_percent)},
+            {"moss_percent_target", number_json(block.sides[1].moss_percent)},
+            {"degree_of_portability", block.degree ? ordered_json{{"loc", number_json(block.degree->value)},
+                                                                  {"low", number_json(block.degree->low)},
+                                                                  {"high", number_json(block.degree->high)},
+                                                                  {"model", block.degree->model}}
+                                                   : ordered_json(nullptr)}};
+}
+
+std::string csv_number(const std::optional<double>& value) { return value ? fmt::format("{:.6g}", *value) : ""; }
+
+std::string csv_line(const HistoryPoint& point, const BlockPoint& block, const std::string& drift) {
+    const auto degree = [&](double metrics::Figure::*part) {
+        return block.degree ? csv_number((*block.degree).*part) : std::string();
+    };
+    return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{}\n", point.commit.id, day_of(point.commit.time),
+                       csv_field(block.name), block.sides[0].lines, block.sides[1].lines, block.sides[0].shared_lines,
+                       block.sides[1].shared_lines, csv_number(block.sides[0].moss_percent),
+                       csv_number(block.sides[1].moss_percent), degree(&metrics::Figure::value),
+                       degree(&metrics::Figure::low), degree(&metrics::Figure::high), drift);
+}
+
+std::string percent_text(const std::optional<double>& percent) {
+    return percent ? fmt::format("{:.0f} %", *percent) : "-";
+}
+
+}  // namespace
+
+std::string history_json(const History& history) {
+    ordered_json commits = ordered_json::array();
+    for (const HistoryPoint& point : history.points) {
+        ordered_json blocks = ordered_json::array();
+        for (const BlockPoint& block : point.blocks) blocks.push_back(block_json(block));
+        ordered_json totals = block_json(point.totals);
+        totals.erase("name");
+        commits.push_back({{"id", point.commit.id},
+                           {"date", day_of(point.commit.time)},
+                           {"time_s", point.commit.time},
+                           {"subject", point.commit.subject},
+                           {"blocks", std::move(blocks)},
+                           {"totals", std::move(totals)},
+                           {"drift",
+                            {{"pairs", point.pairs},
+                             {"open_pairs", point.open_pairs},
+                             {"debt_line_days", number_json(point.debt)}}}});
+    }
+    ordered_json open = ordered_json::array();
+    const int64_t now = history.points.empty() ? 0 : history.points.back().commit.time;
+    for (const OpenPair& pair : history.open)
+        open.push_back({{"source", pair.id.first},
+                        {"target", pair.id.second},
+                        {"since", day_of(pair.since)},
+                        {"age_days", number_json(static_cast<double>(now - pair.since) / kSecondsOfDay)},
+                        {"lines", pair.lines},
+                        {"debt_line_days", number_json(pair.debt(now))}});
+    const ordered_json out = {{"commits_read", history.commits},
+                              {"shallow", history.cut},
+                              {"oldest", {{"id", history.oldest.id}, {"date", day_of(history.oldest.time)}}},
+                              {"commits", std::move(commits)},
+                              {"open", std::move(open)}};
+    return out.dump(1, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+}
+
+std::string history_csv(const History& history) {
+    std::string out =
+        "commit,date,block,source_lines,target_lines,shared_source,shared_target,moss_percent_source,"
+        "moss_percent_target,degree_of_portability,low,high,open_pairs,debt_line_days\n";
+    for (const HistoryPoint& point : history.points) {
+        for (const BlockPoint& block : point.blocks) out += csv_line(point, block, ",");
+        BlockPoint totals = point.totals;
+        totals.name = "*";
+        out += csv_line(point, totals, fmt::format("{},{:.6g}", point.open_pairs, point.debt));
+    }
+    return out;
+}
+
+std::string history_table(const History& history) {
+    std::string out =
+        fmt::format("{} commits read, back to {} ({}); {} of them touch the sides or their map\n", history.commits,
+                    history.oldest.id.substr(0, kShortId), day_of(history.oldest.time), history.points.size());
+    if (history.points.empty()) return out;
+    out += "date        commit      shared lines    Moss %  DP in lines            open pairs  debt (line-days)\n";
+    constexpr size_t kShown = 24;
+    const size_t first = history.points.size() > kShown ? history.points.size() - kShown : 0;
+    if (first > 0) out += fmt::format("({} older ones: --format csv, json or html)\n", first);
+    for (size_t i = first; i < history.points.size(); ++i) {
+        const HistoryPoint& point = history.points[i];
+        const BlockSide& port = point.totals.sides[1];
+        out += fmt::format("{}  {}  {:>6}/{:<7} {:>6}  {:<21}  {:>4} of {:<4} {:>16.1f}\n", day_of(point.commit.time),
+                           point.commit.id.substr(0, kShortId), port.shared_lines, port.lines,
+                           percent_text(port.moss_percent), figure_text(point.totals.degree), point.open_pairs,
+                           point.pairs, point.debt);
+    }
+    const HistoryPoint& newest = history.points.back();
+    out += "blocks at the newest commit:\n";
+    for (const BlockPoint& block : newest.blocks)
+        out += fmt::format("  {:>6}/{:<7} {:>6}  {:<21}  {}\n", block.sides[1].shared_lines, block.sides[1].lines,
+                           percent_text(block.sides[1].moss_percent), figure_text(block.degree), block.name);
+    for (const OpenPair& pair : history.open)
+        out += fmt::format("open since {}: {}  =  {}, {} lines, {:.1f} line-days\n", day_of(pair.since), pair.id.first,
+                           pair.id.second, pair.lines, pair.debt(newest.commit.time));
+    return out;
+}
+
+}  // namespace porttool

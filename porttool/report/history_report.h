@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "metrics/portability/figure.h"
+#include "porttool/judge/drift_debt.h"
+#include "porttool/read/git_repository.h"
+
+namespace porttool {
+
+/// One side of a block at one commit.
+struct BlockSide {
+    size_t lines = 0;         ///< of code
+    size_t shared_lines = 0;  ///< with the files of the other side that are paired with it
+    std::optional<double> moss_percent;
+};
+
+/// A block at one commit. The source side comes first.
+struct BlockPoint {
+    std::string name;
+    std::array<BlockSide, 2> sides;
+    std::optional<metrics::Figure> degree;  ///< of portability, from the target's lines
+};
+
+/// A commit that touched the sides or the map, with the state that it left.
+struct HistoryPoint {
+    GitCommit commit;
+    std::vector<BlockPoint> blocks;
+    BlockPoint totals;
+    size_t pairs = 0;  ///< of the map, with both sides there
+    size_t open_pairs = 0;
+    double debt = 0;  ///< line-days
+};
+
+struct History {
+    std::vector<HistoryPoint> points;  ///< oldest first
+    std::vector<OpenPair> open;        ///< at the newest commit
+    size_t commits = 0;                ///< looked at
+    bool cut = false;                  ///< older commits exist, but not in this shallow clone
+    GitCommit oldest;
+};
+
+std::string history_table(const History& history);
+std::string history_json(const History& history);
+/// One line a commit and block; the line of all blocks together, with the debt, has the name `*`.
+std::string history_csv(const History& history);
+/// One self-contained page with charts.
+std::string history_html(const History& history);
+
+}  // namespace porttool
