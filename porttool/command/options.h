@@ -30,9 +30,6 @@ struct Options {
     std::string from, to = "HEAD";  ///< effort's revisions
     std::string since;              ///< history's
     bool no_cache = false;
-    std::string from, to = "HEAD";  ///< effort's revisions
-    std::string since;              ///< history's
-    bool no_cache = false;
     bool spirv = false;  ///< ask glslang whether an edit reaches the compiled code
 };
 
