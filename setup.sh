@@ -2,10 +2,11 @@
 # SPDX-FileCopyrightText: 2026 The porttool authors
 # SPDX-License-Identifier: Apache-2.0
 #
-# Installs the Debian packages that the project needs: ./setup.sh
+# Installs the Debian packages that the project needs, and what the report's browser test needs from npm: ./setup.sh
 # Looks first and does nothing where all are there, so it also works with the network off. Needs root or sudo only to
-# install.
+# install packages.
 set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")"
 
 packages=(
     # Building
@@ -20,7 +21,26 @@ packages=(
     libgit2-dev libtomlplusplus-dev
     # Tests and style
     libgtest-dev libgmock-dev universal-ctags similarity-tester clang-format
+    python3-jsonschema python3-yaml
 )
+
+# What may also come from elsewhere than Debian.
+command -v node >/dev/null || packages+=(nodejs)
+command -v npm >/dev/null || packages+=(npm)
+command -v chromium >/dev/null || packages+=(chromium)
+
+# What tests take from npm. A test that cannot run says so, so nothing depends on this.
+install_from_npm() {
+    local folder=$1 package=$2 test=$3
+    if [ ! -f "$folder/package.json" ] || [ -f "$folder/node_modules/$package/package.json" ]; then return; fi
+    if ! npm ci --prefix "$folder" --prefer-offline --fetch-retries=0 --ignore-scripts --no-audit --no-fund --loglevel=error >&2; then
+        echo "setup: could not get $package; $test will be skipped" >&2
+    fi
+}
+install_node_modules() {
+    install_from_npm tests/report playwright-core "the browser test of the report"
+    install_from_npm tests/porttool @microsoft/jest-sarif "the test of SARIF against the schema of OASIS"
+}
 
 missing=()
 for package in "${packages[@]}"; do
@@ -28,6 +48,7 @@ for package in "${packages[@]}"; do
     [ "$status" = installed ] || missing+=("$package")
 done
 if [ ${#missing[@]} -eq 0 ]; then
+    install_node_modules
     exit 0
 fi
 
@@ -54,3 +75,4 @@ if ! install; then
     echo "setup: could not install: ${missing[*]}; is the network on, and is this Debian 12 or later?" >&2
     exit 2
 fi
+install_node_modules

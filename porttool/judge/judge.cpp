@@ -87,6 +87,7 @@ public:
             for (const std::string& target : pair.targets) judge_pair(pair.source, target, pair.line);
         find_unported();
         find_unused_suppressions();
+        find_idle_ignores();
         for (const SkippedFile& file : facts_.skipped) {
             Finding& finding = add("unreadable", file.file, "");
             finding.source = Place{file.file + ":@file", file.file, 1, 1};
@@ -381,6 +382,24 @@ private:
         }
     }
 
+    bool names_any(const Glob& glob) const {
+        for (const auto* side : {&facts_.source, &facts_.target})
+            for (const auto& [id, unit] : *side)
+                if (glob.text() == id || glob.matches(id)) return true;
+        return false;
+    }
+
+    void find_idle_ignores() {
+        for (size_t i = 0; i < ignored_.size(); ++i) {
+            if (names_any(ignored_[i])) continue;
+            const MapIgnore& ignore = facts_.map.ignores[i];
+            Finding& finding = add("unused-suppression", ignore.id, "");
+            finding.map_line = static_cast<uint32_t>(std::max(1, ignore.line));
+            finding.message = "[[ignore]] of '" + ignore.id + "' matches no unit of either side";
+            finding.remedy = "Remove it from portmap.toml, or correct its id: porttool scan lists the ids";
+        }
+    }
+
     void count(const JudgedPair&, size_t first, const std::string& verdict) {
         Level worst = Level::Off;
         for (size_t i = first; i < out_.findings.size(); ++i) worst = std::max(worst, out_.findings[i].level);
@@ -449,6 +468,8 @@ std::string rule_help(const std::string& rule) {
         if (rule == row.name) return row.help;
     return {};
 }
+
+Level default_level(const std::string& rule) { return rule_row(rule).level; }
 
 std::string_view level_name(Level level) {
     switch (level) {

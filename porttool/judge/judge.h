@@ -93,6 +93,9 @@ Judgement judge(const Case& facts);
 /// What a rule means and how to resolve its findings, for `explain RULE`; "" for an unknown one.
 std::string rule_help(const std::string& rule);
 
+/// The level of a rule where [rules] says nothing.
+Level default_level(const std::string& rule);
+
 std::string_view level_name(Level level);
 
 }  // namespace porttool

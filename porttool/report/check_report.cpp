@@ -37,6 +37,7 @@ std::string check_json(const Judgement& judgement) {
                             {"message", f.message},
                             {"remedy", f.remedy},
                             {"fingerprint", f.fingerprint}};
+        if (!f.source && !f.target) one["map_line"] = f.map_line;  // in portmap.toml
         if (!f.details.empty()) one["details"] = f.details;
         findings.push_back(std::move(one));
     }

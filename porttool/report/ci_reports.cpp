@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
-#include <set>
 
 namespace porttool {
 namespace {
@@ -41,6 +41,16 @@ ordered_json sarif_location(const Place& place) {
               {"region",
                {{"startLine", std::max(1u, place.line)}, {"endLine", std::max({1u, place.line, place.end_line})}}}}},
             {"logicalLocations", ordered_json::array({{{"fullyQualifiedName", place.id}}})}};
+}
+
+ordered_json sarif_rule(const std::string& rule) {
+    const std::string help = rule_help(rule);
+    const size_t line = help.find('\n');
+    return {{"id", rule},
+            {"name", rule},
+            {"shortDescription", {{"text", help.substr(0, line)}}},
+            {"help", {{"text", help}, {"markdown", help.substr(0, line) + "\n\n" + help.substr(line + 1)}}},
+            {"defaultConfiguration", {{"level", level_name(default_level(rule))}}}};
 }
 
 std::string escaped_xml(const std::string& text) {
@@ -92,25 +102,18 @@ std::string escaped_markdown(const std::string& text) {
 }  // namespace
 
 std::string check_sarif(const Judgement& judgement) {
-    std::set<std::string> used;
-    ordered_json results = ordered_json::array();
-    for (const Finding& f : judgement.findings)
-        if (f.level != Level::Off) used.insert(f.rule);
-    ordered_json rules = ordered_json::array();
-    for (const std::string& rule : used) {
-        const std::string help = rule_help(rule);
-        rules.push_back({{"id", rule},
-                         {"shortDescription", {{"text", help.substr(0, help.find('\n'))}}},
-                         {"help", {{"text", help}}}});
-    }
+    ordered_json results = ordered_json::array(), rules = ordered_json::array();
+    const std::vector<std::string>& names = rule_names();  // all of them: a viewer shows what was looked for
+    for (const std::string& rule : names) rules.push_back(sarif_rule(rule));
     for (const Finding& f : judgement.findings) {
         if (f.level == Level::Off) continue;
-        ordered_json result = {{"ruleId", f.rule},
-                               {"ruleIndex", std::distance(used.begin(), used.find(f.rule))},
-                               {"level", level_name(f.level)},
-                               {"message", {{"text", f.message + "\n" + f.remedy}}},
-                               {"locations", ordered_json::array({sarif_location(shown_at(f))})},
-                               {"partialFingerprints", {{"porttool/v1", f.fingerprint}}}};
+        ordered_json result = {
+            {"ruleId", f.rule},
+            {"ruleIndex", std::distance(names.begin(), std::find(names.begin(), names.end(), f.rule))},
+            {"level", level_name(f.level)},
+            {"message", {{"text", f.message + "\n" + f.remedy}}},
+            {"locations", ordered_json::array({sarif_location(shown_at(f))})},
+            {"partialFingerprints", {{"porttool/v1", f.fingerprint}}}};
         if (f.source && f.target) {
             ordered_json related = sarif_location(*f.target);
             related["id"] = 1;

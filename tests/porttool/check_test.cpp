@@ -276,6 +276,24 @@ TEST(Check, CommentsSuppressInTheirUnitAndUnusedOnesAreReported) {
     EXPECT_EQ(check(disk)["verdict"], "in_step");
 }
 
+TEST(Check, AnIgnoreOfTheMapThatMatchesNoUnitIsReportedWithItsLine) {
+    MemoryDisk disk = started(kSource, kTarget);
+    const std::string map = disk.files["/r/portmap.toml"];
+    const auto lines = std::count(map.begin(), map.end(), '\n');
+    disk.files["/r/portmap.toml"] = map + "[[ignore]]\nid = \"src/k.cu:{gone,lost}\"\nreason = \"host only\"\n" +
+                                    "[[ignore]]\nid = \"port/k.comp:lumi*\"\nreason = \"matches a unit of the port\"\n";
+    const auto report = check(disk);
+    ASSERT_EQ(rules(report), Rules{"unused-suppression"}) << report.dump(1);
+    const auto& finding = report["findings"][0];
+    EXPECT_EQ(finding["level"], "warning");
+    EXPECT_EQ(finding["map_line"], lines + 1);
+    EXPECT_NE(finding["message"].get<std::string>().find("src/k.cu:{gone,lost}"), std::string::npos);
+    EXPECT_EQ(report["verdict"], "review");
+    const std::string text = run(disk, {"-C", "/r", "check"}).out;
+    EXPECT_TRUE(text.starts_with("portmap.toml:" + std::to_string(lines + 1) + ": warning: ")) << text;
+    EXPECT_EQ(run(disk, {"-C", "/r", "check", "--strict"}).exit_code, 1);
+}
+
 TEST(Check, AHazardThatAnEditBringsInIsANote) {
     MemoryDisk disk = started(kSource, kTarget);
     disk.files["/r/src/k.cu"] = replaced(kSource, "result * 0.5f", "result * powf(pdf, 0.5f)");

@@ -53,72 +53,11 @@ TEST(CiReports, SarifHasTheRequiredProperties) {
 
 using nlohmann::json;
 
-/// What SARIF 2.1.0 demands of a message (3.11), and of the places that porttool writes (3.28 to 3.30).
-void expect_message(const json& message) {
-    ASSERT_TRUE(message.is_object());
-    EXPECT_TRUE(message.contains("text") || message.contains("id"));
-    EXPECT_FALSE(message.value("text", std::string("-")).empty());
-}
-
-void expect_location(const json& location, const json& base_ids) {
-    const json& artifact = location.at("physicalLocation").at("artifactLocation");
-    const std::string uri = artifact.at("uri");
-    EXPECT_FALSE(uri.empty() || uri[0] == '/' || uri.find("://") != std::string::npos) << uri;
-    EXPECT_EQ(uri.find_first_of(" \\\"<>"), std::string::npos) << uri;
-    EXPECT_TRUE(base_ids.contains(artifact.at("uriBaseId").get<std::string>()));
-    const json& region = location.at("physicalLocation").at("region");
-    EXPECT_GE(region.at("startLine").get<int>(), 1);
-    EXPECT_GE(region.at("endLine").get<int>(), region.at("startLine").get<int>());
-    EXPECT_GE(location.value("id", 0), 0);
-    if (location.contains("message")) expect_message(location.at("message"));
-}
-
-/// The members that the specification requires (3.13, 3.14, 3.18, 3.19, 3.27, 3.35, 3.49), with their values' sets.
-void expect_sarif(const json& log) {
-    EXPECT_EQ(log.at("version"), "2.1.0");
-    ASSERT_TRUE(log.at("runs").is_array());
-    for (const json& one : log.at("runs")) {
-        const json& driver = one.at("tool").at("driver");
-        EXPECT_FALSE(driver.at("name").get<std::string>().empty());
-        std::set<std::string> ids;
-        for (const json& rule : driver.at("rules")) {
-            EXPECT_TRUE(ids.insert(rule.at("id")).second) << "two entries for one rule";
-            expect_message(rule.at("shortDescription"));
-            expect_message(rule.at("help"));
-        }
-        const std::set<std::string> kinds = {"utf16CodeUnits", "unicodeCodePoints"};
-        EXPECT_TRUE(kinds.contains(one.at("columnKind")));
-        for (const json& result : one.at("results")) {
-            expect_message(result.at("message"));
-            const std::set<std::string> levels = {"none", "note", "warning", "error"};
-            EXPECT_TRUE(levels.contains(result.at("level")));
-            EXPECT_EQ(driver.at("rules").at(result.at("ruleIndex").get<size_t>()).at("id"), result.at("ruleId"));
-            for (const json& location : result.at("locations")) expect_location(location, one.at("originalUriBaseIds"));
-            for (const json& location : result.value("relatedLocations", json::array()))
-                expect_location(location, one.at("originalUriBaseIds"));
-            for (const auto& [key, value] : result.at("partialFingerprints").items()) EXPECT_TRUE(value.is_string());
-            for (const json& suppression : result.value("suppressions", json::array())) {
-                const std::set<std::string> places = {"inSource", "external"};
-                EXPECT_TRUE(places.contains(suppression.at("kind")));
-                const std::set<std::string> states = {"accepted", "underReview", "rejected"};
-                EXPECT_TRUE(states.contains(suppression.at("status")));
-            }
-        }
-    }
-}
-
-TEST(CiReports, SarifMeetsTheSpecificationWhateverIsFound) {
-    expect_sarif(json::parse(report("sarif")));
-    MemoryDisk clean = started("int f(int a) { return a * 3; }\n", "int f(int a) { return a * 3; }\n");
-    expect_sarif(json::parse(run(clean, {"-C", "/r", "check", "--format", "sarif"}).out));
-}
-
 TEST(CiReports, SarifTellsCommentsFromTheLedgerAndPointsIntoTheMap) {
     MemoryDisk disk = drifted();
     disk.files["/r/src/k.cu"] = "// porttool: ignore(source-changed) by design\n" + disk.files["/r/src/k.cu"];
     disk.files["/r/portmap.toml"] += "\n[[pair]]\nsource = \"src/k.cu:no such\"\ntarget = \"port/k.comp:nor this\"\n";
     const json log = json::parse(run(disk, {"-C", "/r", "check", "--format", "sarif"}).out);
-    expect_sarif(log);
     const json& results = log["runs"][0]["results"];
     std::set<std::string> kinds;
     bool in_map = false;
