@@ -154,6 +154,7 @@ TEST(Compare, BoilerplateCountsOnNeitherSide) {
     // A macro with a value is code, and so is a condition that guards no header.
     EXPECT_EQ(measured("#define HALF 0.5f\n" + code, code).a.lines, 6u);
     EXPECT_EQ(measured("#ifndef B\n#define C\n#endif\n" + code, code).a.lines, 8u);
+    EXPECT_EQ(measured("#ifndef B\n#define B\n#endif\n" + code + "#ifdef C\nc = 1;\n#endif\n", code).a.lines, 11u);
 }
 
 TEST(Compare, TheThesissLinesAreCountedAsItsTableDoes) {
@@ -248,6 +249,28 @@ TEST(Compare, TheTreeSeesBlocksAndNotTheirLayout) {
     const std::string moved =
         "void f(int a) { if (a > 0) b = a * 2 + c; else { b = c; e = 7; } d = b * b - 4 * a * c; }";
     EXPECT_DOUBLE_EQ(*measured(flat, moved).tree_distance, 2.0 * 2 / (8 + 8 + 2));
+}
+
+TEST(Compare, AStatementThatLeavesItsBlockIsAnotherTree) {
+    // Only a brace moves; c = 2 is deleted below the if and inserted beside it.
+    const std::string inside = "void f(int a) { if (a > 0) { b = 1; c = 2; } d = b * b - 4 * a * c; }";
+    const std::string outside = "void f(int a) { if (a > 0) { b = 1; } c = 2; d = b * b - 4 * a * c; }";
+    EXPECT_DOUBLE_EQ(*measured(inside, outside).tree_distance, 2.0 * 2 / (6 + 6 + 2));
+}
+
+TEST(Compare, ScopesAndWordsWithoutCounterpartAreNoDifference) {
+    const std::string plain = "float f(float x) { float y = max(x, 1.0f); return x * y + y * weight(x, y); }\n";
+    const std::string scoped =
+        "inline\nfloat f(const float x) { float y = std::max(x, 1.0f); return x * y + y * n::weight(x, y); }\n";
+    const Similarity s = measured(plain, scoped);
+    EXPECT_EQ(*s.b.moss_percent, 100);
+    EXPECT_EQ(s.b.tokens, s.a.tokens);
+    EXPECT_LT(*s.b.moss_percent_raw, 100);
+    // The line with `inline` alone goes with the next one.
+    EXPECT_EQ(s.b.lines, 2u);
+    EXPECT_EQ(s.b.shared_lines, 2u);
+    const Similarity none = measured(lines_from(1, 4), lines_from(7, 1) + scoped);
+    EXPECT_EQ(none.b.shared_lines, 0u);
 }
 
 // --- the command
