@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <unordered_map>
+#include <unordered_set>
 
 #include "porttool/scan/scan.h"
 
@@ -39,7 +40,8 @@ public:
         for (size_t i = 0; i + 1 < tokens_.size(); ++i) read_declaration(i);
     }
 
-    std::vector<std::string> names;
+    std::vector<std::string> names;       ///< each once, in order of appearance
+    std::unordered_set<uint32_t> places;  ///< the tokens that declare one, also again in another scope
 
 private:
     void take(TokenRange range) {
@@ -53,6 +55,7 @@ private:
 
     void declare(size_t i) {
         const std::string name(word(i));
+        places.insert(tokens_[i]);
         if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
     }
 
@@ -134,23 +137,80 @@ private:
     std::vector<uint32_t> tokens_;
 };
 
-std::vector<std::string> number_locals(const std::vector<NormalToken>& text, const std::vector<std::string>& names) {
-    std::unordered_map<std::string, std::string> numbers;
-    const std::vector<std::string> known(names);
-    std::vector<std::string> out;
-    out.reserve(text.size());
-    for (size_t i = 0; i < text.size(); ++i) {
-        const std::string& word = text[i].text;
-        const bool member = i > 0 && (text[i - 1].text == "." || text[i - 1].text == "->" || text[i - 1].text == "::");
-        if (member || !is_word(word) || std::find(known.begin(), known.end(), word) == known.end()) {
+/// Numbers locals and parameters in the order of their declarations, scope by scope, so that a name that is declared
+/// again within a block is another variable there. Words that no declaration in force covers stay as they are.
+class LocalNumbers {
+public:
+    explicit LocalNumbers(const LocalFinder& locals) : locals_(locals) {}
+
+    std::vector<std::string> run(const std::vector<NormalToken>& text) {
+        std::vector<std::string> out;
+        out.reserve(text.size());
+        for (size_t i = 0; i < text.size(); ++i) {
+            const std::string& word = text[i].text;
+            const std::string& before = i > 0 ? text[i - 1].text : none_;
+            if (is_word(word)) {
+                out.push_back(numbered(text[i], before));
+                continue;
+            }
             out.push_back(word);
-            continue;
+            if (word == "(") open(has_own_scope(before));
+            if (word == "{") open_block();
+            if (word == ")") close(i + 1 < text.size() && text[i + 1].text == "{");
+            if (word == "}") close(false);
         }
-        const auto number = numbers.emplace(word, "%" + std::to_string(numbers.size() + 1)).first;
-        out.push_back(number->second);
+        return out;
     }
-    return out;
-}
+
+private:
+    using Scope = std::unordered_map<std::string, std::string>;
+    struct Bracket {
+        bool scoped = false;
+        bool block = false;
+    };
+
+    /// What is declared in these parentheses holds for the block behind them: loops, conditions, a lambda.
+    static bool has_own_scope(const std::string& before) {
+        constexpr std::array<std::string_view, 6> kHeads = {"for", "if", "while", "switch", "catch", "]"};
+        return std::find(kHeads.begin(), kHeads.end(), before) != kHeads.end();
+    }
+
+    std::string numbered(const NormalToken& token, const std::string& before) {
+        if (before == "." || before == "->" || before == "::") return token.text;  // a member
+        if (locals_.places.contains(token.token)) return scopes_.back()[token.text] = "%" + std::to_string(++count_);
+        for (auto scope = scopes_.rbegin(); scope != scopes_.rend(); ++scope)
+            if (const auto found = scope->find(token.text); found != scope->end()) return found->second;
+        return token.text;
+    }
+
+    void open(bool scoped) {
+        brackets_.push_back({scoped, false});
+        if (scoped) scopes_.emplace_back();
+    }
+    /// A block takes over the scope of the head before it.
+    void open_block() {
+        brackets_.push_back({true, true});
+        if (!pending_) scopes_.emplace_back();
+        pending_ = false;
+    }
+    void close(bool block_follows) {
+        if (brackets_.empty()) return;
+        const Bracket bracket = brackets_.back();
+        brackets_.pop_back();
+        if (!bracket.scoped) return;
+        if (!bracket.block && block_follows)
+            pending_ = true;
+        else if (scopes_.size() > 1)
+            scopes_.pop_back();
+    }
+
+    const LocalFinder& locals_;
+    const std::string none_;
+    std::vector<Scope> scopes_ = std::vector<Scope>(1);
+    std::vector<Bracket> brackets_;
+    size_t count_ = 0;
+    bool pending_ = false;
+};
 
 std::string print_of(const std::vector<std::string>& words) {
     std::vector<NormalToken> tokens;
@@ -175,7 +235,9 @@ UnitState unit_state(const ScannedFile& file, const Unit& unit) {
     state.start_line = unit.start_line;
     state.end_line = unit.end_line;
     state.text = normal_form(file, unit);
-    state.renamed = number_locals(state.text, local_names(file, unit));
+    const bool code = unit.kind == UnitKind::Function || unit.kind == UnitKind::Kernel;
+    const LocalFinder locals(file.lexed, code ? unit.parameters : TokenRange(), code ? unit.body : TokenRange());
+    state.renamed = LocalNumbers(locals).run(state.text);
     std::vector<std::string> blanked = state.renamed;
     for (std::string& word : blanked)
         if (is_number(word)) word = "#";
