@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: Apache-2.0
 #
 # From a fresh clone to two pictures: installs what is missing, builds, renders the built-in scene on both cores, tells
-# how much the pictures differ and leaves everything in out/.
+# how much the pictures differ, whether the kernels drifted, and leaves everything in out/.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
 
@@ -22,10 +22,11 @@ if [ -f portmap.toml ]; then
 else
     echo "port-drift check: left out until portmap.toml pairs the kernels"
 fi
-echo "out/portability.html: left out until \`porttool report\` is built"
+build/release/bin/porttool report --format html -o out/portability.html
 
 echo "Written:"
 for picture in source target difference; do
     echo "  out/${picture}_${samples}spp.png"
 done
+echo "  out/portability.html"
 exit "$drift"

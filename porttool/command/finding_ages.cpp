@@ -73,8 +73,10 @@ std::map<std::string, Age> finding_ages(const CheckedProject& checked, const std
     std::map<std::string, Age> ages;
     if (open.empty() || !checked.project.map.target_root.empty()) return ages;
     const GitRepository repository(checked.project.root);
-    if (!repository.error().empty() || !repository.commit("HEAD")) return ages;
-    const GitChain chain = repository.first_parents("HEAD");
+    if (!repository.error().empty()) return ages;
+    const std::optional<GitCommit> head = repository.commit("HEAD");
+    if (!head) return ages;
+    const GitChain chain = repository.first_parents(head->id);
     const auto wants = [&](const std::string& path) {
         return std::any_of(open.begin(), open.end(),
                            [&](const Question& one) { return !one.answered && one.file == path; });

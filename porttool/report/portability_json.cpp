@@ -46,10 +46,14 @@ ordered_json lines_json(const std::vector<FileLines>& lines) {
     return out;
 }
 
+ordered_json count_json(const std::optional<double>& change) {
+    return change ? ordered_json(static_cast<int64_t>(*change)) : ordered_json(nullptr);
+}
+
 ordered_json change_json(const BlockChange& change) {
     ordered_json out;
-    for (const size_t side : {0, 1}) out[kSides[side] + std::string("_lines")] = number_json(change.lines[side]);
-    for (const size_t side : {0, 1}) out[std::string("shared_") + kSides[side]] = number_json(change.shared[side]);
+    for (const size_t side : {0, 1}) out[kSides[side] + std::string("_lines")] = count_json(change.lines[side]);
+    for (const size_t side : {0, 1}) out[std::string("shared_") + kSides[side]] = count_json(change.shared[side]);
     for (const size_t side : {0, 1}) out[std::string("moss_percent_") + kSides[side]] = number_json(change.moss[side]);
     out["degree_of_portability"] = number_json(change.portability);
     return out;
@@ -84,7 +88,7 @@ ordered_json side_json(const std::optional<RowSide>& side) {
 }
 
 ordered_json row_json(const RowReport& row, const std::vector<BlockReport>& blocks) {
-    ordered_json out = {{"key", row_key(row)},
+    ordered_json out = {{"key", row.key},
                         {"share", share_name(row.share)},
                         {"state", text_or_null(row.state)},
                         {"reason", text_or_null(row.reason)},
@@ -205,11 +209,6 @@ const BlockReport* find_block(const std::vector<BlockReport>& blocks, const std:
     const auto found =
         std::find_if(blocks.begin(), blocks.end(), [&](const BlockReport& block) { return block.name == name; });
     return found == blocks.end() ? nullptr : &*found;
-}
-
-std::string row_key(const RowReport& row) {
-    if (row.sides[0] && row.sides[1]) return row.sides[0]->id + "=" + row.sides[1]->id;
-    return (row.sides[0] ? row.sides[0] : row.sides[1])->id;
 }
 
 ordered_json portability_json(const WholeReport& whole) {

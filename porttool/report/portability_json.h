@@ -44,7 +44,4 @@ nlohmann::ordered_json portability_json(const WholeReport& whole);
 /// The text of a JSON value: bytes that are no UTF-8 are replaced.
 std::string json_text(const nlohmann::ordered_json& value, int indent);
 
-/// The name of a row in the page's addresses: an id, or SOURCE=TARGET.
-std::string row_key(const RowReport& row);
-
 }  // namespace porttool

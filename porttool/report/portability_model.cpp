@@ -178,10 +178,11 @@ private:
             findings[{finding.map_source, finding.map_target}].push_back(&finding);
         for (const JudgedPair& pair : facts_.judgement.pairs) {
             RowReport row;
+            row.key = pair.map_source + "=" + pair.map_target;
             row.sides = {side_of(kSource, pair.source), side_of(kTarget, pair.target)};
-            if (!row.sides[kSource] || !row.sides[kTarget]) continue;  // only the ledger knows it
             row.state = state_of(findings[{pair.map_source, pair.map_target}]);
-            measure_pair(row);
+            if (!row.sides[kSource] && !row.sides[kTarget]) continue;  // only the ledger knows it
+            if (row.sides[kSource] && row.sides[kTarget]) measure_pair(row);
             out_.rows.push_back(std::move(row));
         }
     }
@@ -190,8 +191,9 @@ private:
     double short_likeness(const Passage& a, const Passage& b) const {
         SymbolTable table(dialect_);
         const auto left = table.place(a), right = table.place(b);
-        return metrics::edit_similarity(table.sequence(left, Vocabulary::Dialect, 0).symbols,
-                                        table.sequence(right, Vocabulary::Dialect, 1).symbols);
+        const std::vector<uint32_t> x = table.sequence(left, Vocabulary::Dialect, 0).symbols,
+                                    y = table.sequence(right, Vocabulary::Dialect, 1).symbols;
+        return x.empty() && y.empty() ? 1 : metrics::edit_similarity(x, y);
     }
 
     void measure_pair(RowReport& row) const {
@@ -241,6 +243,7 @@ private:
             const auto excuse = excuses_.find(one.id, side == kSource);
             row.share = excuse ? Share::OneSided : Share::Unmatched;
             row.reason = excuse.value_or("");
+            row.key = one.id;
             row.sides[side] = side_of(*one.piece.file, one.piece.unit, one.id);
             one.row = static_cast<int>(out_.rows.size());
             out_.rows.push_back(std::move(row));

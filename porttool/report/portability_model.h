@@ -45,8 +45,10 @@ struct RowSide {
     std::vector<int> blocks;
 };
 
-/// A pair, or what stands alone: a unit without counterpart, or the code of a file that lies outside units.
+/// A pair (with one side if the other is gone), or what stands alone: a unit without counterpart, or the code of a file
+/// that lies outside units.
 struct RowReport {
+    std::string key;  ///< names the row in addresses: an id, or SOURCE=TARGET
     Share share = Share::Unmatched;
     std::string state;   ///< of pairs: in_step, review, drifted, deferred or ignored
     std::string reason;  ///< why it needs no counterpart

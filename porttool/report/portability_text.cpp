@@ -53,7 +53,7 @@ std::vector<Shown> shown_blocks(const WholeReport& whole) {
     return out;
 }
 
-/// The text of a cell, in code where it is an id.
+/// Free text in a table or a list.
 std::string cell(const std::string& text) {
     std::string out;
     for (const char c : text) {
@@ -62,6 +62,12 @@ std::string cell(const std::string& text) {
         out += c == '\n' || c == '\r' ? ' ' : c;
     }
     return out;
+}
+
+/// An id, as code where that is possible.
+std::string id_text(const std::string& id) {
+    if (id.empty() || id.find_first_of("`|\r\n") != std::string::npos) return cell(id);
+    return "`" + id + "`";
 }
 
 std::string block_rows(const WholeReport& whole) {
@@ -101,8 +107,8 @@ std::string open_findings(const WholeReport& whole) {
         if (out.empty()) out = "\n| | source | port | finding |\n| --- | --- | --- | --- |\n";
         const std::string note = row.until.empty() ? "" : " Deferred until " + row.until + " to " + row.owner + ".";
         out += fmt::format("| {} | {} | {} | {} ({}){} |\n", row.status == "open" ? level_name(f.level) : "deferred",
-                           cell(f.source ? f.source->id : f.map_source), cell(f.target ? f.target->id : f.map_target),
-                           cell(f.message), f.rule, cell(note));
+                           id_text(f.source ? f.source->id : f.map_source),
+                           id_text(f.target ? f.target->id : f.map_target), cell(f.message), f.rule, cell(note));
     }
     return out;
 }
@@ -114,19 +120,23 @@ std::string details(const std::string& title, const std::vector<std::string>& it
     return out + "\n</details>\n";
 }
 
+std::string lines_text(size_t lines) { return std::to_string(lines) + (lines == 1 ? " line" : " lines"); }
+
 /// Where the figures lead: pairs that are not twins, and what has no counterpart.
 std::string where_to_look(const PortabilityReport& report) {
-    std::vector<std::string> rewritten, unmatched;
+    std::vector<std::string> rewritten, unmatched, outside;
     for (const RowReport& row : report.rows) {
         const RowSide& side = row.sides[0] ? *row.sides[0] : *row.sides[1];
         if (row.share == Share::Rewritten)
-            rewritten.push_back(fmt::format("{} and {}: {}", cell(side.id), cell(row.sides[1]->id),
+            rewritten.push_back(fmt::format("{} and {}: {}", id_text(side.id), id_text(row.sides[1]->id),
                                             row.likeness ? fmt::format("{:.0f} %", *row.likeness) : kTooShort));
-        if (row.share == Share::Unmatched && side.lines > 0)
-            unmatched.push_back(
-                fmt::format("{}: {} {}", cell(side.id), side.lines, side.lines == 1 ? "line" : "lines"));
+        if (row.share != Share::Unmatched || side.lines == 0) continue;
+        const bool is_unit = side.place.unit != nullptr;
+        (is_unit ? unmatched : outside)
+            .push_back(fmt::format("{}: {}", id_text(is_unit ? side.id : side.file), lines_text(side.lines)));
     }
-    return details("Rewritten pairs", rewritten) + details("Without counterpart", unmatched);
+    return details("Rewritten pairs", rewritten) + details("Units without counterpart", unmatched) +
+           details("Files with code outside units", outside);
 }
 
 std::string number(const std::optional<double>& value) { return value ? fmt::format("{:.4f}", *value) : std::string(); }
