@@ -12,7 +12,7 @@
 namespace porttool {
 namespace {
 
-constexpr double kWidth = 960, kHeight = 300, kLeft = 56, kRight = 16, kTop = 14, kBottom = 34;
+constexpr double kWidth = 960, kHeight = 300, kLeft = 76, kRight = 16, kTop = 14, kBottom = 34;
 constexpr size_t kMostLines = 6;  // of blocks in one chart; more cannot be told apart
 
 constexpr const char* kStyle = R"(
@@ -27,13 +27,14 @@ body { margin: 0 auto; max-width: 66rem; padding: 2rem 1rem 4rem; background: va
 h1 { font-size: 1.6rem; margin: 0 0 .3rem; } h2 { font-size: 1.15rem; margin: 2.2rem 0 .4rem; }
 p { max-width: 68ch; margin: .3rem 0; } .fine { color: var(--muted); font-size: .9rem; }
 figure { margin: .8rem 0 0; background: var(--panel); border: 1px solid var(--line); border-radius: 10px; padding: .8rem; }
-svg { display: block; width: 100%; height: auto; } svg text { fill: var(--muted); font: 12px system-ui, sans-serif; }
+svg { display: block; width: 100%; height: auto; overflow: visible; } svg text { fill: var(--muted); font: 12px system-ui, sans-serif; }
 .grid { stroke: var(--line); } .series { fill: none; stroke-width: 2; stroke-linejoin: round; }
 .legend { display: flex; flex-wrap: wrap; gap: .2rem 1.2rem; list-style: none; margin: .6rem 0 0; padding: 0; font-size: .9rem; }
 .legend li { overflow-wrap: anywhere; } .legend svg { display: inline-block; width: 28px; height: 10px; margin-right: .4rem; }
 .scroll { overflow-x: auto; } table { border-collapse: collapse; font-size: .9rem; width: 100%; }
 th, td { text-align: right; padding: .25rem .6rem; border-bottom: 1px solid var(--line); font-variant-numeric: tabular-nums; white-space: nowrap; }
-th { color: var(--muted); font-weight: 500; } th:first-child, td:first-child { text-align: left; white-space: normal; overflow-wrap: anywhere; }
+th { color: var(--muted); font-weight: 500; } th:first-child, td:first-child { text-align: left; min-width: 11rem; white-space: normal; overflow-wrap: anywhere; }
+@media (max-width: 40rem) { svg text { font-size: 24px; } .series { stroke-width: 3.5; } .legend .series { stroke-width: 2; } }
 @media print { body { max-width: none; } figure { break-inside: avoid; } }
 )";
 
@@ -52,6 +53,19 @@ std::string escaped(const std::string& text) {
             out += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
     }
     return out;
+}
+
+/// A number short enough for an axis, without an exponent.
+std::string number_text(double value) {
+    constexpr double kThousand = 1000;
+    return std::abs(value) >= kThousand ? fmt::format("{:.0f}", value) : fmt::format("{:.3g}", value);
+}
+
+/// The day, and the time where all that is shown happened within two days.
+std::string moment_text(int64_t time, const History& history) {
+    constexpr int64_t kTwoDays = 2 * 86400, kDay = 86400, kHour = 3600, kMinute = 60;
+    if (history.points.back().commit.time - history.points.front().commit.time > kTwoDays) return day_of(time);
+    return fmt::format("{} {:02}:{:02} UTC", day_of(time), time % kDay / kHour, time % kHour / kMinute);
 }
 
 struct Series {
@@ -108,12 +122,12 @@ std::string grid_of(const Chart& chart, const History& history) {
         const double value = chart.low + (chart.high - chart.low) * i / kSteps, y = height_of(chart, value);
         out += fmt::format(
             "<line class=\"grid\" x1=\"{}\" x2=\"{}\" y1=\"{:.1f}\" y2=\"{:.1f}\"/><text x=\"{}\" "
-            "y=\"{:.1f}\" text-anchor=\"end\">{:.4g}</text>",
-            kLeft, kWidth - kRight, y, y, kLeft - 8, y + 4, value);
+            "y=\"{:.1f}\" text-anchor=\"end\">{}</text>",
+            kLeft, kWidth - kRight, y, y, kLeft - 8, y + 4, number_text(value));
     }
     out += fmt::format("<text x=\"{}\" y=\"{}\">{}</text><text x=\"{}\" y=\"{}\" text-anchor=\"end\">{}</text>", kLeft,
-                       kHeight - 10, day_of(history.points.front().commit.time), kWidth - kRight, kHeight - 10,
-                       day_of(history.points.back().commit.time));
+                       kHeight - 10, moment_text(history.points.front().commit.time, history), kWidth - kRight,
+                       kHeight - 10, moment_text(history.points.back().commit.time, history));
     return out;
 }
 
@@ -140,9 +154,8 @@ std::string figure_of(const Chart& chart, const History& history) {
             "<li><svg viewBox=\"0 0 28 10\" aria-hidden=\"true\"><path class=\"series\" d=\"M0 5H28\" "
             "stroke=\"var({})\" stroke-dasharray=\"{}\"/></svg>{}{}</li>",
             series.color, series.dash, escaped(series.name),
-            series.values.empty() || !series.values.back()
-                ? std::string()
-                : fmt::format(": {:.4g}{}", *series.values.back(), chart.unit));
+            series.values.empty() || !series.values.back() ? std::string()
+                                                           : ": " + number_text(*series.values.back()) + chart.unit);
     }
     return out + "</svg><ul class=\"legend\">" + legend + "</ul></figure>\n";
 }
@@ -275,9 +288,11 @@ std::string history_html(const History& history) {
         "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
         "content=\"width=device-width, initial-scale=1\"><title>History of a port</title><style>" +
         std::string(kStyle) + "</style></head><body>\n<main>\n<h1>History of a port</h1>\n";
-    out += fmt::format("<p>{} commits read, from {} on{}; {} of them touch the two sides or their map.</p>\n",
-                       history.commits, day_of(history.oldest.time),
-                       history.cut ? ", as far as this shallow clone reaches" : "", history.points.size());
+    out += fmt::format(
+        "<p>{} commits read, from {} on{}; {} are shown: those that touch the two sides or their map, and the "
+        "newest.</p>\n",
+        history.commits, day_of(history.oldest.time), history.cut ? ", as far as this shallow clone reaches" : "",
+        history.points.size());
     if (!history.points.empty()) {
         const HistoryPoint& newest = history.points.back();
         out += fmt::format(

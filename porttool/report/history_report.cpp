@@ -99,9 +99,9 @@ std::string history_csv(const History& history) {
 }
 
 std::string history_table(const History& history) {
-    std::string out =
-        fmt::format("{} commits read, back to {} ({}); {} of them touch the sides or their map\n", history.commits,
-                    history.oldest.id.substr(0, kShortId), day_of(history.oldest.time), history.points.size());
+    std::string out = fmt::format(
+        "{} commits read, back to {} ({}); {} shown: those that touch the sides or their map, and the newest\n",
+        history.commits, history.oldest.id.substr(0, kShortId), day_of(history.oldest.time), history.points.size());
     if (history.points.empty()) return out;
     out += "date        commit      shared lines    Moss %  DP in lines            open pairs  debt (line-days)\n";
     constexpr size_t kShown = 24;
