@@ -38,6 +38,7 @@ std::optional<Named> find_file(const Disk& disk, const std::string& folder, cons
 }
 
 [[noreturn]] void refuse_argument(const Disk& disk, const std::string& folder, const std::string& argument) {
+    if (argument.empty()) throw CannotDo("compare: an empty name; name a file, or a unit as PATH:NAME");
     if (disk.is_directory(absolute(join_path(folder, argument))))
         throw CannotDo(argument + " is a folder; name a file, or a unit as PATH:NAME");
     throw CannotDo(argument + ": no such file or unit; paths are relative to -C or to the root, units are PATH:NAME");

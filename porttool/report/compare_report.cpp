@@ -7,6 +7,8 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "metrics/code/string_tiling.h"
+
 namespace porttool {
 namespace {
 
@@ -52,7 +54,10 @@ std::string compare_json(const CompareReport& report) {
         {"line_divergence", or_null(s.line_divergence)},
         {"unmeasured", s.unmeasured},
         {"parameters",
-         {{"k", report.parameters.k}, {"w", report.parameters.w}, {"guarantee", report.parameters.guarantee()}}},
+         {{"k", report.parameters.k},
+          {"w", report.parameters.w},
+          {"guarantee", report.parameters.guarantee()},
+          {"tiling_minimum", metrics::TilingParameters{}.minimum}}},
         {"matches", matches}};
     return out.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
@@ -77,8 +82,9 @@ std::string compare_table(const CompareReport& report) {
     std::map<std::string, std::string> names;  // of the figures that one reason left out
     for (const auto& [name, reason] : s.unmeasured) names[reason] += (names[reason].empty() ? "" : ", ") + name;
     for (const auto& [reason, figures] : names) out += fmt::format("{} ({})\n", reason, figures);
-    out += fmt::format("\nk = {} tokens, w = {}: each run of {} tokens that both sides have is found\n",
-                       report.parameters.k, report.parameters.w, report.parameters.guarantee());
+    out += fmt::format("\nk = {} tokens, w = {}: each run of {} tokens that both sides have is found; tiles of {}\n",
+                       report.parameters.k, report.parameters.w, report.parameters.guarantee(),
+                       metrics::TilingParameters{}.minimum);
     return out;
 }
 
