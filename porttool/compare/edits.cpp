@@ -99,6 +99,33 @@ std::vector<Hunk> hunks(const StatementEdit& edit) {
     return out;
 }
 
+size_t common_words(const std::vector<std::string>& a, const std::vector<std::string>& b) {
+    size_t count = 0;
+    for (const DiffStep& step : diff(a, b)) count += step.kind == DiffStep::Keep ? 1 : 0;
+    return count;
+}
+
+/// How alike two statements are, 0 to 1.
+double likeness(const Statement& a, const Statement& b) {
+    const size_t words = a.common.size() + b.common.size();
+    return words == 0 ? 1.0 : 2.0 * static_cast<double>(common_words(a.common, b.common)) / static_cast<double>(words);
+}
+
+/// True if the edits are to statements that stand for each other: no other statement of the target's old text is more
+/// like what the source's edit took away. Else the same words were changed in another place.
+bool same_places(const StatementEdit& source, const StatementEdit& target) {
+    if (source.lost.size() != target.lost.size() || source.gained.size() != target.gained.size()) return false;
+    constexpr size_t kMostComparisons = 100'000;  // beyond, a person is asked
+    if (source.lost.size() * target.before.size() > kMostComparisons) return false;
+    for (size_t k = 0; k < source.lost.size(); ++k) {
+        const Statement& here = source.before[source.lost[k]];
+        const double found = likeness(here, target.before[target.lost[k]]);
+        for (const Statement& other : target.before)
+            if (likeness(here, other) > found) return false;
+    }
+    return true;
+}
+
 bool same_hunks(const std::vector<Hunk>& a, const std::vector<Hunk>& b) {
     return a.size() == b.size() &&
            std::equal(a.begin(), a.end(), b.begin(), [](const Hunk& x, const Hunk& y) { return x.same_edit(y); });
@@ -165,7 +192,7 @@ EditComparison compare_edits(const std::vector<std::string>& source_before, cons
         out.equivalent = true;
         return out;
     }
-    if (same_braces && same_hunks(hunks(source), hunks(target))) {
+    if (same_braces && same_places(source, target) && same_hunks(hunks(source), hunks(target))) {
         out.equivalent = true;
         return out;
     }

@@ -162,6 +162,46 @@ TEST(Check, AWrongPortIsNamed) {
     }
 }
 
+/// The same words put in at another place are another program.
+TEST(Check, TheSameEditAtAnotherPlaceIsAWrongPort) {
+    const std::string source =
+        "__device__ float f(float x, float y, float pdf) {\n    float a = x * 0.5f;\n    float b = y * 0.5f;\n"
+        "    if (pdf < 1e-4f) { return 0.0f; }\n    float w = fmaxf(a, b) / pdf;\n    store(w, a, b);\n"
+        "    return w * a - b;\n}\n";
+    const std::string target =
+        "float f(float x, float y, float pdf) {\n    float a = x * 0.5;\n    float b = y * 0.5;\n"
+        "    if (pdf < 1e-4) { return 0.0; }\n    float w = max(a, b) / pdf;\n    store(w, a, b);\n"
+        "    return w * a - b;\n}\n";
+    const std::vector<std::pair<std::pair<std::string, std::string>, std::pair<std::string, std::string>>> edits = {
+        {{"x * 0.5f", "x * 0.25f"}, {"y * 0.5", "y * 0.25"}},
+        {{"fmaxf(a, b)", "fmaxf(a, a)"}, {"store(w, a, b)", "store(w, a, a)"}},
+        {{"{ return 0.0f; }", "{ note(); } return 0.0f;"}, {"{ return 0.0; }", "{ note(); return 0.0; }"}},
+        {{"store(w, a, b);", "store(w, a, b); store(w, a, b);"}, {"store(w, a, b);", "store(w, a, b); note();"}}};
+    for (const auto& [left, right] : edits) {
+        MemoryDisk disk = started(source, target);
+        disk.files["/r/src/k.cu"] = replaced(source, left.first, left.second);
+        disk.files["/r/port/k.comp"] = replaced(target, right.first, right.second);
+        EXPECT_EQ(rules(check(disk)), Rules{"port-differs"}) << right.second;
+    }
+}
+
+TEST(Check, ANameDeclaredAgainInABlockIsAnotherVariable) {
+    const std::string source =
+        "__device__ float f(float a) {\n    float x = a * 3.0f;\n    for (int i = 0; i < 4; ++i) { float x = a + i; a "
+        "+= x; }\n"
+        "    for (int i = 0; i < 2; ++i) { a += x; }\n    return a + x;\n}\n";
+    MemoryDisk disk = started(source, replaced(source, "__device__ ", ""));
+    disk.files["/r/src/k.cu"] =
+        replaced(replaced(source, "float x = a + i", "float y = a + i"), "a += x; }", "a += y; }");
+    EXPECT_EQ(check(disk)["verdict"], "in_step") << "consistent within its block";
+    disk.files["/r/src/k.cu"] = replaced(source, "(int i = 0; i < 2; ++i)", "(int k = 0; k < 2; ++k)");
+    EXPECT_EQ(check(disk)["verdict"], "in_step") << "a loop's variable ends with the loop";
+    disk.files["/r/src/k.cu"] = replaced(source, "float x = a + i", "float y = a + i");
+    EXPECT_EQ(check(disk)["verdict"], "drift") << "now the outer one is added";
+    disk.files["/r/src/k.cu"] = replaced(source, "float x = a + i; ", "x = a + i; ");
+    EXPECT_EQ(check(disk)["verdict"], "drift");
+}
+
 TEST(Check, NewGoneAndMovedUnits) {
     MemoryDisk disk = started(kSource, kTarget);
     disk.files["/r/src/k.cu"] = std::string(kSource) + "__device__ int fresh(int a) { return a + 1; }\n";
