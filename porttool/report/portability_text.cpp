@@ -14,7 +14,12 @@ namespace {
 
 constexpr const char* kTooShort = "too short";
 
-std::string percent(const std::optional<double>& value) { return value ? fmt::format("{:.1f} %", *value) : kTooShort; }
+/// One decimal; 100 and 0 only where nothing is missing or there.
+std::string percent(const std::optional<double>& value) {
+    if (!value) return kTooShort;
+    const bool inner = *value > 0 && *value < 100;
+    return fmt::format("{:.1f} %", inner ? std::clamp(*value, 0.1, 99.9) : *value);
+}
 
 /// " ▲ +3" or " ▼ -3"; nothing where nothing changed or nothing is known.
 std::string arrow(const std::optional<double>& change, int digits) {

@@ -11,7 +11,7 @@ namespace porttool {
 /// For a terminal: the verdict and a table.
 std::string portability_table(const WholeReport& whole);
 /// For a merge request: the verdict first, then the blocks with their changes, what is open, and where to look. Free of
-/// dates and line numbers, so that it changes only with what it says.
+/// ages and line numbers, so that it changes only with what it says.
 std::string portability_markdown(const WholeReport& whole);
 /// One row a block; RFC 4180. The columns are in docs/porttool.md; --base adds those that end in _change.
 std::string portability_csv(const WholeReport& whole);

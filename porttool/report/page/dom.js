@@ -24,14 +24,22 @@ const whole = new Intl.NumberFormat("en-US");
 const number = (value) => whole.format(value).replace("-", "−");
 const plural = (count, one, many) => `${number(count)} ${count === 1 ? one : many || one + "s"}`;
 const TOO_SHORT = "too short";
-const percent = (value) => (value === null ? TOO_SHORT : `${value.toFixed(1)} %`);
+
+// One decimal; 100 and 0 only where nothing is missing or there.
+function percent(value) {
+  if (value === null) return TOO_SHORT;
+  const inner = value > 0 && value < 100 ? Math.min(99.9, Math.max(0.1, value)) : value;
+  return `${inner.toFixed(1)} %`;
+}
+
+const roughly = (value) => `${(value > 0 && value < 100 ? Math.min(99, Math.max(1, value)) : value).toFixed(0)} %`;
 const degree = (value) => value.toFixed(2).replace("-", "−");
 
 // A signed change with its arrow, or nothing where nothing changed. `good` is the sign that is welcome: 1, -1, or 0.
 function change(value, digits, good) {
   if (value === null || value === undefined) return null;
   const rounded = Number(value.toFixed(digits));
-  if (rounded === 0) return h("span", { class: "change" }, "±0");
+  if (rounded === 0) return h("span", { class: "change none" }, "±0");
   const tone = good === 0 ? "" : Math.sign(rounded) === good ? " better" : " worse";
   const text = digits === 0 ? number(Math.abs(rounded)) : Math.abs(rounded).toFixed(digits);
   return h("span", { class: "change" + tone }, `${rounded > 0 ? "▲ +" : "▼ −"}${text}`);

@@ -17,7 +17,7 @@ const theme = {
 const systemTheme = matchMedia("(prefers-color-scheme: dark)");
 
 // What the address names: a unit, lines of a block, or a choice in the list.
-function follow() {
+function follow(event) {
   const { place, values } = parseAddress(location.hash);
   const dialog = byId("viewer");
   if (place === "unit" && openUnit(values.key)) return;
@@ -25,7 +25,9 @@ function follow() {
   if (dialog.open) dialog.close();
   if (place === "units" && location.hash.includes("?")) {
     choose(values);
-    byId("units").scrollIntoView();
+    byId("units").scrollIntoView({ behavior: event ? "auto" : "instant" });
+  } else if (!event && byId(place)) {
+    byId(place).scrollIntoView({ behavior: "instant" });  // the page was empty when the browser looked for it
   }
 }
 
@@ -68,7 +70,9 @@ byId("viewer").addEventListener("close", () => {
 byId("viewer").addEventListener("click", (event) => { if (event.target === byId("viewer")) closeViewer(); });
 addEventListener("hashchange", follow);
 addEventListener("keydown", onKey);
-addEventListener("beforeprint", () => { shown = Infinity; refreshList(); });
+// On paper: every unit, and always the light theme.
+addEventListener("beforeprint", () => { printing = true; shown = Infinity; refreshList(); paintMap(); });
+addEventListener("afterprint", () => { printing = false; shown = PAGE; refreshList(); paintMap(); });
 let lastWidth = innerWidth;
 addEventListener("resize", () => {
   if (innerWidth === lastWidth) return;

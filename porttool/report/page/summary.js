@@ -46,7 +46,7 @@ function showSummary() {
         linesAddress("", "target", "shared")),
       tile("Degree of portability", [dp ? degree(dp.loc) : "–", " ",
         totals.change && change(totals.change.degree_of_portability, 2, 1)],
-        dp ? [range(dp), range(dp) && " · ", dp.model] : "needs lines on both sides", "#blocks"),
+        dp ? [range(dp), range(dp) && ", ", `by ${dp.model}`] : "needs lines on both sides", "#blocks"),
       tile("Open findings", [number(openFindings().length)],
         `${plural(count.deferred, "pair")} deferred, ${number(count.ignored)} ignored`, "#ledger")));
 }
@@ -101,5 +101,5 @@ function showBlocks() {
           h("tr", null, h("th", { scope: "col" }, "Block"), head("Lines", "Shared", "Moss %", "Lines", "Shared", "Moss %"),
             h("th", { scope: "col", class: "n", title: "Degree of portability" }, "DP"))),
         h("tbody", null, report.blocks.map(blockRow), blockRow(total)))),
-    dp && h("p", { class: "fine" }, `DP: degree of portability by lines, model ${dp.model}, with its interval.`));
+    dp && h("p", { class: "fine" }, `DP: degree of portability, model “${dp.model}”, with the interval from the strictest to the loosest reading of what is shared.`));
 }

@@ -5,14 +5,18 @@ const RAMP = {
   dark: ["#c97a35", "#8f6a41", "#4d5150", "#2f7a78", "#3da5a2"],
 };
 
+let printing = false;
+
+// A colour between two, and whether dark text reads better on it than white (relative luminance as WCAG defines it).
 function mixed(a, b, t) {
   const part = (text, i) => parseInt(text.slice(1 + 2 * i, 3 + 2 * i), 16);
   const channels = [0, 1, 2].map((i) => Math.round(part(a, i) + (part(b, i) - part(a, i)) * t));
-  return { color: `rgb(${channels.join(" ")})`, light: (0.299 * channels[0] + 0.587 * channels[1] + 0.114 * channels[2]) > 120 };
+  const [red, green, blue] = channels.map((c) => (c / 255 <= 0.04045 ? c / 255 / 12.92 : ((c / 255 + 0.055) / 1.055) ** 2.4));
+  return { color: `rgb(${channels.join(" ")})`, light: 0.2126 * red + 0.7152 * green + 0.0722 * blue > 0.2 };
 }
 
 function colorOf(value) {
-  const ramp = RAMP[document.documentElement.dataset.theme];
+  const ramp = RAMP[printing ? "light" : document.documentElement.dataset.theme];
   const at = (Math.max(0, Math.min(100, value)) / 100) * (ramp.length - 1);
   const i = Math.min(ramp.length - 2, Math.floor(at));
   return mixed(ramp[i], ramp[i + 1], at - i);
@@ -57,7 +61,7 @@ function tileOf(place) {
   const row = place.item.row, value = shownLikeness(row);
   const alone = !row.source || !row.target;
   const tone = alone ? null : colorOf(value === null ? 0 : value);
-  const words = alone ? NAMES[row.share] : likeness(row) === null ? `${TOO_SHORT} for Moss, ${value.toFixed(0)} % by edits` : `${value.toFixed(0)} %`;
+  const words = alone ? NAMES[row.share] : likeness(row) === null ? `${TOO_SHORT} for Moss, ${roughly(value)} by edits` : roughly(value);
   const label = `${rowName(row)}: ${words}, ${plural(rowLines(row), "line")}`;
   const fits = place.w > 46 && place.h > 17;
   const text = rowName(row);
@@ -139,5 +143,5 @@ function showMap() {
 function paintMap() {
   if (!byId("treemap")) return;
   drawMap();
-  byId("ramp").style.background = `linear-gradient(90deg, ${RAMP[document.documentElement.dataset.theme].join(", ")})`;
+  byId("ramp").style.background = `linear-gradient(90deg, ${RAMP[printing ? "light" : document.documentElement.dataset.theme].join(", ")})`;
 }

@@ -26,7 +26,7 @@ function likenessCell(row) {
   if (!row.source || !row.target) return h("span", { class: "like faint" }, row.source ? "source only" : "target only");
   const value = likeness(row);
   if (value === null) return h("span", { class: "like" }, h("span", { class: "short" }, TOO_SHORT));
-  return h("span", { class: "like" }, bar(value), `${value.toFixed(0)} %`);
+  return h("span", { class: "like" }, bar(value), roughly(value));
 }
 
 function unitItem(row) {

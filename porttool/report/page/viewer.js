@@ -128,7 +128,7 @@ function unitHead(row) {
   const facts = [];
   if (both) {
     const value = likeness(row);
-    facts.push(value === null ? `${capital(TOO_SHORT)} for Moss; ${row.likeness.toFixed(0)} % alike by edits`
+    facts.push(value === null ? `${capital(TOO_SHORT)} for Moss; ${roughly(row.likeness)} alike by edits`
       : `Moss ${percent(row.moss_percent_source)} of the source, ${percent(row.moss_percent_target)} of the target`);
     if (value !== null) facts.push(`names folded ${percent(row.moss_percent_blind_target)}, as written ${percent(row.moss_percent_raw_target)} of the target`);
   }
