@@ -19,8 +19,8 @@ struct Choice {
 class Assigner {
 public:
     Assigner(const std::vector<UnitFeatures>& source, const std::vector<UnitFeatures>& target,
-             std::vector<std::vector<Candidate>> candidates)
-        : source_(source), target_(target), candidates_(std::move(candidates)) {
+             const Vocabulary& vocabulary, std::vector<std::vector<Candidate>> candidates)
+        : source_(source), target_(target), vocabulary_(vocabulary), candidates_(std::move(candidates)) {
         for (const UnitFeatures& unit : source_) ++source_names_[unit.folded_name];
         for (const UnitFeatures& unit : target_) ++target_names_[unit.folded_name];
         for (const auto& list : candidates_) {
@@ -33,7 +33,12 @@ public:
     std::vector<Assignment> run() {
         choose();
         add_affinity();
-        choose();
+        alike_ = scores_;
+        constexpr int kRounds = 2;  // a third changes next to nothing
+        for (int round = 0; round < kRounds; ++round) {
+            weigh_names(learn_names());
+            choose();
+        }
         return describe();
     }
 
@@ -70,15 +75,12 @@ private:
 
     /// Files that share certain pairs lift the scores between their other units.
     void add_affinity() {
-        constexpr float kCertainScore = 0.55f, kCertainMargin = 0.1f, kMostBonus = 0.05f;
+        constexpr float kMostBonus = 0.05f;
         std::unordered_map<uint64_t, float> shared;
         std::unordered_map<uint32_t, float> most;
         for (uint32_t s = 0; s < source_.size(); ++s) {
-            if (choice_[s] == kNobody) continue;
+            if (choice_[s] == kNobody || !is_certain(s)) continue;
             const Candidate& chosen = candidates_[s][choice_[s]];
-            if (scores_[s][choice_[s]] < kCertainScore ||
-                rival(s, choice_[s], false) + kCertainMargin > scores_[s][choice_[s]])
-                continue;
             const float count = ++shared[file_pair(source_[s].file, target_[chosen.target].file)];
             most[source_[s].file] = std::max(most[source_[s].file], count);
         }
@@ -91,30 +93,44 @@ private:
         }
     }
 
-    /// The best score that a source has elsewhere. Other variants of the chosen one's name are no rivals.
-    float rival(uint32_t s, uint32_t chosen, bool only_free) const {
-        constexpr float kStronger = 0.05f;
-        float best = 0;
-        for (uint32_t c = 0; c < candidates_[s].size(); ++c) {
-            const uint32_t t = candidates_[s][c].target;
-            if (c == chosen || target_[t].folded_name == target_[candidates_[s][chosen].target].folded_name) continue;
-            if (only_free && claimed_[t] != kNobody && claimed_[t] != s &&
-                scores_[claimed_[t]][choice_[claimed_[t]]] > scores_[s][c] + kStronger)
-                continue;
-            best = std::max(best, scores_[s][c]);
-        }
-        return best;
+    NameEvidence learn_names() const {
+        std::vector<LearnedPair> pairs;
+        for (uint32_t s = 0; s < source_.size(); ++s)
+            if (choice_[s] != kNobody) pairs.push_back({s, candidates_[s][choice_[s]].target, is_certain(s)});
+        return {source_, target_, vocabulary_, pairs};
+    }
+
+    /// Names that differ as this project's ports do not lower the scores.
+    void weigh_names(const NameEvidence& names) {
+        constexpr float kPerLogOdds = 0.05f;
+        for (uint32_t s = 0; s < source_.size(); ++s)
+            for (uint32_t c = 0; c < candidates_[s].size(); ++c) {
+                const UnitFeatures& target = target_[candidates_[s][c].target];
+                NameDifference difference = names.difference(source_[s], target);
+                // A file with one main is named by its subject alone: the shorter name is not the nearer one.
+                if (target.whole_file_main) difference.lost = difference.lost_variant = 0;
+                scores_[s][c] = alike_[s][c] - kPerLogOdds * doubt(difference);
+            }
+    }
+
+    bool is_certain(uint32_t s) const {
+        constexpr float kScore = 0.55f, kMargin = 0.1f;
+        return scores_[s][choice_[s]] >= kScore && margin(s) >= kMargin;
+    }
+
+    /// How far a source's choice is ahead of its best score elsewhere. Other variants of the chosen name are no rivals.
+    float margin(uint32_t s) const {
+        const uint32_t chosen = choice_[s];
+        const std::string& name = target_[candidates_[s][chosen].target].folded_name;
+        float rival = 0;
+        for (uint32_t c = 0; c < candidates_[s].size(); ++c)
+            if (c != chosen && target_[candidates_[s][c].target].folded_name != name)
+                rival = std::max(rival, scores_[s][c]);
+        return scores_[s][chosen] - rival;
     }
 
     std::vector<Assignment> describe() const {
-        std::vector<float> column_best(target_.size(), 0);  // best score of a source other than the claiming one
-        for (uint32_t s = 0; s < source_.size(); ++s)
-            for (uint32_t c = 0; c < candidates_[s].size(); ++c) {
-                const uint32_t t = candidates_[s][c].target;
-                if (claimed_[t] == s) continue;
-                if (claimed_[t] != kNobody && source_[claimed_[t]].folded_name == source_[s].folded_name) continue;
-                column_best[t] = std::max(column_best[t], scores_[s][c]);
-            }
+        const NameEvidence names = learn_names();
         std::vector<Assignment> all;
         for (uint32_t s = 0; s < source_.size(); ++s) {
             if (choice_[s] == kNobody) continue;
@@ -124,9 +140,8 @@ private:
             out.target = chosen.target;
             out.similarity = chosen.similarity;
             out.score = scores_[s][choice_[s]];
-            out.source_margin = out.score - rival(s, choice_[s], false);
-            out.free_margin = out.score - rival(s, choice_[s], true);
-            out.target_margin = out.score - column_best[chosen.target];
+            out.margin = margin(s);
+            out.names = names.difference(source_[s], target_[chosen.target]);
             out.only_one = source_names_.at(source_[s].folded_name) == 1 &&
                            target_names_.at(target_[chosen.target].folded_name) == 1;
             all.push_back(out);
@@ -136,8 +151,10 @@ private:
 
     const std::vector<UnitFeatures>& source_;
     const std::vector<UnitFeatures>& target_;
+    const Vocabulary& vocabulary_;
     std::vector<std::vector<Candidate>> candidates_;
     std::vector<std::vector<float>> scores_;
+    std::vector<std::vector<float>> alike_;  ///< the scores before names are weighed
     std::unordered_map<std::string, int> source_names_, target_names_;
     std::vector<uint32_t> choice_;   ///< of each source, an index into its candidates
     std::vector<uint32_t> claimed_;  ///< of each target, the source
@@ -146,8 +163,8 @@ private:
 }  // namespace
 
 std::vector<Assignment> assign(const std::vector<UnitFeatures>& source, const std::vector<UnitFeatures>& target,
-                               std::vector<std::vector<Candidate>> candidates) {
-    return Assigner(source, target, std::move(candidates)).run();
+                               const Vocabulary& vocabulary, std::vector<std::vector<Candidate>> candidates) {
+    return Assigner(source, target, vocabulary, std::move(candidates)).run();
 }
 
 }  // namespace porttool

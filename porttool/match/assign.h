@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "porttool/match/candidates.h"
+#include "porttool/match/name_evidence.h"
 
 namespace porttool {
 
@@ -13,17 +14,15 @@ struct Assignment {
     uint32_t source = 0;
     uint32_t target = 0;
     Similarity similarity;
-    float score = 0;          ///< with the bonus for files that belong together
-    float source_margin = 0;  ///< to the next best target
-    float free_margin = 0;    ///< to the next best target that no other source claims more strongly
-    float target_margin = 0;  ///< to the next best source
-    bool only_one = false;    ///< no other unit of either side has this name
-    float confidence = 0;     ///< how likely the pair is right, in [0, 1]
+    float score = 0;        ///< with what the other pairs tell about files and names
+    float margin = 0;       ///< to the next best target
+    bool only_one = false;  ///< no other unit of either side has this name
+    NameDifference names;
 };
 
-/// Gives each source at most one target and each target at most one source, the most alike first. Files whose units
-/// were paired with certainty draw each other's other units together.
+/// Gives each source at most one target and each target at most one source, the most alike first. Done in
+/// rounds: the certain pairs of one tell which files belong together and how names change, and so correct the next.
 std::vector<Assignment> assign(const std::vector<UnitFeatures>& source, const std::vector<UnitFeatures>& target,
-                               std::vector<std::vector<Candidate>> candidates);
+                               const Vocabulary& vocabulary, std::vector<std::vector<Candidate>> candidates);
 
 }  // namespace porttool

@@ -61,6 +61,24 @@ private:
         for (const std::string& word : split_words(name)) count(family, word, amount);
     }
 
+    /// Names speak a dialect, too: `__uchar4_to_float4` and `uintToVec4`.
+    void count_name_words(Family family, std::string_view name, float amount) {
+        for (const std::string& word : split_words(name)) count(family, common_word(word), amount);
+    }
+
+    std::string_view common_word(std::string_view word) const {
+        const std::string* common = dialect_.find(word);
+        return common != nullptr && !common->empty() ? std::string_view(*common) : word;
+    }
+
+    std::vector<uint32_t> name_ids(std::initializer_list<std::string_view> names) {
+        std::vector<uint32_t> ids;
+        for (const std::string_view name : names)
+            for (const std::string& word : split_words(name)) ids.push_back(vocabulary_.id(kName, common_word(word)));
+        std::sort(ids.begin(), ids.end());
+        return ids;
+    }
+
     void read_names(const Unit& unit, UnitFeatures& features) {
         const std::string_view name =
             std::string_view(unit.name).substr(0, unit.name.find('#')).substr(unit.namespace_length);
@@ -72,8 +90,8 @@ private:
         features.folded_name = fold(shown);
         features.folded_leaf = fold(leaf_of(shown));
         constexpr float kScopeWeight = 0.7f;
-        count_words(kName, leaf_of(shown), 1);
-        count_words(kName, shown.substr(0, shown.size() - leaf_of(shown).size()), kScopeWeight);
+        count_name_words(kName, leaf_of(shown), 1);
+        count_name_words(kName, shown.substr(0, shown.size() - leaf_of(shown).size()), kScopeWeight);
         const std::string_view stage = features.whole_file_main ? stage_word(file_.path) : std::string_view();
         if (!stage.empty()) {
             count_words(kName, stage, 1);
@@ -82,8 +100,10 @@ private:
         } else {
             for (const auto& [id, amount] : counts_[kName]) features.name_words.push_back(id);
         }
+        features.all_words = name_ids({shown, stage});
+        features.path_words = name_ids({file_.path.substr(0, file_.path.rfind('.')), stage_word(file_.path)});
         // The place also carries the name: a class here is a file there.
-        count_words(kPlace, shown, 1);
+        count_name_words(kPlace, shown, 1);
     }
 
     /// `Ray::Ray`, `Ray::~Ray`
@@ -95,8 +115,8 @@ private:
 
     void read_place() {
         constexpr float kFolderWeight = 0.35f;
-        count_words(kPlace, file_stem(file_.path), 1);
-        count_words(kPlace, folder_of(file_.path), kFolderWeight);
+        count_name_words(kPlace, file_stem(file_.path), 1);
+        count_name_words(kPlace, folder_of(file_.path), kFolderWeight);
     }
 
     void read_parameters(const Unit& unit, UnitFeatures& features) {
@@ -230,7 +250,9 @@ void drop_common_words(std::vector<UnitFeatures>& units) {
 uint32_t Vocabulary::id(Family family, std::string_view text) {
     key_.assign(1, static_cast<char>(family));
     key_.append(text);
-    return ids_.emplace(key_, static_cast<uint32_t>(ids_.size())).first->second;
+    const auto [found, added] = ids_.emplace(key_, static_cast<uint32_t>(ids_.size()));
+    if (added) texts_.push_back(&found->first);
+    return found->second;
 }
 
 std::vector<UnitFeatures> read_features(const std::vector<ScannedFile>& files, const Dialect& dialect,

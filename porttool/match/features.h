@@ -39,6 +39,8 @@ struct UnitFeatures {
     std::string folded_leaf;
     std::array<Bag, kFamilies> bags;
     std::vector<uint32_t> name_words;       ///< sorted term ids, without words that stand in most names of the side
+    std::vector<uint32_t> all_words;        ///< sorted term ids, a word as often as the qualified name has it
+    std::vector<uint32_t> path_words;       ///< sorted term ids (of names) of the words of folders and file
     std::vector<uint32_t> parameter_types;  ///< sorted term ids
     uint32_t parameters = 0;
     uint32_t size = 0;  ///< tokens of the body
@@ -50,9 +52,11 @@ class Vocabulary {
 public:
     uint32_t id(Family family, std::string_view text);
     size_t size() const { return ids_.size(); }
+    std::string_view text(uint32_t id) const { return std::string_view(*texts_[id]).substr(1); }
 
 private:
     std::unordered_map<std::string, uint32_t> ids_;
+    std::vector<const std::string*> texts_;  ///< the keys of ids_ by id, each after a byte for the family
     std::string key_;
 };
 

@@ -64,7 +64,7 @@ Matching match_units(const std::vector<ScannedFile>& source, const std::vector<S
 
     std::vector<bool> source_mapped(source_units.size(), false), target_mapped(target_units.size(), false);
     const auto assignments =
-        assign(source_units, target_units, find_candidates(source_units, target_units, kMostCandidates));
+        assign(source_units, target_units, vocabulary, find_candidates(source_units, target_units, kMostCandidates));
     for (const Assignment& pair : assignments) {
         const float score = confidence(source_units[pair.source], target_units[pair.target], pair);
         if (score < kLeastConfidence) continue;

@@ -60,17 +60,15 @@ float dice(const std::vector<uint32_t>& a, const std::vector<uint32_t>& b) {
 
 /// A file with one main is named by its subject alone (`argsort.comp`), the function by more (`k_argsort_f32_i32`):
 /// there the share of the file's words counts.
-float words_likeness(const UnitFeatures& a, const UnitFeatures& b) {
-    const float both = dice(a.name_words, b.name_words);
-    if (a.whole_file_main == b.whole_file_main || a.kernel != b.kernel) return both;
+float subject_likeness(const UnitFeatures& a, const UnitFeatures& b, float words) {
+    if (a.whole_file_main == b.whole_file_main || a.kernel != b.kernel) return words;
     const auto& file = a.whole_file_main ? a.name_words : b.name_words;
     const float sum = static_cast<float>(a.name_words.size() + b.name_words.size());
-    const float contained = file.empty() ? 0 : both * sum / (2 * static_cast<float>(file.size()));
-    return std::max(both, 0.95f * contained);
+    const float contained = file.empty() ? 0 : words * sum / (2 * static_cast<float>(file.size()));
+    return std::max(words, 0.95f * contained);
 }
 
 float kind_likeness(const UnitFeatures& a, const UnitFeatures& b) {
-    if (a.lifecycle != b.lifecycle) return 0;
     if (a.kernel == b.kernel) return 1;
     return a.whole_file_main || b.whole_file_main ? 0.0f : 0.4f;  // an entry point is a kernel's port before all else
 }
@@ -110,9 +108,10 @@ Similarity compare_units(const UnitFeatures& a, const UnitFeatures& b) {
                     kKindWeight = 0.09f;
     float weight = kNameWeight + kWordsWeight + kSizeWeight;
     out.same_name = name_likeness(a, b);
-    out.words = words_likeness(a, b);
+    out.words = dice(a.name_words, b.name_words);
+    out.subject = subject_likeness(a, b, out.words);
     out.size = size_likeness(a, b);
-    float score = kNameWeight * out.same_name + kWordsWeight * out.words + kSizeWeight * out.size;
+    float score = kNameWeight * out.same_name + kWordsWeight * out.subject + kSizeWeight * out.size;
     for (size_t family = 0; family < kFamilies; ++family) {
         const bool left = !a.bags[family].empty(), right = !b.bags[family].empty();
         if (!left && !right) continue;  // neither calls anything: says nothing

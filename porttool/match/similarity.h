@@ -13,9 +13,10 @@ struct Similarity {
     std::array<float, kFamilies> families{};
     float same_name = 0;  ///< 1: the whole names fold to one; less: the last parts do, or share their letters
     float words = 0;      ///< share of the names' words, each counting the same
+    float subject = 0;    ///< the same, but the name of a file with one main may be the shorter one
     float signature = 0;
     float size = 0;
-    float kind = 0;   ///< 1: both kernels or both not, both constructors or both not
+    float kind = 0;   ///< 1: both kernels or both not
     float score = 0;  ///< all together
 };
 

@@ -10,7 +10,17 @@ namespace {
 bool is_upper(char c) { return c >= 'A' && c <= 'Z'; }
 bool is_lower(char c) { return c >= 'a' && c <= 'z'; }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_alphanumeric(char c) { return is_upper(c) || is_lower(c) || is_digit(c); }
 char lower(char c) { return is_upper(c) ? static_cast<char>(c + 32) : c; }
+
+/// The sign of `V::operator+`; of other names nothing. What an operator is named after is its sign.
+std::string_view operator_sign(std::string_view name) {
+    constexpr std::string_view kOperator = "operator";
+    const size_t found = name.rfind(kOperator);
+    if (found == std::string_view::npos) return {};
+    const std::string_view sign = name.substr(found + kOperator.size());
+    return sign.empty() || is_alphanumeric(sign[0]) || sign[0] == '_' ? std::string_view() : sign;
+}
 
 /// Cuts common endings, keeping at least four letters.
 void stem(std::string& word) {
@@ -37,7 +47,7 @@ std::vector<std::string> split_words(std::string_view name) {
     };
     for (size_t i = 0; i < name.size(); ++i) {
         const char c = name[i];
-        if (!is_upper(c) && !is_lower(c) && !is_digit(c)) {
+        if (!is_alphanumeric(c)) {
             finish();
             continue;
         }
@@ -48,6 +58,7 @@ std::vector<std::string> split_words(std::string_view name) {
         word += lower(c);
     }
     finish();
+    if (const auto sign = operator_sign(name); !sign.empty()) words.emplace_back(sign);
     return words;
 }
 
@@ -55,7 +66,8 @@ std::string fold(std::string_view name) {
     if (name.size() > 2 && name[0] == 'k' && is_upper(name[1])) name.remove_prefix(1);
     std::string folded;
     for (const char c : name)
-        if (is_upper(c) || is_lower(c) || is_digit(c)) folded += lower(c);
+        if (is_alphanumeric(c)) folded += lower(c);
+    folded += operator_sign(name);
     return folded;
 }
 

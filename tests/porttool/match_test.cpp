@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 
 #include "porttool/match/words.h"
@@ -101,6 +102,139 @@ TEST(Match, WhatAPersonSettledStands) {
     EXPECT_EQ(pairs(got), (Pairs{{"a.cu:f", "b.cpp:g"}, {"a.cu:f", "b.cpp:h"}}));
     EXPECT_TRUE(got.unmapped_source.empty());
     EXPECT_EQ(got.pairs[0].state, PairState::Confirmed);
+}
+
+/// A family of functions that differ by one word alone, each name as `name` makes it.
+template <class Name>
+std::string family(const std::vector<std::string>& members, const std::string& qualifier, const Name& name) {
+    std::string text;
+    for (size_t i = 0; i < members.size(); ++i)
+        text += qualifier + "float " + name(members[i]) + "(const float* x, const float* y, int n) {\n" +
+                "  float total = 0.0f;\n  for (int i = 0; i < n; ++i) total += x[i] * y[i] * scale_of(x, i, " +
+                std::to_string(i + 2) + ");\n  return total;\n}\n";
+    return text;
+}
+
+TEST(Match, AVariantOfTheTargetsOwnIsNoPort) {
+    const std::vector<std::string> all = {"q4_0", "q4_1", "q5_0", "q5_1", "q8_0"},
+                                   ported = {"q4_0", "q4_1", "q5_0", "q8_0"};
+    const auto plain = [](const std::string& member) { return "vec_dot_" + member; };
+    const auto reordered = [](const std::string& member) { return "vec_dot_" + member + "_reorder"; };
+    const Matching got = match({{"cuda/dot.cu", family(all, "__device__ ", plain)}},
+                               {{"sycl/dot.cpp", family(ported, "", plain) + family(all, "", reordered)}});
+    EXPECT_EQ(pairs(got), (Pairs{{"cuda/dot.cu:vec_dot_q4_0", "sycl/dot.cpp:vec_dot_q4_0"},
+                                 {"cuda/dot.cu:vec_dot_q4_1", "sycl/dot.cpp:vec_dot_q4_1"},
+                                 {"cuda/dot.cu:vec_dot_q5_0", "sycl/dot.cpp:vec_dot_q5_0"},
+                                 {"cuda/dot.cu:vec_dot_q8_0", "sycl/dot.cpp:vec_dot_q8_0"}}));
+    EXPECT_EQ(got.unmapped_source, std::vector<std::string>{"cuda/dot.cu:vec_dot_q5_1"});
+}
+
+TEST(Match, ASiblingIsNoPort) {
+    const std::vector<std::string> source = {"q4_0", "q4_1", "q5_0", "q5_1", "q8_0"};
+    const std::vector<std::string> target = {"q4_0", "q4_1", "q5_0", "q8_0", "q8_1"};  // q5_1 is missing, q8_1 is new
+    const auto name = [](const std::string& member) { return "copy_block_of_row_" + member; };
+    const Matching got = match({{"cuda/copy_block.cu", family(source, "__device__ ", name)}},
+                               {{"sycl/copy_block.cpp", family(target, "", name)}});
+    EXPECT_EQ(got.pairs.size(), 4u);
+    EXPECT_EQ(got.unmapped_source, std::vector<std::string>{"cuda/copy_block.cu:copy_block_of_row_q5_1"});
+    EXPECT_EQ(got.unmapped_target, std::vector<std::string>{"sycl/copy_block.cpp:copy_block_of_row_q8_1"});
+}
+
+TEST(Match, AFamilyThatIsRenamedThroughoutMapsOneToOne) {
+    const std::vector<std::string> materials = {"Brick", "Marble", "Wood", "Checker", "Cloud", "Band"};
+    std::vector<std::pair<std::string, std::string>> source, target;
+    Pairs expected;
+    for (const std::string& name : materials) {
+        source.emplace_back(
+            "cl/textures.cl",
+            "float " + name + "Texture_ConstEvaluateFloat(float a, float b) {\n  return a > " + "b ? a - b : b;\n}\n");
+        target.emplace_back("cpp/" + name + ".cpp",
+                            "float " + name + "Texture::GetFloatValue(const HitPoint& hit) const {\n" +
+                                "  return Sub(first->GetFloatValue(hit), second->GetFloatValue(hit));\n}\n" + name +
+                                "Texture::" + name + "Texture(const float a, const float b) : a_(a), b_(b) { }\n");
+        expected.emplace_back(source.back().first + ":" + name + "Texture_ConstEvaluateFloat",
+                              target.back().first + ":" + name + "Texture::GetFloatValue");
+    }
+    std::sort(expected.begin(), expected.end());
+    EXPECT_EQ(pairs(match(source, target)), expected);
+}
+
+TEST(Match, AConstructorIsNoFunctionsPort) {
+    std::vector<std::pair<std::string, std::string>> source, target;
+    for (const std::string name : {"MengerSponge", "JuliaSet", "KochCurve", "BoxFold", "QuatBulb"}) {
+        source.emplace_back("formula/cl/" + name + ".cl",
+                            family({name}, "", [](const std::string& m) { return m + "Iteration"; }));
+        const std::string scope = "Fractal" + name;
+        target.emplace_back("formula/cpp/fractal_" + name + ".cpp",
+                            scope + "::" + scope + "(const float* x, int n) {\n  float total = 0.0f;\n" +
+                                "  for (int i = 0; i < n; ++i) total += x[i] * scale_of(x, i, 2);\n}\n");
+        if (name != "KochCurve")
+            target.back().second += family({scope}, "", [](const std::string& m) { return m + "::FormulaCode"; });
+    }
+    const Matching got = match(source, target);
+    EXPECT_EQ(got.pairs.size(), 4u);
+    EXPECT_EQ(got.unmapped_source, std::vector<std::string>{"formula/cl/KochCurve.cl:KochCurveIteration"});
+}
+
+TEST(Match, AMainThatIsAVariantOfTheTargetsOwnIsNoPort) {
+    std::vector<std::pair<std::string, std::string>> source{{"cuda/operations.cu", ""}}, target;
+    const auto body = [](const std::string& word) {
+        return "{ uint i = index(); y[i] = x[i] * " + word + "_factor; z[i] = y[i] + " + word + "(x[i]); }\n";
+    };
+    for (const std::string name : {"add", "mul", "norm", "repeat"}) {
+        source.front().second += "__global__ void k_" + name + "(float* x, float* y) " + body(name);
+        if (name != "repeat") target.emplace_back("glsl/" + name + ".comp", "void main() " + body(name));
+        target.emplace_back("glsl/" + name + "_partials.comp",
+                            "void main() { for (uint k = 0; k < rows; ++k) total += " + name + "(x[k], rows - k); }\n");
+    }
+    const Matching got = match(source, target);
+    EXPECT_EQ(pairs(got), (Pairs{{"cuda/operations.cu:k_add", "glsl/add.comp:main"},
+                                 {"cuda/operations.cu:k_mul", "glsl/mul.comp:main"},
+                                 {"cuda/operations.cu:k_norm", "glsl/norm.comp:main"}}));
+}
+
+TEST(Match, OverloadsFindEachOtherByTheirParameters) {
+    const Matching got =
+        match({{"a/math.h",
+                "float clamp01(float v) { return fminf(fmaxf(v, 0.0f), 1.0f); }\n"
+                "float2 clamp01(float2 v) { return make_float2(clamp01(v.x), clamp01(v.y)); }\n"
+                "float4 clamp01(float4 v, int lanes, float top) { return lanes > 2 ? top * v : v; }\n"}},
+              {{"b/math.glsl",
+                "vec4 clamp01(vec4 v, int lanes, float top) { return lanes > 2 ? top * v : v; }\n"
+                "float clamp01(float v) { return min(max(v, 0.0), 1.0); }\n"
+                "vec2 clamp01(vec2 v) { return vec2(clamp01(v.x), clamp01(v.y)); }\n"}});
+    EXPECT_EQ(pairs(got), (Pairs{{"a/math.h:clamp01", "b/math.glsl:clamp01#2"},
+                                 {"a/math.h:clamp01#2", "b/math.glsl:clamp01#3"},
+                                 {"a/math.h:clamp01#3", "b/math.glsl:clamp01"}}));
+}
+
+TEST(Match, AnOperatorIsNamedAfterItsSign) {
+    EXPECT_NE(fold("V::operator+"), fold("V::operator*"));
+    const Matching got = match(
+        {{"a/vec.h", "float3 operator+(float3 a, float3 b) { return make_float3(a.x + b.x, a.y + b.y, a.z); }\n"}},
+        {{"b/vec.h", "vec3 operator*(vec3 a, vec3 b) { return vec3(a.x * b.x, a.y * b.y, a.z); }\n"}});
+    EXPECT_TRUE(got.pairs.empty());
+}
+
+TEST(Match, NamesSpeakTheDialectOfTheirSide) {
+    const Matching got = match(
+        {{"cuda/tools.h", "float4 __uchar4_to_float4(uchar4 c) { return make_float4(c.x, c.y, c.z, c.w) * 0.5f; }\n"}},
+        {{"glsl/tools.glsl", "vec4 uchar4_to_vec4(uint c) { return unpackUnorm4x8(c) * 0.5; }\n"}});
+    EXPECT_EQ(pairs(got), (Pairs{{"cuda/tools.h:__uchar4_to_float4", "glsl/tools.glsl:uchar4_to_vec4"}}));
+}
+
+TEST(Match, TheScoreTellsCertainFromDoubtful) {
+    const Matching got =
+        match({{"a/shade.cu",
+                "float fresnel(float c, float k) { float r = 1.0f - c; return k + (1.0f - k) * r * r * r; }\n"
+                "float shadow_bias(float d) { return d * 0.001f + 0.25f; }\n"}},
+              {{"b/shade.glsl",
+                "float fresnel(float c, float k) { float r = 1.0 - c; return k + (1.0 - k) * r * r * r; }\n"
+                "float bias_of_shadow(float d) { return d * 0.001 + 0.25; }\n"}});
+    ASSERT_EQ(got.pairs.size(), 2u);
+    EXPECT_GT(got.pairs[0].score, 0.9f);
+    EXPECT_LT(got.pairs[1].score, got.pairs[0].score);
+    EXPECT_GE(got.pairs[1].score, 0.5f);
 }
 
 /// Makes a side of many files with functions of words that each differ.
