@@ -5,31 +5,17 @@
 #include <algorithm>
 #include <set>
 
-#include "metrics/portability/degree.h"
-#include "porttool/command/blob_facts_source.h"
+#include "porttool/command/block_figures.h"
 #include "porttool/read/lock_file.h"
 
 namespace porttool {
 namespace {
-
-using Paths = std::set<std::string>;
 
 /// Splits PATH:NAME.
 std::pair<std::string, std::string> split_id(const std::string& id) {
     const size_t colon = id.find(':');
     return {id.substr(0, colon), colon == std::string::npos ? std::string() : id.substr(colon + 1)};
 }
-
-/// What a block takes of each of its files: named units, or all of it if none is named.
-using Selection = std::map<std::string, std::vector<std::string>>;
-
-struct BlockPlan {
-    std::string name;
-    std::array<Selection, 2> sides;
-    bool names_units = false;  ///< what it takes depends on what the files hold
-    bool touched = true;       ///< since its figures were last computed
-    BlockPoint point;
-};
 
 struct PairPlan {
     PairId id;
@@ -70,8 +56,8 @@ public:
             collect_pairs();
         }
         update_files(touched);
-        if (new_map || files_came_or_went) plan_blocks();
-        update_selections(touched);
+        if (new_map || files_came_or_went) figures_.plan(file_pairs());
+        figures_.touch(touched);
         update_drift(new_map || new_lock, touched, commit.time);
         return true;
     }
@@ -79,12 +65,8 @@ public:
     HistoryPoint point(const GitCommit& commit) {
         HistoryPoint out;
         out.commit = commit;
-        for (BlockPlan& block : blocks_) {
-            if (block.touched) block.point = figures_of(block);
-            block.touched = false;
-            out.blocks.push_back(block.point);
-        }
-        out.totals = figures_of(everything_);
+        out.blocks = figures_.blocks();
+        out.totals = figures_.totals();
         out.pairs = there_.size();
         out.open_pairs = drift_.open_count();
         out.debt = drift_.debt(commit.time);
@@ -112,11 +94,10 @@ private:
 
     /// Reads the commit's own map if it is another than before; true if the map changed.
     bool read_map_of(const GitCommit& commit) {
-        if (past_.map_is_given) return std::exchange(fresh_, false);
+        const bool first = std::exchange(fresh_, false);
         const std::string blob = blob_at("portmap.toml");
-        if (blob == map_blob_) return std::exchange(fresh_, false);
+        if (past_.map_is_given || blob == map_blob_) return first;
         map_blob_ = blob;
-        fresh_ = false;
         if (blob.empty()) {
             if (past_.has_map_today) use_map(past_.map_today, past_.map_name);
             return past_.has_map_today;
@@ -128,7 +109,7 @@ private:
             use_map(read.map, name);
         } catch (const CannotDo& problem) {  // history cannot be mended
             place_.err << "porttool: " << problem.what() << "\nThis commit is read with the map before it\n";
-            return false;
+            return first;
         }
         return true;
     }
@@ -161,8 +142,6 @@ private:
             }
     }
 
-    FileVersion version(size_t side, const std::string& path) const { return {path, files_[side].at(path)}; }
-
     /// The pairs of a new map; those that only the old one had are forgotten.
     void collect_pairs() {
         std::set<PairId> gone;
@@ -179,157 +158,17 @@ private:
         }
     }
 
-    /// Which files hold pairs, and what each block takes of them.
-    void plan_blocks() {
-        links_ = {};
-        std::set<std::pair<std::string, std::string>> paths;
-        for (const PairPlan& pair : pairs_) {
-            if (!files_[0].contains(pair.source_path) || !files_[1].contains(pair.target_path)) continue;
-            paths.emplace(pair.source_path, pair.target_path);
-            links_[0][pair.source_path].insert(pair.target_path);
-            links_[1][pair.target_path].insert(pair.source_path);
-        }
-        blocks_.clear();
-        for (const MapBlock& block : map_.blocks) blocks_.push_back(plan(block));
-        if (map_.blocks.empty())
-            for (const auto& [left, right] : paths) {
-                BlockPlan block;
-                block.name = left + "=" + right;
-                block.sides = {Selection{{left, {}}}, Selection{{right, {}}}};
-                blocks_.push_back(std::move(block));
-            }
-        everything_ = {};
-        for (size_t side = 0; side < 2; ++side)
-            for (const auto& [path, blob] : files_[side]) everything_.sides[side][path];
-    }
-
-    /// A pattern takes the files that it matches, or, where it matches none, the units whose ids it matches.
-    BlockPlan plan(const MapBlock& block) {
-        BlockPlan out;
-        out.name = block.name;
-        const std::array<const std::vector<std::string>*, 2> patterns = {&block.source, &block.target};
-        for (size_t side = 0; side < 2; ++side)
-            for (const std::string& text : *patterns[side]) {
-                const Glob pattern(text);
-                bool any = false;
-                for (const auto& [path, blob] : files_[side]) {
-                    if (!pattern.matches(path) && text != path + ":@file") continue;
-                    out.sides[side][path] = {};
-                    any = true;
-                }
-                if (any) continue;
-                out.names_units = true;
-                for (const auto& [path, blob] : files_[side]) select_units(out.sides[side], side, path, text, pattern);
-            }
-        return out;
-    }
-
-    void select_units(Selection& selection, size_t side, const std::string& path, const std::string& text,
-                      const Glob& pattern) {
-        const auto there = selection.find(path);
-        if (there != selection.end() && there->second.empty()) return;  // all of it, already
-        for (const UnitFacts& unit : blobs_.facts(version(side, path)).units) {
-            const std::string id = path + ":" + unit.name;
-            if (unit.kind == UnitKind::File || (id != text && !pattern.matches(id))) continue;
-            std::vector<std::string>& names = selection[path];
-            if (std::find(names.begin(), names.end(), unit.name) == names.end()) names.push_back(unit.name);
-        }
-    }
-
-    /// Blocks of units follow the units that come and go within their files.
-    void update_selections(const Paths& touched) {
-        for (size_t i = 0; i < blocks_.size(); ++i) {
-            BlockPlan& block = blocks_[i];
-            if (block.names_units && i < map_.blocks.size() && !block.touched) block = plan(map_.blocks[i]);
-            for (const std::string& path : touched)
-                block.touched |= block.sides[0].contains(path) || block.sides[1].contains(path);
-        }
-    }
-
-    BlockPoint figures_of(const BlockPlan& block) {
-        BlockPoint point;
-        point.name = block.name;
-        metrics::SharedLines port;
-        for (size_t side = 0; side < 2; ++side) point.sides[side] = side_figures(block, side, port);
-        point.degree = metrics::degree_from_lines(port, map_.weights);
-        return point;
-    }
-
-    /// What a file shares with those of the other side that it holds pairs with.
-    struct FileShare {
-        size_t lines = 0, tokens = 0;
-        std::vector<bool> shared;
-        double covered = 0, raw = 0, blind = 0;  ///< tokens; lines' worth of tokens
-        bool measured = false;
-    };
-
-    FileShare share_of(const BlockPlan& block, size_t side, const std::string& path,
-                       const std::vector<std::string>& units) {
-        FileShare out;
-        const BlobFacts& facts = blobs_.facts(version(side, path));
-        out.lines = facts.lines;
-        out.tokens = facts.tokens;
-        if (!units.empty()) {
-            out.lines = 0;
-            for (const UnitFacts& unit : facts.units)
-                if (std::find(units.begin(), units.end(), unit.name) != units.end()) out.lines += unit.lines;
-        }
-        const auto links = links_[side].find(path);
-        if (links == links_[side].end()) return out;
-        for (const std::string& other : links->second) {
-            const auto piece = block.sides[1 - side].find(other);
-            if (piece == block.sides[1 - side].end()) continue;
-            const BlobFactsSource::Piece here{version(side, path), units},
-                there{version(1 - side, other), piece->second};
-            const PieceMeasure& both = side == 0 ? blobs_.measure(here, there) : blobs_.measure(there, here);
-            add_measure(side == 0 ? both.source : both.target, out);
-        }
-        return out;
-    }
-
-    static void add_measure(const PieceSide& piece, FileShare& out) {
-        const SideMeasure& measure = piece.measure;
-        out.lines = measure.lines;
-        out.tokens = measure.tokens;
-        out.shared.resize(measure.lines);
-        for (size_t i = 0; i < piece.shared.size() && i < out.shared.size(); ++i)
-            if (piece.shared[i]) out.shared[i] = true;
-        if (!measure.moss_percent) return;
-        out.measured = true;
-        constexpr double kPercent = 100;
-        out.covered = std::max(out.covered, measure.tokens * *measure.moss_percent / kPercent);
-        out.raw = std::max(out.raw, measure.lines * measure.moss_percent_raw.value_or(0) / kPercent);
-        out.blind = std::max(out.blind, measure.lines * measure.moss_percent_blind.value_or(0) / kPercent);
-    }
-
-    /// Adds up one side; the target's lines go to `port`, too.
-    BlockSide side_figures(const BlockPlan& block, size_t side, metrics::SharedLines& port) {
-        BlockSide out;
-        double tokens = 0, covered = 0;
-        bool measured = false;
-        for (const auto& [path, units] : block.sides[side]) {
-            const FileShare share = share_of(block, side, path, units);
-            const auto shared = static_cast<size_t>(std::count(share.shared.begin(), share.shared.end(), true));
-            const auto counted = static_cast<double>(shared);
-            out.lines += share.lines;
-            out.shared_lines += shared;
-            tokens += static_cast<double>(share.tokens);
-            covered += share.covered;
-            measured |= share.measured;
-            if (side == 0) continue;
-            port.lines += static_cast<double>(share.lines);
-            port.shared += counted;
-            port.shared_low += share.measured ? std::min({counted, share.raw, share.blind}) : counted;
-            port.shared_high += share.measured ? std::max({counted, share.raw, share.blind}) : counted;
-        }
-        constexpr double kPercent = 100;
-        if (measured && tokens > 0) out.moss_percent = kPercent * covered / tokens;
+    FilePairs file_pairs() const {
+        FilePairs out;
+        for (const PairPlan& pair : pairs_)
+            if (files_[0].contains(pair.source_path) && files_[1].contains(pair.target_path))
+                out.emplace(pair.source_path, pair.target_path);
         return out;
     }
 
     const UnitFacts* unit_of(size_t side, const std::string& id) {
         const auto [path, name] = split_id(id);
-        return files_[side].contains(path) ? blobs_.facts(version(side, path)).find(name) : nullptr;
+        return files_[side].contains(path) ? blobs_.facts({path, files_[side].at(path)}).find(name) : nullptr;
     }
 
     bool is_ignored(const PairId& id, const UnitFacts* source, const UnitFacts* target) const {
@@ -377,10 +216,8 @@ private:
     std::array<SideGlobs, 2> globs_ = {SideGlobs({}), SideGlobs({})};
     LockFile lock_;
     std::map<PairId, const LockedPair*> locked_;
-    std::array<std::map<std::string, std::string>, 2> files_;  ///< of the sides: path to blob
-    std::array<std::map<std::string, Paths>, 2> links_;        ///< files with pairs between them
-    std::vector<BlockPlan> blocks_;
-    BlockPlan everything_;
+    SideFiles files_;
+    BlockFigures figures_{blobs_, map_, files_};
     std::vector<PairPlan> pairs_;
     std::set<PairId> there_;  ///< those of which both sides are there
 };

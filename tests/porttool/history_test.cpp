@@ -193,6 +193,48 @@ TEST_F(History, AMapThatWasOnceBrokenIsPassedOver) {
     EXPECT_EQ(nlohmann::json::parse(got.out)["commits"].back()["drift"]["open_pairs"], 1);
 }
 
+TEST_F(History, AMapThatWasBrokenFromTheStartIsToldByTodays) {
+    write("portmap.toml", "version = 2\n");
+    commit("Broken", 1);
+    write("portmap.toml", kMap);
+    const nlohmann::json commits = json({"history"})["commits"];
+    EXPECT_EQ(commits[0]["totals"]["target_lines"], 8);
+    EXPECT_EQ(commits[0]["drift"]["pairs"], 2);
+}
+
+TEST_F(History, AGivenMapCountsForEveryCommit) {
+    commit("Both cores", 1);
+    write("src/k.cu", replaced(kShade, "a * b", "a + b") + replaced(kFade, "t - u", "t + u"));
+    commit("Source alone", 2);
+    EXPECT_EQ(json({"history"})["commits"][1]["drift"]["open_pairs"], 2);
+    write("other.toml", kMap.substr(0, kMap.rfind("[[pair]]")));
+    EXPECT_EQ(json({"history", "--config", (root / "other.toml").string()})["commits"][1]["drift"]["open_pairs"], 1);
+}
+
+TEST_F(History, AProjectInASubfolderOfALinkedWorkTreeIsReadThere) {
+    for (const char* path : {"portmap.toml", "src", "port"}) {
+        std::filesystem::create_directories(root / "sub");
+        std::filesystem::rename(root / path, root / "sub" / path);
+    }
+    write("src/k.cu", "another project's");
+    commit("Below", 1);
+    write("sub/src/k.cu", replaced(kShade, "a * b", "a + b") + kFade);
+    commit("Source alone", 2);
+    git("worktree add -q --detach tree HEAD");
+    const nlohmann::json history = json({"history"}, (root / "tree/sub").string());
+    ASSERT_EQ(history["commits"].size(), 2u);
+    EXPECT_EQ(history["commits"][1]["totals"]["source_lines"], 8);
+    EXPECT_EQ(history["commits"][1]["drift"]["open_pairs"], 1);
+    EXPECT_TRUE(std::filesystem::exists(root / ".git/porttool/history.cache"));
+    EXPECT_EQ(json({"effort", "--from", "HEAD~1"}, (root / "tree/sub").string())["totals"]["source_added"], 1);
+}
+
+TEST_F(History, ACacheThatCannotBeWrittenIsNoError) {
+    make_five_commits();
+    std::ofstream(root / ".git/porttool") << "in the way";
+    EXPECT_EQ(json({"history"})["commits"].size(), 5u);
+}
+
 TEST_F(History, SinceShowsLessAndCountsAll) {
     make_five_commits();
     const nlohmann::json all = json({"history"}), some = json({"history", "--since", "HEAD~2"});
