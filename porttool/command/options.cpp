@@ -16,7 +16,8 @@ void add_common(CLI::App& app, Options& options) {
     app.add_option("-C", options.directory, "Run as if started in this folder")->type_name("DIR");
     app.add_option("--config", options.config, "The map to use instead of the nearest portmap.toml")->type_name("FILE");
     app.add_option("--format", options.format,
-                   "How to print: text, json; check also sarif, junit, github, gitlab, markdown")
+                   "How to print: text, json; check also sarif, junit, github, gitlab, markdown; report also html, "
+                   "markdown, csv; history also html, csv; effort also toml")
         ->type_name("FORMAT");
     app.add_option("-o,--output", options.output, "Write there instead of to stdout")->type_name("FILE");
     app.add_option("--color", options.color, "auto, always or never")
@@ -102,7 +103,8 @@ ParsedOptions parse_options(int argc, const char* const* argv) {
     history->add_flag("--no-cache", options.no_cache, "Neither use nor keep what was measured before");
     CLI::App* report = app.add_subcommand("report", "Report what is shared, what drifted, and what porting costs");
     report->add_option("--base", options.base, "Show each figure with its change against merge-base(REV, HEAD)")
-        ->type_name("REV");
+        ->type_name("REV")
+        ->check([](const std::string& text) { return text.empty() ? "expected a revision" : ""; });
     report->add_option("--fail-under", options.fail_under, "Exit 1 if a block's target shares less, in Moss percent")
         ->allow_extra_args(false)
         ->type_name("BLOCK=PERCENT");
