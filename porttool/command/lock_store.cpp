@@ -51,9 +51,12 @@ std::string lock_path(const Project& project) { return folder_of_map(project) + 
 
 LockFile load_lock(const Project& project, const Disk& disk) {
     const FileText file = disk.read(lock_path(project), kLargestFile);
+    if (!file.error.empty() && disk.exists(lock_path(project)))
+        throw CannotDo(lock_path(project) + " " + file.error +
+                       "; restore it from git, or remove it and run: porttool init");
     if (!file.error.empty())
         throw CannotDo("no portmap.lock beside " + project.map_path +
-                       "; record the present state with: porttool init --source GLOB --target GLOB");
+                       "; record the present state of its pairs with: porttool init");
     ReadLock read = read_lock(file.bytes);
     if (!read.error.empty()) throw CannotDo(read.error);
     return std::move(read.lock);

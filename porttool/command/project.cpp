@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "porttool/command/project.h"
 
+#include <algorithm>
 #include <filesystem>
 
 #include "porttool/scan/scan.h"
@@ -21,10 +22,18 @@ std::vector<ScannedFile> scan_all(const SourceSet& set) {
     return files;
 }
 
+/// A bracket that is never closed stands for itself, as in a shell, which is rarely what was meant.
+std::string bracket_hint(const std::string& glob) {
+    for (const auto& [open, close] : {std::pair('[', ']'), std::pair('{', '}')})
+        if (std::count(glob.begin(), glob.end(), open) > std::count(glob.begin(), glob.end(), close))
+            return std::string("; its '") + open + "' is never closed";
+    return "; globs are relative to the root, ** crosses folders";
+}
+
 void require_matches(const std::vector<std::string>& unmatched, const char* side) {
     if (unmatched.empty()) return;
-    throw CannotDo(std::string(side) + " glob '" + unmatched.front() +
-                   "' matches no file that is read; globs are relative to the root, ** crosses folders");
+    throw CannotDo(std::string(side) + " glob '" + unmatched.front() + "' matches no file that is read" +
+                   bracket_hint(unmatched.front()));
 }
 
 }  // namespace
@@ -55,6 +64,10 @@ Project open_project(const Options& options, Workplace& place, bool needs_map) {
         throw CannotDo("no portmap.toml in " + project.root +
                        " or above; write one with: porttool init --source GLOB --target GLOB");
     }
+    for (const auto* globs : {&project.map.source, &project.map.target})
+        if (std::find(globs->begin(), globs->end(), "") != globs->end())
+            throw CannotDo(std::string("an empty ") + (globs == &project.map.source ? "source" : "target") +
+                           " glob names nothing; for all files write **");
     if (project.map.source.empty() || project.map.target.empty())
         throw CannotDo(
             "no sides named: put [sides] source and target into portmap.toml, or give --source and --target");

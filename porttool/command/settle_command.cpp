@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 
 #include "porttool/command/check_command.h"
 #include "porttool/command/suggest.h"
@@ -95,11 +96,13 @@ Outcome settle(const Options& options, Workplace& place, const std::string& verd
     return {out, 0};
 }
 
+/// A day of the calendar as YYYY-MM-DD.
 bool is_date(const std::string& text) {
-    int year = 0, month = 0, day = 0;
+    int year = 0;
+    unsigned month = 0, day = 0;
     char rest = 0;
-    return text.size() == 10 && std::sscanf(text.c_str(), "%4d-%2d-%2d%c", &year, &month, &day, &rest) == 3 &&
-           month >= 1 && month <= 12 && day >= 1 && day <= 31;
+    if (text.size() != 10 || std::sscanf(text.c_str(), "%4d-%2u-%2u%c", &year, &month, &day, &rest) != 3) return false;
+    return std::chrono::year_month_day(std::chrono::year(year), std::chrono::month(month), std::chrono::day(day)).ok();
 }
 
 void explain_pair(const CheckedProject& checked, const JudgedPair& pair, std::string& out) {

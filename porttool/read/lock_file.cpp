@@ -3,6 +3,7 @@
 #include "porttool/read/lock_file.h"
 
 #include <algorithm>
+#include <map>
 
 namespace porttool {
 namespace {
@@ -34,6 +35,21 @@ bool read_line(LockFile& lock, const std::vector<std::string>& f) {
     return true;
 }
 
+struct SeenLine {
+    std::string text;
+    int number = 0;
+};
+
+/// What is wrong if an earlier line says something else of the same pair: a merge kept both.
+std::string stands_twice(const std::string& line, std::map<std::string, SeenLine>& seen, int number) {
+    const std::vector<std::string> fields = split(line);
+    if (fields[0] != "pair" || fields.size() < 3) return {};
+    const auto [first, fresh] = seen.try_emplace(fields[1] + "\t" + fields[2], SeenLine{line, number});
+    if (fresh || first->second.text == line) return {};
+    return "a second line for '" + fields[1] + "=" + fields[2] + "'; line " + std::to_string(first->second.number) +
+           " says something else, as after a merge\nRemove one of the two, then run: porttool check";
+}
+
 std::string plain(std::string text) {
     for (char& c : text)
         if (c == '\t' || c == '\n' || c == '\r') c = ' ';
@@ -44,6 +60,7 @@ std::string plain(std::string text) {
 
 ReadLock read_lock(const std::string& text) {
     ReadLock out;
+    std::map<std::string, SeenLine> seen;
     size_t first = 0;
     for (int number = 1; first < text.size(); ++number) {
         const size_t end = std::min(text.find('\n', first), text.size());
@@ -68,6 +85,7 @@ ReadLock read_lock(const std::string& text) {
                 where + "this is no lock of porttool\nRestore it from git, or renew it with: porttool init --force"};
         }
         if (line.empty() || line[0] == '#') continue;
+        if (const std::string twice = stands_twice(line, seen, number); !twice.empty()) return {{}, where + twice};
         if (!read_line(out.lock, split(line)))
             return {{},
                     where + "cannot be read: '" + line.substr(0, 60) +

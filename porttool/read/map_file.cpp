@@ -32,7 +32,8 @@ public:
         const auto version = root["version"].value<int64_t>();
         if (!version || *version != 1)
             fail(root.get("version") != nullptr ? root.get("version")->source() : root.source(),
-                 "version: expected 1; this porttool reads maps of version 1");
+                 root.get("version") == nullptr ? "'version = 1' is missing"
+                                                : "version: expected 1; this porttool reads maps of version 1");
         if (const toml::table* sides = section(root, "sides")) read_sides(*sides);
         for (const toml::table* pair : tables(root, "pair")) read_pair(*pair);
         for (const toml::table* ignore : tables(root, "ignore")) read_ignore(*ignore);
@@ -64,13 +65,13 @@ private:
 
     [[noreturn]] void fail(const toml::source_region& where, const std::string& what) const {
         std::ostringstream message;
-        message << path_ << ":" << where.begin.line << ":" << where.begin.column << ": " << what << "\n";
+        message << path_ << ":" << where.begin.line << ":" << where.begin.column << ": " << what;
         std::istringstream lines(text_);
         std::string line;
         for (uint32_t i = 0; i < where.begin.line; ++i) std::getline(lines, line);
         constexpr size_t kLongest = 160;
-        if (where.begin.line > 0 && line.size() < kLongest && where.begin.column > 0)
-            message << line << "\n" << std::string(where.begin.column - 1, ' ') << "^";
+        if (where.begin.line > 0 && !line.empty() && line.size() < kLongest && where.begin.column > 0)
+            message << "\n" << line << "\n" << std::string(where.begin.column - 1, ' ') << "^";
         throw Misread(message.str());
     }
 
@@ -142,8 +143,19 @@ private:
 
     void read_pair(const toml::table& pair) {
         only(pair, {"source", "target"}, "[[pair]]");
-        map_.pairs.push_back(
-            {text(pair, "source"), list(pair, "target", true), static_cast<int>(pair.source().begin.line)});
+        const int line = static_cast<int>(pair.source().begin.line);
+        const std::string source = text(pair, "source");
+        const std::vector<std::string> targets = list(pair, "target", true);
+        if (source.empty()) fail(pair.get("source")->source(), "'source' names no unit");
+        if (targets.empty()) fail(pair.get("target")->source(), "'target' names no unit");
+        for (const std::string& target : targets) {
+            if (target.empty()) fail(pair.get("target")->source(), "'target' names no unit");
+            const auto [first, fresh] = pair_lines_.try_emplace({source, target}, line);
+            if (!fresh)
+                fail(pair.get("target")->source(),
+                     "this pair stands here twice, first in line " + std::to_string(first->second) + "; remove one");
+        }
+        map_.pairs.push_back({source, targets, line});
     }
 
     void read_ignore(const toml::table& ignore) {
@@ -221,6 +233,14 @@ private:
             if (entry.redevelopment->total() <= 0)
                 fail(anew->source(), "redevelopment: no hours in design, coding, testing or documentation");
         }
+        std::vector<std::string> blocks;
+        for (const MapBlock& block : map_.blocks) blocks.push_back(block.name);
+        if (!entry.block.empty() && !blocks.empty() &&
+            std::find(blocks.begin(), blocks.end(), entry.block) == blocks.end()) {
+            const std::string near = nearest(entry.block, blocks);
+            fail(effort.get("block")->source(), "there is no [[block]] of the name '" + entry.block + "'" +
+                                                    (near.empty() ? "" : "; did you mean '" + near + "'?"));
+        }
         map_.efforts.push_back(std::move(entry));
     }
 
@@ -230,6 +250,7 @@ private:
     std::string path_;
     const std::string& text_;
     MapFile map_;
+    std::map<std::pair<std::string, std::string>, int> pair_lines_;
 };
 
 }  // namespace

@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+// What a person gets wrong: exit code 2, one or two lines (and a caret) that name the place, and nothing written.
+#include <sys/stat.h>
+
+#include "tests/porttool/fixtures.h"
+#include "tests/porttool/run_command.h"
+
+namespace porttool::testing {
+namespace {
+
+const char* kSource = "__device__ float shade(float a, float b) {\n  float c = a * b;\n  return c * 0.5f;\n}\n";
+const char* kTarget = "float shade(float a, float b) {\n  float c = a * b;\n  return c * 0.5;\n}\n";
+
+/// The message of a command line that must fail and must leave the disk as it was.
+std::string error_of(MemoryDisk disk, std::vector<std::string> arguments) {
+    const auto before = disk.files;
+    arguments.insert(arguments.begin(), {"-C", "/r"});
+    const CommandRun got = run(disk, arguments);
+    EXPECT_EQ(got.exit_code, 2) << got.out;
+    EXPECT_EQ(got.out, "");
+    EXPECT_LE(std::count(got.err.begin(), got.err.end(), '\n'), 3) << got.err;
+    EXPECT_EQ(disk.files, before);
+    return got.err;
+}
+
+bool says(const std::string& message, const std::string& part) { return message.find(part) != std::string::npos; }
+
+TEST(BadInput, Globs) {
+    MemoryDisk disk;
+    disk.files = {{"/r/src/k.cu", kSource}, {"/r/port/k.comp", kTarget}};
+    auto init = [&](const std::string& glob) {
+        return error_of(disk, {"init", "--source", glob, "--target", "port/*"});
+    };
+    EXPECT_TRUE(says(init("no/*"), "'no/*' matches no file"));
+    EXPECT_TRUE(says(init("src/[k.cu"), "'[' is never closed"));
+    EXPECT_TRUE(says(init("src/{k,l.cu"), "'{' is never closed"));
+    EXPECT_TRUE(says(init(""), "empty source glob"));
+    EXPECT_TRUE(says(error_of(disk, {"init"}), "init needs --source GLOB"));
+}
+
+TEST(BadInput, Pairs) {
+    MemoryDisk disk = started(kSource, kTarget);
+    std::string& map = disk.files["/r/portmap.toml"];
+    const std::string good = map;
+    map = good + "[[pair]]\nsource = \"src/k.cu:shade\"\ntarget = \"port/k.comp:shade\"\n";
+    std::string message = error_of(disk, {"check"});
+    EXPECT_TRUE(says(message, "stands here twice")) << message;
+    EXPECT_TRUE(says(message, "portmap.toml:")) << message;
+    const std::string target = "target = \"port/k.comp:shade\"";
+    map = replaced(good, target, "target = [\"port/k.comp:shade\", \"port/k.comp:shade\"]");
+    EXPECT_TRUE(says(error_of(disk, {"check"}), "stands here twice"));
+    map = replaced(good, target, "target = []");
+    EXPECT_TRUE(says(error_of(disk, {"check"}), "'target' names no unit"));
+    map = replaced(good, target, "target = \"\"");
+    EXPECT_TRUE(says(error_of(disk, {"check"}), "'target' names no unit"));
+    map = replaced(good, "src/*", "");
+    EXPECT_TRUE(says(error_of(disk, {"check"}), "empty source glob"));
+    map = "";
+    message = error_of(disk, {"check"});
+    EXPECT_TRUE(says(message, "'version = 1' is missing")) << message;
+    EXPECT_EQ(std::count(message.begin(), message.end(), '\n'), 1) << "no empty line with a caret below it";
+}
+
+TEST(BadInput, Locks) {
+    MemoryDisk disk = started(kSource, kTarget);
+    std::string& lock = disk.files["/r/portmap.lock"];
+    const std::string good = lock;
+    const size_t line = good.find("pair\t");
+    std::string other = good.substr(line, good.find('\n', line) - line + 1);
+    lock = good + other;
+    EXPECT_EQ(run(disk, {"-C", "/r", "check"}).exit_code, 0) << "the same line twice says one thing";
+    other[other.size() - 2] = other[other.size() - 2] == '0' ? '1' : '0';
+    lock = good + other;
+    const std::string message = error_of(disk, {"check"});
+    EXPECT_TRUE(says(message, "a second line for 'src/k.cu:shade=port/k.comp:shade'")) << message;
+    EXPECT_TRUE(says(message, "as after a merge")) << message;
+    disk.files.erase("/r/portmap.lock");
+    EXPECT_TRUE(says(error_of(disk, {"check"}), "with: porttool init"));
+    ASSERT_EQ(run(disk, {"-C", "/r", "init"}).exit_code, 0) << "and that remedy helps";
+    EXPECT_EQ(disk.files["/r/portmap.lock"], good);
+    EXPECT_TRUE(says(error_of(disk, {"init"}), "there already"));
+    EXPECT_EQ(run(disk, {"-C", "/r", "init", "--force"}).exit_code, 0);
+}
+
+TEST(BadInput, Days) {
+    const MemoryDisk disk = started(kSource, kTarget);
+    for (const char* day : {"2026-02-31", "2026-13-01", "2026-00-10", "26-01-01", "tomorrow", "2026-1-01x"})
+        EXPECT_TRUE(says(error_of(disk, {"defer", "src/k.cu:shade", "--owner", "me", "--until", day, "--reason", "r"}),
+                         "expected a date"))
+            << day;
+}
+
+TEST(BadInput, AFileThatGoesAwayWhileReadingIsNamed) {
+    MemoryDisk disk = started(kSource, kTarget);
+    disk.errors["/r/src/gone.cu"] = "cannot be read: No such file or directory";  // listed, and then gone
+    const auto report = check(disk);
+    ASSERT_EQ(report["findings"].size(), 1u);
+    EXPECT_EQ(report["findings"][0]["rule"], "unreadable");
+    EXPECT_EQ(report["findings"][0]["source"]["file"], "src/gone.cu");
+}
+
+TEST(BadInput, LoopsOfLinksPipesAndLargeFilesAreSkippedAndNamed) {
+    const auto root = std::filesystem::temp_directory_path() / "porttool_bad_input_test";
+    std::filesystem::remove_all(root);
+    std::filesystem::create_directories(root / "src");
+    std::filesystem::create_directories(root / "port");
+    std::ofstream(root / "src/k.cu") << kSource;
+    std::ofstream(root / "port/k.comp") << kTarget;
+    RealDisk disk;
+    ASSERT_EQ(run(disk, {"-C", root.string(), "init", "--source", "src/*", "--target", "port/*"}).exit_code, 0);
+    std::filesystem::create_directory_symlink("../src", root / "src/loop");
+    std::filesystem::create_symlink("self.cu", root / "src/self.cu");
+    std::filesystem::create_symlink("nowhere.cu", root / "src/dangling.cu");
+    ASSERT_EQ(::mkfifo((root / "src/pipe.cu").c_str(), 0600), 0);
+    std::ofstream(root / "src/large.cu") << "x";
+    std::filesystem::resize_file(root / "src/large.cu", 100'000'000);  // a hole: takes no room
+    const CommandRun got = run(disk, {"-C", root.string(), "check", "--format", "json"});
+    EXPECT_EQ(got.exit_code, 0) << got.err;
+    const auto report = nlohmann::json::parse(got.out);
+    std::vector<std::string> files;
+    for (const auto& finding : report["findings"]) {
+        EXPECT_EQ(finding["rule"], "unreadable");
+        files.push_back(finding["source"]["file"]);
+    }
+    EXPECT_EQ(files, (std::vector<std::string>{"src/dangling.cu", "src/large.cu", "src/pipe.cu", "src/self.cu"}));
+    std::filesystem::remove_all(root);
+}
+
+}  // namespace
+}  // namespace porttool::testing
