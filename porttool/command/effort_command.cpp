@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The porttool authors
 // SPDX-License-Identifier: Apache-2.0
-#include <algorithm>
+#include <map>
 
 #include "metrics/portability/port_fit.h"
 #include "metrics/portability/reuse.h"
@@ -54,11 +54,13 @@ bool names(const Past& past, const std::string& revision, const GitCommit& commi
 /// What the ledger says: of this very change, of changes like it, and of all.
 void add_ledger(const Past& past, const std::vector<MapEffort>& ledger, EffortReport& report) {
     std::vector<metrics::RecordedCost> all, own;
+    std::map<std::string, std::vector<metrics::RecordedCost>> blocks;
     std::vector<metrics::RecordedPort> ports;
     double anew_hours = 0, anew_lines = 0;
     for (const MapEffort& entry : ledger) {
         if (entry.port && entry.redevelopment) {
             all.push_back({*entry.port, *entry.redevelopment, entry.uncertainty});
+            if (!entry.block.empty()) blocks[entry.block].push_back(all.back());
             if (names(past, entry.from, report.from) && names(past, entry.to, report.to)) own.push_back(all.back());
         }
         if (entry.port && entry.lines && entry.novel)
@@ -75,6 +77,8 @@ void add_ledger(const Past& past, const std::vector<MapEffort>& ledger, EffortRe
             "hours: no [[effort]] in portmap.toml has these two commits with hours of port and "
             "redevelopment; porttool effort --format toml writes its lines");
     report.ledger_degree = metrics::degree_from_hours(all);
+    for (const auto& [block, records] : blocks)
+        if (const auto degree = metrics::degree_from_hours(records)) report.ledger_blocks.emplace_back(block, *degree);
     const metrics::PortFit fit = metrics::fit_ports(ports);
     if (!fit.fit) {
         report.missing.push_back("Hakuta and Ohminami: " + fit.refusal);

@@ -121,6 +121,8 @@ std::string effort_table(const EffortReport& report) {
     if (report.ledger_degree)
         out += fmt::format("degree of portability of all recorded ports, in hours: {}  from {}\n",
                            figure_text(report.ledger_degree), inputs_text(*report.ledger_degree));
+    for (const auto& [block, degree] : report.ledger_blocks)
+        out += fmt::format("  of the block {}: {}  from {}\n", block, figure_text(degree), inputs_text(degree));
     for (const std::string& missing : report.missing) out += "not given: " + missing + "\n";
     return out;
 }
@@ -135,6 +137,9 @@ std::string effort_json(const EffortReport& report) {
     }
     ordered_json degrees = ordered_json::array();
     for (const metrics::Figure& degree : report.degrees) degrees.push_back(figure_json(degree));
+    ordered_json ledger = ordered_json::array();
+    for (const auto& [block, degree] : report.ledger_blocks)
+        ledger.push_back({{"block", block}, {"degree_of_portability", figure_json(degree)}});
     const ordered_json out = {{"from", report.from.id},
                               {"to", report.to.id},
                               {"commits", report.commits},
@@ -145,6 +150,7 @@ std::string effort_json(const EffortReport& report) {
                               {"degrees_of_portability", degrees},
                               {"predicted_hours", figure_json(report.hours)},
                               {"ledger_degree_of_portability", figure_json(report.ledger_degree)},
+                              {"ledger_blocks", ledger},
                               {"not_given", report.missing}};
     return out.dump(1, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }

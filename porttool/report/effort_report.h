@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "metrics/portability/figure.h"
@@ -21,7 +22,8 @@ struct EffortReport {
     std::vector<metrics::Figure> degrees;          ///< of the whole change, one for each model that has its inputs
     std::optional<metrics::Figure> hours;          ///< predicted from the ledger
     std::optional<metrics::Figure> ledger_degree;  ///< of all recorded ports
-    std::vector<std::string> missing;              ///< which models have no inputs, and what they need
+    std::vector<std::pair<std::string, metrics::Figure>> ledger_blocks;  ///< of those that name a block, by its name
+    std::vector<std::string> missing;  ///< which models have no inputs, and what they need
 };
 
 /// DP of an edit from its lines; none where the port gained nothing.

@@ -153,13 +153,14 @@ TEST_F(Effort, AUnitInTwoPairsCountsOnceInAll) {
 TEST_F(Effort, HoursFromTheLedgerGiveTheirOwnFigure) {
     port_a_change();
     write("portmap.toml", kMap + porttool({"effort", "--from", "HEAD~1", "--format", "toml"}).out +
-                              "port = { coding = 2, testing = 0.5 }\n"
+                              "block = \"Lights\"\nport = { coding = 2, testing = 0.5 }\n"
                               "redevelopment = { design = 2, coding = 4, testing = 3, documentation = 1 }\n");
     const nlohmann::json report = json({"effort", "--from", "HEAD~1"});
     ASSERT_EQ(report["degrees_of_portability"].size(), 3u);
     EXPECT_EQ(report["degrees_of_portability"][2]["model"], "hours");
     EXPECT_EQ(report["degrees_of_portability"][2]["value"], 0.75);
     EXPECT_EQ(report["ledger_degree_of_portability"]["inputs"]["records"], 1.0);
+    EXPECT_EQ(report["ledger_blocks"][0]["block"], "Lights");
     EXPECT_NE(report["not_given"].dump().find("1 ports with hours are recorded; a fit needs at least 8"),
               std::string::npos);
 }
@@ -250,6 +251,10 @@ TEST(EffortLedger, AMapNamesWhatItCannotRead) {
     EXPECT_NE(error_of("[[effort]]\nwhat = \"x\"\nredevelopment = { coding = 0 }\n").find("no hours"),
               std::string::npos);
     EXPECT_NE(error_of("[reuse]\nunderstanding = 60\n").find("from 0 to 50"), std::string::npos);
+    EXPECT_NE(error_of("[[block]]\nname = \"BSDF\"\nsource = \"a\"\ntarget = \"b\"\n[[effort]]\nwhat = \"x\"\n"
+                       "block = \"BSFD\"\n")
+                  .find("did you mean 'BSDF'"),
+              std::string::npos);
     EXPECT_NE(error_of("[cost]\ncoding = 0\n").find("every weight is 0"), std::string::npos);
 }
 
