@@ -70,10 +70,12 @@ void pack_textures(std::span<const CoreTexture> textures, SceneTables& tables) {
     tables.texels.clear();
     for (size_t i = 0; i < textures.size(); ++i) {
         const CoreTexture& texture = textures[i];
-        uint wraps = static_cast<uint>(texture.wrap_s) | static_cast<uint>(texture.wrap_t) << 8;
-        uint nearest = texture.nearest ? 1u << 16 : 0u;
-        tables.textures[i] = uvec4(static_cast<uint>(texture.format), wraps | nearest, texture.levels,
-                                   static_cast<uint>(tables.textures.size()));
+        uint wraps = static_cast<uint>(texture.wrap_s) << 8 | static_cast<uint>(texture.wrap_t) << 16;
+        uint nearest = texture.nearest ? 1u << 24 : 0u;
+        float texels_of_level_0 = static_cast<float>(texture.width) * static_cast<float>(texture.height);
+        tables.textures[i] =
+            uvec4(static_cast<uint>(texture.format) | wraps | nearest, std::bit_cast<uint>(texels_of_level_0),
+                  texture.levels, static_cast<uint>(tables.textures.size()));
         uint first = static_cast<uint>(tables.texels.size());
         for (uint level = 0; level < texture.levels; ++level) {
             uint width = std::max(1u, texture.width >> level);

@@ -9,7 +9,6 @@
 
 #include "target_core/device/float_mode.h"
 #include "target_core/device/parallel.h"
-#include "target_core/kernels/kernels.h"
 
 namespace target_core {
 
@@ -43,38 +42,38 @@ void next_segment(Tile& tile) {
 }
 
 // One sample of every path of the tile that is bound.
-void render_sample(Worker& worker, RayLog* log) {
+void render_sample(const KernelTable& kernels, Worker& worker, RayLog* log) {
     Tile& tile = worker.tile;
     FrameStats& stats = worker.stats;
     Stopwatch watch;
     tile.next.count = 0;
-    kernels::generate();
+    kernels.generate();
     watch.lap(stats.generate_ms);
     stats.primary_rays += tile.next.count;
-    for (uint segment = 1; segment <= kernels::settings.max_path_length; ++segment) {
+    for (uint segment = 1; segment <= settings.max_path_length; ++segment) {
         next_segment(tile);
         if (tile.current.count == 0) {
             break;
         }
         stats.extension_rays += segment > 1 ? tile.current.count : 0;
-        kernels::pass.segment = segment;
+        pass.segment = segment;
         if (log) {
             log->record_extension_rays(tile, segment == 1);
             watch.restart();
         }
-        kernels::extend();
+        kernels.extend();
         watch.lap(stats.extend_ms);
-        kernels::shade();
+        kernels.shade();
         watch.lap(stats.shade_ms);
         stats.shadow_rays += tile.shadow_count;
         if (log) {
             log->record_shadow_rays(tile);
             watch.restart();
         }
-        kernels::connect();
+        kernels.connect();
         watch.lap(stats.connect_ms);
     }
-    kernels::finalize();
+    kernels.finalize();
     watch.lap(stats.finalize_ms);
 }
 
@@ -82,16 +81,16 @@ void render_tile(const Frame& frame, uint first_pixel, uint path_count, Worker& 
     KeepDenormals keep;
     bound = frame.bindings;
     bound.tile = &worker.tile;
-    kernels::settings = frame.settings;
+    settings = frame.settings;
     for (uint i = 0; i < frame.sample_count; ++i) {
         uint in_sum = frame.samples_in_sum + i;
-        kernels::pass.sample_index = frame.first_sample + i;
-        kernels::pass.segment = 0;
-        kernels::pass.first_pixel = first_pixel;
-        kernels::pass.path_count = path_count;
-        kernels::pass.sample_scale = 1.0f / static_cast<float>(in_sum + 1);
-        kernels::pass.first_in_sum = in_sum == 0 ? 1u : 0u;
-        render_sample(worker, log);
+        pass.sample_index = frame.first_sample + i;
+        pass.segment = 0;
+        pass.first_pixel = first_pixel;
+        pass.path_count = path_count;
+        pass.sample_scale = 1.0f / static_cast<float>(in_sum + 1);
+        pass.first_in_sum = in_sum == 0 ? 1u : 0u;
+        render_sample(*frame.kernels, worker, log);
     }
 }
 

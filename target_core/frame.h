@@ -3,6 +3,7 @@
 #pragma once
 
 #include "target_core/device/bindings.h"
+#include "target_core/device/kernel_table.h"
 #include "target_core/device/ray_log.h"
 
 namespace target_core {
@@ -24,6 +25,7 @@ struct FrameStats {
 /// What one call renders: samples [first_sample, first_sample + sample_count) of every pixel, added to the
 /// `samples_in_sum` that the accumulator holds.
 struct Frame {
+    const KernelTable* kernels = &one_lane_kernels;
     Bindings bindings;
     Settings settings;
     uint first_sample = 0;

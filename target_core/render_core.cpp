@@ -52,6 +52,8 @@ private:
     void restart();
     Settings frame_settings(const ViewPyramid& view) const;
     Bindings bindings();
+    /// The widest that this CPU runs; in exact mode the reference.
+    const KernelTable& kernels() const { return options_.exact ? one_lane_kernels : *runnable_kernels().tables[0]; }
     void measure_limit(const RayLog& log);
     uint64_t memory_bytes() const;
 
@@ -103,7 +105,7 @@ Status TargetCore::Init(const CoreOptions& options) {
         return Status::error(StatusCode::no_device, "target core: " + message);
     }
     stats_.core = "target";
-    stats_.device = "CPU, Embree " RTC_VERSION_STRING;
+    stats_.device = std::string("CPU, Embree " RTC_VERSION_STRING ", ") + kernels().name;
     stats_.threads = options_.threads;
     contract_.accept_init();
     return Status::success();
@@ -330,6 +332,7 @@ Status TargetCore::Render(const ViewPyramid& view, Convergence convergence, uint
             log.emplace();
         }
         Frame frame;
+        frame.kernels = &kernels();
         frame.bindings = bindings();
         frame.settings = frame_settings(view);
         frame.samples_in_sum = static_cast<uint>(stats_.samples);

@@ -56,8 +56,12 @@ Float transmitted_sine_squared(Bsdf bsdf, Float cosine) {
 
 // Schlick 1994 takes the larger of the two angles at the interface.
 Float fresnel_weight(Bsdf bsdf, Float cosine) {
-    Float cosine_behind = sqrt(max(1.0f - transmitted_sine_squared(bsdf, cosine), 0.0f));
-    return schlick_weight(select(bsdf.eta < 1.0f, cosine_behind, cosine));
+    Float larger = cosine;
+    if (has_feature(FEATURE_TRANSMISSION)) {
+        Float cosine_behind = sqrt(max(1.0f - transmitted_sine_squared(bsdf, cosine), 0.0f));
+        larger = select(bsdf.eta < 1.0f, cosine_behind, cosine);
+    }
+    return schlick_weight(larger);
 }
 
 vec3 reflectance(Bsdf bsdf, Float weight) { return bsdf.f0 + (vec3(bsdf.f90) - bsdf.f0) * weight; }
@@ -93,10 +97,11 @@ Bsdf make_bsdf(Material material, vec3 wo, vec3 side, Mask front) {
     bsdf.pick_diffuse = max_component(bsdf.diffuse_color) * entering;
     bsdf.pick_reflection = max_component(reflectance(bsdf, weight));
     bsdf.pick_transmission = max_component(bsdf.transmission_color) * entering_somewhere;
-    Float total = max((bsdf.pick_diffuse + bsdf.pick_reflection) + bsdf.pick_transmission, SMALLEST);
-    bsdf.pick_diffuse = bsdf.pick_diffuse / total;
-    bsdf.pick_reflection = bsdf.pick_reflection / total;
-    bsdf.pick_transmission = bsdf.pick_transmission / total;
+    Float total = (bsdf.pick_diffuse + bsdf.pick_reflection) + bsdf.pick_transmission;
+    Float scale = 1.0f / max(total, SMALLEST);
+    bsdf.pick_diffuse = bsdf.pick_diffuse * scale;
+    bsdf.pick_reflection = bsdf.pick_reflection * scale;
+    bsdf.pick_transmission = bsdf.pick_transmission * scale;
     return bsdf;
 }
 
@@ -214,9 +219,13 @@ BsdfSample sample_bsdf(Bsdf bsdf, vec2 u, Float lobe) {
     vec3 h = select(bsdf.is_smooth, vec3(0.0f, 0.0f, 1.0f), visible);
     Float wo_h = dot(bsdf.wo, h);
     vec3 reflected = h * (2.0f * wo_h) - bsdf.wo;
-    Float sine_squared = transmitted_sine_squared(bsdf, wo_h);
-    vec3 refracted = h * (wo_h / bsdf.eta - sqrt(max(1.0f - sine_squared, 0.0f))) - bsdf.wo * (1.0f / bsdf.eta);
-    vec3 passed = select(bsdf.refracts, refracted, vec3(reflected.x, reflected.y, -reflected.z));
+    vec3 passed = vec3(reflected.x, reflected.y, -reflected.z);
+    Float sine_squared = 0.0f;
+    if (has_feature(FEATURE_TRANSMISSION)) {
+        sine_squared = transmitted_sine_squared(bsdf, wo_h);
+        vec3 refracted = h * (wo_h / bsdf.eta - sqrt(max(1.0f - sine_squared, 0.0f))) - bsdf.wo * (1.0f / bsdf.eta);
+        passed = select(bsdf.refracts, refracted, passed);
+    }
     vec3 wi = select(reflects, reflected, passed);
     Float weight = fresnel_weight(bsdf, wo_h);
     // A delta lobe goes where the geometry lets it.

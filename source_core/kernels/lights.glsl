@@ -109,7 +109,6 @@ LightSample sample_light(vec3 from, Uint stream, uint sample_index, uint first_p
     vec2 pick = random_pair(stream, sample_index, first_pair + PAIR_LIGHT_PICK);
     Uint entry = entry_of(pick.x, settings.light_count);
     Uint chosen = pick_from(entry, fetch_light_table(entry), pick.y);
-    Float probability = fetch_light_table(chosen).z;
     Uint row = chosen * LIGHT_ROWS;
     vec4 position_row = fetch_lights(row + LIGHT_POSITION);
     vec4 vertex1_row = fetch_lights(row + LIGHT_VERTEX1);
@@ -122,7 +121,7 @@ LightSample sample_light(vec3 from, Uint stream, uint sample_index, uint first_p
         light.direction = select(punctual, other.direction, light.direction);
         light.distance = select(punctual, other.distance, light.distance);
         light.radiance = select(punctual, other.radiance, light.radiance);
-        light.pdf = select(punctual, probability, light.pdf);
+        light.pdf = select(punctual, fetch_light_table(chosen).z, light.pdf);
         light.is_delta = punctual;
     }
     if (has_feature(FEATURE_SKY_MAP)) {
@@ -131,7 +130,7 @@ LightSample sample_light(vec3 from, Uint stream, uint sample_index, uint first_p
         light.direction = select(sky, other.direction, light.direction);
         light.distance = select(sky, other.distance, light.distance);
         light.radiance = select(sky, other.radiance, light.radiance);
-        light.pdf = select(sky, probability * other.pdf, light.pdf);
+        light.pdf = select(sky, fetch_light_table(chosen).z * other.pdf, light.pdf);
     }
     return light;
 }

@@ -27,16 +27,21 @@ Float linear_from_srgb(Float c) {
     return select(c <= 0.04045f, c * 0.0773993808f, s * s * p);
 }
 
-Float unorm8(Uint byte_value) { return Float(byte_value) / 255.0f; }
+Float unorm8(Uint byte_value) { return Float(byte_value) * 0.00392156863f; }
 
 vec4 decode_texel(Uint bits, Uint format) {
     vec4 color = vec4(unorm8(bits & 255u), unorm8((bits >> 8) & 255u), unorm8((bits >> 16) & 255u), unorm8(bits >> 24));
-    vec4 curved = vec4(linear_from_srgb(color.x), linear_from_srgb(color.y), linear_from_srgb(color.z), color.w);
-    Float scale = uintBitsToFloat(((bits >> 27) + 103u) << 23);
-    vec4 shared_exponent =
-        vec4(Float(bits & 511u) * scale, Float((bits >> 9) & 511u) * scale, Float((bits >> 18) & 511u) * scale, 1.0f);
-    color = select(format == TEXEL_RGBA8_SRGB, curved, color);
-    return select(format == TEXEL_RGB9E5, shared_exponent, color);
+    if (any_lane(format == TEXEL_RGBA8_SRGB)) {
+        vec4 curved = vec4(linear_from_srgb(color.x), linear_from_srgb(color.y), linear_from_srgb(color.z), color.w);
+        color = select(format == TEXEL_RGBA8_SRGB, curved, color);
+    }
+    if (any_lane(format == TEXEL_RGB9E5)) {
+        Float scale = uintBitsToFloat(((bits >> 27) + 103u) << 23);
+        vec4 shared_exponent = vec4(Float(bits & 511u) * scale, Float((bits >> 9) & 511u) * scale,
+                                    Float((bits >> 18) & 511u) * scale, 1.0f);
+        color = select(format == TEXEL_RGB9E5, shared_exponent, color);
+    }
+    return color;
 }
 
 // A coordinate brought to [0, 1) or [0, 1] by its wrap mode.
@@ -59,9 +64,10 @@ Uint wrap_texel(Int i, Int size, Uint wrap) {
 // One level with bilinear interpolation.
 vec4 sample_level(uvec4 header, Uint level, vec2 uv) {
     uvec4 size = fetch_textures(header.w + level);
-    Uint wrap_s = header.y & 255u;
-    Uint wrap_t = (header.y >> 8) & 255u;
-    Mask nearest = (header.y >> 16) != 0u;
+    Uint format = header.x & 255u;
+    Uint wrap_s = (header.x >> 8) & 255u;
+    Uint wrap_t = (header.x >> 16) & 255u;
+    Mask nearest = (header.x >> 24) != 0u;
     Float x = wrap_coordinate(uv.x, wrap_s) * Float(size.y) - 0.5f;
     Float y = wrap_coordinate(uv.y, wrap_t) * Float(size.z) - 0.5f;
     Float left = floor(x);
@@ -72,18 +78,17 @@ vec4 sample_level(uvec4 header, Uint level, vec2 uv) {
     Uint x1 = wrap_texel(Int(left) + 1, Int(size.y), wrap_s);
     Uint row0 = size.x + wrap_texel(Int(top), Int(size.z), wrap_t) * size.y;
     Uint row1 = size.x + wrap_texel(Int(top) + 1, Int(size.z), wrap_t) * size.y;
-    vec4 upper = blend(decode_texel(fetch_texels(row0 + x0), header.x), decode_texel(fetch_texels(row0 + x1), header.x),
-                       fraction_x);
-    vec4 lower = blend(decode_texel(fetch_texels(row1 + x0), header.x), decode_texel(fetch_texels(row1 + x1), header.x),
-                       fraction_x);
+    vec4 upper =
+        blend(decode_texel(fetch_texels(row0 + x0), format), decode_texel(fetch_texels(row0 + x1), format), fraction_x);
+    vec4 lower =
+        blend(decode_texel(fetch_texels(row1 + x0), format), decode_texel(fetch_texels(row1 + x1), format), fraction_x);
     return blend(upper, lower, fraction_y);
 }
 
 // A texture at uv. `footprint` is the squared footprint in uv; 0 reads the finest level.
 vec4 sample_texture(Uint texture_id, vec2 uv, Float footprint) {
     uvec4 header = fetch_textures(texture_id);
-    uvec4 size = fetch_textures(header.w);
-    Float texels = max(footprint * Float(size.y) * Float(size.z), 1.0f);
+    Float texels = max(footprint * uintBitsToFloat(header.y), 1.0f);
     Float level = min(0.5f * log_2(min(texels, 1.0e30f)), Float(header.z) - 1.0f);
     Float finer = floor(level);
     Float fraction = level - finer;

@@ -35,10 +35,7 @@ struct Bindings {
 
 /// Bound per thread for the duration of a tile, as descriptors are for a dispatch.
 inline constinit thread_local Bindings bound{};
-
-namespace kernels {
 inline constinit thread_local Settings settings{};
 inline constinit thread_local Pass pass{};
-}  // namespace kernels
 
 }  // namespace target_core

@@ -15,6 +15,11 @@ namespace {
 
 const TraceContext& context_of(RTCIntersectContext* context) { return *reinterpret_cast<const TraceContext*>(context); }
 
+Ray ray_of(const TraceContext& context, uint lane) {
+    return {vec3(context.origin.x[lane], context.origin.y[lane], context.origin.z[lane]),
+            vec3(context.direction.x[lane], context.direction.y[lane], context.direction.z[lane])};
+}
+
 struct Candidate {
     TriangleTest test;
     bool met;  // hit, and not let through by its alpha
@@ -23,13 +28,13 @@ struct Candidate {
 Candidate test_candidate(const TraceContext& context, uint instance, uint primitive) {
     TriangleVertices triangle = fetch_triangle(instance, primitive);
     Candidate candidate;
-    candidate.test =
-        intersect_triangle(context.ray.origin, context.ray.direction, triangle.v0, triangle.v1, triangle.v2);
+    Ray ray = ray_of(context, 0);
+    candidate.test = intersect_triangle(ray.origin, ray.direction, triangle.v0, triangle.v1, triangle.v2);
     candidate.met = candidate.test.hit;
     const InstanceGeometry& geometry = bound.geometry[instance];
     if (candidate.met && geometry.lets_rays_pass) {
         float opacity = bound.opacities[geometry.triangles[primitive].w];
-        candidate.met = meets_surface(opacity, context.key, instance, primitive, candidate.test.u, candidate.test.v);
+        candidate.met = meets_surface(opacity, *context.key, instance, primitive, candidate.test.u, candidate.test.v);
     }
     return candidate;
 }
@@ -50,19 +55,26 @@ float pad(float low, float high) { return 1.0e-5f * std::max(std::fabs(low), std
 
 void filter_by_alpha(const RTCFilterFunctionNArguments* arguments) {
     // Nothing is bound while the limit is measured: that traces Embree alone.
-    if (!bound.geometry || !arguments->valid[0]) {
+    if (!bound.geometry) {
         return;
     }
-    const auto* hit = reinterpret_cast<const RTCHit*>(arguments->hit);
-    bool instanced = hit->instID[0] != RTC_INVALID_GEOMETRY_ID;
-    uint instance = instanced ? hit->instID[0] : hit->geomID;
     const TraceContext& context = context_of(arguments->context);
-    TriangleVertices triangle = fetch_triangle(instance, hit->primID);
-    TriangleTest test =
-        intersect_triangle(context.ray.origin, context.ray.direction, triangle.v0, triangle.v1, triangle.v2);
-    float opacity = bound.opacities[bound.geometry[instance].triangles[hit->primID].w];
-    if (!meets_surface(opacity, context.key, instance, hit->primID, test.u, test.v)) {
-        arguments->valid[0] = 0;
+    uint count = arguments->N;
+    for (uint i = 0; i < count; ++i) {
+        if (arguments->valid[i] != -1) {
+            continue;
+        }
+        uint placed = RTCHitN_instID(arguments->hit, count, i, 0);
+        uint instance = placed != RTC_INVALID_GEOMETRY_ID ? placed : RTCHitN_geomID(arguments->hit, count, i);
+        uint primitive = RTCHitN_primID(arguments->hit, count, i);
+        uint lane = RTCRayN_id(arguments->ray, count, i);
+        Ray ray = ray_of(context, lane);
+        TriangleVertices triangle = fetch_triangle(instance, primitive);
+        TriangleTest test = intersect_triangle(ray.origin, ray.direction, triangle.v0, triangle.v1, triangle.v2);
+        float opacity = bound.opacities[bound.geometry[instance].triangles[primitive].w];
+        if (!meets_surface(opacity, context.key[lane], instance, primitive, test.u, test.v)) {
+            arguments->valid[i] = 0;
+        }
     }
 }
 

@@ -8,6 +8,19 @@
 
 namespace target_core {
 
+namespace {
+
+// Scenes up to this size are built with spatial splits.
+constexpr uint64_t SPLIT_TRIANGLES = 400'000;
+
+uint64_t count_triangles(std::span<const InstanceGeometry> geometry) {
+    uint64_t count = 0;
+    for (const InstanceGeometry& instance : geometry) count += instance.triangle_count;
+    return count;
+}
+
+}  // namespace
+
 EmbreeScene::~EmbreeScene() { close(); }
 
 void EmbreeScene::close() {
@@ -110,6 +123,10 @@ bool EmbreeScene::check(std::string& message) {
 bool EmbreeScene::build(std::span<const InstanceGeometry> geometry, bool exact, std::string& message) {
     release_scenes();
     scene_ = rtcNewScene(device_);
+    // Spatial splits save pica a sixth of its tracing for 30 ms of building; on a million triangles they save a
+    // twentieth and cost a third of a second.
+    rtcSetSceneBuildQuality(
+        scene_, count_triangles(geometry) <= SPLIT_TRIANGLES ? RTC_BUILD_QUALITY_HIGH : RTC_BUILD_QUALITY_MEDIUM);
     // Exact mode must visit every box that the ray may touch.
     rtcSetSceneFlags(scene_, exact ? RTC_SCENE_FLAG_ROBUST : RTC_SCENE_FLAG_NONE);
     for (uint instance = 0; instance < geometry.size(); ++instance) {

@@ -15,6 +15,7 @@
 #include <cmath>
 
 #include "target_core/device/glsl.h"
+#include "target_core/device/tile.h"
 
 namespace target_core::kernels {
 
@@ -60,6 +61,14 @@ inline Uint bitfieldReverse(Uint x) {
     return __builtin_bswap32(x);
 }
 
+// Calls kernel(job) for every job below `count`.
+template <void (*kernel)(Uint)>
+inline void for_each_job(uint count) {
+    for (uint job = 0; job < count; ++job) {
+        kernel(job);
+    }
+}
+
 // ---- Memory: a row per lane ----
 
 template <class Row>
@@ -74,10 +83,15 @@ inline void scatter(Row* rows, Uint index, Row row, Mask where) {
     }
 }
 
+template <class Row>
+inline void scatter(const TileRows<Row>& rows, Uint index, Row row, Mask where) {
+    scatter(rows.get(), index, row, where);
+}
+
 // Appends the rows of the lanes that are set; the new length.
 template <class Row>
-inline uint compact(Row* rows, uint length, Row row, Mask where) {
-    scatter(rows, length, row, where);
+inline uint compact(const TileRows<Row>& rows, uint length, Row row, Mask where) {
+    scatter(rows.get(), length, row, where);
     return length + (where ? 1u : 0u);
 }
 

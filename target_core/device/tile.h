@@ -11,24 +11,35 @@ namespace target_core {
 /// Paths per tile: small enough that a tile's state stays in the L2 cache, large enough to fill its loops.
 constexpr uint TILE_PATHS = 1024;
 
+/// Room past the end of each row of the tile, for lanes that have nothing to store or append.
+constexpr uint SPARE_ROWS = 16;
+
+/// TILE_PATHS rows, one a path or a job, and the spare ones.
+template <class Row>
+struct TileRows {
+    std::unique_ptr<Row[]> rows = std::make_unique<Row[]>(TILE_PATHS + SPARE_ROWS);
+    Row* get() const { return rows.get(); }
+    Row& operator[](size_t i) const { return rows[i]; }
+};
+
 /// A compacted queue of the tile: what the source core keeps behind atomic counters.
 struct PathQueue {
-    std::unique_ptr<uint[]> paths = std::make_unique<uint[]>(TILE_PATHS);
+    TileRows<uint> paths;
     uint count = 0;
 };
 
 /// The state of all paths of one tile, in structure of arrays. One per thread, reused from tile to tile.
 struct Tile {
-    std::unique_ptr<vec4[]> origin = std::make_unique<vec4[]>(TILE_PATHS);
-    std::unique_ptr<vec4[]> direction = std::make_unique<vec4[]>(TILE_PATHS);
-    std::unique_ptr<vec4[]> throughput = std::make_unique<vec4[]>(TILE_PATHS);
-    std::unique_ptr<vec4[]> radiance = std::make_unique<vec4[]>(TILE_PATHS);
-    std::unique_ptr<uvec4[]> hit = std::make_unique<uvec4[]>(TILE_PATHS);
+    TileRows<vec4> origin;
+    TileRows<vec4> direction;
+    TileRows<vec4> throughput;
+    TileRows<vec4> radiance;
+    TileRows<uvec4> hit;
     PathQueue current;  // of this segment
     PathQueue next;     // of the next one
-    std::unique_ptr<vec4[]> shadow_origin = std::make_unique<vec4[]>(TILE_PATHS);
-    std::unique_ptr<vec4[]> shadow_direction = std::make_unique<vec4[]>(TILE_PATHS);
-    std::unique_ptr<vec4[]> shadow_contribution = std::make_unique<vec4[]>(TILE_PATHS);
+    TileRows<vec4> shadow_origin;
+    TileRows<vec4> shadow_direction;
+    TileRows<vec4> shadow_contribution;
     uint shadow_count = 0;
 };
 

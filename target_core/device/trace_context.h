@@ -2,20 +2,35 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "target_core/kernels/path_state.h"
+#include <embree3/rtcore.h>
+
+#include "target_core/device/glsl.h"
 
 namespace target_core {
 
-/// What Embree's callbacks need to know of the ray at work: Embree hands them the address of its own context, which
-/// is this object's first member. The ray is kept in world space because Embree shows callbacks of instanced meshes
-/// the transformed one, and the shared triangle test wants the original.
+/// What Embree's callbacks need to know of the rays at work: Embree hands them the address of its own context, which is
+/// this object's first member. The rays are kept in world space because Embree shows callbacks of instanced meshes the
+/// transformed ones, and the shared triangle test wants the originals. A ray is known by its id: its lane.
 struct TraceContext {
     RTCIntersectContext embree;
-    kernels::Ray ray;
-    kernels::Uint key;
+    Vec3<const float*> origin;
+    Vec3<const float*> direction;
+    const uint* key;
 
-    TraceContext(kernels::Ray ray_in, kernels::Uint key_in) : ray(ray_in), key(key_in) {
+    /// Refers to `ray` and `keys` of any lane type, which must outlive the trace.
+    template <class Ray, class Uint>
+    TraceContext(const Ray& ray, const Uint& keys)
+        : origin(first_lanes(ray.origin)),
+          direction(first_lanes(ray.direction)),
+          key(reinterpret_cast<const uint*>(&keys)) {
         rtcInitIntersectContext(&embree);
+    }
+
+private:
+    template <class F>
+    static Vec3<const float*> first_lanes(const Vec3<F>& v) {
+        return {reinterpret_cast<const float*>(&v.x), reinterpret_cast<const float*>(&v.y),
+                reinterpret_cast<const float*>(&v.z)};
     }
 };
 

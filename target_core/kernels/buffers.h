@@ -35,17 +35,13 @@ inline vec4 load_path_throughput(Uint path) { return gather(bound.tile->throughp
 inline vec4 load_path_radiance(Uint path) { return gather(bound.tile->radiance.get(), path); }
 inline uvec4 load_path_hit(Uint path) { return gather(bound.tile->hit.get(), path); }
 
-inline void store_path_origin(Uint path, vec4 row, Mask where) { scatter(bound.tile->origin.get(), path, row, where); }
-inline void store_path_direction(Uint path, vec4 row, Mask where) {
-    scatter(bound.tile->direction.get(), path, row, where);
-}
+inline void store_path_origin(Uint path, vec4 row, Mask where) { scatter(bound.tile->origin, path, row, where); }
+inline void store_path_direction(Uint path, vec4 row, Mask where) { scatter(bound.tile->direction, path, row, where); }
 inline void store_path_throughput(Uint path, vec4 row, Mask where) {
-    scatter(bound.tile->throughput.get(), path, row, where);
+    scatter(bound.tile->throughput, path, row, where);
 }
-inline void store_path_radiance(Uint path, vec4 row, Mask where) {
-    scatter(bound.tile->radiance.get(), path, row, where);
-}
-inline void store_path_hit(Uint path, uvec4 row, Mask where) { scatter(bound.tile->hit.get(), path, row, where); }
+inline void store_path_radiance(Uint path, vec4 row, Mask where) { scatter(bound.tile->radiance, path, row, where); }
+inline void store_path_hit(Uint path, uvec4 row, Mask where) { scatter(bound.tile->hit, path, row, where); }
 
 // ---- Queues: no atomics, a tile belongs to one thread ----
 
@@ -54,7 +50,7 @@ inline uint extension_job_count() { return bound.tile->current.count; }
 
 inline void push_extension_ray(Uint path, Mask where) {
     PathQueue& next = bound.tile->next;
-    next.count = compact(next.paths.get(), next.count, path, where);
+    next.count = compact(next.paths, next.count, path, where);
 }
 
 inline vec4 load_shadow_origin(Uint job) { return gather(bound.tile->shadow_origin.get(), job); }
@@ -64,9 +60,9 @@ inline uint shadow_job_count() { return bound.tile->shadow_count; }
 
 inline void push_shadow_ray(vec4 origin, vec4 direction, vec4 contribution, Mask where) {
     Tile& tile = *bound.tile;
-    compact(tile.shadow_origin.get(), tile.shadow_count, origin, where);
-    compact(tile.shadow_direction.get(), tile.shadow_count, direction, where);
-    tile.shadow_count = compact(tile.shadow_contribution.get(), tile.shadow_count, contribution, where);
+    compact(tile.shadow_origin, tile.shadow_count, origin, where);
+    compact(tile.shadow_direction, tile.shadow_count, direction, where);
+    tile.shadow_count = compact(tile.shadow_contribution, tile.shadow_count, contribution, where);
 }
 
 // ---- Pictures ----

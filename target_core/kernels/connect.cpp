@@ -7,11 +7,6 @@
 
 namespace target_core::kernels {
 
-void connect() {
-    uint job_count = shadow_job_count();
-    for (uint job = 0; job < job_count; ++job) {
-        connect_shadow_ray(job);
-    }
-}
+void connect() { for_each_job<connect_shadow_ray>(shadow_job_count()); }
 
 }  // namespace target_core::kernels

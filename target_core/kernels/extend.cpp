@@ -7,11 +7,6 @@
 
 namespace target_core::kernels {
 
-void extend() {
-    uint job_count = extension_job_count();
-    for (uint job = 0; job < job_count; ++job) {
-        extend_path(job);
-    }
-}
+void extend() { for_each_job<extend_path>(extension_job_count()); }
 
 }  // namespace target_core::kernels

@@ -7,11 +7,6 @@
 
 namespace target_core::kernels {
 
-void finalize() {
-    uint job_count = pass.path_count;
-    for (uint job = 0; job < job_count; ++job) {
-        finalize_pixel(job);
-    }
-}
+void finalize() { for_each_job<finalize_pixel>(pass.path_count); }
 
 }  // namespace target_core::kernels

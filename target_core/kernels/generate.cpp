@@ -7,11 +7,6 @@
 
 namespace target_core::kernels {
 
-void generate() {
-    uint job_count = pass.path_count;
-    for (uint job = 0; job < job_count; ++job) {
-        generate_path(job);
-    }
-}
+void generate() { for_each_job<generate_path>(pass.path_count); }
 
 }  // namespace target_core::kernels

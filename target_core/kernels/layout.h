@@ -46,8 +46,9 @@ const uint SLOT_ROWS = 2u;
 const uint SLOT_U = 0u;  // row_u.xyz, texture as bits
 const uint SLOT_V = 1u;  // row_v.xyz, uv set as bits
 
-// textures: uvec4 rows: row i is the header of texture i: format, wraps (s in bits 0-7, t in bits 8-15) and nearest
-// (bit 16), levels, row of level 0; the rows of levels follow all headers: first texel, width, height, unused.
+// textures: uvec4 rows: row i is the header of texture i: format (bits 0-7), wraps (s in bits 8-15, t in bits 16-23)
+// and nearest (bit 24); texels of level 0 as the bits of a float; levels; row of level 0. The rows of levels follow all
+// headers: first texel, width, height, unused.
 const uint TEXEL_RGBA8 = 0u;
 const uint TEXEL_RGBA8_SRGB = 1u;
 const uint TEXEL_RGB9E5 = 2u;

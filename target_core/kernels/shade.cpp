@@ -7,11 +7,6 @@
 
 namespace target_core::kernels {
 
-void shade() {
-    uint job_count = extension_job_count();
-    for (uint job = 0; job < job_count; ++job) {
-        shade_path(job);
-    }
-}
+void shade() { for_each_job<shade_path>(extension_job_count()); }
 
 }  // namespace target_core::kernels

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The porttool authors
 // SPDX-License-Identifier: Apache-2.0
-// The kernel text runs eight paths at a time, unchanged and with the bits of the scalar build: what a vector backend
-// of this core relies on.
+// The kernel text runs eight and sixteen paths at a time, unchanged and with the bits of the one-lane build.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -11,15 +10,14 @@
 #include "target_core/core_tables.h"
 #include "target_core/device/bindings.h"
 #include "target_core/device/embree_scene.h"
-#include "target_core/kernels/kernels.h"
-#include "tests/target_core/eight_lanes_kernels.h"
+#include "target_core/device/kernel_table.h"
 
 using namespace target_core;
 
 namespace {
 
 // A bumpy, textured, coloured sheet of many materials under a light and a sky map: every branch of shade.
-class EightLanes : public testing::Test {
+class WideKernels : public testing::TestWithParam<uint> {
 protected:
     void SetUp() override {
         make_textures();
@@ -165,12 +163,12 @@ protected:
     void use(Tile& tile) {
         bound = bindings_;
         bound.tile = &tile;
-        kernels::settings = settings_;
-        kernels::pass = pass_;
+        settings = settings_;
+        pass = pass_;
     }
 
     template <class Row>
-    static bool same_bits(const std::unique_ptr<Row[]>& a, const std::unique_ptr<Row[]>& b, uint count = TILE_PATHS) {
+    static bool same_bits(const TileRows<Row>& a, const TileRows<Row>& b, uint count = TILE_PATHS) {
         return std::memcmp(a.get(), b.get(), count * sizeof(Row)) == 0;
     }
 
@@ -199,42 +197,102 @@ protected:
     Bindings bindings_;
 };
 
-TEST_F(EightLanes, TheKernelTextGivesTheBitsOfTheScalarBuild) {
-    Tile scalar;
+// What one sample leaves behind after each kernel. Hits come from the one-lane walk, so that ties between coincident
+// triangles do not hide a fault of the lanes.
+TEST_P(WideKernels, GiveTheBitsOfOneLane) {
+    const KernelTables runnable = runnable_kernels();
+    if (GetParam() + 1 >= runnable.count) {
+        GTEST_SKIP() << "this CPU has fewer kinds of lanes";
+    }
+    const KernelTable& lanes = *runnable.tables[GetParam()];
+    SCOPED_TRACE(lanes.name);
+    // A count that leaves lanes of the last job idle.
+    pass_.path_count = TILE_PATHS - 21;
+    Tile one;
     Tile wide;
     use(wide);
-    eight_lanes::generate(settings_, pass_);
-    use(scalar);
-    kernels::generate();
-    ASSERT_TRUE(same_bits(scalar.origin, wide.origin));
-    ASSERT_TRUE(same_bits(scalar.direction, wide.direction));
+    lanes.generate();
+    use(one);
+    one_lane_kernels.generate();
+    ASSERT_EQ(one.next.count, wide.next.count);
+    ASSERT_TRUE(same_bits(one.next.paths, wide.next.paths, one.next.count));
+    ASSERT_TRUE(same_bits(one.origin, wide.origin));
+    ASSERT_TRUE(same_bits(one.direction, wide.direction));
     for (uint segment = 1; segment <= 3; ++segment) {
+        SCOPED_TRACE("segment " + std::to_string(segment));
         pass_.segment = segment;
-        std::swap(scalar.current, scalar.next);
-        scalar.next.count = 0;
-        scalar.shadow_count = 0;
-        scalar.current.count -= scalar.current.count % 8;
-        ASSERT_GT(scalar.current.count, 0u) << "segment " << segment;
-        use(scalar);
-        kernels::extend();
-        copy_state(scalar, wide);
+        std::swap(one.current, one.next);
+        one.next.count = 0;
+        one.shadow_count = 0;
+        ASSERT_GT(one.current.count, 0u);
+        use(one);
+        one_lane_kernels.extend();
+        copy_state(one, wide);
         wide.next.count = 0;
         wide.shadow_count = 0;
-        kernels::shade();
+        one_lane_kernels.shade();
         use(wide);
-        eight_lanes::shade(settings_, pass_);
-        ASSERT_EQ(scalar.next.count, wide.next.count);
-        ASSERT_EQ(scalar.shadow_count, wide.shadow_count);
-        EXPECT_GT(scalar.shadow_count, 0u) << "segment " << segment;
-        EXPECT_TRUE(same_bits(scalar.next.paths, wide.next.paths, scalar.next.count)) << "segment " << segment;
-        EXPECT_TRUE(same_bits(scalar.origin, wide.origin)) << "segment " << segment;
-        EXPECT_TRUE(same_bits(scalar.direction, wide.direction)) << "segment " << segment;
-        EXPECT_TRUE(same_bits(scalar.throughput, wide.throughput)) << "segment " << segment;
-        EXPECT_TRUE(same_bits(scalar.radiance, wide.radiance)) << "segment " << segment;
-        EXPECT_TRUE(same_bits(scalar.shadow_origin, wide.shadow_origin, scalar.shadow_count));
-        EXPECT_TRUE(same_bits(scalar.shadow_direction, wide.shadow_direction, scalar.shadow_count));
-        EXPECT_TRUE(same_bits(scalar.shadow_contribution, wide.shadow_contribution, scalar.shadow_count));
+        lanes.shade();
+        ASSERT_EQ(one.next.count, wide.next.count);
+        ASSERT_EQ(one.shadow_count, wide.shadow_count);
+        EXPECT_GT(one.shadow_count, 0u);
+        EXPECT_TRUE(same_bits(one.next.paths, wide.next.paths, one.next.count));
+        EXPECT_TRUE(same_bits(one.origin, wide.origin));
+        EXPECT_TRUE(same_bits(one.direction, wide.direction));
+        EXPECT_TRUE(same_bits(one.throughput, wide.throughput));
+        EXPECT_TRUE(same_bits(one.radiance, wide.radiance));
+        EXPECT_TRUE(same_bits(one.shadow_origin, wide.shadow_origin, one.shadow_count));
+        EXPECT_TRUE(same_bits(one.shadow_direction, wide.shadow_direction, one.shadow_count));
+        EXPECT_TRUE(same_bits(one.shadow_contribution, wide.shadow_contribution, one.shadow_count));
+        use(one);
+        one_lane_kernels.connect();
+        use(wide);
+        lanes.connect();
+        EXPECT_TRUE(same_bits(one.radiance, wide.radiance));
+    }
+    std::vector<target_core::vec4> pictures[4];
+    for (std::vector<target_core::vec4>& picture : pictures) picture.assign(TILE_PATHS, target_core::vec4(0.25f));
+    auto finish = [&](Tile& tile, const KernelTable& table, size_t first) {
+        use(tile);
+        bound.accumulator = pictures[first].data();
+        bound.target = pictures[first + 1].data();
+        pass.sample_scale = 0.5f;
+        table.finalize();
+    };
+    finish(one, one_lane_kernels, 0);
+    finish(wide, lanes, 2);
+    for (size_t i : {0u, 1u}) {
+        EXPECT_EQ(std::memcmp(pictures[i].data(), pictures[i + 2].data(), TILE_PATHS * sizeof(target_core::vec4)), 0);
     }
 }
+
+// Packets of rays meet what single rays meet: the same triangles at the same places, but for ties.
+TEST_P(WideKernels, TraceWhatOneLaneTraces) {
+    const KernelTables runnable = runnable_kernels();
+    if (GetParam() + 1 >= runnable.count) {
+        GTEST_SKIP() << "this CPU has fewer kinds of lanes";
+    }
+    const KernelTable& lanes = *runnable.tables[GetParam()];
+    pass_.path_count = TILE_PATHS - 5;
+    Tile one;
+    Tile wide;
+    for (Tile* tile : {&one, &wide}) {
+        use(*tile);
+        one_lane_kernels.generate();
+        std::swap(tile->current, tile->next);
+        pass.segment = 1;
+        (tile == &one ? one_lane_kernels : lanes).extend();
+    }
+    uint met = 0;
+    uint same = 0;
+    for (uint path = 0; path < pass_.path_count; ++path) {
+        met += one.hit[path].x != NONE ? 1 : 0;
+        same += std::memcmp(&one.hit[path], &wide.hit[path], sizeof(one.hit[path])) == 0 ? 1 : 0;
+    }
+    EXPECT_GT(met, pass_.path_count / 4);
+    EXPECT_GE(same, pass_.path_count - 2);
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, WideKernels, testing::Values(0u, 1u));
 
 }  // namespace

@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+// The kernel text once more, over 8 lanes, in a namespace of its own.
+#define TARGET_CORE_LANES "target_core/device/lanes_avx2.h"
+#define TARGET_CORE_TRACE "target_core/device/wide_trace.h"
+#define kernels kernels_avx2
+#include "target_core/kernels/connect.cpp"
+#include "target_core/kernels/extend.cpp"
+#include "target_core/kernels/finalize.cpp"
+#include "target_core/kernels/generate.cpp"
+#include "target_core/kernels/shade.cpp"
+#undef kernels
+#include "target_core/device/kernel_table.h"
+
+namespace target_core {
+
+const KernelTable avx2_kernels = {
+    "8 lanes, AVX2",       8, kernels_avx2::generate, kernels_avx2::extend, kernels_avx2::shade, kernels_avx2::connect,
+    kernels_avx2::finalize};
+
+}  // namespace target_core

@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+// The kernel text once more, over 16 lanes, in a namespace of its own.
+#define TARGET_CORE_LANES "target_core/device/lanes_avx512.h"
+#define TARGET_CORE_TRACE "target_core/device/wide_trace.h"
+#define kernels kernels_avx512
+#include "target_core/kernels/connect.cpp"
+#include "target_core/kernels/extend.cpp"
+#include "target_core/kernels/finalize.cpp"
+#include "target_core/kernels/generate.cpp"
+#include "target_core/kernels/shade.cpp"
+#undef kernels
+#include "target_core/device/kernel_table.h"
+
+namespace target_core {
+
+const KernelTable avx512_kernels = {"16 lanes, AVX-512",      16,
+                                    kernels_avx512::generate, kernels_avx512::extend,
+                                    kernels_avx512::shade,    kernels_avx512::connect,
+                                    kernels_avx512::finalize};
+
+}  // namespace target_core

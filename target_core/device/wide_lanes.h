@@ -1,0 +1,223 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+// The lane types of a wide backend, the counterpart of the one-lane part of lanes.h: LANES values at a time on GCC
+// vector extensions. Included by the header of an instruction set (lanes_avx2.h, lanes_avx512.h), which supplies the
+// types *Lanes and what the extensions lack. Every operation gives the bits of the one-lane backend.
+#pragma once
+
+#include <bit>
+#include <cstddef>
+
+#include "target_core/device/tile.h"
+
+namespace target_core::kernels {
+
+struct Mask {
+    MaskLanes v;
+    Mask() = default;
+    Mask(bool set) : v(mask_of(set)) {}
+    static Mask of(MaskLanes lanes) {
+        Mask mask;
+        mask.v = lanes;
+        return mask;
+    }
+    friend Mask operator!(Mask a) { return of(inverted(a.v)); }
+    friend Mask operator&&(Mask a, Mask b) { return of(both(a.v, b.v)); }
+    friend Mask operator||(Mask a, Mask b) { return of(either(a.v, b.v)); }
+    friend Mask operator==(Mask a, Mask b) { return of(inverted(differ(a.v, b.v))); }
+    friend Mask operator!=(Mask a, Mask b) { return of(differ(a.v, b.v)); }
+};
+
+// The operators that Float, Uint and Int share.
+#define LANE_OPERATORS(Type)                                                          \
+    friend Type operator+(Type a, Type b) { return Type(a.v + b.v); }                 \
+    friend Type operator-(Type a, Type b) { return Type(a.v - b.v); }                 \
+    friend Type operator*(Type a, Type b) { return Type(a.v * b.v); }                 \
+    friend Type operator/(Type a, Type b) { return Type(a.v / b.v); }                 \
+    friend Mask operator<(Type a, Type b) { return Mask::of(less(a.v, b.v)); }        \
+    friend Mask operator>(Type a, Type b) { return Mask::of(less(b.v, a.v)); }        \
+    friend Mask operator<=(Type a, Type b) { return Mask::of(less_equal(a.v, b.v)); } \
+    friend Mask operator>=(Type a, Type b) { return Mask::of(less_equal(b.v, a.v)); } \
+    friend Mask operator==(Type a, Type b) { return Mask::of(equal(a.v, b.v)); }      \
+    friend Mask operator!=(Type a, Type b) { return !(a == b); }                      \
+    friend Type select(Mask where, Type yes, Type no) { return Type(blend_lanes(where.v, yes.v, no.v)); }
+
+struct Uint;
+struct Int;
+
+struct Float {
+    FloatLanes v;
+    Float() = default;
+    Float(float s) : v(s - FloatLanes{}) {}  // keeps -0, as a sum would not
+    explicit Float(FloatLanes lanes) : v(lanes) {}
+    explicit Float(Uint u);
+    explicit Float(Int i);
+    friend Float operator-(Float a) { return Float(-a.v); }
+    friend Float min(Float a, Float b) { return Float(smaller(a.v, b.v)); }
+    friend Float max(Float a, Float b) { return Float(larger(a.v, b.v)); }
+    LANE_OPERATORS(Float)
+};
+
+struct Int {
+    IntLanes v;
+    Int() = default;
+    Int(int32_t s) : v(IntLanes{} + s) {}
+    explicit Int(uint32_t s) : v(IntLanes{} + static_cast<int32_t>(s)) {}
+    explicit Int(IntLanes lanes) : v(lanes) {}
+    explicit Int(Float f) : v(__builtin_convertvector(f.v, IntLanes)) {}
+    explicit Int(Uint u);
+    friend Int operator-(Int a) { return Int(-a.v); }
+    friend Int operator>>(Int a, int n) { return Int(a.v >> n); }
+    friend Int min(Int a, Int b) { return select(b < a, b, a); }
+    friend Int max(Int a, Int b) { return select(a < b, b, a); }
+    LANE_OPERATORS(Int)
+};
+
+struct Uint {
+    UintLanes v;
+    Uint() = default;
+    Uint(uint32_t s) : v(UintLanes{} + s) {}
+    explicit Uint(UintLanes lanes) : v(lanes) {}
+    explicit Uint(Float f) : v(__builtin_convertvector(f.v, UintLanes)) {}
+    explicit Uint(Int i) : v(__builtin_convertvector(i.v, UintLanes)) {}
+    friend Uint operator&(Uint a, Uint b) { return Uint(a.v & b.v); }
+    friend Uint operator|(Uint a, Uint b) { return Uint(a.v | b.v); }
+    friend Uint operator^(Uint a, Uint b) { return Uint(a.v ^ b.v); }
+    friend Uint operator>>(Uint a, int n) { return Uint(a.v >> n); }
+    friend Uint operator<<(Uint a, int n) { return Uint(a.v << n); }
+    friend Uint min(Uint a, Uint b) { return select(b < a, b, a); }
+    LANE_OPERATORS(Uint)
+};
+#undef LANE_OPERATORS
+
+inline Float::Float(Uint u) : v(__builtin_convertvector(u.v, FloatLanes)) {}
+inline Float::Float(Int i) : v(__builtin_convertvector(i.v, FloatLanes)) {}
+inline Int::Int(Uint u) : v(__builtin_convertvector(u.v, IntLanes)) {}
+
+using vec2 = Vec2<Float>;
+using vec3 = Vec3<Float>;
+using vec4 = Vec4<Float>;
+using uvec4 = Vec4<Uint>;
+
+inline vec2 select(Mask where, vec2 yes, vec2 no) { return {select(where, yes.x, no.x), select(where, yes.y, no.y)}; }
+inline vec3 select(Mask where, vec3 yes, vec3 no) {
+    return {select(where, yes.x, no.x), select(where, yes.y, no.y), select(where, yes.z, no.z)};
+}
+inline vec4 select(Mask where, vec4 yes, vec4 no) {
+    return {select(where, yes.x, no.x), select(where, yes.y, no.y), select(where, yes.z, no.z),
+            select(where, yes.w, no.w)};
+}
+
+inline bool any_lane(Mask where) { return mask_bits(where.v) != 0; }
+
+inline Float uintBitsToFloat(Uint x) { return Float(std::bit_cast<FloatLanes>(x.v)); }
+inline Uint floatBitsToUint(Float x) { return Uint(std::bit_cast<UintLanes>(x.v)); }
+inline Float abs(Float x) { return uintBitsToFloat(floatBitsToUint(x) & 0x7fffffffu); }
+inline Float sqrt(Float x) { return Float(root(x.v)); }
+inline Float floor(Float x) { return Float(round_down(x.v)); }
+inline vec3 min(vec3 a, vec3 b) { return {min(a.x, b.x), min(a.y, b.y), min(a.z, b.z)}; }
+inline Float clamp(Float x, Float low, Float high) { return min(max(x, low), high); }
+
+inline Uint bitfieldReverse(Uint x) { return Uint(reversed_bits(x.v)); }
+
+// ---- Jobs ----
+
+/// Lanes that carry a job of their own. The others repeat the last job, so that all they read is there; they trace,
+/// store and append nothing.
+inline constinit thread_local uint active_lanes = (1u << LANES) - 1u;
+
+/// 0, 1, 2 and so on.
+inline Uint lane_numbers() {
+    Uint lanes;
+    for (uint i = 0; i < LANES; ++i) lanes.v[i] = i;
+    return lanes;
+}
+
+/// Calls kernel(job) for every job below `count`, LANES at a time. All calls below it are inlined: structs of lanes are
+/// kilobytes, and passing them costs more than what the functions do.
+template <void (*kernel)(Uint)>
+[[gnu::flatten]] void for_each_job(uint count) {
+    for (uint job = 0; job < count; job += LANES) {
+        active_lanes = count - job >= LANES ? (1u << LANES) - 1u : (1u << (count - job)) - 1u;
+        kernel(min(lane_numbers() + job, Uint(count - 1u)));
+    }
+}
+
+// ---- Memory: a row per lane ----
+
+struct alignas(64) LaneRows {
+    float rows[LANES][4];
+};
+
+/// The lanes as words in memory, to be read one at a time: a load each is cheaper than what GCC makes of index.v[i],
+/// which is a shuffle and a move. The empty statement keeps it from seeing through.
+struct LaneWords {
+    alignas(64) uint words[LANES];
+    explicit LaneWords(Uint lanes) {
+        __builtin_memcpy(words, &lanes.v, sizeof(words));
+        asm("" : "+m"(words));
+    }
+    uint operator[](uint lane) const { return words[lane]; }
+};
+
+inline vec4 gather(const target_core::vec4* rows, Uint index) {
+    // A row is 16 bytes; addresses scale by 8 for free.
+    LaneWords halves(index + index);
+    auto row_of = [&](uint lane) { return &rows->x + size_t{2} * halves[lane]; };
+    vec4 row;
+    load_rows(row_of, row.x.v, row.y.v, row.z.v, row.w.v);
+    return row;
+}
+
+inline uvec4 gather(const target_core::uvec4* rows, Uint index) {
+    vec4 row = gather(reinterpret_cast<const target_core::vec4*>(rows), index);
+    return {floatBitsToUint(row.x), floatBitsToUint(row.y), floatBitsToUint(row.z), floatBitsToUint(row.w)};
+}
+
+inline Uint gather(const uint* words, Uint index) { return Uint(gather_words(words, index.v)); }
+
+inline Mask active() { return Mask::of(mask_of_bits(active_lanes)); }
+
+inline void scatter(target_core::vec4* rows, Uint index, const vec4& row, Mask where) {
+    LaneWords halves(index + index);
+    LaneRows lanes;
+    store_rows([&](uint lane) { return lanes.rows[lane]; }, row.x.v, row.y.v, row.z.v, row.w.v);
+    for (uint left = mask_bits(where.v) & active_lanes; left != 0; left &= left - 1) {
+        uint i = static_cast<uint>(std::countr_zero(left));
+        __builtin_memcpy(reinterpret_cast<float*>(rows) + size_t{2} * halves[i], lanes.rows[i], sizeof(lanes.rows[i]));
+    }
+}
+
+// A tile has a spare row: lanes with nothing to store write there, which is cheaper than to ask each of them.
+inline void scatter(const TileRows<target_core::vec4>& rows, Uint index, const vec4& row, Mask where) {
+    Uint stored = select(where && active(), index, Uint(TILE_PATHS));
+    LaneWords halves(stored + stored);
+    float* first = &rows[0].x;
+    store_rows([&](uint lane) { return first + size_t{2} * halves[lane]; }, row.x.v, row.y.v, row.z.v, row.w.v);
+}
+
+inline void scatter(const TileRows<target_core::uvec4>& rows, Uint index, const uvec4& row, Mask where) {
+    Uint stored = select(where && active(), index, Uint(TILE_PATHS));
+    LaneWords halves(stored + stored);
+    float* first = reinterpret_cast<float*>(&rows[0].x);
+    store_rows([&](uint lane) { return first + size_t{2} * halves[lane]; }, uintBitsToFloat(row.x).v,
+               uintBitsToFloat(row.y).v, uintBitsToFloat(row.z).v, uintBitsToFloat(row.w).v);
+}
+
+// Appends LANES rows and counts those that are set, which come first; the spare rows take what is too much.
+inline uint compact(const TileRows<target_core::vec4>& rows, uint length, const vec4& row, Mask where) {
+    Mask kept = where && active();
+    float* end = &rows[length].x;
+    store_rows([&](uint lane) { return end + 4 * lane; }, packed(kept.v, row.x.v), packed(kept.v, row.y.v),
+               packed(kept.v, row.z.v), packed(kept.v, row.w.v));
+    return length + static_cast<uint>(std::popcount(mask_bits(kept.v)));
+}
+
+inline uint compact(const TileRows<uint>& words, uint length, Uint word, Mask where) {
+    Mask kept = where && active();
+    FloatLanes first = packed(kept.v, uintBitsToFloat(word).v);
+    __builtin_memcpy(&words[length], &first, sizeof(first));
+    return length + static_cast<uint>(std::popcount(mask_bits(kept.v)));
+}
+
+}  // namespace target_core::kernels

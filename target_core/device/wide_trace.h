@@ -1,0 +1,136 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+// trace.h for LANES rays at a time: Embree's packets, whose rays lie in memory as the lanes do.
+#pragma once
+
+#include <limits>
+#include <type_traits>
+
+#include "target_core/device/trace_context.h"
+#include "target_core/kernels/alpha.h"
+
+namespace target_core::kernels {
+
+inline TriangleVertices fetch_triangle(Uint instance, Uint triangle) {
+    static constexpr float NOWHERE[4] = {};
+    const float* at[3][LANES];
+    LaneWords instances(instance);
+    LaneWords triangles(triangle);
+    uint baked = 0;
+    for (uint i = 0; i < LANES; ++i) {
+        const InstanceGeometry& geometry = bound.geometry[instances[i]];
+        baked |= static_cast<uint>(geometry.baked) << i;
+        // A lane that met nothing names instance 0, which may be hidden.
+        bool hidden = geometry.triangle_count == 0;
+        target_core::uvec4 corners = hidden ? target_core::uvec4(0u) : geometry.triangles[triangles[i]];
+        at[0][i] = hidden ? NOWHERE : &geometry.positions[corners.x].x;
+        at[1][i] = hidden ? NOWHERE : &geometry.positions[corners.y].x;
+        at[2][i] = hidden ? NOWHERE : &geometry.positions[corners.z].x;
+    }
+    // Positions are packed to three floats; load_rows reads a fourth, for which the meshes leave room at their end.
+    auto load = [&](const float* const* rows) {
+        FloatLanes x, y, z, beyond;
+        load_rows([&](uint lane) { return rows[lane]; }, x, y, z, beyond);
+        return vec3(Float(x), Float(y), Float(z));
+    };
+    TriangleVertices vertices = {load(at[0]), load(at[1]), load(at[2]), triangle};
+    Mask stays = Mask::of(mask_of_bits(baked));
+    if (any_lane(!stays)) {
+        auto row = [&](int k) {
+            vec4 lanes;
+            load_rows([&](uint lane) { return &bound.geometry[instances[lane]].rows[k].x; }, lanes.x.v, lanes.y.v,
+                      lanes.z.v, lanes.w.v);
+            return lanes;
+        };
+        vec4 row0 = row(0), row1 = row(1), row2 = row(2);
+        vertices.v0 = select(stays, vertices.v0, transform_point(row0, row1, row2, vertices.v0));
+        vertices.v1 = select(stays, vertices.v1, transform_point(row0, row1, row2, vertices.v1));
+        vertices.v2 = select(stays, vertices.v2, transform_point(row0, row1, row2, vertices.v2));
+    }
+    return vertices;
+}
+
+// Embree's packets of this many lanes.
+using RayPacket = std::conditional_t<LANES == 16, RTCRay16, RTCRay8>;
+using HitPacket = std::conditional_t<LANES == 16, RTCRayHit16, RTCRayHit8>;
+
+inline void trace_packet(const int* valid, RTCIntersectContext* context, RTCRayHit8* rays) {
+    rtcIntersect8(valid, bound.scene, context, rays);
+}
+inline void trace_packet(const int* valid, RTCIntersectContext* context, RTCRayHit16* rays) {
+    rtcIntersect16(valid, bound.scene, context, rays);
+}
+inline void trace_packet(const int* valid, RTCIntersectContext* context, RTCRay8* rays) {
+    rtcOccluded8(valid, bound.scene, context, rays);
+}
+inline void trace_packet(const int* valid, RTCIntersectContext* context, RTCRay16* rays) {
+    rtcOccluded16(valid, bound.scene, context, rays);
+}
+
+template <class Lanes>
+inline void put_lanes(void* memory, Lanes lanes) {
+    __builtin_memcpy(memory, &lanes, sizeof(lanes));
+}
+
+template <class Lanes>
+inline Lanes take_lanes(const void* memory) {
+    Lanes lanes;
+    __builtin_memcpy(&lanes, memory, sizeof(lanes));
+    return lanes;
+}
+
+inline void fill_packet(RayPacket& packet, const Ray& ray, Float t_max) {
+    put_lanes(packet.org_x, ray.origin.x.v);
+    put_lanes(packet.org_y, ray.origin.y.v);
+    put_lanes(packet.org_z, ray.origin.z.v);
+    put_lanes(packet.tnear, FloatLanes{});
+    put_lanes(packet.dir_x, ray.direction.x.v);
+    put_lanes(packet.dir_y, ray.direction.y.v);
+    put_lanes(packet.dir_z, ray.direction.z.v);
+    put_lanes(packet.time, FloatLanes{});
+    put_lanes(packet.tfar, t_max.v);
+    put_lanes(packet.mask, ~UintLanes{});
+    put_lanes(packet.id, lane_numbers().v);
+    put_lanes(packet.flags, UintLanes{});
+}
+
+inline Hit trace_closest(const Ray& ray, const Uint& key) {
+    TraceContext context(ray, key);
+    // Camera rays share an origin; Embree walks such packets as one.
+    if (pass.segment == 1u) context.embree.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    HitPacket found;
+    fill_packet(found.ray, ray, std::numeric_limits<float>::infinity());
+    put_lanes(found.hit.geomID, ~UintLanes{});
+    put_lanes(found.hit.instID[0], ~UintLanes{});
+    alignas(64) IntLanes valid = mask_words(mask_of_bits(active_lanes));
+    trace_packet(reinterpret_cast<const int*>(&valid), &context.embree, &found);
+    Uint geometry(take_lanes<UintLanes>(found.hit.geomID));
+    Uint placed(take_lanes<UintLanes>(found.hit.instID[0]));
+    Mask met = geometry != RTC_INVALID_GEOMETRY_ID;
+    Hit hit;
+    hit.instance = select(placed != RTC_INVALID_GEOMETRY_ID, placed, geometry);
+    hit.triangle = select(met, Uint(take_lanes<UintLanes>(found.hit.primID)), Uint(0u));
+    hit.t = 0.0f;
+    hit.u = 0.0f;
+    hit.v = 0.0f;
+    if (any_lane(met)) {
+        TriangleVertices triangle = fetch_triangle(select(met, hit.instance, Uint(0u)), hit.triangle);
+        TriangleTest test = intersect_triangle(ray.origin, ray.direction, triangle.v0, triangle.v1, triangle.v2);
+        hit.t = select(met, test.t, Float(0.0f));
+        hit.u = select(met, test.u, Float(0.0f));
+        hit.v = select(met, test.v, Float(0.0f));
+    }
+    hit.instance = select(met, hit.instance, Uint(NONE));
+    return hit;
+}
+
+inline Mask trace_any(const Ray& ray, Float t_max, const Uint& key) {
+    TraceContext context(ray, key);
+    RayPacket found;
+    fill_packet(found, ray, t_max);
+    alignas(64) IntLanes valid = mask_words(mask_of_bits(active_lanes));
+    trace_packet(reinterpret_cast<const int*>(&valid), &context.embree, &found);
+    return Float(take_lanes<FloatLanes>(found.tfar)) < 0.0f;
+}
+
+}  // namespace target_core::kernels
