@@ -105,10 +105,7 @@ private:
         constexpr float kPerLogOdds = 0.05f;
         for (uint32_t s = 0; s < source_.size(); ++s)
             for (uint32_t c = 0; c < candidates_[s].size(); ++c) {
-                const UnitFeatures& target = target_[candidates_[s][c].target];
-                NameDifference difference = names.difference(source_[s], target);
-                // A file with one main is named by its subject alone: the shorter name is not the nearer one.
-                if (target.whole_file_main) difference.lost = difference.lost_variant = 0;
+                const NameDifference difference = names.difference(source_[s], target_[candidates_[s][c].target]);
                 scores_[s][c] = alike_[s][c] - kPerLogOdds * doubt(difference);
             }
     }

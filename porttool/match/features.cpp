@@ -266,6 +266,8 @@ std::vector<UnitFeatures> read_features(const std::vector<ScannedFile>& files, c
             all.back().unit = static_cast<uint32_t>(u);
         }
     }
+    const bool kernels = std::any_of(all.begin(), all.end(), [](const UnitFeatures& unit) { return unit.kernel; });
+    for (UnitFeatures& unit : all) unit.beside_kernels = kernels;
     drop_common_words(all);
     return all;
 }

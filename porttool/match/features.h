@@ -33,6 +33,7 @@ struct UnitFeatures {
     uint32_t unit = 0;  ///< index into the file's units
     Group group = Group::Code;
     bool kernel = false;
+    bool beside_kernels = false;   ///< its side has kernels
     bool whole_file_main = false;  ///< a shader's main: the file's name is its name
     bool lifecycle = false;        ///< a constructor or destructor
     std::string folded_name;       ///< qualified, letters and digits only

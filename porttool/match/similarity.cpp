@@ -68,9 +68,14 @@ float subject_likeness(const UnitFeatures& a, const UnitFeatures& b, float words
     return std::max(words, 0.95f * contained);
 }
 
+/// A helper or launcher beside the kernels of its side, and a main: an entry point is a kernel's port before all else.
+bool is_helper_to_main(const UnitFeatures& a, const UnitFeatures& b) {
+    return (a.whole_file_main && !b.kernel && b.beside_kernels) || (b.whole_file_main && !a.kernel && a.beside_kernels);
+}
+
 float kind_likeness(const UnitFeatures& a, const UnitFeatures& b) {
     if (a.kernel == b.kernel) return 1;
-    return a.whole_file_main || b.whole_file_main ? 0.0f : 0.4f;  // an entry point is a kernel's port before all else
+    return is_helper_to_main(a, b) ? 0.0f : 0.4f;
 }
 
 float signature_likeness(const UnitFeatures& a, const UnitFeatures& b) {
@@ -127,9 +132,8 @@ Similarity compare_units(const UnitFeatures& a, const UnitFeatures& b) {
         weight += kSignatureWeight + kKindWeight;
     }
     // Helpers and launchers of a kernel resemble its port as well, sometimes more than the kernel itself.
-    constexpr float kNoEntryPoint = 0.12f;
-    const bool helper = (a.whole_file_main || b.whole_file_main) && a.kernel != b.kernel;
-    out.score = std::clamp(score / weight - (helper ? kNoEntryPoint : 0.0f), 0.0f, 1.0f);
+    constexpr float kNoEntryPoint = 0.25f;
+    out.score = std::clamp(score / weight - (is_helper_to_main(a, b) ? kNoEntryPoint : 0.0f), 0.0f, 1.0f);
     return out;
 }
 

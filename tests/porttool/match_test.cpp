@@ -193,6 +193,27 @@ TEST(Match, AMainThatIsAVariantOfTheTargetsOwnIsNoPort) {
                                  {"cuda/operations.cu:k_norm", "glsl/norm.comp:main"}}));
 }
 
+TEST(Match, AMainIsAKernelsPortBeforeAHelpers) {
+    const std::string unpack = "{ y[i] = scale * float(x[i] & 15) - offset; y[i + 1] = scale * float(x[i] >> 4); ";
+    const Matching got =
+        match({{"cuda/convert.cu",
+                "__device__ void dequantize_q4(const uint* x, float* y, int i) " + unpack + "}\n" +
+                    "__global__ void dequantize_block_q4(const uint* x, float* y) { int i = threadIdx.x;\n" +
+                    "  for (int k = 0; k < 4; ++k) " + unpack + "} }\n"}},
+              {{"glsl/dequant_q4.comp", "void main() " + unpack + "uint i = gl_LocalInvocationID.x; }\n"}});
+    EXPECT_EQ(pairs(got), (Pairs{{"cuda/convert.cu:dequantize_block_q4", "glsl/dequant_q4.comp:main"}}));
+}
+
+TEST(Match, WithoutKernelsAMainIsAFunctionsPort) {
+    const Matching got = match({{"cpp/connect.cpp",
+                                 "void connect(int job) { if (!trace_any(job)) add_radiance(job, 0.5f); }\n"
+                                 "void extend(int job) { hits[job] = trace_closest(rays[job], 1e30f); }\n"}},
+                               {{"glsl/connect.comp", "void main() { if (!trace_any(job)) add_radiance(job, 0.5); }\n"},
+                                {"glsl/extend.comp", "void main() { hits[job] = trace_closest(rays[job], 1e30); }\n"}});
+    EXPECT_EQ(pairs(got), (Pairs{{"cpp/connect.cpp:connect", "glsl/connect.comp:main"},
+                                 {"cpp/connect.cpp:extend", "glsl/extend.comp:main"}}));
+}
+
 TEST(Match, OverloadsFindEachOtherByTheirParameters) {
     const Matching got =
         match({{"a/math.h",
