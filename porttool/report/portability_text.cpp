@@ -14,11 +14,11 @@ namespace {
 
 constexpr const char* kTooShort = "too short";
 
-/// One decimal; 100 and 0 only where nothing is missing or there.
-std::string percent(const std::optional<double>& value) {
-    if (!value) return kTooShort;
-    const bool inner = *value > 0 && *value < 100;
-    return fmt::format("{:.1f} %", inner ? std::clamp(*value, 0.1, 99.9) : *value);
+/// One decimal; 100 and 0 only where nothing is missing or there. A side without lines has no share to speak of.
+std::string moss_text(const SideMeasure& measure) {
+    if (!measure.moss_percent) return measure.lines == 0 ? "-" : kTooShort;
+    const double value = *measure.moss_percent;
+    return fmt::format("{:.1f} %", value > 0 && value < 100 ? std::clamp(value, 0.1, 99.9) : value);
 }
 
 /// " ▲ +3" or " ▼ -3"; nothing where nothing changed or nothing is known.
@@ -86,7 +86,7 @@ std::string block_rows(const WholeReport& whole) {
             const SideMeasure& measure = shown.block->measures[side];
             out +=
                 fmt::format(" {}{} | {}{} | {}{} |", measure.lines, arrow(change.lines[side], 0), measure.shared_lines,
-                            arrow(change.shared[side], 0), percent(measure.moss_percent), arrow(change.moss[side], 1));
+                            arrow(change.shared[side], 0), moss_text(measure), arrow(change.moss[side], 1));
         }
         out += fmt::format(" {}{} |\n", figure_text(shown.block->portability), arrow(change.portability, 2));
     }
@@ -168,7 +168,7 @@ std::string portability_table(const WholeReport& whole) {
     for (const Shown& shown : blocks) {
         const SideMeasure &a = shown.block->measures[0], &b = shown.block->measures[1];
         out += fmt::format("{:<{}}  {:>12} {:>7} {:>9}  {:>12} {:>7} {:>9}  {}\n", shown.name, width, a.lines,
-                           a.shared_lines, percent(a.moss_percent), b.lines, b.shared_lines, percent(b.moss_percent),
+                           a.shared_lines, moss_text(a), b.lines, b.shared_lines, moss_text(b),
                            figure_text(shown.block->portability));
         if (!shown.change) continue;
         const BlockChange& c = *shown.change;

@@ -90,6 +90,7 @@ float ${"long".repeat(80)}(float a) { return a * 3.0 + ${"a".repeat(300)}; }
 const hostile = repositoryOf("hostile", { "src/k<!--<script>.cu": hostileSource, "port/k.comp": hostileTarget });
 writeFileSync(join(hostile, "src/k<!--<script>.cu"), Buffer.concat([hostileSource, Buffer.from("__device__ float fresh(float a) { return a / 7.0f; }\n")]));
 const empty = repositoryOf("empty", { "src/a.cu": "// nothing here\n", "port/a.comp": "// nor here\n" });
+const short = repositoryOf("short", { "src/a.cu": "#define A 3\n", "port/a.comp": "#define A 3\n" });
 const giantText = (type) => `${type} float giant(float x) {\n${Array.from({ length: 20000 }, (_, i) => `  x = x * ${i}.0f + ${i % 7}.5f;`).join("\n")}\n  return x;\n}\n`;
 const giant = repositoryOf("giant", { "src/g.cu": giantText("__device__"), "port/g.comp": giantText("") });
 
@@ -258,8 +259,21 @@ test("nothing to show is said, not left blank", async () => {
   assert.match(await tab.textContent("#blocks"), /No functional blocks/);
   assert.match(await tab.textContent("#lines"), /No code on either side/);
   assert.match(await tab.textContent("#ledger"), /Nothing drifted/);
+  assert.equal(await tab.locator("#more").isVisible(), false);
   assert.deepEqual(await overflow(tab), []);
   await tab.close();
+});
+
+test("what is too short is called so, once; a side without code has no percent", async () => {
+  const tab = await open(page(short, "short.html").url);
+  assert.deepEqual(await texts(tab, "td.moss"), ["too short", "too short", "too short", "too short"]);
+  assert.deepEqual(await texts(tab, "#list .like"), ["too short"]);
+  await tab.close();
+  writeFileSync(join(short, "port/a.comp"), "\n");
+  const gone = await open(page(short, "short.html").url);
+  assert.deepEqual(await texts(gone, "td.moss"), ["too short", "–"]);
+  assert.deepEqual(gone.trouble, []);
+  await gone.close();
 });
 
 test("a function of 20,000 lines opens in portions", async () => {

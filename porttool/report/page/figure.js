@@ -15,12 +15,33 @@ function stack(items, side, height, total, gap) {
 
 const HUES = 6;
 
+const MOST_PARTS = 12;
+
+// The parts to draw, in the order of the blocks; where they are many, the smaller ones as one.
+function partsToDraw() {
+  const lines = (item) => item.source_lines + item.target_lines;
+  const items = report.own_blocks.filter((item) => lines(item) > 0);
+  if (items.length <= MOST_PARTS) return items;
+  const large = new Set([...items].sort((a, b) => lines(b) - lines(a)).slice(0, MOST_PARTS - 1));
+  const small = items.filter((item) => !large.has(item));
+  const sum = (field) => small.reduce((total, item) => total + item[field], 0);
+  const rest = { name: null, label: `${number(small.length)} smaller`, href: "#blocks" };
+  for (const field of ["source_lines", "source_shared", "target_lines", "target_shared"]) rest[field] = sum(field);
+  return [...items.filter((item) => large.has(item)), rest];
+}
+
 // A block that holds others shows what is left of it.
 function partName(item) {
-  if (item.name === null) return "in no block";
+  if (item.name === null) return item.label || "in no block";
   const block = blocksByName.get(item.name);
   const whole = block.source_lines + block.target_lines, own = item.source_lines + item.target_lines;
   return own < whole ? `${item.name}, rest` : item.name;
+}
+
+// For places with little room: of SOURCE=TARGET the source file's name.
+function shortPartName(item) {
+  const name = partName(item);
+  return name.length <= 24 ? name : `…${name.split("=")[0].split("/").pop().slice(-22)}`;
 }
 
 function drawCores(items) {
@@ -44,14 +65,14 @@ function drawCores(items) {
       const sharedWidth = column * share;
       const sharedX = toRight ? x + column - sharedWidth : x;
       const novelX = toRight ? x : x + sharedWidth;
-      const href = item.name === null ? listAddress({ block: "-" }) : linesAddress(item.name, side, "");
+      const href = item.href || (item.name === null ? listAddress({ block: "-" }) : linesAddress(item.name, side, ""));
       return s("a", { href, "aria-label": `${name}, ${side}: ${plural(place.lines, "line")}, ${number(place.shared)} shared` },
         s("title", null, `${name}, ${side}: ${plural(place.lines, "line")}, ${number(place.shared)} shared, ${number(place.lines - place.shared)} novel`),
         s("rect", { class: "novel", x: novelX, y: place.top, width: column - sharedWidth, height: place.high }),
         s("rect", { class: "shared", x: sharedX, y: place.top, width: sharedWidth, height: place.high }),
         place.high >= 13 && [
           s("text", { class: "count", x: toRight ? x - 12 : x + column + 12, y: place.top + place.high / 2 + 4,
-                      "text-anchor": toRight ? "end" : "start" }, `${name}  `, s("tspan", { class: "faint" }, number(place.lines)))]);
+                      "text-anchor": toRight ? "end" : "start" }, `${shortPartName(item)}  `, s("tspan", { class: "faint" }, number(place.lines)))]);
     };
     const tie = a.lines && b.lines && (shareA > 0 || shareB > 0) && s("path", { class: "tie", d:
       `M${left + column} ${a.top}C${left + column + middle / 2} ${a.top} ${right - middle / 2} ${b.top} ${right} ${b.top}` +
@@ -94,7 +115,7 @@ function fate(side) {
 }
 
 function showLines() {
-  const items = report.own_blocks.filter((item) => item.source_lines + item.target_lines > 0);
+  const items = partsToDraw();
   put("lines",
     h("h2", { id: "lines-title" }, "Where the lines are"),
     h("p", { class: "about" }, "Both sides by functional block, to one scale. The full colour towards the middle is shared, the pale part is novel. ",

@@ -11,11 +11,6 @@ function tile(label, value, note, href) {
   return href ? h("a", { class: "tile", href }, inside) : h("div", { class: "tile" }, inside);
 }
 
-function portabilityOf(block) {
-  const dp = block.degree_of_portability;
-  return dp === null ? null : dp;
-}
-
 const range = (dp) => (dp.low === dp.high ? "" : `${degree(dp.low)} to ${degree(dp.high)}`);
 
 function showSummary() {
@@ -26,7 +21,7 @@ function showSummary() {
     .filter(([, n]) => n > 0).map(([name, n]) => `${number(n)} ${NAMES[name]}`);
   const unported = openFindings().filter((finding) => finding.rule === "unported").length;
   if (unported > 0) rest.push(`${plural(unported, "new unit")} without a port`);
-  const dp = portabilityOf(totals);
+  const dp = totals.degree_of_portability;
   const since = (side) => (totals.change ? [" ", change(totals.change[side], 0, 0)] : []);
   put("summary",
     h("p", { class: "kicker" }, "Source ", h("code", null, report.sides.source.join(", ")), " and target ",
@@ -40,23 +35,20 @@ function showSummary() {
     h("div", { class: "tiles" },
       tile("Lines, source and target", [number(totals.source_lines), since("source_lines"), h("i", null, " / "),
         number(totals.target_lines), since("target_lines")], "that hold code", "#lines"),
-      tile("Shared, of the target", [percent(totals.moss_percent_target), " ",
+      tile("Shared, of the target", [percent(totals.moss_percent_target, totals.target_lines), " ",
         totals.change && change(totals.change.moss_percent_target, 1, 1)],
-        `Moss %; ${percent(totals.moss_percent_source)} of the source`,
+        totals.moss_percent_target === null ? "needs code on both sides" : `Moss %; ${percent(totals.moss_percent_source)} of the source`,
         linesAddress("", "target", "shared")),
       tile("Degree of portability", [dp ? degree(dp.loc) : "–", " ",
         totals.change && change(totals.change.degree_of_portability, 2, 1)],
-        dp ? [range(dp), range(dp) && ", ", `by ${dp.model}`] : "needs lines on both sides", "#blocks"),
+        dp ? [range(dp), range(dp) && ", ", `by ${dp.model}`] : "needs code on both sides", "#blocks"),
       tile("Open findings", [number(openFindings().length)],
         `${plural(count.deferred, "pair")} deferred, ${number(count.ignored)} ignored`, "#ledger")));
 }
 
 const openFindings = () => report.drift.findings.filter((finding) => finding.status === "open");
 
-function bar(value, label) {
-  if (value === null) return h("span", { class: "short" }, TOO_SHORT);
-  return h("span", { class: "bar", title: label }, h("span", { style: `width:${Math.max(0, Math.min(100, value))}%` }));
-}
+const bar = (value) => h("span", { class: "bar" }, h("span", { style: `width:${Math.max(0, Math.min(100, value))}%` }));
 
 function sideCells(block, side) {
   const delta = block.change || {};
@@ -67,13 +59,13 @@ function sideCells(block, side) {
       change(delta[`${side}_lines`], 0, 0)),
     h("td", { class: "n", "data-label": `${side} shared` }, link("shared", number(block[`shared_${side}`]), "shared lines"),
       change(delta[`shared_${side}`], 0, 0)),
-    h("td", { class: "n moss", "data-label": `${side} Moss` }, h("span", { class: "figure" }, percent(block[`moss_percent_${side}`])),
-      change(delta[`moss_percent_${side}`], 1, 1), bar(block[`moss_percent_${side}`])),
+    h("td", { class: "n moss", "data-label": `${side} Moss` }, h("span", { class: "figure" }, percent(block[`moss_percent_${side}`], block[`${side}_lines`])),
+      change(delta[`moss_percent_${side}`], 1, 1), block[`moss_percent_${side}`] !== null && bar(block[`moss_percent_${side}`])),
   ];
 }
 
 function blockRow(block) {
-  const dp = portabilityOf(block);
+  const dp = block.degree_of_portability;
   return h("tr", { class: block.isTotal ? "total" : null, "data-block": block.name },
     h("th", { scope: "row" }, block.isTotal ? block.name : h("a", { href: listAddress({ block: block.name }) }, block.name)),
     sideCells(block, "source"), sideCells(block, "target"),
@@ -86,7 +78,7 @@ function showBlocks() {
   const total = { ...report.totals, name: "All lines", isTotal: true };
   const group = (text, span) => h("th", { colspan: span, scope: "colgroup" }, text);
   const head = (...names) => names.map((name) => h("th", { scope: "col", class: "n" }, name));
-  const dp = report.blocks.map(portabilityOf).find(Boolean) || portabilityOf(total);
+  const dp = [...report.blocks, total].map((block) => block.degree_of_portability).find(Boolean);
   put("blocks",
     h("h2", { id: "blocks-title" }, "Blocks"),
     h("p", { class: "about" }, report.blocks.length === 0

@@ -5,6 +5,7 @@ const RAMP = {
   dark: ["#c97a35", "#8f6a41", "#4d5150", "#2f7a78", "#3da5a2"],
 };
 
+const MOST_TILES = 1200;
 let printing = false;
 
 // A colour between two, and whether dark text reads better on it than white (relative luminance as WCAG defines it).
@@ -78,9 +79,9 @@ function tileOf(place) {
 function drawMap() {
   const holder = byId("treemap");
   const width = Math.max(280, Math.floor(holder.clientWidth));
-  const height = width < 600 ? Math.round(width * 1.25) : Math.round(Math.min(560, width * 0.5));
-  const most = 1200;
-  const rows = report.units.filter((row) => rowLines(row) > 0).sort((a, b) => rowLines(b) - rowLines(a)).slice(0, most);
+  const tallest = width < 600 ? width * 1.25 : Math.min(560, width * 0.5);
+  const height = Math.round(Math.min(tallest, 60 + 24 * report.units.length));
+  const rows = report.units.filter((row) => rowLines(row) > 0).sort((a, b) => rowLines(b) - rowLines(a)).slice(0, MOST_TILES);
   const groups = new Map();
   for (const row of rows) {
     const name = row.block || "";
@@ -133,7 +134,8 @@ function moveInMap(event) {
 function showMap() {
   put("map",
     h("h2", { id: "map-title" }, "Unit by unit"),
-    h("p", { class: "about" }, "Each tile is a pair or a unit without counterpart, as large as it has lines on both sides. Open one to see both texts."),
+    h("p", { class: "about" }, "Each tile is a pair or a unit without counterpart, as large as it has lines on both sides. Open one to see both texts.",
+      report.units.length > MOST_TILES && ` Drawn are the ${number(MOST_TILES)} largest of ${number(report.units.length)}.`),
     report.units.length === 0 ? h("p", { class: "empty" }, "No units on either side.") : [
       h("div", { id: "treemap" }),
       h("p", { class: "scale" }, h("span", null, "0 %", h("span", { class: "ramp", id: "ramp" }), "100 % alike"),

@@ -33,7 +33,7 @@ function unitItem(row) {
   const sides = [row.source, row.target].filter(Boolean);
   return h("li", null, h("a", { class: "unit", href: unitAddress(row), "data-key": row.key },
     h("span", null, h("span", { class: "name" }, rowName(row)), h("span", { class: "files" }, sides.map(where).join("  →  "))),
-    h("span", { class: "size" }, sides.map((side) => number(side.lines)).join(" → "), " lines"),
+    h("span", { class: "size" }, sides.map((side) => number(side.lines)).join(" → "), rowLines(row) === 1 ? " line" : " lines"),
     likenessCell(row),
     h("span", { class: "tags" }, tag(row.share), row.state && row.state !== "in_step" && tag(row.state))));
 }

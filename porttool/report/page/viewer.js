@@ -132,7 +132,7 @@ function unitHead(row) {
       : `Moss ${percent(row.moss_percent_source)} of the source, ${percent(row.moss_percent_target)} of the target`);
     if (value !== null) facts.push(`names folded ${percent(row.moss_percent_blind_target)}, as written ${percent(row.moss_percent_raw_target)} of the target`);
   }
-  facts.push(`${[row.source, row.target].filter(Boolean).map((side) => number(side.lines)).join(" and ")} lines of code`);
+  facts.push(`${[row.source, row.target].filter(Boolean).map((side) => number(side.lines)).join(" and ")} ${rowLines(row) === 1 ? "line" : "lines"} of code`);
   if (row.block) facts.push(row.block);
   const step = (name, by, key) => {
     const to = neighbour(row, by);
@@ -174,7 +174,7 @@ function openCode(values) {
   const lines = block[`${side}_lines`], shared = block[`shared_${side}`];
   openViewer(h("div", { class: "viewer-head" },
     h("div", { class: "line" }, h("h2", { id: "viewer-title" }, `${values.block || "All lines"}, ${side}`), headButtons()),
-    h("p", { class: "facts" }, `${plural(lines, "line")} of code, ${number(shared)} shared, ${number(lines - shared)} novel · Moss ${percent(block[`moss_percent_${side}`])}`),
+    h("p", { class: "facts" }, `${plural(lines, "line")} of code, ${number(shared)} shared, ${number(lines - shared)} novel · Moss ${percent(block[`moss_percent_${side}`], lines)}`),
     h("div", { class: "line" }, tab("", "All"), tab("shared", "Shared"), tab("novel", "Novel"))),
     codeBody(block.lines[side], side, values.only));
   return true;
