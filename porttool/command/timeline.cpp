@@ -58,7 +58,7 @@ public:
         update_files(touched);
         if (new_map || files_came_or_went) figures_.plan(file_pairs());
         figures_.touch(touched);
-        update_drift(new_map || new_lock, touched, commit.time);
+        update_drift(new_map, touched, commit.time);
         return true;
     }
 
@@ -114,13 +114,28 @@ private:
         return true;
     }
 
+    /// Reads the commit's lock if it is another than before; true if it is. Collects the pairs of which it says
+    /// something else.
     bool read_lock_now() {
+        relocked_.clear();
         const std::string blob = blob_at("portmap.lock");
         if (blob == lock_blob_) return false;
         lock_blob_ = blob;
-        lock_ = blob.empty() ? LockFile() : read_lock(read_blob(past_, "portmap.lock", blob)).lock;
-        locked_.clear();
-        for (const LockedPair& pair : lock_.pairs) locked_[{pair.source, pair.target}] = &pair;
+        const LockFile before =
+            std::exchange(lock_, blob.empty() ? LockFile() : read_lock(read_blob(past_, "portmap.lock", blob)).lock);
+        std::map<PairId, const LockedPair*> gone = std::exchange(locked_, {});
+        for (const LockedPair& pair : lock_.pairs) {
+            const PairId id{pair.source, pair.target};
+            locked_[id] = &pair;
+            const auto old = gone.find(id);
+            if (old == gone.end() || old->second->source_prints != pair.source_prints ||
+                old->second->target_prints != pair.target_prints)
+                relocked_.insert(id);
+            if (old != gone.end()) gone.erase(old);
+        }
+        for (const auto& [id, pair] : gone) relocked_.insert(id);
+        for (const LockFile* lock : {&before, &std::as_const(lock_)})
+            for (const LedgerEntry& entry : lock->ledger) relocked_.insert({entry.source, entry.target});
         return true;
     }
 
@@ -180,12 +195,10 @@ private:
     }
 
     void update_drift(bool all, const Paths& touched, int64_t time) {
-        if (all) {
-            for (const PairPlan& pair : pairs_) update_pair(pair.id, time);
-            return;
-        }
         for (const PairPlan& pair : pairs_)
-            if (touched.contains(pair.source_path) || touched.contains(pair.target_path)) update_pair(pair.id, time);
+            if (all || touched.contains(pair.source_path) || touched.contains(pair.target_path) ||
+                relocked_.contains(pair.id))
+                update_pair(pair.id, time);
     }
 
     void update_pair(const PairId& id, int64_t time) {
@@ -216,6 +229,7 @@ private:
     std::array<SideGlobs, 2> globs_ = {SideGlobs({}), SideGlobs({})};
     LockFile lock_;
     std::map<PairId, const LockedPair*> locked_;
+    std::set<PairId> relocked_;  ///< by this commit
     SideFiles files_;
     BlockFigures figures_{blobs_, map_, files_};
     std::vector<PairPlan> pairs_;

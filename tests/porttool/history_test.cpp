@@ -189,7 +189,7 @@ TEST_F(History, AMapThatWasOnceBrokenIsPassedOver) {
     commit("Mended", 3);
     const CommandRun got = porttool({"history", "--format", "json"});
     EXPECT_EQ(got.exit_code, 0);
-    EXPECT_NE(got.err.find("did you mean 'pair'"), std::string::npos) << got.err;
+    EXPECT_NE(got.err.find("unknown key 'pear'"), std::string::npos) << got.err;
     EXPECT_EQ(nlohmann::json::parse(got.out)["commits"].back()["drift"]["open_pairs"], 1);
 }
 
