@@ -27,11 +27,14 @@ size_t distance(std::string_view a, std::string_view b) {
 }  // namespace
 
 std::optional<std::string> suggest(std::string_view word, std::span<const std::string> candidates) {
-    constexpr size_t LONGEST = 100;  // nobody mistypes a longer one, and the table grows with the square
+    constexpr size_t LONGEST = 256;  // an id with its path; nobody mistypes a longer one, and the table grows with it
     if (word.size() > LONGEST) return std::nullopt;
     std::optional<std::string> best;
-    size_t least = std::max<size_t>(1, word.size() / 3) + 1;
+    constexpr size_t SHORT = 4;  // below, two changes make any word of another
+    size_t least = std::max<size_t>(word.size() < SHORT ? 1 : 2, word.size() / 3) + 1;
     for (const std::string& candidate : candidates) {
+        // each letter of difference in length is a change by itself
+        if (candidate.size() >= word.size() + least || word.size() >= candidate.size() + least) continue;
         const size_t changes = distance(word, candidate);
         if (changes >= least) continue;
         least = changes;

@@ -41,6 +41,7 @@ std::vector<const JudgedPair*> pairs_of(const CheckedProject& checked, const std
         names.push_back(pair.map_target);
     }
     for (const Finding& finding : checked.judgement.findings) names.push_back(finding.fingerprint);
+    names.insert(names.end(), rule_names().begin(), rule_names().end());
     std::string near = nearest(id, names);
     if (near.empty())
         for (const std::string& name : names)

@@ -89,7 +89,7 @@ ReadLock read_lock(const std::string& text) {
         if (!read_line(out.lock, split(line)))
             return {{},
                     where + "cannot be read: '" + line.substr(0, 60) +
-                        "'\nRestore the line from git, or renew the lock with: porttool accept --all --force"};
+                        "'\nRestore the line from git, or renew the lock with: porttool init --force"};
     }
     if (text.empty())
         return {{}, "portmap.lock is empty\nRestore it from git, or renew it with: porttool init --force"};
