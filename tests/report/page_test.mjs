@@ -68,6 +68,36 @@ const keys = (tab) => tab.$$eval("#list .unit", (nodes) => nodes.map((node) => n
 // Wider than its place: the page, or what scrolls within it.
 const overflow = (tab) => tab.evaluate(() => [document.documentElement, ...document.querySelectorAll("dialog[open], dialog[open] .viewer-body")]
   .filter((node) => node.scrollWidth > node.clientWidth).map((node) => `${node.className || node.tagName}: ${node.scrollWidth} in ${node.clientWidth}`));
+
+// Texts whose contrast with what lies behind them is below 4.5 : 1, as WCAG 2 defines it.
+const faintTexts = (tab) => tab.evaluate(() => {
+  const canvas = document.createElement("canvas").getContext("2d", { willReadFrequently: true });
+  const luminance = (color) => {
+    canvas.fillStyle = color;
+    canvas.fillRect(0, 0, 1, 1);
+    const [r, g, b] = [...canvas.getImageData(0, 0, 1, 1).data].map((c) => (c / 255 <= 0.04045 ? c / 255 / 12.92 : ((c / 255 + 0.055) / 1.055) ** 2.4));
+    return 0.2126 * r + 0.7152 * g + 0.0722 * b;
+  };
+  const ground = (node) => {
+    for (; node; node = node.parentElement) {
+      const color = getComputedStyle(node).backgroundColor;
+      if (!/^rgba\(.*, 0(\.[0-8]\d*)?\)$/.test(color)) return color;
+    }
+    return "white";
+  };
+  const faint = new Set();
+  for (const node of document.body.querySelectorAll("*")) {
+    const isText = [...node.childNodes].some((child) => child.nodeType === Node.TEXT_NODE && child.textContent.trim());
+    if (!isText || node.getClientRects().length === 0 || node.closest("script, option")) continue;
+    const picture = node.closest("svg"), tile = node.closest("[data-key]");
+    const front = luminance(picture ? getComputedStyle(node).fill : getComputedStyle(node).color);
+    const back = luminance(picture && tile ? getComputedStyle(tile.querySelector("rect")).fill : ground(picture || node));
+    const ratio = (Math.max(front, back) + 0.05) / (Math.min(front, back) + 0.05);
+    if (ratio < 4.5) faint.add(`${node.tagName} '${node.textContent.slice(0, 20)}' ${ratio.toFixed(2)}`);
+  }
+  return [...faint];
+});
+
 const tests = [];
 const test = (name, run) => tests.push({ name, run });
 
@@ -103,12 +133,13 @@ test("the page is one file below 2 MB that names no other", async () => {
   assert.doesNotMatch(shell, /(?:src|href)="(?!#|data:)|url\(|@import|https?:\/\/(?!www\.w3\.org\/2000\/svg)/);
 });
 
-test("it loads without an error or a request, at both widths and in both themes, and nothing overflows", async () => {
+test("it loads without an error or a request, at both widths and in both themes; nothing overflows or is faint", async () => {
   const grounds = new Set();
   for (const width of [1280, 390]) {
     for (const colorScheme of ["light", "dark"]) {
       const tab = await open(own.url, { width, colorScheme });
       assert.deepEqual(await overflow(tab), []);
+      if (width === 1280) assert.deepEqual(await faintTexts(tab), []);
       grounds.add(await tab.evaluate(() => getComputedStyle(document.body).backgroundColor));
       assert.deepEqual(tab.trouble, []);
       await tab.close();

@@ -1,7 +1,7 @@
 // Every pair and unit as a tile: as large as it has lines, in the colour of its likeness, grouped by block.
 
 const RAMP = {
-  light: ["#c2691c", "#d99a55", "#e3d3ae", "#8cbcb3", "#12767a"],
+  light: ["#cf7a2c", "#dfa463", "#e3d3ae", "#8cbcb3", "#12767a"],
   dark: ["#c97a35", "#8f6a41", "#4d5150", "#2f7a78", "#3da5a2"],
 };
 
