@@ -21,7 +21,13 @@ struct Side {
     Side(std::span<const uint32_t> text, const WinnowingParameters& parameters)
         : symbols(text), hashes(kgram_hashes(text, parameters)) {
         std::vector<std::pair<uint64_t, uint32_t>> prints;
-        for (const uint32_t place : winnow(hashes, parameters.w)) prints.emplace_back(hashes[place], place);
+        for (size_t first = 0; first < text.size();) {
+            const auto end = static_cast<size_t>(std::find_if(text.begin() + static_cast<ptrdiff_t>(first), text.end(),
+                                                              [](uint32_t s) { return s >= FIRST_SEPARATOR; }) -
+                                                 text.begin());
+            if (end - first >= parameters.k) add_prints(first, end - first + 1 - parameters.k, parameters.w, prints);
+            first = end + 1;
+        }
         std::sort(prints.begin(), prints.end());
         by_hash.reserve(prints.size());
         for (const auto& [hash, place] : prints) by_hash.push_back(place);
@@ -30,6 +36,13 @@ struct Side {
     std::span<const uint32_t> symbols;
     std::vector<uint64_t> hashes;
     std::vector<uint32_t> by_hash;
+
+private:
+    /// Winnows the hashes of one run.
+    void add_prints(size_t first, size_t count, uint32_t w, std::vector<std::pair<uint64_t, uint32_t>>& prints) const {
+        for (const uint32_t place : winnow(std::span(hashes).subspan(first, count), w))
+            prints.emplace_back(hashes[first + place], static_cast<uint32_t>(first + place));
+    }
 };
 
 /// The fingerprints of either side that have one hash: ranges of Side::by_hash.

@@ -9,6 +9,9 @@
 
 namespace metrics {
 
+/// Symbols from here on are separators: no run goes across one, and none may occur twice, on either side.
+inline constexpr uint32_t FIRST_SEPARATOR = 0x80000000u;
+
 /// k: the shortest run that can be found, in symbols. w: hashes in a window; each window yields one fingerprint.
 struct WinnowingParameters {
     uint32_t k = 12;

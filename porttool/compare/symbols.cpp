@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <array>
-#include <string>
 
+#include "metrics/code/winnowing.h"
 #include "porttool/compare/normal_form.h"
 
 namespace porttool {
 namespace {
+
+constexpr uint32_t kAnyName = 0;
 
 /// Words that structure a text in every dialect and are nobody's name.
 bool is_keyword(std::string_view word) {
@@ -29,8 +31,8 @@ std::vector<PlacedToken> SymbolTable::place(const Passage& passage) {
     std::vector<PlacedToken> out;
     for (uint32_t at = 0; at < passage.size(); ++at) {
         const LexedText& lexed = passage[at].file->lexed;
+        bool first = true;
         for (const std::vector<uint32_t>& run : code_runs(passage[at])) {
-            bool first = true;
             for (const uint32_t index : run) {
                 const Token& token = lexed.tokens[index];
                 out.push_back({at, token.line, word(lexed.view(token), token.kind), first});
@@ -46,7 +48,7 @@ SymbolSequence SymbolTable::sequence(const std::vector<PlacedToken>& tokens, Voc
     SymbolSequence out;
     out.symbols.reserve(tokens.size());
     out.tokens.reserve(tokens.size());
-    uint32_t separator = kNothing - 1 - side, run = 0;
+    uint32_t separator = kNothing - 1 - side, run = 0;  // far above metrics::FIRST_SEPARATOR
     auto add = [&](uint32_t symbol, uint32_t token) {
         out.symbols.push_back(symbol);
         out.tokens.push_back(token);
@@ -62,7 +64,7 @@ SymbolSequence SymbolTable::sequence(const std::vector<PlacedToken>& tokens, Voc
         }
         const Word& word = words_[tokens[i].word];
         if (vocabulary == Vocabulary::Raw) {
-            add(tokens[i].word, i);
+            add(word.raw, i);
             continue;
         }
         if (word.scope) continue;  // scopes come and go: a::b is b
@@ -75,22 +77,27 @@ SymbolSequence SymbolTable::sequence(const std::vector<PlacedToken>& tokens, Voc
 }
 
 uint32_t SymbolTable::number(std::string_view text) {
-    return common_.try_emplace(std::string(text), static_cast<uint32_t>(common_.size()) + 1).first->second;
+    const auto [place, fresh] = numbers_.try_emplace(std::string(text), 0);
+    if (!fresh) return place->second;
+    constexpr uint32_t kLargest = metrics::FIRST_SEPARATOR - 1;
+    uint32_t number = static_cast<uint32_t>(hash_text(text)) & kLargest;
+    while (number == kAnyName || !taken_.insert(number).second) number = (number + 1) & kLargest;
+    return place->second = number;
 }
 
 uint32_t SymbolTable::word(std::string_view text, TokenKind kind) {
-    const auto [place, fresh] = numbers_.try_emplace(text, static_cast<uint32_t>(words_.size()));
+    const auto [place, fresh] = known_.try_emplace(text, static_cast<uint32_t>(words_.size()));
     if (!fresh) return place->second;
     Word word;
     word.name = kind == TokenKind::Identifier;
     word.scope = text == "::";
+    word.raw = number(text);
     const std::string* known = dialect_.find(text);
     if (known != nullptr)
         word.dialect = known->empty() ? kNothing : number(*known);
     else
-        word.dialect = number(kind == TokenKind::Number ? number_value(text) : text);
+        word.dialect = kind == TokenKind::Number ? number(number_value(text)) : word.raw;
     const bool folds = word.name && known == nullptr && !is_keyword(text);
-    constexpr uint32_t kAnyName = 0;
     word.blind = folds ? kAnyName : word.dialect;
     words_.push_back(word);
     return place->second;

@@ -3,8 +3,10 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <string_view>
 #include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 #include "porttool/compare/code_lines.h"
@@ -22,7 +24,7 @@ struct PlacedToken {
     uint32_t excerpt = 0;
     uint32_t line = 0;
     uint32_t word = 0;
-    bool starts_run = false;  ///< the first of a file, or behind a hole: nothing matches across
+    bool starts_run = false;  ///< the first of an excerpt: nothing matches across
 };
 
 inline constexpr uint32_t kNoToken = 0xFFFFFFFFu;
@@ -35,19 +37,21 @@ struct SymbolSequence {
     uint32_t longest_run = 0;
 };
 
-/// Numbers the words of two passages alike. The texts must outlive it.
+/// Numbers the words of two passages alike. A number is made of the word and not of the order in which words come, so
+/// that figures do not depend on which side is read first. The texts must outlive it.
 class SymbolTable {
 public:
     explicit SymbolTable(const Dialect& dialect) : dialect_(dialect) {}
 
     std::vector<PlacedToken> place(const Passage& passage);
 
-    /// The sequence in one vocabulary. Between runs stands a separator that occurs nowhere else; `side` (0 or 1) keeps
-    /// those of the two passages apart.
+    /// The sequence in one vocabulary. Between excerpts stands a separator that occurs nowhere else; `side` (0 or 1)
+    /// keeps those of the two passages apart.
     SymbolSequence sequence(const std::vector<PlacedToken>& tokens, Vocabulary vocabulary, uint32_t side) const;
 
 private:
     struct Word {
+        uint32_t raw = 0;
         uint32_t dialect = 0;  ///< kNothing: dropped
         uint32_t blind = 0;
         bool name = false;
@@ -59,8 +63,9 @@ private:
     uint32_t word(std::string_view text, TokenKind kind);
 
     const Dialect& dialect_;
-    std::unordered_map<std::string_view, uint32_t> numbers_;  ///< words as written
-    std::unordered_map<std::string, uint32_t> common_;        ///< words of the common vocabulary
+    std::unordered_map<std::string_view, uint32_t> known_;  ///< words as written, as indices into words_
+    std::unordered_map<std::string, uint32_t> numbers_;     ///< of words as written and of common ones
+    std::unordered_set<uint32_t> taken_;                    ///< the numbers in use
     std::vector<Word> words_;
 };
 

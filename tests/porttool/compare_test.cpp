@@ -237,6 +237,33 @@ TEST(Compare, MembersAreNotPartOfTheirClass) {
     ASSERT_NE(unit, file.units.end());
     EXPECT_EQ(code_lines({&file, &*unit}), (std::vector<uint32_t>{1, 2, 13}));
     EXPECT_EQ(code_runs({&file, &*unit}).size(), 2u);
+    const std::string small =
+        "struct Pair {\n    float first_of_two, second_of_two;\n    float sum() const { return 1; }\n"
+        "    float third, fourth, fifth, sixth, seventh;\n};\n";
+    const ScannedFile pair = scan_text("p.h", small);
+    const Passage rest = {{&pair, &pair.units.front()}};
+    EXPECT_EQ(*measure(rest, rest, Dialect()).a.moss_percent, 100) << "what is left of a class is one piece";
+}
+
+TEST(Compare, ExchangingTheSidesExchangesTheFigures) {
+    // Figures must not depend on which side's words are numbered first, nor on where files begin.
+    const std::filesystem::path folder = std::filesystem::path(REPOSITORY) / "porttool" / "scan";
+    std::vector<ScannedFile> files;
+    for (const char* name : {"head.cpp", "units.cpp", "constants.cpp", "branches.cpp"})
+        files.push_back(scan_text(name, read_text(folder / name)));
+    const Passage a = {{&files[0], nullptr}, {&files[1], nullptr}}, b = {{&files[2], nullptr}, {&files[3], nullptr}};
+    const Similarity there = measure(a, b, Dialect()), back = measure(b, a, Dialect());
+    EXPECT_GT(*there.a.moss_percent_blind, 0);
+    EXPECT_LT(*there.a.moss_percent_blind, 60);
+    for (const auto& [x, y] : {std::pair(there.a, back.b), {there.b, back.a}}) {
+        EXPECT_EQ(x.moss_percent, y.moss_percent);
+        EXPECT_EQ(x.moss_percent_blind, y.moss_percent_blind);
+        EXPECT_EQ(x.moss_percent_raw, y.moss_percent_raw);
+        EXPECT_EQ(x.shared_lines, y.shared_lines);
+    }
+    EXPECT_EQ(there.token_edit, back.token_edit);
+    EXPECT_EQ(there.tree_distance, back.tree_distance);
+    EXPECT_EQ(there.line_divergence, back.line_divergence);
 }
 
 TEST(Compare, TheTreeSeesBlocksAndNotTheirLayout) {
