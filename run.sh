@@ -15,13 +15,9 @@ cmake --build --preset release --target pathtracer porttool
 echo "Rendering scenes/still_life on the source core (Vulkan) and on the target core (Embree)"
 build/release/bin/pathtracer compare still_life --size 640x360 --spp "$samples" --progress -o out
 
+echo "Port drift of the project's own kernels:"
 drift=0
-if [ -f portmap.toml ]; then
-    echo "Port drift of the project's own kernels:"
-    build/release/bin/porttool check || drift=$?
-else
-    echo "port-drift check: left out until portmap.toml pairs the kernels"
-fi
+build/release/bin/porttool check || drift=$?
 build/release/bin/porttool report --format html -o out/portability.html
 
 echo "Written:"
