@@ -87,11 +87,12 @@ struct Packet16 {
 }  // namespace
 
 template <class Packet>
-void RayLog::trace_packets(RTCScene scene, const LoggedRay* rays, size_t count, bool shadow) {
+void RayLog::trace_packets(RTCScene scene, const LoggedRay* rays, size_t count, Kind kind) {
+    bool shadow = kind == Kind::shadow;
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
     // Not for shadow rays: Embree 3.13.5 (AVX-512) never returned from one coherent packet of the built-in scene.
-    if (!shadow) context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    if (kind == Kind::primary) context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
     for (size_t first = 0; first < count; first += Packet::WIDTH) {
         alignas(64) int valid[Packet::WIDTH] = {};
         alignas(64) typename Packet::RayHit packet{};
@@ -117,30 +118,36 @@ void RayLog::trace_packets(RTCScene scene, const LoggedRay* rays, size_t count, 
     }
 }
 
-double RayLog::replay(RTCDevice device, RTCScene scene) const {
+template <class Trace>
+double RayLog::time_of(const std::vector<LoggedRay> Rays::*kind, const Trace& trace) const {
     constexpr size_t CHUNK = 1024;
-    bool wide = rtcGetDeviceProperty(device, RTC_DEVICE_PROPERTY_NATIVE_RAY16_SUPPORTED) != 0;
-    auto packets = [&](const LoggedRay* rays, size_t count, bool shadow) {
-        if (wide) {
-            trace_packets<Packet16>(scene, rays, count, shadow);
-        } else {
-            trace_packets<Packet8>(scene, rays, count, shadow);
-        }
-    };
-    auto in_chunks = [&](const std::vector<LoggedRay>& rays, auto&& trace) {
+    auto start = std::chrono::steady_clock::now();
+    for (const Rays& thread : rays_) {
+        const std::vector<LoggedRay>& rays = thread.*kind;
         for_each_tile(static_cast<uint>((rays.size() + CHUNK - 1) / CHUNK), [&](uint chunk) {
             bound = {};
             size_t first = chunk * CHUNK;
             trace(rays.data() + first, std::min(CHUNK, rays.size() - first));
         });
-    };
-    auto start = std::chrono::steady_clock::now();
-    for (const Rays& rays : rays_) {
-        in_chunks(rays.primary, [&](const LoggedRay* r, size_t n) { packets(r, n, false); });
-        in_chunks(rays.extension, [&](const LoggedRay* r, size_t n) { trace_single(scene, r, n); });
-        in_chunks(rays.shadow, [&](const LoggedRay* r, size_t n) { packets(r, n, true); });
     }
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+double RayLog::replay(RTCDevice device, RTCScene scene) const {
+    bool wide = rtcGetDeviceProperty(device, RTC_DEVICE_PROPERTY_NATIVE_RAY16_SUPPORTED) != 0;
+    auto fastest = [&](const std::vector<LoggedRay> Rays::*rays, Kind kind) {
+        double best = time_of(rays, [&](const LoggedRay* r, size_t n) { trace_packets<Packet8>(scene, r, n, kind); });
+        if (wide) {
+            auto by_16 = [&](const LoggedRay* r, size_t n) { trace_packets<Packet16>(scene, r, n, kind); };
+            best = std::min(best, time_of(rays, by_16));
+        }
+        if (kind == Kind::extension) {
+            best = std::min(best, time_of(rays, [&](const LoggedRay* r, size_t n) { trace_single(scene, r, n); }));
+        }
+        return best;
+    };
+    return fastest(&Rays::primary, Kind::primary) + fastest(&Rays::extension, Kind::extension) +
+           fastest(&Rays::shadow, Kind::shadow);
 }
 
 }  // namespace target_core

@@ -19,11 +19,13 @@ public:
 
     uint64_t count() const;
 
-    /// Traces all rays again with the best call for each kind (packets of 16 or 8 for primary and shadow rays, single
-    /// rays for the rest) and nothing else, on the current task arena. Wall time in milliseconds.
+    /// Traces all rays again and does nothing else, on the current task arena: each kind by packets of 8, by packets of
+    /// 16 where the CPU has them, extension rays one by one as well. Wall time of the fastest call for each kind, in
+    /// milliseconds.
     double replay(RTCDevice device, RTCScene scene) const;
 
 private:
+    enum class Kind : uint8_t { primary, extension, shadow };
     struct LoggedRay {
         float origin[3];
         float direction[3];
@@ -37,7 +39,10 @@ private:
     static LoggedRay logged(const vec4& origin, const vec4& direction, float t_max);
     static void trace_single(RTCScene scene, const LoggedRay* rays, size_t count);
     template <class Packet>
-    static void trace_packets(RTCScene scene, const LoggedRay* rays, size_t count, bool shadow);
+    static void trace_packets(RTCScene scene, const LoggedRay* rays, size_t count, Kind kind);
+    /// Wall time of trace(rays, count) over all rays of one kind, in chunks, in milliseconds.
+    template <class Trace>
+    double time_of(const std::vector<LoggedRay> Rays::*kind, const Trace& trace) const;
 
     tbb::enumerable_thread_specific<Rays> rays_;
 };

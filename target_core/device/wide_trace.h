@@ -67,49 +67,70 @@ inline void trace_packet(const int* valid, RTCIntersectContext* context, RTCRay1
     rtcOccluded16(valid, bound.scene, context, rays);
 }
 
-template <class Lanes>
-inline void put_lanes(void* memory, Lanes lanes) {
-    __builtin_memcpy(memory, &lanes, sizeof(lanes));
+// A packet's row is the lanes from `first` on.
+template <class Word, size_t WIDTH, class Lanes>
+inline void put_lanes(Word (&row)[WIDTH], const Lanes& lanes, uint first) {
+    __builtin_memcpy(row, reinterpret_cast<const char*>(&lanes) + first * sizeof(Word), sizeof(row));
+}
+template <class Word, size_t WIDTH, class Lanes>
+inline void take_lanes(const Word (&row)[WIDTH], Lanes& lanes, uint first) {
+    __builtin_memcpy(reinterpret_cast<char*>(&lanes) + first * sizeof(Word), row, sizeof(row));
 }
 
-template <class Lanes>
-inline Lanes take_lanes(const void* memory) {
-    Lanes lanes;
-    __builtin_memcpy(&lanes, memory, sizeof(lanes));
-    return lanes;
+template <class Packet>
+inline void fill_packet(Packet& packet, const Ray& ray, const Float& t_max, uint first) {
+    put_lanes(packet.org_x, ray.origin.x.v, first);
+    put_lanes(packet.org_y, ray.origin.y.v, first);
+    put_lanes(packet.org_z, ray.origin.z.v, first);
+    put_lanes(packet.tnear, FloatLanes{}, first);
+    put_lanes(packet.dir_x, ray.direction.x.v, first);
+    put_lanes(packet.dir_y, ray.direction.y.v, first);
+    put_lanes(packet.dir_z, ray.direction.z.v, first);
+    put_lanes(packet.time, FloatLanes{}, first);
+    put_lanes(packet.tfar, t_max.v, first);
+    put_lanes(packet.mask, ~UintLanes{}, first);
+    put_lanes(packet.id, lane_numbers().v, first);
+    put_lanes(packet.flags, UintLanes{}, first);
 }
 
-inline void fill_packet(RayPacket& packet, const Ray& ray, Float t_max) {
-    put_lanes(packet.org_x, ray.origin.x.v);
-    put_lanes(packet.org_y, ray.origin.y.v);
-    put_lanes(packet.org_z, ray.origin.z.v);
-    put_lanes(packet.tnear, FloatLanes{});
-    put_lanes(packet.dir_x, ray.direction.x.v);
-    put_lanes(packet.dir_y, ray.direction.y.v);
-    put_lanes(packet.dir_z, ray.direction.z.v);
-    put_lanes(packet.time, FloatLanes{});
-    put_lanes(packet.tfar, t_max.v);
-    put_lanes(packet.mask, ~UintLanes{});
-    put_lanes(packet.id, lane_numbers().v);
-    put_lanes(packet.flags, UintLanes{});
+// What Embree says a packet met.
+struct Found {
+    UintLanes geometry;
+    UintLanes placed;
+    UintLanes primitive;
+};
+
+template <class Packet>
+inline void find_closest(const Ray& ray, const int* valid, RTCIntersectContext* context, uint first, Found& found) {
+    Packet packet;
+    fill_packet(packet.ray, ray, std::numeric_limits<float>::infinity(), first);
+    put_lanes(packet.hit.geomID, ~UintLanes{}, first);
+    put_lanes(packet.hit.instID[0], ~UintLanes{}, first);
+    trace_packet(valid + first, context, &packet);
+    take_lanes(packet.hit.geomID, found.geometry, first);
+    take_lanes(packet.hit.instID[0], found.placed, first);
+    take_lanes(packet.hit.primID, found.primitive, first);
 }
 
 inline Hit trace_closest(const Ray& ray, const Uint& key) {
     TraceContext context(ray, key);
-    // Camera rays share an origin; Embree walks such packets as one.
-    if (pass.segment == 1u) context.embree.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-    HitPacket found;
-    fill_packet(found.ray, ray, std::numeric_limits<float>::infinity());
-    put_lanes(found.hit.geomID, ~UintLanes{});
-    put_lanes(found.hit.instID[0], ~UintLanes{});
     alignas(64) IntLanes valid = mask_words(mask_of_bits(active_lanes));
-    trace_packet(reinterpret_cast<const int*>(&valid), &context.embree, &found);
-    Uint geometry(take_lanes<UintLanes>(found.hit.geomID));
-    Uint placed(take_lanes<UintLanes>(found.hit.instID[0]));
-    Mask met = geometry != RTC_INVALID_GEOMETRY_ID;
+    const int* lanes = reinterpret_cast<const int*>(&valid);
+    Found found;
+    if (pass.segment == 1u) {
+        // Camera rays share an origin; Embree walks such packets as one.
+        context.embree.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+        find_closest<HitPacket>(ray, lanes, &context.embree, 0, found);
+    } else {
+        // Rays that go everywhere are faster by 8 than by 16, by a tenth.
+        for (uint first = 0; first < LANES; first += 8) {
+            find_closest<RTCRayHit8>(ray, lanes, &context.embree, first, found);
+        }
+    }
+    Mask met = Uint(found.geometry) != RTC_INVALID_GEOMETRY_ID;
     Hit hit;
-    hit.instance = select(placed != RTC_INVALID_GEOMETRY_ID, placed, geometry);
-    hit.triangle = select(met, Uint(take_lanes<UintLanes>(found.hit.primID)), Uint(0u));
+    hit.instance = select(Uint(found.placed) != RTC_INVALID_GEOMETRY_ID, Uint(found.placed), Uint(found.geometry));
+    hit.triangle = select(met, Uint(found.primitive), Uint(0u));
     hit.t = 0.0f;
     hit.u = 0.0f;
     hit.v = 0.0f;
@@ -124,13 +145,15 @@ inline Hit trace_closest(const Ray& ray, const Uint& key) {
     return hit;
 }
 
-inline Mask trace_any(const Ray& ray, Float t_max, const Uint& key) {
+inline Mask trace_any(const Ray& ray, const Float& t_max, const Uint& key) {
     TraceContext context(ray, key);
-    RayPacket found;
-    fill_packet(found, ray, t_max);
+    RayPacket packet;
+    fill_packet(packet, ray, t_max, 0);
     alignas(64) IntLanes valid = mask_words(mask_of_bits(active_lanes));
-    trace_packet(reinterpret_cast<const int*>(&valid), &context.embree, &found);
-    return Float(take_lanes<FloatLanes>(found.tfar)) < 0.0f;
+    trace_packet(reinterpret_cast<const int*>(&valid), &context.embree, &packet);
+    FloatLanes end;
+    take_lanes(packet.tfar, end, 0);
+    return Float(end) < 0.0f;
 }
 
 }  // namespace target_core::kernels
