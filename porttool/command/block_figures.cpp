@@ -4,10 +4,15 @@
 
 #include <algorithm>
 
-#include "metrics/portability/degree.h"
+#include "porttool/compare/port_cost.h"
 #include "porttool/read/glob.h"
 
 namespace porttool {
+namespace {
+
+constexpr double kPercent = 100;
+
+}  // namespace
 
 void BlockFigures::plan(const FilePairs& pairs) {
     links_ = {};
@@ -76,9 +81,8 @@ void BlockFigures::touch(const Paths& touched) {
 BlockPoint BlockFigures::figures_of(const Plan& block) {
     BlockPoint point;
     point.name = block.name;
-    metrics::SharedLines port;
-    for (size_t side = 0; side < 2; ++side) point.sides[side] = side_figures(block, side, port);
-    point.degree = metrics::degree_from_lines(port, map_.weights);
+    for (size_t side = 0; side < 2; ++side) point.sides[side] = side_figures(block, side);
+    point.degree = degree_of_portability(point.sides[1], map_.weights);
     return point;
 }
 
@@ -92,6 +96,8 @@ BlockFigures::FileShare BlockFigures::share_of(const Plan& block, size_t side, c
         out.lines = 0;
         for (const UnitFacts& unit : facts.units)
             if (std::find(units.begin(), units.end(), unit.name) != units.end()) out.lines += unit.lines;
+        // Until it is measured: its part of the file's.
+        out.tokens = facts.lines > 0 ? static_cast<uint32_t>(uint64_t{facts.tokens} * out.lines / facts.lines) : 0;
     }
     const auto links = links_[side].find(path);
     if (links == links_[side].end()) return out;
@@ -114,34 +120,32 @@ void BlockFigures::add_measure(const PieceSide& piece, FileShare& out) {
         if (piece.shared[i]) out.shared[i] = true;
     if (!measure.moss_percent) return;
     out.measured = true;
-    constexpr double kPercent = 100;
-    out.covered = std::max(out.covered, measure.tokens * *measure.moss_percent / kPercent);
-    out.raw = std::max(out.raw, measure.lines * measure.moss_percent_raw.value_or(0) / kPercent);
-    out.blind = std::max(out.blind, measure.lines * measure.moss_percent_blind.value_or(0) / kPercent);
+    const auto covered = [&](const std::optional<double>& percent) {
+        return measure.tokens * percent.value_or(0) / kPercent;
+    };
+    out.kept = std::max(out.kept, covered(measure.moss_percent));
+    out.raw = std::max(out.raw, covered(measure.moss_percent_raw));
+    out.blind = std::max(out.blind, covered(measure.moss_percent_blind));
 }
 
-/// Adds up one side; the target's lines go to `port`, too.
-BlockSide BlockFigures::side_figures(const Plan& block, size_t side, metrics::SharedLines& port) {
-    BlockSide out;
-    double tokens = 0, covered = 0;
+SideMeasure BlockFigures::side_figures(const Plan& block, size_t side) {
+    SideMeasure out;
+    double kept = 0, raw = 0, blind = 0;
     bool measured = false;
     for (const auto& [path, units] : block.sides[side]) {
         const FileShare share = share_of(block, side, path, units);
-        const auto shared = static_cast<size_t>(std::count(share.shared.begin(), share.shared.end(), true));
-        const auto counted = static_cast<double>(shared);
         out.lines += share.lines;
-        out.shared_lines += shared;
-        tokens += static_cast<double>(share.tokens);
-        covered += share.covered;
+        out.tokens += share.tokens;
+        out.shared_lines += static_cast<uint32_t>(std::count(share.shared.begin(), share.shared.end(), true));
+        kept += share.kept;
+        raw += share.raw;
+        blind += share.blind;
         measured |= share.measured;
-        if (side == 0) continue;
-        port.lines += static_cast<double>(share.lines);
-        port.shared += counted;
-        port.shared_low += share.measured ? std::min({counted, share.raw, share.blind}) : counted;
-        port.shared_high += share.measured ? std::max({counted, share.raw, share.blind}) : counted;
     }
-    constexpr double kPercent = 100;
-    if (measured && tokens > 0) out.moss_percent = kPercent * covered / tokens;
+    if (!measured || out.tokens == 0) return out;
+    out.moss_percent = kPercent * kept / out.tokens;
+    out.moss_percent_raw = kPercent * raw / out.tokens;
+    out.moss_percent_blind = kPercent * blind / out.tokens;
     return out;
 }
 

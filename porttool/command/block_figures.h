@@ -54,17 +54,16 @@ private:
 
     /// What a file shares with those of the other side that it holds pairs with.
     struct FileShare {
-        size_t lines = 0, tokens = 0;
+        uint32_t lines = 0, tokens = 0;
         std::vector<bool> shared;
-        double covered = 0;         ///< tokens
-        double raw = 0, blind = 0;  ///< lines' worth of tokens
+        double kept = 0, raw = 0, blind = 0;  ///< tokens in matches, by vocabulary
         bool measured = false;
     };
 
     Plan plan_of(const MapBlock& block);
     void select_units(Selection& selection, size_t side, const std::string& path, const std::string& pattern);
     BlockPoint figures_of(const Plan& block);
-    BlockSide side_figures(const Plan& block, size_t side, metrics::SharedLines& port);
+    SideMeasure side_figures(const Plan& block, size_t side);
     FileShare share_of(const Plan& block, size_t side, const std::string& path, const std::vector<std::string>& units);
     static void add_measure(const PieceSide& piece, FileShare& out);
     FileVersion version(size_t side, const std::string& path) const { return {path, files_[side].at(path)}; }

@@ -109,7 +109,7 @@ std::string history_table(const History& history) {
     if (first > 0) out += fmt::format("({} older ones: --format csv, json or html)\n", first);
     for (size_t i = first; i < history.points.size(); ++i) {
         const HistoryPoint& point = history.points[i];
-        const BlockSide& port = point.totals.sides[1];
+        const SideMeasure& port = point.totals.sides[1];
         out += fmt::format("{}  {}  {:>6}/{:<7} {:>6}  {:<21}  {:>4} of {:<4} {:>16.1f}\n", day_of(point.commit.time),
                            point.commit.id.substr(0, kShortId), port.shared_lines, port.lines,
                            percent_text(port.moss_percent), figure_text(point.totals.degree), point.open_pairs,

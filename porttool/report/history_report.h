@@ -13,17 +13,11 @@
 
 namespace porttool {
 
-/// One side of a block at one commit.
-struct BlockSide {
-    size_t lines = 0;         ///< of code
-    size_t shared_lines = 0;  ///< with the files of the other side that are paired with it
-    std::optional<double> moss_percent;
-};
-
-/// A block at one commit. The source side comes first.
+/// A block at one commit. The source side comes first; its lines are shared with the files of the other side that it
+/// holds pairs with.
 struct BlockPoint {
     std::string name;
-    std::array<BlockSide, 2> sides;
+    std::array<SideMeasure, 2> sides;
     std::optional<metrics::Figure> degree;  ///< of portability, from the target's lines
 };
 

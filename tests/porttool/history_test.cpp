@@ -85,6 +85,19 @@ TEST_F(History, FiguresOfABlockAreCountedByHand) {
     EXPECT_EQ(history["commits"][1]["totals"]["target_lines"], 11);
 }
 
+TEST_F(History, AgreesWithTheReport) {
+    write("port/k.comp", replaced(kShade + kFade, "0.5f", "0.5") + "int other(int q) {\n  return q % 7;\n}\n");
+    ASSERT_EQ(porttool({"init", "--force", "--source", "src/*", "--target", "port/*"}).exit_code, 0);
+    commit("Both cores", 1);
+    const nlohmann::json now = json({"report"})["blocks"][0], then = json({"history"})["commits"][0]["blocks"][0];
+    for (const char* key : {"name", "source_lines", "target_lines", "shared_source", "shared_target",
+                            "moss_percent_source", "moss_percent_target"})
+        EXPECT_EQ(now[key], then[key]) << key;
+    for (const char* key : {"loc", "low", "high"})
+        EXPECT_EQ(now["degree_of_portability"][key], then["degree_of_portability"][key]) << key;
+    EXPECT_GT(then["degree_of_portability"]["high"], then["degree_of_portability"]["loc"]) << "there is an interval";
+}
+
 TEST_F(History, BlocksOfTheMapAreFilesOrUnits) {
     write("portmap.toml", kMap +
                               "[[block]]\nname = \"Files\"\nsource = \"src/k.cu\"\ntarget = \"port/*\"\n"
