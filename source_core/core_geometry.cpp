@@ -253,8 +253,15 @@ private:
     }
 
     void build_scene_tree() {
+        size_t most = 0;
+        for (const uint32_t i : baked_) {
+            most += meshes_[instances_[i].mesh].triangles.size();
+        }
         std::vector<BakedTriangle> baked;
         std::vector<BuildPrimitive> primitives;
+        baked.reserve(most);
+        primitives.reserve(most + recorded_.size());
+        tables_.triangles.reserve(tables_.triangles.size() + most * TRIANGLE_ROWS);
         for (const uint32_t i : baked_) {
             const uint32_t count = static_cast<uint32_t>(meshes_[instances_[i].mesh].triangles.size());
             for (uint32_t primitive = 0; primitive < count; ++primitive) {

@@ -14,7 +14,8 @@ namespace source_core {
 
 namespace {
 
-using Lanes = float __attribute__((vector_size(16)));  // x, y, z and a fourth that nobody looks at
+using Lanes = float __attribute__((vector_size(16)));  // x, y, z and a fourth, which is zero
+using Words = int32_t __attribute__((vector_size(16)));
 
 constexpr uint32_t LARGEST_LEAF = 4;
 constexpr uint32_t BINS = 16;
@@ -38,16 +39,20 @@ struct Bounds {
 
 static_assert(sizeof(BuildPrimitive) == 2 * sizeof(Lanes));
 
+// The fourth float of a primitive is a number; as a float it would be denormal, and each product with it a hundred
+// times as slow.
+Lanes without_fourth(Words words) { return reinterpret_cast<Lanes>(words & Words{-1, -1, -1, 0}); }
+
 Lanes load_lower(const BuildPrimitive& primitive) {
-    Lanes lanes;
-    std::memcpy(&lanes, &primitive, sizeof(lanes));
-    return lanes;
+    Words words;
+    std::memcpy(&words, &primitive, sizeof(words));
+    return without_fourth(words);
 }
 
 Lanes load_upper(const BuildPrimitive& primitive) {
-    Lanes lanes;
-    std::memcpy(&lanes, reinterpret_cast<const char*>(&primitive) + sizeof(lanes), sizeof(lanes));
-    return lanes;
+    Words words;
+    std::memcpy(&words, reinterpret_cast<const char*>(&primitive) + sizeof(words), sizeof(words));
+    return without_fourth(words);
 }
 
 Lanes centre(const BuildPrimitive& primitive) { return load_lower(primitive) * 0.5f + load_upper(primitive) * 0.5f; }
