@@ -45,11 +45,14 @@ void BlobFactsSource::use_dialect(const std::vector<std::pair<std::string, std::
     dialect_key_ = BlobCache::key({text});
 }
 
+ScannedFile BlobFactsSource::scan(const FileVersion& file) const {
+    const std::string text = read_blob(past_, file.path, file.blob);
+    return scan_text(file.path, unreadable_reason(text).empty() ? text : std::string());
+}
+
 const ScannedFile& BlobFactsSource::scanned(const FileVersion& file) {
     auto& kept = scanned_[file.path];
-    if (kept.first == file.blob) return kept.second;
-    const std::string text = read_blob(past_, file.path, file.blob);
-    kept = {file.blob, scan_text(file.path, unreadable_reason(text).empty() ? text : std::string())};
+    if (kept.first != file.blob) kept = {file.blob, scan(file)};
     return kept.second;
 }
 
@@ -63,7 +66,7 @@ const BlobFacts& BlobFactsSource::facts(const FileVersion& file) {
         facts = blob_facts(scanned(file));
         cache_.put(key, facts_line(*facts));
     }
-    for (const UnitFacts& unit : facts->units) places_.emplace(unit.prints.written, file);
+    for (const UnitFacts& unit : facts->units) places_.emplace(unit.prints.written, UnitPlace{file, unit.name});
     return facts_.emplace(version, std::move(*facts)).first->second;
 }
 
@@ -81,16 +84,23 @@ const PieceMeasure& BlobFactsSource::measure(const Piece& source, const Piece& t
     return measures_.emplace(key, std::move(*measure)).first->second;
 }
 
-std::string BlobFactsSource::text_of(const std::string& print, const BaseBlob& base_blob) {
-    if (const auto place = places_.find(print); place != places_.end()) {
-        const std::string text = read_blob(past_, place->second.path, place->second.blob);
-        const ScannedFile file = scan_text(place->second.path, unreadable_reason(text).empty() ? text : std::string());
-        for (const Unit& unit : file.units)
-            if (const UnitState state = unit_state(file, unit); state.prints.written == print) return state_text(state);
-        return state_text(unit_state(file, whole_file_unit(file)));
-    }
+std::string BlobFactsSource::text_at(const UnitPlace& place) const {
+    const auto kept = scanned_.find(place.file.path);
+    const bool is_kept = kept != scanned_.end() && kept->second.first == place.file.blob;
+    const ScannedFile file = is_kept ? ScannedFile() : scan(place.file);
+    const ScannedFile& there = is_kept ? kept->second.second : file;
+    const auto unit =
+        std::find_if(there.units.begin(), there.units.end(), [&](const Unit& one) { return one.name == place.unit; });
+    return state_text(unit_state(there, unit == there.units.end() ? whole_file_unit(there) : *unit));
+}
+
+const std::string& BlobFactsSource::text_of(const std::string& print, const BaseBlob& base_blob) {
+    if (const auto known = texts_.find(print); known != texts_.end()) return known->second;
+    const auto place = places_.find(print);
+    if (place != places_.end()) return texts_.emplace(print, text_at(place->second)).first->second;
     const std::string blob = base_blob(print);
-    return blob.empty() ? std::string() : read_blob(past_, "portmap.base/" + print, blob);
+    return texts_.emplace(print, blob.empty() ? std::string() : read_blob(past_, "portmap.base/" + print, blob))
+        .first->second;
 }
 
 EditFacts BlobFactsSource::edits(const Fingerprints& source_before, const UnitFacts& source_now,

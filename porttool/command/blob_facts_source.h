@@ -42,8 +42,15 @@ public:
                     const UnitFacts& target_now, const BaseBlob& base_blob);
 
 private:
+    struct UnitPlace {
+        FileVersion file;
+        std::string unit;
+    };
+
+    ScannedFile scan(const FileVersion& file) const;
     const ScannedFile& scanned(const FileVersion& file);
-    std::string text_of(const std::string& print, const BaseBlob& base_blob);
+    const std::string& text_of(const std::string& print, const BaseBlob& base_blob);
+    std::string text_at(const UnitPlace& place) const;
 
     const Past& past_;
     BlobCache& cache_;
@@ -51,7 +58,8 @@ private:
     std::string dialect_key_;
     std::unordered_map<std::string, BlobFacts> facts_;
     std::unordered_map<std::string, PieceMeasure> measures_;
-    std::unordered_map<std::string, FileVersion> places_;                 ///< where a text with this print stands
+    std::unordered_map<std::string, UnitPlace> places_;                   ///< where a text with this print stands
+    std::unordered_map<std::string, std::string> texts_;                  ///< by print, those that were asked for
     std::map<std::string, std::pair<std::string, ScannedFile>> scanned_;  ///< by path, the version scanned last
 };
 
