@@ -122,6 +122,10 @@ Json bench_json(const Options& options, const CoreStats& stats, const FrameFigur
         {"embree_limit_mrays_per_s",
          has_limit ? mega_per_second(frame.trace_limit_rays, frame.trace_limit_ms) : Json(nullptr)},
         {"embree_limit_ms", has_limit ? Json(frame.trace_limit_ms) : Json(nullptr)},
+        {"embree_build_ms", stats.trace_build_ms > 0.0 ? Json(stats.trace_build_ms) : Json(nullptr)},
+        {"embree_memory_bytes", stats.trace_memory_bytes > 0 ? Json(stats.trace_memory_bytes) : Json(nullptr)},
+        {"texel_bytes", stats.texel_bytes},
+        {"core_memory_bytes", stats.memory_bytes},
         {"peak_rss_bytes", peak_rss_bytes()},
     };
 }
@@ -140,8 +144,12 @@ std::string bench_text(const Json& bench) {
     const Json& rate = bench["mrays_per_s"];
     std::string text = fmt::format("{} core on {}, {} threads\n", bench["core"].get<std::string>(),
                                    bench["device"].get<std::string>(), bench["threads"].get<uint64_t>());
-    text += fmt::format("scene       {}, {} triangles, BVH in {:.1f} ms\n", bench["scene"].get<std::string>(),
-                        bench["triangles"].get<uint64_t>(), bench["bvh_build_ms"].get<double>());
+    const std::string by_embree =
+        bench["embree_build_ms"].is_null()
+            ? ""
+            : fmt::format(", {:.1f} of them Embree's", bench["embree_build_ms"].get<double>());
+    text += fmt::format("scene       {}, {} triangles, BVH in {:.1f} ms{}\n", bench["scene"].get<std::string>(),
+                        bench["triangles"].get<uint64_t>(), bench["bvh_build_ms"].get<double>(), by_embree);
     text +=
         fmt::format("rays/frame  {} = {} primary + {} extension + {} shadow\n", rays["total"].get<int64_t>(),
                     rays["primary"].get<int64_t>(), rays["extension"].get<int64_t>(), rays["shadow"].get<int64_t>());
@@ -157,8 +165,18 @@ std::string bench_text(const Json& bench) {
                             number_or_dash(bench["embree_limit_mrays_per_s"], "Mrays/s"),
                             bench["embree_limit_ms"].get<double>());
     }
-    return text + fmt::format("memory      {:.0f} MiB at most\n",
-                              static_cast<double>(bench["peak_rss_bytes"].get<uint64_t>()) / BYTES_PER_MEBIBYTE);
+    const auto mebibytes = [&](const char* name) {
+        return fmt::format("{:.0f} MiB", bench[name].get<double>() / BYTES_PER_MEBIBYTE);
+    };
+    text += fmt::format("memory      {} at most; the core {}, ", mebibytes("peak_rss_bytes"),
+                        mebibytes("core_memory_bytes"));
+    if (!bench["embree_memory_bytes"].is_null()) {
+        text += fmt::format("of that Embree's scene {} and texels {}", mebibytes("embree_memory_bytes"),
+                            mebibytes("texel_bytes"));
+    } else {
+        text += fmt::format("of that texels {}", mebibytes("texel_bytes"));
+    }
+    return text + "\n";
 }
 
 uint64_t peak_rss_bytes() {

@@ -187,6 +187,9 @@ struct CoreStats {
     double total_ms = 0.0;        ///< wall time inside Render, without building and uploading
     double trace_limit_ms = 0.0;  ///< measure_trace_limit: wall time of the same rays by Embree alone
     uint64_t trace_limit_rays = 0;
+    double trace_build_ms = 0.0;        ///< of build_ms, the tracing library's own part; 0: the core has none
+    uint64_t trace_memory_bytes = 0;    ///< of memory_bytes, that library's tree with the vertices and indices it reads
+    uint64_t texel_bytes = 0;           ///< of memory_bytes, the textures
     uint64_t memory_bytes = 0;          ///< held by the core (device memory for the source core)
     uint64_t memory_allowed_bytes = 0;  ///< the core's budget for that; 0: it has none
 };

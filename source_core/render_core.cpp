@@ -100,6 +100,7 @@ CoreStats SourceCore::GetCoreStats() const {
     if (gpu_) {
         stats.memory_bytes = gpu_->budget->used();
         stats.memory_allowed_bytes = gpu_->budget->limit();
+        stats.texel_bytes = scene_.rows(BINDING_TEXELS).size();
     }
     return stats;
 }

@@ -99,6 +99,10 @@ void CoreMeshes::bake(Mesh& mesh, const CoreTransform& transform) {
 }
 
 void CoreMeshes::place(std::span<const CoreMaterial> materials) {
+    // Meshes came one by one; what the tables grew ahead is given back.
+    mesh_triangles_.shrink_to_fit();
+    vertices_.shrink_to_fit();
+    tangents_.shrink_to_fit();
     std::vector<uint> uses(meshes_.size(), 0);
     for (const Instance& instance : placed_) {
         if (instance.mesh != render_system::NONE) {
@@ -165,6 +169,14 @@ uint64_t CoreMeshes::memory_bytes() const {
                      tangents_.capacity() * sizeof(uint) + instances_.capacity() * sizeof(vec4);
     for (const Mesh& mesh : meshes_) {
         bytes += (mesh.positions.capacity() + mesh.baked.capacity()) * sizeof(PackedVertex);
+    }
+    return bytes;
+}
+
+uint64_t CoreMeshes::traced_bytes() const {
+    uint64_t bytes = mesh_triangles_.size() * sizeof(uvec4);
+    for (const Mesh& mesh : meshes_) {
+        bytes += mesh.positions.size() * sizeof(PackedVertex);
     }
     return bytes;
 }

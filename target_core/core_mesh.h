@@ -35,6 +35,8 @@ public:
     /// FEATURE_INSTANCES, FEATURE_ALPHA, FEATURE_ALPHA_TEXTURES and FEATURE_VERTEX_COLORS.
     uint features(std::span<const render_system::CoreMaterial> materials) const;
     uint64_t memory_bytes() const;
+    /// Of these, what Embree reads: indices, and the vertices of instances.
+    uint64_t traced_bytes() const;
 
 private:
     struct Mesh {

@@ -85,6 +85,9 @@ private:
 CoreStats TargetCore::GetCoreStats() const {
     CoreStats stats = stats_;
     stats.memory_bytes = memory_bytes();
+    stats.trace_build_ms = embree_.build_ms();
+    stats.trace_memory_bytes = embree_.memory_bytes() + meshes_.traced_bytes();
+    stats.texel_bytes = tables_.texels.size() * sizeof(tables_.texels[0]);
     return stats;
 }
 

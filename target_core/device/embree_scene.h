@@ -38,6 +38,9 @@ public:
     RTCScene scene() const { return scene_; }
     RTCDevice device() const { return device_; }
 
+    /// Wall time of Embree's part of the last build.
+    double build_ms() const { return build_ms_; }
+
     /// Bytes that Embree holds now.
     uint64_t memory_bytes() const { return static_cast<uint64_t>(memory_.load(std::memory_order_relaxed)); }
 
@@ -52,6 +55,7 @@ private:
     RTCScene scene_ = nullptr;
     std::vector<RTCScene> mesh_scenes_;  // by mesh, null where not needed
     std::atomic<int64_t> memory_{0};
+    double build_ms_ = 0.0;
 };
 
 }  // namespace target_core

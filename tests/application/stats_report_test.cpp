@@ -66,7 +66,8 @@ TEST(BenchJson, HasTheFieldsOfTheContract) {
     const Json bench = bench_json(options, stats_after(4), mean_frame(stats_after(4)), 4);
     EXPECT_THAT(keys(bench), ElementsAre("core", "device", "scene", "triangles", "threads", "roulette", "bvh_build_ms",
                                          "frames", "paths_per_s", "rays", "ms_per_frame", "mrays_per_s",
-                                         "embree_limit_mrays_per_s", "embree_limit_ms", "peak_rss_bytes"));
+                                         "embree_limit_mrays_per_s", "embree_limit_ms", "embree_build_ms",
+                                         "embree_memory_bytes", "texel_bytes", "core_memory_bytes", "peak_rss_bytes"));
     EXPECT_THAT(keys(bench["rays"]), ElementsAre("primary", "extension", "shadow", "total"));
     EXPECT_THAT(keys(bench["ms_per_frame"]),
                 ElementsAre("generate", "extend", "shade", "connect", "finalize", "total"));
@@ -87,6 +88,20 @@ TEST(BenchJson, StatesTheEmbreeLimitWhereItWasMeasured) {
     EXPECT_DOUBLE_EQ(bench["embree_limit_mrays_per_s"].get<double>(), 14.0);
     EXPECT_DOUBLE_EQ(bench["embree_limit_ms"].get<double>(), 0.25);
     EXPECT_THAT(bench_text(bench), HasSubstr("14.00 Mrays/s in 0.25 ms on the very same rays"));
+}
+
+TEST(BenchJson, StatesEmbreesShareOfBuildAndMemory) {
+    CoreStats stats = stats_after(4);
+    stats.build_ms = 12.0;
+    stats.trace_build_ms = 10.0;
+    stats.memory_bytes = 32u << 20;
+    stats.trace_memory_bytes = 16u << 20;
+    stats.texel_bytes = 8u << 20;
+    const Json bench = bench_json(Options{}, stats, mean_frame(stats), 4);
+    EXPECT_DOUBLE_EQ(bench["embree_build_ms"].get<double>(), 10.0);
+    EXPECT_EQ(bench["embree_memory_bytes"], 16u << 20);
+    EXPECT_THAT(bench_text(bench), HasSubstr("BVH in 12.0 ms, 10.0 of them Embree's"));
+    EXPECT_THAT(bench_text(bench), HasSubstr("the core 32 MiB, of that Embree's scene 16 MiB and texels 8 MiB"));
 }
 
 TEST(BenchJson, WithoutTimesHasNoRates) {
