@@ -54,7 +54,7 @@ const browser = await chromium.launch({ executablePath, args: ["--no-sandbox"] }
 
 // Opens a page and collects what must not happen: errors, and requests for anything but the page.
 async function open(url, { width = 1280, height = 900, colorScheme = "light" } = {}) {
-  const tab = await browser.newPage({ viewport: { width, height }, colorScheme });
+  const tab = await browser.newPage({ viewport: { width, height }, colorScheme, reducedMotion: "reduce" });
   tab.trouble = [];
   tab.on("console", (message) => { if (message.type() !== "log") tab.trouble.push(message.text()); });
   tab.on("pageerror", (error) => tab.trouble.push(error.message));
