@@ -85,7 +85,7 @@ BaseLock base_lock(const Project& project, const std::string& revision, const Lo
     read_sides_from(past, disk, target_root(project));
     const States states = read_states(past);
     for (const auto* side : {&states.source, &states.target, &today.source, &today.target})
-        for (const auto& [id, state] : *side) out.texts.emplace(state.prints.written, state_text(state));
+        for (const auto& [id, state] : *side) out.texts.emplace(state.prints.written, state.text);
     std::set<std::string> mapped;
     for (const MapPair& pair : project.map.pairs) {
         mapped.insert(pair.source);

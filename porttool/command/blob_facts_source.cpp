@@ -91,7 +91,7 @@ std::string BlobFactsSource::text_at(const UnitPlace& place) const {
     const ScannedFile& there = is_kept ? kept->second.second : file;
     const auto unit =
         std::find_if(there.units.begin(), there.units.end(), [&](const Unit& one) { return one.name == place.unit; });
-    return state_text(unit_state(there, unit == there.units.end() ? whole_file_unit(there) : *unit));
+    return unit_state(there, unit == there.units.end() ? whole_file_unit(there) : *unit).text;
 }
 
 const std::string& BlobFactsSource::text_of(const std::string& print, const BaseBlob& base_blob) {

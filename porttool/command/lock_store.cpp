@@ -75,7 +75,7 @@ void store_lock(const Project& project, const LockFile& lock, const States& stat
     for (const auto* side : {&states.source, &states.target})
         for (const auto& [id, state] : *side)
             if (needed.contains(state.prints.written) && there.insert(state.prints.written).second)
-                write(disk, join_path(folder, state.prints.written), state_text(state));
+                write(disk, join_path(folder, state.prints.written), state.text);
     write(disk, lock_path(project), lock_text(lock));
     for (const std::string& print : there)
         if (!needed.contains(print)) disk.remove(join_path(folder, print));

@@ -131,9 +131,8 @@ void explain_edits(const CheckedProject& checked, const JudgedPair& pair, const 
     });
     if (lock == checked.lock.pairs.end() || pair.source == nullptr || pair.target == nullptr) return;
     auto rows = [&](const UnitState& unit, const std::string& print) {
-        std::vector<std::string> now, lines;
-        for (const NormalToken& token : unit.text) now.push_back(token.text);
-        const Edit edit = edit_of(read_state_text(base_text(checked.project, disk, print)), now);
+        std::vector<std::string> lines;
+        const Edit edit = edit_of(read_state_text(base_text(checked.project, disk, print)), read_state_text(unit.text));
         for (const std::string& statement : edit.lost) lines.push_back("- " + statement);
         for (const std::string& statement : edit.gained) lines.push_back("+ " + statement);
         return lines;

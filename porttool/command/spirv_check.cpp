@@ -90,7 +90,7 @@ SpirvAnswer SpirvCheck::ask(Side& side, const ScannedFile& file, const Unit& uni
     if (old_file == side.then->files.end()) return answer;
     const ScannedFile scanned = scan_text(file.path, old_file->second);
     const bool same_text = std::any_of(scanned.units.begin(), scanned.units.end(), [&](const Unit& old) {
-        return read_state_text(state_text(unit_state(scanned, old))) == before;
+        return read_state_text(unit_state(scanned, old).text) == before;
     });
     if (!same_text) return answer;
     const SpirvAnswer whole =

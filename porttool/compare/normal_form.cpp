@@ -13,6 +13,7 @@ namespace {
 /// The tokens of a unit that belong to it: without holes and dead branches.
 std::vector<uint32_t> own_tokens(const ScannedFile& file, const Unit& unit) {
     std::vector<uint32_t> own;
+    own.reserve(unit.tokens.end - unit.tokens.first);
     size_t hole = 0;
     for (uint32_t i = unit.tokens.first; i < unit.tokens.end; ++i) {
         while (hole < unit.holes.size() && unit.holes[hole].end <= i) ++hole;
@@ -28,9 +29,9 @@ std::vector<uint32_t> own_tokens(const ScannedFile& file, const Unit& unit) {
 /// Writes statements out with braces around each that an `if`, a loop or an `else` controls.
 class BraceWriter {
 public:
-    BraceWriter(const LexedText& lexed, const std::vector<uint32_t>& tokens, std::vector<NormalToken>& out,
+    BraceWriter(const LexedText& lexed, const std::vector<uint32_t>& tokens, const NormalSink& sink,
                 uint32_t name_token)
-        : lexed_(lexed), tokens_(tokens), out_(out), name_token_(name_token) {}
+        : lexed_(lexed), tokens_(tokens), sink_(sink), name_token_(name_token) {}
 
     void run(uint32_t body_first) {
         while (at_ < tokens_.size() && tokens_[at_] < body_first) emit();
@@ -51,14 +52,14 @@ private:
 
     void emit() {
         const Token& token = lexed_.tokens[tokens_[at_]];
-        std::string text = token.kind == TokenKind::Number ? normal_number(lexed_.view(token))
-                           : tokens_[at_] == name_token_   ? std::string("@")
-                                                           : std::string(lexed_.view(token));
-        out_.push_back({std::move(text), tokens_[at_]});
+        if (token.kind == TokenKind::Number)
+            sink_(normal_number(lexed_.view(token)), tokens_[at_]);
+        else
+            sink_(tokens_[at_] == name_token_ ? std::string_view("@") : lexed_.view(token), tokens_[at_]);
         ++at_;
     }
 
-    void insert(const char* text) { out_.push_back({text, tokens_[std::min(at_, tokens_.size() - 1)]}); }
+    void insert(const char* text) { sink_(text, tokens_[std::min(at_, tokens_.size() - 1)]); }
 
     void directives() {
         while (in_directive()) emit();
@@ -147,7 +148,7 @@ private:
 
     const LexedText& lexed_;
     const std::vector<uint32_t>& tokens_;
-    std::vector<NormalToken>& out_;
+    const NormalSink& sink_;
     uint32_t name_token_;
     size_t at_ = 0;
 };
@@ -207,12 +208,18 @@ std::string number_value(std::string_view text) {
     return value;
 }
 
+void write_normal_form(const ScannedFile& file, const Unit& unit, const NormalSink& sink) {
+    const std::vector<uint32_t> own = own_tokens(file, unit);
+    const bool code = unit.kind == UnitKind::Function || unit.kind == UnitKind::Kernel;
+    BraceWriter(file.lexed, own, sink, unit.name_token).run(code ? unit.body.first : unit.tokens.end);
+}
+
 std::vector<NormalToken> normal_form(const ScannedFile& file, const Unit& unit) {
     std::vector<NormalToken> out;
-    const std::vector<uint32_t> own = own_tokens(file, unit);
-    out.reserve(own.size() + 16);
-    const bool code = unit.kind == UnitKind::Function || unit.kind == UnitKind::Kernel;
-    BraceWriter(file.lexed, own, out, unit.name_token).run(code ? unit.body.first : unit.tokens.end);
+    out.reserve(unit.tokens.end - unit.tokens.first + 16);
+    write_normal_form(file, unit, [&](std::string_view text, uint32_t token) {
+        out.push_back({std::string(text), token});
+    });
     return out;
 }
 
@@ -224,12 +231,18 @@ uint64_t hash_text(std::string_view text, uint64_t seed) {
     return hash ^ (hash >> 32);
 }
 
-std::string fingerprint(const std::vector<NormalToken>& tokens) {
-    uint64_t hash = 0;
-    for (const NormalToken& token : tokens) hash = hash_text(token.text, hash + 1);
+void Fingerprinter::add(std::string_view text) { hash_ = hash_text(text, hash_ + 1); }
+
+std::string Fingerprinter::digits() const {
     std::array<char, 17> text{};
-    std::snprintf(text.data(), text.size(), "%016llx", static_cast<unsigned long long>(hash));
+    std::snprintf(text.data(), text.size(), "%016llx", static_cast<unsigned long long>(hash_));
     return text.data();
+}
+
+std::string fingerprint(const std::vector<NormalToken>& tokens) {
+    Fingerprinter print;
+    for (const NormalToken& token : tokens) print.add(token.text);
+    return print.digits();
 }
 
 }  // namespace porttool

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,6 +20,11 @@ struct NormalToken {
 
 /// A unit without what is cosmetic: no comments and white space, numbers in one spelling, every controlled statement in
 /// braces, its own name replaced by `@`. Two units that differ only cosmetically have the same normal form.
+/// `sink` takes it token by token; a text lives until the sink returns.
+using NormalSink = std::function<void(std::string_view text, uint32_t token)>;
+void write_normal_form(const ScannedFile& file, const Unit& unit, const NormalSink& sink);
+
+/// The same as a list, for units of a common size: it takes forty bytes a token.
 std::vector<NormalToken> normal_form(const ScannedFile& file, const Unit& unit);
 
 /// One spelling per value: `0.0F`, `0.f` and `0.0f` become `0f`; `0x10` becomes `16`.
@@ -27,7 +33,17 @@ std::string normal_number(std::string_view text);
 /// The value of a number whatever its suffix: `2.0f`, `2.` and `2` are one.
 std::string number_value(std::string_view text);
 
-/// 64 bits over the texts, as 16 hexadecimal digits.
+/// 64 bits over texts in their order, as 16 hexadecimal digits.
+class Fingerprinter {
+public:
+    void add(std::string_view text);
+    std::string digits() const;
+
+private:
+    uint64_t hash_ = 0;
+};
+
+/// The fingerprint of a list of tokens.
 std::string fingerprint(const std::vector<NormalToken>& tokens);
 
 /// A 64-bit hash of bytes, the same on every machine.

@@ -12,12 +12,12 @@
 namespace porttool {
 namespace {
 
-bool is_word(const std::string& text) {
+bool is_word(std::string_view text) {
     const char c = text.empty() ? '\0' : text[0];
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || c == '$' || static_cast<signed char>(c) < 0;
 }
 
-bool is_number(const std::string& text) {
+bool is_number(std::string_view text) {
     return !text.empty() && ((text[0] >= '0' && text[0] <= '9') || text[0] == '.') && text != "." && text != "...";
 }
 
@@ -29,7 +29,8 @@ bool is_no_type(std::string_view text) {
     return std::find(kWords.begin(), kWords.end(), text) != kWords.end();
 }
 
-/// Finds declarations by their shape: a type, then a name, then what may follow a declared name.
+/// Finds declarations by their shape: a type, then a name, then what may follow a declared name. One pass over the
+/// body.
 class LocalFinder {
 public:
     LocalFinder(const LexedText& lexed, TokenRange parameters, TokenRange body) : lexed_(lexed) {
@@ -37,11 +38,15 @@ public:
         read_parameters();
         tokens_.clear();
         take(body);
-        for (size_t i = 0; i + 1 < tokens_.size(); ++i) read_declaration(i);
+        for (size_t i = 0; i + 1 < tokens_.size(); ++i) {
+            read_further(i);
+            if (read_declaration(i)) lists_.back() = true;
+        }
+        std::sort(places.begin(), places.end());
+        places.erase(std::unique(places.begin(), places.end()), places.end());
     }
 
-    std::vector<std::string> names;       ///< each once, in order of appearance
-    std::unordered_set<uint32_t> places;  ///< the tokens that declare one, also again in another scope
+    std::vector<uint32_t> places;  ///< the tokens that declare a name, sorted
 
 private:
     void take(TokenRange range) {
@@ -53,11 +58,7 @@ private:
         return i < tokens_.size() && lexed_.tokens[tokens_[i]].kind == TokenKind::Identifier;
     }
 
-    void declare(size_t i) {
-        const std::string name(word(i));
-        places.insert(tokens_[i]);
-        if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
-    }
+    void declare(size_t i) { places.push_back(tokens_[i]); }
 
     /// The last word before a comma, a default or an array bound names a parameter; a lone word is its type.
     void read_parameters() {
@@ -86,20 +87,20 @@ private:
         finish();
     }
 
-    void read_declaration(size_t i) {
+    bool read_declaration(size_t i) {
         // `T x =`, `T* x;`, `T<int>& x :`, `T x[4]`, `T x(1)`
-        if (!is_name(i + 1) || is_no_type(word(i + 1))) return;
+        if (!is_name(i + 1) || is_no_type(word(i + 1))) return false;
         const std::string_view follow = word(i + 2);
         const bool after_type = is_name(i) && !is_no_type(word(i));
         const bool after_mark =
             (word(i) == "*" || word(i) == "&" || word(i) == ">" || word(i) == "&&") && i > 0 && starts_statement(i);
-        if (!after_type && !after_mark) return;
-        if (after_type && i > 0 && (word(i - 1) == "." || word(i - 1) == "->")) return;
+        if (!after_type && !after_mark) return false;
+        if (after_type && i > 0 && (word(i - 1) == "." || word(i - 1) == "->")) return false;
         const bool ends = follow == "=" || follow == ";" || follow == "," || follow == "[" || follow == ":" ||
                           follow == "{" || (follow == "(" && after_type) || follow == ")";
-        if (!ends) return;
+        if (!ends) return false;
         declare(i + 1);
-        read_further(i + 2);
+        return true;
     }
 
     /// For `T* x` and `T<U> x`: only if a statement starts with it, as `a * b` is a product.
@@ -114,83 +115,120 @@ private:
         return at == 0;
     }
 
-    /// `int a = 1, b, c[2];`
+    /// `int a = 1, b, c[2];`: a comma at the depth of a declaration goes on with it while names follow.
     void read_further(size_t i) {
-        int depth = 0;
-        constexpr size_t kFarthest = 2000;
-        for (const size_t end = i + kFarthest; i < tokens_.size() && i < end; ++i) {
-            const std::string_view text = word(i);
-            if (text == "(" || text == "[" || text == "{") ++depth;
-            if (text == ")" || text == "]" || text == "}") --depth;
-            if (depth < 0 || (depth == 0 && text == ";")) return;
-            if (depth != 0 || text != ",") continue;
-            size_t name = i + 1;
-            while (word(name) == "*" || word(name) == "&") ++name;
-            const std::string_view follow = word(name + 1);
-            if (!is_name(name) || (follow != "=" && follow != "," && follow != ";" && follow != "[" && follow != "("))
-                return;
-            declare(name);
+        const std::string_view text = word(i);
+        if (text.size() != 1) return;
+        switch (text[0]) {
+            case '(':
+            case '[':
+            case '{':
+                lists_.push_back(false);
+                break;
+            case ')':
+            case ']':
+            case '}':
+                if (lists_.size() > 1)
+                    lists_.pop_back();
+                else
+                    lists_.back() = false;
+                break;
+            case ';':
+                lists_.back() = false;
+                break;
+            case ',':
+                if (lists_.back()) lists_.back() = declare_next(i + 1);
+                break;
+            default:
+                break;
         }
+    }
+
+    bool declare_next(size_t name) {
+        while (word(name) == "*" || word(name) == "&") ++name;
+        const std::string_view follow = word(name + 1);
+        if (!is_name(name) || (follow != "=" && follow != "," && follow != ";" && follow != "[" && follow != "("))
+            return false;
+        declare(name);
+        return true;
     }
 
     const LexedText& lexed_;
     std::vector<uint32_t> tokens_;
+    std::vector<bool> lists_ = {false};  ///< for each open bracket: within the declarators of a declaration
 };
 
 /// Numbers locals and parameters in the order of their declarations, scope by scope, so that a name that is declared
-/// again within a block is another variable there. Words that no declaration in force covers stay as they are.
+/// again within a block is another variable there. Words that no declaration in force covers stay as they are. Takes
+/// tokens in normal form one after the other, in linear time whatever the nesting.
 class LocalNumbers {
 public:
-    explicit LocalNumbers(const LocalFinder& locals) : locals_(locals) {}
+    explicit LocalNumbers(const std::vector<uint32_t>& places) : places_(places) {}
 
-    std::vector<std::string> run(const std::vector<NormalToken>& text) {
-        std::vector<std::string> out;
-        out.reserve(text.size());
-        for (size_t i = 0; i < text.size(); ++i) {
-            const std::string& word = text[i].text;
-            const std::string& before = i > 0 ? text[i - 1].text : none_;
-            if (is_word(word)) {
-                out.push_back(numbered(text[i], before));
-                continue;
-            }
-            out.push_back(word);
-            if (word == "(") open(has_own_scope(before));
-            if (word == "{") open_block();
-            if (word == ")") close(i + 1 < text.size() && text[i + 1].text == "{");
-            if (word == "}") close(false);
-        }
+    /// What stands for the next token; valid until the next call.
+    std::string_view next(std::string_view text, uint32_t token) {
+        if (head_closes_) close(text == "{");
+        head_closes_ = false;
+        const std::string_view out = is_word(text) && !member_ ? numbered(text, token) : text;
+        if (text == "(") open(scoped_);
+        if (text == "{") open_block();
+        if (text == ")") head_closes_ = true;
+        if (text == "}") close(false);
+        member_ = text == "." || text == "->" || text == "::";
+        scoped_ = has_own_scope(text);
         return out;
     }
 
 private:
-    using Scope = std::unordered_map<std::string, std::string>;
     struct Bracket {
         bool scoped = false;
         bool block = false;
     };
+    /// What a name stood for before a declaration; 0 for itself.
+    struct Shadowed {
+        std::string_view name;
+        size_t number;
+    };
 
     /// What is declared in these parentheses holds for the block behind them: loops, conditions, a lambda.
-    static bool has_own_scope(const std::string& before) {
+    static bool has_own_scope(std::string_view before) {
         constexpr std::array<std::string_view, 6> kHeads = {"for", "if", "while", "switch", "catch", "]"};
         return std::find(kHeads.begin(), kHeads.end(), before) != kHeads.end();
     }
 
-    std::string numbered(const NormalToken& token, const std::string& before) {
-        if (before == "." || before == "->" || before == "::") return token.text;  // a member
-        if (locals_.places.contains(token.token)) return scopes_.back()[token.text] = "%" + std::to_string(++count_);
-        for (auto scope = scopes_.rbegin(); scope != scopes_.rend(); ++scope)
-            if (const auto found = scope->find(token.text); found != scope->end()) return found->second;
-        return token.text;
+    /// A word's text outlives this: it lies in the file.
+    std::string_view numbered(std::string_view text, uint32_t token) {
+        if (std::binary_search(places_.begin(), places_.end(), token)) {
+            size_t& number = numbers_[text];
+            shadowed_.push_back({text, number});
+            number = ++count_;
+            return written(number);
+        }
+        const auto found = numbers_.find(text);
+        return found == numbers_.end() || found->second == 0 ? text : written(found->second);
+    }
+
+    std::string_view written(size_t number) {
+        written_ = "%" + std::to_string(number);
+        return written_;
+    }
+
+    void enter() { scopes_.push_back(shadowed_.size()); }
+    void leave() {
+        if (scopes_.empty()) return;
+        for (; shadowed_.size() > scopes_.back(); shadowed_.pop_back())
+            numbers_[shadowed_.back().name] = shadowed_.back().number;
+        scopes_.pop_back();
     }
 
     void open(bool scoped) {
         brackets_.push_back({scoped, false});
-        if (scoped) scopes_.emplace_back();
+        if (scoped) enter();
     }
     /// A block takes over the scope of the head before it.
     void open_block() {
         brackets_.push_back({true, true});
-        if (!pending_) scopes_.emplace_back();
+        if (!pending_) enter();
         pending_ = false;
     }
     void close(bool block_follows) {
@@ -200,30 +238,56 @@ private:
         if (!bracket.scoped) return;
         if (!bracket.block && block_follows)
             pending_ = true;
-        else if (scopes_.size() > 1)
-            scopes_.pop_back();
+        else
+            leave();
     }
 
-    const LocalFinder& locals_;
-    const std::string none_;
-    std::vector<Scope> scopes_ = std::vector<Scope>(1);
+    const std::vector<uint32_t>& places_;
+    std::unordered_map<std::string_view, size_t> numbers_;
+    std::vector<Shadowed> shadowed_;
+    std::vector<size_t> scopes_;  ///< sizes of shadowed_ where each began
     std::vector<Bracket> brackets_;
+    std::string written_;
     size_t count_ = 0;
     bool pending_ = false;
+    bool head_closes_ = false;  ///< the token before was `)`
+    bool member_ = false;       ///< ... `.`, `->` or `::`
+    bool scoped_ = false;       ///< ... a word whose parentheses are a scope
 };
 
-std::string print_of(const std::vector<std::string>& words) {
-    std::vector<NormalToken> tokens;
-    tokens.reserve(words.size());
-    for (const std::string& word : words) tokens.push_back({word, 0});
-    return fingerprint(tokens);
-}
+/// Puts a unit's text together: one statement a line, tokens apart by blanks.
+class TextWriter {
+public:
+    void add(std::string_view word) {
+        const size_t start = text_.size();
+        text_ += word;
+        std::replace(text_.begin() + static_cast<std::ptrdiff_t>(start), text_.end(), '\n', '\x01');  // raw strings
+        std::replace(text_.begin() + static_cast<std::ptrdiff_t>(start), text_.end(), ' ', '\x02');
+        if (word == "(") ++parens_;
+        if (word == ")") --parens_;
+        const bool ends = word == "{" || word == "}" || (word == ";" && parens_ <= 0);
+        text_ += ends ? '\n' : ' ';
+    }
+    std::string take() {
+        if (!text_.empty() && text_.back() == ' ') text_.back() = '\n';
+        text_.shrink_to_fit();
+        return std::move(text_);
+    }
+
+private:
+    std::string text_;
+    int64_t parens_ = 0;
+};
 
 }  // namespace
 
 std::vector<std::string> local_names(const ScannedFile& file, const Unit& unit) {
     if (unit.kind != UnitKind::Function && unit.kind != UnitKind::Kernel) return {};
-    return LocalFinder(file.lexed, unit.parameters, unit.body).names;
+    std::vector<std::string> names;
+    std::unordered_set<std::string_view> seen;
+    for (const uint32_t place : LocalFinder(file.lexed, unit.parameters, unit.body).places)
+        if (seen.insert(file.lexed.view(place)).second) names.emplace_back(file.lexed.view(place));
+    return names;
 }
 
 UnitState unit_state(const ScannedFile& file, const Unit& unit) {
@@ -234,32 +298,22 @@ UnitState unit_state(const ScannedFile& file, const Unit& unit) {
     state.kind = unit.kind;
     state.start_line = unit.start_line;
     state.end_line = unit.end_line;
-    state.text = normal_form(file, unit);
     const bool code = unit.kind == UnitKind::Function || unit.kind == UnitKind::Kernel;
     const LocalFinder locals(file.lexed, code ? unit.parameters : TokenRange(), code ? unit.body : TokenRange());
-    state.renamed = LocalNumbers(locals).run(state.text);
-    std::vector<std::string> blanked = state.renamed;
-    for (std::string& word : blanked)
-        if (is_number(word)) word = "#";
-    state.prints = {fingerprint(state.text), print_of(state.renamed), print_of(blanked)};
+    LocalNumbers numbers(locals.places);
+    Fingerprinter written, renamed, blanked;
+    TextWriter text;
+    write_normal_form(file, unit, [&](std::string_view word, uint32_t token) {
+        ++state.tokens;
+        text.add(word);
+        written.add(word);
+        const std::string_view numbered = numbers.next(word, token);
+        renamed.add(numbered);
+        blanked.add(is_number(numbered) ? "#" : numbered);
+    });
+    state.text = text.take();
+    state.prints = {written.digits(), renamed.digits(), blanked.digits()};
     return state;
-}
-
-std::string state_text(const UnitState& state) {
-    std::string out;
-    int parens = 0;
-    for (const NormalToken& token : state.text) {
-        std::string word = token.text;
-        std::replace(word.begin(), word.end(), '\n', '\x01');  // raw strings stay on one line
-        std::replace(word.begin(), word.end(), ' ', '\x02');
-        out += word;
-        if (word == "(") ++parens;
-        if (word == ")") --parens;
-        const bool ends = word == "{" || word == "}" || (word == ";" && parens <= 0);
-        out += ends ? '\n' : ' ';
-    }
-    if (!out.empty() && out.back() == ' ') out.back() = '\n';
-    return out;
 }
 
 std::vector<std::string> read_state_text(const std::string& text) {

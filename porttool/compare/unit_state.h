@@ -27,8 +27,8 @@ struct UnitState {
     uint32_t start_line = 0;
     uint32_t end_line = 0;
     Fingerprints prints;
-    std::vector<NormalToken> text;     ///< as written
-    std::vector<std::string> renamed;  ///< the same with locals and parameters numbered
+    size_t tokens = 0;  ///< in normal form
+    std::string text;   ///< the normal form as portmap.base/ keeps it: one statement a line, tokens apart by blanks
 };
 
 UnitState unit_state(const ScannedFile& file, const Unit& unit);
@@ -36,10 +36,7 @@ UnitState unit_state(const ScannedFile& file, const Unit& unit);
 /// The names that a unit declares for itself, in order of appearance: parameters and local variables.
 std::vector<std::string> local_names(const ScannedFile& file, const Unit& unit);
 
-/// The text of a unit as it is kept in portmap.base/: one statement a line, tokens apart by blanks.
-std::string state_text(const UnitState& state);
-
-/// The tokens of such a text.
+/// The tokens of UnitState::text.
 std::vector<std::string> read_state_text(const std::string& text);
 
 }  // namespace porttool

@@ -62,12 +62,7 @@ std::string second_line(const char* help) {
     return text.substr(text.find('\n') + 1);
 }
 
-std::vector<std::string> words_of(const UnitState& unit) {
-    std::vector<std::string> words;
-    words.reserve(unit.text.size());
-    for (const NormalToken& token : unit.text) words.push_back(token.text);
-    return words;
-}
+std::vector<std::string> words_of(const UnitState& unit) { return read_state_text(unit.text); }
 
 std::string change_name(Change change) { return change == Change::Constant ? "constant" : "semantic"; }
 

@@ -24,7 +24,7 @@ Resolver::Resolver(const std::map<std::string, UnitState>& units, std::set<std::
     : units_(units), named_(std::move(named)) {
     for (const auto& [id, unit] : units_) {
         variants_[plain_id(id)].push_back(&unit);
-        if (unit.text.size() >= kLongEnough) by_text_.emplace(unit.prints.renamed, &unit);
+        if (unit.tokens >= kLongEnough) by_text_.emplace(unit.prints.renamed, &unit);
     }
 }
 

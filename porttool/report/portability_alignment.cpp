@@ -49,7 +49,7 @@ Lines lines_of(const UnitPlace& place, const Dialect& dialect) {
         const std::string_view written = file.lexed.view(*token);
         const bool own_name = token - tokens.begin() == unit.name_token && unit.kind != UnitKind::File;
         Line& line = lines[token->line - unit.start_line];
-        line.words.push_back({own_name ? "@" : common_word(written, dialect), written, token->column - 1});
+        line.words.push_back({own_name ? "@" : common_word(written, dialect), written, file.lexed.column(*token) - 1});
     }
     for (Line& line : lines) {
         for (const Word& word : line.words)

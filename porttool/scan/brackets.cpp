@@ -20,7 +20,7 @@ public:
         for (uint32_t i = 0; i < out_.tokens.size(); ++i) {
             const Token& token = lexed_.tokens[out_.tokens[i]];
             const bool continues_list = !open_.empty() && open_.back().bracket == '(';
-            if (token.line != line_ && !continues_list) indent_ = token.column;
+            if (token.line != line_ && !continues_list) indent_ = lexed_.column(token);
             line_ = token.line;
             if (token.kind != TokenKind::Punctuator || token.length != 1) continue;
             read(i, lexed_.text[token.offset]);
@@ -55,8 +55,9 @@ private:
         while (open_.back().bracket != '{') open_.pop_back();
         const Token& token = lexed_.tokens[out_.tokens[i]];
         if (by_indent_ && (token.flags & kStartsLine) != 0) {
-            if (token.column > open_.back().indent) return;  // one too many, inside a block that goes on
-            unwind_to_indent(token.column);
+            const uint32_t column = lexed_.column(token);
+            if (column > open_.back().indent) return;  // one too many, inside a block that goes on
+            unwind_to_indent(column);
         }
         lost_brace_ = lost_brace_ || seems_lost(i, token);
         pair(i);
@@ -65,10 +66,10 @@ private:
     /// A brace in the first column that closes an indented block, with a declaration behind it in the first column: the
     /// block lost its own brace, even if another one too many makes the sum right.
     bool seems_lost(uint32_t i, const Token& brace) const {
-        if (brace.column != 1 || (brace.flags & kStartsLine) == 0 || open_.back().indent == 1) return false;
+        if (lexed_.column(brace) != 1 || (brace.flags & kStartsLine) == 0 || open_.back().indent == 1) return false;
         if (i + 1 >= out_.tokens.size() || open_braces_ < 2 || open_.front().indent != 1) return false;
         const Token& next = lexed_.tokens[out_.tokens[i + 1]];
-        if (next.column != 1 || next.kind != TokenKind::Identifier) return false;
+        if (lexed_.column(next) != 1 || next.kind != TokenKind::Identifier) return false;
         constexpr std::array<std::string_view, 11> kGoesOn = {"else", "while", "catch",  "case",  "default", "if",
                                                               "for",  "do",    "return", "break", "switch"};
         return std::find(kGoesOn.begin(), kGoesOn.end(), lexed_.view(next)) == kGoesOn.end();
@@ -109,6 +110,7 @@ private:
 
 Structure match_brackets(const LexedText& lexed) {
     Structure out;
+    out.tokens.reserve(lexed.tokens.size());
     for (uint32_t i = 0; i < lexed.tokens.size(); ++i)
         if ((lexed.tokens[i].flags & (kInDirective | kDead | kOffStructure)) == 0) out.tokens.push_back(i);
     out.balanced = BracketMatcher(lexed, out, false).run();

@@ -173,6 +173,7 @@ private:
     }
 
     void flag(const std::vector<Range>& ranges, uint8_t bit) {
+        if (ranges.empty()) return;
         std::vector<int32_t> change(lexed_.tokens.size() + 1, 0);
         for (const Range& range : ranges) {
             ++change[range.first];

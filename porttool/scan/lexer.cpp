@@ -65,6 +65,7 @@ public:
     explicit Lexer(std::string_view file) {
         out_.text = without_splices(file, splices_);
         text_ = out_.text;
+        out_.line_starts = {0};
     }
 
     LexedText run() {
@@ -83,8 +84,7 @@ private:
         for (; at_ < to; ++at_) {
             count_splices();
             if (text_[at_] == '\n') {
-                ++line_;
-                line_start_ = at_ + 1;
+                begin_line(at_ + 1);
                 line_is_fresh_ = true;
             }
         }
@@ -93,10 +93,15 @@ private:
 
     void count_splices() {
         while (next_splice_ < splices_.size() && splices_[next_splice_] <= at_) {
-            ++line_;
-            line_start_ = at_;
+            begin_line(at_);
             ++next_splice_;
         }
+    }
+
+    void begin_line(size_t start) {
+        ++line_;
+        line_start_ = start;
+        out_.line_starts.push_back(static_cast<uint32_t>(start));
     }
 
     void step() {
@@ -151,17 +156,16 @@ private:
         if (c == '"') return emit(TokenKind::String, quoted_end(at_));
         if (c == '\'') return emit(TokenKind::Character, quoted_end(at_));
         if (c == '<' && is_include_line()) return emit(TokenKind::String, header_end());
-        for (const auto& punctuator : kPunctuators)
-            if (text_.substr(at_).starts_with(punctuator)) return emit(TokenKind::Punctuator, at_ + punctuator.size());
+        const char next = peek(1);
+        const bool longer = next == c || next == '=' || next == '>' || c == '.';
+        for (size_t i = 0; longer && i < kPunctuators.size(); ++i)
+            if (const auto punctuator = kPunctuators[i]; text_.substr(at_).starts_with(punctuator))
+                return emit(TokenKind::Punctuator, at_ + punctuator.size());
         emit(TokenKind::Punctuator, at_ + 1);
     }
 
     void emit(TokenKind kind, size_t end) {
-        Token token{static_cast<uint32_t>(at_),
-                    static_cast<uint32_t>(end - at_),
-                    line_,
-                    static_cast<uint32_t>(at_ - line_start_ + 1),
-                    kind,
+        Token token{static_cast<uint32_t>(at_), static_cast<uint32_t>(end - at_), line_, kind,
                     static_cast<uint8_t>((line_is_fresh_ ? kStartsLine : 0) | (directive_ ? kInDirective : 0))};
         out_.tokens.push_back(token);
         advance(end);

@@ -142,9 +142,12 @@ ScannedFile scan_text(std::string_view path, std::string_view text) {
     file.language = language_of_text(language_of_path(path), path, text);
     file.lexed = lex(text);
     choose_branches(file.lexed);
-    const Structure structure = match_brackets(file.lexed);
-    file.balanced = structure.balanced;
-    UnitList found = find_units(file.lexed, structure, file.language);
+    UnitList found;
+    {
+        const Structure structure = match_brackets(file.lexed);  // as large as the text: gone before the next big table
+        file.balanced = structure.balanced;
+        found = find_units(file.lexed, structure, file.language);
+    }
     file.units = merge(std::move(found.units), find_macro_units(file.lexed));
     for (Unit& unit : file.units) unit.name = as_utf8(unit.name);
     number_names(file.units);

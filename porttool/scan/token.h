@@ -19,12 +19,12 @@ enum TokenFlag : uint8_t {
     kStartsLine = 8,    ///< first token of its line
 };
 
-/// One token with its place. Offsets point into LexedText::text; lines and columns are those of the file, from 1.
+/// One token with its place. Offsets point into LexedText::text; lines are those of the file, from 1. Kept small, as a
+/// generated file can have sixty million; LexedText::column tells the rest.
 struct Token {
     uint32_t offset = 0;
     uint32_t length = 0;
     uint32_t line = 0;
-    uint32_t column = 0;
     TokenKind kind = TokenKind::Punctuator;
     uint8_t flags = 0;
 };
@@ -58,8 +58,11 @@ struct LexedText {
     std::vector<Directive> directives;
     std::vector<LineSpan> comments;
     std::vector<Suppression> suppressions;
+    std::vector<uint32_t> line_starts;  ///< where each line starts in `text`
     uint32_t line_count = 0;
 
+    /// From 1, in bytes.
+    uint32_t column(const Token& token) const { return token.offset - line_starts[token.line - 1] + 1; }
     std::string_view view(const Token& token) const {
         return std::string_view(text).substr(token.offset, token.length);
     }

@@ -5,7 +5,8 @@
 #include <chrono>
 #include <random>
 
-#include "porttool/compare/normal_form.h"
+#include "porttool/compare/unit_state.h"
+#include "porttool/scan/scan.h"
 #include "tests/porttool/fixtures.h"
 
 namespace porttool::testing {
@@ -19,7 +20,10 @@ void expect_sound(const ScannedFile& file) {
         ASSERT_GE(unit.start_line, 1u);
         ASSERT_LE(unit.start_line, unit.end_line);
         ASSERT_FALSE(unit.name.empty());
-        ASSERT_FALSE(fingerprint(normal_form(file, unit)).empty());
+        const UnitState state = unit_state(file, unit);
+        const std::vector<NormalToken> tokens_now = normal_form(file, unit);
+        ASSERT_EQ(state.prints.written, fingerprint(tokens_now));
+        ASSERT_EQ(state.tokens, tokens_now.size());
     }
     for (const LineClass line : file.lines) ASSERT_NE(line, LineClass::Unclassified);
 }
@@ -162,6 +166,41 @@ TEST(ScanFuzz, TimeGrowsWithTheSizeOnHostileText) {
         const double large = seconds_for(piece, 800'000);
         EXPECT_LT(large, 40 * small + 0.5) << "a text of " << piece;  // eight times the size; quadratic would be 64
     }
+}
+
+std::string renamed_print(const std::string& text) {
+    const ScannedFile file = scan_text("a.cpp", text);
+    return unit_state(file, file.units.at(0)).prints.renamed;
+}
+
+/// A body of hundreds of thousands of blocks or locals, as generators write them: a step for each open block, or a
+/// search through all locals, would run for hours.
+TEST(ScanFuzz, RenamingIsSeenThroughInVeryDeepAndVeryLongBodies) {
+    constexpr int kMany = 150'000;
+    auto deep = [](const std::string& outer, const std::string& inner, const std::string& used) {
+        std::string text = "void f() { int " + outer + " = 1; ";
+        for (int i = 0; i < kMany; ++i) text += "{";
+        text += "int " + inner + " = 2;";
+        for (int i = 0; i < kMany; ++i) text += used + "++;";
+        for (int i = 0; i < kMany; ++i) text += "}";
+        return text + outer + "++; }";
+    };
+    EXPECT_EQ(renamed_print(deep("a", "b", "a")), renamed_print(deep("x", "y", "x")));
+    EXPECT_NE(renamed_print(deep("a", "b", "a")), renamed_print(deep("a", "b", "b")));
+    EXPECT_EQ(renamed_print(deep("a", "b", "b")), renamed_print(deep("a", "a", "a")));  // the inner one hides the outer
+    auto wide = [](const std::string& stem, int used) {
+        std::string text = "void f() { ";
+        for (int i = 0; i < kMany; ++i) text += "int " + stem + std::to_string(i) + " = 1, " + stem + "_;";
+        return text + stem + std::to_string(used) + "++; }";
+    };
+    EXPECT_EQ(renamed_print(wide("a", kMany / 2)), renamed_print(wide("b", kMany / 2)));
+    EXPECT_NE(renamed_print(wide("a", kMany / 2)), renamed_print(wide("a", kMany / 2 + 1)));
+    auto list = [](const std::string& last) {
+        std::string text = "void f() { int a = g(";
+        for (int i = 0; i < kMany; ++i) text += "1,";
+        return text + "1), " + last + "; " + last + "++; }";
+    };
+    EXPECT_EQ(renamed_print(list("b")), renamed_print(list("c")));  // however far the next name stands
 }
 
 TEST(ScanFuzz, OneLineOfAHundredMegabytes) {

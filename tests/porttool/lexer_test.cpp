@@ -20,9 +20,9 @@ TEST(Lexer, KeepsThePlaceOfEachToken) {
     const LexedText lexed = lex("a\n  bc /* d\n */ e\n");
     ASSERT_EQ(lexed.tokens.size(), 3u);
     EXPECT_EQ(lexed.tokens[1].line, 2u);
-    EXPECT_EQ(lexed.tokens[1].column, 3u);
+    EXPECT_EQ(lexed.column(lexed.tokens[1]), 3u);
     EXPECT_EQ(lexed.tokens[2].line, 3u);
-    EXPECT_EQ(lexed.tokens[2].column, 5u);
+    EXPECT_EQ(lexed.column(lexed.tokens[2]), 5u);
     EXPECT_EQ(lexed.line_count, 3u);
 }
 
@@ -32,7 +32,7 @@ TEST(Lexer, JoinsSplicedLinesAndStillCountsThem) {
     EXPECT_EQ(lexed.view(0), "abcd");
     EXPECT_EQ(lexed.tokens[1].line, 2u);
     EXPECT_EQ(lexed.tokens[2].line, 3u);
-    EXPECT_EQ(lexed.tokens[2].column, 3u);
+    EXPECT_EQ(lexed.column(lexed.tokens[2]), 3u);
     EXPECT_EQ(lexed.tokens[3].line, 4u);
 }
 
