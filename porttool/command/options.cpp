@@ -105,6 +105,9 @@ ParsedOptions parse_options(int argc, const char* const* argv) {
     report->add_option("--base", options.base, "Show each figure with its change against merge-base(REV, HEAD)")
         ->type_name("REV")
         ->check([](const std::string& text) { return text.empty() ? "expected a revision" : ""; });
+    report->add_option("--bench", options.bench, "Speed of one platform, for performance portability")
+        ->allow_extra_args(false)
+        ->type_name("FILE[=MRAYS]");
     report->add_option("--fail-under", options.fail_under, "Exit 1 if a block's target shares less, in Moss percent")
         ->allow_extra_args(false)
         ->type_name("BLOCK=PERCENT");

@@ -25,6 +25,7 @@ struct Options {
     bool strict = false;
     std::string owner, until, reason;
     std::string base;                     ///< a revision
+    std::vector<std::string> bench;       ///< report's bench files, FILE or FILE=MRAYS each
     std::vector<std::string> fail_under;  ///< report's bars, BLOCK=PERCENT each
     bool staged = false;
     std::string from, to = "HEAD";  ///< effort's revisions

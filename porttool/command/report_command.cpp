@@ -70,6 +70,27 @@ std::string below_bars(const PortabilityReport& report, const std::vector<Bar>& 
     return out;
 }
 
+/// Reads FILE or FILE=MRAYS; a file may hold equal signs itself.
+PlatformSpeed read_bench(const std::string& text, const Options& options, const Disk& disk) {
+    std::string path = text;
+    std::optional<double> limit;
+    const size_t cut = text.rfind('=');
+    if (cut != std::string::npos && !disk.exists(join_path(options.directory, text))) {
+        path = text.substr(0, cut);
+        double value = 0;
+        const auto [end, error] = std::from_chars(text.data() + cut + 1, text.data() + text.size(), value);
+        if (error != std::errc() || end != text.data() + text.size() || !(value > 0) || !std::isfinite(value))
+            throw CannotDo("--bench " + text + ": '" + text.substr(cut + 1) +
+                           "' is no rate; expected millions of rays per second, as in --bench gpu.json=120");
+        limit = value;
+    }
+    const FileText file = disk.read(join_path(options.directory, path), kLargestFile);
+    if (!file.error.empty()) throw CannotDo("--bench " + path + ": " + file.error);
+    const ReadSpeed speed = read_speed(path, file.bytes, limit);
+    if (!speed.error.empty()) throw CannotDo(speed.error);
+    return speed.platform;
+}
+
 SideTexts read_texts(const Project& project, const Disk& disk) {
     SideTexts texts;
     const auto read = [&](size_t side, const std::vector<ScannedFile>& files, const std::string& root) {
@@ -106,7 +127,9 @@ Outcome report_command(const Options& options, Workplace& place) {
     const PortabilityReport report = report_of(checked.project, checked.lock, checked.judgement, true);
     const std::string low = below_bars(report, bars);
     const std::string date = today();
-    WholeReport whole{checked.project.map, report, checked.judgement, {}, date, {}};
+    WholeReport whole{checked.project.map, report, checked.judgement, {}, date, {}, {}};
+    for (const std::string& text : options.bench)
+        whole.performance.platforms.push_back(read_bench(text, options, place.disk));
     whole.ledger = drift_ledger(checked.judgement, checked.lock, finding_ages(checked, date), date);
     PastProject past;
     if (!options.base.empty()) {

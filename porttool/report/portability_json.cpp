@@ -231,6 +231,7 @@ ordered_json portability_json(const WholeReport& whole) {
          {{"k", metrics::WinnowingParameters{}.k},
           {"w", metrics::WinnowingParameters{}.w},
           {"twin_percent", kTwinBound}}}};
+    out["performance"] = performance_json(whole.performance);
     out["base"] = nullptr;
     if (with_change) out["base"] = {{"revision", whole.base->revision}};
     return out;

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "porttool/report/performance.h"
 #include "porttool/report/portability_ledger.h"
 #include "porttool/report/portability_model.h"
 
@@ -26,6 +27,7 @@ struct WholeReport {
     DriftLedger ledger;
     std::string today;
     std::optional<BaseReport> base;
+    Performance performance;
 };
 
 /// How the figures of a block changed; those that one of the two has not stay absent.

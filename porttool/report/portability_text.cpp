@@ -180,6 +180,7 @@ std::string portability_table(const WholeReport& whole) {
                            arrow(c.shared[0], 0), arrow(c.moss[0], 1), arrow(c.lines[1], 0), arrow(c.shared[1], 0),
                            arrow(c.moss[1], 1), arrow(c.portability, 2));
     }
+    if (!whole.performance.platforms.empty()) out += performance_markdown(whole.performance);
     for (const size_t side : {0, 1}) {
         const LineParts& parts = whole.report.totals.parts[side];
         out += fmt::format("{}{}: {} lines = {} twin + {} rewritten + {} one-sided + {} unmatched\n",
@@ -196,6 +197,7 @@ std::string portability_markdown(const WholeReport& whole) {
     if (whole.base) out += fmt::format("Changes are against the merge base with `{}`.\n", whole.base->revision);
     out += open_findings(whole);
     out += "\n" + block_rows(whole) + "\n" + part_rows(whole.report);
+    out += performance_markdown(whole.performance);
     out += where_to_look(whole.report);
     return out;
 }

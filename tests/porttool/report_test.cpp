@@ -252,6 +252,41 @@ TEST(Report, ABarThatCannotBeReadIsExitCodeTwo) {
     EXPECT_NE(nameless.err.find("src/k.cu=port/k.comp"), std::string::npos) << nameless.err;
 }
 
+// Pennycook's example shape: 2 / (1 / 0.75 + 1 / 0.25) = 0.375.
+TEST(Report, PerformancePortabilityIsTheHarmonicMeanOfWhatBenchFilesSay) {
+    MemoryDisk disk = labelled();
+    disk.files["/r/cpu.json"] = R"({"core":"target","device":"CPU","mrays_per_s":{"total":12},)"
+                                R"("embree_limit_mrays_per_s":16})";
+    disk.files["/r/gpu.json"] = R"({"core":"source","device":"GPU","mrays_per_s":{"total":5},)"
+                                R"("embree_limit_mrays_per_s":null})";
+    const std::vector<std::string> start = {"-C", "/r", "report", "--format", "json", "--bench", "cpu.json"};
+    auto with = [&](const std::string& bench) {
+        std::vector<std::string> arguments = start;
+        arguments.insert(arguments.end(), {"--bench", bench});
+        return run(disk, arguments);
+    };
+    const json known = json::parse(with("gpu.json=20").out)["performance"];
+    EXPECT_DOUBLE_EQ(known["performance_portability"], 0.375);
+    EXPECT_EQ(known["platforms"][0]["name"], "target core on CPU");
+    EXPECT_DOUBLE_EQ(known["platforms"][1]["efficiency"], 0.25);
+    const json unknown = json::parse(with("gpu.json").out)["performance"];
+    EXPECT_TRUE(unknown["performance_portability"].is_null());
+    EXPECT_TRUE(report_json(disk)["performance"].is_null());
+}
+
+TEST(Report, ABenchFileThatCannotBeReadIsExitCodeTwo) {
+    MemoryDisk disk = labelled();
+    disk.files["/r/text.json"] = "no json";
+    disk.files["/r/other.json"] = R"({"mrays_per_s": 4})";
+    for (const auto& [bench, word] : {std::pair("none.json", "none.json"), std::pair("text.json", "no JSON"),
+                                      std::pair("other.json", "mrays_per_s.total"), std::pair("text.json=x", "'x'")}) {
+        const CommandRun got = run(disk, {"-C", "/r", "report", "--bench", bench});
+        EXPECT_EQ(got.exit_code, 2) << bench;
+        EXPECT_EQ(got.out, "") << bench;
+        EXPECT_THAT(got.err, ::testing::HasSubstr(word)) << bench;
+    }
+}
+
 TEST(Report, CsvHasOneRowABlockAndQuotesNames) {
     MemoryDisk disk = labelled();
     const std::string csv = report(disk, {"--format", "csv"}).out;

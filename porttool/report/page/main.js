@@ -51,6 +51,7 @@ byId("twin-bound").textContent = report.parameters.twin_percent;
 showSummary();
 showBlocks();
 showLines();
+showSpeed();
 showMap();
 showLedger();
 showUnits();

@@ -74,6 +74,25 @@ function blockRow(block) {
       dp && range(dp) && h("small", null, range(dp))));
 }
 
+// How much of each platform's speed the program reaches, where bench files were given.
+function showSpeed() {
+  if (!report.performance) return;
+  const { platforms, performance_portability: portability } = report.performance;
+  const rate = (value) => (value === null ? "not known" : value.toFixed(2));
+  byId("speed").hidden = false;
+  put("speed",
+    h("h2", { id: "speed-title" }, "Speed"),
+    h("p", { class: "about" }, "How much of what each platform can do the program reaches, and the harmonic mean of that (Pennycook, Sewall and Lee)."),
+    h("div", { class: "scroll", tabindex: "0", role: "region", "aria-label": "Speed, table" },
+      h("table", { class: "speed" },
+        h("thead", null, h("tr", null, h("th", { scope: "col" }, "Platform"),
+          ["Mrays/s", "of at most", "Efficiency"].map((name) => h("th", { scope: "col", class: "n" }, name)))),
+        h("tbody", null, platforms.map((platform) => h("tr", null, h("th", { scope: "row" }, platform.name),
+          h("td", { class: "n" }, rate(platform.achieved_mrays_per_s)), h("td", { class: "n" }, rate(platform.limit_mrays_per_s)),
+          h("td", { class: "n" }, rate(platform.efficiency))))))),
+    h("p", { class: "fine" }, `Performance portability: ${portability === null ? "not known, for want of a limit" : degree(portability)}.`));
+}
+
 function showBlocks() {
   const total = { ...report.totals, name: "All lines", isTotal: true };
   const group = (text, span) => h("th", { colspan: span, scope: "colgroup" }, text);
