@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 
+#include "porttool/compare/renaming.h"
 #include "porttool/compare/statements.h"
 
 namespace porttool {
@@ -155,21 +156,11 @@ void name_missing(const std::vector<Statement>& here, const std::vector<size_t>&
     }
 }
 
-}  // namespace
-
-Change classify(const Fingerprints& before, const Fingerprints& now) {
-    if (before.written == now.written) return Change::None;
-    if (before.renamed == now.renamed) return Change::Cosmetic;
-    return before.blanked == now.blanked ? Change::Constant : Change::Semantic;
-}
-
-Edit edit_of(const std::vector<std::string>& before, const std::vector<std::string>& now) {
-    return shown(statement_edit(before, now, Dialect()));
-}
-
-EditComparison compare_edits(const std::vector<std::string>& source_before, const std::vector<std::string>& source_now,
-                             const std::vector<std::string>& target_before, const std::vector<std::string>& target_now,
-                             const Dialect& dialect) {
+/// Compares the edits by the names that the texts have.
+EditComparison compare_as_named(const std::vector<std::string>& source_before,
+                                const std::vector<std::string>& source_now,
+                                const std::vector<std::string>& target_before,
+                                const std::vector<std::string>& target_now, const Dialect& dialect) {
     const StatementEdit source = statement_edit(source_before, source_now, dialect);
     const StatementEdit target = statement_edit(target_before, target_now, dialect);
     EditComparison out;
@@ -201,6 +192,33 @@ EditComparison compare_edits(const std::vector<std::string>& source_before, cons
     name_missing(target.now, target.gained, source_gained, "port", "source", "gained", out.differences);
     name_missing(target.before, target.lost, source_lost, "port", "source", "lost", out.differences);
     if (out.differences.empty()) out.differences.emplace_back("the two sides were rearranged differently");
+    return out;
+}
+
+}  // namespace
+
+Change classify(const Fingerprints& before, const Fingerprints& now) {
+    if (before.written == now.written) return Change::None;
+    if (before.renamed == now.renamed) return Change::Cosmetic;
+    return before.blanked == now.blanked ? Change::Constant : Change::Semantic;
+}
+
+Edit edit_of(const std::vector<std::string>& before, const std::vector<std::string>& now) {
+    return shown(statement_edit(before, now, Dialect()));
+}
+
+EditComparison compare_edits(const std::vector<std::string>& source_before, const std::vector<std::string>& source_now,
+                             const std::vector<std::string>& target_before, const std::vector<std::string>& target_now,
+                             const Dialect& dialect) {
+    EditComparison out = compare_as_named(source_before, source_now, target_before, target_now, dialect);
+    if (out.equivalent) return out;
+    const auto source = with_old_names(source_before, source_now, dialect);
+    const auto target = with_new_names_of_source(source_before, source, target_before,
+                                                 with_old_names(target_before, target_now, dialect), dialect);
+    if (source == source_now && target == target_now) return out;
+    EditComparison renamed = compare_as_named(source_before, source, target_before, target, dialect);
+    out.equivalent = renamed.equivalent;
+    out.differences = std::move(renamed.differences);
     return out;
 }
 

@@ -28,7 +28,8 @@ struct EditComparison {
     std::vector<std::string> differences;  ///< sentences: what is missing on which side
 };
 
-/// Compares the edit before -> now of the source with that of the target. All four are tokens in normal form.
+/// Compares the edit before -> now of the source with that of the target. All four are tokens in normal form. Locals
+/// may have been renamed on either side, and those that are new may have another name on each.
 EditComparison compare_edits(const std::vector<std::string>& source_before, const std::vector<std::string>& source_now,
                              const std::vector<std::string>& target_before, const std::vector<std::string>& target_now,
                              const Dialect& dialect);

@@ -21,24 +21,16 @@ std::string folded(const std::string& word) {
     return out.empty() ? word : out;
 }
 
-/// One token in the common vocabulary, or "" for what has no counterpart.
-std::string in_common(const std::string& token, const Dialect& dialect) {
-    if (token.empty()) return token;
-    if (const std::string* known = dialect.find(token)) return *known;
-    if (is_digit(token[0]) || (token[0] == '.' && token.size() > 1 && is_digit(token[1]))) return number_value(token);
-    return is_word_start(token[0]) ? folded(token) : token;
-}
-
 std::vector<std::string> translate(const std::vector<std::string>& tokens, const Dialect& dialect) {
     std::vector<std::string> out;
     for (size_t i = 0; i < tokens.size(); ++i) {
         if (tokens[i] == "::") {  // scopes come and go: a::b is b
             if (!out.empty() && i > 0 && is_word_start(tokens[i - 1][0]) &&
-                out.back() == in_common(tokens[i - 1], dialect))
+                out.back() == common_word(tokens[i - 1], dialect))
                 out.pop_back();
             continue;
         }
-        std::string word = in_common(tokens[i], dialect);
+        std::string word = common_word(tokens[i], dialect);
         if (!word.empty()) out.push_back(std::move(word));
     }
     return out;
@@ -72,6 +64,13 @@ Statement make_statement(const std::vector<std::string>& tokens, const Dialect& 
 }
 
 }  // namespace
+
+std::string common_word(const std::string& token, const Dialect& dialect) {
+    if (token.empty()) return token;
+    if (const std::string* known = dialect.find(token)) return *known;
+    if (is_digit(token[0]) || (token[0] == '.' && token.size() > 1 && is_digit(token[1]))) return number_value(token);
+    return is_word_start(token[0]) ? folded(token) : token;
+}
 
 std::vector<Statement> split_statements(const std::vector<std::string>& tokens, const Dialect& dialect) {
     std::vector<Statement> out;

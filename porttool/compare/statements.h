@@ -16,6 +16,9 @@ struct Statement {
     std::string key;                  ///< the same as one text
 };
 
+/// One token in the common vocabulary; "" for what has no counterpart elsewhere.
+std::string common_word(const std::string& token, const Dialect& dialect);
+
 /// Cuts tokens in normal form into statements. Empty ones and lone braces are left out, but for the nesting depth that
 /// becomes part of no key.
 std::vector<Statement> split_statements(const std::vector<std::string>& tokens, const Dialect& dialect);

@@ -202,6 +202,78 @@ TEST(Check, ANameDeclaredAgainInABlockIsAnotherVariable) {
     EXPECT_EQ(check(disk)["verdict"], "drift");
 }
 
+/// A renaming beside the edit hides neither that the edit is the same nor that it is another.
+TEST(Check, LocalsMayBeRenamedBesideTheEditThatBothSidesMade) {
+    const std::string source =
+        "float total;\n__device__ float f(float x, float y, float pdf) {\n    float a = x * 0.5f;\n    float b = y + "
+        "0.5f;\n"
+        "    if (pdf < 1e-4f) { return 0.0f; }\n    float w = fmaxf(a, b) / pdf;\n    store(w, a, b);\n"
+        "    return w * a - b;\n}\n";
+    const std::string renamed =  // a is first, w is weight
+        "float total;\nfloat f(float x, float y, float pdf) {\n    float first = x * 0.5;\n    float b = y + 0.5;\n"
+        "    if (pdf < 1e-4) { return 0.0; }\n    float weight = max(first, b) / pdf;\n    store(weight, first, b);\n"
+        "    return weight * first - b;\n}\n";
+    const std::string target = replaced(replaced(source, "__device__ ", ""), "fmaxf", "max");
+    using Edit = std::pair<std::string, std::string>;
+    struct Row {
+        Edit source, port;
+        bool same;
+    };
+    const std::vector<Row> rows = {
+        {{"x * 0.5f", "x * 0.25f"}, {"x * 0.5", "x * 0.25"}, true},
+        {{"x * 0.5f", "x * 0.25f"}, {"x * 0.5", "x * 0.75"}, false},
+        {{"return w * a - b", "return w * b - a"}, {"return weight * first - b", "return weight * b - first"}, true},
+        {{"return w * a - b", "return w * b - a"}, {"return weight * first - b", "return first * b - weight"}, false},
+        {{"store(w, a, b)", "store(w, b, a)"}, {"store(weight, first, b)", "store(weight, b, b)"}, false},
+        {{"return w * a - b", "return w * a"}, {"return weight * first - b", "return weight * total"}, false},
+        {{"store(w, a, b);", "float c = a + b; store(w, a, c);"},
+         {"store(weight, first, b);", "float sum = first + b; store(weight, first, sum);"},
+         true},
+        {{"store(w, a, b);", "float c = a + b; store(w, a, c);"},
+         {"store(weight, first, b);", "float sum = first + b; store(weight, sum, first);"},
+         false},
+        {{"store(w, a, b);", "float c = a + b; float d = a - b; store(w, c, d);"},
+         {"store(weight, first, b);", "float s = first + b; float t = first - b; store(weight, s, t);"},
+         true},
+        {{"store(w, a, b);", "float c = a + b; float d = a - b; store(w, c, d);"},
+         {"store(weight, first, b);", "float s = first + b; float t = first - b; store(weight, t, s);"},
+         false},
+        // not a renaming: one use still means the parameter, or the global
+        {{"x * 0.5f", "x * 0.25f"}, {"x * 0.5;\n    float b = y", "x * 0.25;\n    float b = first"}, false},
+        {{"x * 0.5f", "x * 0.25f"}, {"float first = x * 0.5;", "float first = x * 0.25; total = first;"}, false}};
+    for (const Row& row : rows) {
+        MemoryDisk disk = started(source, target);
+        disk.files["/r/src/k.cu"] = replaced(source, row.source.first, row.source.second);
+        disk.files["/r/port/k.comp"] = replaced(renamed, row.port.first, row.port.second);
+        const auto report = check(disk);
+        EXPECT_EQ(rules(report), row.same ? Rules{} : Rules{"port-differs"}) << row.port.second << report.dump(1);
+    }
+}
+
+/// A local that takes over the name of a global, or another local's, is no renaming.
+TEST(Check, ANameThatMeantSomethingElseIsNoRenaming) {
+    const std::string source =
+        "float scale;\n__device__ float f(float x, float gain) {\n    float a = x * 0.5f;\n    float b = x * scale;\n"
+        "    return a * gain + b;\n}\n";
+    const std::string target = replaced(source, "__device__ ", "");
+    const std::vector<std::string> ports = {
+        // the parameter is called as the global, which the body means no longer
+        "float scale;\nfloat f(float x, float scale) {\n    float a = x * 0.25f;\n    float b = x * scale;\n"
+        "    return a * scale + b;\n}\n",
+        // a and b change places
+        "float scale;\nfloat f(float x, float gain) {\n    float b = x * 0.25f;\n    float a = x * scale;\n"
+        "    return a * gain + b;\n}\n",
+        // a is split in two
+        "float scale;\nfloat f(float x, float gain) {\n    float a = x * 0.25f;\n    float c = x * scale;\n"
+        "    float b = c;\n    return b * gain + c;\n}\n"};
+    for (const std::string& port : ports) {
+        MemoryDisk disk = started(source, target);
+        disk.files["/r/src/k.cu"] = replaced(source, "x * 0.5f", "x * 0.25f");
+        disk.files["/r/port/k.comp"] = port;
+        EXPECT_EQ(rules(check(disk)), Rules{"port-differs"}) << port;
+    }
+}
+
 TEST(Check, NewGoneAndMovedUnits) {
     MemoryDisk disk = started(kSource, kTarget);
     disk.files["/r/src/k.cu"] = std::string(kSource) + "__device__ int fresh(int a) { return a + 1; }\n";

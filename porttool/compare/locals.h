@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "porttool/scan/unit.h"
+
+namespace porttool {
+
+/// The tokens between the parentheses and braces of a function that declare a parameter or a local, sorted. Told by
+/// their shape: a type, then a name, then what may follow a declared name. Takes linear time.
+std::vector<uint32_t> declaring_tokens(const LexedText& lexed, TokenRange parameters, TokenRange body);
+
+/// Numbers locals and parameters in the order of their declarations, scope by scope, so that a name that is declared
+/// again within a block is another variable there. Words that no declaration in force covers stay as they are. Takes
+/// tokens in normal form one after the other, in linear time whatever the nesting.
+class LocalNumbers {
+public:
+    /// `places`: what declaring_tokens() gave.
+    explicit LocalNumbers(std::vector<uint32_t> places) : places_(std::move(places)) {}
+
+    /// What stands for the next token: `%1` for the first local; valid until the next call. The text of a word must
+    /// outlive this object.
+    std::string_view next(std::string_view text, uint32_t token);
+
+private:
+    struct Bracket {
+        bool scoped = false;
+        bool block = false;
+    };
+    /// What a name stood for before a declaration; 0 for itself.
+    struct Shadowed {
+        std::string_view name;
+        size_t number;
+    };
+
+    std::string_view numbered(std::string_view text, uint32_t token);
+    std::string_view written(size_t number);
+    void enter();
+    void leave();
+    void open(bool scoped);
+    void open_block();
+    void close(bool block_follows);
+
+    std::vector<uint32_t> places_;
+    std::unordered_map<std::string_view, size_t> numbers_;
+    std::vector<Shadowed> shadowed_;
+    std::vector<size_t> scopes_;  ///< sizes of shadowed_ where each began
+    std::vector<Bracket> brackets_;
+    std::string written_;
+    size_t count_ = 0;
+    bool pending_ = false;
+    bool head_closes_ = false;  ///< the token before was `)`
+    bool member_ = false;       ///< ... `.`, `->` or `::`
+    bool scoped_ = false;       ///< ... a word whose parentheses are a scope
+};
+
+/// For each token of a function's text in normal form (its own name is `@`), which local it names, from 1; 0 for
+/// anything else. Empty if the text is no function, or has preprocessor lines, in which declarations may stand twice.
+std::vector<size_t> local_numbers(const std::vector<std::string>& words);
+
+}  // namespace porttool
