@@ -109,6 +109,7 @@ inline Surface make_surface(PathRay path_ray, Hit hit, TriangleVertices triangle
     Float cosine = dot(surface.geometric_normal, path_ray.ray.direction);
     surface.front = cosine < 0.0f;
     Float cover = square(surface.cone_width) / max(square(cosine) * sqrt(dot(area, area)), SMALLEST);
+    cover = min(cover, 1.0e20f);  // times no area at all, infinity would be no number
     surface.coordinates.uv0 = attributes.uv0;
     surface.coordinates.uv1 = attributes.uv1;
     surface.coordinates.footprint0 = attributes.uv_area0 * cover;

@@ -11,13 +11,14 @@
 #include "target_core/device/bindings.h"
 #include "target_core/device/embree_scene.h"
 #include "target_core/device/kernel_table.h"
+#include "target_core/kernels/surface.h"
 
 using namespace target_core;
 
 namespace {
 
 // A bumpy, textured, coloured sheet of many materials under a light and a sky map: every branch of shade.
-class WideKernels : public testing::TestWithParam<uint> {
+class WideKernelsScene : public testing::Test {
 protected:
     void SetUp() override {
         make_textures();
@@ -197,6 +198,8 @@ protected:
     Bindings bindings_;
 };
 
+class WideKernels : public WideKernelsScene, public testing::WithParamInterface<uint> {};
+
 // What one sample leaves behind after each kernel. Hits come from the one-lane walk, so that ties between coincident
 // triangles do not hide a fault of the lanes.
 TEST_P(WideKernels, GiveTheBitsOfOneLane) {
@@ -291,6 +294,25 @@ TEST_P(WideKernels, TraceWhatOneLaneTraces) {
     }
     EXPECT_GT(met, pass_.path_count / 4);
     EXPECT_GE(same, pass_.path_count - 2);
+}
+
+// The footprint of a wide cone on a triangle seen from its edge, or without area, stays a number: it chooses a level.
+TEST_F(WideKernelsScene, FootprintsAreFinite) {
+    Tile tile;
+    use(tile);
+    kernels::PathRay path_ray;
+    path_ray.ray.origin = {0.0f, 0.0f, 0.0f};
+    path_ray.ray.direction = {1.0f, 0.0f, 0.0f};
+    path_ray.cone_width = 1.0e6f;
+    path_ray.cone_spread = 1.0f;
+    kernels::Hit hit{0, 0, 1.0f, 0.25f, 0.25f};
+    kernels::TriangleVertices seen_from_its_edge{{0, 0, 0}, {1, 0, 0}, {0, 0, 1}, 0};
+    kernels::TriangleVertices without_area{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, 0};
+    for (const kernels::TriangleVertices& triangle : {seen_from_its_edge, without_area}) {
+        kernels::Surface surface = kernels::make_surface(path_ray, hit, triangle);
+        EXPECT_TRUE(std::isfinite(surface.coordinates.footprint0)) << surface.coordinates.footprint0;
+        EXPECT_TRUE(std::isfinite(surface.coordinates.footprint1)) << surface.coordinates.footprint1;
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, WideKernels, testing::Values(0u, 1u));
