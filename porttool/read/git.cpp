@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "porttool/read/git.h"
 
+#include <cstdlib>
+#include <filesystem>
+
 #include "porttool/read/disk.h"
 #include "porttool/read/git_open.h"
 
@@ -157,12 +160,34 @@ GitFiles files_at_base(const std::string& root, const std::string& revision, con
     return out;
 }
 
+namespace {
+
+/// Where the commit that is being made has its index: `git commit -a` and `git commit FILE` give their hooks one of
+/// their own beside the usual one, and name it in GIT_INDEX_FILE. "" for the usual one, and where the variable is about
+/// another repository.
+std::string index_of_hook(git_repository* repository) {
+    const char* named = std::getenv("GIT_INDEX_FILE");
+    if (named == nullptr || *named == '\0') return {};
+    std::error_code error;
+    for (const std::string& from : {std::string("."), std::string(git_repository_workdir(repository))}) {
+        const std::filesystem::path path = std::filesystem::path(from) / named;
+        if (std::filesystem::exists(path, error) &&
+            std::filesystem::equivalent(path.parent_path(), git_repository_path(repository), error))
+            return path.string();
+    }
+    return {};
+}
+
+}  // namespace
+
 GitFiles files_in_index(const std::string& root, const WantsFile& wants) {
     GitFiles out;
     const OpenedGit opened = open(root);
     if (!opened.error.empty()) return {{}, opened.error};
     git_index* index = nullptr;
-    if (git_repository_index(&index, opened.repository.get()) != 0)
+    const std::string of_hook = index_of_hook(opened.repository.get());
+    if ((of_hook.empty() ? git_repository_index(&index, opened.repository.get())
+                         : git_index_open(&index, of_hook.c_str())) != 0)
         return {{}, "the index cannot be read: " + git_last_error() + "\nLook into it with: git status"};
     const Index owner(index);
     const Walk walk{out, opened.repository.get(), opened.prefix, "", wants};

@@ -114,6 +114,50 @@ TEST_F(Git, WorkTreesSubfoldersAndDetachedHeadsWork) {
     EXPECT_EQ(check({"--base", "base"}, (root / "src").string())["verdict"], "in_step");
 }
 
+TEST_F(Git, ABareRepositoryAndALinkToNowhereAreNamedWithARemedy) {
+    git("clone -q --bare . '" + beside("other").string() + "'");
+    for (const char* name : {"src", "port", "portmap.toml", "portmap.lock", "portmap.base"})
+        std::filesystem::copy(root / name, beside("other") / name, std::filesystem::copy_options::recursive);
+    EXPECT_NE(error_of({"--base", "HEAD"}, beside("other").string()).find("bare repository"), std::string::npos);
+    EXPECT_NE(error_of({"--staged"}, beside("other").string()).find("git worktree add"), std::string::npos);
+    EXPECT_EQ(check({}, beside("other").string())["verdict"], "in_step") << "the lock needs no git";
+    std::filesystem::remove_all(root / ".git");
+    for (const char* text : {"gitdir: /nowhere/at/all\n", ""}) {
+        write(".git", text);
+        EXPECT_NE(error_of({"--base", "HEAD"}).find("git -C '" + root.string() + "' status"), std::string::npos);
+        EXPECT_EQ(porttool({"history"}).exit_code, 2);
+        EXPECT_EQ(check({})["verdict"], "in_step");
+    }
+}
+
+/// Sets a variable of the environment for as long as it lives.
+struct Variable {
+    Variable(const char* name, const std::string& value) : name_(name) { ::setenv(name, value.c_str(), 1); }
+    ~Variable() { ::unsetenv(name_); }
+    const char* name_;
+};
+
+/// Git sets them for its hooks; whose repository is meant, -C says.
+TEST_F(Git, VariablesOfAnotherRepositoryAreNotHeeded) {
+    const Variable folder("GIT_DIR", "/nowhere/at/all"), tree("GIT_WORK_TREE", "/"), index("GIT_INDEX_FILE", "/none");
+    EXPECT_EQ(check({"--base", "base"})["verdict"], "in_step");
+    EXPECT_EQ(check({"--staged"})["verdict"], "in_step");
+}
+
+/// `git commit -a` asks its hook about an index that is not yet in place.
+TEST_F(Git, InAHookTheIndexOfThatCommitCounts) {
+    write("src/k.cu", replaced(source, "a * b", "a + b"));
+    EXPECT_EQ(check({"--staged"})["verdict"], "in_step");
+    std::ofstream(root / ".git/hooks/pre-commit") << "#!/bin/sh\ncp \"$GIT_INDEX_FILE\" .git/of-hook\n";
+    std::filesystem::permissions(root / ".git/hooks/pre-commit", std::filesystem::perms::all);
+    git("commit -qam three && git reset -q --soft HEAD~ && git read-tree HEAD");
+    EXPECT_EQ(check({"--staged"})["verdict"], "in_step") << "nothing is in the usual index";
+    const Variable absolute("GIT_INDEX_FILE", (root / ".git/of-hook").string());
+    EXPECT_EQ(check({"--staged"})["verdict"], "drift");
+    const Variable relative("GIT_INDEX_FILE", ".git/of-hook");
+    EXPECT_EQ(check({"--staged"})["verdict"], "drift");
+}
+
 TEST_F(Git, WhatGitCannotGiveIsExitCodeTwo) {
     EXPECT_NE(error_of({"--base", "nowhere"}).find("git fetch origin nowhere"), std::string::npos);
     EXPECT_NE(error_of({"--base", "origin/main"}).find("git fetch origin main\n"), std::string::npos);

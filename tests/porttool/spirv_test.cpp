@@ -189,6 +189,20 @@ TEST_F(Spirv, IncludesAreFoundInTheFoldersOfTheMap) {
     EXPECT_EQ(after("math.glsl", "value * EXTRA", "value * 2.0")["verdict"], "in_step") << last.err;
 }
 
+/// Where there is no glslang the option is refused with what to install, and nothing is printed as a result.
+TEST(SpirvOption, WithoutGlslangNamesTheRemedy) {
+    if (spirv_is_built_in()) GTEST_SKIP() << "this build has glslang";
+    MemoryDisk disk;
+    disk.files = {{"/r/src/k.glsl", "float f(float x) { return x + 1.0; }\n"},
+                  {"/r/port/k.cpp", "float f(float x) { return x + 1.0f; }\n"}};
+    run(disk, {"-C", "/r", "init", "--source", "src/*", "--target", "port/*"});
+    EXPECT_EQ(run(disk, {"-C", "/r", "check"}).exit_code, 0);
+    const CommandRun got = run(disk, {"-C", "/r", "check", "--spirv"});
+    EXPECT_EQ(got.exit_code, 2);
+    EXPECT_EQ(got.out, "");
+    EXPECT_NE(got.err.find("glslang-dev"), std::string::npos) << got.err;
+}
+
 TEST(ShaderFiles, StagesAndIncludes) {
     EXPECT_EQ(stage_of_path("a/b.comp"), ShaderStage::Compute);
     EXPECT_EQ(stage_of_path("a/b.rchit.glsl"), ShaderStage::ClosestHit);
