@@ -76,22 +76,33 @@ bool RealDisk::exists(const std::string& path) const {
     return fs::exists(path, error);
 }
 
+namespace {
+
+/// Empty, or why the bytes are not in the file.
+std::string put_bytes(const std::string& path, const std::string& bytes, std::ios::openmode mode = std::ios::trunc) {
+    errno = 0;
+    std::ofstream stream(path, std::ios::binary | mode);
+    stream << bytes;
+    stream.close();
+    return stream ? std::string() : std::string("cannot be written: ") + std::strerror(errno);
+}
+
+}  // namespace
+
 std::string RealDisk::write(const std::string& path, const std::string& bytes) {
     std::error_code error;
     const fs::path folder = fs::path(path).parent_path();
     if (!folder.empty()) fs::create_directories(folder, error);
-    const std::string temporary = path + ".tmp" + std::to_string(::getpid());
-    {
-        std::ofstream stream(temporary, std::ios::binary | std::ios::trunc);
-        stream << bytes;
-        stream.flush();
-        if (!stream) {
-            const std::string reason = std::strerror(errno);
-            fs::remove(temporary, error);
-            return "cannot be written: " + reason;
-        }
+    // A link stays a link, and a device, a pipe or an open file (/dev/stdout) is written to, not replaced.
+    if (path.starts_with("/dev/") || path.starts_with("/proc/")) return put_bytes(path, bytes, std::ios::app);
+    const std::string place = fs::is_symlink(path, error) ? fs::weakly_canonical(path, error).string() : path;
+    if (fs::exists(place, error) && !fs::is_regular_file(place, error)) return put_bytes(place, bytes);
+    const std::string temporary = place + ".tmp" + std::to_string(::getpid());
+    if (const std::string reason = put_bytes(temporary, bytes); !reason.empty()) {
+        fs::remove(temporary, error);
+        return reason;
     }
-    fs::rename(temporary, path, error);
+    fs::rename(temporary, place, error);
     if (!error) return {};
     const std::string reason = "cannot be written: " + error.message();
     fs::remove(temporary, error);
