@@ -110,65 +110,144 @@ private:
     std::multimap<std::string, std::string> names_;
 };
 
-/// Lines of one text that the other has, too, under one reading.
 using LineSet = std::set<uint32_t>;
 
-struct SharedNow {
-    LineSet source, target;
-};
-
-/// Lines at least half of whose tokens lie in common runs: what `compare` calls shared.
-SharedNow half_shared(const Excerpt& source, const Excerpt& target, const Dialect& dialect) {
-    SharedNow out;
-    const Similarity similarity = measure_shares({source}, {target}, dialect);
-    auto take = [](const std::vector<std::vector<CodeLine>>& lines, LineSet& shared) {
-        for (const auto& excerpt : lines)
-            for (const CodeLine& line : excerpt)
-                if (line.shared) shared.insert(line.line);
-    };
-    take(similarity.a_lines, out.source);
-    take(similarity.b_lines, out.target);
+/// Lines of the port at least half of whose tokens lie in common runs: what `compare` calls shared.
+LineSet half_shared(const Excerpt& source, const Excerpt& target, const Dialect& dialect) {
+    LineSet out;
+    for (const auto& excerpt : measure_shares({source}, {target}, dialect).b_lines)
+        for (const CodeLine& line : excerpt)
+            if (line.shared) out.insert(line.line);
     return out;
 }
 
-void take_covered_lines(const std::vector<PlacedToken>& tokens, const SymbolSequence& sequence,
-                        const std::vector<uint8_t>& covered, LineSet& shared) {
-    LineSet open;
+/// A line's place in a sequence of symbols.
+struct LineRange {
+    uint32_t line = 0;
+    size_t first = 0, last = 0;
+};
+
+std::vector<LineRange> line_ranges(const std::vector<PlacedToken>& tokens, const SymbolSequence& sequence) {
+    std::vector<LineRange> out;
     for (size_t i = 0; i < sequence.symbols.size(); ++i) {
         if (sequence.tokens[i] == kNoToken) continue;
         const uint32_t line = tokens[sequence.tokens[i]].line;
-        (covered[i] != 0 ? shared : open).insert(line);
+        if (out.empty() || out.back().line != line) out.push_back({line, i, i});
+        out.back().last = i;
     }
-    for (const uint32_t line : open) shared.erase(line);
+    return out;
 }
 
-/// Lines all of whose tokens lie in common runs of 12, however the lines are broken.
-SharedNow wholly_shared(const Excerpt& source, const Excerpt& target, const Dialect& dialect) {
+/// Of each line that lies as a whole in one run of at least 12 common tokens, however the lines are broken: the lines
+/// of the other side that the same tokens stand on. One run must hold it all: where something was deleted, both sides
+/// of the seam are common and the line is not.
+using LinesInRuns = std::map<uint32_t, LineSet>;
+
+struct RunsOfBoth {
+    LinesInRuns source, target;
+};
+
+void take_lines_in_run(const std::vector<LineRange>& here, const std::vector<LineRange>& there, size_t first,
+                       size_t other_first, size_t length, LinesInRuns& out) {
+    auto line = std::lower_bound(here.begin(), here.end(), first,
+                                 [](const LineRange& range, size_t place) { return range.first < place; });
+    for (; line != here.end() && line->last < first + length; ++line) {
+        const size_t from = line->first - first + other_first, to = line->last - first + other_first;
+        auto other = std::lower_bound(there.begin(), there.end(), from,
+                                      [](const LineRange& range, size_t place) { return range.last < place; });
+        for (; other != there.end() && other->first <= to; ++other) out[line->line].insert(other->line);
+    }
+}
+
+RunsOfBoth lines_in_runs(const Excerpt& source, const Excerpt& target, const Dialect& dialect) {
     SymbolTable table(dialect);
     const std::vector<PlacedToken> left = table.place({source}), right = table.place({target});
     const SymbolSequence a = table.sequence(left, Vocabulary::Dialect, 0),
                          b = table.sequence(right, Vocabulary::Dialect, 1);
-    const auto matches = metrics::winnowing_matches(a.symbols, b.symbols, {12, 1});
-    SharedNow out;
-    take_covered_lines(left, a, metrics::covered_in_a(matches, a.symbols.size()), out.source);
-    take_covered_lines(right, b, metrics::covered_in_b(matches, b.symbols.size()), out.target);
+    const std::vector<LineRange> a_lines = line_ranges(left, a), b_lines = line_ranges(right, b);
+    RunsOfBoth out;
+    for (const metrics::TokenMatch& run : metrics::winnowing_matches(a.symbols, b.symbols, {12, 1})) {
+        take_lines_in_run(a_lines, b_lines, run.a, run.b, run.length, out.source);
+        take_lines_in_run(b_lines, a_lines, run.b, run.a, run.length, out.target);
+    }
     return out;
 }
 
-/// Lines that stand as a whole on the other side, in the words that `words` makes of them.
-template <class Words>
-void take_equal_lines(const std::vector<TextLine>& here, const std::vector<TextLine>& there, const Words& words,
-                      LineSet& shared) {
-    std::set<std::string> texts;
-    for (const TextLine& line : there) texts.insert(words(line));
-    for (const TextLine& line : here)
-        if (texts.contains(words(line))) shared.insert(line.line);
+/// One side's lines in the common vocabulary, and which of them its edit gained.
+struct SideLines {
+    std::vector<std::string> texts;        ///< as Edited::now
+    std::map<std::string, size_t> kept;    ///< how often a text stands on lines that were there before
+    std::map<std::string, size_t> gained;  ///< and on those that are new
+    LineSet new_lines;
+};
+
+SideLines side_lines(const Edited& side, const Dialect& dialect) {
+    SideLines out;
+    for (const size_t i : side.added) out.new_lines.insert(side.now[i].line);
+    for (const TextLine& line : side.now) {
+        out.texts.push_back(joined(common_words(line.tokens, dialect)));
+        ++(out.new_lines.contains(line.line) ? out.gained : out.kept)[out.texts.back()];
+    }
+    return out;
 }
 
-size_t count_added(const Edited& side, const LineSet& shared) {
-    return static_cast<size_t>(std::count_if(side.added.begin(), side.added.end(),
-                                             [&](size_t i) { return shared.contains(side.now[i].line); }));
+size_t count_of(const std::map<std::string, size_t>& counts, const std::string& text) {
+    const auto found = counts.find(text);
+    return found == counts.end() ? 0 : found->second;
 }
+
+/// The gained lines (indices into Edited::now) that the other side has as well: as a whole line, where each line of the
+/// other side answers for one, or else in one run. Of the other side only what it gained counts, unless `old_code`:
+/// then also what it had and this side had not. A lone brace goes with the gained line before it.
+std::set<size_t> answered(const Edited& side, const SideLines& here, const SideLines& there, const LinesInRuns& runs,
+                          bool old_code) {
+    std::map<std::string, size_t> free = there.gained;
+    if (old_code)
+        for (const auto& [text, count] : there.kept) {
+            size_t& left = free[text];
+            left += count;
+            left -= std::min(left, count_of(here.kept, text));
+        }
+    const auto in_one_run = [&](uint32_t line) {
+        const auto run = runs.find(line);
+        return run != runs.end() &&
+               (old_code || std::any_of(run->second.begin(), run->second.end(),
+                                        [&](uint32_t other) { return there.new_lines.contains(other); }));
+    };
+    std::set<size_t> out;
+    for (size_t n = 0; n < side.added.size(); ++n) {
+        const size_t i = side.added[n];
+        const std::string& text = here.texts[i];
+        if (text.empty() && n > 0) {
+            if (out.contains(side.added[n - 1])) out.insert(i);
+            continue;
+        }
+        const bool stands_there = count_of(there.gained, text) + count_of(there.kept, text) > 0;
+        if (const auto found = free.find(text); found != free.end() && found->second > 0) {
+            --found->second;
+            out.insert(i);
+        } else if (!stands_there && in_one_run(side.now[i].line)) {
+            out.insert(i);
+        }
+    }
+    return out;
+}
+
+/// The gained lines of a port that its source has, under three readings, as indices into Edited::now.
+struct CarriedLines {
+    std::set<size_t> strict, usual, loose;
+
+    void add(const CarriedLines& more) {
+        strict.insert(more.strict.begin(), more.strict.end());
+        usual.insert(more.usual.begin(), more.usual.end());
+        loose.insert(more.loose.begin(), more.loose.end());
+    }
+    void count_into(metrics::SharedLines& out) const {
+        out.shared += static_cast<double>(usual.size());
+        out.shared_low += static_cast<double>(strict.size());
+        out.shared_high += static_cast<double>(loose.size());
+    }
+};
 
 std::vector<std::string> added_words(const Edited& side, const Dialect& dialect) {
     std::vector<std::string> tokens;
@@ -188,29 +267,31 @@ void compare_added(const Edited& source, const Edited& target, const Dialect& di
     out.common_tokens = both.size();
 }
 
-void count_carried(const Excerpt& source_now, const Excerpt& target_now, const Edited& source, const Edited& target,
-                   const Dialect& dialect, PortedEdit& out) {
+/// Counts what the source gained and the port has; hands out what the port gained and the source has.
+CarriedLines count_carried(const Excerpt& source_now, const Excerpt& target_now, const Edited& source,
+                           const Edited& target, const Dialect& dialect, PortedEdit& out) {
     out.carried.lines = static_cast<double>(target.edit.added);
-    if (source_now.file == nullptr || target_now.file == nullptr) return;
-    const auto written = [](const TextLine& line) { return line.key; };
-    const auto translated = [&](const TextLine& line) { return joined(common_words(line.tokens, dialect)); };
-    LineSet strict;
-    take_equal_lines(target.now, source.now, written, strict);
-    SharedNow usual = wholly_shared(source_now, target_now, dialect);
-    take_equal_lines(source.now, target.now, translated, usual.source);
-    take_equal_lines(target.now, source.now, translated, usual.target);
-    LineSet loose = half_shared(source_now, target_now, dialect).target;
-    loose.insert(usual.target.begin(), usual.target.end());
-    out.ported = count_added(source, usual.source);
-    out.carried.shared = static_cast<double>(count_added(target, usual.target));
-    out.carried.shared_low = static_cast<double>(count_added(target, strict));
-    out.carried.shared_high = static_cast<double>(count_added(target, loose));
+    CarriedLines carried;
+    if (source_now.file == nullptr || target_now.file == nullptr) return carried;
+    const RunsOfBoth runs = lines_in_runs(source_now, target_now, dialect);
+    const SideLines left = side_lines(source, dialect), right = side_lines(target, dialect);
+    out.ported = static_cast<double>(answered(source, left, right, runs.source, false).size());
+    carried.usual = answered(target, right, left, runs.target, true);
+    std::set<std::string> written;
+    for (const TextLine& line : source.now) written.insert(line.key);
+    for (const size_t i : carried.usual)
+        if (written.contains(target.now[i].key)) carried.strict.insert(i);
+    const LineSet half = half_shared(source_now, target_now, dialect);
+    carried.loose = carried.usual;
+    for (const size_t i : target.added)
+        if (half.contains(target.now[i].line)) carried.loose.insert(i);
+    carried.count_into(out.carried);
+    return carried;
 }
 
 /// One side of a change, with what its pairs have accounted for.
 struct Side {
     SideIndex before, now;
-    std::set<std::string> counted;                                      ///< ids whose edits are in the totals
     std::map<std::string, std::set<uint32_t>> lines_before, lines_now;  ///< by file: lines of paired units
 
     Edited edit(const std::string& id) {
@@ -253,23 +334,49 @@ void add(LineEdit& total, const LineEdit& edit) {
     total.removed += edit.removed;
 }
 
-/// Adds a pair to the totals; a side that stands in an earlier pair, too, is there already.
-void add_pair(PortedEdit& totals, const PairEffort& pair, Side& source, Side& target) {
-    const PortedEdit& edit = pair.edit;
-    if (source.counted.insert(pair.source).second) {
-        add(totals.source, edit.source);
-        totals.ported += edit.ported;
-        totals.source_tokens += edit.source_tokens;
+/// Sums over the pairs that do not depend on their order: a unit's lines count once, wherever it stands.
+class Totals {
+public:
+    void add_pair(const PairEffort& pair, const CarriedLines& carried) {
+        const PortedEdit& edit = pair.edit;
+        OfSource& source = sources_[pair.source];
+        source.edit = edit.source;
+        source.ported += edit.ported;
+        ++source.targets;
+        OfTarget& target = targets_[pair.target];
+        target.edit = edit.target;
+        target.carried.add(carried);
+        sum_.source_tokens += edit.source_tokens;
+        sum_.target_tokens += edit.target_tokens;
+        sum_.common_tokens += edit.common_tokens;
     }
-    if (target.counted.insert(pair.target).second) {
-        add(totals.target, edit.target);
-        totals.carried.shared += edit.carried.shared;
-        totals.carried.shared_low += edit.carried.shared_low;
-        totals.carried.shared_high += edit.carried.shared_high;
-        totals.target_tokens += edit.target_tokens;
-        totals.common_tokens += edit.common_tokens;
+
+    PortedEdit sum() const {
+        PortedEdit out = sum_;
+        for (const auto& [id, one] : sources_) {
+            add(out.source, one.edit);
+            out.ported += one.ported / one.targets;
+        }
+        for (const auto& [id, one] : targets_) {
+            add(out.target, one.edit);
+            one.carried.count_into(out.carried);
+        }
+        return out;
     }
-}
+
+private:
+    struct OfSource {
+        LineEdit edit;
+        double ported = 0, targets = 0;
+    };
+    struct OfTarget {
+        LineEdit edit;
+        CarriedLines carried;
+    };
+    PortedEdit sum_;  ///< of the tokens alone
+    std::map<std::string, OfSource> sources_;
+    std::map<std::string, OfTarget> targets_;
+};
 
 }  // namespace
 
@@ -280,13 +387,14 @@ std::optional<double> PortedEdit::similarity() const {
 
 std::optional<double> PortedEdit::carried_over() const {
     if (source.added == 0) return std::nullopt;
-    return static_cast<double>(ported) / static_cast<double>(source.added);
+    return ported / static_cast<double>(source.added);
 }
 
 PortEffort port_effort(const std::vector<MapPair>& pairs, const ChangedSides& sides, const Dialect& dialect) {
-    Side source{SideIndex(sides.source_before), SideIndex(sides.source_now), {}, {}, {}};
-    Side target{SideIndex(sides.target_before), SideIndex(sides.target_now), {}, {}, {}};
+    Side source{SideIndex(sides.source_before), SideIndex(sides.source_now), {}, {}};
+    Side target{SideIndex(sides.target_before), SideIndex(sides.target_now), {}, {}};
     PortEffort out;
+    Totals totals;
     for (const MapPair& pair : pairs) {
         const Edited left = source.edit(pair.source);
         for (const std::string& id : pair.targets) {
@@ -295,12 +403,14 @@ PortEffort port_effort(const std::vector<MapPair>& pairs, const ChangedSides& si
             effort.edit.source = left.edit;
             effort.edit.target = right.edit;
             if (left.edit.changed() + right.edit.changed() == 0) continue;
-            count_carried(source.now.find(pair.source), target.now.find(id), left, right, dialect, effort.edit);
+            const CarriedLines carried =
+                count_carried(source.now.find(pair.source), target.now.find(id), left, right, dialect, effort.edit);
             compare_added(left, right, dialect, effort.edit);
-            add_pair(out.totals, effort, source, target);
+            totals.add_pair(effort, carried);
             out.pairs.push_back(std::move(effort));
         }
     }
+    out.totals = totals.sum();
     std::sort(out.pairs.begin(), out.pairs.end(), [](const PairEffort& a, const PairEffort& b) {
         return a.source != b.source ? a.source < b.source : a.target < b.target;
     });

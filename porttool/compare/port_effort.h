@@ -23,7 +23,7 @@ struct LineEdit {
 /// What an edit to a source and the edit to its port have to do with each other.
 struct PortedEdit {
     LineEdit source, target;
-    size_t ported = 0;             ///< of the lines added to the source, those that the port has
+    double ported = 0;  ///< of the lines added to the source, those that the port gained, too; mean of its ports
     metrics::SharedLines carried;  ///< of the lines added to the port, those that the source has
     size_t common_tokens = 0;      ///< of the lines added on both sides, in the common vocabulary, each used once
     size_t source_tokens = 0, target_tokens = 0;
@@ -51,7 +51,7 @@ struct FileEffort {
 struct PortEffort {
     std::vector<PairEffort> pairs;  ///< sorted by id
     std::vector<FileEffort> source_outside, target_outside;
-    PortedEdit totals;  ///< pairs and the rest; a unit that stands in several pairs counts once
+    PortedEdit totals;  ///< pairs and the rest; the lines of a unit in several pairs count once, its tokens in each
 };
 
 /// Both sides before and after a change.
@@ -63,10 +63,10 @@ struct ChangedSides {
 };
 
 /// What it took to port a change. A line that the port gained is carried over if the source as it is now has it after
-/// translation: as a whole line, or with all its tokens in runs of 12 that both have. The strictest reading wants the
-/// line as it is written; the loosest is content with half of its tokens, as for shared lines elsewhere, which for an
-/// edit within a line says little. All other lines that the port gained are novel, and so is what it gained outside
-/// pairs.
+/// translation and the port had not: as a whole line, or inside one run of at least 12 common tokens. The strictest
+/// reading wants the line as it is written; the loosest is content with half of its tokens, as for shared lines
+/// elsewhere, which for an edit within a line says little. All other lines that the port gained are novel, and so is
+/// what it gained outside pairs. Nothing in it depends on the order of the pairs or of their targets.
 PortEffort port_effort(const std::vector<MapPair>& pairs, const ChangedSides& sides, const Dialect& dialect);
 
 }  // namespace porttool

@@ -150,6 +150,88 @@ TEST_F(Effort, AUnitInTwoPairsCountsOnceInAll) {
     EXPECT_EQ(report["totals"]["novel_lines"], 0);
 }
 
+/// A long line that both sides have; deleting ` * 2.0` leaves two runs of 12 tokens that both sides still have.
+const std::string kLong = "  float d = max(a * b, n * k) + a * a * 2.0 - min(b * b, n * n) * k;\n";
+
+std::string long_line_unit(const std::string& start) {
+    return start + "float shade(float a, float b, float n, float k) {\n" + kLong + "  return d;\n}\n";
+}
+
+TEST_F(Effort, ADeletionThatWasNotPortedIsNotCarriedOver) {
+    write("src/k.cu", long_line_unit("__device__ "));
+    write("port/k.comp", long_line_unit(""));
+    commit("A long line", 2);
+    write("src/k.cu", replaced(long_line_unit("__device__ "), " * 2.0", ""));
+    commit("The source alone", 3);
+    nlohmann::json totals = json({"effort", "--from", "HEAD~1"})["totals"];
+    EXPECT_EQ(totals["source_added"], 1);
+    EXPECT_EQ(totals["carried_over"], 0.0);
+    write("port/k.comp", replaced(long_line_unit(""), " * 2.0", ""));
+    commit("The port follows", 4);
+    totals = json({"effort", "--from", "HEAD~1"})["totals"];
+    EXPECT_EQ(totals["novel_lines"], 0) << "the source had it already";
+    EXPECT_EQ(totals["degree_of_portability"]["loc"], 1.0);
+    EXPECT_EQ(json({"effort", "--from", "HEAD~2"})["totals"]["carried_over"], 1.0);
+}
+
+TEST_F(Effort, ADeletionInThePortAloneIsNovel) {
+    write("src/k.cu", long_line_unit("__device__ "));
+    write("port/k.comp", long_line_unit(""));
+    commit("A long line", 2);
+    write("port/k.comp", replaced(long_line_unit(""), " * 2.0", ""));
+    commit("The port alone", 3);
+    const nlohmann::json totals = json({"effort", "--from", "HEAD~1"})["totals"];
+    EXPECT_EQ(totals["novel_lines"], 1);
+    EXPECT_EQ(totals["degree_of_portability"]["loc"], 0.0);
+}
+
+TEST_F(Effort, ALineThatThePortHadElsewhereIsNotCarriedOver) {
+    write("src/k.cu", replaced(kSource, "  return", "  c = c + a;\n  return"));
+    write("port/k.comp", replaced(kTarget, "  return", "  c = c + a;\n  return"));
+    commit("Once", 2);
+    write("src/k.cu", replaced(kSource, "  return", "  c = c + a;\n  c = c + a;\n  return"));
+    commit("Twice in the source", 3);
+    EXPECT_EQ(json({"effort", "--from", "HEAD~1"})["totals"]["carried_over"], 0.0);
+    write("port/k.comp", replaced(kTarget, "  return", "  c = c + a;\n  c = c + a;\n  c = c + a;\n  return"));
+    commit("Three times in the port", 4);
+    const nlohmann::json totals = json({"effort", "--from", "HEAD~2"})["totals"];
+    EXPECT_EQ(totals["carried_over"], 1.0);
+    EXPECT_EQ(totals["novel_lines"], 1) << "the source has it twice";
+}
+
+TEST_F(Effort, APortThatBreaksTheLinesElsewhereHasThem) {
+    write("src/k.cu", replaced(kSource, "  return", "  c = max(a * b, c) + min(a * a, b * b) - a * c;\n  return"));
+    write("port/k.comp",
+          replaced(kTarget, "  return", "  c = max(a * b, c) +\n      min(a * a, b * b) - a * c;\n  return"));
+    commit("One statement", 2);
+    const nlohmann::json totals = json({"effort", "--from", "HEAD~1"})["totals"];
+    EXPECT_EQ(totals["carried_over"], 1.0);
+    EXPECT_EQ(totals["novel_lines"], 0);
+}
+
+/// One source unit with two ports, of which one follows an edit of one line.
+TEST_F(Effort, SeveralPortsCountAlikeInAnyOrder) {
+    const std::string head =
+        "version = 1\n[sides]\nsource = [\"src/*\"]\ntarget = [\"port/*\"]\n"
+        "[[pair]]\nsource = \"src/k.cu:shade\"\ntarget = [";
+    const std::string k = "\"port/k.comp:shade\"", l = "\"port/l.comp:shade\"";
+    write("portmap.toml", head + k + ", " + l + "]\n");
+    write("port/l.comp", kTarget);
+    commit("A second port", 2);
+    write("src/k.cu", replaced(kSource, "a * b", "a * b + 1.0f"));
+    write("port/k.comp", replaced(kTarget, "a * b", "a * b + 1.0"));
+    commit("One follows", 3);
+    const nlohmann::json one = json({"effort", "--from", "HEAD~1"})["totals"];
+    EXPECT_EQ(one["carried_over"], 0.5) << "the mean of 1 and 0";
+    write("portmap.toml", head + l + ", " + k + "]\n");
+    EXPECT_EQ(json({"effort", "--from", "HEAD~1", "--config", "portmap.toml"})["totals"], one);
+    write("port/l.comp", replaced(kTarget, "a * b", "a * b + 1.0"));
+    commit("Both follow", 4);
+    const nlohmann::json both = json({"effort", "--from", "HEAD~2"})["totals"];
+    EXPECT_EQ(both["carried_over"], 1.0);
+    EXPECT_EQ(both["edit_similarity"], 1.0) << "alike never exceeds 1";
+}
+
 TEST_F(Effort, HoursFromTheLedgerGiveTheirOwnFigure) {
     port_a_change();
     write("portmap.toml", kMap + porttool({"effort", "--from", "HEAD~1", "--format", "toml"}).out +
