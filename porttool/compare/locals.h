@@ -13,7 +13,8 @@
 namespace porttool {
 
 /// The tokens between the parentheses and braces of a function that declare a parameter or a local, sorted. Told by
-/// their shape: a type, then a name, then what may follow a declared name. Takes linear time.
+/// their shape: a type, then a name, then what may follow a declared name, where a declaration can stand; in doubt, not
+/// a declaration. Takes linear time.
 std::vector<uint32_t> declaring_tokens(const LexedText& lexed, TokenRange parameters, TokenRange body);
 
 /// Numbers locals and parameters in the order of their declarations, scope by scope, so that a name that is declared

@@ -3,6 +3,9 @@
 // The class of an edit, in several dialects; the expectations are what the languages say.
 #include <gtest/gtest.h>
 
+#include "porttool/compare/edits.h"
+#include "porttool/scan/scan.h"
+#include "tests/porttool/fixtures.h"
 #include "tests/porttool/run_command.h"
 
 namespace porttool::testing {
@@ -150,6 +153,158 @@ TEST(EditClass, OfWhatOnlyOneDialectHas) {
         {2, {"semantic", {{"SV_DispatchThreadID", "SV_GroupThreadID"}}, "semantic"}}};
     const auto all = dialects();
     for (const auto& [dialect, row] : rows) EXPECT_EQ(class_of(all[dialect], row.edits), row.expected) << row.what;
+}
+
+/// What the fingerprints say of an edit of `f`, whose parameters are `int a, int b, int c, int n, int mode`.
+struct BodyRow {
+    std::string before, now;
+};
+
+Change change_of(const std::string& path, const std::string& head, const BodyRow& row) {
+    const auto prints = [&](const std::string& body) {
+        const ScannedFile file = scan_text(path, head + " {\n" + body + "\n}\n");
+        EXPECT_FALSE(file.units.empty()) << body;
+        return file.units.empty() ? Fingerprints() : unit_state(file, file.units.front()).prints;
+    };
+    return classify(prints(row.before), prints(row.now));
+}
+
+const std::vector<std::pair<std::string, std::string>> kHeads = {
+    {"k.cpp", "void f(int a, int b, int c, int n, int mode)"},
+    {"k.cu", "__global__ void f(int a, int b, int c, int n, int mode)"},
+    {"k.cl", "__kernel void f(int a, int b, int c, int n, int mode)"},
+    {"k.hlsl", "void f(int a, int b, int c, int n, int mode)"},
+    {"k.comp", "void f(int a, in int b, int c, int n, int mode)"}};
+
+void expect_change(const std::vector<BodyRow>& rows, bool semantic) {
+    for (const auto& [path, head] : kHeads)
+        for (const BodyRow& row : rows)
+            EXPECT_EQ(change_of(path, head, row), semantic ? Change::Semantic : Change::Cosmetic)
+                << path << ": " << row.before << " -> " << row.now;
+}
+
+TEST(EditClass, AnotherNameInAnExpressionIsNoRenaming) {
+    expect_change({{"if (a > kLimitA) g();", "if (a > kLimitB) g();"},
+                   {"if (a && geometryN) g();", "if (a && shadeN) g();"},
+                   {"if (mode & FLAG_REFLECT) g();", "if (mode & FLAG_REFRACT) g();"},
+                   {"if (a) h(); else if (c > gA) g();", "if (a) h(); else if (c > gB) g();"},
+                   {"for (int i=0; i<4 && goA; ++i) g();", "for (int i=0; i<4 && goB; ++i) g();"},
+                   {"for (int i=0; i * goA; ++i) g();", "for (int i=0; i * goB; ++i) g();"},
+                   {"for (;a > gA;) g();", "for (;a > gB;) g();"},
+                   {"for (gX & gA; a; ) g();", "for (gX & gB; a; ) g();"},
+                   {"if (n && gA[2]) g();", "if (n && gB[2]) g();"},
+                   {"if (a > b) g();", "if (a > c) g();"},
+                   {"while (a * gA) g();", "while (a * gB) g();"},
+                   {"while (gX & gA) g();", "while (gX & gB) g();"},
+                   {"switch (a & gA) { default: g(); }", "switch (a & gB) { default: g(); }"},
+                   {"if (a < gX > gA) g();", "if (a < gX > gB) g();"},
+                   {"if (gX * gA == n) g();", "if (gX * gB == n) g();"},
+                   {"do g(); while (a > gA);", "do g(); while (a > gB);"},
+                   {"a * gA;", "a * gB;"},
+                   {"gX & gA;", "gX & gB;"},
+                   {"a & gA, gX;", "a & gB, gX;"},
+                   {"float x = a < gX, y = 1; g(x, a > gA);", "float x = a < gX, y = 1; g(x, a > gB);"},
+                   {"int x = h<gX, gA, gZ>(a); g(x);", "int x = h<gX, gB, gZ>(a); g(x);"},
+                   {"float t[2] = {gX * gA, a}; g(t);", "float t[2] = {gX * gB, a}; g(t);"}},
+                  true);
+}
+
+TEST(EditClass, TwoWordsOfWhichNoneIsATypeDeclareNothing) {
+    expect_change({{"if (not visible(a)) g();", "if (not hidden(a)) g();"},
+                   {"if (a or gB) g();", "if (a or gC) g();"},
+                   {"if (a and gB) g();", "if (a and gC) g();"},
+                   {"not gA;", "not gB;"},
+                   {"g((unsigned char)a);", "g((unsigned short)a);"},
+                   {"g((const int)a);", "g((const uint)a);"},
+                   {"g(sizeof(struct Foo));", "g(sizeof(struct Bar));"},
+                   {"g(sizeof(struct Foo), 1);", "g(sizeof(struct Bar), 1);"},
+                   {"co_return foo(a);", "co_return bar(a);"},
+                   {"co_await foo;", "co_await bar;"},
+                   {"co_yield foo;", "co_yield bar;"},
+                   {"LIKELY foo(a);", "LIKELY bar(a);"},
+                   {"likely foo(a);", "likely bar(a);"},
+                   {"if (LIKELY foo(a)) g();", "if (LIKELY bar(a)) g();"},
+                   {"extern float gA; g(gA);", "extern float gB; g(gB);"},
+                   {"float foo(int); g(foo(a));", "float bar(int); g(bar(a));"},
+                   {"struct P { float x, y; }; g();", "struct P { float y, x; }; g();"},
+                   {"return gA;", "return gB;"},
+                   {"throw gA;", "throw gB;"},
+                   {"goto gA;", "goto gB;"},
+                   {"delete gA;", "delete gB;"}},
+                  true);
+}
+
+TEST(EditClass, AnUnnamedParameterIsItsType) {
+    for (const BodyRow& row : std::vector<BodyRow>{{"const Foo", "const Bar"},
+                                                   {"const Foo*", "const Bar*"},
+                                                   {"struct Foo", "struct Bar"},
+                                                   {"ns::Foo", "ns::Bar"},
+                                                   {"unsigned char", "unsigned short"},
+                                                   {"Foo const", "Bar const"},
+                                                   {"int x = ns::gA", "int x = ns::gB"}}) {
+        const auto prints = [](const std::string& parameter) {
+            const ScannedFile file = scan_text("k.cpp", "int f(" + parameter + ") { return 1; }");
+            return unit_state(file, file.units.at(0)).prints;
+        };
+        EXPECT_EQ(classify(prints(row.before), prints(row.now)), Change::Semantic) << row.before;
+    }
+}
+
+TEST(EditClass, ARenamedLocalIsCosmeticWhereverItIsDeclared) {
+    expect_change({{"Foo x = g(); h(x);", "Foo y = g(); h(y);"},
+                   {"Foo x; h(x);", "Foo y; h(y);"},
+                   {"Foo x(1); h(x);", "Foo y(1); h(y);"},
+                   {"const Foo* x = g(); h(x);", "const Foo* y = g(); h(y);"},
+                   {"Foo* x = g(); h(x);", "Foo* y = g(); h(y);"},
+                   {"float* x; h(x);", "float* y; h(y);"},
+                   {"unsigned long x = 1; h(x);", "unsigned long y = 1; h(y);"},
+                   {"float4 x[2]; h(x);", "float4 y[2]; h(y);"},
+                   {"int u = 1, x = h<3, 4>(u), v; h(x);", "int u = 1, y = h<3, 4>(u), v; h(y);"},
+                   {"for (int x = 0; x < 3; ++x) g(x);", "for (int y = 0; y < 3; ++y) g(y);"},
+                   {"for (int i = 0, x = 3; i < x; ++i) g();", "for (int i = 0, y = 3; i < y; ++i) g();"},
+                   {"switch (n) { case 1: { int x = 1; h(x); } }", "switch (n) { case 1: { int y = 1; h(y); } }"},
+                   {"switch (n) { case 1: int x = 1; h(x); }", "switch (n) { case 1: int y = 1; h(y); }"}},
+                  false);
+    const std::vector<BodyRow> rows = {
+        {"if (Foo* x = g()) h(x);", "if (Foo* y = g()) h(y);"},
+        {"while (auto x = g()) h(x);", "while (auto y = g()) h(y);"},
+        {"if (auto x = g(); x > 1) h(x);", "if (auto y = g(); y > 1) h(y);"},
+        {"std::vector<std::vector<int>> x; h(x);", "std::vector<std::vector<int>> y; h(y);"},
+        {"vector<pair<int,int>> x(3); h(x);", "vector<pair<int,int>> y(3); h(y);"},
+        {"auto [u, x] = g(); h(u, x);", "auto [u, y] = g(); h(u, y);"},
+        {"const auto& [u, x] = g(); h(u, x);", "const auto& [u, y] = g(); h(u, y);"},
+        {"for (const auto& x : g()) h(x);", "for (const auto& y : g()) h(y);"},
+        {"for (Foo& x : g()) h(x);", "for (Foo& y : g()) h(y);"},
+        {"for (auto& [u, x] : g()) h(x, u);", "for (auto& [u, y] : g()) h(y, u);"},
+        {"try { g(); } catch (const E& x) { h(x); }", "try { g(); } catch (const E& y) { h(y); }"},
+        {"decltype(a) x = 1; h(x);", "decltype(a) y = 1; h(y);"},
+        {"g([&](const Foo& x) { h(x); });", "g([&](const Foo& y) { h(y); });"},
+        {"auto k = [&](int u) { int x = u; return x; }; h(k);", "auto k = [&](int u) { int y = u; return y; }; h(k);"},
+        {"int (*x)(int) = g; x(1);", "int (*y)(int) = g; y(1);"}};
+    for (const BodyRow& row : rows)
+        EXPECT_EQ(change_of("k.cpp", kHeads[0].second, row), Change::Cosmetic) << row.before;
+    EXPECT_EQ(change_of("k.cpp", "void f(int (*x)(int), Foo* y)", {"x(1); y();", "x(1); y();"}), Change::None);
+}
+
+/// The class of the first finding after an edit of the source of a pair that was in step.
+std::string class_after(const std::string& suffix, const std::string& text, const std::string& from,
+                        const std::string& to) {
+    MemoryDisk disk;
+    disk.files = {{"/r/src/k" + suffix, text}, {"/r/port/k.cpp", text}};
+    run(disk, {"-C", "/r", "init", "--source", "src/*", "--target", "port/*"});
+    disk.files["/r/src/k" + suffix] = replaced(text, from, to);
+    const auto report = check(disk);
+    return report["findings"].empty() ? "" : report["findings"][0]["change"].get<std::string>();
+}
+
+TEST(EditClass, OfOneSidesEditInAHead) {
+    const std::string kernel =
+        "float f(float a, int mode) { float r = a; if (a > kLimitA) r = g(r); if (mode & FLAG_REFLECT) r = h(r); "
+        "if (not visible(a)) r += k(r); return r; }";
+    for (const auto& [from, to] : std::vector<std::pair<std::string, std::string>>{
+             {"kLimitA", "kLimitB"}, {"FLAG_REFLECT", "FLAG_REFRACT"}, {"visible", "hidden"}})
+        for (const char* suffix : {".cu", ".cl", ".hlsl"})
+            EXPECT_EQ(class_after(suffix, kernel, from, to), "semantic") << from << suffix;
 }
 
 }  // namespace
