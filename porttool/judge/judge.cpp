@@ -229,7 +229,8 @@ private:
         const bool constants = pair.source->kind == UnitKind::Constant && pair.target->kind == UnitKind::Constant;
         const bool structs = pair.source->kind == UnitKind::Struct && pair.target->kind == UnitKind::Struct;
         if (source_changed) note_hazards(pair, lock);
-        if (constants || structs) return compare_values(pair, structs, source_changed ? source : target);
+        const bool both = source_changed && target_changed;
+        if ((constants || structs) && compare_values(pair, structs, source_changed ? source : target, both)) return;
         if (source_changed && target_changed) return compare_both(pair, lock, std::max(source, target));
         if (source_changed) return report_one(pair, lock, true, source);
         report_one(pair, lock, false, target);
@@ -245,16 +246,19 @@ private:
                 fingerprint({{"dialect-hazard", 0}, {pair.map_source, 0}, {pair.map_target, 0}, {hazard, 0}});
     }
 
-    void compare_values(JudgedPair& pair, bool structs, Change change) {
+    /// False if that leaves it open: equal values settle edits of both sides; an edit of one side alone is one wherever
+    /// in the unit it is (alignment, bases, a type), and so are `1.0f / 2` and `1 / 2`.
+    bool compare_values(JudgedPair& pair, bool structs, Change change, bool both) {
         const std::string left = value_in_common_words(words_of(*pair.source), dialect_, structs);
         const std::string right = value_in_common_words(words_of(*pair.target), dialect_, structs);
         if (left == right) {
-            pair.equivalent = true;
-            return;
+            pair.equivalent = both;
+            return both;
         }
         add_for(pair, structs ? "layout-differs" : "constant-differs", change_name(change),
                 structs ? "the fields are " + shorten(left) + " in the source and " + shorten(right) + " in the port"
                         : "the value is " + shorten(left) + " in the source and " + shorten(right) + " in the port");
+        return true;
     }
 
     static std::string shorten(std::string text) {

@@ -307,5 +307,26 @@ TEST(EditClass, OfOneSidesEditInAHead) {
             EXPECT_EQ(class_after(suffix, kernel, from, to), "semantic") << from << suffix;
 }
 
+TEST(EditClass, OfOneSidesEditBesideTheValue) {
+    struct SideRow {
+        std::string suffix, text, from, to, expected;
+    };
+    const std::string block = "layout(std140, binding = 0) uniform B { float x; float y; };\n";
+    const std::vector<SideRow> rows = {
+        {".cu", "const float N = 1.0f/2;", "1.0f", "1", "constant"},
+        {".cu", "const float N = 2.0f;", "const float", "const double", "semantic"},
+        {".cu", "struct alignas(16) X { float a; };", "16", "32", "constant"},
+        {".cpp", "struct X : A { float a; };", ": A", ": B", "semantic"},
+        {".cpp", "struct A {}; template <int N> struct T; template<> struct T<1> { float a; };", "T<1>", "T<2>", ""},
+        {".comp", block, "std140", "std430", "semantic"},
+        {".comp", block, "binding = 0", "binding = 1", "constant"}};
+    for (const SideRow& row : rows) {
+        if (row.expected.empty())
+            EXPECT_NE(class_after(row.suffix, row.text, row.from, row.to), "") << row.text;
+        else
+            EXPECT_EQ(class_after(row.suffix, row.text, row.from, row.to), row.expected) << row.text;
+    }
+}
+
 }  // namespace
 }  // namespace porttool::testing
