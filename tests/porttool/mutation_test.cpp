@@ -277,5 +277,55 @@ TEST_F(Mutations, EverySemanticEditIsFound) {
     EXPECT_EQ(made, 200);
 }
 
+/// Heads of every kind with an operator (`@`) before a global, which our kernels do not have.
+std::string file_of_heads(const std::string& op) {
+    const std::vector<std::string> heads = {"if (a @ gA) r = 1.0f;",
+                                            "if (r > 0.5f && a @ gA) r = 2.0f;",
+                                            "if (b) r = 3.0f; else if (a @ gA) r = 4.0f;",
+                                            "for (int i = 0; i @ gA; ++i) r += 5.0f;",
+                                            "for (int i = 0; i < 4 && a @ gA; ++i) r += 6.0f;",
+                                            "for (; a @ gA;) r -= 7.0f;",
+                                            "while (gX @ gA) r -= 8.0f;",
+                                            "do r -= 9.0f; while (a @ gA);",
+                                            "switch (a @ gA) { case 1: r = 10.0f; break; default: r = 11.0f; }",
+                                            "if (a @ gA[2]) r = 12.0f;",
+                                            "if (visible(a) @ gA(b)) r = 13.0f;",
+                                            "gX @ gA; r += 14.0f;"};
+    std::string text;
+    for (size_t i = 0; i < heads.size(); ++i)
+        text += "float head_" + std::to_string(i) + "(int a, int b) {\n    float r = " + std::to_string(i) +
+                ".5f;\n    " + replaced(heads[i], "@", op) + "\n    return r;\n}\n";
+    return text;
+}
+
+/// The places where `text` has `word`.
+std::vector<size_t> places_of(const std::string& text, const std::string& word) {
+    std::vector<size_t> places;
+    for (size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) places.push_back(at);
+    return places;
+}
+
+TEST(HeadMutations, AnotherNameBehindAnOperatorIsFound) {
+    int made = 0;
+    for (const char* suffix : {".cu", ".cl", ".hlsl"})
+        for (const char* op : {"<", ">", "<=", ">=", "==", "!=", "&&", "||", "&", "|", "^", "*", "-", "%", "and", "or",
+                               "xor", "not_eq", "bitand"}) {
+            const std::string text = file_of_heads(op), path = std::string("/r/src/k") + suffix;
+            MemoryDisk disk;
+            disk.files = {{path, text}, {"/r/port/k.cpp", text}};
+            run(disk, {"-C", "/r", "init", "--source", "src/*", "--target", "port/*"});
+            ASSERT_EQ(check(disk)["verdict"], "in_step") << op << suffix;
+            for (const size_t place : places_of(text, "gA")) {
+                for (const char* other : {"gB", "b"}) {
+                    disk.files[path] = std::string(text).replace(place, 2, other);
+                    ++made;
+                    EXPECT_EQ(check(disk)["verdict"], "drift")
+                        << op << suffix << " " << text.substr(place - 20, 30) << " -> " << other;
+                }
+            }
+        }
+    EXPECT_EQ(made, 3 * 19 * 12 * 2);
+}
+
 }  // namespace
 }  // namespace porttool::testing
