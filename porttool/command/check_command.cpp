@@ -9,6 +9,7 @@
 
 #include "porttool/command/base_lock.h"
 #include "porttool/command/spirv_check.h"
+#include "porttool/read/git.h"
 #include "porttool/report/check_report.h"
 #include "porttool/report/ci_reports.h"
 
@@ -79,12 +80,13 @@ CheckedProject check_project(const Options& options, Workplace& place) {
 
 namespace {
 
-std::string formatted(const Judgement& judgement, const Options& options) {
+std::string formatted(const Judgement& judgement, const Project& project, const Options& options) {
     if (options.format == "json") return check_json(judgement);
-    if (options.format == "sarif") return check_sarif(judgement);
+    const std::string folder = folder_in_repository(project.root);
+    if (options.format == "sarif") return check_sarif(judgement, folder);
     if (options.format == "junit") return check_junit(judgement);
-    if (options.format == "github") return check_github(judgement);
-    if (options.format == "gitlab") return check_gitlab(judgement);
+    if (options.format == "github") return check_github(judgement, folder);
+    if (options.format == "gitlab") return check_gitlab(judgement, folder);
     if (options.format == "markdown") return check_markdown(judgement);
     const bool terminal = isatty(STDOUT_FILENO) != 0 && options.output.empty() && std::getenv("NO_COLOR") == nullptr;
     return check_table(judgement, options.color == "always" || (options.color == "auto" && terminal));
@@ -97,7 +99,7 @@ Outcome check_command(const Options& options, Workplace& place) {
     const CheckedProject checked = check_project(options, place);
     const std::string verdict = checked.judgement.verdict();
     const bool fails = verdict == "drift" || (verdict == "review" && options.strict);
-    return {formatted(checked.judgement, options), fails ? 1 : 0};
+    return {formatted(checked.judgement, checked.project, options), fails ? 1 : 0};
 }
 
 }  // namespace porttool

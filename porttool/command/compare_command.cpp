@@ -4,12 +4,12 @@
 #include <filesystem>
 
 #include "porttool/command/commands.h"
-#include "porttool/command/suggest.h"
 #include "porttool/compare/measure.h"
 #include "porttool/read/map_file.h"
 #include "porttool/read/source_files.h"
 #include "porttool/report/compare_report.h"
 #include "porttool/scan/scan.h"
+#include "porttool/text/suggest.h"
 
 namespace porttool {
 namespace {

@@ -7,23 +7,14 @@
 
 #include "porttool/command/commands.h"
 #include "porttool/command/lock_store.h"
+#include "porttool/text/toml_string.h"
 
 namespace porttool {
 namespace {
 
-/// A basic TOML string.
-std::string quoted(const std::string& text) {
-    std::string out = "\"";
-    for (const char c : text) {
-        if (c == '"' || c == '\\') out += '\\';
-        out += c;
-    }
-    return out + "\"";
-}
-
 std::string list(const std::vector<std::string>& texts) {
     std::string out;
-    for (const std::string& text : texts) out += (out.empty() ? "" : ", ") + quoted(text);
+    for (const std::string& text : texts) out += (out.empty() ? "" : ", ") + toml_string(text);
     return "[" + out + "]";
 }
 
@@ -34,7 +25,7 @@ std::string map_text(const Project& project, const Matching& matching) {
            "\nreference = \"source\"\n";
     for (const MatchedPair& pair : matching.pairs)
         out += fmt::format("\n[[pair]]  # {:.0f} % sure\nsource = {}\ntarget = {}\n", 100 * pair.score,
-                           quoted(pair.source), quoted(pair.target));
+                           toml_string(pair.source), toml_string(pair.target));
     return out;
 }
 

@@ -10,7 +10,7 @@
 #include "porttool/command/check_command.h"
 #include "porttool/command/finding_ages.h"
 #include "porttool/command/past_project.h"
-#include "porttool/command/suggest.h"
+#include "porttool/text/suggest.h"
 #include "porttool/report/portability_page.h"
 #include "porttool/report/portability_text.h"
 

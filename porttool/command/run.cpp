@@ -1,10 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The porttool authors
 // SPDX-License-Identifier: Apache-2.0
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
 #include <map>
 
 #include "porttool/command/commands.h"
-#include "porttool/command/suggest.h"
+#include "porttool/text/utf8.h"
 
 namespace porttool {
 namespace {
@@ -45,28 +47,53 @@ void require_format(const std::string& format, std::initializer_list<const char*
     throw CannotDo("--format " + format + ": not known here; known are " + list);
 }
 
+namespace {
+
+/// Writes to stdout at once, so that a full disk or a closed pipe is seen here; throws CannotDo.
+void print(std::ostream& out, const std::string& text) {
+    errno = 0;
+    out << text << std::flush;
+    if (out) return;
+    const std::string reason = errno != 0 ? std::strerror(errno) : "the stream is closed";
+    throw CannotDo("stdout cannot be written: " + reason);
+}
+
+/// Where `-o` leads; the folder must be there, so that a slip of the pen makes no tree of folders. Throws CannotDo.
+std::string output_path(const Options& options, const Disk& disk) {
+    const std::string path = join_path(options.directory, options.output);
+    const std::string folder = std::filesystem::path(path).parent_path().generic_string();
+    if (!folder.empty() && !disk.is_directory(folder))
+        throw CannotDo("-o " + options.output + ": there is no folder " + folder + "; make it first");
+    return path;
+}
+
+/// Runs the command that was asked for; returns its exit code. Throws CannotDo.
+int run_command(const Options& options, Disk& disk, std::ostream& out, std::ostream& err) {
+    if (!disk.is_directory(options.directory))
+        throw CannotDo("-C " + options.directory + ": no such folder; name one that exists");
+    const bool to_file = !options.output.empty();
+    const std::string path = to_file ? output_path(options, disk) : std::string();
+    Workplace place{disk, err};
+    const Outcome outcome = commands().at(options.command)(options, place);
+    const std::string text = as_utf8(outcome.text);  // a source in Latin-1 must not break the format
+    if (!to_file)
+        print(out, text);
+    else if (const std::string failure = disk.write(path, text); !failure.empty())
+        throw CannotDo("-o " + options.output + ": " + failure);
+    return outcome.exit_code;
+}
+
+}  // namespace
+
 int run_porttool(int argc, const char* const* argv, Disk& disk, std::ostream& out, std::ostream& err) {
     const ParsedOptions parsed = parse_options(argc, argv);
-    if (parsed.done) {
-        out << parsed.out;
-        err << parsed.err;
-        return parsed.exit_code;
-    }
-    const Options& options = parsed.options;
     try {
-        if (!disk.is_directory(options.directory))
-            throw CannotDo("-C " + options.directory + ": no such folder; name one that exists");
-        Workplace place{disk, err};
-        const Outcome outcome = commands().at(options.command)(options, place);
-        if (options.output.empty()) {
-            out << outcome.text << std::flush;
-        } else if (const std::string failure = disk.write(join_path(options.directory, options.output), outcome.text);
-                   !failure.empty()) {
-            throw CannotDo("-o " + options.output + ": " + failure);
-        }
-        return outcome.exit_code;
+        if (!parsed.done) return run_command(parsed.options, disk, out, err);
+        err << parsed.err;
+        if (!parsed.out.empty()) print(out, parsed.out);
+        return parsed.exit_code;
     } catch (const CannotDo& problem) {
-        err << "porttool: " << problem.what() << "\n";
+        err << "porttool: " << as_utf8(problem.what()) << "\n";
         return 2;
     }
 }

@@ -7,7 +7,7 @@
 #include <chrono>
 
 #include "porttool/command/check_command.h"
-#include "porttool/command/suggest.h"
+#include "porttool/text/suggest.h"
 
 namespace porttool {
 namespace {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "porttool/scan/unit.h"
+#include "porttool/text/fingerprint.h"
 
 namespace porttool {
 
@@ -33,20 +34,7 @@ std::string normal_number(std::string_view text);
 /// The value of a number whatever its suffix: `2.0f`, `2.` and `2` are one.
 std::string number_value(std::string_view text);
 
-/// 64 bits over texts in their order, as 16 hexadecimal digits.
-class Fingerprinter {
-public:
-    void add(std::string_view text);
-    std::string digits() const;
-
-private:
-    uint64_t hash_ = 0;
-};
-
 /// The fingerprint of a list of tokens.
 std::string fingerprint(const std::vector<NormalToken>& tokens);
-
-/// A 64-bit hash of bytes, the same on every machine.
-uint64_t hash_text(std::string_view text, uint64_t seed = 0);
 
 }  // namespace porttool

@@ -9,15 +9,6 @@
 
 namespace porttool {
 
-/// What tells whether a unit changed, and how.
-struct Fingerprints {
-    std::string written;  ///< as written, without what is cosmetic
-    std::string renamed;  ///< with locals and parameters numbered
-    std::string blanked;  ///< ... and numbers blanked
-
-    bool operator==(const Fingerprints&) const = default;
-};
-
 /// A unit as it stands now, with its text in normal form.
 struct UnitState {
     std::string id;

@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <vector>
 
-#include "porttool/compare/normal_form.h"
+#include "porttool/text/fingerprint.h"
 
 namespace porttool {
 namespace {

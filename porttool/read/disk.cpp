@@ -102,6 +102,8 @@ std::string RealDisk::write(const std::string& path, const std::string& bytes) {
         fs::remove(temporary, error);
         return reason;
     }
+    if (const auto before = fs::status(place, error); fs::exists(before))
+        fs::permissions(temporary, before.permissions(), error);
     fs::rename(temporary, place, error);
     if (!error) return {};
     const std::string reason = "cannot be written: " + error.message();

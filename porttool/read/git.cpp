@@ -139,6 +139,8 @@ std::string fetch_command(const std::string& revision) {
 
 }  // namespace
 
+std::string folder_in_repository(const std::string& root) { return open_git(root, "").prefix; }
+
 GitFiles files_at_base(const std::string& root, const std::string& revision, const WantsFile& wants) {
     GitFiles out;
     const OpenedGit opened = open(root);

@@ -14,6 +14,9 @@ struct GitFiles {
     std::string error;
 };
 
+/// Where `root` lies in its repository: "sub/folder/", or "" for its root and outside of any repository.
+std::string folder_in_repository(const std::string& root);
+
 /// Whether a path is wanted; others are not read.
 using WantsFile = std::function<bool(const std::string& path)>;
 

@@ -3,7 +3,10 @@
 #include "porttool/read/lock_file.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
+#include <string_view>
+#include <utility>
 
 namespace porttool {
 namespace {
@@ -21,14 +24,40 @@ std::vector<std::string> split(const std::string& line) {
     }
 }
 
+/// An id as one field: what would end the field or the line, and the sign of an escape itself, as percent codes.
+constexpr std::array<std::pair<char, std::string_view>, 4> kCodes = {
+    {{'%', "%25"}, {'\t', "%09"}, {'\n', "%0A"}, {'\r', "%0D"}}};
+
+std::string encoded(const std::string& id) {
+    std::string out;
+    for (const char c : id) {
+        const auto code =
+            std::find_if(kCodes.begin(), kCodes.end(), [&](const auto& known) { return known.first == c; });
+        out += code == kCodes.end() ? std::string(1, c) : std::string(code->second);
+    }
+    return out;
+}
+
+/// Undoes `encoded`. Any other percent sign stands for itself.
+std::string decoded(const std::string& field) {
+    std::string out;
+    for (size_t i = 0; i < field.size(); ++i) {
+        const auto code = std::find_if(kCodes.begin(), kCodes.end(),
+                                       [&](const auto& known) { return field.compare(i, 3, known.second) == 0; });
+        out += code == kCodes.end() ? field[i] : code->first;
+        if (code != kCodes.end()) i += 2;
+    }
+    return out;
+}
+
 /// Reads one line; false if it has not the form of any.
 bool read_line(LockFile& lock, const std::vector<std::string>& f) {
     if (f[0] == "pair" && f.size() == 9) {
-        lock.pairs.push_back({f[1], f[2], {f[3], f[4], f[5]}, {f[6], f[7], f[8]}});
+        lock.pairs.push_back({decoded(f[1]), decoded(f[2]), {f[3], f[4], f[5]}, {f[6], f[7], f[8]}});
     } else if (f[0] == "baseline" && (f.size() == 3 || f.size() == 4)) {
-        lock.baseline.push_back({f[1], f[2], f.size() == 4 ? f[3] : std::string()});
+        lock.baseline.push_back({decoded(f[1]), f[2], f.size() == 4 ? f[3] : std::string()});
     } else if ((f[0] == "accept" || f[0] == "defer" || f[0] == "ignore") && f.size() == 8) {
-        lock.ledger.push_back({f[0], f[1], f[2], f[3], f[4], f[5], f[6], f[7]});
+        lock.ledger.push_back({f[0], decoded(f[1]), decoded(f[2]), f[3], f[4], f[5], f[6], f[7]});
     } else {
         return false;
     }
@@ -100,16 +129,16 @@ std::string lock_text(const LockFile& lock) {
     std::vector<std::string> lines;
     for (const LockedPair& pair : lock.pairs) {
         const Fingerprints &s = pair.source_prints, &t = pair.target_prints;
-        lines.push_back("pair\t" + pair.source + "\t" + pair.target + "\t" + s.written + "\t" + s.renamed + "\t" +
-                        s.blanked + "\t" + t.written + "\t" + t.renamed + "\t" + t.blanked);
+        lines.push_back("pair\t" + encoded(pair.source) + "\t" + encoded(pair.target) + "\t" + s.written + "\t" +
+                        s.renamed + "\t" + s.blanked + "\t" + t.written + "\t" + t.renamed + "\t" + t.blanked);
     }
     for (const LockedUnit& unit : lock.baseline)
-        lines.push_back("baseline\t" + unit.id + "\t" + unit.print +
+        lines.push_back("baseline\t" + encoded(unit.id) + "\t" + unit.print +
                         (unit.reason.empty() ? std::string() : "\t" + plain(unit.reason)));
     for (const LedgerEntry& entry : lock.ledger)
-        lines.push_back(entry.verdict + "\t" + entry.source + "\t" + entry.target + "\t" + entry.source_print + "\t" +
-                        entry.target_print + "\t" + plain(entry.owner) + "\t" + plain(entry.until) + "\t" +
-                        plain(entry.reason));
+        lines.push_back(entry.verdict + "\t" + encoded(entry.source) + "\t" + encoded(entry.target) + "\t" +
+                        entry.source_print + "\t" + entry.target_print + "\t" + plain(entry.owner) + "\t" +
+                        plain(entry.until) + "\t" + plain(entry.reason));
     std::sort(lines.begin(), lines.end());
     lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
     std::string out =

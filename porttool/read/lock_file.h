@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "porttool/compare/unit_state.h"
+#include "porttool/text/fingerprint.h"
 
 namespace porttool {
 

@@ -11,7 +11,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "porttool/command/suggest.h"
+#include "porttool/text/suggest.h"
 
 namespace porttool {
 namespace {

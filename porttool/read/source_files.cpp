@@ -8,6 +8,7 @@
 
 #include "porttool/read/ignore_rules.h"
 #include "porttool/scan/language.h"
+#include "porttool/text/utf8.h"
 
 namespace porttool {
 namespace {
@@ -63,7 +64,8 @@ private:
 SourceSet read_all(const Disk& disk, const std::string& root, const std::set<std::string>& paths) {
     SourceSet out;
     for (const std::string& path : paths) {
-        FileText file = disk.read(join_path(root, path), kLargestFile);
+        FileText file = {"", unreadable_name(path)};
+        if (file.error.empty()) file = disk.read(join_path(root, path), kLargestSource);
         if (file.error.empty()) file.error = unreadable_reason(file.bytes);
         if (file.error.empty())
             out.files.push_back({path, std::move(file.bytes)});
@@ -84,7 +86,14 @@ std::string below_root(const std::string& root, const std::string& path) {
 
 }  // namespace
 
+std::string unreadable_name(const std::string& path) {
+    return is_utf8(path) ? "" : "the name is not UTF-8; rename it to have it read";
+}
+
 std::string unreadable_reason(const std::string& bytes) {
+    constexpr uint64_t kMebibyte = 1024 * 1024;
+    if (bytes.size() > kLargestSource)
+        return "is more than the " + std::to_string(kLargestSource / kMebibyte) + " MiB that are read of one source";
     if (bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF"))
         return "is UTF-16; save it as UTF-8 to have it scanned";
     const size_t nul = bytes.find('\0');

@@ -26,8 +26,11 @@ struct SourceSet {
     std::vector<SkippedFile> skipped;
 };
 
-/// Most bytes that are read of one file.
+/// Most bytes that are read of one file: a map, a lock.
 inline constexpr uint64_t kLargestFile = 64ull * 1024 * 1024;
+
+/// Most bytes of a source, as a token of it takes up to 700 bytes of memory.
+inline constexpr uint64_t kLargestSource = 16ull * 1024 * 1024;
 
 /// Reads files and folders (recursive, known suffixes, .gitignore respected, symbolic links to folders not followed). A
 /// path that is not there is reported in `missing`. Paths come out relative to `root` where they lie below it.
@@ -38,7 +41,10 @@ SourceSet read_paths(const Disk& disk, const std::string& root, const std::vecto
 SourceSet read_globs(const Disk& disk, const std::string& root, const std::vector<std::string>& globs,
                      std::vector<std::string>& unmatched);
 
-/// Why a text cannot be scanned as source (binary, UTF-16), or "".
+/// Why a text cannot be scanned as source (too large, binary, UTF-16), or "".
 std::string unreadable_reason(const std::string& bytes);
+
+/// Why a file of this name is not read, or "": a name that is not UTF-8 can stand neither in a map nor in JSON.
+std::string unreadable_name(const std::string& path);
 
 }  // namespace porttool

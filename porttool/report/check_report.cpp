@@ -6,6 +6,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "porttool/text/utf8.h"
+
 namespace porttool {
 namespace {
 
@@ -23,6 +25,19 @@ const char* color_of(Level level) {
 }
 
 }  // namespace
+
+Finding printable(const Finding& finding) {
+    Finding out = finding;
+    for (std::string* text : {&out.message, &out.remedy, &out.map_source, &out.map_target, &out.verdict_reason})
+        *text = as_printable(*text);
+    for (std::string& detail : out.details) detail = as_printable(detail);
+    for (std::optional<Place>* place : {&out.source, &out.target})
+        if (*place) {
+            (*place)->id = as_printable((*place)->id);
+            (*place)->file = as_printable((*place)->file);
+        }
+    return out;
+}
 
 std::string check_json(const Judgement& judgement) {
     const Summary& s = judgement.summary;
@@ -56,8 +71,9 @@ std::string check_json(const Judgement& judgement) {
 
 std::string check_table(const Judgement& judgement, bool color) {
     std::string out;
-    for (const Finding& f : judgement.findings) {
-        if (!is_shown(f)) continue;
+    for (const Finding& finding : judgement.findings) {
+        if (!is_shown(finding)) continue;
+        const Finding f = printable(finding);
         const Place place = f.source ? *f.source : f.target.value_or(Place{"", "portmap.toml", f.map_line, f.map_line});
         const std::string level = color ? fmt::format("{}{}\x1b[0m", color_of(f.level), level_name(f.level))
                                         : std::string(level_name(f.level));

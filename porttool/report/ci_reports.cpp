@@ -5,7 +5,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <nlohmann/json.hpp>
+
+#include "porttool/report/check_report.h"
 
 namespace porttool {
 namespace {
@@ -18,10 +21,16 @@ std::string dumped(const ordered_json& json) {
     return json.dump(1, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
 
+/// A place by its path from the root of the repository. The other checkout of a target may lead out of it.
+Place below(const std::string& folder, Place place) {
+    if (!folder.empty()) place.file = std::filesystem::path(folder + place.file).lexically_normal().generic_string();
+    return place;
+}
+
 /// Where a finding is shown: the changed source, else the target, else the map.
-Place shown_at(const Finding& f) {
-    if (f.source) return *f.source;
-    return f.target.value_or(Place{f.map_source, "portmap.toml", f.map_line, f.map_line});
+Place shown_at(const Finding& f, const std::string& folder = "") {
+    if (f.source) return below(folder, *f.source);
+    return below(folder, f.target.value_or(Place{f.map_source, "portmap.toml", f.map_line, f.map_line}));
 }
 
 /// A path as the path of a relative URI.
@@ -53,6 +62,7 @@ ordered_json sarif_rule(const std::string& rule) {
             {"defaultConfiguration", {{"level", level_name(default_level(rule))}}}};
 }
 
+/// Printable text as text or as an attribute of XML.
 std::string escaped_xml(const std::string& text) {
     std::string out;
     for (const char c : text) {
@@ -64,7 +74,7 @@ std::string escaped_xml(const std::string& text) {
             out += "&gt;";
         else if (c == '"')
             out += "&quot;";
-        else if (static_cast<unsigned char>(c) >= 32 || c == '\n' || c == '\t')
+        else
             out += c;
     }
     return out;
@@ -90,10 +100,16 @@ std::string escaped_command(const std::string& text, bool property) {
     return out;
 }
 
+/// Text in the cell of a table. Between backticks nothing is escaped but the bar, which ends a cell even there.
 std::string escaped_markdown(const std::string& text) {
+    constexpr std::string_view kSpecial = "\\|<*_[]&";
+    const size_t last = std::count(text.begin(), text.end(), '`') % 2 == 0 ? std::string::npos : text.rfind('`');
     std::string out;
-    for (const char c : text) {
-        if (c == '|' || c == '<' || c == '*' || c == '_') out += '\\';
+    bool code = false;
+    for (size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        if (c == '`' && i != last) code = !code;
+        if (c == '|' || i == last || (!code && kSpecial.find(c) != std::string_view::npos)) out += '\\';
         out += c == '\n' ? ' ' : c;
     }
     return out;
@@ -101,7 +117,7 @@ std::string escaped_markdown(const std::string& text) {
 
 }  // namespace
 
-std::string check_sarif(const Judgement& judgement) {
+std::string check_sarif(const Judgement& judgement, const std::string& folder) {
     ordered_json results = ordered_json::array(), rules = ordered_json::array();
     const std::vector<std::string>& names = rule_names();  // all of them: a viewer shows what was looked for
     for (const std::string& rule : names) rules.push_back(sarif_rule(rule));
@@ -112,10 +128,10 @@ std::string check_sarif(const Judgement& judgement) {
             {"ruleIndex", std::distance(names.begin(), std::find(names.begin(), names.end(), f.rule))},
             {"level", level_name(f.level)},
             {"message", {{"text", f.message + "\n" + f.remedy}}},
-            {"locations", ordered_json::array({sarif_location(shown_at(f))})},
+            {"locations", ordered_json::array({sarif_location(shown_at(f, folder))})},
             {"partialFingerprints", {{"porttool/v1", f.fingerprint}}}};
         if (f.source && f.target) {
-            ordered_json related = sarif_location(*f.target);
+            ordered_json related = sarif_location(below(folder, *f.target));
             related["id"] = 1;
             related["message"] = {{"text", "the port"}};
             result["relatedLocations"] = ordered_json::array({related});
@@ -140,8 +156,9 @@ std::string check_sarif(const Judgement& judgement) {
 std::string check_junit(const Judgement& judgement) {
     std::string cases;
     size_t tests = 0, failures = 0;
-    for (const Finding& f : judgement.findings) {
-        if (!is_open(f) || f.level == Level::Note) continue;
+    for (const Finding& finding : judgement.findings) {
+        if (!is_open(finding) || finding.level == Level::Note) continue;
+        const Finding f = printable(finding);
         ++tests;
         const Place place = shown_at(f);
         cases += fmt::format("    <testcase classname=\"porttool.{}\" name=\"{}\" file=\"{}\">\n", escaped_xml(f.rule),
@@ -166,11 +183,12 @@ std::string check_junit(const Judgement& judgement) {
         tests, failures, cases);
 }
 
-std::string check_github(const Judgement& judgement) {
+std::string check_github(const Judgement& judgement, const std::string& folder) {
     std::string out;
-    for (const Finding& f : judgement.findings) {
-        if (!is_open(f)) continue;
-        const Place place = shown_at(f);
+    for (const Finding& finding : judgement.findings) {
+        if (!is_open(finding)) continue;
+        const Finding f = printable(finding);
+        const Place place = shown_at(f, folder);
         const char* command = f.level == Level::Error ? "error" : f.level == Level::Warning ? "warning" : "notice";
         out += fmt::format("::{} file={},line={},endLine={},title={}::{}\n", command, escaped_command(place.file, true),
                            place.line, place.end_line, escaped_command("porttool " + f.rule, true),
@@ -179,11 +197,11 @@ std::string check_github(const Judgement& judgement) {
     return out;
 }
 
-std::string check_gitlab(const Judgement& judgement) {
+std::string check_gitlab(const Judgement& judgement, const std::string& folder) {
     ordered_json out = ordered_json::array();
     for (const Finding& f : judgement.findings) {
         if (!is_open(f)) continue;
-        const Place place = shown_at(f);
+        const Place place = shown_at(f, folder);
         out.push_back({{"description", f.message + ". " + f.remedy},
                        {"check_name", f.rule},
                        {"fingerprint", f.fingerprint},
@@ -202,8 +220,9 @@ std::string check_markdown(const Judgement& judgement) {
         "without a port.\n",
         judgement.verdict(), s.pairs, s.in_step, s.drifted, s.review, s.deferred, s.ignored, s.unported);
     bool any = false;
-    for (const Finding& f : judgement.findings) {
-        if (!is_open(f)) continue;
+    for (const Finding& finding : judgement.findings) {
+        if (!is_open(finding)) continue;
+        const Finding f = printable(finding);
         if (!any) out += "\n| | source | port | finding |\n| --- | --- | --- | --- |\n";
         any = true;
         auto cell = [](const std::optional<Place>& place) {

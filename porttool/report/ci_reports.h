@@ -8,15 +8,18 @@
 
 namespace porttool {
 
+// `folder` is where the root lies in its repository, "sub/folder/" or "": these services look for files from the
+// repository's root.
+
 /// SARIF 2.1.0 for code scanning: one rule entry per rule, the changed source as first location, the counterpart as
 /// related location, relative URIs under %SRCROOT%, settled findings as suppressions.
-std::string check_sarif(const Judgement& judgement);
+std::string check_sarif(const Judgement& judgement, const std::string& folder = "");
 /// JUnit XML: one test case a finding, or one that passed.
 std::string check_junit(const Judgement& judgement);
 /// Workflow commands that GitHub shows as annotations.
-std::string check_github(const Judgement& judgement);
+std::string check_github(const Judgement& judgement, const std::string& folder = "");
 /// GitLab's code quality report.
-std::string check_gitlab(const Judgement& judgement);
+std::string check_gitlab(const Judgement& judgement, const std::string& folder = "");
 /// A comment for a merge request.
 std::string check_markdown(const Judgement& judgement);
 

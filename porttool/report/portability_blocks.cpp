@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <set>
 
-#include "porttool/command/suggest.h"
 #include "porttool/read/glob.h"
 #include "porttool/scan/scan.h"
+#include "porttool/text/suggest.h"
 
 namespace porttool {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The porttool authors
 // SPDX-License-Identifier: Apache-2.0
-#include "porttool/command/suggest.h"
+#include "porttool/text/suggest.h"
 
 #include "metrics/text/suggest.h"
 

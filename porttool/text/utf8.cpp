@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/text/utf8.h"
+
+#include <cstdint>
+
+namespace porttool {
+namespace {
+
+constexpr std::string_view kReplacement = "\xEF\xBF\xBD";
+
+/// The bytes of the character that stands first, or 0 if they are no UTF-8 (table 3-7 of the Unicode standard).
+size_t length_of_first(std::string_view text) {
+    const auto byte = [&](size_t i) { return static_cast<uint8_t>(text[i]); };
+    const uint8_t lead = byte(0);
+    if (lead < 0x80) return 1;
+    const size_t length = lead >= 0xF0 ? 4 : lead >= 0xE0 ? 3 : 2;
+    if (lead < 0xC2 || lead > 0xF4 || text.size() < length) return 0;
+    for (size_t i = 1; i < length; ++i)
+        if ((byte(i) & 0xC0) != 0x80) return 0;
+    if (lead == 0xE0 && byte(1) < 0xA0) return 0;   // overlong
+    if (lead == 0xED && byte(1) >= 0xA0) return 0;  // a surrogate
+    if (lead == 0xF0 && byte(1) < 0x90) return 0;   // overlong
+    if (lead == 0xF4 && byte(1) >= 0x90) return 0;  // above U+10FFFF
+    return length;
+}
+
+bool is_printable(std::string_view character) {
+    if (character.size() > 1) return character != "\xEF\xBF\xBE" && character != "\xEF\xBF\xBF";
+    const auto byte = static_cast<uint8_t>(character[0]);
+    return (byte >= 0x20 && byte != 0x7F) || byte == '\t' || byte == '\n';
+}
+
+/// Replaces what is no UTF-8, and what `keeps` does not keep.
+template <class Keeps>
+std::string replaced(std::string_view bytes, const Keeps& keeps) {
+    std::string out;
+    out.reserve(bytes.size());
+    while (!bytes.empty()) {
+        const size_t length = length_of_first(bytes);
+        const bool kept = length > 0 && keeps(bytes.substr(0, length));
+        out += kept ? bytes.substr(0, length) : kReplacement;
+        bytes.remove_prefix(length > 0 ? length : 1);
+    }
+    return out;
+}
+
+}  // namespace
+
+bool is_utf8(std::string_view bytes) {
+    while (!bytes.empty()) {
+        const size_t length = length_of_first(bytes);
+        if (length == 0) return false;
+        bytes.remove_prefix(length);
+    }
+    return true;
+}
+
+std::string as_utf8(std::string_view bytes) {
+    return replaced(bytes, [](std::string_view) { return true; });
+}
+
+std::string as_printable(std::string_view bytes) { return replaced(bytes, is_printable); }
+
+}  // namespace porttool

@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace porttool {
+
+/// True for well-formed UTF-8 (RFC 3629: no overlong forms, no surrogates, nothing above U+10FFFF).
+bool is_utf8(std::string_view bytes);
+
+/// The text with U+FFFD in the place of each byte that is no UTF-8.
+std::string as_utf8(std::string_view bytes);
+
+/// The same, also with U+FFFD for what a line of text, and XML 1.0, cannot hold: control characters other than tab and
+/// line break, U+FFFE and U+FFFF.
+std::string as_printable(std::string_view bytes);
+
+}  // namespace porttool
