@@ -6,6 +6,7 @@
 #include <string>
 
 #include "porttool/command/project.h"
+#include "porttool/compare/unit_state.h"
 #include "porttool/read/lock_file.h"
 
 namespace porttool {

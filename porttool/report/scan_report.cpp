@@ -11,6 +11,25 @@
 #include "porttool/scan/scan.h"
 
 namespace porttool {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Adds a list, object by object: as one document the units of a large tree take 2 KB each.
+template <class Rows, class ToJson>
+void add_array(std::string& out, const Rows& rows, const ToJson& to_json) {
+    out += '[';
+    const char* before = "\n  ";
+    for (const auto& row : rows) {
+        out += before;
+        before = ",\n  ";
+        for (const char c : to_json(row).dump(1, ' ', false, Json::error_handler_t::replace))
+            out += c == '\n' ? std::string("\n  ") : std::string(1, c);
+    }
+    out += rows.empty() ? "]" : "\n ]";
+}
+
+}  // namespace
 
 void add_file(ScanReport& report, const ScannedFile& file) {
     auto add = [&](const Unit& unit) {
@@ -33,20 +52,22 @@ void sort_report(ScanReport& report) {
 }
 
 std::string scan_json(const ScanReport& report) {
-    nlohmann::ordered_json units = nlohmann::ordered_json::array();
-    for (const UnitRow& row : report.units)
-        units.push_back({{"id", row.id},
-                         {"file", row.file},
-                         {"name", row.name},
-                         {"kind", row.kind},
-                         {"language", row.language},
-                         {"start_line", row.start_line},
-                         {"end_line", row.end_line},
-                         {"fingerprint", row.fingerprint}});
-    nlohmann::ordered_json skipped = nlohmann::ordered_json::array();
-    for (const SkippedFile& file : report.skipped) skipped.push_back({{"file", file.file}, {"reason", file.reason}});
-    const nlohmann::ordered_json out = {{"units", units}, {"skipped", skipped}};
-    return out.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+    std::string out = "{\n \"units\": ";
+    add_array(out, report.units, [](const UnitRow& row) {
+        return Json{{"id", row.id},
+                    {"file", row.file},
+                    {"name", row.name},
+                    {"kind", row.kind},
+                    {"language", row.language},
+                    {"start_line", row.start_line},
+                    {"end_line", row.end_line},
+                    {"fingerprint", row.fingerprint}};
+    });
+    out += ",\n \"skipped\": ";
+    add_array(out, report.skipped, [](const SkippedFile& file) {
+        return Json{{"file", file.file}, {"reason", file.reason}};
+    });
+    return out + "\n}\n";
 }
 
 std::string scan_table(const ScanReport& report) {
