@@ -108,7 +108,7 @@ EditFacts BlobFactsSource::edits(const Fingerprints& source_before, const UnitFa
                                  const BaseBlob& base_blob) {
     const ByValue value = by_value(source_now, target_now);
     const std::string key =
-        BlobCache::key({"edits", source_before.written, source_now.prints.written, target_before.written,
+        BlobCache::key({"changed tokens", source_before.written, source_now.prints.written, target_before.written,
                         target_now.prints.written, std::to_string(static_cast<int>(value)), dialect_key_});
     if (const std::string* line = cache_.find(key))
         if (const auto facts = read_edit_facts(*line)) return *facts;

@@ -81,8 +81,11 @@ void BlockFigures::touch(const Paths& touched) {
 BlockPoint BlockFigures::figures_of(const Plan& block) {
     BlockPoint point;
     point.name = block.name;
-    for (size_t side = 0; side < 2; ++side) point.sides[side] = side_figures(block, side);
-    point.degree = degree_of_portability(point.sides[1], map_.weights);
+    const std::array<SideFigures, 2> found = {side_figures(block, 0), side_figures(block, 1)};
+    point.sides = {found[0].all, found[1].all};
+    point.too_short = found[0].too_short || found[1].too_short;
+    if (point.sides[0].lines > 0 && !point.too_short)
+        point.degree = degree_of_portability(found[1].counted, map_.weights);
     return point;
 }
 
@@ -107,6 +110,7 @@ BlockFigures::FileShare BlockFigures::share_of(const Plan& block, size_t side, c
         const BlobFactsSource::Piece here{version(side, path), units}, there{version(1 - side, other), piece->second};
         const PieceMeasure& both = side == 0 ? blobs_.measure(here, there) : blobs_.measure(there, here);
         add_measure(side == 0 ? both.source : both.target, out);
+        out.too_short = !out.measured && both.source.measure.lines > 0 && both.target.measure.lines > 0;
     }
     return out;
 }
@@ -128,12 +132,16 @@ void BlockFigures::add_measure(const PieceSide& piece, FileShare& out) {
     out.blind = std::max(out.blind, covered(measure.moss_percent_blind));
 }
 
-SideMeasure BlockFigures::side_figures(const Plan& block, size_t side) {
-    SideMeasure out;
+BlockFigures::SideFigures BlockFigures::side_figures(const Plan& block, size_t side) {
+    SideFigures figures;
+    SideMeasure &all = figures.all, &out = figures.counted;
     double kept = 0, raw = 0, blind = 0;
     bool measured = false;
     for (const auto& [path, units] : block.sides[side]) {
         const FileShare share = share_of(block, side, path, units);
+        all.lines += share.lines;
+        all.tokens += share.tokens;
+        if (share.too_short) continue;  // neither shared nor novel
         out.lines += share.lines;
         out.tokens += share.tokens;
         out.shared_lines += static_cast<uint32_t>(std::count(share.shared.begin(), share.shared.end(), true));
@@ -142,11 +150,16 @@ SideMeasure BlockFigures::side_figures(const Plan& block, size_t side) {
         blind += share.blind;
         measured |= share.measured;
     }
-    if (!measured || out.tokens == 0) return out;
+    figures.too_short = all.lines > 0 && out.lines == 0;
+    all.shared_lines = out.shared_lines;
+    if (!measured || out.tokens == 0) return figures;
     out.moss_percent = kPercent * kept / out.tokens;
     out.moss_percent_raw = kPercent * raw / out.tokens;
     out.moss_percent_blind = kPercent * blind / out.tokens;
-    return out;
+    all.moss_percent = out.moss_percent;
+    all.moss_percent_raw = out.moss_percent_raw;
+    all.moss_percent_blind = out.moss_percent_blind;
+    return figures;
 }
 
 std::vector<BlockPoint> BlockFigures::blocks() {

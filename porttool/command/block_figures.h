@@ -58,12 +58,19 @@ private:
         std::vector<bool> shared;
         double kept = 0, raw = 0, blind = 0;  ///< tokens in matches, by vocabulary
         bool measured = false;
+        bool too_short = false;  ///< held against its counterparts, and nothing could be measured
+    };
+
+    /// A side of a block as it is, and without what is too short to be measured.
+    struct SideFigures {
+        SideMeasure all, counted;
+        bool too_short = false;
     };
 
     Plan plan_of(const MapBlock& block);
     void select_units(Selection& selection, size_t side, const std::string& path, const std::string& pattern);
     BlockPoint figures_of(const Plan& block);
-    SideMeasure side_figures(const Plan& block, size_t side);
+    SideFigures side_figures(const Plan& block, size_t side);
     FileShare share_of(const Plan& block, size_t side, const std::string& path, const std::vector<std::string>& units);
     static void add_measure(const PieceSide& piece, FileShare& out);
     FileVersion version(size_t side, const std::string& path) const { return {path, files_[side].at(path)}; }

@@ -10,9 +10,9 @@
 #include "porttool/command/check_command.h"
 #include "porttool/command/finding_ages.h"
 #include "porttool/command/past_project.h"
-#include "porttool/text/suggest.h"
 #include "porttool/report/portability_page.h"
 #include "porttool/report/portability_text.h"
+#include "porttool/text/suggest.h"
 
 namespace porttool {
 namespace {
@@ -91,6 +91,23 @@ PlatformSpeed read_bench(const std::string& text, const Options& options, const 
     return speed.platform;
 }
 
+/// A project without a lock: everything but when its pairs were in step. Nothing is judged.
+CheckedProject unrecorded_project(const Options& options, Workplace& place) {
+    CheckedProject out;
+    out.project = open_project(options, place, true);
+    read_sides(out.project, place);
+    out.states = read_states(out.project);
+    const auto no_text = [](const std::string&) { return std::string(); };
+    out.judgement =
+        judge({out.project.map, out.lock, out.states.source, out.states.target, out.project.skipped, no_text, today()});
+    out.judgement.findings.clear();
+    return out;
+}
+
+bool has_lock(const Options& options, Workplace& place) {
+    return place.disk.exists(lock_path(open_project(options, place, true)));
+}
+
 SideTexts read_texts(const Project& project, const Disk& disk) {
     SideTexts texts;
     const auto read = [&](size_t side, const std::vector<ScannedFile>& files, const std::string& root) {
@@ -123,11 +140,15 @@ Outcome report_command(const Options& options, Workplace& place) {
     for (const std::string& text : options.fail_under) bars.push_back(read_bar(text));
     Options against_lock = options;
     against_lock.base.clear();
-    const CheckedProject checked = check_project(against_lock, place);
-    const PortabilityReport report = report_of(checked.project, checked.lock, checked.judgement, true);
+    const bool recorded = has_lock(against_lock, place);
+    const CheckedProject checked =
+        recorded ? check_project(against_lock, place) : unrecorded_project(against_lock, place);
+    PortabilityReport report = report_of(checked.project, checked.lock, checked.judgement, true);
+    if (!recorded)
+        for (RowReport& row : report.rows) row.state.clear();
     const std::string low = below_bars(report, bars);
     const std::string date = today();
-    WholeReport whole{checked.project.map, report, checked.judgement, {}, date, {}, {}};
+    WholeReport whole{checked.project.map, report, checked.judgement, {}, date, {}, {}, recorded};
     for (const std::string& text : options.bench)
         whole.performance.platforms.push_back(read_bench(text, options, place.disk));
     whole.ledger = drift_ledger(checked.judgement, checked.lock, finding_ages(checked, date), date);

@@ -74,6 +74,7 @@ public:
     }
 
     bool has_map() const { return has_map_; }
+    double debt(int64_t time) const { return drift_.debt(time); }
     std::vector<OpenPair> open() const { return drift_.open(); }
 
 private:
@@ -266,11 +267,14 @@ History history_of(const Past& past, const std::string& since, BlobCache& cache,
     std::string before;
     for (size_t i = 0; i < chain.commits.size(); ++i) {
         const GitCommit& commit = chain.commits[i];
+        const double debt_before = timeline.debt(commit.time);
         const bool touched =
             timeline.step(commit, past.git->changes(before, commit.id, [](const std::string&) { return true; }));
         before = commit.id;
         const bool last = i + 1 == chain.commits.size();
-        if (timeline.has_map() && (last || (touched && i >= first))) history.points.push_back(timeline.point(commit));
+        if (!timeline.has_map() || !(last || (touched && i >= first))) continue;
+        history.points.push_back(timeline.point(commit));
+        history.points.back().debt_before = debt_before;
     }
     if (!timeline.has_map())
         throw CannotDo(

@@ -32,25 +32,48 @@ std::vector<std::string> split_lines(const std::string& text) {
     return lines;
 }
 
-/// The edit of one side: how many lines it touched, and what it gained in the common vocabulary, sorted.
+/// The edit of one side: how many lines it touched, and the tokens that it gained ("+word") and lost ("-word") in the
+/// common vocabulary, sorted. What stays within an edited line is no part of the edit.
 struct SideEdit {
     uint32_t size = 0;
-    std::vector<std::string> gained;
+    std::vector<std::string> changed;
 };
+
+void add_words(const std::string& line, const Dialect& dialect, std::vector<std::string>& out) {
+    for (const Statement& statement : split_statements(read_state_text(line), dialect))
+        if (statement.key != "}") out.insert(out.end(), statement.common.begin(), statement.common.end());
+}
+
+void add_changed_words(const std::vector<std::string>& lost, const std::vector<std::string>& gained,
+                       std::vector<std::string>& out) {
+    for (const DiffStep& step : diff(lost, gained)) {
+        if (step.kind == DiffStep::Remove) out.push_back("-" + lost[step.before]);
+        if (step.kind == DiffStep::Add) out.push_back("+" + gained[step.now]);
+    }
+}
 
 SideEdit side_edit(const std::string& before, const std::string& now, const Dialect& dialect) {
     SideEdit out;
     const std::vector<std::string> old_lines = split_lines(before), new_lines = split_lines(now);
-    std::vector<std::string> gained;
+    std::vector<std::string> lost, gained;  // by the lines that were replaced in one place
+    const auto end_of_place = [&] {
+        add_changed_words(lost, gained, out.changed);
+        lost.clear();
+        gained.clear();
+    };
     for (const DiffStep& step : diff(old_lines, new_lines)) {
-        if (step.kind != DiffStep::Keep) ++out.size;
-        if (step.kind != DiffStep::Add) continue;
-        const std::vector<std::string> words = read_state_text(new_lines[step.now]);
-        gained.insert(gained.end(), words.begin(), words.end());
+        if (step.kind == DiffStep::Keep) {
+            end_of_place();
+            continue;
+        }
+        ++out.size;
+        if (step.kind == DiffStep::Remove)
+            add_words(old_lines[step.before], dialect, lost);
+        else
+            add_words(new_lines[step.now], dialect, gained);
     }
-    for (const Statement& statement : split_statements(gained, dialect))
-        if (statement.key != "}") out.gained.insert(out.gained.end(), statement.common.begin(), statement.common.end());
-    std::sort(out.gained.begin(), out.gained.end());
+    end_of_place();
+    std::sort(out.changed.begin(), out.changed.end());
     return out;
 }
 
@@ -144,7 +167,7 @@ EditFacts edit_facts(const EditTexts& texts, ByValue by_value, const Dialect& di
                    target = side_edit(texts.target_before, texts.target_now, dialect);
     facts.source_size = source.size;
     facts.target_size = target.size;
-    facts.similarity = overlap(source.gained, target.gained);
+    facts.similarity = overlap(source.changed, target.changed);
     const std::vector<std::string> source_now = read_state_text(texts.source_now),
                                    target_now = read_state_text(texts.target_now);
     if (by_value != ByValue::No)

@@ -46,7 +46,7 @@ PieceMeasure measure_pieces(const Passage& source, const Passage& target, const 
 /// What the edits of the two sides of a pair are worth, to tell whether the port followed.
 struct EditFacts {
     bool equivalent = false;
-    double similarity = 0;                      ///< of the tokens gained, 0 to 1; 0 where one side gained none
+    double similarity = 0;                      ///< of the tokens that changed, 0 to 1; 0 where one side changed none
     uint32_t source_size = 0, target_size = 0;  ///< lines gained and lost, one statement a line
 };
 

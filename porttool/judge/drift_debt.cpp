@@ -20,7 +20,13 @@ double OpenPair::debt(int64_t now) const {
 
 void DriftReplay::update(const PairId& id, const PairNow& now, int64_t time) {
     if (now.source == nullptr || now.target == nullptr) {
-        open_.erase(id);
+        const bool was_paired = bases_.contains(id) || now.locked_target != nullptr;
+        if (now.source == nullptr || !was_paired || now.ignored) {
+            open_.erase(id);
+            return;
+        }
+        OpenPair& gone = open_.try_emplace(id, OpenPair{id, time, 0}).first->second;
+        gone.lines = std::max({gone.lines, now.source->lines, 1u});  // all of it is to be ported again
         return;
     }
     const bool locked = now.locked_source != nullptr && now.locked_target != nullptr;

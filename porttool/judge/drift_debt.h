@@ -37,7 +37,8 @@ struct OpenPair {
 /// one of its sides differs from when both were last in step by more than the names of locals and parameters, until the
 /// commit in which both sides' edits are equivalent, the texts are again what they were, or the lock says so. Where
 /// there is no lock, edits of both sides that resemble each other by half or more close it, too, and the first sight of
-/// a pair counts as in step.
+/// a pair counts as in step. Where the port was removed and its source is still there, the pair is open with all of the
+/// source's lines.
 class DriftReplay {
 public:
     /// Compares the edits from the first and third texts to the second and fourth, given by their prints.

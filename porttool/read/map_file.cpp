@@ -39,6 +39,10 @@ public:
         for (const toml::table* ignore : tables(root, "ignore")) read_ignore(*ignore);
         for (const toml::table* block : tables(root, "block")) {
             only(*block, {"name", "source", "target"}, "[[block]]");
+            if (const std::string name = text(*block, "name"); name.empty() || name == "All lines" || name == "*")
+                fail(block->get("name")->source(),
+                     name.empty() ? "'name' is empty; give the block a name"
+                                  : "'" + name + "' stands for both sides as a whole; give the block another name");
             map_.blocks.push_back({text(*block, "name"), list(*block, "source", false), list(*block, "target", false)});
         }
         if (const toml::table* rules = section(root, "rules")) read_rules(*rules);

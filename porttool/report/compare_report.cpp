@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "metrics/code/string_tiling.h"
+#include "porttool/report/figures.h"
 
 namespace porttool {
 namespace {
@@ -18,8 +19,14 @@ Json or_null(const std::optional<double>& value) { return value ? Json(*value) :
 
 Json range(const ExcerptLines& lines) { return Json::array({lines.first, lines.last}); }
 
-std::string figure(const std::optional<double>& value, int digits) {
-    return value ? fmt::format("{:.{}f}", *value, digits) : "-";
+/// Never rounded up to `most` or down to 0: those say that nothing differs, or nothing agrees.
+std::string figure(const std::optional<double>& value, double most, int digits) {
+    return value ? bounded_text(*value, most, digits) : "-";
+}
+
+std::string percent(const std::optional<double>& value) {
+    constexpr double kMost = 100;
+    return figure(value, kMost, 1);
 }
 
 std::string row(const std::string& name, const std::string& a, const std::string& b) {
@@ -28,7 +35,7 @@ std::string row(const std::string& name, const std::string& a, const std::string
 
 std::string row(const std::string& name, const std::optional<double>& both) {
     constexpr int kDigits = 3;
-    return fmt::format("{:<30}{:>10}\n", name, figure(both, kDigits));
+    return fmt::format("{:<30}{:>10}\n", name, figure(both, 1, kDigits));
 }
 
 }  // namespace
@@ -72,9 +79,9 @@ std::string compare_table(const CompareReport& report) {
         out += row("shared lines", std::to_string(s.a.shared_lines), std::to_string(s.b.shared_lines));
     else
         out += row("shared lines", "-", "-");
-    out += row("Moss %, dialect", figure(s.a.moss_percent, 1), figure(s.b.moss_percent, 1));
-    out += row("Moss %, blind", figure(s.a.moss_percent_blind, 1), figure(s.b.moss_percent_blind, 1));
-    out += row("Moss %, raw", figure(s.a.moss_percent_raw, 1), figure(s.b.moss_percent_raw, 1));
+    out += row("Moss %, dialect", percent(s.a.moss_percent), percent(s.b.moss_percent));
+    out += row("Moss %, blind", percent(s.a.moss_percent_blind), percent(s.b.moss_percent_blind));
+    out += row("Moss %, raw", percent(s.a.moss_percent_raw), percent(s.b.moss_percent_raw));
     out += row("tiling (1 is alike)", s.tiling);
     out += row("token edit (1 is alike)", s.token_edit);
     out += row("tree distance (0 is alike)", s.tree_distance);

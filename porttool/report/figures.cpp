@@ -4,9 +4,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <ctime>
+
+#include "porttool/text/utf8.h"
 
 namespace porttool {
 
@@ -27,15 +30,35 @@ nlohmann::ordered_json figure_json(const std::optional<metrics::Figure>& figure)
             {"inputs", inputs}};
 }
 
+std::string bounded_text(double value, double most, int digits) {
+    const double step = std::pow(10, -digits);
+    return fmt::format("{:.{}f}", value > 0 && value < most ? std::clamp(value, step, most - step) : value, digits);
+}
+
 std::string figure_text(const std::optional<metrics::Figure>& figure) {
     if (!figure) return "-";
-    return fmt::format("{:.2f} ({:.2f} to {:.2f})", figure->value, figure->low, figure->high);
+    const auto text = [](double value) { return value > 0 ? bounded_text(value, 1, 2) : fmt::format("{:.2f}", value); };
+    return text(figure->value) + " (" + text(figure->low) + " to " + text(figure->high) + ")";
+}
+
+std::string plain_text(const std::string& text) {
+    constexpr char kDelete = 0x7f;
+    std::string out = as_utf8(text);
+    std::replace_if(
+        out.begin(), out.end(), [](char c) { return (c >= 0 && c < ' ') || c == kDelete; }, ' ');
+    return out;
+}
+
+/// What a spreadsheet would take for a formula gets an apostrophe before it.
+static std::string csv_safe(const std::string& text) {
+    return !text.empty() && std::string("=+-@\t\r").find(text[0]) != std::string::npos ? "'" + text : text;
 }
 
 std::string csv_field(const std::string& text) {
-    if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+    const std::string safe = csv_safe(text);
+    if (safe.find_first_of(",\"\r\n") == std::string::npos) return safe;
     std::string out = "\"";
-    for (const char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);
+    for (const char c : safe) out += c == '"' ? std::string("\"\"") : std::string(1, c);
     return out + "\"";
 }
 

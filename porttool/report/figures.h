@@ -17,10 +17,16 @@ nlohmann::ordered_json figure_json(const std::optional<metrics::Figure>& figure)
 /// A number as JSON, or null; rounded to six decimals so that files stay the same from machine to machine.
 nlohmann::ordered_json number_json(const std::optional<double>& number);
 
+/// A figure from 0 to `most`, rounded, but `most` and 0 only where it is exactly that.
+std::string bounded_text(double value, double most, int digits);
+
 /// "0.73 (0.60 to 0.81)", or "-".
 std::string figure_text(const std::optional<metrics::Figure>& figure);
 
-/// One field of a CSV line, quoted where it must be.
+/// A text in one line: what controls a terminal or breaks the line becomes a space, what is no UTF-8 U+FFFD.
+std::string plain_text(const std::string& text);
+
+/// One field of a CSV line, quoted where it must be; what a spreadsheet would take for a formula gets an apostrophe.
 std::string csv_field(const std::string& text);
 
 /// YYYY-MM-DD of seconds since 1970.

@@ -71,6 +71,7 @@ std::string moment_text(int64_t time, const History& history) {
 struct Series {
     std::string name, color, dash;
     std::vector<std::optional<double>> values;  ///< one a point
+    std::vector<double> before;                 ///< values an instant earlier, where they jump; else empty
 };
 
 struct Chart {
@@ -109,8 +110,12 @@ std::string path_of(const Chart& chart, const Series& series, const std::vector<
             drawing = false;
             continue;
         }
-        path += fmt::format("{}{:.1f} {:.1f}", drawing ? "L" : "M", x[i], height_of(chart, *series.values[i]));
-        drawing = true;
+        const auto go_to = [&](double value) {
+            path += fmt::format("{}{:.1f} {:.1f}", drawing ? "L" : "M", x[i], height_of(chart, value));
+            drawing = true;
+        };
+        if (!series.before.empty() && series.before[i] != *series.values[i]) go_to(series.before[i]);
+        go_to(*series.values[i]);
     }
     return path;
 }
@@ -138,15 +143,17 @@ std::string figure_of(const Chart& chart, const History& history) {
         "<title>{}</title><desc>{}</desc>{}\n",
         escaped(chart.title), escaped(chart.description), kWidth, kHeight, escaped(chart.title), escaped(chart.title),
         escaped(chart.description), grid_of(chart, history));
-    std::string legend;
+    std::string legend, above;
     for (const Series& series : chart.series) {
         const std::string path = path_of(chart, series, x);
         if (chart.filled && !path.empty())
             out += fmt::format("<path d=\"{}L{:.1f} {:.1f}L{:.1f} {:.1f}Z\" fill=\"var({})\" opacity=\".18\"/>", path,
                                x.back(), height_of(chart, chart.low), x.front(), height_of(chart, chart.low),
                                series.color);
-        out += fmt::format("<path class=\"series\" d=\"{}\" stroke=\"var({})\" stroke-dasharray=\"{}\"/>", path,
-                           series.color, series.dash);
+        // The first lies above the others: where they are one line, its dashes show.
+        std::string& layer = &series == &chart.series.front() ? above : out;
+        layer += fmt::format("<path class=\"series\" d=\"{}\" stroke=\"var({})\" stroke-dasharray=\"{}\"/>", path,
+                             series.color, series.dash);
         if (!series.values.empty() && series.values.back())
             out += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3.5\" fill=\"var({})\"/>\n", x.back(),
                                height_of(chart, *series.values.back()), series.color);
@@ -157,7 +164,7 @@ std::string figure_of(const Chart& chart, const History& history) {
             series.values.empty() || !series.values.back() ? std::string()
                                                            : ": " + number_text(*series.values.back()) + chart.unit);
     }
-    return out + "</svg><ul class=\"legend\">" + legend + "</ul></figure>\n";
+    return out + above + "</svg><ul class=\"legend\">" + legend + "</ul></figure>\n";
 }
 
 /// The largest blocks of the newest commit.
@@ -178,9 +185,9 @@ std::vector<Series> block_series(const History& history, Value value) {
     constexpr std::array<const char*, kMostLines + 1> kDashes = {"none",     "none", "7 3", "2 3",
                                                                  "10 3 2 3", "4 4",  "12 4"};
     std::vector<Series> out(1);
-    out[0] = {"all", "--c0", kDashes[0], {}};
+    out[0] = {"all", "--c0", "1 5", {}, {}};
     for (const std::string& name : chosen_blocks(history.points.back()))
-        out.push_back({name, "--c" + std::to_string(out.size()), kDashes[out.size()], {}});
+        out.push_back({name, "--c" + std::to_string(out.size()), kDashes[out.size()], {}, {}});
     for (const HistoryPoint& point : history.points) {
         out[0].values.push_back(value(point.totals));
         for (size_t i = 1; i < out.size(); ++i) {
@@ -229,18 +236,20 @@ Chart similarity_chart(const History& history) {
 }
 
 Chart debt_chart(const History& history) {
-    Chart chart{
-        "Drift debt",
-        "Line-days: for each pair that one side has left, the lines that wait times the days that they have waited.",
-        0,
-        1,
-        " line-days",
-        {{"drift debt", "--debt", "none", {}}}};
+    Chart chart{"Drift debt",
+                "Line-days: for each pair that one side has left, the lines that wait times the days that they have "
+                "waited; before "
+                "and after each commit.",
+                0,
+                1,
+                " line-days",
+                {{"drift debt", "--debt", "none", {}, {}}}};
     chart.filled = true;
     double most = 0;
     for (const HistoryPoint& point : history.points) {
         chart.series[0].values.emplace_back(point.debt);
-        most = std::max(most, point.debt);
+        chart.series[0].before.push_back(point.debt_before);
+        most = std::max({most, point.debt, point.debt_before});
     }
     chart.high = round_up(std::max(1.0, most));
     return chart;
@@ -253,12 +262,15 @@ std::string table_of_blocks(const HistoryPoint& newest) {
         "<th scope=\"col\">source lines</th><th scope=\"col\">shared</th><th scope=\"col\">port lines</th>"
         "<th scope=\"col\">shared</th><th scope=\"col\">Moss % of the port</th><th scope=\"col\">degree of "
         "portability</th></tr></thead><tbody>\n";
+    const auto shared = [](const BlockPoint& block, size_t side) {
+        return block.too_short ? std::string("too short") : std::to_string(block.sides[side].shared_lines);
+    };
     const auto row = [&](const BlockPoint& block, const std::string& name) {
-        out += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
-                           escaped(name), block.sides[0].lines, block.sides[0].shared_lines, block.sides[1].lines,
-                           block.sides[1].shared_lines,
-                           block.sides[1].moss_percent ? fmt::format("{:.1f}", *block.sides[1].moss_percent) : "-",
-                           figure_text(block.degree));
+        out +=
+            fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
+                        escaped(name), block.sides[0].lines, shared(block, 0), block.sides[1].lines, shared(block, 1),
+                        block.sides[1].moss_percent ? bounded_text(*block.sides[1].moss_percent, 100, 1) : "-",
+                        figure_text(block.degree));
     };
     for (const BlockPoint& block : newest.blocks) row(block, block.name);
     row(newest.totals, "all");

@@ -20,8 +20,8 @@ ordered_json block_json(const BlockPoint& block) {
     return {{"name", block.name},
             {"source_lines", block.sides[0].lines},
             {"target_lines", block.sides[1].lines},
-            {"shared_source", block.sides[0].shared_lines},
-            {"shared_target", block.sides[1].shared_lines},
+            {"shared_source", block.too_short ? ordered_json(nullptr) : ordered_json(block.sides[0].shared_lines)},
+            {"shared_target", block.too_short ? ordered_json(nullptr) : ordered_json(block.sides[1].shared_lines)},
             {"moss_percent_source", number_json(block.sides[0].moss_percent)},
             {"moss_percent_target", number_json(block.sides[1].moss_percent)},
             {"degree_of_portability", block.degree ? ordered_json{{"loc", number_json(block.degree->value)},
@@ -33,19 +33,23 @@ ordered_json block_json(const BlockPoint& block) {
 
 std::string csv_number(const std::optional<double>& value) { return value ? fmt::format("{:.6g}", *value) : ""; }
 
+std::string shared_text(const BlockPoint& block, size_t side, const char* too_short) {
+    return block.too_short ? too_short : std::to_string(block.sides[side].shared_lines);
+}
+
 std::string csv_line(const HistoryPoint& point, const BlockPoint& block, const std::string& drift) {
     const auto degree = [&](double metrics::Figure::*part) {
         return block.degree ? csv_number((*block.degree).*part) : std::string();
     };
     return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{}\n", point.commit.id, day_of(point.commit.time),
-                       csv_field(block.name), block.sides[0].lines, block.sides[1].lines, block.sides[0].shared_lines,
-                       block.sides[1].shared_lines, csv_number(block.sides[0].moss_percent),
+                       csv_field(block.name), block.sides[0].lines, block.sides[1].lines, shared_text(block, 0, ""),
+                       shared_text(block, 1, ""), csv_number(block.sides[0].moss_percent),
                        csv_number(block.sides[1].moss_percent), degree(&metrics::Figure::value),
                        degree(&metrics::Figure::low), degree(&metrics::Figure::high), drift);
 }
 
 std::string percent_text(const std::optional<double>& percent) {
-    return percent ? fmt::format("{:.0f} %", *percent) : "-";
+    return percent ? bounded_text(*percent, 100, 0) + " %" : "-";
 }
 
 }  // namespace
@@ -66,7 +70,8 @@ std::string history_json(const History& history) {
                            {"drift",
                             {{"pairs", point.pairs},
                              {"open_pairs", point.open_pairs},
-                             {"debt_line_days", number_json(point.debt)}}}});
+                             {"debt_line_days", number_json(point.debt)},
+                             {"debt_before_line_days", number_json(point.debt_before)}}}});
     }
     ordered_json open = ordered_json::array();
     const int64_t now = history.points.empty() ? 0 : history.points.back().commit.time;
@@ -111,14 +116,14 @@ std::string history_table(const History& history) {
         const HistoryPoint& point = history.points[i];
         const SideMeasure& port = point.totals.sides[1];
         out += fmt::format("{}  {}  {:>6}/{:<7} {:>6}  {:<21}  {:>4} of {:<4} {:>16.1f}\n", day_of(point.commit.time),
-                           point.commit.id.substr(0, kShortId), port.shared_lines, port.lines,
+                           point.commit.id.substr(0, kShortId), shared_text(point.totals, 1, "-"), port.lines,
                            percent_text(port.moss_percent), figure_text(point.totals.degree), point.open_pairs,
                            point.pairs, point.debt);
     }
     const HistoryPoint& newest = history.points.back();
     out += "blocks at the newest commit:\n";
     for (const BlockPoint& block : newest.blocks)
-        out += fmt::format("  {:>6}/{:<7} {:>6}  {:<21}  {}\n", block.sides[1].shared_lines, block.sides[1].lines,
+        out += fmt::format("  {:>6}/{:<7} {:>6}  {:<21}  {}\n", shared_text(block, 1, "-"), block.sides[1].lines,
                            percent_text(block.sides[1].moss_percent), figure_text(block.degree), block.name);
     for (const OpenPair& pair : history.open)
         out += fmt::format("open since {}: {}  =  {}, {} lines, {:.1f} line-days\n", day_of(pair.since), pair.id.first,

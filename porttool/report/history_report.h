@@ -19,6 +19,7 @@ struct BlockPoint {
     std::string name;
     std::array<SideMeasure, 2> sides;
     std::optional<metrics::Figure> degree;  ///< of portability, from the target's lines
+    bool too_short = false;                 ///< all of its pairs of files are: what is shared is not known
 };
 
 /// A commit that touched the sides or the map, with the state that it left.
@@ -28,7 +29,8 @@ struct HistoryPoint {
     BlockPoint totals;
     size_t pairs = 0;  ///< of the map, with both sides there
     size_t open_pairs = 0;
-    double debt = 0;  ///< line-days
+    double debt = 0;         ///< line-days
+    double debt_before = 0;  ///< the same an instant before the commit
 };
 
 struct History {

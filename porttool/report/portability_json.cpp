@@ -59,13 +59,17 @@ ordered_json change_json(const BlockChange& change) {
     return out;
 }
 
+ordered_json shared_json(const BlockReport& block, size_t side) {
+    return is_too_short(block) ? ordered_json(nullptr) : ordered_json(block.measures[side].shared_lines);
+}
+
 ordered_json block_json(const BlockReport& block, const BlockReport* then, bool with_change) {
     ordered_json out;
     if (!block.name.empty()) out["name"] = block.name;
     out["source_lines"] = block.measures[0].lines;
     out["target_lines"] = block.measures[1].lines;
-    out["shared_source"] = block.measures[0].shared_lines;
-    out["shared_target"] = block.measures[1].shared_lines;
+    out["shared_source"] = shared_json(block, 0);
+    out["shared_target"] = shared_json(block, 1);
     add_measures(out, block.measures);
     out["degree_of_portability"] = figure_json(block.portability);
     out["decomposition"] = {{"source", parts_json(block.parts[0])}, {"target", parts_json(block.parts[1])}};
@@ -148,10 +152,12 @@ ordered_json summary_json(const Summary& s) {
 }
 
 ordered_json drift_json(const WholeReport& whole) {
-    ordered_json out = {{"verdict", whole.judgement.verdict()}, {"summary", summary_json(whole.judgement.summary)}};
+    ordered_json out = {{"verdict", nullptr}, {"summary", nullptr}};
+    if (whole.is_recorded)
+        out = {{"verdict", whole.judgement.verdict()}, {"summary", summary_json(whole.judgement.summary)}};
     if (whole.base) {
         out["change"] = nullptr;
-        if (whole.base->drift) {
+        if (whole.is_recorded && whole.base->drift) {
             const ordered_json now = out["summary"], then = summary_json(*whole.base->drift);
             ordered_json change = ordered_json::object();
             for (const auto& [name, value] : now.items())
@@ -174,15 +180,18 @@ ordered_json drift_json(const WholeReport& whole) {
 
 ordered_json own_blocks_json(const PortabilityReport& report) {
     ordered_json out = ordered_json::array();
-    const auto add = [&](const ordered_json& name, const std::array<std::pair<size_t, size_t>, 2>& alone) {
+    const auto add = [&](const ordered_json& name, const std::array<std::pair<size_t, size_t>, 2>& alone, bool known) {
+        const auto shared = [&](size_t side) {
+            return known ? ordered_json(alone[side].second) : ordered_json(nullptr);
+        };
         out.push_back({{"name", name},
                        {"source_lines", alone[0].first},
-                       {"source_shared", alone[0].second},
+                       {"source_shared", shared(0)},
                        {"target_lines", alone[1].first},
-                       {"target_shared", alone[1].second}});
+                       {"target_shared", shared(1)}});
     };
-    for (const BlockReport& block : report.blocks) add(block.name, block.alone);
-    add(nullptr, report.in_no_block);
+    for (const BlockReport& block : report.blocks) add(block.name, block.alone, !is_too_short(block));
+    add(nullptr, report.in_no_block, !is_too_short(report.totals));
     return out;
 }
 
@@ -198,7 +207,8 @@ BlockChange change_of(const BlockReport& now, const BlockReport& then) {
     for (const size_t side : {0, 1}) {
         const SideMeasure &a = now.measures[side], &b = then.measures[side];
         change.lines[side] = static_cast<double>(a.lines) - b.lines;
-        change.shared[side] = static_cast<double>(a.shared_lines) - b.shared_lines;
+        if (!is_too_short(now) && !is_too_short(then))
+            change.shared[side] = static_cast<double>(a.shared_lines) - b.shared_lines;
         change.moss[side] = difference(a.moss_percent, b.moss_percent);
     }
     if (now.portability && then.portability) change.portability = now.portability->value - then.portability->value;

@@ -28,6 +28,7 @@ struct WholeReport {
     std::string today;
     std::optional<BaseReport> base;
     Performance performance;
+    bool is_recorded = true;  ///< false: there is no portmap.lock, so nothing is said about drift
 };
 
 /// How the figures of a block changed; those that one of the two has not stay absent.

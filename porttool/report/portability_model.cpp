@@ -349,6 +349,11 @@ private:
 
 }  // namespace
 
+bool is_too_short(const BlockReport& block) {
+    return block.measures[kSource].lines > 0 && block.measures[kTarget].lines > 0 &&
+           !block.measures[kTarget].moss_percent;
+}
+
 PortabilityReport portability_report(const PortabilityCase& facts) { return Builder(facts).run(); }
 
 }  // namespace porttool

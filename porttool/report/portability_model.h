@@ -33,6 +33,9 @@ struct BlockReport {
     std::array<std::pair<size_t, size_t>, 2> alone;  ///< lines, and shared ones, that lie in no smaller block
 };
 
+/// True where both sides hold code and nothing can be measured: what they share is not known, and not novel either.
+bool is_too_short(const BlockReport& block);
+
 /// One side of a row.
 struct RowSide {
     std::string id, file, name;

@@ -14,11 +14,17 @@ namespace {
 
 constexpr const char* kTooShort = "too short";
 
-/// One decimal; 100 and 0 only where nothing is missing or there. A side without lines has no share to speak of.
-std::string moss_text(const SideMeasure& measure) {
-    if (!measure.moss_percent) return measure.lines == 0 ? "-" : kTooShort;
-    const double value = *measure.moss_percent;
-    return fmt::format("{:.1f} %", value > 0 && value < 100 ? std::clamp(value, 0.1, 99.9) : value);
+/// A side without lines has no share to speak of, nor has one whose counterpart is empty.
+std::string moss_text(const BlockReport& block, size_t side) {
+    const SideMeasure& measure = block.measures[side];
+    if (measure.moss_percent) return bounded_text(*measure.moss_percent, 100, 1) + " %";
+    if (measure.lines == 0) return "-";
+    if (block.measures[1 - side].lines == 0) return side == 0 ? "no target" : "no source";
+    return kTooShort;
+}
+
+std::string shared_text(const BlockReport& block, size_t side, const char* unknown) {
+    return is_too_short(block) ? unknown : std::to_string(block.measures[side].shared_lines);
 }
 
 /// " ▲ +3" or " ▼ -3"; nothing where nothing changed or nothing is known.
@@ -29,12 +35,18 @@ std::string arrow(const std::optional<double>& change, int digits) {
     return *change > 0 ? " ▲ +" + text : " ▼ -" + text;
 }
 
-std::string verdict_words(const std::string& verdict) {
+constexpr const char* kNothingRecorded = "nothing recorded";
+
+std::string verdict_words(const WholeReport& whole) {
+    if (!whole.is_recorded) return kNothingRecorded;
+    const std::string verdict = whole.judgement.verdict();
     if (verdict == "drift") return "drifted";
     return verdict == "review" ? "to review" : "in step";
 }
 
-std::string summary_line(const Summary& s) {
+std::string summary_line(const WholeReport& whole) {
+    if (!whole.is_recorded) return "there is no portmap.lock yet; porttool init records the present state of the pairs";
+    const Summary& s = whole.judgement.summary;
     return fmt::format(
         "{} of {} pairs in step, {} drifted, {} to review, {} deferred, {} ignored; {} source units without a port",
         s.in_step, s.pairs, s.drifted, s.review, s.deferred, s.ignored, s.unported);
@@ -61,10 +73,10 @@ std::vector<Shown> shown_blocks(const WholeReport& whole) {
 /// Free text in a table or a list.
 std::string cell(const std::string& text) {
     std::string out;
-    for (const char c : text) {
+    for (const char c : plain_text(text)) {
         if (c == '|' || c == '\\' || c == '`' || c == '*' || c == '_' || c == '[' || c == ']' || c == '<' || c == '>')
             out += '\\';
-        out += c == '\n' || c == '\r' ? ' ' : c;
+        out += c;
     }
     return out;
 }
@@ -72,7 +84,7 @@ std::string cell(const std::string& text) {
 /// An id, as code where that is possible.
 std::string id_text(const std::string& id) {
     if (id.empty() || id.find_first_of("`|\r\n") != std::string::npos) return cell(id);
-    return "`" + id + "`";
+    return "`" + plain_text(id) + "`";
 }
 
 std::string block_rows(const WholeReport& whole) {
@@ -84,9 +96,9 @@ std::string block_rows(const WholeReport& whole) {
         out += "| " + cell(shown.name) + " |";
         for (const size_t side : {0, 1}) {
             const SideMeasure& measure = shown.block->measures[side];
-            out +=
-                fmt::format(" {}{} | {}{} | {}{} |", measure.lines, arrow(change.lines[side], 0), measure.shared_lines,
-                            arrow(change.shared[side], 0), moss_text(measure), arrow(change.moss[side], 1));
+            out += fmt::format(" {}{} | {}{} | {}{} |", measure.lines, arrow(change.lines[side], 0),
+                               shared_text(*shown.block, side, "-"), arrow(change.shared[side], 0),
+                               moss_text(*shown.block, side), arrow(change.moss[side], 1));
         }
         out += fmt::format(" {}{} |\n", figure_text(shown.block->portability), arrow(change.portability, 2));
     }
@@ -161,14 +173,14 @@ std::string portability_table(const WholeReport& whole) {
     const std::vector<Shown> blocks = shown_blocks(whole);
     size_t width = 5;
     for (const Shown& shown : blocks) width = std::max(width, shown.name.size());
-    std::string out =
-        fmt::format("{}: {}\n\n", verdict_words(whole.judgement.verdict()), summary_line(whole.judgement.summary));
+    std::string out = fmt::format("{}: {}\n\n", verdict_words(whole), summary_line(whole));
     out += fmt::format("{:<{}}  {:>12} {:>7} {:>9}  {:>12} {:>7} {:>9}  {}\n", "block", width, "source lines", "shared",
                        "Moss", "target lines", "shared", "Moss", "degree of portability");
     for (const Shown& shown : blocks) {
         const SideMeasure &a = shown.block->measures[0], &b = shown.block->measures[1];
-        out += fmt::format("{:<{}}  {:>12} {:>7} {:>9}  {:>12} {:>7} {:>9}  {}\n", shown.name, width, a.lines,
-                           a.shared_lines, moss_text(a), b.lines, b.shared_lines, moss_text(b),
+        out += fmt::format("{:<{}}  {:>12} {:>7} {:>9}  {:>12} {:>7} {:>9}  {}\n", plain_text(shown.name), width,
+                           a.lines, shared_text(*shown.block, 0, "-"), moss_text(*shown.block, 0), b.lines,
+                           shared_text(*shown.block, 1, "-"), moss_text(*shown.block, 1),
                            figure_text(shown.block->portability));
         if (!shown.change) continue;
         const BlockChange& c = *shown.change;
@@ -192,8 +204,7 @@ std::string portability_table(const WholeReport& whole) {
 
 std::string portability_markdown(const WholeReport& whole) {
     std::string out = "<!-- Made by: porttool report --format markdown -->\n";
-    out += fmt::format("### Port: {}\n\n{}.\n", verdict_words(whole.judgement.verdict()),
-                       summary_line(whole.judgement.summary));
+    out += fmt::format("### Port: {}\n\n{}.\n", verdict_words(whole), summary_line(whole));
     if (whole.base) out += fmt::format("Changes are against the merge base with `{}`.\n", whole.base->revision);
     out += open_findings(whole);
     out += "\n" + block_rows(whole) + "\n" + part_rows(whole.report);
@@ -214,9 +225,10 @@ std::string portability_csv(const WholeReport& whole) {
     out += "\r\n";
     for (const BlockReport& block : whole.report.blocks) {
         const SideMeasure &a = block.measures[0], &b = block.measures[1];
-        out += fmt::format("{},{},{},{},{},{},{},{},{},{},{}", csv_field(block.name), a.lines, b.lines, a.shared_lines,
-                           b.shared_lines, number(a.moss_percent), number(b.moss_percent), number(a.moss_percent_blind),
-                           number(b.moss_percent_blind), number(a.moss_percent_raw), number(b.moss_percent_raw));
+        out += fmt::format("{},{},{},{},{},{},{},{},{},{},{}", csv_field(block.name), a.lines, b.lines,
+                           shared_text(block, 0, ""), shared_text(block, 1, ""), number(a.moss_percent),
+                           number(b.moss_percent), number(a.moss_percent_blind), number(b.moss_percent_blind),
+                           number(a.moss_percent_raw), number(b.moss_percent_raw));
         if (const auto& dp = block.portability)
             out += fmt::format(",{:.4f},{:.4f},{:.4f},{}", dp->value, dp->low, dp->high, csv_field(dp->model));
         else

@@ -545,5 +545,18 @@ TEST(Compare, OwnBlocksShareWhatTheyShould) {
     EXPECT_GE(*blocks.at("Extend").b.moss_percent, 50);
 }
 
+TEST(Compare, OneTokenOfManyIsNotRoundedAway) {
+    std::string text = "float f(float x) {\n";
+    for (int i = 0; i < 3000; ++i) text += "  x = x * " + std::to_string(i) + ".5 + x;\n";
+    MemoryDisk disk;
+    disk.files = {{"/r/a.comp", text + "  return x + 1;\n}\n"}, {"/r/b.comp", text + "  return x - 1;\n}\n"}};
+    const std::string out = run(disk, {"-C", "/r", "compare", "a.comp", "b.comp"}).out;
+    EXPECT_EQ(out.find("100.0"), std::string::npos) << out;
+    EXPECT_EQ(out.find("1.000"), std::string::npos) << out;
+    EXPECT_NE(out.find("99.9"), std::string::npos) << out;
+    EXPECT_NE(out.find("0.999"), std::string::npos) << out;
+    EXPECT_NE(run(disk, {"-C", "/r", "compare", "a.comp", "a.comp"}).out.find("100.0"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace porttool

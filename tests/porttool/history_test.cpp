@@ -98,6 +98,81 @@ TEST_F(History, AgreesWithTheReport) {
     EXPECT_GT(then["degree_of_portability"]["high"], then["degree_of_portability"]["loc"]) << "there is an interval";
 }
 
+TEST_F(History, WhatIsTooShortIsNeitherSharedNorNovel) {
+    const std::string tiny = "int q(int a) { return a + 1; }\n";
+    write("src/q.cu", tiny);
+    write("port/q.comp", tiny);
+    ASSERT_EQ(porttool({"init", "--force", "--source", "src/*", "--target", "port/*"}).exit_code, 0);
+    commit("Twins, one too short", 1);
+    const nlohmann::json report = json({"report"}), then = json({"history"})["commits"][0];
+    ASSERT_EQ(then["blocks"][1]["name"], "src/q.cu=port/q.comp");
+    EXPECT_TRUE(then["blocks"][1]["degree_of_portability"].is_null()) << "not 0: nothing is known";
+    EXPECT_TRUE(then["blocks"][1]["shared_target"].is_null());
+    EXPECT_TRUE(report["blocks"][1]["degree_of_portability"].is_null());
+    EXPECT_TRUE(report["blocks"][1]["shared_target"].is_null());
+    EXPECT_TRUE(report["blocks"][1]["shared_source"].is_null());
+    EXPECT_EQ(then["totals"]["moss_percent_target"], 100.0);
+    EXPECT_EQ(then["totals"]["degree_of_portability"]["loc"], 1.0);
+    EXPECT_EQ(then["totals"]["moss_percent_target"], report["totals"]["moss_percent_target"]);
+    EXPECT_EQ(then["totals"]["degree_of_portability"]["loc"], report["totals"]["degree_of_portability"]["loc"]);
+    EXPECT_EQ(then["totals"]["target_lines"], 9);
+}
+
+TEST_F(History, AnUnrelatedEditOfTheSameLinePaysNothing) {
+    const std::string unit =
+        "float mix3(float p, float q, float a, float b) {\n  float r = p + q * a;\n  return r;\n}\n";
+    write("portmap.toml",
+          "version = 1\n[sides]\nsource = [\"src/*\"]\ntarget = [\"port/*\"]\n[[pair]]\nsource = "
+          "\"src/k.cu:mix3\"\ntarget = \"port/k.comp:mix3\"\n");
+    write("src/k.cu", unit);
+    write("port/k.comp", unit);
+    commit("Both", 1);
+    write("src/k.cu", replaced(unit, "p + q * a", "p - q * a"));
+    commit("Source", 2);
+    write("port/k.comp", replaced(unit, "p + q * a", "p + q / b - 7.0 * a * a * a"));
+    commit("Another matter on the same line", 3);
+    EXPECT_EQ(json({"history"})["commits"][2]["drift"]["open_pairs"], 1);
+    write("port/k.comp", replaced(unit, "p + q * a", "p - q * a"));
+    commit("Ported", 4);
+    EXPECT_EQ(json({"history"})["commits"][3]["drift"]["open_pairs"], 0);
+}
+
+TEST_F(History, APortThatWasRemovedStaysOpen) {
+    commit("Both cores", 1);
+    write("src/k.cu", replaced(kShade, "a * b", "a + b") + kFade);
+    commit("Source alone", 2);
+    write("port/k.comp", kFade);
+    commit("The port of it removed", 4);
+    write("other.txt", "x");
+    write("src/k.cu", replaced(kShade, "a * b", "a + b") + kFade + "// End.\n");
+    commit("Later", 5);
+    const nlohmann::json history = json({"history"});
+    EXPECT_EQ(history["commits"][2]["drift"]["open_pairs"], 1);
+    ASSERT_EQ(history["open"].size(), 1u);
+    EXPECT_EQ(history["open"][0]["since"], "2026-01-02");
+    EXPECT_EQ(history["open"][0]["lines"], 4) << "the source as a whole waits";
+    EXPECT_EQ(history["commits"][3]["drift"]["debt_line_days"], 3 * 4);
+    std::filesystem::remove(root / "src/k.cu");
+    commit("The source removed, too", 6);
+    EXPECT_EQ(json({"history"})["open"].size(), 0u);
+}
+
+TEST_F(History, TheChartShowsTheDebtBeforeItWasPaid) {
+    commit("Both cores", 1);
+    write("src/k.cu", replaced(kShade, "a * b", "a + b") + kFade);
+    commit("Source", 2);
+    write("port/k.comp", replaced(kShade, "a * b", "a + b") + kFade);
+    commit("Port", 12);
+    const nlohmann::json drift = json({"history"})["commits"][2]["drift"];
+    EXPECT_EQ(drift["debt_before_line_days"], 10 * 2);
+    EXPECT_EQ(drift["debt_line_days"], 0.0);
+    const std::string page = porttool({"history", "--format", "html"}).out;
+    const size_t chart = page.find("<h2>Drift debt</h2>");
+    ASSERT_NE(chart, std::string::npos);
+    // The axis ends at 20, so the peak touches the top of the chart (y 14) and falls to its foot (y 266) at one place.
+    EXPECT_NE(page.find("L944.0 14.0L944.0 266.0", chart), std::string::npos) << page.substr(chart, 2000);
+}
+
 TEST_F(History, BlocksOfTheMapAreFilesOrUnits) {
     write("portmap.toml", kMap +
                               "[[block]]\nname = \"Files\"\nsource = \"src/k.cu\"\ntarget = \"port/*\"\n"

@@ -149,7 +149,9 @@ void expect_accounted_for(const json& report) {
                 shared += lines_in(file["shared"]);
             }
             EXPECT_EQ(code, block[side + "_lines"]) << block.value("name", "totals");
-            EXPECT_EQ(shared, block["shared_" + side]) << block.value("name", "totals");
+            // Null where nothing could be measured: then no line is shown as shared.
+            EXPECT_EQ(shared, block["shared_" + side].is_null() ? 0 : block["shared_" + side].get<size_t>())
+                << block.value("name", "totals");
         }
         size_t own = 0;
         for (const json& block : report["own_blocks"]) own += block[side + "_lines"].get<size_t>();
@@ -158,6 +160,7 @@ void expect_accounted_for(const json& report) {
     std::map<std::string, size_t> states;
     for (const json& row : report["units"])
         if (!row["state"].is_null()) ++states[row["state"]];
+    if (report["drift"]["summary"].is_null()) return;  // nothing recorded
     for (const char* state : {"in_step", "drifted", "review", "deferred", "ignored"})
         EXPECT_EQ(states[state], report["drift"]["summary"][state]) << state;
 }
@@ -304,6 +307,57 @@ TEST(Report, CsvHasOneRowABlockAndQuotesNames) {
     EXPECT_EQ(commas(rows[2]), commas(rows[0]) + 1) << "one comma is within quotes";
 }
 
+TEST(Report, WithoutALockOnlyTheDriftIsNotKnown) {
+    MemoryDisk disk = labelled();
+    const json recorded = report_json(disk);
+    disk.files.erase("/r/portmap.lock");
+    const json got = report_json(disk);
+    for (const char* key :
+         {"source_lines", "shared_source", "shared_target", "moss_percent_target", "lines", "degree_of_portability"})
+        EXPECT_EQ(got["blocks"][0][key], recorded["blocks"][0][key]) << key;
+    EXPECT_EQ(got["totals"]["moss_percent_target"], recorded["totals"]["moss_percent_target"]);
+    EXPECT_TRUE(got["drift"]["verdict"].is_null());
+    EXPECT_TRUE(got["drift"]["findings"].empty());
+    for (const json& unit : got["units"]) EXPECT_TRUE(unit["state"].is_null()) << unit;
+    expect_accounted_for(got);
+    for (const char* format : {"text", "markdown"})
+        EXPECT_NE(report(disk, {"--format", format}).out.find("nothing recorded"), std::string::npos) << format;
+    EXPECT_EQ(report(disk, {"--format", "html"}).exit_code, 0);
+}
+
+TEST(Report, NamesThatCannotBeToldApartAreRefused) {
+    for (const char* name : {"", "All lines", "*"}) {
+        MemoryDisk disk = labelled("[[block]]\nname = \"" + std::string(name) + "\"\nsource = \"src/*\"\n");
+        const CommandRun got = report(disk, {});
+        EXPECT_EQ(got.exit_code, 2) << name;
+        EXPECT_NE(got.err.find("portmap.toml"), std::string::npos) << got.err;
+        EXPECT_NE(got.err.find("name"), std::string::npos) << got.err;
+        EXPECT_EQ(got.out, "");
+    }
+}
+
+TEST(Report, NamesCannotControlATerminalNorASpreadsheet) {
+    MemoryDisk disk = labelled(
+        "[[block]]\nname = \"a\\u001b[2Jb\\u0007\"\nsource = \"src/*\"\ntarget = \"port/*\"\n"
+        "[[block]]\nname = \"=1+1\"\nsource = \"src/*\"\ntarget = \"port/*\"\n");
+    for (const char* format : {"text", "markdown"}) {
+        const std::string out = report(disk, {"--format", format}).out;
+        EXPECT_EQ(out.find('\x1b'), std::string::npos) << format;
+        EXPECT_EQ(out.find('\a'), std::string::npos) << format;
+    }
+    const std::string csv = report(disk, {"--format", "csv"}).out;
+    EXPECT_NE(csv.find("\n'=1+1,"), std::string::npos) << csv;
+}
+
+TEST(Report, ASideWithoutCodeIsNamed) {
+    MemoryDisk disk = labelled("[[block]]\nname = \"Alone\"\ntarget = \"port/*\"\n");
+    for (const char* format : {"text", "markdown"}) {
+        const std::string out = report(disk, {"--format", format}).out;
+        EXPECT_NE(out.find("no source"), std::string::npos) << out;
+        EXPECT_EQ(out.find("too short"), std::string::npos) << out;
+    }
+}
+
 TEST(Report, WhatIsTooShortIsNeitherNoneNorAll) {
     MemoryDisk disk;
     disk.files = {{"/r/src/k.cu", "#define A 3\n"}, {"/r/port/k.comp", "#define A 3\n"}};
@@ -311,6 +365,10 @@ TEST(Report, WhatIsTooShortIsNeitherNoneNorAll) {
     const json got = report_json(disk);
     EXPECT_TRUE(got["totals"]["moss_percent_source"].is_null());
     EXPECT_TRUE(got["totals"]["degree_of_portability"].is_null());
+    EXPECT_TRUE(got["totals"]["shared_source"].is_null());
+    EXPECT_TRUE(got["blocks"][0]["shared_target"].is_null());
+    EXPECT_TRUE(got["own_blocks"][0]["target_shared"].is_null()) << "the page draws it as too short";
+    EXPECT_NE(report(disk, {"--format", "csv"}).out.find("src/k.cu=port/k.comp,1,1,,,"), std::string::npos);
     EXPECT_TRUE(got["units"][0]["moss_percent_target"].is_null());
     EXPECT_EQ(got["units"][0]["share"], "twin") << "its tokens are the same";
     for (const char* format : {"text", "markdown"})
@@ -396,10 +454,6 @@ TEST(Report, ASourceWithTwoPortsCountsItsLinesOnce) {
 TEST(Report, WhatCannotBeDoneIsExitCodeTwo) {
     MemoryDisk disk = labelled();
     EXPECT_EQ(report(disk, {"--format", "pdf"}).exit_code, 2);
-    disk.files.erase("/r/portmap.lock");
-    const CommandRun got = report(disk, {});
-    EXPECT_EQ(got.exit_code, 2);
-    EXPECT_NE(got.err.find("porttool init"), std::string::npos) << got.err;
     RealDisk real;
     const CommandRun unwritable =
         run(real, {"-C", REPOSITORY, "report", "--format", "html", "-o", "/proc/nowhere/page.html"});

@@ -25,9 +25,10 @@ const number = (value) => whole.format(value).replace("-", "−");
 const plural = (count, one, many) => `${number(count)} ${count === 1 ? one : many || one + "s"}`;
 const TOO_SHORT = "too short";
 
-// One decimal; 100 and 0 only where nothing is missing or there. A side without lines has no share to speak of.
-function percent(value, lines) {
-  if (value === null) return lines === 0 ? "–" : TOO_SHORT;
+// One decimal; 100 and 0 only where nothing is missing or there. A side without lines has no share to speak of, nor has
+// one whose counterpart (`other`: its lines, and which side it is) is empty.
+function percent(value, lines, other) {
+  if (value === null) return lines === 0 ? "–" : other && other.lines === 0 ? `no ${other.side}` : TOO_SHORT;
   const inner = value > 0 && value < 100 ? Math.min(99.9, Math.max(0.1, value)) : value;
   return `${inner.toFixed(1)} %`;
 }

@@ -24,7 +24,7 @@ function partsToDraw() {
   if (items.length <= MOST_PARTS) return items;
   const large = new Set([...items].sort((a, b) => lines(b) - lines(a)).slice(0, MOST_PARTS - 1));
   const small = items.filter((item) => !large.has(item));
-  const sum = (field) => small.reduce((total, item) => total + item[field], 0);
+  const sum = (field) => small.reduce((total, item) => total + (item[field] || 0), 0);
   const rest = { name: null, label: `${number(small.length)} smaller`, href: "#blocks" };
   for (const field of ["source_lines", "source_shared", "target_lines", "target_shared"]) rest[field] = sum(field);
   return [...items.filter((item) => large.has(item)), rest];
@@ -38,11 +38,17 @@ function partName(item) {
   return own < whole ? `${item.name}, rest` : item.name;
 }
 
-// For places with little room: of SOURCE=TARGET the source file's name.
+// For places with little room: of SOURCE=TARGET the source file's name, with the end of its stem.
 function shortPartName(item) {
-  const name = partName(item);
-  return name.length <= 24 ? name : `…${name.split("=")[0].split("/").pop().slice(-22)}`;
+  const name = partName(item), room = 23;
+  if (name.length <= room) return name;
+  const file = name.split("=")[0];
+  return file.length <= room ? file : `…${file.slice(1 - room)}`;
 }
+
+// How much is shared, in words; null stands for a block too short to tell.
+const sharedWords = (lines, shared) =>
+  `${plural(lines, "line")}, ${shared === null ? TOO_SHORT : `${number(shared)} shared, ${number(lines - shared)} novel`}`;
 
 function drawCores(items) {
   const width = 1120, column = 270, left = 190, middle = width - 2 * column - 2 * left, gap = 6;
@@ -66,9 +72,10 @@ function drawCores(items) {
       const sharedX = toRight ? x + column - sharedWidth : x;
       const novelX = toRight ? x : x + sharedWidth;
       const href = item.href || (item.name === null ? listAddress({ block: "-" }) : linesAddress(item.name, side, ""));
-      return s("a", { href, "aria-label": `${name}, ${side}: ${plural(place.lines, "line")}, ${number(place.shared)} shared` },
-        s("title", null, `${name}, ${side}: ${plural(place.lines, "line")}, ${number(place.shared)} shared, ${number(place.lines - place.shared)} novel`),
-        s("rect", { class: "novel", x: novelX, y: place.top, width: column - sharedWidth, height: place.high }),
+      const words = `${name}, ${side}: ${sharedWords(place.lines, place.shared)}`;
+      return s("a", { href, "aria-label": words },
+        s("title", null, words),
+        s("rect", { class: place.shared === null ? "short" : "novel", x: novelX, y: place.top, width: column - sharedWidth, height: place.high }),
         s("rect", { class: "shared", x: sharedX, y: place.top, width: sharedWidth, height: place.high }),
         place.high >= 13 && [
           s("text", { class: "count", x: toRight ? x - 12 : x + column + 12, y: place.top + place.high / 2 + 4,
@@ -89,13 +96,14 @@ function drawCores(items) {
 // The same in the shape that a narrow page needs: one bar a block and side.
 function listCores(items) {
   return h("ul", { class: "cores-list" }, items.map((item, i) => h("li", { class: item.name === null ? "other" : `hue${i % HUES}` },
-    h("b", null, capital(partName(item))),
+    h("b", null, partName(item)),
     ["source", "target"].map((side) => {
       const lines = item[`${side}_lines`], shared = item[`${side}_shared`];
       const most = Math.max(1, ...items.flatMap((one) => [one.source_lines, one.target_lines]));
       return h("div", { class: "pairbar" }, h("span", { class: "side-name" }, side),
         h("span", { class: "track" }, h("span", { class: "shared", style: `width:${(100 * shared) / most}%` }),
-          h("span", { class: "novel", style: `width:${(100 * (lines - shared)) / most}%` })),
+          h("span", { class: shared === null ? "short" : "novel", style: `width:${(100 * (lines - shared)) / most}%`,
+                      title: shared === null ? TOO_SHORT : null })),
         h("span", { class: "faint" }, number(lines)));
     }))));
 }
@@ -118,7 +126,7 @@ function showLines() {
   const items = partsToDraw();
   put("lines",
     h("h2", { id: "lines-title" }, "Where the lines are"),
-    h("p", { class: "about" }, "Both sides by functional block, to one scale. The full colour towards the middle is shared, the pale part is novel. ",
+    h("p", { class: "about" }, "Both sides by functional block, to one scale. The full colour towards the middle is shared, the pale part is novel; what is too short to be measured is only outlined. ",
       "A line in several blocks is drawn in the smallest."),
     items.length === 0 ? h("p", { class: "empty" }, "No code on either side.") : [
       h("div", { class: "wide" }, drawCores(items)), h("div", { class: "narrow" }, listCores(items))],

@@ -54,7 +54,8 @@ function showLedger() {
   put("ledger",
     h("h2", { id: "ledger-title" }, "Drift ledger"),
     h("p", { class: "about" }, "What one side got and the other did not, and what was said about it. Ages as of ", h("span", { class: "n" }, asOf), "."),
-    open.length === 0 && h("div", { class: "allwell" }, h("span", { class: "ring", "aria-hidden": "true" }, "✓"),
+    report.drift.verdict === null ? h("p", { class: "empty" }, NOT_RECORDED)
+      : open.length === 0 && h("div", { class: "allwell" }, h("span", { class: "ring", "aria-hidden": "true" }, "✓"),
       h("p", null, h("b", null, "Nothing drifted. "), report.drift.summary.pairs === 0 ? "There are no pairs yet that could." : "Every change since the last record reached both sides, or somebody has answered for it.")),
     open.length === 0 && findings.length + accepted.length > 0 && h("p"),
     list("Open", open, entryItem), list("Deferred", of("deferred"), entryItem), list("Ignored", of("ignored"), entryItem),

@@ -6,6 +6,8 @@ const VERDICTS = {
   drift: ["Drifted", "Some ports no longer say what their sources say."],
 };
 
+const NOT_RECORDED = "There is no portmap.lock yet; porttool init records the present state of the pairs.";
+
 function tile(label, value, note, href) {
   const inside = [h("span", { class: "label" }, label), h("span", { class: "value" }, value), h("span", { class: "note" }, note)];
   return href ? h("a", { class: "tile", href }, inside) : h("div", { class: "tile" }, inside);
@@ -15,8 +17,8 @@ const range = (dp) => (dp.low === dp.high ? "" : `${degree(dp.low)} to ${degree(
 
 function showSummary() {
   const { drift, totals, base } = report;
-  const [title, sentence] = VERDICTS[drift.verdict];
-  const count = drift.summary;
+  const [title, sentence] = VERDICTS[drift.verdict] || ["Nothing recorded", NOT_RECORDED];
+  const count = drift.summary || { pairs: 0, in_step: 0, drifted: 0, review: 0, deferred: 0, ignored: 0 };
   const rest = [["drifted", count.drifted], ["review", count.review], ["deferred", count.deferred], ["ignored", count.ignored]]
     .filter(([, n]) => n > 0).map(([name, n]) => `${number(n)} ${NAMES[name]}`);
   const unported = openFindings().filter((finding) => finding.rule === "unported").length;
@@ -26,8 +28,8 @@ function showSummary() {
   put("summary",
     h("p", { class: "kicker" }, "Source ", h("code", null, report.sides.source.join(", ")), " and target ",
       h("code", null, report.sides.target.join(", "))),
-    h("h1", { id: "verdict", class: drift.verdict }, h("span", { class: "dot", "aria-hidden": "true" }), title),
-    h("p", { class: "lead" }, count.pairs === 0 ? "No units are paired yet." : sentence, " ",
+    h("h1", { id: "verdict", class: drift.verdict || "none" }, h("span", { class: "dot", "aria-hidden": "true" }), title),
+    h("p", { class: "lead" }, count.pairs === 0 && drift.verdict !== null ? "No units are paired yet." : sentence, " ",
       count.pairs > 0 && h("a", { href: listAddress({ state: "in_step" }) },
         `${number(count.in_step)} of ${plural(count.pairs, "pair")} in step`),
       rest.length > 0 ? `, ${rest.join(", ")}.` : count.pairs > 0 ? "." : ""),
@@ -35,20 +37,25 @@ function showSummary() {
     h("div", { class: "tiles" },
       tile("Lines, source and target", [number(totals.source_lines), since("source_lines"), h("i", null, " / "),
         number(totals.target_lines), since("target_lines")], "that hold code", "#lines"),
-      tile("Shared, of the target", [percent(totals.moss_percent_target, totals.target_lines), " ",
+      tile("Shared, of the target", [percent(totals.moss_percent_target, totals.target_lines, otherSide(totals, "target")), " ",
         totals.change && change(totals.change.moss_percent_target, 1, 1)],
         totals.moss_percent_target === null ? "needs code on both sides" : `Moss %; ${percent(totals.moss_percent_source)} of the source`,
         linesAddress("", "target", "shared")),
       tile("Degree of portability", [dp ? degree(dp.loc) : "–", " ",
         totals.change && change(totals.change.degree_of_portability, 2, 1)],
         dp ? [range(dp), range(dp) && ", ", `by ${dp.model}`] : "needs code on both sides", "#blocks"),
-      tile("Open findings", [number(openFindings().length)],
-        `${plural(count.deferred, "pair")} deferred, ${number(count.ignored)} ignored`, "#ledger")));
+      tile("Open findings", [drift.verdict === null ? "–" : number(openFindings().length)],
+        drift.verdict === null ? "nothing recorded" : `${plural(count.deferred, "pair")} deferred, ${number(count.ignored)} ignored`, "#ledger")));
 }
 
 const openFindings = () => report.drift.findings.filter((finding) => finding.status === "open");
 
 const bar = (value) => h("span", { class: "bar" }, h("span", { style: `width:${Math.max(0, Math.min(100, value))}%` }));
+
+function otherSide(block, side) {
+  const other = side === "source" ? "target" : "source";
+  return { side: other, lines: block[`${other}_lines`] };
+}
 
 function sideCells(block, side) {
   const delta = block.change || {};
@@ -57,9 +64,9 @@ function sideCells(block, side) {
   return [
     h("td", { class: "n", "data-label": `${side} lines` }, link("", number(block[`${side}_lines`]), "lines"),
       change(delta[`${side}_lines`], 0, 0)),
-    h("td", { class: "n", "data-label": `${side} shared` }, link("shared", number(block[`shared_${side}`]), "shared lines"),
+    h("td", { class: "n", "data-label": `${side} shared` }, link("shared", block[`shared_${side}`] === null ? "–" : number(block[`shared_${side}`]), "shared lines"),
       change(delta[`shared_${side}`], 0, 0)),
-    h("td", { class: "n moss", "data-label": `${side} Moss` }, h("span", { class: "figure" }, percent(block[`moss_percent_${side}`], block[`${side}_lines`])),
+    h("td", { class: "n moss", "data-label": `${side} Moss` }, h("span", { class: "figure" }, percent(block[`moss_percent_${side}`], block[`${side}_lines`], otherSide(block, side))),
       change(delta[`moss_percent_${side}`], 1, 1), block[`moss_percent_${side}`] !== null && bar(block[`moss_percent_${side}`])),
   ];
 }

@@ -68,7 +68,16 @@ function control(name, label, options) {
   return options
     ? h("label", null, label, h("select", { id: `choose-${name}`, onchange: change }, options.map(([value, text]) => h("option", { value }, text))))
     : h("label", { class: "grow" }, label, h("input", { id: `choose-${name}`, type: "search", autocomplete: "off", spellcheck: "false",
-        placeholder: "a name or a path", "aria-keyshortcuts": "/", oninput: change }));
+        placeholder: "a name or a path", "aria-keyshortcuts": "/", oninput: change, onkeydown: openFirst }));
+}
+
+// Enter in the search field opens the first match, down goes to it.
+function openFirst(event) {
+  const first = byId("list").querySelector("a.unit");
+  if (!first || event.isComposing || (event.key !== "Enter" && event.key !== "ArrowDown")) return;
+  event.preventDefault();
+  first.focus();
+  if (event.key === "Enter") first.click();
 }
 
 // Up and down move through the list, as in any list.

@@ -174,7 +174,8 @@ function openCode(values) {
   const lines = block[`${side}_lines`], shared = block[`shared_${side}`];
   openViewer(h("div", { class: "viewer-head" },
     h("div", { class: "line" }, h("h2", { id: "viewer-title" }, `${values.block || "All lines"}, ${side}`), headButtons()),
-    h("p", { class: "facts" }, `${plural(lines, "line")} of code, ${number(shared)} shared, ${number(lines - shared)} novel · Moss ${percent(block[`moss_percent_${side}`], lines)}`),
+    h("p", { class: "facts" }, shared === null ? `${plural(lines, "line")} of code, ${TOO_SHORT} to be measured`
+      : `${plural(lines, "line")} of code, ${number(shared)} shared, ${number(lines - shared)} novel · Moss ${percent(block[`moss_percent_${side}`], lines, otherSide(block, side))}`),
     h("div", { class: "line" }, tab("", "All"), tab("shared", "Shared"), tab("novel", "Novel"))),
     codeBody(block.lines[side], side, values.only));
   return true;
