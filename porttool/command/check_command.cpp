@@ -4,6 +4,8 @@
 
 #include <unistd.h>
 
+#include <array>
+#include <charconv>
 #include <cstdlib>
 #include <ctime>
 
@@ -17,14 +19,37 @@ namespace porttool {
 
 std::string today() {
     std::time_t now = std::time(nullptr);
-    if (const char* epoch = std::getenv("SOURCE_DATE_EPOCH"))
-        now = static_cast<std::time_t>(std::strtoll(epoch, nullptr, 10));
+    if (const char* epoch = std::getenv("SOURCE_DATE_EPOCH")) {
+        constexpr int64_t kYear9999 = 253402300799;
+        const std::string_view text = epoch;
+        int64_t seconds = -1;
+        const auto read = std::from_chars(text.data(), text.data() + text.size(), seconds);
+        if (read.ec != std::errc() || read.ptr != text.data() + text.size() || seconds < 0 || seconds > kYear9999)
+            throw CannotDo("SOURCE_DATE_EPOCH=" + std::string(text) +
+                           ": expected seconds since 1970 as a whole number; correct it, or unset it");
+        now = static_cast<std::time_t>(seconds);
+    }
     std::tm date{};
     gmtime_r(&now, &date);
     std::array<char, 16> text{};
     std::strftime(text.data(), text.size(), "%Y-%m-%d", &date);
     return text.data();
 }
+
+namespace {
+
+/// With --base the lock only adds what was accepted since: one that cannot be read is left out.
+LockFile lock_if_readable(const Project& project, const Disk& disk, Workplace& place) {
+    if (!disk.exists(lock_path(project))) return {};
+    try {
+        return load_lock(project, disk);
+    } catch (const CannotDo& problem) {
+        place.err << "warning: " << problem.what() << "\nWithout it, what was accepted since the base is not known\n";
+        return {};
+    }
+}
+
+}  // namespace
 
 CheckedProject check_project(const Options& options, Workplace& place) {
     CheckedProject checked;
@@ -40,9 +65,8 @@ CheckedProject check_project(const Options& options, Workplace& place) {
     if (options.base.empty()) {
         checked.lock = load_lock(checked.project, disk);
     } else {
-        const bool there = disk.exists(lock_path(checked.project));
-        BaseLock base = base_lock(checked.project, options.base, there ? load_lock(checked.project, disk) : LockFile(),
-                                  checked.states);
+        BaseLock base =
+            base_lock(checked.project, options.base, lock_if_readable(checked.project, disk, place), checked.states);
         if (!base.note.empty()) place.err << base.note << "\n";
         checked.lock = std::move(base.lock);
         texts = std::move(base.texts);

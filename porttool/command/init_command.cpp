@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <set>
 
-#include "porttool/command/commands.h"
-#include "porttool/command/lock_store.h"
+#include "porttool/command/check_command.h"
+#include "porttool/judge/constant_value.h"
 #include "porttool/text/toml_string.h"
 
 namespace porttool {
@@ -37,6 +37,28 @@ LockFile first_lock(const Matching& matching, const States& states) {
     for (const std::string& id : matching.unmapped_source)
         lock.baseline.push_back({id, states.source.at(id).prints.written});
     return lock;
+}
+
+/// A lock's first pairs are in step by definition. Those whose constants or fields certainly differ are told, and the
+/// ledger keeps that they were taken over as they are.
+void note_differences(LockFile& lock, const States& states, const Dialect& dialect, Workplace& place) {
+    constexpr size_t kShown = 20;
+    size_t differing = 0;
+    for (const LockedPair& pair : lock.pairs) {
+        const UnitState &source = states.source.at(pair.source), &target = states.target.at(pair.target);
+        const bool values = source.kind == UnitKind::Constant || source.kind == UnitKind::Struct;
+        if (!values || source.kind != target.kind) continue;
+        const ComparedValues compared = compare_values_of(source, target, dialect);
+        if (compared.same || !compared.certain) continue;
+        if (++differing <= kShown)
+            place.err << "warning: " << pair.source << " = " << pair.target << ": " << compared.says << "\n";
+        lock.ledger.push_back({"accept", pair.source, pair.target, source.prints.written, target.prints.written, "",
+                               today(), "accepted at init: " + compared.says});
+    }
+    if (differing > kShown) place.err << "and " << differing - kShown << " more pairs that differ\n";
+    if (differing > 0)
+        place.err << "These are recorded as they are, with the reason 'accepted at init'; correct them now if they "
+                     "should agree\n";
 }
 
 std::string summary(const Matching& matching, const Project& project) {
@@ -74,6 +96,7 @@ Outcome record_map(const Options& options, Workplace& place) {
     }
     for (const auto& [id, state] : states.source)
         if (!mapped.contains(id)) lock.baseline.push_back({id, state.prints.written});
+    note_differences(lock, states, Dialect(project.map.dialect), place);
     store_lock(project, lock, states, place.disk);
     return {fmt::format("{} pairs of {} recorded as in step, {} source units without a port as the baseline.\n"
                         "Next: porttool check\n",
@@ -105,7 +128,9 @@ Outcome init_command(const Options& options, Workplace& place) {
     for (const SkippedFile& file : project.skipped) place.err << "skipped " << file.file << ": " << file.reason << "\n";
     const Matching matching = match_units(project.source, project.target, {}, Dialect());
     const States states = read_states(project);
-    store_lock(project, first_lock(matching, states), states, place.disk);
+    LockFile lock = first_lock(matching, states);
+    note_differences(lock, states, Dialect(), place);
+    store_lock(project, lock, states, place.disk);
     if (const std::string failure = place.disk.write(project.map_path, map_text(project, matching)); !failure.empty())
         throw CannotDo(project.map_path + ": " + failure);
     return {summary(matching, project), 0};

@@ -40,7 +40,10 @@ std::vector<const JudgedPair*> pairs_of(const CheckedProject& checked, const std
         names.push_back(pair.map_source);
         names.push_back(pair.map_target);
     }
-    for (const Finding& finding : checked.judgement.findings) names.push_back(finding.fingerprint);
+    for (const Finding& finding : checked.judgement.findings) {
+        names.push_back(finding.fingerprint);
+        if (finding.rule == "unported") names.push_back(finding.map_source);
+    }
     names.insert(names.end(), rule_names().begin(), rule_names().end());
     std::string near = nearest(id, names);
     if (near.empty())
@@ -54,8 +57,9 @@ std::vector<const JudgedPair*> pairs_of(const CheckedProject& checked, const std
 void record(LockFile& lock, const JudgedPair& pair, const std::string& reason) {
     std::erase_if(lock.pairs,
                   [&](const LockedPair& p) { return p.source == pair.map_source && p.target == pair.map_target; });
-    std::erase_if(lock.ledger,
-                  [&](const LedgerEntry& e) { return e.source == pair.map_source && e.target == pair.map_target; });
+    std::erase_if(lock.ledger, [&](const LedgerEntry& e) {
+        return e.source == pair.map_source && (e.target == pair.map_target || e.target.empty());
+    });
     std::erase_if(lock.baseline, [&](const LockedUnit& u) { return u.id == pair.map_source; });
     if (pair.source != nullptr && pair.target != nullptr)
         lock.pairs.push_back({pair.map_source, pair.map_target, pair.source->prints, pair.target->prints});
@@ -65,26 +69,50 @@ void record(LockFile& lock, const JudgedPair& pair, const std::string& reason) {
                                pair.target != nullptr ? pair.target->prints.written : "-", "", today(), reason});
 }
 
+/// The findings outside pairs that an id means: their fingerprint, or the id of their unit.
+std::vector<const Finding*> lone_findings_of(const CheckedProject& checked, const std::string& id) {
+    std::vector<const Finding*> out;
+    for (const Finding& finding : checked.judgement.findings) {
+        if (!finding.map_target.empty()) continue;
+        if (finding.fingerprint == id || finding.map_source == id) out.push_back(&finding);
+    }
+    return out;
+}
+
+/// Forgets what was said of a pair, or of a source unit without one (`target` empty).
+void forget(LockFile& lock, const std::string& source, const std::string& target) {
+    std::erase_if(lock.ledger, [&](const LedgerEntry& e) { return e.source == source && e.target == target; });
+}
+
+/// Settles a unit without a port: to ignore it makes it part of the baseline, with the reason.
+std::string settle_unported(const Options& options, CheckedProject& checked, const Finding& finding,
+                            const std::string& verdict) {
+    const std::string& id = finding.map_source;
+    const auto unit = checked.states.source.find(id);
+    const bool unported = finding.rule == "unported" || finding.rule == "deferral-expired";
+    if (!unported || unit == checked.states.source.end())
+        throw CannotDo(finding.fingerprint + ": a finding of '" + finding.rule + "' cannot be settled; " +
+                       finding.remedy);
+    forget(checked.lock, id, "");
+    if (verdict == "ignore")
+        checked.lock.baseline.push_back({id, unit->second.prints.written, options.reason});
+    else
+        checked.lock.ledger.push_back(
+            {verdict, id, "", unit->second.prints.written, "-", options.owner, options.until, options.reason});
+    return fmt::format("{} {}\n", verdict == "defer" ? "deferred" : "ignored", id);
+}
+
 Outcome settle(const Options& options, Workplace& place, const std::string& verdict) {
     require_format(options.format, {"text"});
     CheckedProject checked = check_project(options, place);
     std::string out;
     for (const std::string& id : options.paths) {
         const auto pairs = pairs_of(checked, id);
-        const auto unported = std::find_if(
-            checked.judgement.findings.begin(), checked.judgement.findings.end(),
-            [&](const Finding& f) { return f.rule == "unported" && (f.fingerprint == id || f.source->id == id); });
-        if (verdict == "ignore" && unported != checked.judgement.findings.end()) {
-            checked.lock.baseline.push_back(
-                {unported->source->id, checked.states.source.at(unported->source->id).prints.written, options.reason});
-            out += "ignored " + unported->source->id + "\n";
-            continue;
-        }
-        if (pairs.empty()) unknown_id(checked, id);
+        const auto lone = lone_findings_of(checked, id);
+        if (pairs.empty() && lone.empty()) unknown_id(checked, id);
+        if (pairs.empty()) out += settle_unported(options, checked, *lone.front(), verdict);
         for (const JudgedPair* pair : pairs) {
-            std::erase_if(checked.lock.ledger, [&](const LedgerEntry& e) {
-                return e.source == pair->map_source && e.target == pair->map_target;
-            });
+            forget(checked.lock, pair->map_source, pair->map_target);
             checked.lock.ledger.push_back({verdict, pair->map_source, pair->map_target,
                                            pair->source != nullptr ? pair->source->prints.written : "-",
                                            pair->target != nullptr ? pair->target->prints.written : "-", options.owner,
@@ -106,17 +134,21 @@ bool is_date(const std::string& text) {
     return std::chrono::year_month_day(std::chrono::year(year), std::chrono::month(month), std::chrono::day(day)).ok();
 }
 
+void explain_finding(const Finding& finding, std::string& out) {
+    out += fmt::format("{} [{}]: {}\n", level_name(finding.level), finding.rule, finding.message);
+    if (!finding.verdict.empty())
+        out += fmt::format("  settled by '{}': {}\n", finding.verdict, finding.verdict_reason);
+    for (const std::string& detail : finding.details) out += "  " + detail + "\n";
+    out += "  " + finding.remedy + "\n";
+}
+
 void explain_pair(const CheckedProject& checked, const JudgedPair& pair, std::string& out) {
     out += fmt::format("source  {}\nport    {}\n", pair.map_source, pair.map_target);
     bool any = false;
     for (const Finding& finding : checked.judgement.findings) {
         if (!is_of(finding, pair)) continue;
         any = true;
-        out += fmt::format("{} [{}]: {}\n", level_name(finding.level), finding.rule, finding.message);
-        if (!finding.verdict.empty())
-            out += fmt::format("  settled by '{}': {}\n", finding.verdict, finding.verdict_reason);
-        for (const std::string& detail : finding.details) out += "  " + detail + "\n";
-        out += "  " + finding.remedy + "\n";
+        explain_finding(finding, out);
     }
     if (!any) out += "in step\n";
     for (const LedgerEntry& entry : checked.lock.ledger)
@@ -174,6 +206,8 @@ Outcome accept_command(const Options& options, Workplace& place) {
     }
     for (const std::string& id : options.paths) {
         const auto pairs = pairs_of(checked, id);
+        if (pairs.empty() && !lone_findings_of(checked, id).empty())
+            throw CannotDo(id + ": there is no pair to accept; " + lone_findings_of(checked, id).front()->remedy);
         if (pairs.empty()) unknown_id(checked, id);
         for (const JudgedPair* pair : pairs) record(checked.lock, *pair, options.reason);
         accepted += pairs.size();
@@ -182,11 +216,13 @@ Outcome accept_command(const Options& options, Workplace& place) {
     std::string out = fmt::format("{} pairs recorded as in step\n", accepted);
     if (left > 0)
         out += fmt::format("{} changed pairs left: their edits are not equivalent; name them, or add --force\n", left);
-    return {out, 0};
+    return {out, left > 0 ? 1 : 0};
 }
 
 Outcome defer_command(const Options& options, Workplace& place) {
     if (!is_date(options.until)) throw CannotDo("--until " + options.until + ": expected a date as YYYY-MM-DD");
+    if (options.until < today())
+        throw CannotDo("--until " + options.until + " is past: today is " + today() + "; give the last day to wait");
     return settle(options, place, "defer");
 }
 
@@ -202,7 +238,13 @@ Outcome explain_command(const Options& options, Workplace& place) {
         }
         const CheckedProject checked = check_project(options, place);
         const auto pairs = pairs_of(checked, id);
-        if (pairs.empty()) unknown_id(checked, id);
+        const auto lone = lone_findings_of(checked, id);
+        if (pairs.empty() && lone.empty()) unknown_id(checked, id);
+        for (const Finding* finding : lone) {
+            const Place at = finding->source.value_or(Place{"", "portmap.toml", finding->map_line, 0});
+            out += fmt::format("{}:{}\n", at.file, at.line);
+            explain_finding(*finding, out);
+        }
         for (const JudgedPair* pair : pairs) {
             explain_pair(checked, *pair, out);
             explain_edits(checked, *pair, place.disk, out);

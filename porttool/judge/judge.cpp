@@ -7,6 +7,8 @@
 #include <tuple>
 
 #include "porttool/compare/hazards.h"
+#include "porttool/judge/constant_value.h"
+#include "porttool/judge/lock_index.h"
 #include "porttool/judge/resolve.h"
 #include "porttool/read/disk.h"
 #include "porttool/read/glob.h"
@@ -71,9 +73,11 @@ public:
     explicit Judge(const Case& facts)
         : facts_(facts),
           dialect_(facts.map.dialect),
-          source_(facts.source, named_ids(true)),
-          target_(facts.target, named_ids(false)) {
-        for (const LockedPair& pair : facts.lock.pairs) locked_[{pair.source, pair.target}] = &pair;
+          locks_(facts.map, facts.lock, facts.source, facts.target),
+          source_(facts.source, named_units(true), facts.base_text),
+          target_(facts.target, named_units(false), facts.base_text) {
+        for (const LedgerEntry& entry : facts.lock.ledger)
+            if (entry.verdict != "accept") ledger_[{entry.source, entry.target}].push_back(&entry);
         for (const MapIgnore& ignore : facts.map.ignores) ignored_.emplace_back(ignore.id);
     }
 
@@ -109,15 +113,17 @@ private:
         }
     }
 
-    std::set<std::string> named_ids(bool source) const {
-        std::set<std::string> ids;
-        for (const MapPair& pair : facts_.map.pairs) {
-            if (source)
-                ids.insert(pair.source);
-            else
-                ids.insert(pair.targets.begin(), pair.targets.end());
-        }
-        return ids;
+    std::vector<NamedUnit> named_units(bool source) const {
+        std::vector<NamedUnit> out;
+        for (const MapPair& pair : facts_.map.pairs)
+            for (const std::string& target : pair.targets) {
+                const LockedPair* lock = locks_.find(pair.source, target).pair;
+                const Fingerprints* prints = lock == nullptr ? nullptr
+                                             : source        ? &lock->source_prints
+                                                             : &lock->target_prints;
+                out.push_back({source ? pair.source : target, prints});
+            }
+        return out;
     }
 
     Level level_of(const std::string& rule) const {
@@ -160,16 +166,15 @@ private:
     }
 
     void judge_pair(const std::string& source_id, const std::string& target_id, int line) {
-        const auto found = locked_.find({source_id, target_id});
-        const LockedPair* lock = found == locked_.end() ? nullptr : found->second;
-        const Resolved source = source_.find(source_id, lock != nullptr ? &lock->source_prints : nullptr);
-        const Resolved target = target_.find(target_id, lock != nullptr ? &lock->target_prints : nullptr);
-        source_.take(source.unit);
-        target_.take(target.unit);
+        const FoundLock found = locks_.find(source_id, target_id);
+        const LockedPair* lock = found.pair;
+        const Resolved source = source_.find(source_id), target = target_.find(target_id);
         JudgedPair pair{source_id, target_id, static_cast<uint32_t>(std::max(1, line)), source.unit, target.unit,
                         false,     false};
         const size_t before = out_.findings.size();
         examine(pair, lock);
+        if (found.under_old_ids && out_.findings.size() == before && pair.source != nullptr && pair.target != nullptr)
+            pair.changed = pair.equivalent = true;  // accept records it under its new ids
         if (source.elsewhere || target.elsewhere) note_moved(pair, source, target);
         settle(pair, before);
         out_.pairs.push_back(pair);
@@ -179,9 +184,8 @@ private:
         const UnitState& unit = source.elsewhere ? *source.unit : *target.unit;
         const std::string& old_id = source.elsewhere ? pair.map_source : pair.map_target;
         const bool same_file = old_id.substr(0, old_id.find(':')) == unit.file;
-        Finding& finding =
-            add_for(pair, source.elsewhere ? "source-changed" : "target-changed", same_file ? "rename" : "moved",
-                    old_id + " is now " + unit.id + "; its text is the same");
+        Finding& finding = add_for(pair, source.elsewhere ? "source-changed" : "target-changed",
+                                   same_file ? "rename" : "moved", old_id + " is now " + unit.id);
         finding.level = std::min(finding.level, Level::Note);
         finding.remedy = "Write the new id into portmap.toml and run: porttool accept '" + unit.id + "'";
     }
@@ -249,23 +253,13 @@ private:
     /// False if that leaves it open: equal values settle edits of both sides; an edit of one side alone is one wherever
     /// in the unit it is (alignment, bases, a type), and so are `1.0f / 2` and `1 / 2`.
     bool compare_values(JudgedPair& pair, bool structs, Change change, bool both) {
-        const std::string left = value_in_common_words(words_of(*pair.source), dialect_, structs);
-        const std::string right = value_in_common_words(words_of(*pair.target), dialect_, structs);
-        if (left == right) {
+        const ComparedValues values = compare_values_of(*pair.source, *pair.target, dialect_);
+        if (values.same) {
             pair.equivalent = both;
             return both;
         }
-        add_for(pair, structs ? "layout-differs" : "constant-differs", change_name(change),
-                structs ? "the fields are " + shorten(left) + " in the source and " + shorten(right) + " in the port"
-                        : "the value is " + shorten(left) + " in the source and " + shorten(right) + " in the port");
+        add_for(pair, structs ? "layout-differs" : "constant-differs", change_name(change), values.says);
         return true;
-    }
-
-    static std::string shorten(std::string text) {
-        while (!text.empty() && (text.back() == ';' || text.back() == ' ')) text.pop_back();
-        constexpr size_t kLongest = 80;
-        if (text.size() > kLongest) text = text.substr(0, kLongest) + "...";
-        return "'" + text + "'";
     }
 
     void report_one(JudgedPair& pair, const LockedPair& lock, bool source, Change change) {
@@ -313,47 +307,54 @@ private:
     /// Lets the ledger settle the pair's findings, and counts the pair.
     void settle(const JudgedPair& pair, size_t first) {
         ++out_.summary.pairs;
-        std::string verdict;
-        bool expired = false;
-        for (const LedgerEntry& entry : facts_.lock.ledger) {
-            if (entry.source != pair.map_source || entry.target != pair.map_target) continue;
-            if (entry.verdict == "accept") continue;  // a record of why, which settles nothing
-            const bool same_texts = (pair.source == nullptr || entry.source_print == pair.source->prints.written) &&
-                                    (pair.target == nullptr || entry.target_print == pair.target->prints.written);
-            const bool needed = out_.findings.size() > first;
-            if (entry.verdict == "ignore" && same_texts && needed) verdict = "ignore";
-            if (entry.verdict == "defer" && needed) {
-                if (entry.until < facts_.today)
-                    expired = true;
-                else if (verdict.empty())
-                    verdict = "defer";
-            }
+        const bool needed = out_.findings.size() > first;
+        const LedgerEntry* verdict = nullptr;
+        for (const LedgerEntry* entry : entries_of(pair.map_source, pair.map_target)) {
             if (!needed) {
                 Finding& unused = add_for(pair, "unused-suppression", "",
-                                          "'" + entry.verdict + "' on this pair settles nothing: it is in step");
+                                          "'" + entry->verdict + "' on this pair settles nothing: it is in step");
                 unused.remedy = "Run: porttool accept '" + pair.map_source + "'";
-                count(pair, first, "");
-                return;
+                return count(first, "");
             }
-            for (size_t i = first; i < out_.findings.size() && !verdict.empty(); ++i) {
-                out_.findings[i].verdict = verdict;
-                out_.findings[i].verdict_reason = entry.reason;
+            if (!is_of_these_texts(*entry, pair.source, pair.target)) {
+                for (size_t i = first; i < out_.findings.size(); ++i)
+                    out_.findings[i].message += " (edited since '" + entry->verdict + "')";
+                continue;
             }
+            if (entry->verdict == "defer" && entry->until < facts_.today) {
+                add_for(pair, "deferral-expired", "", "the deferral of this pair has expired");
+                continue;
+            }
+            if (verdict == nullptr || entry->verdict == "ignore") verdict = entry;
         }
-        if (verdict.empty() && suppress(first)) verdict = "ignore";
-        if (expired && verdict.empty()) add_for(pair, "deferral-expired", "", "the deferral of this pair has expired");
-        count(pair, first, verdict);
+        for (size_t i = first; i < out_.findings.size() && verdict != nullptr; ++i) {
+            out_.findings[i].verdict = verdict->verdict;
+            out_.findings[i].verdict_reason = verdict->reason;
+        }
+        count(first, verdict != nullptr ? verdict->verdict : suppress(first) ? "ignore" : "");
     }
 
-    /// A comment within the unit, or on the line before it.
+    /// The verdicts on a pair, or on a source unit without one (`target` empty). A record of an acceptance is none.
+    const std::vector<const LedgerEntry*>& entries_of(const std::string& source, const std::string& target) {
+        return ledger_[{source, target}];
+    }
+
+    /// A verdict holds for the texts that it was given for; a side that is gone says nothing.
+    static bool is_of_these_texts(const LedgerEntry& entry, const UnitState* source, const UnitState* target) {
+        return (source == nullptr || entry.source_print == source->prints.written) &&
+               (target == nullptr || entry.target_print == target->prints.written);
+    }
+
+    /// A comment of the unit; where the map names a whole file, any comment in it.
     static bool covers(const PlacedSuppression& suppression, const std::optional<Place>& place) {
-        return place && suppression.file == place->file && suppression.comment.line + 1 >= place->line &&
-               suppression.comment.line <= place->end_line;
+        if (!place || suppression.file != place->file) return false;
+        const auto& units = suppression.comment.units;
+        return place->id.ends_with(":@file") || std::find(units.begin(), units.end(), place->id) != units.end();
     }
 
-    /// Lets comments settle findings from `first` on; true if none is left open.
+    /// Lets comments settle findings from `first` on; true if they settle some and leave none open but notes.
     bool suppress(size_t first) {
-        bool all = out_.findings.size() > first;
+        bool some = false, all = true;
         for (size_t i = first; i < out_.findings.size(); ++i) {
             Finding& finding = out_.findings[i];
             for (size_t k = 0; k < facts_.suppressions.size(); ++k) {
@@ -365,9 +366,10 @@ private:
                 finding.verdict_reason = suppression.comment.reason;
                 finding.settled_in_source = true;
             }
-            all = all && !finding.verdict.empty();
+            some = some || !finding.verdict.empty();
+            all = all && (!finding.verdict.empty() || finding.level <= Level::Note);
         }
-        return all;
+        return some && all;
     }
 
     void find_unused_suppressions() {
@@ -399,7 +401,7 @@ private:
         }
     }
 
-    void count(const JudgedPair&, size_t first, const std::string& verdict) {
+    void count(size_t first, const std::string& verdict) {
         Level worst = Level::Off;
         for (size_t i = first; i < out_.findings.size(); ++i) worst = std::max(worst, out_.findings[i].level);
         if (verdict == "defer")
@@ -420,27 +422,60 @@ private:
     }
 
     void find_unported() {
-        std::set<std::string> known_ids, known_texts;
-        for (const LockedUnit& unit : facts_.lock.baseline) {
-            known_ids.insert(unit.id);
-            known_texts.insert(unit.print);
-        }
+        std::map<std::string, const LockedUnit*> known;  // by id and by text
+        for (const LockedUnit& unit : facts_.lock.baseline)
+            for (const std::string& key : {unit.id, unit.print}) {
+                const LockedUnit*& best = known[key];
+                if (best == nullptr || best->reason.empty()) best = &unit;
+            }
         for (const auto& [id, unit] : facts_.source) {
             if (source_.taken(unit) || unit.kind == UnitKind::File) continue;
             ++out_.summary.unported;
-            if (known_ids.contains(id) || known_texts.contains(unit.prints.written) || is_ignored(id)) continue;
-            Finding& finding = add("unported", id, "");
-            finding.source = place_of(unit, true);
-            finding.change = "added";
-            finding.message = std::string(unit_kind_name(unit.kind)) + " " + unit.name + " has no port";
-            suppress(out_.findings.size() - 1);
+            const auto by_id = known.find(id), by_text = known.find(unit.prints.written);
+            const LockedUnit* baseline = by_id != known.end()     ? by_id->second
+                                         : by_text != known.end() ? by_text->second
+                                                                  : nullptr;
+            judge_unported(unit, baseline);
         }
+    }
+
+    /// A unit of the baseline, or one that [[ignore]] names, raises nothing; where a person gave a reason for it there
+    /// is a settled finding, for the reports that list those.
+    void judge_unported(const UnitState& unit, const LockedUnit* baseline) {
+        const size_t first = out_.findings.size();
+        Finding& finding = add("unported", unit.id, "");
+        finding.source = place_of(unit, true);
+        finding.change = "added";
+        finding.message = std::string(unit_kind_name(unit.kind)) + " " + unit.name + " has no port";
+        if (baseline != nullptr || is_ignored(unit.id)) {
+            suppress(first);  // a comment there says the same and is not idle
+            Finding& settled = out_.findings[first];
+            if (settled.verdict.empty() && baseline != nullptr && !baseline->reason.empty()) {
+                settled.verdict = "ignore";
+                settled.verdict_reason = baseline->reason;
+            }
+            if (settled.verdict.empty()) out_.findings.pop_back();
+            return;
+        }
+        for (const LedgerEntry* entry : entries_of(unit.id, "")) {
+            if (entry->source_print != unit.prints.written) continue;
+            if (entry->until < facts_.today) {
+                Finding& expired = add("deferral-expired", unit.id, "");
+                expired.source = place_of(unit, true);
+                expired.message = "the deferral of this unit has expired";
+                continue;
+            }
+            out_.findings[first].verdict = entry->verdict;
+            out_.findings[first].verdict_reason = entry->reason;
+        }
+        suppress(first);
     }
 
     const Case& facts_;
     Dialect dialect_;
+    LockIndex locks_;
     Resolver source_, target_;
-    std::map<std::pair<std::string, std::string>, const LockedPair*> locked_;
+    std::map<std::pair<std::string, std::string>, std::vector<const LedgerEntry*>> ledger_;
     std::vector<Glob> ignored_;
     std::set<size_t> used_suppressions_;
     Judgement out_;

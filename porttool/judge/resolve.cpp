@@ -3,6 +3,7 @@
 #include "porttool/judge/resolve.h"
 
 #include <algorithm>
+#include <deque>
 
 namespace porttool {
 namespace {
@@ -18,41 +19,136 @@ std::string plain_id(const std::string& id) {
 
 constexpr size_t kLongEnough = 12;  // tokens that make a text its own
 
+/// The file and the name of an id whose name is `Glass::Evaluate` or `main`.
+std::pair<std::string, std::string> split_id(const std::string& id) {
+    size_t colon = id.find(':');
+    while (colon != std::string::npos && colon + 1 < id.size() && id[colon + 1] == ':') colon = id.find(':', colon + 2);
+    if (colon == std::string::npos) return {id, {}};
+    return {id.substr(0, colon), id.substr(colon + 1)};
+}
+
+/// A text up to its body, without the names of the parameters.
+std::string signature_of(const std::string& text) {
+    std::vector<std::string> out;
+    int depth = 0;
+    for (const std::string& word : read_state_text(text.substr(0, text.find('{')))) {
+        if (word == "(") ++depth;
+        const bool ends = depth == 1 && (word == "," || word == ")");
+        if (ends && out.size() > 1 && out[out.size() - 2] != "(" && out[out.size() - 2] != ",") out.pop_back();
+        if (word == ")") --depth;
+        out.push_back(word);
+    }
+    std::string joined;
+    for (const std::string& word : out) joined += word + " ";
+    return joined;
+}
+
+using Key = std::function<std::string(const UnitState&)>;
+
 }  // namespace
 
-Resolver::Resolver(const std::map<std::string, UnitState>& units, std::set<std::string> named)
-    : units_(units), named_(std::move(named)) {
-    for (const auto& [id, unit] : units_) {
-        variants_[plain_id(id)].push_back(&unit);
-        if (unit.tokens >= kLongEnough) by_text_.emplace(unit.prints.renamed, &unit);
-    }
+Resolver::Resolver(const std::map<std::string, UnitState>& units, const std::vector<NamedUnit>& named,
+                   const std::function<std::string(const std::string&)>& base_text)
+    : units_(units), base_text_(base_text) {
+    std::map<std::string, std::vector<const UnitState*>> variants;
+    for (const auto& [id, unit] : units_) variants[plain_id(id)].push_back(&unit);
+    std::map<std::string, Names> groups;
+    for (const NamedUnit& name : named)
+        if (named_.insert(name.id).second) groups[plain_id(name.id)].push_back(&name);  // N-way ports share one
+    for (const auto& [id, names] : groups)
+        if (const auto group = variants.find(id); group != variants.end()) settle_variants(names, group->second);
+    const auto gone = [&] {
+        Names out;
+        for (const auto& [id, names] : groups)
+            for (const NamedUnit* name : names)
+                if (!found_.contains(name->id) && name->prints != nullptr) out.push_back(name);
+        return out;
+    };
+    follow_texts(gone());
+    follow_files(gone());
 }
 
-Resolved Resolver::find(const std::string& id, const Fingerprints* prints) {
-    if (const auto group = variants_.find(plain_id(id)); group != variants_.end()) {
-        const auto& variants = group->second;
-        if (prints != nullptr && variants.size() > 1) {
-            for (const UnitState* unit : variants)
-                if (!taken(*unit) && unit->prints.written == prints->written) return {unit, false};
-            for (const UnitState* unit : variants)
-                if (!taken(*unit) && unit->prints.renamed == prints->renamed) return {unit, false};
-        }
-        if (const auto exact = units_.find(id); exact != units_.end() && !taken(exact->second))
-            return {&exact->second, false};
+Resolved Resolver::find(const std::string& id) const {
+    const auto found = found_.find(id);
+    return found == found_.end() ? Resolved{} : found->second;
+}
+
+void Resolver::give(const std::string& id, const UnitState& unit, bool elsewhere) {
+    found_[id] = {&unit, elsewhere};
+    taken_.insert(&unit);
+}
+
+/// Gives each name the variant with its text, then the one with its signature, then that of its id, then what is left.
+void Resolver::settle_variants(const Names& names, std::vector<const UnitState*> variants) {
+    const auto by = [&](const Key& of_unit, const std::function<std::string(const NamedUnit&)>& of_name) {
+        std::map<std::string, std::deque<const UnitState*>> free;
         for (const UnitState* unit : variants)
-            if (!taken(*unit)) return {unit, false};
+            if (!taken(*unit)) free[of_unit(*unit)].push_back(unit);
+        for (const NamedUnit* name : names) {
+            if (free.empty() || found_.contains(name->id)) continue;
+            const std::string key = of_name(*name);
+            const auto at = key.empty() ? free.end() : free.find(key);
+            if (at == free.end() || at->second.empty()) continue;
+            give(name->id, *at->second.front(), false);
+            at->second.pop_front();
+        }
+    };
+    if (names.size() > 1 || variants.size() > 1) {
+        by([](const UnitState& u) { return u.id + " " + u.prints.written; },
+           [](const NamedUnit& n) { return n.prints != nullptr ? n.id + " " + n.prints->written : std::string(); });
+        by([](const UnitState& u) { return u.prints.written; },
+           [](const NamedUnit& n) { return n.prints != nullptr ? n.prints->written : std::string(); });
+        by([](const UnitState& u) { return u.prints.renamed; },
+           [](const NamedUnit& n) { return n.prints != nullptr ? n.prints->renamed : std::string(); });
+        by([](const UnitState& u) { return signature_of(u.text); },
+           [&](const NamedUnit& n) {
+               return n.prints != nullptr ? signature_of(base_text_(n.prints->written)) : std::string();
+           });
     }
-    if (const auto exact = units_.find(id); exact != units_.end())
-        return {&exact->second, false};  // N-way ports share one
-    if (prints == nullptr) return {};
-    const auto [first, last] = by_text_.equal_range(prints->renamed);
-    for (auto at = first; at != last; ++at)
-        if (!taken(*at->second) && !named_.contains(at->second->id)) return {at->second, true};
-    return {};
+    by([](const UnitState& u) { return u.id; }, [](const NamedUnit& n) { return n.id; });
+    by([](const UnitState&) { return std::string("any"); }, [](const NamedUnit&) { return std::string("any"); });
 }
 
-void Resolver::take(const UnitState* unit) {
-    if (unit != nullptr) taken_.insert(unit);
+void Resolver::follow_texts(const Names& gone) {
+    if (gone.empty()) return;
+    std::multimap<std::string, const UnitState*> by_text;
+    for (const auto& [id, unit] : units_)
+        if (unit.tokens >= kLongEnough && is_free(unit)) by_text.emplace(unit.prints.renamed, &unit);
+    for (const NamedUnit* name : gone) {
+        const auto [first, last] = by_text.equal_range(name->prints->renamed);
+        const auto at = std::find_if(first, last, [&](const auto& entry) { return !taken(*entry.second); });
+        if (at != last) give(name->id, *at->second, true);
+    }
+}
+
+/// A file that no id leads to any more was moved where most of its units went, unless two files have as many.
+void Resolver::follow_files(const Names& gone) {
+    if (gone.empty()) return;
+    std::map<std::string, std::vector<const UnitState*>> by_name;
+    std::set<std::string> files;
+    for (const auto& [id, unit] : units_) {
+        files.insert(unit.file);
+        if (is_free(unit)) by_name[unit.name].push_back(&unit);
+    }
+    std::map<std::string, std::map<std::string, size_t>> went;  // old file -> new file -> units of the same text
+    for (const auto& [id, found] : found_)
+        if (found.elsewhere) ++went[split_id(id).first][found.unit->file];
+    for (const NamedUnit* name : gone) {
+        const auto [file, unit_name] = split_id(name->id);
+        for (const UnitState* unit : by_name[unit_name])
+            if (unit->prints.renamed == name->prints->renamed) ++went[file][unit->file];
+    }
+    for (const NamedUnit* name : gone) {
+        const auto [file, unit_name] = split_id(name->id);
+        const auto& places = went[file];
+        if (files.contains(file) || places.empty()) continue;
+        const auto best = std::max_element(places.begin(), places.end(),
+                                           [](const auto& a, const auto& b) { return a.second < b.second; });
+        if (std::count_if(places.begin(), places.end(), [&](const auto& p) { return p.second == best->second; }) > 1)
+            continue;
+        for (const UnitState* unit : by_name[unit_name])
+            if (unit->file == best->first && is_free(*unit)) give(name->id, *unit, true);
+    }
 }
 
 }  // namespace porttool

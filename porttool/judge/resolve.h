@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <map>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "porttool/compare/unit_state.h"
 
@@ -13,27 +15,42 @@ namespace porttool {
 /// A unit that an id of the lock or the map leads to today.
 struct Resolved {
     const UnitState* unit = nullptr;
-    bool elsewhere = false;  ///< found by its text under another id: renamed or moved
+    bool elsewhere = false;  ///< found under another id: renamed or moved
 };
 
-/// Finds units of one side. Variants of one name (#2, #3) are told apart by their text, so that their order does not
-/// matter; a unit that is gone from its id is recognised by its text where that is long enough to be its own.
+/// An id that the map names, with what the lock knows of it (nullptr: nothing).
+struct NamedUnit {
+    std::string id;
+    const Fingerprints* prints = nullptr;
+};
+
+/// Finds the units of one side that a map names. Variants of one name (#2, #3) are told apart by their text, then their
+/// signature, so that their order does not matter. A unit that is gone from its id is recognised by its text where that
+/// is long enough to be its own, and by its name where other units of its file went to the same new file. Near linear
+/// in the number of units.
 class Resolver {
 public:
-    /// `named`: ids that the map names, which are never taken for a moved unit.
-    Resolver(const std::map<std::string, UnitState>& units, std::set<std::string> named);
+    /// `base_text` gives the text behind a fingerprint, or "".
+    Resolver(const std::map<std::string, UnitState>& units, const std::vector<NamedUnit>& named,
+             const std::function<std::string(const std::string&)>& base_text);
 
-    /// `prints` may be nullptr where the lock knows nothing of the id.
-    Resolved find(const std::string& id, const Fingerprints* prints);
-    /// Marks a unit as spoken for.
-    void take(const UnitState* unit);
+    Resolved find(const std::string& id) const;
+    /// True for a unit that a named id leads to.
     bool taken(const UnitState& unit) const { return taken_.contains(&unit); }
 
 private:
+    using Names = std::vector<const NamedUnit*>;
+
+    void settle_variants(const Names& names, std::vector<const UnitState*> variants);
+    void follow_texts(const Names& gone);
+    void follow_files(const Names& gone);
+    void give(const std::string& id, const UnitState& unit, bool elsewhere);
+    bool is_free(const UnitState& unit) const { return !taken(unit) && !named_.contains(unit.id); }
+
     const std::map<std::string, UnitState>& units_;
+    const std::function<std::string(const std::string&)>& base_text_;
     std::set<std::string> named_;
-    std::map<std::string, std::vector<const UnitState*>> variants_;
-    std::multimap<std::string, const UnitState*> by_text_;
+    std::map<std::string, Resolved> found_;
     std::set<const UnitState*> taken_;
 };
 

@@ -9,6 +9,7 @@
 #include "porttool/scan/branches.h"
 #include "porttool/scan/constants.h"
 #include "porttool/scan/lexer.h"
+#include "porttool/scan/suppressions.h"
 #include "porttool/scan/units.h"
 
 namespace porttool {
@@ -153,6 +154,7 @@ ScannedFile scan_text(std::string_view path, std::string_view text) {
     number_names(file.units);
     for (const Unit& unit : file.units) found.declarations.push_back(unit.tokens);
     classify_lines(file, found.declarations);
+    attach_suppressions(file);
     return file;
 }
 

@@ -49,6 +49,7 @@ struct LineSpan {
 struct Suppression {
     std::string rule, reason;
     uint32_t line = 0;
+    std::vector<std::string> units = {};  ///< the ids of the units that it belongs to, once the file is scanned
 };
 
 /// A file as tokens. `text` is the file without byte order mark, carriage returns and line splices.

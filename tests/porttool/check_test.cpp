@@ -313,9 +313,11 @@ TEST(Check, AcceptDeferAndIgnore) {
               0);
     EXPECT_EQ(check(disk)["summary"]["deferred"], 1);
     EXPECT_EQ(check(disk)["verdict"], "in_step");
+    setenv("SOURCE_DATE_EPOCH", "946684800", 1);  // 2000-01-01
     EXPECT_EQ(run(disk, {"-C", "/r", "defer", print, "--owner", "me", "--until", "2001-01-01", "--reason", "later"})
                   .exit_code,
               0);
+    unsetenv("SOURCE_DATE_EPOCH");
     EXPECT_EQ(rules(check(disk)), (Rules{"deferral-expired", "source-changed"}));
     EXPECT_EQ(run(disk, {"-C", "/r", "ignore", "port/k.comp:shade", "--reason", "GPU only"}).exit_code, 0);
     EXPECT_EQ(check(disk)["summary"]["ignored"], 1);

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <string>
+#include <utility>
+
+#include "porttool/compare/unit_state.h"
+#include "porttool/read/lock_file.h"
+#include "porttool/read/map_file.h"
+
+namespace porttool {
+
+/// The line of the lock that holds for a pair of the map.
+struct FoundLock {
+    const LockedPair* pair = nullptr;
+    bool under_old_ids = false;  ///< the map was edited since: the line has the ids from before
+};
+
+/// Finds the lock's line for a pair, also where the map was given new ids after a move: a line whose pair the map no
+/// longer names holds for two units whose texts are the recorded ones.
+class LockIndex {
+public:
+    using Units = std::map<std::string, UnitState>;
+    LockIndex(const MapFile& map, const LockFile& lock, const Units& source, const Units& target);
+
+    FoundLock find(const std::string& source, const std::string& target) const;
+
+private:
+    using Two = std::pair<std::string, std::string>;
+
+    const Units& source_;
+    const Units& target_;
+    std::map<Two, const LockedPair*> by_ids_;
+    std::map<Two, const LockedPair*> left_over_;  ///< by the prints of both texts
+};
+
+}  // namespace porttool

@@ -1,0 +1,14 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "porttool/scan/unit.h"
+
+namespace porttool {
+
+/// Gives each comment `porttool: ignore(RULE)` of a scanned file to its units. Beside code it belongs to the units that
+/// have a token on its line. On a line of its own it belongs to the unit that starts on the next line of code with
+/// nothing but comments between, else to the innermost unit around it; in a file without units to the file.
+void attach_suppressions(ScannedFile& file);
+
+}  // namespace porttool
