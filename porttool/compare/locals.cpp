@@ -130,7 +130,8 @@ private:
     }
     bool may_be_declared(size_t i) const {
         const std::string_view text = word(i);
-        return is_name(i) && !is_no_type(text) && !is_qualifier(text) && !is_type_word(text) && !names_record(text);
+        const bool type = is_type_word(text) && text != "half";  // half of something, where there is no such type
+        return is_name(i) && !is_no_type(text) && !is_qualifier(text) && !type && !names_record(text);
     }
 
     void declare(size_t i) {

@@ -257,6 +257,7 @@ TEST(EditClass, ARenamedLocalIsCosmeticWhereverItIsDeclared) {
                    {"const Foo* x = g(); h(x);", "const Foo* y = g(); h(y);"},
                    {"Foo* x = g(); h(x);", "Foo* y = g(); h(y);"},
                    {"float* x; h(x);", "float* y; h(y);"},
+                   {"float half = g(); h(half);", "float y = g(); h(y);"},
                    {"unsigned long x = 1; h(x);", "unsigned long y = 1; h(y);"},
                    {"float4 x[2]; h(x);", "float4 y[2]; h(y);"},
                    {"int u = 1, x = h<3, 4>(u), v; h(x);", "int u = 1, y = h<3, 4>(u), v; h(y);"},
