@@ -29,7 +29,7 @@ struct SourceSet {
 /// Most bytes that are read of one file: a map, a lock.
 inline constexpr uint64_t kLargestFile = 64ull * 1024 * 1024;
 
-/// Most bytes of a source, as a token of it takes up to 700 bytes of memory.
+/// Most bytes of one source: far above what people write, and what a machine with 1 GiB can still scan.
 inline constexpr uint64_t kLargestSource = 16ull * 1024 * 1024;
 
 /// Reads files and folders (recursive, known suffixes, .gitignore respected, symbolic links to folders not followed). A
