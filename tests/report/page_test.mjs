@@ -192,6 +192,15 @@ test("the filters filter, by block, state and kind", async (tab) => {
   assert.deepEqual(await keys(tab), expected((row) => row.state === "deferred"));
 });
 
+test("Enter in the search field opens the first match", async (tab) => {
+  await tab.keyboard.press("/");
+  await tab.keyboard.type("bsdf sample");
+  const [first] = await keys(tab);
+  await tab.keyboard.press("Enter");
+  await tab.waitForFunction(() => document.querySelector("dialog").open);
+  assert.equal(new URLSearchParams(new URL(tab.url()).hash.split("?")[1]).get("key"), first);
+});
+
 test("search searches, from the keyboard; a pair opens, moves on and closes without a mouse", async (tab) => {
   await tab.keyboard.press("/");
   await tab.keyboard.type("bsdf sample");
@@ -302,7 +311,7 @@ test("what is too short is called so, once; a side without code has no percent",
   await tab.close();
   writeFileSync(join(short, "port/a.comp"), "\n");
   const gone = await open(page(short, "short.html").url);
-  assert.deepEqual(await texts(gone, "td.moss"), ["too short", "–"]);
+  assert.deepEqual(await texts(gone, "td.moss"), ["no target", "–"]);
   assert.deepEqual(gone.trouble, []);
   await gone.close();
 });
