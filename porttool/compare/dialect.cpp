@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "porttool/compare/dialect.h"
 
+#include <algorithm>
 #include <array>
 
 namespace porttool {
@@ -49,12 +50,14 @@ constexpr std::array kBuiltIns = {
     DialectRow{"fract", "frac fracf"},
     DialectRow{"inversesqrt", "rsqrt rsqrtf native_rsqrt"},
     DialectRow{"sqrt", "sqrtf native_sqrt __fsqrt_rn"},
-    DialectRow{"abs", "fabs fabsf Abs"},
+    DialectRow{"abs", "Abs"},
+    DialectRow{"fabs", "fabsf"},
     DialectRow{"min", "fmin fminf Min fast_min std_min"},
     DialectRow{"max", "fmax fmaxf Max fast_max std_max"},
     DialectRow{"clamp", "Clamp clampf"},
     DialectRow{"saturate", "__saturatef Saturate"},
-    DialectRow{"mod", "fmod fmodf Mod"},
+    DialectRow{"mod", "Mod"},
+    DialectRow{"fmod", "fmodf"},
     DialectRow{"pow", "powf native_powr __powf powr"},
     DialectRow{"exp", "expf __expf native_exp"},
     DialectRow{"exp2", "exp2f native_exp2"},
@@ -68,9 +71,11 @@ constexpr std::array kBuiltIns = {
     DialectRow{"acos", "acosf"},
     DialectRow{"atan", "atanf atan2 atan2f"},
     DialectRow{"tanh", "tanhf"},
-    DialectRow{"floor", "floorf Floor2Int Floor2UInt"},
-    DialectRow{"ceil", "ceilf Ceil2Int"},
-    DialectRow{"round", "roundf rint rintf nearbyint Round2Int"},
+    DialectRow{"floor", "floorf"},
+    DialectRow{"Floor2Int", "Floor2UInt"},
+    DialectRow{"ceil", "ceilf"},
+    DialectRow{"round", "roundf"},
+    DialectRow{"rint", "rintf nearbyint"},
     DialectRow{"trunc", "truncf"},
     DialectRow{"dot", "Dot"},
     DialectRow{"cross", "Cross"},
@@ -83,8 +88,10 @@ constexpr std::array kBuiltIns = {
     DialectRow{"intBitsToFloat",
                "__int_as_float int_as_float uintBitsToFloat __uint_as_float uint_as_float as_float asfloat"},
     DialectRow{"bitCount", "__popc popcount popcnt countbits"},
-    DialectRow{"findLSB", "__ffs ctz firstbitlow"},
-    DialectRow{"findMSB", "__clz clz firstbithigh"},
+    DialectRow{"findLSB", "ctz firstbitlow"},
+    DialectRow{"ffs", "__ffs"},
+    DialectRow{"findMSB", "firstbithigh"},
+    DialectRow{"clz", "__clz"},
     DialectRow{"atomicAdd",
                "atomic_add atomic_inc AtomicAdd AtomicInc InterlockedAdd fetch_add atomic_fetch_add "
                "atomic_fetch_add_explicit"},
@@ -107,9 +114,28 @@ constexpr std::array kBuiltIns = {
     DialectRow{"pi", "PI M_PI M_PI_F M_PIf CL_M_PI kPi"},
     DialectRow{"inv_pi", "INVPI INV_PI M_1_PI M_1_PI_F one_over_pi"},
     DialectRow{"two_pi", "TWOPI TWO_PI M_2PI"},
-    DialectRow{"infinity", "INFINITY INF inf pos_inf FLT_MAX"},
+    DialectRow{"infinity", "INFINITY INF inf pos_inf"},
     DialectRow{".", "->"},
 };
+
+// Functions that take each other's place in ports, and so help to pair units, but give other values: the remainder of
+// negatives, halves, the number of a bit, ...
+constexpr std::array kAlike = {
+    DialectRow{"abs", "fabs"},        DialectRow{"mod", "fmod"},         DialectRow{"round", "rint Round2Int"},
+    DialectRow{"floor", "Floor2Int"}, DialectRow{"ceil", "Ceil2Int"},    DialectRow{"findLSB", "ffs"},
+    DialectRow{"findMSB", "clz"},     DialectRow{"infinity", "FLT_MAX"},
+};
+
+/// The name under which units are paired.
+std::string_view paired_name(std::string_view name) {
+    for (const DialectRow& row : kAlike)
+        for (size_t at = 0; at < row.equivalents.size();) {
+            const size_t end = std::min(row.equivalents.find(' ', at), row.equivalents.size());
+            if (row.equivalents.substr(at, end - at) == name) return row.name;
+            at = end + 1;
+        }
+    return name;
+}
 
 // Words without counterpart: dropped before anything is compared.
 constexpr std::string_view kDropped =
@@ -129,7 +155,10 @@ Dialect::Dialect(const std::vector<std::pair<std::string, std::string>>& rows) {
     auto add = [&](std::string_view words, std::string_view name) {
         while (!words.empty()) {
             const size_t end = std::min(words.find(' '), words.size());
-            if (end > 0) names_.emplace(words.substr(0, end), name);
+            if (end > 0) {
+                meanings_.emplace(words.substr(0, end), name);
+                names_.emplace(words.substr(0, end), paired_name(name));
+            }
             words.remove_prefix(std::min(end + 1, words.size()));
         }
     };
@@ -140,14 +169,28 @@ Dialect::Dialect(const std::vector<std::pair<std::string, std::string>>& rows) {
         }
     };
     for (const auto& [left, right] : rows) {  // a person's rows come first and so win
-        const std::string* known = find(left);
+        const std::string* known = meaning(left);
         const std::string name = known != nullptr ? *known : left;
         add(left, name);
         add(right, name);
     }
     add_table(kTypes);
     add_table(kBuiltIns);
+    add("Round2Int", "Round2Int");
+    add("Ceil2Int", "Ceil2Int");
+    add("FLT_MAX", "FLT_MAX");
     add(kDropped, "");
+}
+
+bool Dialect::is_number_type(std::string_view name) const {
+    constexpr std::array<std::string_view, 5> kOthers = {"double", "char", "short", "long", "int8"};
+    return std::find(kOthers.begin(), kOthers.end(), name) != kOthers.end() ||
+           std::any_of(kTypes.begin(), kTypes.end(), [&](const DialectRow& row) { return row.name == name; });
+}
+
+const std::string* Dialect::meaning(std::string_view word) const {
+    const auto found = meanings_.find(word);
+    return found == meanings_.end() ? nullptr : &found->second;
 }
 
 const std::string* Dialect::find(std::string_view word) const {

@@ -17,15 +17,22 @@ public:
     /// The built-in table, extended by `rows` from portmap.toml (`"vec3" = "float3"`: the two are one).
     explicit Dialect(const std::vector<std::pair<std::string, std::string>>& rows = {});
 
-    /// The common name of a word, or nullptr if the table does not know it.
+    /// The common name of a word, or nullptr if the table does not know it: what units are paired and measured by.
     const std::string* find(std::string_view word) const;
+
+    /// The same, but words share a name only if they mean the same: `fmod` is not `mod`. What edits are compared by.
+    const std::string* meaning(std::string_view word) const;
+
+    /// True for the common name of a type that numbers and vectors are cast to.
+    bool is_number_type(std::string_view name) const;
 
 private:
     struct Hash {
         using is_transparent = void;
         size_t operator()(std::string_view text) const { return std::hash<std::string_view>()(text); }
     };
-    std::unordered_map<std::string, std::string, Hash, std::equal_to<>> names_;
+    using Names = std::unordered_map<std::string, std::string, Hash, std::equal_to<>>;
+    Names names_, meanings_;
 };
 
 }  // namespace porttool

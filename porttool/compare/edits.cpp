@@ -3,63 +3,19 @@
 #include "porttool/compare/edits.h"
 
 #include <algorithm>
-#include <map>
 
+#include "porttool/compare/places.h"
 #include "porttool/compare/renaming.h"
 #include "porttool/compare/statements.h"
 
 namespace porttool {
 namespace {
 
-std::vector<std::string> keys(const std::vector<Statement>& statements) {
-    std::vector<std::string> out;
-    for (const Statement& statement : statements) out.push_back(statement.key);
-    return out;
-}
-
-/// An edit as statements, with where they stand.
-struct StatementEdit {
-    std::vector<Statement> before, now;
-    std::vector<size_t> lost, gained;  ///< indices into before and now
-};
-
-StatementEdit statement_edit(const std::vector<std::string>& before, const std::vector<std::string>& now,
-                             const Dialect& dialect) {
-    StatementEdit edit{split_statements(before, dialect), split_statements(now, dialect), {}, {}};
-    for (const DiffStep& step : diff(keys(edit.before), keys(edit.now))) {
-        if (step.kind == DiffStep::Remove) edit.lost.push_back(step.before);
-        if (step.kind == DiffStep::Add) edit.gained.push_back(step.now);
-    }
-    return edit;
-}
-
 std::vector<std::string> chosen_keys(const std::vector<Statement>& statements, const std::vector<size_t>& indices) {
     std::vector<std::string> out;
     for (const size_t i : indices)
-        if (statements[i].key != "}") out.push_back(statements[i].key);
+        if (!statements[i].is_brace()) out.push_back(statements[i].key);
     return out;
-}
-
-/// Where a statement stands that occurs once.
-std::map<std::string, size_t> unique_places(const std::vector<Statement>& statements) {
-    std::map<std::string, size_t> places, count;
-    for (size_t i = 0; i < statements.size(); ++i) {
-        places[statements[i].key] = i;
-        ++count[statements[i].key];
-    }
-    std::erase_if(places, [&](const auto& place) { return count[place.first] > 1; });
-    return places;
-}
-
-/// True if a gained statement stands on the other side of one that both texts have: put in at another place.
-bool stands_elsewhere(const StatementEdit& source, const StatementEdit& target, size_t source_at, size_t target_at) {
-    const auto here = unique_places(source.now), there = unique_places(target.now);
-    for (const auto& [key, place] : here) {
-        const auto other = there.find(key);
-        if (other == there.end() || key == source.now[source_at].key) continue;
-        if ((place < source_at) != (other->second < target_at)) return true;
-    }
-    return false;
 }
 
 /// A changed spot within statements: what went, what came, and the words beside it.
@@ -127,6 +83,18 @@ bool same_places(const StatementEdit& source, const StatementEdit& target) {
     return true;
 }
 
+/// What an edit that only moved closing braces did: statements that stand in another block now.
+void show_moved(const StatementEdit& edit, Edit& out) {
+    const std::vector<size_t> now_of = edit.kept();
+    for (size_t i = 0; i < edit.before.size(); ++i) {
+        if (edit.before[i].is_brace() || now_of[i] == StatementEdit::kGone) continue;
+        const std::string old_block = block_of(edit.before, i), new_block = block_of(edit.now, now_of[i]);
+        if (old_block == new_block) continue;
+        out.lost.push_back(edit.before[i].shown + " (in " + old_block + ")");
+        out.gained.push_back(edit.before[i].shown + " (in " + new_block + ")");
+    }
+}
+
 bool same_hunks(const std::vector<Hunk>& a, const std::vector<Hunk>& b) {
     return a.size() == b.size() &&
            std::equal(a.begin(), a.end(), b.begin(), [](const Hunk& x, const Hunk& y) { return x.same_edit(y); });
@@ -135,63 +103,69 @@ bool same_hunks(const std::vector<Hunk>& a, const std::vector<Hunk>& b) {
 Edit shown(const StatementEdit& edit) {
     Edit out;
     for (const size_t i : edit.gained)
-        if (edit.now[i].key != "}") out.gained.push_back(edit.now[i].shown);
+        if (!edit.now[i].is_brace()) out.gained.push_back(edit.now[i].shown);
     for (const size_t i : edit.lost)
-        if (edit.before[i].key != "}") out.lost.push_back(edit.before[i].shown);
+        if (!edit.before[i].is_brace()) out.lost.push_back(edit.before[i].shown);
+    if (out.gained.empty() && out.lost.empty()) show_moved(edit, out);
     return out;
 }
 
-/// Says which statements of one side's list the other side's lacks.
+/// Says which statements of one side's list the other side's lacks, and of one that only moved (it is in `opposite`,
+/// what the same side lost, or gained) in which block.
 void name_missing(const std::vector<Statement>& here, const std::vector<size_t>& indices,
-                  std::vector<std::string> others, const char* side, const char* other, const char* verb,
-                  std::vector<std::string>& out) {
+                  std::vector<std::string> others, const std::vector<std::string>& opposite, bool is_source,
+                  const char* verb, std::vector<std::string>& out) {
     for (const size_t i : indices) {
-        if (here[i].key == "}") continue;
+        if (here[i].is_brace()) continue;
         const auto found = std::find(others.begin(), others.end(), here[i].key);
         if (found != others.end()) {
             others.erase(found);
             continue;
         }
-        out.push_back(std::string("the ") + side + " " + verb + " `" + here[i].shown + "`; the " + other + " did not");
+        const bool moved = std::find(opposite.begin(), opposite.end(), here[i].key) != opposite.end();
+        out.push_back(std::string(is_source ? "the source " : "the port ") + verb + " `" + here[i].shown + "`" +
+                      (moved ? " in " + block_of(here, i) : "") +
+                      (is_source ? "; the port did not" : "; the source did not"));
     }
 }
 
-/// Compares the edits by the names that the texts have.
-EditComparison compare_as_named(const std::vector<std::string>& source_before,
-                                const std::vector<std::string>& source_now,
-                                const std::vector<std::string>& target_before,
-                                const std::vector<std::string>& target_now, const Dialect& dialect) {
-    const StatementEdit source = statement_edit(source_before, source_now, dialect);
-    const StatementEdit target = statement_edit(target_before, target_now, dialect);
-    EditComparison out;
-    out.source = shown(source);
-    out.target = shown(target);
+/// Says what the one side has and the other has not.
+std::vector<std::string> missing(const StatementEdit& source, const StatementEdit& target) {
+    std::vector<std::string> out;
     const auto source_gained = chosen_keys(source.now, source.gained),
                target_gained = chosen_keys(target.now, target.gained);
     const auto source_lost = chosen_keys(source.before, source.lost),
                target_lost = chosen_keys(target.before, target.lost);
-    const bool same_braces =
-        source.gained.size() - source_gained.size() == target.gained.size() - target_gained.size() &&
-        source.lost.size() - source_lost.size() == target.lost.size() - target_lost.size();
-    if (source_gained == target_gained && source_lost == target_lost && same_braces) {
-        for (size_t i = 0, k = 0; i < source.gained.size() && k < target.gained.size(); ++i, ++k)
-            if (stands_elsewhere(source, target, source.gained[i], target.gained[k])) {
-                out.differences.push_back("both sides gained `" + source.now[source.gained[i]].shown +
-                                          "`, but at different places");
-                return out;
-            }
-        out.equivalent = true;
-        return out;
-    }
-    if (same_braces && same_places(source, target) && same_hunks(hunks(source), hunks(target))) {
-        out.equivalent = true;
-        return out;
-    }
-    name_missing(source.now, source.gained, target_gained, "source", "port", "gained", out.differences);
-    name_missing(source.before, source.lost, target_lost, "source", "port", "lost", out.differences);
-    name_missing(target.now, target.gained, source_gained, "port", "source", "gained", out.differences);
-    name_missing(target.before, target.lost, source_lost, "port", "source", "lost", out.differences);
-    if (out.differences.empty()) out.differences.emplace_back("the two sides were rearranged differently");
+    name_missing(source.now, source.gained, target_gained, source_lost, true, "gained", out);
+    name_missing(source.before, source.lost, target_lost, source_gained, true, "lost", out);
+    name_missing(target.now, target.gained, source_gained, target_lost, false, "gained", out);
+    name_missing(target.before, target.lost, source_lost, target_gained, false, "lost", out);
+    return out;
+}
+
+/// Compares the edits by the names that the texts have.
+EditComparison compare_as_named(const PairTexts& texts, const Dialect& dialect, Literals literals) {
+    const Meaning meaning(texts, dialect, literals);
+    const auto translator = [&](Meaning::Side side) {
+        return [&meaning, side](const std::vector<std::string>& statement, bool in_body) {
+            return meaning.translate(statement, side, in_body);
+        };
+    };
+    const StatementEdit source = statement_edit(texts.source_before, texts.source_now, translator(Meaning::Source));
+    const StatementEdit target = statement_edit(texts.target_before, texts.target_now, translator(Meaning::Target));
+    EditComparison out;
+    out.source = shown(source);
+    out.target = shown(target);
+    const bool same_counts = source.gained.size() == target.gained.size() && source.lost.size() == target.lost.size();
+    const bool same_statements = chosen_keys(source.now, source.gained) == chosen_keys(target.now, target.gained) &&
+                                 chosen_keys(source.before, source.lost) == chosen_keys(target.before, target.lost);
+    const bool same_words =
+        same_counts && (same_statements || (same_places(source, target) && same_hunks(hunks(source), hunks(target))));
+    out.differences = same_words ? other_places(source, target) : missing(source, target);
+    out.equivalent = same_words && out.differences.empty();
+    if (out.differences.empty() && !same_words) out.differences = other_places(source, target);
+    if (out.differences.empty() && !same_words)
+        out.differences.emplace_back("the two sides were rearranged differently");
     return out;
 }
 
@@ -204,19 +178,20 @@ Change classify(const Fingerprints& before, const Fingerprints& now) {
 }
 
 Edit edit_of(const std::vector<std::string>& before, const std::vector<std::string>& now) {
-    return shown(statement_edit(before, now, Dialect()));
+    const auto as_written = [](const std::vector<std::string>& statement, bool) { return statement; };
+    return shown(statement_edit(before, now, as_written));
 }
 
 EditComparison compare_edits(const std::vector<std::string>& source_before, const std::vector<std::string>& source_now,
                              const std::vector<std::string>& target_before, const std::vector<std::string>& target_now,
-                             const Dialect& dialect) {
-    EditComparison out = compare_as_named(source_before, source_now, target_before, target_now, dialect);
+                             const Dialect& dialect, Literals literals) {
+    EditComparison out = compare_as_named({source_before, source_now, target_before, target_now}, dialect, literals);
     if (out.equivalent) return out;
     const auto source = with_old_names(source_before, source_now, dialect);
     const auto target = with_new_names_of_source(source_before, source, target_before,
                                                  with_old_names(target_before, target_now, dialect), dialect);
     if (source == source_now && target == target_now) return out;
-    EditComparison renamed = compare_as_named(source_before, source, target_before, target, dialect);
+    EditComparison renamed = compare_as_named({source_before, source, target_before, target}, dialect, literals);
     out.equivalent = renamed.equivalent;
     out.differences = std::move(renamed.differences);
     return out;

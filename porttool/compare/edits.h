@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "porttool/compare/dialect.h"
+#include "porttool/compare/meaning.h"
 #include "porttool/compare/unit_state.h"
 
 namespace porttool {
@@ -29,10 +30,12 @@ struct EditComparison {
 };
 
 /// Compares the edit before -> now of the source with that of the target. All four are tokens in normal form. Locals
-/// may have been renamed on either side, and those that are new may have another name on each.
+/// may have been renamed on either side, and those that are new may have another name on each. Edits are equivalent if
+/// they lost and gained the same statements, or the same words in statements that stand for each other, in the same
+/// places: blocks and neighbours count.
 EditComparison compare_edits(const std::vector<std::string>& source_before, const std::vector<std::string>& source_now,
                              const std::vector<std::string>& target_before, const std::vector<std::string>& target_now,
-                             const Dialect& dialect);
+                             const Dialect& dialect, Literals literals = Literals::Shading);
 
 /// What changed between two texts.
 Edit edit_of(const std::vector<std::string>& before, const std::vector<std::string>& now);

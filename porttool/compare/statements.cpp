@@ -13,14 +13,6 @@ bool is_word_start(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-/// Names of the same thing differ in case and underscores between languages.
-std::string folded(const std::string& word) {
-    std::string out;
-    for (const char c : word)
-        if (c != '_') out += c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
-    return out.empty() ? word : out;
-}
-
 std::vector<std::string> translate(const std::vector<std::string>& tokens, const Dialect& dialect) {
     std::vector<std::string> out;
     for (size_t i = 0; i < tokens.size(); ++i) {
@@ -52,10 +44,11 @@ std::string readable(const std::vector<std::string>& tokens) {
     return out;
 }
 
-Statement make_statement(const std::vector<std::string>& tokens, const Dialect& dialect) {
+Statement make_statement(const std::vector<std::string>& tokens, std::vector<std::string> common, size_t head) {
     Statement statement;
     statement.shown = readable(tokens);
-    statement.common = translate(tokens, dialect);
+    statement.common = std::move(common);
+    statement.head = head;
     for (const std::string& word : statement.common) {
         statement.key += word;
         statement.key += ' ';
@@ -65,6 +58,13 @@ Statement make_statement(const std::vector<std::string>& tokens, const Dialect& 
 
 }  // namespace
 
+std::string folded(const std::string& word) {
+    std::string out;
+    for (const char c : word)
+        if (c != '_') out += c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
+    return out.empty() ? word : out;
+}
+
 std::string common_word(const std::string& token, const Dialect& dialect) {
     if (token.empty()) return token;
     if (const std::string* known = dialect.find(token)) return *known;
@@ -72,27 +72,42 @@ std::string common_word(const std::string& token, const Dialect& dialect) {
     return is_word_start(token[0]) ? folded(token) : token;
 }
 
-std::vector<Statement> split_statements(const std::vector<std::string>& tokens, const Dialect& dialect) {
+std::vector<Statement> split_statements(const std::vector<std::string>& tokens, const Translator& translator) {
     std::vector<Statement> out;
     std::vector<std::string> current;
+    std::vector<size_t> heads;  // of the blocks that are open
     int parens = 0;
+    bool in_body = false;
+    auto head = [&] { return heads.empty() ? Statement::kNoHead : heads.back(); };
     auto finish = [&] {
-        if (!current.empty()) out.push_back(make_statement(current, dialect));
+        if (!current.empty()) out.push_back(make_statement(current, translator(current, in_body), head()));
         current.clear();
     };
     for (const std::string& token : tokens) {
         if (token == "(") ++parens;
         if (token == ")") --parens;
-        if (parens <= 0 && (token == ";" || token == "{" || token == "}")) {
-            finish();
-            // A closing brace counts: a statement moved out of a block is another program.
-            if (token == "}") out.push_back({"}", {"}"}, "}"});
-        } else {
+        if (parens > 0 || (token != ";" && token != "{" && token != "}")) {
             current.push_back(token);
+            continue;
+        }
+        const bool headless = current.empty();
+        finish();
+        if (token == "{") {
+            heads.push_back(headless ? head() : out.size() - 1);
+            in_body = true;
+        } else if (token == "}") {
+            // A closing brace counts: a statement moved out of a block is another program.
+            out.push_back({"}", {"}"}, "}", head()});
+            if (!heads.empty()) heads.pop_back();
         }
     }
     finish();
     return out;
+}
+
+std::vector<Statement> split_statements(const std::vector<std::string>& tokens, const Dialect& dialect) {
+    return split_statements(
+        tokens, [&](const std::vector<std::string>& statement, bool) { return translate(statement, dialect); });
 }
 
 std::vector<DiffStep> diff(const std::vector<std::string>& before, const std::vector<std::string>& now) {

@@ -286,6 +286,16 @@ private:
         finding.remedy = "Nothing to port; to be rid of this note, run: porttool accept '" + pair.map_source + "'";
     }
 
+    /// Whether a number's suffix tells its type on both sides.
+    static Literals literals_of(const JudgedPair& pair) {
+        const auto shading = [](const UnitState& unit) {
+            const Language language = language_of_path(unit.file);
+            return language == Language::Glsl || language == Language::Hlsl || language == Language::Metal ||
+                   language == Language::Slang || language == Language::Ispc;
+        };
+        return shading(*pair.source) || shading(*pair.target) ? Literals::Shading : Literals::C;
+    }
+
     void compare_both(JudgedPair& pair, const LockedPair& lock, Change change) {
         const std::string source_base = facts_.base_text(lock.source_prints.written);
         const std::string target_base = facts_.base_text(lock.target_prints.written);
@@ -294,8 +304,9 @@ private:
                     "both sides changed, and the texts to compare the edits by are not in portmap.base/");
             return;
         }
-        const EditComparison edits = compare_edits(read_state_text(source_base), words_of(*pair.source),
-                                                   read_state_text(target_base), words_of(*pair.target), dialect_);
+        const EditComparison edits =
+            compare_edits(read_state_text(source_base), words_of(*pair.source), read_state_text(target_base),
+                          words_of(*pair.target), dialect_, literals_of(pair));
         pair.equivalent = edits.equivalent;
         if (edits.equivalent) return;
         Finding& finding = add_for(pair, "port-differs", change_name(change), edits.differences.front());

@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "porttool/compare/dialect.h"
+
+namespace porttool {
+
+/// Types of several words as one: `unsigned int` is `uint`, `long long int` is `int64`.
+std::vector<std::string> with_one_word_types(const std::vector<std::string>& tokens);
+
+/// Casts to arithmetic types as calls: `(float)n` and `static_cast<float>(n)` are `float(n)`. The words are translated
+/// already.
+std::vector<std::string> with_functional_casts(const std::vector<std::string>& words, const Dialect& dialect);
+
+}  // namespace porttool

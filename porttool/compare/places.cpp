@@ -1,0 +1,147 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/compare/places.h"
+
+#include <algorithm>
+#include <array>
+
+namespace porttool {
+namespace {
+
+std::vector<std::string> keys(const std::vector<Statement>& statements) {
+    std::vector<std::string> out;
+    for (const Statement& statement : statements) out.push_back(statement.key);
+    return out;
+}
+
+/// What two statements are laid beside each other by: the words, or for a closing brace what it closes.
+std::vector<std::string> anchor_keys(const std::vector<Statement>& statements) {
+    constexpr std::array<std::string_view, 6> kHeads = {"if", "else", "for", "while", "do", "switch"};
+    std::vector<std::string> out;
+    for (const Statement& statement : statements) {
+        out.push_back(statement.key);
+        if (!statement.is_brace() || statement.head == Statement::kNoHead) continue;
+        const std::vector<std::string>& head = statements[statement.head].common;
+        if (!head.empty() && std::find(kHeads.begin(), kHeads.end(), head[0]) != kHeads.end()) out.back() += head[0];
+    }
+    return out;
+}
+
+/// A statement of the source beside the one of the port that stands for it.
+struct Anchor {
+    size_t source, target;
+};
+
+std::vector<Anchor> anchors(const std::vector<Statement>& source, const std::vector<Statement>& target) {
+    std::vector<Anchor> out;
+    for (const DiffStep& step : diff(anchor_keys(source), anchor_keys(target)))
+        if (step.kind == DiffStep::Keep) out.push_back({step.before, step.now});
+    return out;
+}
+
+/// The anchors that neither edit took away, by where they stand now.
+std::vector<Anchor> still_there(const std::vector<Anchor>& before, const StatementEdit& source,
+                                const StatementEdit& target) {
+    const std::vector<size_t> source_now = source.kept(), target_now = target.kept();
+    std::vector<Anchor> out;
+    for (const auto& [here, there] : before)
+        if (source_now[here] != StatementEdit::kGone && target_now[there] != StatementEdit::kGone)
+            out.push_back({source_now[here], target_now[there]});
+    return out;
+}
+
+bool same_place(const std::vector<Anchor>& shared, size_t source, size_t target) {
+    const auto in_source = std::partition_point(shared.begin(), shared.end(),
+                                                [&](const Anchor& anchor) { return anchor.source < source; });
+    const auto in_target = std::partition_point(shared.begin(), shared.end(),
+                                                [&](const Anchor& anchor) { return anchor.target < target; });
+    return in_source == in_target;
+}
+
+/// Where a statement stands, for a reader: its block, or within the same block the statement before it.
+std::string place_of(const std::vector<Statement>& statements, size_t i, bool by_block) {
+    if (by_block) return "in " + block_of(statements, i);
+    if (i == 0) return "first";
+    const Statement& last = statements[i - 1];
+    if (last.is_brace()) return "behind the block of " + block_of(statements, i - 1);
+    return "behind `" + last.shown + "`";
+}
+
+std::string both_places(const std::vector<Statement>& source, size_t at, const std::vector<Statement>& target,
+                        size_t other) {
+    const bool by_block = block_of(source, at) != block_of(target, other);
+    return place_of(source, at, by_block) + " in the source, " + place_of(target, other, by_block) + " in the port";
+}
+
+/// Names a statement that the two sides share and that now stands in another block on one of them.
+std::string moved_block(const StatementEdit& source, const StatementEdit& target) {
+    const std::vector<Anchor> before = anchors(source.before, target.before);
+    const std::vector<size_t> source_now = source.kept(), target_now = target.kept();
+    for (const Anchor& anchor : before) {
+        if (source.before[anchor.source].is_brace()) continue;
+        const size_t here = source_now[anchor.source], there = target_now[anchor.target];
+        if (here == StatementEdit::kGone || there == StatementEdit::kGone) continue;
+        const bool source_moved = block_of(source.before, anchor.source) != block_of(source.now, here);
+        const bool target_moved = block_of(target.before, anchor.target) != block_of(target.now, there);
+        if (source_moved != target_moved)
+            return "`" + source.now[here].shown + "` stands " + both_places(source.now, here, target.now, there);
+    }
+    return "";
+}
+
+}  // namespace
+
+std::vector<size_t> StatementEdit::kept() const {
+    std::vector<size_t> out(before.size(), kGone);
+    size_t k = 0;
+    for (size_t i = 0; i < before.size(); ++i) {
+        if (std::binary_search(lost.begin(), lost.end(), i)) continue;
+        while (std::binary_search(gained.begin(), gained.end(), k)) ++k;
+        out[i] = k++;
+    }
+    return out;
+}
+
+StatementEdit statement_edit(const std::vector<std::string>& before, const std::vector<std::string>& now,
+                             const Translator& translator) {
+    StatementEdit edit{split_statements(before, translator), split_statements(now, translator), {}, {}};
+    for (const DiffStep& step : diff(keys(edit.before), keys(edit.now))) {
+        if (step.kind == DiffStep::Remove) edit.lost.push_back(step.before);
+        if (step.kind == DiffStep::Add) edit.gained.push_back(step.now);
+    }
+    return edit;
+}
+
+std::string block_of(const std::vector<Statement>& statements, size_t i) {
+    const size_t head = statements[i].head;
+    if (head == Statement::kNoHead) return "the head";
+    if (statements[head].head == Statement::kNoHead) return "the function's body";
+    return "`" + statements[head].shown + "`";
+}
+
+std::vector<std::string> other_places(const StatementEdit& source, const StatementEdit& target) {
+    std::vector<std::string> out;
+    bool braces = false;
+    const auto compare = [&](const std::vector<Anchor>& shared, const std::vector<Statement>& here,
+                             const std::vector<size_t>& at, const std::vector<Statement>& there,
+                             const std::vector<size_t>& other, const char* verb) {
+        for (size_t k = 0; k < std::min(at.size(), other.size()); ++k) {
+            const bool is_brace = here[at[k]].is_brace(), other_is_brace = there[other[k]].is_brace();
+            if (is_brace == other_is_brace && same_place(shared, at[k], other[k])) continue;
+            if (is_brace || other_is_brace)
+                braces = true;
+            else
+                out.push_back(std::string("both sides ") + verb + " `" + here[at[k]].shown +
+                              "`, but at different places: " + both_places(here, at[k], there, other[k]));
+        }
+    };
+    const std::vector<Anchor> before = anchors(source.before, target.before);
+    compare(still_there(before, source, target), source.now, source.gained, target.now, target.gained, "gained");
+    compare(before, source.before, source.lost, target.before, target.lost, "lost");
+    if (!braces || !out.empty()) return out;
+    const std::string moved = moved_block(source, target);
+    out.push_back(moved.empty() ? "the two sides closed a block at different places" : moved);
+    return out;
+}
+
+}  // namespace porttool

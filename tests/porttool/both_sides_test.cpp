@@ -1,0 +1,194 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+// Both sides changed: when that is the same edit. The expectations are what the two programs compute.
+#include <gtest/gtest.h>
+
+#include "porttool/compare/dialect.h"
+#include "tests/porttool/run_command.h"
+
+namespace porttool::testing {
+namespace {
+
+using Edit = std::pair<std::string, std::string>;
+
+/// The findings of check after both sides of a pair changed, without notes: "" if the pair is in step.
+std::string found(const std::string& source, const std::string& target, const std::string& source_now,
+                  const std::string& target_now, const std::string& suffix = ".comp") {
+    MemoryDisk disk;
+    const std::string port = "/r/port/k" + suffix;
+    disk.files = {{"/r/src/k.cu", source}, {port, target}};
+    run(disk, {"-C", "/r", "init", "--source", "src/*", "--target", "port/*"});
+    EXPECT_EQ(check(disk)["summary"]["in_step"], 1);
+    disk.files["/r/src/k.cu"] = source_now;
+    disk.files[port] = target_now;
+    const auto report = check(disk);
+    std::string out;
+    for (const auto& finding : report["findings"])
+        if (finding["level"] != "note")
+            out += finding["rule"].get<std::string>() + ": " + finding["details"].dump() + "\n";
+    return out;
+}
+
+/// A body as a kernel in CUDA and, with its literals and types respelled, as a function in GLSL.
+std::string as_cuda(const std::string& body) {
+    return "__device__ float f(float a, float x, int m, int n) {\n" + body + "\n}\n";
+}
+std::string as_glsl(std::string body) {
+    for (size_t at = 0; (at = body.find("5f", at)) != std::string::npos;) body.erase(at + 1, 1);
+    return "float f(float a, float x, int m, int n) {\n" + body + "\n}\n";
+}
+
+/// What check finds when both sides start with `body` and are edited, each in its way.
+std::string found_in(const std::string& body, const std::string& source_now, const std::string& target_now) {
+    return found(as_cuda(body), as_glsl(body), as_cuda(source_now), as_glsl(target_now));
+}
+
+struct Place {
+    std::string body, one, other;
+    std::string says;
+};
+
+TEST(BothSides, TheSameStatementInAnotherPlaceIsAnotherEdit) {
+    const std::string loop = "float s = x; for (int i = 0; i < n; ++i) { a += step(i); } return a;";
+    const std::string branch = "if (m > 0) { a += x; note(); } a -= x; return a;";
+    const std::string repeated = "x += a; f(); x += a; return x;";
+    const std::string both = "if (m > 0) { g(); f(); } else { h(); f(); } return a;";
+    const std::string cases =
+        "switch (m) { case 0: a = x; break; case 1: a = 2.5f; break; default: a = 3.5f; } return a;";
+    const std::vector<Place> rows = {
+        {loop, replaced(loop, "step(i); }", "step(i); a *= 0.5f; }"),
+         replaced(loop, "step(i); }", "step(i); } a *= 0.5f;"),
+         "in `for (int i = 0; i < n; + + i)` in the source, in the function's body in the port"},
+        {branch, replaced(branch, "note(); }", "note(); a = 0; }"), replaced(branch, "note(); }", "note(); } a = 0;"),
+         "in `if (m > 0)` in the source, in the function's body in the port"},
+        {branch, replaced(branch, "note(); }", "} note();"), replaced(branch, "} a -= x;", "a -= x; }"),
+         "`if (m > 0)`"},
+        {repeated, "f(); x += a; return x;", "x += a; f(); return x;", "lost `x + = a`"},
+        {both, replaced(both, "g(); f();", "g();"), replaced(both, "h(); f();", "h();"),
+         "in `if (m > 0)` in the source, in `else` in the port"},
+        {cases, replaced(cases, "a = x; break;", "a = x;"), replaced(cases, "a = 2.5f; break;", "a = 2.5f;"),
+         "lost `break`"}};
+    for (const Place& row : rows) {
+        const std::string differs = found_in(row.body, row.one, row.other);
+        EXPECT_TRUE(differs.starts_with("port-differs")) << row.one << "\n" << row.other;
+        std::string told = differs, wanted = row.says;
+        for (std::string* text : {&told, &wanted}) std::erase(*text, ' ');
+        EXPECT_NE(told.find(wanted), std::string::npos) << differs;
+        EXPECT_EQ(found_in(row.body, row.one, row.one), "") << row.one;
+        EXPECT_EQ(found_in(row.body, row.other, row.other), "") << row.other;
+    }
+}
+
+TEST(BothSides, TheSamePlaceInABodyThatThePortSpellsOtherwiseIsTheSameEdit) {
+    const std::string source = "float s = x; for (int i = 0; i < n; ++i) { a += step(i); a += s; } return a;";
+    const std::string target = "float s = x; for (uint i = 0u; i < count; ++i) { a += step(i); a += s; } return a;";
+    const Edit inside = {"a += s;", "a += s; a *= 0.5f;"}, outside = {"return a", "a *= 0.5f; return a"};
+    const auto edited = [&](const Edit& here, const Edit& there) {
+        return found(as_cuda(source), as_glsl(target), as_cuda(replaced(source, here.first, here.second)),
+                     as_glsl(replaced(target, there.first, there.second)));
+    };
+    EXPECT_EQ(edited(inside, inside), "");
+    EXPECT_EQ(edited(outside, outside), "");
+    EXPECT_NE(edited(inside, outside), "");
+    EXPECT_NE(edited(outside, inside), "");
+}
+
+TEST(BothSides, AMovedBraceOnOneSideNamesTheStatementThatMoved) {
+    const std::string body = "if (m > 0) { a += x; note(); } a -= x; return a;";
+    const std::string moved = replaced(body, "note(); }", "} note();");
+    const std::string told = found(as_cuda(body), as_glsl(body), as_cuda(moved), as_glsl(body));
+    EXPECT_EQ(told.find("rearranged"), std::string::npos) << told;
+    EXPECT_NE(told.find("note()"), std::string::npos) << told;
+}
+
+/// What each side's new statement is, and whether they mean the same.
+struct Words {
+    std::string source, target;
+    bool same;
+};
+
+void expect_words(const std::vector<Words>& rows, const std::string& suffix) {
+    const std::string head =
+                          "float f(float a, float in, float out, int n, uint u, uint U, int n_1, int n1, thing "
+                          "buffer) {\n    float y = a;\n",
+                      tail = "    return y * a;\n}\n";
+    for (const Words& row : rows) {
+        const std::string told = found("__device__ " + head + tail, head + tail,
+                                       "__device__ " + head + row.source + tail, head + row.target + tail, suffix);
+        EXPECT_EQ(told.empty(), row.same) << row.source << " | " << row.target << "\n" << told;
+    }
+}
+
+TEST(BothSides, WordsOfOtherMeaningAreOtherEditsInGlsl) {
+    expect_words({{"y = n / 2;", "y = n / 2.0f;", false},
+                  {"y = a * 0.5f;", "y = a * 0.5;", true},
+                  {"y = a * 2.0f;", "y = a * 2.;", true},
+                  {"y = a * 1e-5f;", "y = a * 1e-5;", true},
+                  {"y = rint(a);", "y = round(a);", false},
+                  {"y = rintf(a);", "y = rint(a);", true},
+                  {"y = fmod(a, y);", "y = mod(a, y);", false},
+                  {"y = __clz(n);", "y = findMSB(n);", false},
+                  {"y = __ffs(n);", "y = findLSB(n);", false},
+                  {"y = INFINITY;", "y = FLT_MAX;", false},
+                  {"y = fabsf(a);", "y = abs(a);", true},
+                  {"y = lerp(a, y, a);", "y = mix(a, y, a);", true},
+                  {"y = n_1;", "y = n1;", false},
+                  {"y = u;", "y = U;", false},
+                  {"y = u;", "y = u;", true},
+                  {"y = shadow_ray(a);", "y = shadowRay(a);", true},
+                  {"y = in;", "y = out;", false},
+                  {"y = g(in, buffer);", "y = g(buffer, in);", false},
+                  {"y = g(in, buffer);", "y = g(in, buffer);", true},
+                  {"static int k = 0;", "int k = 0;", false},
+                  {"static const int k = 0;", "const int k = 0;", true},
+                  {"__shared__ float k[2];", "float k[2];", false},
+                  {"__shared__ float k[2];", "shared float k[2];", true},
+                  {"const float* p = q;", "float* p = q;", true},
+                  {"unsigned int k = 3u;", "uint k = 3u;", true},
+                  {"unsigned int k = 3u;", "int k = 3;", false},
+                  {"y = (float)n;", "y = float(n);", true},
+                  {"y = (float)n / a;", "y = float(n) / a;", true},
+                  {"y = (float)n / a;", "y = float(n / a);", false},
+                  {"y = (float)(n + 1) * a;", "y = float(n + 1) * a;", true},
+                  {"y = (unsigned int)-n;", "y = uint(-n);", true},
+                  {"y = static_cast<float>(n);", "y = float(n);", true},
+                  {"y = (a) * n;", "y = a(n);", false}},
+                 ".comp");
+}
+
+TEST(BothSides, WordsOfOtherMeaningAreOtherEditsInCpp) {
+    expect_words({{"y = a * 1e-5f;", "y = a * 1e-5;", false},
+                  {"y = a * 1e-5f;", "y = a * 0.00001f;", true},
+                  {"y = abs(n);", "y = fabs(n);", false},
+                  {"y = fabsf(a);", "y = fabs(a);", true},
+                  {"y = N1::foo(a);", "y = N2::foo(a);", false},
+                  {"y = N1::foo(a);", "y = N1::foo(a);", true},
+                  {"y = N1::foo(a);", "y = foo(a);", true},
+                  {"y = std::sqrt(a);", "y = sqrtf(a);", true}},
+                 ".cpp");
+}
+
+TEST(BothSides, AScopeThatThePortCallsOtherwiseThroughoutIsTheSame) {
+    const std::string source = "__device__ float f(float a) {\n    float y = cuda::foo(a);\n    return y;\n}\n";
+    const std::string target = "float f(float a) {\n    float y = cpu::foo(a);\n    return y;\n}\n";
+    const Edit more = {"return y", "y += S::bar(y); return y"};
+    const auto with = [&](const std::string& text, const std::string& scope) {
+        return replaced(replaced(text, more.first, more.second), "S::", scope + "::");
+    };
+    EXPECT_EQ(found(source, target, with(source, "cuda"), with(target, "cpu"), ".cpp"), "");
+    EXPECT_NE(found(source, target, with(source, "cuda"), with(target, "other"), ".cpp"), "");
+}
+
+/// The matcher still takes them for the same.
+TEST(BothSides, UnlikeFunctionsStillPairUnits) {
+    const Dialect dialect;
+    for (const auto& [one, other] : std::vector<std::pair<std::string, std::string>>{
+             {"fmodf", "mod"}, {"rint", "round"}, {"__clz", "findMSB"}, {"__ffs", "findLSB"}, {"fabs", "abs"}}) {
+        ASSERT_NE(dialect.find(one), nullptr);
+        EXPECT_EQ(*dialect.find(one), *dialect.find(other)) << one;
+        EXPECT_NE(*dialect.meaning(one), *dialect.meaning(other)) << one;
+    }
+}
+
+}  // namespace
+}  // namespace porttool::testing
