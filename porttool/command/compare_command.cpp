@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <filesystem>
+#include <future>
 
 #include "porttool/command/commands.h"
 #include "porttool/compare/measure.h"
@@ -116,8 +117,10 @@ Outcome compare_command(const Options& options, Workplace& place) {
     require_format(options.format, {"text", "json"});
     const std::string root = find_root(place.disk, options.directory);
     const Dialect dialect = read_dialect(options, place.disk, root);
+    std::future<ReadSide> other =
+        std::async(std::launch::async, [&] { return read_side(options, place.disk, root, options.paths.at(1)); });
     const ReadSide a = read_side(options, place.disk, root, options.paths.at(0));
-    const ReadSide b = read_side(options, place.disk, root, options.paths.at(1));
+    const ReadSide b = other.get();
     CompareReport report{a.id(), b.id(), a.file.path, b.file.path, {}, {}};
     report.similarity = measure({a.excerpt()}, {b.excerpt()}, dialect, report.parameters);
     return {options.format == "json" ? compare_json(report) : compare_table(report), 0};

@@ -3,6 +3,7 @@
 #include "porttool/compare/measure.h"
 
 #include <algorithm>
+#include <future>
 
 #include "metrics/code/line_divergence.h"
 #include "metrics/code/string_tiling.h"
@@ -191,9 +192,14 @@ Similarity measure_linear(const Passage& a, const Passage& b, const Dialect& dia
     sides.a = table.place(a);
     sides.b = table.place(b);
     Similarity out;
-    auto measure_one = [&](Vocabulary vocabulary, const char* name, std::optional<double>& in_a,
-                           std::optional<double>& in_b) {
-        Shares found = find_shares(table, sides, vocabulary, parameters);
+    // The three vocabularies have nothing to do with each other; for long texts each gets a thread.
+    constexpr size_t kWorthAThread = 100'000;
+    const bool is_long = sides.a.size() + sides.b.size() > kWorthAThread;
+    const std::launch when = is_long ? std::launch::async : std::launch::deferred;
+    const auto find = [&](Vocabulary vocabulary) { return find_shares(table, sides, vocabulary, parameters); };
+    std::future<Shares> blind = std::async(when, find, Vocabulary::Blind);
+    std::future<Shares> raw = std::async(when, find, Vocabulary::Raw);
+    const auto note = [&](Shares found, const char* name, std::optional<double>& in_a, std::optional<double>& in_b) {
         if (found.measured) {
             in_a = percent(found.covered_a, found.a.token_count);
             in_b = percent(found.covered_b, found.b.token_count);
@@ -202,9 +208,9 @@ Similarity measure_linear(const Passage& a, const Passage& b, const Dialect& dia
         }
         return found;
     };
-    shares = measure_one(Vocabulary::Dialect, "moss_percent", out.a.moss_percent, out.b.moss_percent);
-    measure_one(Vocabulary::Blind, "moss_percent_blind", out.a.moss_percent_blind, out.b.moss_percent_blind);
-    measure_one(Vocabulary::Raw, "moss_percent_raw", out.a.moss_percent_raw, out.b.moss_percent_raw);
+    shares = note(find(Vocabulary::Dialect), "moss_percent", out.a.moss_percent, out.b.moss_percent);
+    note(blind.get(), "moss_percent_blind", out.a.moss_percent_blind, out.b.moss_percent_blind);
+    note(raw.get(), "moss_percent_raw", out.a.moss_percent_raw, out.b.moss_percent_raw);
     out.a.tokens = shares.a.token_count;
     out.b.tokens = shares.b.token_count;
     out.a_lines = lines_of(a, sides.a, shares.a, shares.covered_a);
