@@ -6,29 +6,12 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "porttool/text/utf8.h"
+
 namespace porttool {
 namespace {
 
 using nlohmann::ordered_json;
-
-constexpr std::string_view kReplacement = "\xEF\xBF\xBD";
-
-/// Length of the UTF-8 sequence at the start of a text, or 0 if there is none: overlong ones and surrogates are none.
-size_t sequence_length(std::string_view text) {
-    const auto byte = [&](size_t i) { return static_cast<unsigned char>(text[i]); };
-    const unsigned char lead = byte(0);
-    const size_t length = lead < 0x80                   ? 1
-                          : lead >= 0xC2 && lead < 0xE0 ? 2
-                          : (lead >> 4) == 14           ? 3
-                          : lead >= 0xF0 && lead < 0xF5 ? 4
-                                                        : 0;
-    if (length == 0 || length > text.size()) return 0;
-    for (size_t i = 1; i < length; ++i)
-        if ((byte(i) & 0xC0) != 0x80) return 0;
-    if ((lead == 0xE0 && byte(1) < 0xA0) || (lead == 0xED && byte(1) >= 0xA0)) return 0;
-    if ((lead == 0xF0 && byte(1) < 0x90) || (lead == 0xF4 && byte(1) >= 0x90)) return 0;
-    return length;
-}
 
 std::vector<std::string_view> lines_of(std::string_view bytes) {
     if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);
@@ -42,19 +25,11 @@ std::vector<std::string_view> lines_of(std::string_view bytes) {
     return lines;
 }
 
-void append_utf8(std::string& out, std::string_view bytes) {
-    while (!bytes.empty()) {
-        const size_t length = sequence_length(bytes);
-        out += length > 0 ? bytes.substr(0, length) : kReplacement;
-        bytes.remove_prefix(std::max<size_t>(1, length));
-    }
-}
-
 /// How many UTF-16 units, the way JavaScript counts, the first `count` bytes of a line take in the page.
 uint32_t utf16_units(std::string_view line, size_t count) {
     uint32_t units = 0;
     for (size_t at = 0; at < std::min(count, line.size());) {
-        const size_t length = sequence_length(line.substr(at));
+        const size_t length = utf8_length(line.substr(at));
         units += length == 4 ? 2 : 1;
         at += std::max<size_t>(1, length);
     }
@@ -165,7 +140,7 @@ std::string filled(std::string_view page, const std::map<std::string_view, std::
 std::string page_text(std::string_view bytes) {
     std::string out;
     for (const std::string_view line : lines_of(bytes)) {
-        append_utf8(out, line);
+        out += as_utf8(line);
         out += '\n';
     }
     return out;

@@ -5,12 +5,9 @@
 #include <cstdint>
 
 namespace porttool {
-namespace {
 
-constexpr std::string_view kReplacement = "\xEF\xBF\xBD";
-
-/// The bytes of the character that stands first, or 0 if they are no UTF-8 (table 3-7 of the Unicode standard).
-size_t length_of_first(std::string_view text) {
+// Table 3-7 of the Unicode standard.
+size_t utf8_length(std::string_view text) {
     const auto byte = [&](size_t i) { return static_cast<uint8_t>(text[i]); };
     const uint8_t lead = byte(0);
     if (lead < 0x80) return 1;
@@ -25,6 +22,10 @@ size_t length_of_first(std::string_view text) {
     return length;
 }
 
+namespace {
+
+constexpr std::string_view kReplacement = "\xEF\xBF\xBD";
+
 bool is_printable(std::string_view character) {
     if (character.size() > 1) return character != "\xEF\xBF\xBE" && character != "\xEF\xBF\xBF";
     const auto byte = static_cast<uint8_t>(character[0]);
@@ -37,7 +38,7 @@ std::string replaced(std::string_view bytes, const Keeps& keeps) {
     std::string out;
     out.reserve(bytes.size());
     while (!bytes.empty()) {
-        const size_t length = length_of_first(bytes);
+        const size_t length = utf8_length(bytes);
         const bool kept = length > 0 && keeps(bytes.substr(0, length));
         out += kept ? bytes.substr(0, length) : kReplacement;
         bytes.remove_prefix(length > 0 ? length : 1);
@@ -49,7 +50,7 @@ std::string replaced(std::string_view bytes, const Keeps& keeps) {
 
 bool is_utf8(std::string_view bytes) {
     while (!bytes.empty()) {
-        const size_t length = length_of_first(bytes);
+        const size_t length = utf8_length(bytes);
         if (length == 0) return false;
         bytes.remove_prefix(length);
     }
