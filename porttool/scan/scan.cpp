@@ -11,6 +11,7 @@
 #include "porttool/scan/lexer.h"
 #include "porttool/scan/suppressions.h"
 #include "porttool/scan/units.h"
+#include "porttool/text/utf8.h"
 
 namespace porttool {
 namespace {
@@ -43,21 +44,11 @@ void number_names(std::vector<Unit>& units) {
     }
 }
 
-/// Length of the UTF-8 sequence at `at`, or 0 if there is none.
-size_t utf8_length(const std::string& text, size_t at) {
-    const auto lead = static_cast<unsigned char>(text[at]);
-    const size_t length = lead < 0x80 ? 1 : (lead >> 5) == 6 ? 2 : (lead >> 4) == 14 ? 3 : (lead >> 3) == 30 ? 4 : 0;
-    if (length == 0 || at + length > text.size()) return 0;
-    for (size_t i = 1; i < length; ++i)
-        if ((static_cast<unsigned char>(text[at + i]) & 0xC0) != 0x80) return 0;
-    return length;
-}
-
 /// Names of old files in Latin-1 must not make a map that is no valid text: their bytes are written as %E4.
-std::string as_utf8(const std::string& name) {
+std::string with_other_bytes_escaped(const std::string& name) {
     std::string out;
     for (size_t i = 0; i < name.size();) {
-        if (const size_t length = utf8_length(name, i); length > 0) {
+        if (const size_t length = utf8_length(std::string_view(name).substr(i)); length > 0) {
             out.append(name, i, length);
             i += length;
             continue;
@@ -150,7 +141,7 @@ ScannedFile scan_text(std::string_view path, std::string_view text) {
         found = find_units(file.lexed, structure, file.language);
     }
     file.units = merge(std::move(found.units), find_macro_units(file.lexed));
-    for (Unit& unit : file.units) unit.name = as_utf8(unit.name);
+    for (Unit& unit : file.units) unit.name = with_other_bytes_escaped(unit.name);
     number_names(file.units);
     for (const Unit& unit : file.units) found.declarations.push_back(unit.tokens);
     classify_lines(file, found.declarations);
