@@ -21,7 +21,7 @@ constexpr uint32_t LAST_ROWS = BINDING_SHADOW_CONTRIBUTION;
 constexpr VkBufferUsageFlags STORAGE = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
 
 const char* const ROWS_NAMES[] = {
-    "path origins", "path directions", "path throughputs", "path radiances",    "path hits",
+    "path origins", "path directions", "path throughputs", "path radiances",    "surface queue",
     "queue",        "next queue",      "shadow origins",   "shadow directions", "shadow contributions"};
 
 uint64_t rows_bytes(uint32_t binding, uint32_t batch) {

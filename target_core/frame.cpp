@@ -38,6 +38,7 @@ struct Worker {
 void next_segment(Tile& tile) {
     std::swap(tile.current, tile.next);
     tile.next.count = 0;
+    tile.surface_count = 0;
     tile.shadow_count = 0;
 }
 

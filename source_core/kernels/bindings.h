@@ -33,9 +33,9 @@ const uint BINDING_PATH_ORIGIN = 16u;
 const uint BINDING_PATH_DIRECTION = 17u;
 const uint BINDING_PATH_THROUGHPUT = 18u;
 const uint BINDING_PATH_RADIANCE = 19u;
-const uint BINDING_PATH_HIT = 20u;
-const uint BINDING_QUEUE = 21u;       // of this segment
-const uint BINDING_NEXT_QUEUE = 22u;  // of the next segment
+const uint BINDING_SURFACE_QUEUE = 20u;  // what rays of this segment met
+const uint BINDING_QUEUE = 21u;          // of this segment
+const uint BINDING_NEXT_QUEUE = 22u;     // of the next segment
 const uint BINDING_SHADOW_ORIGIN = 23u;
 const uint BINDING_SHADOW_DIRECTION = 24u;
 const uint BINDING_SHADOW_CONTRIBUTION = 25u;
@@ -45,15 +45,16 @@ const uint BINDING_ACCUMULATOR = 28u;
 const uint BINDING_TARGET = 29u;
 const uint BINDING_COUNT = 30u;
 
-// counters: the rays of all passes since the buffer was cleared, then two words per segment, from segment 0.
+// counters: the rays of all passes since the buffer was cleared, then three words per segment, from segment 0.
 const uint COUNTER_EXTENSION_TOTAL = 0u;
 const uint COUNTER_SHADOW_TOTAL = 1u;
 const uint COUNTER_SEGMENTS = 2u;
-const uint COUNTERS_PER_SEGMENT = 2u;
+const uint COUNTERS_PER_SEGMENT = 3u;
 const uint COUNTER_EXTENSION = 0u;  // entries in the segment's queue
 const uint COUNTER_SHADOW = 1u;     // shadow rays that shading the segment pushed
+const uint COUNTER_SURFACE = 2u;    // rays of the segment that met a surface
 
-// arguments: work groups in x, y and z of the next extend and shade, then of the next connect.
+// arguments: work groups in x, y and z of the next extend and shade (whose jobs are no more), then of the next connect.
 const uint ARGUMENTS_EXTENSION = 0u;
 const uint ARGUMENTS_SHADOW = 4u;
 const uint ARGUMENTS_WORDS = 8u;

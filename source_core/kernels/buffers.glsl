@@ -70,7 +70,7 @@ ROWS(vec4, path_origin, BINDING_PATH_ORIGIN)
 ROWS(vec4, path_direction, BINDING_PATH_DIRECTION)
 ROWS(vec4, path_throughput, BINDING_PATH_THROUGHPUT)
 ROWS(vec4, path_radiance, BINDING_PATH_RADIANCE)
-ROWS(uvec4, path_hit, BINDING_PATH_HIT)
+ROWS(uvec4, surface_queue, BINDING_SURFACE_QUEUE)
 ROWS(uint, queue, BINDING_QUEUE)
 ROWS(uint, next_queue, BINDING_NEXT_QUEUE)
 ROWS(vec4, shadow_origin, BINDING_SHADOW_ORIGIN)
@@ -89,7 +89,18 @@ uint extension_job_count() { return counters[segment_counter(pass.segment, COUNT
 
 uint shadow_job_count() { return counters[segment_counter(pass.segment, COUNTER_SHADOW)]; }
 
+uint surface_job_count() { return counters[segment_counter(pass.segment, COUNTER_SURFACE)]; }
+
 Uint load_extension_job(Uint job) { return load_queue(job); }
+
+uvec4 load_surface_job(Uint job) { return load_surface_queue(job); }
+
+void push_surface_job(uvec4 path_instance_triangle, Mask where) {
+    if (where) {
+        Uint entry = atomicAdd(counters[segment_counter(pass.segment, COUNTER_SURFACE)], 1u);
+        store_surface_queue(entry, path_instance_triangle, true);
+    }
+}
 
 // generate runs as segment 0.
 void push_extension_ray(Uint path, Mask where) {

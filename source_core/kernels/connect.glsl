@@ -12,11 +12,10 @@ void connect_shadow_ray(Uint job) {
     vec4 origin = load_shadow_origin(job);
     vec4 direction = load_shadow_direction(job);
     Uint path = floatBitsToUint(direction.w);
-    Uint stream = pixel_seed(path + pass.first_pixel, settings.seed);
     Ray ray;
     ray.origin = vec3(origin);
     ray.direction = vec3(direction);
-    Mask blocked = trace_any(ray, origin.w, ray_key(stream, pass.sample_index, pass.segment, RAY_SHADOW));
+    Mask blocked = trace_any(ray, origin.w, ray_key(path, RAY_SHADOW));
     vec4 radiance = load_path_radiance(path) + load_shadow_contribution(job);
     store_path_radiance(path, radiance, !blocked);
 }

@@ -5,15 +5,25 @@
 #define EXTEND_GLSL
 
 #include "alpha.glsl"
+#include "sky.glsl"
 #include "trace.glsl"
 
-// Finds what the path's current ray meets first.
+void shade_sky(Uint path, vec3 direction, Throughput throughput, Mask where) {
+    SkyLookup sky = look_up_sky(direction);
+    add_radiance(path, throughput.weight * sky.radiance * found_by_chance(throughput, sky.pdf), where);
+}
+
+// Finds what the path's current ray meets first: a surface, to be shaded, or the sky, which ends the path here, so
+// that shading has surfaces only in all its lanes.
 void extend_path(Uint job) {
     Uint path = load_extension_job(job);
-    Uint stream = pixel_seed(path + pass.first_pixel, settings.seed);
     PathRay path_ray = load_path_ray(path);
-    Hit hit = trace_closest(path_ray.ray, ray_key(stream, pass.sample_index, pass.segment, RAY_EXTENSION));
-    store_hit(path, hit, true);
+    Hit hit = trace_closest(path_ray.ray, ray_key(path, RAY_EXTENSION));
+    Mask missed = hit.instance == NONE;
+    push_surface_job(uvec4(path, hit.instance, hit.triangle, 0u), !missed);
+    if (any_lane(missed)) {
+        shade_sky(path, path_ray.ray.direction, load_throughput(path), missed);
+    }
 }
 
 #endif

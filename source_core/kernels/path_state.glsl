@@ -12,13 +12,10 @@ struct Ray {
     vec3 direction;  // unit length
 };
 
-// What trace_closest finds. `triangle` is trace's own handle; u and v belong to vertices 1 and 2.
+// What trace_closest finds. `triangle` is trace's own handle.
 struct Hit {
     Uint instance;  // NONE: nothing
     Uint triangle;
-    Float t;
-    Float u;
-    Float v;
 };
 
 // A ray with its cone (Akenine-Moller et al. 2021): width at the origin and growth per unit length.
@@ -44,19 +41,36 @@ void store_path_ray(Uint path, PathRay path_ray, Mask where) {
     store_path_direction(path, vec4(path_ray.ray.direction, path_ray.cone_spread), where);
 }
 
-Hit load_hit(Uint path) {
-    uvec4 row = load_path_hit(path);
-    Hit hit;
-    hit.instance = row.x;
-    hit.triangle = row.y;
-    hit.t = 0.0f;
-    hit.u = uintBitsToFloat(row.z);
-    hit.v = uintBitsToFloat(row.w);
-    return hit;
+// What a path carries from vertex to vertex.
+struct Throughput {
+    vec3 weight;  // product of BSDF * cosine / pdf
+    Float pdf;    // per solid angle, of the last direction; 0: from the eye or a delta lobe
+};
+
+Throughput load_throughput(Uint path) {
+    vec4 row = load_path_throughput(path);
+    Throughput throughput;
+    throughput.weight = vec3(row);
+    throughput.pdf = row.w;
+    return throughput;
 }
 
-void store_hit(Uint path, Hit hit, Mask where) {
-    store_path_hit(path, uvec4(hit.instance, hit.triangle, floatBitsToUint(hit.u), floatBitsToUint(hit.v)), where);
+void add_radiance(Uint path, vec3 radiance, Mask where) {
+    vec4 sum = load_path_radiance(path);
+    store_path_radiance(path, vec4(vec3(sum) + radiance, 0.0f), where);
+}
+
+// Balance of two strategies by the power heuristic, Veach 1997; `pdf` > 0 is the one in use.
+Float power_heuristic(Float pdf, Float other) {
+    Float ratio = other / max(pdf, SMALLEST);
+    return 1.0f / (1.0f + ratio * ratio);
+}
+
+// Weight of radiance that the BSDF's sampling found, where next event estimation could have found it with
+// density `light_pdf`.
+Float found_by_chance(Throughput throughput, Float light_pdf) {
+    Mask competes = throughput.pdf > 0.0f && settings.next_event_estimation != 0u;
+    return select(competes, power_heuristic(throughput.pdf, light_pdf), Float(1.0f));
 }
 
 #endif

@@ -8,7 +8,7 @@
 
 void main() {
     uint job = gl_GlobalInvocationID.x;
-    if (job < extension_job_count()) {
+    if (job < surface_job_count()) {
         shade_path(job);
     }
 }

@@ -8,40 +8,9 @@
 #include "lights.glsl"
 #include "trace.glsl"
 
-// What a path carries from vertex to vertex.
-struct Throughput {
-    vec3 weight;  // product of BSDF * cosine / pdf
-    Float pdf;    // per solid angle, of the last direction; 0: from the eye or a delta lobe
-};
-
-Throughput load_throughput(Uint path) {
-    vec4 row = load_path_throughput(path);
-    Throughput throughput;
-    throughput.weight = vec3(row);
-    throughput.pdf = row.w;
-    return throughput;
-}
-
-void add_radiance(Uint path, vec3 radiance, Mask where) {
-    vec4 sum = load_path_radiance(path);
-    store_path_radiance(path, vec4(vec3(sum) + radiance, 0.0f), where);
-}
-
-// Weight of radiance that the BSDF's sampling found, where next event estimation could have found it with
-// density `light_pdf`.
-Float found_by_chance(Throughput throughput, Float light_pdf) {
-    Mask competes = throughput.pdf > 0.0f && settings.next_event_estimation != 0u;
-    return select(competes, power_heuristic(throughput.pdf, light_pdf), Float(1.0f));
-}
-
-void shade_sky(Uint path, vec3 direction, Throughput throughput, Mask where) {
-    SkyLookup sky = look_up_sky(direction);
-    add_radiance(path, throughput.weight * sky.radiance * found_by_chance(throughput, sky.pdf), where);
-}
-
-void shade_emission(Uint path, vec3 direction, Surface surface, Material material, Throughput throughput, Mask where) {
+void shade_emission(Uint path, vec3 direction, Surface surface, Material material, Throughput throughput) {
     Mask double_sided = (material.flags & MATERIAL_DOUBLE_SIDED) != 0u;
-    Mask shines = where && (surface.front || double_sided) && max_component(material.emission) > 0.0f;
+    Mask shines = (surface.front || double_sided) && max_component(material.emission) > 0.0f;
     if (any_lane(shines)) {
         Float cosine = max(abs(dot(surface.geometric_normal, direction)), 1.0e-6f);
         Float density = material.emission_weight * settings.light_weight_scale;
@@ -81,12 +50,12 @@ vec3 leave_point(Scatterer scatterer, vec3 w) {
 }
 
 // Next event estimation: one light, weighted against the BSDF's own sampling; its ray goes to the shadow queue.
-void estimate_next_event(Uint path, Scatterer scatterer, vec3 weight, Uint stream, uint first_pair, Mask where) {
+void estimate_next_event(Uint path, Scatterer scatterer, vec3 weight, Uint stream, uint first_pair) {
     LightSample light = sample_light(scatterer.position, stream, pass.sample_index, first_pair);
     BsdfValue bsdf = evaluate_bsdf(scatterer.bsdf, to_local(scatterer.frame, light.direction));
     Float share = select(light.is_delta, Float(1.0f), power_heuristic(light.pdf, bsdf.pdf));
     vec3 contribution = weight * bsdf.value * light.radiance * (share / max(light.pdf, SMALLEST));
-    Mask counts = where && light.pdf > 0.0f && max_component(contribution) > 0.0f;
+    Mask counts = light.pdf > 0.0f && max_component(contribution) > 0.0f;
     vec3 origin = leave_point(scatterer, light.direction);
     push_shadow_ray(vec4(origin, light.distance * 0.9999f), vec4(light.direction, uintBitsToFloat(path)),
                     vec4(contribution, 0.0f), counts);
@@ -105,13 +74,13 @@ Float cone_growth(Bsdf bsdf, BsdfSample bsdf_sample) {
 }
 
 void continue_path(Uint path, Scatterer scatterer, Surface surface, PathRay path_ray, vec3 weight, Uint stream,
-                   uint first_pair, Mask where) {
+                   uint first_pair) {
     vec2 u = random_pair(stream, pass.sample_index, first_pair + PAIR_BSDF);
     vec2 lobe = random_pair(stream, pass.sample_index, first_pair + PAIR_LOBE);
     BsdfSample bsdf_sample = sample_bsdf(scatterer.bsdf, u, lobe.x);
     vec3 carried = weight * bsdf_sample.weight;
     Float survival = survival_probability(carried);
-    Mask lives = where && bsdf_sample.valid && max_component(carried) > 0.0f && lobe.y < survival;
+    Mask lives = bsdf_sample.valid && max_component(carried) > 0.0f && lobe.y < survival;
     vec3 direction = normalized(to_world(scatterer.frame, bsdf_sample.wi));
     PathRay next;
     next.ray.origin = leave_point(scatterer, direction);
@@ -123,37 +92,27 @@ void continue_path(Uint path, Scatterer scatterer, Surface surface, PathRay path
     push_extension_ray(path, lives);
 }
 
-void shade_surface(Uint path, PathRay path_ray, Hit hit, Throughput throughput, Mask where) {
-    Hit safe = hit;
-    safe.instance = select(where, hit.instance, Uint(0u));
-    safe.triangle = select(where, hit.triangle, Uint(0u));
+// What happens where a ray met a surface: emission, next event estimation and the next segment.
+void shade_path(Uint job) {
+    uvec4 row = load_surface_job(job);
+    Uint path = row.x;
+    Hit hit;
+    hit.instance = row.y;
+    hit.triangle = row.z;
+    PathRay path_ray = load_path_ray(path);
+    Throughput throughput = load_throughput(path);
     vec3 direction = path_ray.ray.direction;
-    Surface surface = make_surface(path_ray, safe, fetch_triangle(safe.instance, safe.triangle));
+    Surface surface = make_surface(path_ray, hit, fetch_triangle(hit.instance, hit.triangle));
     Material material = fetch_material(surface);
-    shade_emission(path, direction, surface, material, throughput, where);
+    shade_emission(path, direction, surface, material, throughput);
     if (pass.segment < settings.max_path_length) {
         Uint stream = pixel_seed(path + pass.first_pixel, settings.seed);
         uint first_pair = pass.segment * PAIRS_PER_VERTEX;
         Scatterer scatterer = make_scatterer(surface, material, direction);
         if (has_feature(FEATURE_LIGHTS) && settings.next_event_estimation != 0u) {
-            estimate_next_event(path, scatterer, throughput.weight, stream, first_pair, where);
+            estimate_next_event(path, scatterer, throughput.weight, stream, first_pair);
         }
-        continue_path(path, scatterer, surface, path_ray, throughput.weight, stream, first_pair, where);
-    }
-}
-
-// What happens at the end of a segment: the sky, or emission, next event estimation and the next segment.
-void shade_path(Uint job) {
-    Uint path = load_extension_job(job);
-    PathRay path_ray = load_path_ray(path);
-    Throughput throughput = load_throughput(path);
-    Hit hit = load_hit(path);
-    Mask missed = hit.instance == NONE;
-    if (any_lane(missed)) {
-        shade_sky(path, path_ray.ray.direction, throughput, missed);
-    }
-    if (any_lane(!missed)) {
-        shade_surface(path, path_ray, hit, throughput, !missed);
+        continue_path(path, scatterer, surface, path_ray, throughput.weight, stream, first_pair);
     }
 }
 

@@ -171,16 +171,24 @@ Uint descend(BoxRay box_ray, Uint node, Float latest, inout Uint depth) {
     return near.x < MISSED ? words.x : pop_word(depth);
 }
 
+// A triangle that the ray crosses.
+struct Crossing {
+    Uint instance;  // NONE: nothing
+    Uint triangle;
+    Uint primitive;
+    Float t;
+    Float u;
+    Float v;
+};
+
 // Where a walk stands.
 struct Walk {
     Uint word;      // what to visit next: a node, or what is left of a leaf
     Uint depth;     // entries on the stack
     Uint instance;  // whose tree this is; NONE: the scene's
-    Hit best;
-    Uint best_primitive;
-    Mask undecided;  // `candidate` would be the best hit if rays do not pass through it
-    Hit candidate;
-    Uint candidate_primitive;
+    Crossing best;
+    Mask undecided;  // `candidate` would be the best if rays do not pass through it
+    Crossing candidate;
     Float candidate_opacity;
 };
 
@@ -188,13 +196,12 @@ Walk start_walk(Float tmax) {
     Walk walk;
     walk.best.instance = NONE;
     walk.best.triangle = 0u;
+    walk.best.primitive = 0u;
     walk.best.t = tmax;
     walk.best.u = 0.0f;
     walk.best.v = 0.0f;
-    walk.best_primitive = 0u;
     walk.undecided = false;
     walk.candidate = walk.best;
-    walk.candidate_primitive = 0u;
     walk.candidate_opacity = 1.0f;
     walk.instance = NONE;
     walk.word = 0u;
@@ -203,14 +210,15 @@ Walk start_walk(Float tmax) {
     return walk;
 }
 
-Hit select(Mask where, Hit yes, Hit no) {
-    Hit hit;
-    hit.instance = select(where, yes.instance, no.instance);
-    hit.triangle = select(where, yes.triangle, no.triangle);
-    hit.t = select(where, yes.t, no.t);
-    hit.u = select(where, yes.u, no.u);
-    hit.v = select(where, yes.v, no.v);
-    return hit;
+Crossing select(Mask where, Crossing yes, Crossing no) {
+    Crossing crossing;
+    crossing.instance = select(where, yes.instance, no.instance);
+    crossing.triangle = select(where, yes.triangle, no.triangle);
+    crossing.primitive = select(where, yes.primitive, no.primitive);
+    crossing.t = select(where, yes.t, no.t);
+    crossing.u = select(where, yes.u, no.u);
+    crossing.v = select(where, yes.v, no.v);
+    return crossing;
 }
 
 // Tests the first triangle of the leaf in walk.word, and takes it off.
@@ -220,30 +228,28 @@ void test_next(Ray ray, bool any_hit, inout Walk walk) {
     TriangleSlot triangle = place_slot(fetch_slot(slot), walk.instance);
     TriangleTest test = intersect_triangle(ray.origin, ray.direction, triangle.v0, triangle.v1, triangle.v2);
     Mask earlier = triangle.instance < walk.best.instance ||
-                   (triangle.instance == walk.best.instance && triangle.primitive < walk.best_primitive);
+                   (triangle.instance == walk.best.instance && triangle.primitive < walk.best.primitive);
     Mask better = test.hit && (test.t < walk.best.t || (!any_hit && test.t == walk.best.t && earlier));
-    Hit hit;
-    hit.instance = triangle.instance;
-    hit.triangle = slot;
-    hit.t = test.t;
-    hit.u = test.u;
-    hit.v = test.v;
+    Crossing crossing;
+    crossing.instance = triangle.instance;
+    crossing.triangle = slot;
+    crossing.primitive = triangle.primitive;
+    crossing.t = test.t;
+    crossing.u = test.u;
+    crossing.v = test.v;
     if (has_feature(FEATURE_ALPHA)) {
         walk.undecided = better && triangle.opacity < 1.0f;
-        walk.candidate = hit;
-        walk.candidate_primitive = triangle.primitive;
+        walk.candidate = crossing;
         walk.candidate_opacity = triangle.opacity;
         better = better && !walk.undecided;
     }
-    walk.best = select(better, hit, walk.best);
-    walk.best_primitive = select(better, triangle.primitive, walk.best_primitive);
+    walk.best = select(better, crossing, walk.best);
 }
 
 void decide_candidate(Uint key, inout Walk walk) {
     Mask met = walk.undecided && meets_surface(walk.candidate_opacity, key, walk.candidate.instance,
-                                               walk.candidate_primitive, walk.candidate.u, walk.candidate.v);
+                                               walk.candidate.primitive, walk.candidate.u, walk.candidate.v);
     walk.best = select(met, walk.candidate, walk.best);
-    walk.best_primitive = select(met, walk.candidate_primitive, walk.best_primitive);
     walk.undecided = false;
 }
 
@@ -292,7 +298,7 @@ void walk_on(Ray ray, bool any_hit, inout BoxRay box_ray, inout Walk walk) {
     } while (walk.word != DONE && !walk.undecided);
 }
 
-Hit walk_tree(Ray ray, Float tmax, Uint key, bool any_hit) {
+Crossing walk_tree(Ray ray, Float tmax, Uint key, bool any_hit) {
     BoxRay box_ray = make_world_box_ray(ray);
     Walk walk = start_walk(tmax);
     do {
@@ -307,7 +313,13 @@ Hit walk_tree(Ray ray, Float tmax, Uint key, bool any_hit) {
     return walk.best;
 }
 
-Hit trace_closest(Ray ray, Uint key) { return walk_tree(ray, NO_HIT, key, false); }
+Hit trace_closest(Ray ray, Uint key) {
+    Crossing crossing = walk_tree(ray, NO_HIT, key, false);
+    Hit hit;
+    hit.instance = crossing.instance;
+    hit.triangle = crossing.triangle;
+    return hit;
+}
 
 Mask trace_any(Ray ray, Float tmax, Uint key) { return walk_tree(ray, min(tmax, NO_HIT), key, true).instance != NONE; }
 

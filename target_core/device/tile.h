@@ -34,9 +34,10 @@ struct Tile {
     TileRows<vec4> direction;
     TileRows<vec4> throughput;
     TileRows<vec4> radiance;
-    TileRows<uvec4> hit;
-    PathQueue current;  // of this segment
-    PathQueue next;     // of the next one
+    PathQueue current;         // of this segment
+    PathQueue next;            // of the next one
+    TileRows<uvec4> surfaces;  // of this segment: path, instance, triangle
+    uint surface_count = 0;
     TileRows<vec4> shadow_origin;
     TileRows<vec4> shadow_direction;
     TileRows<vec4> shadow_contribution;

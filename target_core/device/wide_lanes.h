@@ -196,21 +196,20 @@ inline void scatter(const TileRows<target_core::vec4>& rows, Uint index, const v
     store_rows([&](uint lane) { return first + size_t{2} * halves[lane]; }, row.x.v, row.y.v, row.z.v, row.w.v);
 }
 
-inline void scatter(const TileRows<target_core::uvec4>& rows, Uint index, const uvec4& row, Mask where) {
-    Uint stored = select(where && active(), index, Uint(TILE_PATHS));
-    LaneWords halves(stored + stored);
-    float* first = reinterpret_cast<float*>(&rows[0].x);
-    store_rows([&](uint lane) { return first + size_t{2} * halves[lane]; }, uintBitsToFloat(row.x).v,
-               uintBitsToFloat(row.y).v, uintBitsToFloat(row.z).v, uintBitsToFloat(row.w).v);
-}
-
 // Appends LANES rows and counts those that are set, which come first; the spare rows take what is too much.
-inline uint compact(const TileRows<target_core::vec4>& rows, uint length, const vec4& row, Mask where) {
-    Mask kept = where && active();
-    float* end = &rows[length].x;
+inline uint append(float* end, uint length, const vec4& row, Mask kept) {
     store_rows([&](uint lane) { return end + 4 * lane; }, packed(kept.v, row.x.v), packed(kept.v, row.y.v),
                packed(kept.v, row.z.v), packed(kept.v, row.w.v));
     return length + static_cast<uint>(std::popcount(mask_bits(kept.v)));
+}
+
+inline uint compact(const TileRows<target_core::vec4>& rows, uint length, const vec4& row, Mask where) {
+    return append(&rows[length].x, length, row, where && active());
+}
+
+inline uint compact(const TileRows<target_core::uvec4>& rows, uint length, const uvec4& row, Mask where) {
+    vec4 bits = {uintBitsToFloat(row.x), uintBitsToFloat(row.y), uintBitsToFloat(row.z), uintBitsToFloat(row.w)};
+    return append(reinterpret_cast<float*>(&rows[length]), length, bits, where && active());
 }
 
 inline uint compact(const TileRows<uint>& words, uint length, Uint word, Mask where) {

@@ -12,7 +12,6 @@
 namespace target_core::kernels {
 
 inline TriangleVertices fetch_triangle(Uint instance, Uint triangle) {
-    static constexpr float NOWHERE[4] = {};
     const float* at[3][LANES];
     LaneWords instances(instance);
     LaneWords triangles(triangle);
@@ -20,12 +19,10 @@ inline TriangleVertices fetch_triangle(Uint instance, Uint triangle) {
     for (uint i = 0; i < LANES; ++i) {
         const InstanceGeometry& geometry = bound.geometry[instances[i]];
         baked |= static_cast<uint>(geometry.baked) << i;
-        // A lane that met nothing names instance 0, which may be hidden.
-        bool hidden = geometry.triangle_count == 0;
-        target_core::uvec4 corners = hidden ? target_core::uvec4(0u) : geometry.triangles[triangles[i]];
-        at[0][i] = hidden ? NOWHERE : &geometry.positions[corners.x].x;
-        at[1][i] = hidden ? NOWHERE : &geometry.positions[corners.y].x;
-        at[2][i] = hidden ? NOWHERE : &geometry.positions[corners.z].x;
+        const target_core::uvec4& corners = geometry.triangles[triangles[i]];
+        at[0][i] = &geometry.positions[corners.x].x;
+        at[1][i] = &geometry.positions[corners.y].x;
+        at[2][i] = &geometry.positions[corners.z].x;
     }
     // Positions are packed to three floats; load_rows reads a fourth, for which the meshes leave room at their end.
     auto load = [&](const float* const* rows) {
@@ -127,21 +124,10 @@ inline Hit trace_closest(const Ray& ray, const Uint& key) {
             find_closest<RTCRayHit8>(ray, lanes, &context.embree, first, found);
         }
     }
-    Mask met = Uint(found.geometry) != RTC_INVALID_GEOMETRY_ID;
+    static_assert(RTC_INVALID_GEOMETRY_ID == NONE);
     Hit hit;
     hit.instance = select(Uint(found.placed) != RTC_INVALID_GEOMETRY_ID, Uint(found.placed), Uint(found.geometry));
-    hit.triangle = select(met, Uint(found.primitive), Uint(0u));
-    hit.t = 0.0f;
-    hit.u = 0.0f;
-    hit.v = 0.0f;
-    if (any_lane(met)) {
-        TriangleVertices triangle = fetch_triangle(select(met, hit.instance, Uint(0u)), hit.triangle);
-        TriangleTest test = intersect_triangle(ray.origin, ray.direction, triangle.v0, triangle.v1, triangle.v2);
-        hit.t = select(met, test.t, Float(0.0f));
-        hit.u = select(met, test.u, Float(0.0f));
-        hit.v = select(met, test.v, Float(0.0f));
-    }
-    hit.instance = select(met, hit.instance, Uint(NONE));
+    hit.triangle = Uint(found.primitive);
     return hit;
 }
 

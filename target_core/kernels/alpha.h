@@ -12,8 +12,13 @@ namespace target_core::kernels {
 const uint RAY_EXTENSION = 0u;
 const uint RAY_SHADOW = 1u;
 
-inline Uint ray_key(Uint stream, uint sample_index, uint segment, uint kind) {
-    return hash_pair(stream, hash_pair(sample_index, segment * 2u + kind));
+inline Uint ray_key(Uint path, uint kind) {
+    Uint key = 0u;
+    if (has_feature(FEATURE_ALPHA)) {
+        Uint stream = pixel_seed(path + pass.first_pixel, settings.seed);
+        key = hash_pair(stream, hash_pair(pass.sample_index, pass.segment * 2u + kind));
+    }
+    return key;
 }
 
 // Coverage of a triangle whose alpha comes from a texture or from vertex colours; 0 or 1 under a cutoff.

@@ -33,7 +33,6 @@ inline vec4 load_path_origin(Uint path) { return gather(bound.tile->origin.get()
 inline vec4 load_path_direction(Uint path) { return gather(bound.tile->direction.get(), path); }
 inline vec4 load_path_throughput(Uint path) { return gather(bound.tile->throughput.get(), path); }
 inline vec4 load_path_radiance(Uint path) { return gather(bound.tile->radiance.get(), path); }
-inline uvec4 load_path_hit(Uint path) { return gather(bound.tile->hit.get(), path); }
 
 inline void store_path_origin(Uint path, vec4 row, Mask where) { scatter(bound.tile->origin, path, row, where); }
 inline void store_path_direction(Uint path, vec4 row, Mask where) { scatter(bound.tile->direction, path, row, where); }
@@ -41,12 +40,19 @@ inline void store_path_throughput(Uint path, vec4 row, Mask where) {
     scatter(bound.tile->throughput, path, row, where);
 }
 inline void store_path_radiance(Uint path, vec4 row, Mask where) { scatter(bound.tile->radiance, path, row, where); }
-inline void store_path_hit(Uint path, uvec4 row, Mask where) { scatter(bound.tile->hit, path, row, where); }
 
 // ---- Queues: no atomics, a tile belongs to one thread ----
 
 inline Uint load_extension_job(Uint job) { return gather(bound.tile->current.paths.get(), job); }
 inline uint extension_job_count() { return bound.tile->current.count; }
+
+inline uvec4 load_surface_job(Uint job) { return gather(bound.tile->surfaces.get(), job); }
+inline uint surface_job_count() { return bound.tile->surface_count; }
+
+inline void push_surface_job(uvec4 path_instance_triangle, Mask where) {
+    Tile& tile = *bound.tile;
+    tile.surface_count = compact(tile.surfaces, tile.surface_count, path_instance_triangle, where);
+}
 
 inline void push_extension_ray(Uint path, Mask where) {
     PathQueue& next = bound.tile->next;

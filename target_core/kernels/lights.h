@@ -27,12 +27,6 @@ inline Uint pick_from(Uint entry, vec4 row, Float fraction) {
 
 inline Uint entry_of(Float u, uint count) { return min(Uint(u * float(count)), Uint(count - 1u)); }
 
-// Balance of two strategies by the power heuristic, Veach 1997; `pdf` > 0 is the one in use.
-inline Float power_heuristic(Float pdf, Float other) {
-    Float ratio = other / max(pdf, SMALLEST);
-    return 1.0f / (1.0f + ratio * ratio);
-}
-
 // Uniform point in a triangle: Heitz 2019, "A Low-Distortion Map Between Triangle and Square".
 inline vec2 sample_triangle(vec2 u) {
     Mask upper = u.y > u.x;

@@ -7,6 +7,6 @@
 
 namespace target_core::kernels {
 
-void shade() { for_each_job<shade_path>(extension_job_count()); }
+void shade() { for_each_job<shade_path>(surface_job_count()); }
 
 }  // namespace target_core::kernels

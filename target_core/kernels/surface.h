@@ -93,16 +93,18 @@ inline Surface make_surface(PathRay path_ray, Hit hit, TriangleVertices triangle
     vec3 edge2 = triangle.v2 - triangle.v0;
     vec3 area = cross(edge1, edge2) * mesh_row.w;
     Surface surface;
+    TriangleTest crossing =
+        intersect_triangle(path_ray.ray.origin, path_ray.ray.direction, triangle.v0, triangle.v1, triangle.v2);
+    surface.u = crossing.u;
+    surface.v = crossing.v;
     surface.corners = fetch_corners(mesh_row, triangle.primitive);
-    Attributes attributes = fetch_attributes(surface.corners, hit.u, hit.v);
-    surface.position = (triangle.v0 + edge1 * hit.u) + edge2 * hit.v;
+    Attributes attributes = fetch_attributes(surface.corners, surface.u, surface.v);
+    surface.position = (triangle.v0 + edge1 * surface.u) + edge2 * surface.v;
     surface.geometric_normal = normalized(area);
     surface.normal = normalized(transform_normal(row0, row1, row2, attributes.normal) * mesh_row.w);
     surface.color = attributes.color;
     surface.instance = hit.instance;
     surface.material = surface.corners.w;
-    surface.u = hit.u;
-    surface.v = hit.v;
     vec3 way = surface.position - path_ray.ray.origin;
     surface.distance_squared = dot(way, way);
     surface.cone_width = path_ray.cone_width + path_ray.cone_spread * sqrt(surface.distance_squared);

@@ -62,19 +62,11 @@ inline Hit trace_closest(Ray ray, Uint key) {
     if (found.hit.geomID == RTC_INVALID_GEOMETRY_ID) {
         hit.instance = NONE;
         hit.triangle = 0u;
-        hit.t = 0.0f;
-        hit.u = 0.0f;
-        hit.v = 0.0f;
         return hit;
     }
     bool instanced = found.hit.instID[0] != RTC_INVALID_GEOMETRY_ID;
     hit.instance = instanced ? found.hit.instID[0] : found.hit.geomID;
     hit.triangle = found.hit.primID;
-    TriangleVertices triangle = fetch_triangle(hit.instance, hit.triangle);
-    TriangleTest test = intersect_triangle(ray.origin, ray.direction, triangle.v0, triangle.v1, triangle.v2);
-    hit.t = test.t;
-    hit.u = test.u;
-    hit.v = test.v;
     return hit;
 }
 

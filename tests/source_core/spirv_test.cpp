@@ -114,10 +114,10 @@ TEST(BufferAccess, IsMarkedByWhatAKernelDoes) {
     auto extend = marks(Kernel::extend);
     EXPECT_EQ(extend["path_origin_block"], "NonWritable");
     EXPECT_EQ(extend["queue_block"], "NonWritable");
-    EXPECT_EQ(extend["path_hit_block"], "NonReadable");
-    EXPECT_EQ(extend["path_radiance_block"], "") << "not used";
+    EXPECT_EQ(extend["surface_queue_block"], "NonReadable");
+    EXPECT_EQ(extend["shadow_origin_block"], "") << "not used";
     auto shade = marks(Kernel::shade);
-    EXPECT_EQ(shade["path_hit_block"], "NonWritable");
+    EXPECT_EQ(shade["surface_queue_block"], "NonWritable");
     EXPECT_EQ(shade["next_queue_block"], "NonReadable");
     EXPECT_EQ(shade["path_radiance_block"], "") << "read and written";
     EXPECT_EQ(shade["CountersBlock"], "") << "atomics read and write";

@@ -36,7 +36,8 @@ constexpr const char* EXTEND = R"GLSL(
 #include "trace.glsl"
 void extend_path(Uint job) {
     Uint path = load_extension_job(job);
-    store_hit(path, trace_closest(load_path_ray(path).ray, 0u), true);
+    Hit hit = trace_closest(load_path_ray(path).ray, 0u);
+    push_surface_job(uvec4(path, hit.instance, hit.triangle, 0u), true);
 }
 #endif
 )GLSL";
@@ -46,8 +47,11 @@ constexpr const char* SHADE = R"GLSL(
 #define SHADE_GLSL
 #include "trace.glsl"
 void shade_path(Uint job) {
-    Uint path = load_extension_job(job);
-    Hit hit = load_hit(path);
+    uvec4 row = load_surface_job(job);
+    Uint path = row.x;
+    Hit hit;
+    hit.instance = row.y;
+    hit.triangle = row.z;
     PathRay path_ray = load_path_ray(path);
     Float tmax = fetch_sky_texels(path).w;
     Mask blocked = trace_any(path_ray.ray, tmax, 0u);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "target_core/kernels/lights.h"
+#include "target_core/kernels/path_state.h"
 
 using namespace target_core;
 using namespace target_core::kernels;
