@@ -24,17 +24,20 @@ bool has_feature(uint feature) { return (FEATURES & feature) != 0u; }
 // clang-format off
 #define VIA_TEXELS(Row, Texels, get, name, slot)                 \
     layout(set = 0, binding = slot) uniform Texels name##_table; \
-    Row fetch_##name(Uint row) { return texelFetch(name##_table, Int(row)) get; }
+    Row fetch_##name(Uint row) { return texelFetch(name##_table, Int(row)) get; } \
+    Row fetch_##name(Rows first, uint offset) { return fetch_##name(first + offset); }
 
 #define VIA_STORAGE(Row, Texels, get, name, slot)                                                          \
     layout(set = 0, binding = slot, std430) restrict readonly buffer name##_block { Row name##_table[]; }; \
-    Row fetch_##name(Uint row) { return name##_table[row]; }
+    Row fetch_##name(Uint row) { return name##_table[row]; } \
+    Row fetch_##name(Rows first, uint offset) { return fetch_##name(first + offset); }
 
 #define VIA_ADDRESS(Row, Texels, get, name, slot)                                                         \
     layout(buffer_reference, std430, buffer_reference_align = 16) restrict readonly buffer name##_block { \
         Row name##_table[];                                                                               \
     };                                                                                                    \
-    Row fetch_##name(Uint row) { return name##_block(table_addresses[slot].xy).name##_table[row]; }
+    Row fetch_##name(Uint row) { return name##_block(table_addresses[slot].xy).name##_table[row]; } \
+    Row fetch_##name(Rows first, uint offset) { return fetch_##name(first + offset); }
 
 #define WORDS
 #define FIRST_WORD .x
@@ -100,6 +103,12 @@ void push_surface_job(uvec4 path_instance_triangle, Mask where) {
         Uint entry = atomicAdd(counters[segment_counter(pass.segment, COUNTER_SURFACE)], 1u);
         store_surface_queue(entry, path_instance_triangle, true);
     }
+}
+
+void store_path_rows(Uint path, vec4 origin, vec4 direction, vec4 throughput, Mask where) {
+    store_path_origin(path, origin, where);
+    store_path_direction(path, direction, where);
+    store_path_throughput(path, throughput, where);
 }
 
 // generate runs as segment 0.

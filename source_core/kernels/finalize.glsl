@@ -9,7 +9,7 @@
 // Adds the finished path to its pixel's sum, in order of samples, and writes the mean.
 void finalize_pixel(Uint job) {
     Uint pixel = job + pass.first_pixel;
-    vec3 radiance = vec3(load_path_radiance(job));
+    vec3 radiance = vec3(load_path_radiance(rows_from(job)));
     vec3 sum = radiance;
     if (pass.first_in_sum == 0u) {
         sum = vec3(load_accumulator(pixel)) + radiance;

@@ -17,6 +17,11 @@ vec2 select(Mask where, vec2 yes, vec2 no) { return where ? yes : no; }
 vec3 select(Mask where, vec3 yes, vec3 no) { return where ? yes : no; }
 vec4 select(Mask where, vec4 yes, vec4 no) { return where ? yes : no; }
 
+// Where the rows of an entry of a table begin. Several rows of one entry are fetched from the same Rows: the target
+// core works out their addresses once.
+#define Rows Uint
+Rows rows_from(Uint first) { return first; }
+
 // True if some lane is set: guards work that no lane needs. What stands under it must still be masked.
 bool any_lane(Mask where) { return where; }
 

@@ -87,8 +87,10 @@ void continue_path(Uint path, Scatterer scatterer, Surface surface, PathRay path
     next.ray.direction = direction;
     next.cone_width = surface.cone_width;
     next.cone_spread = path_ray.cone_spread + cone_growth(scatterer.bsdf, bsdf_sample);
-    store_path_ray(path, next, lives);
-    store_path_throughput(path, vec4(carried * (1.0f / survival), bsdf_sample.pdf), lives);
+    Throughput onward;
+    onward.weight = carried * (1.0f / survival);
+    onward.pdf = bsdf_sample.pdf;
+    store_path(path, next, onward, lives);
     push_extension_ray(path, lives);
 }
 
@@ -99,8 +101,9 @@ void shade_path(Uint job) {
     Hit hit;
     hit.instance = row.y;
     hit.triangle = row.z;
-    PathRay path_ray = load_path_ray(path);
-    Throughput throughput = load_throughput(path);
+    Rows rows = rows_from(path);
+    PathRay path_ray = load_path_ray(rows);
+    Throughput throughput = load_throughput(rows);
     vec3 direction = path_ray.ray.direction;
     Surface surface = make_surface(path_ray, hit, fetch_triangle(hit.instance, hit.triangle));
     Material material = fetch_material(surface);

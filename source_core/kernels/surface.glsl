@@ -36,12 +36,15 @@ Float doubled_area(vec2 a, vec2 b, vec2 c) { return abs((b.x - a.x) * (c.y - a.y
 // `corners` are rows of mesh_triangles plus the mesh's first vertex.
 Attributes fetch_attributes(uvec4 corners, Float u, Float v) {
     Float w = (1.0f - u) - v;
-    vec4 normal0 = fetch_vertices(corners.x * VERTEX_ROWS + VERTEX_NORMAL);
-    vec4 normal1 = fetch_vertices(corners.y * VERTEX_ROWS + VERTEX_NORMAL);
-    vec4 normal2 = fetch_vertices(corners.z * VERTEX_ROWS + VERTEX_NORMAL);
-    vec4 uv_a = fetch_vertices(corners.x * VERTEX_ROWS + VERTEX_UV);
-    vec4 uv_b = fetch_vertices(corners.y * VERTEX_ROWS + VERTEX_UV);
-    vec4 uv_c = fetch_vertices(corners.z * VERTEX_ROWS + VERTEX_UV);
+    Rows rows0 = rows_from(corners.x * VERTEX_ROWS);
+    Rows rows1 = rows_from(corners.y * VERTEX_ROWS);
+    Rows rows2 = rows_from(corners.z * VERTEX_ROWS);
+    vec4 normal0 = fetch_vertices(rows0, VERTEX_NORMAL);
+    vec4 normal1 = fetch_vertices(rows1, VERTEX_NORMAL);
+    vec4 normal2 = fetch_vertices(rows2, VERTEX_NORMAL);
+    vec4 uv_a = fetch_vertices(rows0, VERTEX_UV);
+    vec4 uv_b = fetch_vertices(rows1, VERTEX_UV);
+    vec4 uv_c = fetch_vertices(rows2, VERTEX_UV);
     vec4 uv = (uv_a * w + uv_b * u) + uv_c * v;
     Attributes attributes;
     attributes.normal = (vec3(normal0) * w + vec3(normal1) * u) + vec3(normal2) * v;
@@ -83,11 +86,11 @@ struct Surface {
 };
 
 Surface make_surface(PathRay path_ray, Hit hit, TriangleVertices triangle) {
-    Uint row = hit.instance * INSTANCE_ROWS;
-    vec4 row0 = fetch_instances(row + INSTANCE_TRANSFORM);
-    vec4 row1 = fetch_instances(row + INSTANCE_TRANSFORM + 1u);
-    vec4 row2 = fetch_instances(row + INSTANCE_TRANSFORM + 2u);
-    vec4 mesh_row = fetch_instances(row + INSTANCE_MESH);
+    Rows rows = rows_from(hit.instance * INSTANCE_ROWS);
+    vec4 row0 = fetch_instances(rows, INSTANCE_TRANSFORM);
+    vec4 row1 = fetch_instances(rows, INSTANCE_TRANSFORM + 1u);
+    vec4 row2 = fetch_instances(rows, INSTANCE_TRANSFORM + 2u);
+    vec4 mesh_row = fetch_instances(rows, INSTANCE_MESH);
     vec3 edge1 = triangle.v1 - triangle.v0;
     vec3 edge2 = triangle.v2 - triangle.v0;
     vec3 area = cross(edge1, edge2) * mesh_row.w;
@@ -130,11 +133,11 @@ vec4 unpack_tangent(Uint bits) {
 
 // The shading normal bent by a normal map, which lies in the frame of the interpolated tangent.
 vec3 bend_normal(Surface surface, Uint slot, Float scale) {
-    Uint row = surface.instance * INSTANCE_ROWS;
-    vec4 row0 = fetch_instances(row + INSTANCE_TRANSFORM);
-    vec4 row1 = fetch_instances(row + INSTANCE_TRANSFORM + 1u);
-    vec4 row2 = fetch_instances(row + INSTANCE_TRANSFORM + 2u);
-    vec4 mesh_row = fetch_instances(row + INSTANCE_MESH);
+    Rows rows = rows_from(surface.instance * INSTANCE_ROWS);
+    vec4 row0 = fetch_instances(rows, INSTANCE_TRANSFORM);
+    vec4 row1 = fetch_instances(rows, INSTANCE_TRANSFORM + 1u);
+    vec4 row2 = fetch_instances(rows, INSTANCE_TRANSFORM + 2u);
+    vec4 mesh_row = fetch_instances(rows, INSTANCE_MESH);
     vec4 tangent0 = unpack_tangent(fetch_tangents(surface.corners.x));
     vec4 tangent1 = unpack_tangent(fetch_tangents(surface.corners.y));
     vec4 tangent2 = unpack_tangent(fetch_tangents(surface.corners.z));

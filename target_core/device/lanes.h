@@ -83,9 +83,25 @@ inline void scatter(Row* rows, Uint index, Row row, Mask where) {
     }
 }
 
+// Where the rows of an entry of a table begin.
+using Rows = Uint;
+inline Rows rows_from(Uint first) { return first; }
+
 template <class Row>
-inline void scatter(const TileRows<Row>& rows, Uint index, Row row, Mask where) {
-    scatter(rows.get(), index, row, where);
+inline Row gather(const Row* table, Rows first, uint offset) {
+    return table[first + offset];
+}
+
+// Rows of a tile to store to.
+struct Places {
+    Uint row;
+    Mask where;
+};
+inline Places places_of(Uint row, Mask where) { return {row, where}; }
+
+template <class Row>
+inline void scatter(const TileRows<Row>& rows, Places places, Row row) {
+    scatter(rows.get(), places.row, row, places.where);
 }
 
 // Appends the rows of the lanes that are set; the new length.

@@ -150,24 +150,40 @@ struct alignas(64) LaneRows {
 };
 
 /// The lanes as words in memory, to be read one at a time: a load each is cheaper than what GCC makes of index.v[i],
-/// which is a shuffle and a move. The empty statement keeps it from seeing through.
+/// which is a shuffle and a move. The empty statement keeps it from seeing through. Two words come with each load:
+/// words that were just stored are slow to read back.
 struct LaneWords {
-    alignas(64) uint words[LANES];
+    alignas(64) uint64_t pairs[LANES / 2];
     explicit LaneWords(Uint lanes) {
-        __builtin_memcpy(words, &lanes.v, sizeof(words));
-        asm("" : "+m"(words));
+        __builtin_memcpy(pairs, &lanes.v, sizeof(pairs));
+        asm("" : "+m"(pairs));
     }
-    uint operator[](uint lane) const { return words[lane]; }
+    uint operator[](uint lane) const {
+        uint64_t pair = pairs[lane / 2];
+        return static_cast<uint>(lane % 2 == 0 ? pair : pair >> 32);
+    }
 };
 
-inline vec4 gather(const target_core::vec4* rows, Uint index) {
-    // A row is 16 bytes; addresses scale by 8 for free.
-    LaneWords halves(index + index);
-    auto row_of = [&](uint lane) { return &rows->x + size_t{2} * halves[lane]; };
+/// Where the rows of an entry of a table begin: a row is 16 bytes, and addresses scale by 8 for free.
+struct Rows {
+    LaneWords halves;
+    explicit Rows(Uint first) : halves(first + first) {}
+    const float* row(const target_core::vec4* table, uint lane) const {
+        return reinterpret_cast<const float*>(table) + size_t{2} * halves[lane];
+    }
+    float* row(target_core::vec4* table, uint lane) const {
+        return reinterpret_cast<float*>(table) + size_t{2} * halves[lane];
+    }
+};
+inline Rows rows_from(Uint first) { return Rows(first); }
+
+inline vec4 gather(const target_core::vec4* table, const Rows& first, uint offset) {
     vec4 row;
-    load_rows(row_of, row.x.v, row.y.v, row.z.v, row.w.v);
+    load_rows([&](uint lane) { return first.row(table + offset, lane); }, row.x.v, row.y.v, row.z.v, row.w.v);
     return row;
 }
+
+inline vec4 gather(const target_core::vec4* rows, Uint index) { return gather(rows, Rows(index), 0); }
 
 inline uvec4 gather(const target_core::uvec4* rows, Uint index) {
     vec4 row = gather(reinterpret_cast<const target_core::vec4*>(rows), index);
@@ -179,21 +195,22 @@ inline Uint gather(const uint* words, Uint index) { return Uint(gather_words(wor
 inline Mask active() { return Mask::of(mask_of_bits(active_lanes)); }
 
 inline void scatter(target_core::vec4* rows, Uint index, const vec4& row, Mask where) {
-    LaneWords halves(index + index);
+    Rows places(index);
     LaneRows lanes;
     store_rows([&](uint lane) { return lanes.rows[lane]; }, row.x.v, row.y.v, row.z.v, row.w.v);
     for (uint left = mask_bits(where.v) & active_lanes; left != 0; left &= left - 1) {
-        uint i = static_cast<uint>(std::countr_zero(left));
-        __builtin_memcpy(reinterpret_cast<float*>(rows) + size_t{2} * halves[i], lanes.rows[i], sizeof(lanes.rows[i]));
+        uint lane = static_cast<uint>(std::countr_zero(left));
+        __builtin_memcpy(places.row(rows, lane), lanes.rows[lane], sizeof(lanes.rows[lane]));
     }
 }
 
-// A tile has a spare row: lanes with nothing to store write there, which is cheaper than to ask each of them.
-inline void scatter(const TileRows<target_core::vec4>& rows, Uint index, const vec4& row, Mask where) {
-    Uint stored = select(where && active(), index, Uint(TILE_PATHS));
-    LaneWords halves(stored + stored);
-    float* first = &rows[0].x;
-    store_rows([&](uint lane) { return first + size_t{2} * halves[lane]; }, row.x.v, row.y.v, row.z.v, row.w.v);
+// Rows of a tile to store to. A tile has a spare row: lanes with nothing to store write there, which is cheaper than to
+// ask each of them.
+using Places = Rows;
+inline Places places_of(Uint row, Mask where) { return Rows(select(where && active(), row, Uint(TILE_PATHS))); }
+
+inline void scatter(const TileRows<target_core::vec4>& rows, const Places& places, const vec4& row) {
+    store_rows([&](uint lane) { return places.row(rows.get(), lane); }, row.x.v, row.y.v, row.z.v, row.w.v);
 }
 
 // Appends LANES rows and counts those that are set, which come first; the spare rows take what is too much.

@@ -23,13 +23,13 @@ inline Uint ray_key(Uint path, uint kind) {
 
 // Coverage of a triangle whose alpha comes from a texture or from vertex colours; 0 or 1 under a cutoff.
 inline Float textured_coverage(Uint instance, Uint primitive, Float u, Float v) {
-    vec4 mesh_row = fetch_instances(instance * INSTANCE_ROWS + INSTANCE_MESH);
+    vec4 mesh_row = fetch_instances(rows_from(instance * INSTANCE_ROWS), INSTANCE_MESH);
     uvec4 corners = fetch_corners(mesh_row, primitive);
     Attributes attributes = fetch_attributes(corners, u, v);
-    Uint row = corners.w * MATERIAL_ROWS;
-    vec4 base_color = fetch_materials(row + MATERIAL_BASE_COLOR);
-    vec4 alpha = fetch_materials(row + MATERIAL_ALPHA);
-    vec4 slots = fetch_materials(row + MATERIAL_SLOTS);
+    Rows rows = rows_from(corners.w * MATERIAL_ROWS);
+    vec4 base_color = fetch_materials(rows, MATERIAL_BASE_COLOR);
+    vec4 alpha = fetch_materials(rows, MATERIAL_ALPHA);
+    vec4 slots = fetch_materials(rows, MATERIAL_SLOTS);
     TextureCoordinates at;
     at.uv0 = attributes.uv0;
     at.uv1 = attributes.uv1;

@@ -15,31 +15,34 @@ inline bool has_feature(uint feature) { return (settings.features & feature) != 
 // ---- Scene tables ----
 
 inline uvec4 fetch_mesh_triangles(Uint row) { return gather(bound.mesh_triangles, row); }
-inline vec4 fetch_vertices(Uint row) { return gather(bound.vertices, row); }
+inline vec4 fetch_vertices(Rows first, uint offset) { return gather(bound.vertices, first, offset); }
 inline Uint fetch_tangents(Uint row) { return gather(bound.tangents, row); }
-inline vec4 fetch_instances(Uint row) { return gather(bound.instances, row); }
-inline vec4 fetch_materials(Uint row) { return gather(bound.materials, row); }
-inline vec4 fetch_texture_slots(Uint row) { return gather(bound.texture_slots, row); }
+inline vec4 fetch_instances(Rows first, uint offset) { return gather(bound.instances, first, offset); }
+inline vec4 fetch_materials(Rows first, uint offset) { return gather(bound.materials, first, offset); }
+inline vec4 fetch_texture_slots(Rows first, uint offset) { return gather(bound.texture_slots, first, offset); }
 inline uvec4 fetch_textures(Uint row) { return gather(bound.textures, row); }
 inline Uint fetch_texels(Uint texel) { return gather(bound.texels, texel); }
-inline vec4 fetch_lights(Uint row) { return gather(bound.lights, row); }
+inline vec4 fetch_lights(Rows first, uint offset) { return gather(bound.lights, first, offset); }
 inline vec4 fetch_light_table(Uint row) { return gather(bound.light_table, row); }
 inline vec4 fetch_sky_texels(Uint row) { return gather(bound.sky_texels, row); }
 inline vec4 fetch_sky_table(Uint row) { return gather(bound.sky_table, row); }
 
 // ---- Path state ----
 
-inline vec4 load_path_origin(Uint path) { return gather(bound.tile->origin.get(), path); }
-inline vec4 load_path_direction(Uint path) { return gather(bound.tile->direction.get(), path); }
-inline vec4 load_path_throughput(Uint path) { return gather(bound.tile->throughput.get(), path); }
-inline vec4 load_path_radiance(Uint path) { return gather(bound.tile->radiance.get(), path); }
+inline vec4 load_path_origin(Rows path) { return gather(bound.tile->origin.get(), path, 0u); }
+inline vec4 load_path_direction(Rows path) { return gather(bound.tile->direction.get(), path, 0u); }
+inline vec4 load_path_throughput(Rows path) { return gather(bound.tile->throughput.get(), path, 0u); }
+inline vec4 load_path_radiance(Rows path) { return gather(bound.tile->radiance.get(), path, 0u); }
 
-inline void store_path_origin(Uint path, vec4 row, Mask where) { scatter(bound.tile->origin, path, row, where); }
-inline void store_path_direction(Uint path, vec4 row, Mask where) { scatter(bound.tile->direction, path, row, where); }
-inline void store_path_throughput(Uint path, vec4 row, Mask where) {
-    scatter(bound.tile->throughput, path, row, where);
+inline void store_path_rows(Uint path, vec4 origin, vec4 direction, vec4 throughput, Mask where) {
+    Places places = places_of(path, where);
+    scatter(bound.tile->origin, places, origin);
+    scatter(bound.tile->direction, places, direction);
+    scatter(bound.tile->throughput, places, throughput);
 }
-inline void store_path_radiance(Uint path, vec4 row, Mask where) { scatter(bound.tile->radiance, path, row, where); }
+inline void store_path_radiance(Uint path, vec4 row, Mask where) {
+    scatter(bound.tile->radiance, places_of(path, where), row);
+}
 
 // ---- Queues: no atomics, a tile belongs to one thread ----
 

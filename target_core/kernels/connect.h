@@ -17,7 +17,7 @@ inline void connect_shadow_ray(Uint job) {
     ray.origin = vec3(origin);
     ray.direction = vec3(direction);
     Mask blocked = trace_any(ray, origin.w, ray_key(path, RAY_SHADOW));
-    vec4 radiance = load_path_radiance(path) + load_shadow_contribution(job);
+    vec4 radiance = load_path_radiance(rows_from(path)) + load_shadow_contribution(job);
     store_path_radiance(path, radiance, !blocked);
 }
 

@@ -18,12 +18,13 @@ inline void shade_sky(Uint path, vec3 direction, Throughput throughput, Mask whe
 // that shading has surfaces only in all its lanes.
 inline void extend_path(Uint job) {
     Uint path = load_extension_job(job);
-    PathRay path_ray = load_path_ray(path);
+    Rows rows = rows_from(path);
+    PathRay path_ray = load_path_ray(rows);
     Hit hit = trace_closest(path_ray.ray, ray_key(path, RAY_EXTENSION));
     Mask missed = hit.instance == NONE;
     push_surface_job(uvec4(path, hit.instance, hit.triangle, 0u), !missed);
     if (any_lane(missed)) {
-        shade_sky(path, path_ray.ray.direction, load_throughput(path), missed);
+        shade_sky(path, path_ray.ray.direction, load_throughput(rows), missed);
     }
 }
 

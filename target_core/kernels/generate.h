@@ -22,8 +22,10 @@ inline void generate_path(Uint job) {
     path_ray.ray.direction = normalized(through);
     path_ray.cone_width = 0.0f;
     path_ray.cone_spread = settings.eye.w;
-    store_path_ray(job, path_ray, true);
-    store_path_throughput(job, vec4(1.0f, 1.0f, 1.0f, 0.0f), true);
+    Throughput throughput;
+    throughput.weight = vec3(1.0f);
+    throughput.pdf = 0.0f;
+    store_path(job, path_ray, throughput, true);
     store_path_radiance(job, vec4(0.0f), true);
     push_extension_ray(job, true);
 }

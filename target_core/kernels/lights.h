@@ -35,9 +35,11 @@ inline vec2 sample_triangle(vec2 u) {
     return vec2(x, y);
 }
 
-inline LightSample sample_triangle_light(Uint row, vec4 position_row, vec4 vertex1_row, vec4 emission_row, vec3 from,
-                                         vec2 u) {
-    vec4 vertex2_row = fetch_lights(row + LIGHT_VERTEX2);
+inline LightSample sample_triangle_light(Rows rows, vec3 from, vec2 u) {
+    vec4 position_row = fetch_lights(rows, LIGHT_POSITION);
+    vec4 vertex1_row = fetch_lights(rows, LIGHT_VERTEX1);
+    vec4 vertex2_row = fetch_lights(rows, LIGHT_VERTEX2);
+    vec4 emission_row = fetch_lights(rows, LIGHT_EMISSION);
     vec2 b = sample_triangle(u);
     vec3 edge1 = vec3(vertex1_row) - vec3(position_row);
     vec3 edge2 = vec3(vertex2_row) - vec3(position_row);
@@ -55,8 +57,8 @@ inline LightSample sample_triangle_light(Uint row, vec4 position_row, vec4 verte
     if (has_feature(FEATURE_EMISSION_TEXTURES)) {
         Uint texture_id = floatBitsToUint(emission_row.w);
         if (any_lane(texture_id != NONE)) {
-            vec4 uv01 = fetch_lights(row + LIGHT_UV01);
-            vec4 uv2 = fetch_lights(row + LIGHT_UV2);
+            vec4 uv01 = fetch_lights(rows, LIGHT_UV01);
+            vec4 uv2 = fetch_lights(rows, LIGHT_UV2);
             Float w = (1.0f - b.x) - b.y;
             vec2 uv = (vec2(uv01.x, uv01.y) * w + vec2(uv01.z, uv01.w) * b.x) + vec2(uv2.x, uv2.y) * b.y;
             vec3 texel = vec3(sample_texture(select(texture_id != NONE, texture_id, Uint(0u)), uv, 0.0f));
@@ -67,9 +69,11 @@ inline LightSample sample_triangle_light(Uint row, vec4 position_row, vec4 verte
 }
 
 // Point, spot and directional lights of KHR_lights_punctual.
-inline LightSample sample_punctual_light(Uint row, Uint kind, vec4 position_row, vec4 axis_row, vec4 emission_row,
-                                         vec3 from) {
-    vec4 cone_row = fetch_lights(row + LIGHT_VERTEX2);
+inline LightSample sample_punctual_light(Rows rows, Uint kind, vec3 from) {
+    vec4 position_row = fetch_lights(rows, LIGHT_POSITION);
+    vec4 axis_row = fetch_lights(rows, LIGHT_VERTEX1);
+    vec4 cone_row = fetch_lights(rows, LIGHT_VERTEX2);
+    vec4 emission_row = fetch_lights(rows, LIGHT_EMISSION);
     vec3 way = vec3(position_row) - from;
     Float distance_squared = max(dot(way, way), SMALLEST);
     Mask directional = kind == LIGHT_DIRECTIONAL;
@@ -108,15 +112,12 @@ inline LightSample sample_light(vec3 from, Uint stream, uint sample_index, uint 
     vec2 pick = random_pair(stream, sample_index, first_pair + PAIR_LIGHT_PICK);
     Uint entry = entry_of(pick.x, settings.light_count);
     Uint chosen = pick_from(entry, fetch_light_table(entry), pick.y);
-    Uint row = chosen * LIGHT_ROWS;
-    vec4 position_row = fetch_lights(row + LIGHT_POSITION);
-    vec4 vertex1_row = fetch_lights(row + LIGHT_VERTEX1);
-    vec4 emission_row = fetch_lights(row + LIGHT_EMISSION);
-    Uint kind = floatBitsToUint(position_row.w);
-    LightSample light = sample_triangle_light(row, position_row, vertex1_row, emission_row, from, u);
+    Rows rows = rows_from(chosen * LIGHT_ROWS);
+    Uint kind = floatBitsToUint(fetch_lights(rows, LIGHT_POSITION).w);
+    LightSample light = sample_triangle_light(rows, from, u);
     if (has_feature(FEATURE_PUNCTUAL_LIGHTS)) {
         Mask punctual = kind == LIGHT_POINT || kind == LIGHT_SPOT || kind == LIGHT_DIRECTIONAL;
-        LightSample other = sample_punctual_light(row, kind, position_row, vertex1_row, emission_row, from);
+        LightSample other = sample_punctual_light(rows, kind, from);
         light.direction = select(punctual, other.direction, light.direction);
         light.distance = select(punctual, other.distance, light.distance);
         light.radiance = select(punctual, other.radiance, light.radiance);

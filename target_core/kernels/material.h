@@ -22,12 +22,12 @@ struct Material {
 };
 
 inline Material fetch_material(Surface surface) {
-    Uint row = surface.material * MATERIAL_ROWS;
-    vec4 base_color = fetch_materials(row + MATERIAL_BASE_COLOR);
-    vec4 factors = fetch_materials(row + MATERIAL_SURFACE);
-    vec4 emission = fetch_materials(row + MATERIAL_EMISSION);
-    vec4 specular = fetch_materials(row + MATERIAL_SPECULAR);
-    vec4 alpha = fetch_materials(row + MATERIAL_ALPHA);
+    Rows rows = rows_from(surface.material * MATERIAL_ROWS);
+    vec4 base_color = fetch_materials(rows, MATERIAL_BASE_COLOR);
+    vec4 factors = fetch_materials(rows, MATERIAL_SURFACE);
+    vec4 emission = fetch_materials(rows, MATERIAL_EMISSION);
+    vec4 specular = fetch_materials(rows, MATERIAL_SPECULAR);
+    vec4 alpha = fetch_materials(rows, MATERIAL_ALPHA);
     Material material;
     material.base_color = vec3(base_color) * vec3(surface.color);
     material.metallic = factors.x;
@@ -40,7 +40,7 @@ inline Material fetch_material(Surface surface) {
     material.emission_weight = emission.w;
     material.flags = floatBitsToUint(alpha.z);
     if (has_feature(FEATURE_TEXTURES)) {
-        vec4 slots = fetch_materials(row + MATERIAL_SLOTS);
+        vec4 slots = fetch_materials(rows, MATERIAL_SLOTS);
         vec4 surface_texel = sample_slot(floatBitsToUint(slots.y), surface.coordinates);
         material.base_color = material.base_color * vec3(sample_slot(floatBitsToUint(slots.x), surface.coordinates));
         material.roughness = material.roughness * surface_texel.y;
@@ -49,7 +49,7 @@ inline Material fetch_material(Surface surface) {
             material.emission = material.emission * vec3(sample_slot(floatBitsToUint(slots.w), surface.coordinates));
         }
         if (has_feature(FEATURE_SPECULAR_TEXTURES)) {
-            vec4 more = fetch_materials(row + MATERIAL_MORE_SLOTS);
+            vec4 more = fetch_materials(rows, MATERIAL_MORE_SLOTS);
             vec4 specular_color_texel = sample_slot(floatBitsToUint(more.z), surface.coordinates);
             material.transmission = material.transmission * sample_slot(floatBitsToUint(more.x), surface.coordinates).x;
             material.specular = material.specular * sample_slot(floatBitsToUint(more.y), surface.coordinates).w;
@@ -63,9 +63,9 @@ inline Material fetch_material(Surface surface) {
 inline vec3 shading_normal(Surface surface) {
     vec3 normal = surface.normal;
     if (has_feature(FEATURE_NORMAL_MAPS)) {
-        Uint row = surface.material * MATERIAL_ROWS;
-        vec4 slots = fetch_materials(row + MATERIAL_SLOTS);
-        vec4 alpha = fetch_materials(row + MATERIAL_ALPHA);
+        Rows rows = rows_from(surface.material * MATERIAL_ROWS);
+        vec4 slots = fetch_materials(rows, MATERIAL_SLOTS);
+        vec4 alpha = fetch_materials(rows, MATERIAL_ALPHA);
         if (any_lane(floatBitsToUint(slots.z) != NONE)) {
             normal = bend_normal(surface, floatBitsToUint(slots.z), alpha.x);
         }

@@ -26,7 +26,7 @@ struct PathRay {
     Float cone_spread;
 };
 
-inline PathRay load_path_ray(Uint path) {
+inline PathRay load_path_ray(Rows path) {
     vec4 origin = load_path_origin(path);
     vec4 direction = load_path_direction(path);
     PathRay path_ray;
@@ -37,18 +37,13 @@ inline PathRay load_path_ray(Uint path) {
     return path_ray;
 }
 
-inline void store_path_ray(Uint path, PathRay path_ray, Mask where) {
-    store_path_origin(path, vec4(path_ray.ray.origin, path_ray.cone_width), where);
-    store_path_direction(path, vec4(path_ray.ray.direction, path_ray.cone_spread), where);
-}
-
 // What a path carries from vertex to vertex.
 struct Throughput {
     vec3 weight;  // product of BSDF * cosine / pdf
     Float pdf;    // per solid angle, of the last direction; 0: from the eye or a delta lobe
 };
 
-inline Throughput load_throughput(Uint path) {
+inline Throughput load_throughput(Rows path) {
     vec4 row = load_path_throughput(path);
     Throughput throughput;
     throughput.weight = vec3(row);
@@ -56,8 +51,13 @@ inline Throughput load_throughput(Uint path) {
     return throughput;
 }
 
+inline void store_path(Uint path, PathRay path_ray, Throughput throughput, Mask where) {
+    store_path_rows(path, vec4(path_ray.ray.origin, path_ray.cone_width),
+                    vec4(path_ray.ray.direction, path_ray.cone_spread), vec4(throughput.weight, throughput.pdf), where);
+}
+
 inline void add_radiance(Uint path, vec3 radiance, Mask where) {
-    vec4 sum = load_path_radiance(path);
+    vec4 sum = load_path_radiance(rows_from(path));
     store_path_radiance(path, vec4(vec3(sum) + radiance, 0.0f), where);
 }
 

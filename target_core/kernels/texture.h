@@ -106,9 +106,9 @@ inline vec4 sample_slot(Uint slot, TextureCoordinates at) {
     Mask used = slot != NONE;
     vec4 color = vec4(1.0f);
     if (any_lane(used)) {
-        Uint row = select(used, slot, Uint(0u)) * SLOT_ROWS;
-        vec4 row_u = fetch_texture_slots(row + SLOT_U);
-        vec4 row_v = fetch_texture_slots(row + SLOT_V);
+        Rows rows = rows_from(select(used, slot, Uint(0u)) * SLOT_ROWS);
+        vec4 row_u = fetch_texture_slots(rows, SLOT_U);
+        vec4 row_v = fetch_texture_slots(rows, SLOT_V);
         Mask second = floatBitsToUint(row_v.w) == 1u;
         vec2 uv = select(second, at.uv1, at.uv0);
         Float area = abs(row_u.x * row_v.y - row_u.y * row_v.x);

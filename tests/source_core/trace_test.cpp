@@ -22,7 +22,10 @@ void generate_path(Uint job) {
     path_ray.ray.direction = vec3(fetch_sky_texels(settings.sky_width + job));
     path_ray.cone_width = 0.0f;
     path_ray.cone_spread = 0.0f;
-    store_path_ray(job, path_ray, true);
+    Throughput throughput;
+    throughput.weight = vec3(1.0f);
+    throughput.pdf = 0.0f;
+    store_path(job, path_ray, throughput, true);
     store_path_radiance(job, vec4(0.0f), true);
     push_extension_ray(job, true);
 }
