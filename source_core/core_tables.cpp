@@ -30,10 +30,6 @@ vec4 pack_alias(const AliasEntry& entry) {
     return vec4(entry.threshold, as_float(entry.alias), entry.probability, 0.0f);
 }
 
-float area(const CoreLight& light) {
-    return 0.5f * glm::length(glm::cross(light.vertices[1] - light.vertices[0], light.vertices[2] - light.vertices[0]));
-}
-
 bool has_alpha_texture(const CoreMaterial& material) {
     return material.base_color_texture.texture != render_system::NONE;
 }
@@ -96,7 +92,7 @@ void pack_lights(const CoreLights& lights, SceneTables& tables) {
         vec4 rows[LIGHT_ROWS];
         rows[LIGHT_POSITION] = row(light.vertices[0], as_float(static_cast<uint>(light.kind)));
         rows[LIGHT_VERTEX1] = row(triangle ? light.vertices[1] : light.direction, as_float(light.two_sided ? 1u : 0u));
-        rows[LIGHT_VERTEX2] = triangle ? row(light.vertices[2], lights.table[i].probability / area(light))
+        rows[LIGHT_VERTEX2] = triangle ? row(light.vertices[2], lights.table[i].probability * 2.0f)
                                        : vec4(light.spot_scale, light.spot_offset, 0.0f, 0.0f);
         rows[LIGHT_EMISSION] = row(light.emission, as_float(light.emission_texture.texture));
         rows[LIGHT_UV01] = vec4(light.uv[0].x, light.uv[0].y, light.uv[1].x, light.uv[1].y);

@@ -3,12 +3,15 @@
 #include "target_core/frame.h"
 
 #include <tbb/enumerable_thread_specific.h>
+#include <tbb/task_arena.h>
 
+#include <algorithm>
 #include <chrono>
 #include <utility>
 
 #include "target_core/device/float_mode.h"
 #include "target_core/device/parallel.h"
+#include "target_core/device/surface_order.h"
 
 namespace target_core {
 
@@ -64,6 +67,10 @@ void render_sample(const KernelTable& kernels, Worker& worker, RayLog* log) {
         }
         kernels.extend();
         watch.lap(stats.extend_ms);
+        // Camera rays meet their surfaces in order.
+        if (segment > 1 && kernels.lanes > 1) {
+            order_surfaces(tile);
+        }
         kernels.shade();
         watch.lap(stats.shade_ms);
         stats.shadow_rays += tile.shadow_count;
@@ -95,6 +102,15 @@ void render_tile(const Frame& frame, uint first_pixel, uint path_count, Worker& 
     }
 }
 
+// Enough tiles that the last ones leave no thread waiting for long.
+uint paths_per_tile(uint pixels) {
+    constexpr uint TILES_PER_THREAD = 32;
+    constexpr uint FEWEST = 256;
+    uint tiles = static_cast<uint>(tbb::this_task_arena::max_concurrency()) * TILES_PER_THREAD;
+    uint even = (pixels / tiles + SPARE_ROWS - 1) / SPARE_ROWS * SPARE_ROWS;
+    return std::clamp(even, FEWEST, TILE_PATHS);
+}
+
 }  // namespace
 
 void FrameStats::add(const FrameStats& other) {
@@ -108,17 +124,24 @@ void FrameStats::add(const FrameStats& other) {
     finalize_ms += other.finalize_ms;
 }
 
-FrameStats render_frame(const Frame& frame, RayLog* log) {
-    uint pixels = frame.settings.width * frame.settings.height;
-    uint tiles = (pixels + TILE_PATHS - 1) / TILE_PATHS;
+struct Workers::Threads {
     tbb::enumerable_thread_specific<Worker> workers;
-    for_each_tile(tiles, [&](uint tile) {
-        uint first = tile * TILE_PATHS;
-        render_tile(frame, first, std::min(TILE_PATHS, pixels - first), workers.local(), log);
+};
+
+Workers::Workers() : threads_(std::make_unique<Threads>()) {}
+Workers::~Workers() = default;
+
+FrameStats render_frame(const Frame& frame, Workers& workers, RayLog* log) {
+    uint pixels = frame.settings.width * frame.settings.height;
+    uint tile_paths = paths_per_tile(pixels);
+    for_each_tile((pixels + tile_paths - 1) / tile_paths, [&](uint tile) {
+        uint first = tile * tile_paths;
+        render_tile(frame, first, std::min(tile_paths, pixels - first), workers.threads_->workers.local(), log);
     });
     FrameStats stats;
-    for (const Worker& worker : workers) {
+    for (Worker& worker : workers.threads_->workers) {
         stats.add(worker.stats);
+        worker.stats = {};
     }
     return stats;
 }

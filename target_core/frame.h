@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <memory>
+
 #include "target_core/device/bindings.h"
 #include "target_core/device/kernel_table.h"
 #include "target_core/device/ray_log.h"
@@ -33,9 +35,21 @@ struct Frame {
     uint samples_in_sum = 0;
 };
 
+/// A tile for each thread, kept from frame to frame.
+class Workers {
+public:
+    Workers();
+    ~Workers();
+
+private:
+    friend FrameStats render_frame(const Frame& frame, Workers& workers, RayLog* log);
+    struct Threads;
+    std::unique_ptr<Threads> threads_;
+};
+
 /// Renders all tiles of the frame on the threads of the current task arena. Each tile of paths runs through the whole
 /// wavefront on one thread, sample by sample, so the picture is the same on any number of threads. With `log`, the
 /// rays are recorded there as well.
-FrameStats render_frame(const Frame& frame, RayLog* log);
+FrameStats render_frame(const Frame& frame, Workers& workers, RayLog* log);
 
 }  // namespace target_core

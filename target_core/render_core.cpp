@@ -79,6 +79,7 @@ private:
     float sky_light_probability_ = 0.0f;
     uint features_ = 0;
     bool geometry_dirty_ = true;
+    Workers workers_;
     bool materials_dirty_ = true;
 };
 
@@ -342,7 +343,7 @@ Status TargetCore::Render(const ViewPyramid& view, Convergence convergence, uint
         frame.first_sample = settings_.first_sample + frame.samples_in_sum;
         frame.sample_count = samples;
         FrameStats rendered;
-        arena_->execute([&] { rendered = render_frame(frame, log ? &*log : nullptr); });
+        arena_->execute([&] { rendered = render_frame(frame, workers_, log ? &*log : nullptr); });
         double threads = stats_.threads;
         stats_.samples += samples;
         stats_.primary_rays += rendered.primary_rays;

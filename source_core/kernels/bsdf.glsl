@@ -26,6 +26,7 @@ struct Bsdf {
     Float eta;  // index behind the surface over the index on wo's side
     Mask refracts;
     Mask is_smooth;
+    Float root_o;  // of Smith's masking of wo
     Float pick_diffuse;
     Float pick_reflection;
     Float pick_transmission;
@@ -70,6 +71,11 @@ Float dielectric_reflectance(Bsdf bsdf, Float weight) {
     return bsdf.dielectric_f0 + (bsdf.dielectric_f90 - bsdf.dielectric_f0) * weight;
 }
 
+Float smith_root(Float cosine, Float alpha) {
+    Float a2 = alpha * alpha;
+    return sqrt(a2 + (1.0f - a2) * cosine * cosine);
+}
+
 Bsdf make_bsdf(Material material, vec3 wo, vec3 side, Mask front) {
     Mask thin = (material.flags & MATERIAL_THIN_WALLED) != 0u;
     Float f0 = square((material.ior - 1.0f) / (material.ior + 1.0f));
@@ -90,6 +96,7 @@ Bsdf make_bsdf(Material material, vec3 wo, vec3 side, Mask front) {
     bsdf.transmission_color = material.base_color * (body * material.transmission);
     bsdf.alpha = square(material.roughness);
     bsdf.is_smooth = bsdf.alpha < SMOOTH_ALPHA;
+    bsdf.root_o = smith_root(wo.z, bsdf.alpha);
     Float weight = fresnel_weight(bsdf, wo.z);
     Float entering = 1.0f - dielectric_reflectance(bsdf, weight);
     // Microfacets face other ways than the normal: where it reflects all light, some of them still do not.
@@ -113,11 +120,6 @@ Float ggx_density(vec3 h, Float alpha) {
     Float a2 = alpha * alpha;
     Float d = (h.x * h.x + h.y * h.y) + a2 * h.z * h.z;
     return a2 / (PI * max(d * d, SMALLEST));
-}
-
-Float smith_root(Float cosine, Float alpha) {
-    Float a2 = alpha * alpha;
-    return sqrt(a2 + (1.0f - a2) * cosine * cosine);
 }
 
 // Visible normals: Dupuy and Benyoub 2023, "Sampling Visible GGX Normals with Spherical Caps".
@@ -150,16 +152,15 @@ BsdfValue evaluate_diffuse(Bsdf bsdf, vec3 wi) {
 // same lobe, mirrored at the surface.
 BsdfValue evaluate_reflection(Bsdf bsdf, vec3 wi, vec3 h, Float weight, Mask passes) {
     Float cosine = abs(wi.z);
-    Float root_o = smith_root(bsdf.wo.z, bsdf.alpha);
     Float root_i = smith_root(cosine, bsdf.alpha);
     Float density = ggx_density(h, bsdf.alpha);
-    Float visible = 0.5f / max(bsdf.wo.z * root_i + cosine * root_o, SMALLEST);
+    Float visible = 0.5f / max(bsdf.wo.z * root_i + cosine * bsdf.root_o, SMALLEST);
     vec3 color = select(passes, bsdf.transmission_color * (1.0f - dielectric_reflectance(bsdf, weight)),
                         reflectance(bsdf, weight));
     BsdfValue result;
     result.value = color * (density * visible * cosine);
     result.pdf = select(passes, bsdf.pick_transmission, bsdf.pick_reflection) * density * 0.5f /
-                 max(bsdf.wo.z + root_o, SMALLEST);
+                 max(bsdf.wo.z + bsdf.root_o, SMALLEST);
     return result;
 }
 
@@ -168,7 +169,7 @@ BsdfValue evaluate_refraction(Bsdf bsdf, vec3 wi, vec3 h, Float weight) {
     Float wo_h = dot(bsdf.wo, h);
     Float wi_h = dot(wi, h);
     Float cosine = abs(wi.z);
-    Float masking_o = 2.0f * bsdf.wo.z / max(bsdf.wo.z + smith_root(bsdf.wo.z, bsdf.alpha), SMALLEST);
+    Float masking_o = 2.0f * bsdf.wo.z / max(bsdf.wo.z + bsdf.root_o, SMALLEST);
     Float masking_i = 2.0f * cosine / max(cosine + smith_root(cosine, bsdf.alpha), SMALLEST);
     Float denominator = wo_h + bsdf.eta * wi_h;
     Float jacobian = bsdf.eta * bsdf.eta * abs(wi_h) / max(denominator * denominator, SMALLEST);
@@ -215,8 +216,10 @@ BsdfSample sample_bsdf(Bsdf bsdf, vec2 u, Float lobe) {
     Mask reflects = lobe < bsdf.pick_reflection;
     Mask transmits = !reflects && lobe < bsdf.pick_reflection + bsdf.pick_transmission;
     Mask diffuses = !reflects && !transmits;
-    vec3 visible = sample_visible_normal(bsdf.wo, bsdf.alpha, u);
-    vec3 h = select(bsdf.is_smooth, vec3(0.0f, 0.0f, 1.0f), visible);
+    vec3 h = vec3(0.0f, 0.0f, 1.0f);
+    if (any_lane(!diffuses && !bsdf.is_smooth)) {
+        h = select(bsdf.is_smooth, h, sample_visible_normal(bsdf.wo, bsdf.alpha, u));
+    }
     Float wo_h = dot(bsdf.wo, h);
     vec3 reflected = h * (2.0f * wo_h) - bsdf.wo;
     vec3 passed = vec3(reflected.x, reflected.y, -reflected.z);
@@ -227,21 +230,24 @@ BsdfSample sample_bsdf(Bsdf bsdf, vec2 u, Float lobe) {
         passed = select(bsdf.refracts, refracted, passed);
     }
     vec3 wi = select(reflects, reflected, passed);
-    Float weight = fresnel_weight(bsdf, wo_h);
     // A delta lobe goes where the geometry lets it.
     Mask wrong_side = (dot(bsdf.side, wi) > 0.0f) != reflects;
     wi = select(bsdf.is_smooth && wrong_side, mirrored(wi, bsdf.side), wi);
     wi = normalized(select(diffuses, sample_diffuse(bsdf, u), wi));
     BsdfValue rough = evaluate_bsdf(bsdf, wi);
-    vec3 reflection_weight = reflectance(bsdf, weight) * (1.0f / max(bsdf.pick_reflection, SMALLEST));
-    vec3 transmission_weight = bsdf.transmission_color *
-                               ((1.0f - dielectric_reflectance(bsdf, weight)) / max(bsdf.pick_transmission, SMALLEST));
     Mask is_delta = bsdf.is_smooth && !diffuses;
     BsdfSample result;
     result.wi = wi;
-    result.weight = select(is_delta, select(reflects, reflection_weight, transmission_weight),
-                           rough.value * (1.0f / max(rough.pdf, SMALLEST)));
-    result.pdf = select(is_delta, Float(0.0f), rough.pdf);
+    result.weight = rough.value * (1.0f / max(rough.pdf, SMALLEST));
+    result.pdf = rough.pdf;
+    if (any_lane(is_delta)) {
+        Float weight = fresnel_weight(bsdf, wo_h);
+        vec3 reflected_share = reflectance(bsdf, weight) * (1.0f / max(bsdf.pick_reflection, SMALLEST));
+        vec3 passed_share = bsdf.transmission_color *
+                            ((1.0f - dielectric_reflectance(bsdf, weight)) / max(bsdf.pick_transmission, SMALLEST));
+        result.weight = select(is_delta, select(reflects, reflected_share, passed_share), result.weight);
+        result.pdf = select(is_delta, Float(0.0f), result.pdf);
+    }
     Mask total_reflection = transmits && bsdf.refracts && sine_squared >= 1.0f;
     Mask through_horizon = !diffuses && (wi.z > 0.0f) != reflects;
     result.valid = is_delta || (rough.pdf > 0.0f && !through_horizon);

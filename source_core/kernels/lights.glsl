@@ -45,10 +45,10 @@ LightSample sample_triangle_light(Rows rows, vec3 from, vec2 u) {
     LightSample light;
     light.distance = sqrt(distance_squared);
     light.direction = way * (1.0f / light.distance);
-    Float cosine = -dot(normalized(cross(edge1, edge2)), light.direction);
+    Float facing = -dot(cross(edge1, edge2), light.direction);  // cosine times twice the area
     Mask two_sided = floatBitsToUint(vertex1_row.w) != 0u;
-    Mask shines = cosine > 0.0f || two_sided;
-    light.pdf = vertex2_row.w * distance_squared / max(abs(cosine), 1.0e-6f);
+    Mask shines = facing > 0.0f || two_sided;
+    light.pdf = vertex2_row.w * distance_squared / max(abs(facing), SMALLEST);
     light.radiance = select(shines, vec3(emission_row), vec3(0.0f));
     light.is_delta = false;
     if (has_feature(FEATURE_EMISSION_TEXTURES)) {

@@ -91,18 +91,19 @@ Surface make_surface(PathRay path_ray, Hit hit, TriangleVertices triangle) {
     vec4 row1 = fetch_instances(rows, INSTANCE_TRANSFORM + 1u);
     vec4 row2 = fetch_instances(rows, INSTANCE_TRANSFORM + 2u);
     vec4 mesh_row = fetch_instances(rows, INSTANCE_MESH);
+    Surface surface;
+    surface.corners = fetch_corners(mesh_row, triangle.primitive);
     vec3 edge1 = triangle.v1 - triangle.v0;
     vec3 edge2 = triangle.v2 - triangle.v0;
     vec3 area = cross(edge1, edge2) * mesh_row.w;
-    Surface surface;
     TriangleTest crossing =
         intersect_triangle(path_ray.ray.origin, path_ray.ray.direction, triangle.v0, triangle.v1, triangle.v2);
     surface.u = crossing.u;
     surface.v = crossing.v;
-    surface.corners = fetch_corners(mesh_row, triangle.primitive);
     Attributes attributes = fetch_attributes(surface.corners, surface.u, surface.v);
     surface.position = (triangle.v0 + edge1 * surface.u) + edge2 * surface.v;
-    surface.geometric_normal = normalized(area);
+    Float doubled = sqrt(max(dot(area, area), SMALLEST));
+    surface.geometric_normal = area * (1.0f / doubled);
     surface.normal = normalized(transform_normal(row0, row1, row2, attributes.normal) * mesh_row.w);
     surface.color = attributes.color;
     surface.instance = hit.instance;
@@ -112,7 +113,7 @@ Surface make_surface(PathRay path_ray, Hit hit, TriangleVertices triangle) {
     surface.cone_width = path_ray.cone_width + path_ray.cone_spread * sqrt(surface.distance_squared);
     Float cosine = dot(surface.geometric_normal, path_ray.ray.direction);
     surface.front = cosine < 0.0f;
-    Float cover = square(surface.cone_width) / max(square(cosine) * sqrt(dot(area, area)), SMALLEST);
+    Float cover = square(surface.cone_width) / max(square(cosine) * doubled, SMALLEST);
     cover = min(cover, 1.0e20f);  // times no area at all, infinity would be no number
     surface.coordinates.uv0 = attributes.uv0;
     surface.coordinates.uv1 = attributes.uv1;

@@ -92,6 +92,12 @@ inline Row gather(const Row* table, Rows first, uint offset) {
     return table[first + offset];
 }
 
+// Rows of a tile by job.
+template <class Row>
+inline Row gather_jobs(const TileRows<Row>& rows, Uint job) {
+    return rows[job];
+}
+
 // Rows of a tile to store to.
 struct Places {
     Uint row;

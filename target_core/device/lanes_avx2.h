@@ -71,6 +71,8 @@ inline UintLanes reversed_bits(UintLanes x) {
     return (UintLanes)_mm256_shuffle_epi8(_mm256_or_si256(_mm256_slli_epi32(high_half, 4), low_half), swap);
 }
 
+inline UintLanes quotient(UintLanes a, UintLanes b) { return a / b; }
+
 inline UintLanes gather_words(const uint* words, UintLanes index) {
     return (UintLanes)_mm256_i32gather_epi32(reinterpret_cast<const int*>(words), (__m256i)index, 4);
 }

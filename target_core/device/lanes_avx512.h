@@ -68,6 +68,16 @@ inline UintLanes reversed_bits(UintLanes x) {
     return (UintLanes)_mm512_shuffle_epi8(_mm512_or_si512(_mm512_slli_epi32(high_half, 4), low_half), swap);
 }
 
+/// Doubles hold the quotient of any two words to more than its integer part.
+inline UintLanes quotient(UintLanes a, UintLanes b) {
+    auto half = [](__m256i x, __m256i y) {
+        return _mm512_cvttpd_epu32(_mm512_div_pd(_mm512_cvtepu32_pd(x), _mm512_cvtepu32_pd(y)));
+    };
+    __m256i low = half(_mm512_castsi512_si256((__m512i)a), _mm512_castsi512_si256((__m512i)b));
+    __m256i high = half(_mm512_extracti64x4_epi64((__m512i)a, 1), _mm512_extracti64x4_epi64((__m512i)b, 1));
+    return (UintLanes)_mm512_inserti64x4(_mm512_castsi256_si512(low), high, 1);
+}
+
 inline UintLanes gather_words(const uint* words, UintLanes index) {
     return (UintLanes)_mm512_i32gather_epi32((__m512i)index, words, 4);
 }

@@ -8,8 +8,8 @@
 
 namespace target_core {
 
-/// Paths per tile: small enough that a tile's state stays in the L2 cache, large enough to fill its loops.
-constexpr uint TILE_PATHS = 1024;
+/// Most paths of a tile: few enough that their state stays in the L2 cache, enough to fill the loops over them.
+constexpr uint TILE_PATHS = 2048;
 
 /// Room past the end of each row of the tile, for lanes that have nothing to store or append.
 constexpr uint SPARE_ROWS = 16;
@@ -37,6 +37,7 @@ struct Tile {
     PathQueue current;         // of this segment
     PathQueue next;            // of the next one
     TileRows<uvec4> surfaces;  // of this segment: path, instance, triangle
+    TileRows<uvec4> ordered_surfaces;
     uint surface_count = 0;
     TileRows<vec4> shadow_origin;
     TileRows<vec4> shadow_direction;

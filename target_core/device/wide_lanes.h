@@ -33,7 +33,6 @@ struct Mask {
     friend Type operator+(Type a, Type b) { return Type(a.v + b.v); }                 \
     friend Type operator-(Type a, Type b) { return Type(a.v - b.v); }                 \
     friend Type operator*(Type a, Type b) { return Type(a.v * b.v); }                 \
-    friend Type operator/(Type a, Type b) { return Type(a.v / b.v); }                 \
     friend Mask operator<(Type a, Type b) { return Mask::of(less(a.v, b.v)); }        \
     friend Mask operator>(Type a, Type b) { return Mask::of(less(b.v, a.v)); }        \
     friend Mask operator<=(Type a, Type b) { return Mask::of(less_equal(a.v, b.v)); } \
@@ -53,6 +52,7 @@ struct Float {
     explicit Float(Uint u);
     explicit Float(Int i);
     friend Float operator-(Float a) { return Float(-a.v); }
+    friend Float operator/(Float a, Float b) { return Float(a.v / b.v); }
     friend Float min(Float a, Float b) { return Float(smaller(a.v, b.v)); }
     friend Float max(Float a, Float b) { return Float(larger(a.v, b.v)); }
     LANE_OPERATORS(Float)
@@ -80,6 +80,7 @@ struct Uint {
     explicit Uint(UintLanes lanes) : v(lanes) {}
     explicit Uint(Float f) : v(__builtin_convertvector(f.v, UintLanes)) {}
     explicit Uint(Int i) : v(__builtin_convertvector(i.v, UintLanes)) {}
+    friend Uint operator/(Uint a, Uint b) { return Uint(quotient(a.v, b.v)); }
     friend Uint operator&(Uint a, Uint b) { return Uint(a.v & b.v); }
     friend Uint operator|(Uint a, Uint b) { return Uint(a.v | b.v); }
     friend Uint operator^(Uint a, Uint b) { return Uint(a.v ^ b.v); }
@@ -185,17 +186,45 @@ inline vec4 gather(const target_core::vec4* table, const Rows& first, uint offse
 
 inline vec4 gather(const target_core::vec4* rows, Uint index) { return gather(rows, Rows(index), 0); }
 
-inline uvec4 gather(const target_core::uvec4* rows, Uint index) {
-    vec4 row = gather(reinterpret_cast<const target_core::vec4*>(rows), index);
+inline uvec4 bits_of(const vec4& row) {
     return {floatBitsToUint(row.x), floatBitsToUint(row.y), floatBitsToUint(row.z), floatBitsToUint(row.w)};
 }
 
+inline uvec4 gather(const target_core::uvec4* rows, Uint index) {
+    return bits_of(gather(reinterpret_cast<const target_core::vec4*>(rows), index));
+}
+
 inline Uint gather(const uint* words, Uint index) { return Uint(gather_words(words, index.v)); }
+
+// Rows of a tile by job. Jobs of all lanes follow each other, but for lanes without one.
+inline vec4 gather_jobs(const TileRows<target_core::vec4>& rows, Uint job) {
+    if (active_lanes != (1u << LANES) - 1u) {
+        return gather(rows.get(), job);
+    }
+    const float* first = &rows[job.v[0]].x;
+    vec4 row;
+    load_rows([&](uint lane) { return first + 4 * lane; }, row.x.v, row.y.v, row.z.v, row.w.v);
+    return row;
+}
+
+inline uvec4 gather_jobs(const TileRows<target_core::uvec4>& rows, Uint job) {
+    if (active_lanes != (1u << LANES) - 1u) {
+        return gather(rows.get(), job);
+    }
+    const float* first = reinterpret_cast<const float*>(&rows[job.v[0]]);
+    vec4 row;
+    load_rows([&](uint lane) { return first + 4 * lane; }, row.x.v, row.y.v, row.z.v, row.w.v);
+    return bits_of(row);
+}
 
 inline Mask active() { return Mask::of(mask_of_bits(active_lanes)); }
 
 inline void scatter(target_core::vec4* rows, Uint index, const vec4& row, Mask where) {
     Rows places(index);
+    if ((mask_bits(where.v) & active_lanes) == (1u << LANES) - 1u) {
+        store_rows([&](uint lane) { return places.row(rows, lane); }, row.x.v, row.y.v, row.z.v, row.w.v);
+        return;
+    }
     LaneRows lanes;
     store_rows([&](uint lane) { return lanes.rows[lane]; }, row.x.v, row.y.v, row.z.v, row.w.v);
     for (uint left = mask_bits(where.v) & active_lanes; left != 0; left &= left - 1) {

@@ -49,7 +49,7 @@ inline void store_path_radiance(Uint path, vec4 row, Mask where) {
 inline Uint load_extension_job(Uint job) { return gather(bound.tile->current.paths.get(), job); }
 inline uint extension_job_count() { return bound.tile->current.count; }
 
-inline uvec4 load_surface_job(Uint job) { return gather(bound.tile->surfaces.get(), job); }
+inline uvec4 load_surface_job(Uint job) { return gather_jobs(bound.tile->surfaces, job); }
 inline uint surface_job_count() { return bound.tile->surface_count; }
 
 inline void push_surface_job(uvec4 path_instance_triangle, Mask where) {
@@ -62,9 +62,9 @@ inline void push_extension_ray(Uint path, Mask where) {
     next.count = compact(next.paths, next.count, path, where);
 }
 
-inline vec4 load_shadow_origin(Uint job) { return gather(bound.tile->shadow_origin.get(), job); }
-inline vec4 load_shadow_direction(Uint job) { return gather(bound.tile->shadow_direction.get(), job); }
-inline vec4 load_shadow_contribution(Uint job) { return gather(bound.tile->shadow_contribution.get(), job); }
+inline vec4 load_shadow_origin(Uint job) { return gather_jobs(bound.tile->shadow_origin, job); }
+inline vec4 load_shadow_direction(Uint job) { return gather_jobs(bound.tile->shadow_direction, job); }
+inline vec4 load_shadow_contribution(Uint job) { return gather_jobs(bound.tile->shadow_contribution, job); }
 inline uint shadow_job_count() { return bound.tile->shadow_count; }
 
 inline void push_shadow_ray(vec4 origin, vec4 direction, vec4 contribution, Mask where) {

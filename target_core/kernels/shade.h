@@ -63,11 +63,9 @@ inline void estimate_next_event(Uint path, Scatterer scatterer, vec3 weight, Uin
 }
 
 // Russian roulette from segment 4 on: the share of paths that live equals the largest component of the weight.
-inline Float survival_probability(vec3 weight) {
-    Float survival = clamp(max_component(weight), 0.05f, 1.0f);
-    bool plays = settings.russian_roulette != 0u && pass.segment >= 3u;
-    return plays ? survival : Float(1.0f);
-}
+bool plays_roulette() { return settings.russian_roulette != 0u && pass.segment >= 3u; }
+
+inline Float survival_probability(vec3 weight) { return clamp(max_component(weight), 0.05f, 1.0f); }
 
 // Cone growth by scattering: mirrors keep the cone, rough surfaces open it.
 inline Float cone_growth(Bsdf bsdf, BsdfSample bsdf_sample) {
@@ -80,16 +78,20 @@ inline void continue_path(Uint path, Scatterer scatterer, Surface surface, PathR
     vec2 lobe = random_pair(stream, pass.sample_index, first_pair + PAIR_LOBE);
     BsdfSample bsdf_sample = sample_bsdf(scatterer.bsdf, u, lobe.x);
     vec3 carried = weight * bsdf_sample.weight;
-    Float survival = survival_probability(carried);
-    Mask lives = bsdf_sample.valid && max_component(carried) > 0.0f && lobe.y < survival;
-    vec3 direction = normalized(to_world(scatterer.frame, bsdf_sample.wi));
+    Mask lives = bsdf_sample.valid && max_component(carried) > 0.0f;
+    if (plays_roulette()) {
+        Float survival = survival_probability(carried);
+        lives = lives && lobe.y < survival;
+        carried = carried * (1.0f / survival);
+    }
+    vec3 direction = to_world(scatterer.frame, bsdf_sample.wi);
     PathRay next;
     next.ray.origin = leave_point(scatterer, direction);
     next.ray.direction = direction;
     next.cone_width = surface.cone_width;
     next.cone_spread = path_ray.cone_spread + cone_growth(scatterer.bsdf, bsdf_sample);
     Throughput onward;
-    onward.weight = carried * (1.0f / survival);
+    onward.weight = carried;
     onward.pdf = bsdf_sample.pdf;
     store_path(path, next, onward, lives);
     push_extension_ray(path, lives);
