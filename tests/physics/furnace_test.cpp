@@ -33,7 +33,7 @@ Reading plane_in_furnace(const char* core, const HostMaterial& material, double 
     double sine = std::sqrt(1.0 - cosine * cosine);
     glm::vec3 eye(static_cast<float>(sine), 0.0f, static_cast<float>(cosine));
     Exposure exposure;
-    exposure.samples = 64;
+    exposure.size = 32;
     return measure(core, scene, square_view(eye, {0, 0, 0}, 0.001f), exposure);
 }
 

@@ -25,7 +25,7 @@ HostScene lit_plane() {
 // Reads the plane's radiance at `at`, from above and aside.
 Reading read_at(const char* core, const HostScene& scene, const glm::vec3& at, bool next_event_estimation = true) {
     Exposure exposure;
-    exposure.samples = 64;
+    exposure.size = 32;
     exposure.max_path_length = 2;
     exposure.next_event_estimation = next_event_estimation;
     return measure(core, scene, square_view(at + glm::vec3(-2.0f, 0.5f, 1.0f), at, 0.0005f), exposure);
@@ -122,7 +122,7 @@ TEST_P(Lighting, BlendedSurfacesLetTheirShareOfRaysPass) {
     place(scene, quad_mesh({-5, -5, 1}, {10, 0, 0}, {0, 10, 0}, scene.add_material(veil)));
     set_sky(scene, 1.0f);
     Exposure exposure;
-    exposure.samples = 64;
+    exposure.size = 32;
     Reading reading = measure(GetParam(), scene, square_view({0, 0, 3}, {0, 0, 0}, 0.3f), exposure);
     EXPECT_NEAR(reading.mean, 0.7, 4.0 * reading.error + 1e-4);
 }

@@ -46,13 +46,13 @@ HostScene little_room() {
 
 void with_and_without(const char* core, const HostScene& scene) {
     Exposure exposure;
-    exposure.size = 32;
-    exposure.samples = 32;
+    exposure.size = 64;
+    exposure.samples = 8;
     exposure.max_path_length = 5;
     ViewPyramid view = square_view({0.5f, 1.5f, 6.0f}, {0, 1.2f, 0}, 0.7f);
     Reading on = measure(core, scene, view, exposure);
     exposure.next_event_estimation = false;
-    exposure.samples = 128;
+    exposure.samples = 32;
     Reading off = measure(core, scene, view, exposure);
     EXPECT_GT(on.mean, 0.05);
     EXPECT_LT(z_value(on, off), 3.5) << on.mean << " +- " << on.error << ", " << off.mean << " +- " << off.error;
@@ -87,7 +87,7 @@ void floor_under(const char* core, const HostMaterial& light, const HostTexture*
     place(scene, quad_mesh({-2, 0, 2}, {4, 0, 0}, {0, 0, -4}, floor));
     place(scene, quad_mesh({-1, 2, -1}, {2, 0, 0}, {0, 0, 2}, emitting));
     Exposure exposure;
-    exposure.samples = 256;
+    exposure.size = 64;
     exposure.max_path_length = 2;
     ViewPyramid view = square_view({0.0f, 1.5f, 4.0f}, {0, 0, 0}, 0.3f);
     Reading on = measure(core, scene, view, exposure);
@@ -118,8 +118,8 @@ TEST_P(MeanAgreement, EmittersWithAlphaShineWithWhatItLeavesOfThem) {
 TEST_P(MeanAgreement, AnEvenSkyMapEqualsAConstantSky) {
     HostScene scene = little_room();
     Exposure exposure;
-    exposure.size = 32;
-    exposure.samples = 64;
+    exposure.size = 64;
+    exposure.samples = 16;
     ViewPyramid view = square_view({0.5f, 1.5f, 6.0f}, {0, 1.2f, 0}, 0.7f);
     set_sky(scene, 0.8f);
     Reading constant = measure(GetParam(), scene, view, exposure);

@@ -19,6 +19,7 @@ struct Reading {
 };
 
 /// How a reading is taken: a square picture of `size` pixels a side, all of it averaged over red, green and blue.
+/// Of two with as many paths the larger picture is cheaper: each sample is a round of dispatches, whatever the size.
 struct Exposure {
     uint32_t size = 16;
     uint32_t samples = 16;
