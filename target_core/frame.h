@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <glm/vec4.hpp>
 #include <memory>
+#include <span>
 
 #include "target_core/device/bindings.h"
 #include "target_core/device/kernel_table.h"
@@ -33,6 +35,7 @@ struct Frame {
     uint first_sample = 0;
     uint sample_count = 0;
     uint samples_in_sum = 0;
+    std::span<glm::vec4> pixels;  // for the host: a tile's part of the target is copied there while it is in the cache
 };
 
 /// A tile for each thread, kept from frame to frame.

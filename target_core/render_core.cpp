@@ -342,6 +342,7 @@ Status TargetCore::Render(const ViewPyramid& view, Convergence convergence, uint
         frame.samples_in_sum = static_cast<uint>(stats_.samples);
         frame.first_sample = settings_.first_sample + frame.samples_in_sum;
         frame.sample_count = samples;
+        frame.pixels = target_.pixels;
         FrameStats rendered;
         arena_->execute([&] { rendered = render_frame(frame, workers_, log ? &*log : nullptr); });
         double threads = stats_.threads;
@@ -354,8 +355,6 @@ Status TargetCore::Render(const ViewPyramid& view, Convergence convergence, uint
         stats_.shade_ms += rendered.shade_ms / threads;
         stats_.connect_ms += rendered.connect_ms / threads;
         stats_.finalize_ms += rendered.finalize_ms / threads;
-        std::transform(picture_.begin(), picture_.end(), target_.pixels.begin(),
-                       [](const vec4& p) { return glm::vec4(p.x, p.y, p.z, p.w); });
         stats_.total_ms += milliseconds_since(start);
         if (log) {
             measure_limit(*log);

@@ -53,8 +53,11 @@ vec3 leave_point(Scatterer scatterer, vec3 w) {
 void estimate_next_event(Uint path, Scatterer scatterer, vec3 weight, Uint stream, uint first_pair) {
     LightSample light = sample_light(scatterer.position, stream, pass.sample_index, first_pair);
     BsdfValue bsdf = evaluate_bsdf(scatterer.bsdf, to_local(scatterer.frame, light.direction));
-    Float share = select(light.is_delta, Float(1.0f), power_heuristic(light.pdf, bsdf.pdf));
-    vec3 contribution = weight * bsdf.value * light.radiance * (share / max(light.pdf, SMALLEST));
+    // The power heuristic's share over the density, in one division.
+    Float squares = light.pdf * light.pdf + bsdf.pdf * bsdf.pdf;
+    Float share = select(light.is_delta, Float(1.0f), light.pdf);
+    share = share / max(select(light.is_delta, light.pdf, squares), SMALLEST);
+    vec3 contribution = weight * bsdf.value * light.radiance * share;
     Mask counts = light.pdf > 0.0f && max_component(contribution) > 0.0f;
     vec3 origin = leave_point(scatterer, light.direction);
     push_shadow_ray(vec4(origin, light.distance * 0.9999f), vec4(light.direction, uintBitsToFloat(path)),
@@ -74,13 +77,13 @@ Float cone_growth(Bsdf bsdf, BsdfSample bsdf_sample) {
 void continue_path(Uint path, Scatterer scatterer, Surface surface, PathRay path_ray, vec3 weight, Uint stream,
                    uint first_pair) {
     vec2 u = random_pair(stream, pass.sample_index, first_pair + PAIR_BSDF);
-    vec2 lobe = random_pair(stream, pass.sample_index, first_pair + PAIR_LOBE);
-    BsdfSample bsdf_sample = sample_bsdf(scatterer.bsdf, u, lobe.x);
+    Float lobe = random_pair(stream, pass.sample_index, first_pair + PAIR_LOBE).x;
+    BsdfSample bsdf_sample = sample_bsdf(scatterer.bsdf, u, lobe);
     vec3 carried = weight * bsdf_sample.weight;
     Mask lives = bsdf_sample.valid && max_component(carried) > 0.0f;
     if (plays_roulette()) {
         Float survival = survival_probability(carried);
-        lives = lives && lobe.y < survival;
+        lives = lives && random_pair(stream, pass.sample_index, first_pair + PAIR_LOBE).y < survival;
         carried = carried * (1.0f / survival);
     }
     vec3 direction = to_world(scatterer.frame, bsdf_sample.wi);

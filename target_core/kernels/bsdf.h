@@ -86,7 +86,10 @@ inline Bsdf make_bsdf(Material material, vec3 wo, vec3 side, Mask front) {
     bsdf.wo = wo;
     bsdf.side = side;
     bsdf.refracts = !thin && material.transmission > 0.0f;
-    bsdf.eta = select(bsdf.refracts, select(front, material.ior, 1.0f / material.ior), Float(1.0f));
+    bsdf.eta = 1.0f;
+    if (has_feature(FEATURE_TRANSMISSION)) {
+        bsdf.eta = select(bsdf.refracts, select(front, material.ior, 1.0f / material.ior), Float(1.0f));
+    }
     // Light inside a solid is reflected in full past the critical angle, whatever the strength of its reflection.
     Float dielectric_f90 = select(bsdf.eta < 1.0f, Float(1.0f), material.specular);
     bsdf.f0 = blend(dielectric_f0, material.base_color, material.metallic);
