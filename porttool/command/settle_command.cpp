@@ -186,12 +186,13 @@ Outcome accept_command(const Options& options, Workplace& place) {
     if (options.all == !options.paths.empty())
         throw CannotDo("accept needs ids, or --all for every pair whose two edits are equivalent");
     CheckedProject checked = check_project(options, place);
-    size_t accepted = 0, left = 0;
+    size_t accepted = 0;
+    std::vector<std::string> left;
     if (options.all) {
         for (const JudgedPair& pair : checked.judgement.pairs) {
             if (!pair.changed) continue;
             if (!pair.equivalent && !options.force) {
-                ++left;
+                left.push_back(pair.map_source);
                 continue;
             }
             record(checked.lock, pair, options.reason);
@@ -214,9 +215,12 @@ Outcome accept_command(const Options& options, Workplace& place) {
     }
     store_lock(checked.project, checked.lock, checked.states, place.disk);
     std::string out = fmt::format("{} pairs recorded as in step\n", accepted);
-    if (left > 0)
-        out += fmt::format("{} changed pairs left: their edits are not equivalent; name them, or add --force\n", left);
-    return {out, left > 0 ? 1 : 0};
+    if (!left.empty())
+        out += fmt::format(
+            "{} changed pairs left: new to the lock, or their edits are not equivalent; name them, or add --force:\n  "
+            "{}\n",
+            left.size(), fmt::join(left, "\n  "));
+    return {out, left.empty() ? 0 : 1};
 }
 
 Outcome defer_command(const Options& options, Workplace& place) {

@@ -109,16 +109,23 @@ void Resolver::settle_variants(const Names& names, std::vector<const UnitState*>
     by([](const UnitState&) { return std::string("any"); }, [](const NamedUnit&) { return std::string("any"); });
 }
 
+/// By its text without names where that is long enough to be no chance, else by its name and exact text together.
 void Resolver::follow_texts(const Names& gone) {
     if (gone.empty()) return;
     std::multimap<std::string, const UnitState*> by_text;
-    for (const auto& [id, unit] : units_)
-        if (unit.tokens >= kLongEnough && is_free(unit)) by_text.emplace(unit.prints.renamed, &unit);
-    for (const NamedUnit* name : gone) {
-        const auto [first, last] = by_text.equal_range(name->prints->renamed);
-        const auto at = std::find_if(first, last, [&](const auto& entry) { return !taken(*entry.second); });
-        if (at != last) give(name->id, *at->second, true);
+    for (const auto& [id, unit] : units_) {
+        if (!is_free(unit)) continue;
+        if (unit.tokens >= kLongEnough) by_text.emplace(unit.prints.renamed, &unit);
+        by_text.emplace(unit.name + " " + unit.prints.written, &unit);
     }
+    const auto follow = [&](const NamedUnit& name, const std::string& text) {
+        const auto [first, last] = by_text.equal_range(text);
+        const auto at = std::find_if(first, last, [&](const auto& entry) { return !taken(*entry.second); });
+        if (at != last) give(name.id, *at->second, true);
+    };
+    for (const NamedUnit* name : gone) follow(*name, split_id(name->id).second + " " + name->prints->written);
+    for (const NamedUnit* name : gone)
+        if (!found_.contains(name->id)) follow(*name, name->prints->renamed);
 }
 
 /// A file that no id leads to any more was moved where most of its units went, unless two files have as many.

@@ -226,10 +226,26 @@ TEST(Ledger, ABaselinedUnitWithACommentIsClean) {
     EXPECT_TRUE(check(disk)["findings"].empty()) << check(disk).dump(1);
 }
 
+TEST(Ledger, AShortUnitThatMovedUnderItsNameIsFollowed) {
+    const std::string pair = "struct Pair {\n    float a;\n    float b;\n};\n";
+    MemoryDisk disk = started(kTwo + pair, kTwoPort + pair);
+    disk.files["/r/src/k.cu"] = kTwo;
+    disk.files["/r/src/pair.cu"] = pair;
+    const auto report = check(disk);
+    ASSERT_EQ(rules(report), Rules{"source-changed"}) << report.dump(1);
+    EXPECT_EQ(report["findings"][0]["level"], "note");
+    EXPECT_EQ(report["findings"][0]["source"]["id"], "src/pair.cu:Pair");
+    disk.files["/r/src/pair.cu"] = replaced(pair, "float b", "float c");
+    EXPECT_EQ(rules(check(disk)), (Rules{"orphaned", "unported"})) << "another text is another struct";
+}
+
 TEST(Ledger, AcceptAllThatLeavesPairsSaysNo) {
     MemoryDisk disk = started(kTwo, kTwoPort);
     disk.files["/r/src/k.cu"] = replaced(kTwo, "4.0f", "5.0f");
-    EXPECT_EQ(porttool(disk, {"accept", "--all"}).exit_code, 1);
+    const CommandRun left = porttool(disk, {"accept", "--all"});
+    EXPECT_EQ(left.exit_code, 1);
+    EXPECT_NE(left.out.find("\n  src/k.cu:g\n"), std::string::npos) << left.out;
+    EXPECT_EQ(left.out.find("src/k.cu:f"), std::string::npos) << left.out;
     EXPECT_EQ(porttool(disk, {"accept", "--all", "--force"}).exit_code, 0);
     EXPECT_EQ(porttool(disk, {"accept", "--all"}).exit_code, 0);
 }
