@@ -158,18 +158,29 @@ class EmbreeScene:
 
 
 def output_of(command, environment=None):
-    done = subprocess.run(command, capture_output=True, check=False, text=True, errors="replace", env=environment)
+    try:
+        done = subprocess.run(command, capture_output=True, check=False, text=True, errors="replace", env=environment)
+    except OSError as problem:
+        fail(f"{command[0]}: {problem.strerror}")
     if done.returncode != 0:
         said = [line for line in done.stderr.splitlines() if line.strip() and "script failed" not in line]
-        fail(f"{command[0]}: exit code {done.returncode}" + (f": {said[-1]}" if said else ""))
+        said = [line for line in said if "error:" in line] or said[-1:]
+        fail(f"{command[0]}: exit code {done.returncode}" + (f": {said[0]}" if said else ""))
     return done.stdout
+
+
+def paths_per_s(command):
+    try:
+        return json.loads(output_of(command))["paths_per_s"]
+    except (ValueError, KeyError):
+        fail(f"{command[0]}: its output is not that of pathtracer bench; name ours by --pathtracer")
 
 
 def ours(options, roulette):
     command = [options.pathtracer, "bench", options.scene, "--camera", options.camera, "--core", "target", "--format", "json",
                "--size", "{}x{}".format(*options.size), "--threads", str(options.threads), "--spp", str(options.frames),
                "--max-path-length", str(options.max_path_length), *([] if roulette == "roulette" else ["--no-roulette"])]
-    return lambda: {OURS[roulette]: math.prod(options.size) / json.loads(output_of(command))["paths_per_s"]}
+    return lambda: {OURS[roulette]: math.prod(options.size) / paths_per_s(command)}
 
 
 def embree(options, camera, folder):
@@ -267,7 +278,8 @@ def at_least(least):
 
 
 def read_options():
-    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser = argparse.ArgumentParser(usage=argparse.SUPPRESS, description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.error = fail
     parser.add_argument("scene")
     parser.add_argument("--camera", required=True)

@@ -109,7 +109,7 @@ uint paths_per_tile(uint pixels) {
     constexpr uint TILES_PER_THREAD = 32;
     constexpr uint FEWEST = 256;
     uint tiles = static_cast<uint>(tbb::this_task_arena::max_concurrency()) * TILES_PER_THREAD;
-    uint even = (pixels / tiles + SPARE_ROWS - 1) / SPARE_ROWS * SPARE_ROWS;
+    uint even = (pixels / tiles + TILE_GRAIN - 1) / TILE_GRAIN * TILE_GRAIN;
     return std::clamp(even, FEWEST, TILE_PATHS);
 }
 
@@ -132,8 +132,12 @@ struct Workers::Threads {
 
 Workers::Workers() : threads_(std::make_unique<Threads>()) {}
 Workers::~Workers() = default;
+void Workers::clear() { threads_->workers.clear(); }
 
 FrameStats render_frame(const Frame& frame, Workers& workers, RayLog* log) {
+    for (Worker& worker : workers.threads_->workers) {
+        worker.stats = {};  // a frame that failed may have left some
+    }
     uint pixels = frame.settings.width * frame.settings.height;
     uint tile_paths = paths_per_tile(pixels);
     for_each_tile((pixels + tile_paths - 1) / tile_paths, [&](uint tile) {
@@ -141,9 +145,8 @@ FrameStats render_frame(const Frame& frame, Workers& workers, RayLog* log) {
         render_tile(frame, first, std::min(tile_paths, pixels - first), workers.threads_->workers.local(), log);
     });
     FrameStats stats;
-    for (Worker& worker : workers.threads_->workers) {
+    for (const Worker& worker : workers.threads_->workers) {
         stats.add(worker.stats);
-        worker.stats = {};
     }
     return stats;
 }

@@ -44,6 +44,9 @@ public:
     Workers();
     ~Workers();
 
+    /// Gives the tiles' memory back.
+    void clear();
+
 private:
     friend FrameStats render_frame(const Frame& frame, Workers& workers, RayLog* log);
     struct Threads;

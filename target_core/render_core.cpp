@@ -59,6 +59,7 @@ private:
 
     CoreContract contract_;
     CoreOptions options_;
+    Workers workers_;
     CoreTarget target_;
     CoreSettings settings_;
     CoreStats stats_;
@@ -79,7 +80,6 @@ private:
     float sky_light_probability_ = 0.0f;
     uint features_ = 0;
     bool geometry_dirty_ = true;
-    Workers workers_;
     bool materials_dirty_ = true;
 };
 
@@ -377,6 +377,7 @@ void TargetCore::Shutdown() {
     tables_ = {};
     accumulator_ = {};
     picture_ = {};
+    workers_.clear();
     arena_.reset();
     parallelism_.reset();
 }

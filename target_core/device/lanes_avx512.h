@@ -68,7 +68,7 @@ inline UintLanes reversed_bits(UintLanes x) {
     return (UintLanes)_mm512_shuffle_epi8(_mm512_or_si512(_mm512_slli_epi32(high_half, 4), low_half), swap);
 }
 
-/// Doubles hold the quotient of any two words to more than its integer part.
+/// Exact: the next integer is at least 1 / b away, and a double rounds by less. Only scalars trap on a division by 0.
 inline UintLanes quotient(UintLanes a, UintLanes b) {
     auto half = [](__m256i x, __m256i y) {
         return _mm512_cvttpd_epu32(_mm512_div_pd(_mm512_cvtepu32_pd(x), _mm512_cvtepu32_pd(y)));

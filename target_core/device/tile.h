@@ -11,6 +11,10 @@ namespace target_core {
 /// Most paths of a tile: few enough that their state stays in the L2 cache, enough to fill the loops over them.
 constexpr uint TILE_PATHS = 2048;
 
+/// Tiles are multiples of this, so that camera rays are packed alike however many threads share the picture: what a
+/// packet finds between coincident triangles may depend on the rays beside it.
+constexpr uint TILE_GRAIN = 16;
+
 /// Room past the end of each row of the tile, for lanes that have nothing to store or append.
 constexpr uint SPARE_ROWS = 16;
 

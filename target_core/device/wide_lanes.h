@@ -12,6 +12,9 @@
 
 namespace target_core::kernels {
 
+// Tiles begin and end with full packets of camera rays on any number of threads.
+static_assert(TILE_PATHS % LANES == 0 && SPARE_ROWS >= LANES && TILE_GRAIN % LANES == 0);
+
 struct Mask {
     MaskLanes v;
     Mask() = default;
@@ -134,10 +137,17 @@ inline Uint lane_numbers() {
     return lanes;
 }
 
+// Not where sanitizers look at each access: GCC then works for minutes on the one large function.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define INLINE_ALL_BELOW
+#else
+#define INLINE_ALL_BELOW [[gnu::flatten]]
+#endif
+
 /// Calls kernel(job) for every job below `count`, LANES at a time. All calls below it are inlined: structs of lanes are
 /// kilobytes, and passing them costs more than what the functions do.
 template <void (*kernel)(Uint)>
-[[gnu::flatten]] void for_each_job(uint count) {
+INLINE_ALL_BELOW void for_each_job(uint count) {
     for (uint job = 0; job < count; job += LANES) {
         active_lanes = count - job >= LANES ? (1u << LANES) - 1u : (1u << (count - job)) - 1u;
         kernel(min(lane_numbers() + job, Uint(count - 1u)));

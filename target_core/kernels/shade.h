@@ -66,7 +66,7 @@ inline void estimate_next_event(Uint path, Scatterer scatterer, vec3 weight, Uin
 }
 
 // Russian roulette from segment 4 on: the share of paths that live equals the largest component of the weight.
-bool plays_roulette() { return settings.russian_roulette != 0u && pass.segment >= 3u; }
+inline bool plays_roulette() { return settings.russian_roulette != 0u && pass.segment >= 3u; }
 
 inline Float survival_probability(vec3 weight) { return clamp(max_component(weight), 0.05f, 1.0f); }
 

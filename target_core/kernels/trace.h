@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Kind: rewritten; the original is source_core/kernels/trace.glsl. The contract of both: the closest triangle with
 // t > 0, ties to the lower (instance, primitive); whether anything lies in (0, t_max); a hit's vertices in world space.
-// Here the walk is Embree's; t, u and v come from the shared triangle test, so that all after the hit agrees.
+// Here the walk is Embree's; where on the triangle the hit lies is found by the shared triangle test in shading, so
+// that all after the hit agrees.
 #pragma once
 
 #ifdef TARGET_CORE_LANES

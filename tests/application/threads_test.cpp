@@ -21,9 +21,10 @@ protected:
 #endif
     }
     /// The bytes of a small EXR of the built-in scene.
-    std::string picture(const std::vector<std::string>& more) {
+    std::string picture(const std::vector<std::string>& more, const std::string& size = "96x54",
+                        const std::string& spp = "4") {
         std::vector<std::string> arguments = {"render", SCENE,   "--core", GetParam(), "--size",
-                                              "96x54",  "--spp", "4",      "-o",       "a.exr"};
+                                              size,     "--spp", spp,      "-o",       "a.exr"};
         arguments.insert(arguments.end(), more.begin(), more.end());
         const RunResult result = run_pathtracer(arguments, folder.path);
         EXPECT_EQ(result.exit_code, 0) << result.err;
@@ -45,6 +46,11 @@ TEST_P(Threads, NeverChangeThePicture) {
             EXPECT_TRUE(picture({"--threads", threads}) == first) << threads << " threads";
         }
     }
+}
+
+// The target core cuts this picture into tiles of 1,808 paths for one thread and of 368 for five.
+TEST_P(Threads, NeverChangeAPictureOfManyTiles) {
+    EXPECT_TRUE(picture({"--threads", "1"}, "320x180", "1") == picture({"--threads", "5"}, "320x180", "1"));
 }
 
 TEST_P(Threads, NeverChangeTheExactPicture) {

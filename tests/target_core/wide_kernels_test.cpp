@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The kernel text runs eight and sixteen paths at a time, unchanged and with the bits of the one-lane build.
 #include <gtest/gtest.h>
+#include <sys/mman.h>
 
 #include <cmath>
 #include <cstring>
@@ -11,6 +12,7 @@
 #include "target_core/device/bindings.h"
 #include "target_core/device/embree_scene.h"
 #include "target_core/device/kernel_table.h"
+#include "target_core/device/surface_order.h"
 #include "target_core/kernels/surface.h"
 
 using namespace target_core;
@@ -298,6 +300,120 @@ TEST_P(WideKernels, TraceWhatOneLaneTraces) {
     // What meets nothing ends in the sky.
     EXPECT_LT(one.surface_count, pass_.path_count);
     EXPECT_TRUE(same_bits(one.radiance, wide.radiance));
+}
+
+// Rows and columns of any pixel of a picture of any width: the lanes divide words as one lane does.
+TEST_P(WideKernels, GenerateDividesAnyPixelByAnyWidth) {
+    const KernelTables runnable = runnable_kernels();
+    if (GetParam() + 1 >= runnable.count) {
+        GTEST_SKIP() << "this CPU has fewer kinds of lanes";
+    }
+    const KernelTable& lanes = *runnable.tables[GetParam()];
+    for (uint width : {1u, 3u, 641u, 65535u, 65537u, 0x7FFFFFFFu, 0xFFFFFFFEu, 0xFFFFFFFFu}) {
+        for (uint first : {0u, 0x7FFFF800u, 0x80000000u, 0xFFFFFFFFu - TILE_PATHS}) {
+            SCOPED_TRACE(std::to_string(first) + " by " + std::to_string(width));
+            settings_.width = width;
+            pass_.first_pixel = first;
+            pass_.path_count = TILE_PATHS - 3;
+            Tile one;
+            Tile wide;
+            use(one);
+            one_lane_kernels.generate();
+            use(wide);
+            lanes.generate();
+            EXPECT_TRUE(same_bits(one.direction, wide.direction, pass_.path_count));
+        }
+    }
+}
+
+// Rays that left a surface and meet nothing get the sky, weighted against the sky's own sampling.
+TEST_P(WideKernels, ExtendEndsBouncesInTheSkyAsOneLaneDoes) {
+    const KernelTables runnable = runnable_kernels();
+    if (GetParam() + 1 >= runnable.count) {
+        GTEST_SKIP() << "this CPU has fewer kinds of lanes";
+    }
+    const KernelTable& lanes = *runnable.tables[GetParam()];
+    pass_.path_count = TILE_PATHS - 5;
+    Tile one;
+    Tile wide;
+    use(one);
+    one_lane_kernels.generate();
+    std::swap(one.current, one.next);
+    one.next.count = 0;
+    pass.segment = 1;
+    one_lane_kernels.extend();
+    one_lane_kernels.shade();
+    std::swap(one.current, one.next);
+    one.surface_count = 0;
+    ASSERT_NE(one.current.count % 16, 0u);
+    copy_state(one, wide);
+    pass_.segment = 2;
+    use(one);
+    one_lane_kernels.extend();
+    use(wide);
+    lanes.extend();
+    EXPECT_LT(one.surface_count, one.current.count);
+    ASSERT_EQ(one.surface_count, wide.surface_count);
+    EXPECT_TRUE(same_bits(one.radiance, wide.radiance));
+    uint same = 0;
+    for (uint i = 0; i < one.surface_count; ++i) {
+        same += std::memcmp(&one.surfaces[i], &wide.surfaces[i], sizeof(one.surfaces[i])) == 0 ? 1 : 0;
+    }
+    EXPECT_GE(same + 2, one.surface_count);
+}
+
+// The rows of a tile end where memory does: a lane that reads or writes past the spare rows stops the test.
+template <class Row>
+void move_to_the_edge(TileRows<Row>& rows, std::vector<std::pair<void*, size_t>>& maps) {
+    size_t bytes = (TILE_PATHS + SPARE_ROWS) * sizeof(Row);
+    size_t room = (bytes + 4095) / 4096 * 4096;
+    char* at =
+        static_cast<char*>(mmap(nullptr, room + 4096, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0));
+    mprotect(at + room, 4096, PROT_NONE);
+    rows.rows.reset(reinterpret_cast<Row*>(at + room - bytes));
+    maps.push_back({at, room + 4096});
+}
+
+TEST_P(WideKernels, StayInsideTheTile) {
+    const KernelTables runnable = runnable_kernels();
+    if (GetParam() + 1 >= runnable.count) {
+        GTEST_SKIP() << "this CPU has fewer kinds of lanes";
+    }
+    const KernelTable& lanes = *runnable.tables[GetParam()];
+    for (uint count : {1u, 7u, 8u, 9u, 15u, 16u, 17u, 31u, TILE_PATHS - 15, TILE_PATHS - 1, TILE_PATHS}) {
+        SCOPED_TRACE(count);
+        Tile tile;
+        std::vector<std::pair<void*, size_t>> maps;
+        auto each = [&](auto&& f) {
+            f(tile.origin);
+            f(tile.direction);
+            f(tile.throughput);
+            f(tile.radiance);
+            f(tile.current.paths);
+            f(tile.next.paths);
+            f(tile.surfaces);
+            f(tile.ordered_surfaces);
+            f(tile.shadow_origin);
+            f(tile.shadow_direction);
+            f(tile.shadow_contribution);
+        };
+        each([&](auto& rows) { move_to_the_edge(rows, maps); });
+        pass_.path_count = count;
+        use(tile);
+        lanes.generate();
+        for (uint segment = 1; segment <= 8; ++segment) {
+            std::swap(tile.current, tile.next);
+            tile.next.count = tile.surface_count = tile.shadow_count = 0;
+            pass.segment = segment;
+            lanes.extend();
+            order_surfaces(tile);
+            lanes.shade();
+            lanes.connect();
+            EXPECT_LE(tile.next.count, count);
+        }
+        each([](auto& rows) { (void)rows.rows.release(); });
+        for (auto& [at, bytes] : maps) munmap(at, bytes);
+    }
 }
 
 // The footprint of a wide cone on a triangle seen from its edge, or without area, stays a number: it chooses a level.
