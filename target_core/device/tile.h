@@ -38,10 +38,10 @@ struct Tile {
     TileRows<vec4> direction;
     TileRows<vec4> throughput;
     TileRows<vec4> radiance;
-    PathQueue current;         // of this segment
-    PathQueue next;            // of the next one
-    TileRows<uvec4> surfaces;  // of this segment: path, instance, triangle
-    TileRows<uvec4> ordered_surfaces;
+    PathQueue current;                 // of this segment
+    PathQueue next;                    // of the next one
+    TileRows<uvec4> surfaces;          // of this segment: path, instance, triangle
+    TileRows<uvec4> ordered_surfaces;  // where order_surfaces puts them, then exchanged with surfaces
     uint surface_count = 0;
     TileRows<vec4> shadow_origin;
     TileRows<vec4> shadow_direction;

@@ -126,9 +126,11 @@ inline Uint bitfieldReverse(Uint x) { return Uint(reversed_bits(x.v)); }
 
 // ---- Jobs ----
 
+constexpr uint ALL_LANES = (1u << LANES) - 1u;
+
 /// Lanes that carry a job of their own. The others repeat the last job, so that all they read is there; they trace,
 /// store and append nothing.
-inline constinit thread_local uint active_lanes = (1u << LANES) - 1u;
+inline constinit thread_local uint active_lanes = ALL_LANES;
 
 /// 0, 1, 2 and so on.
 inline Uint lane_numbers() {
@@ -149,7 +151,7 @@ inline Uint lane_numbers() {
 template <void (*kernel)(Uint)>
 INLINE_ALL_BELOW void for_each_job(uint count) {
     for (uint job = 0; job < count; job += LANES) {
-        active_lanes = count - job >= LANES ? (1u << LANES) - 1u : (1u << (count - job)) - 1u;
+        active_lanes = count - job >= LANES ? ALL_LANES : (1u << (count - job)) - 1u;
         kernel(min(lane_numbers() + job, Uint(count - 1u)));
     }
 }
@@ -207,9 +209,9 @@ inline uvec4 gather(const target_core::uvec4* rows, Uint index) {
 inline Uint gather(const uint* words, Uint index) { return Uint(gather_words(words, index.v)); }
 
 // Rows of a tile by job. Jobs of all lanes follow each other, but for lanes without one.
-inline vec4 gather_jobs(const TileRows<target_core::vec4>& rows, Uint job) {
-    if (active_lanes != (1u << LANES) - 1u) {
-        return gather(rows.get(), job);
+inline vec4 gather_jobs(const target_core::vec4* rows, Uint job) {
+    if (active_lanes != ALL_LANES) {
+        return gather(rows, job);
     }
     const float* first = &rows[job.v[0]].x;
     vec4 row;
@@ -217,21 +219,17 @@ inline vec4 gather_jobs(const TileRows<target_core::vec4>& rows, Uint job) {
     return row;
 }
 
+inline vec4 gather_jobs(const TileRows<target_core::vec4>& rows, Uint job) { return gather_jobs(rows.get(), job); }
+
 inline uvec4 gather_jobs(const TileRows<target_core::uvec4>& rows, Uint job) {
-    if (active_lanes != (1u << LANES) - 1u) {
-        return gather(rows.get(), job);
-    }
-    const float* first = reinterpret_cast<const float*>(&rows[job.v[0]]);
-    vec4 row;
-    load_rows([&](uint lane) { return first + 4 * lane; }, row.x.v, row.y.v, row.z.v, row.w.v);
-    return bits_of(row);
+    return bits_of(gather_jobs(reinterpret_cast<const target_core::vec4*>(rows.get()), job));
 }
 
 inline Mask active() { return Mask::of(mask_of_bits(active_lanes)); }
 
 inline void scatter(target_core::vec4* rows, Uint index, const vec4& row, Mask where) {
     Rows places(index);
-    if ((mask_bits(where.v) & active_lanes) == (1u << LANES) - 1u) {
+    if ((mask_bits(where.v) & active_lanes) == ALL_LANES) {
         store_rows([&](uint lane) { return places.row(rows, lane); }, row.x.v, row.y.v, row.z.v, row.w.v);
         return;
     }

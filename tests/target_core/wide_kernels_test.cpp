@@ -201,23 +201,39 @@ protected:
     Bindings bindings_;
 };
 
-class WideKernels : public WideKernelsScene, public testing::WithParamInterface<uint> {};
+class WideKernels : public WideKernelsScene, public testing::WithParamInterface<uint> {
+protected:
+    void SetUp() override {
+        if (GetParam() + 1 >= runnable_.count) {
+            GTEST_SKIP() << "this CPU has fewer kinds of lanes";
+        }
+        WideKernelsScene::SetUp();
+    }
+    const KernelTable& lanes() const { return *runnable_.tables[GetParam()]; }
+
+    /// How many surfaces of the two tiles are the same, place by place.
+    static uint same_surfaces(const Tile& a, const Tile& b) {
+        uint same = 0;
+        for (uint i = 0; i < a.surface_count; ++i) {
+            same += std::memcmp(&a.surfaces[i], &b.surfaces[i], sizeof(a.surfaces[i])) == 0 ? 1 : 0;
+        }
+        return same;
+    }
+
+private:
+    const KernelTables runnable_ = runnable_kernels();
+};
 
 // What one sample leaves behind after each kernel. Hits come from the one-lane walk, so that ties between coincident
 // triangles do not hide a fault of the lanes.
 TEST_P(WideKernels, GiveTheBitsOfOneLane) {
-    const KernelTables runnable = runnable_kernels();
-    if (GetParam() + 1 >= runnable.count) {
-        GTEST_SKIP() << "this CPU has fewer kinds of lanes";
-    }
-    const KernelTable& lanes = *runnable.tables[GetParam()];
-    SCOPED_TRACE(lanes.name);
+    SCOPED_TRACE(lanes().name);
     // A count that leaves lanes of the last job idle.
     pass_.path_count = TILE_PATHS - 21;
     Tile one;
     Tile wide;
     use(wide);
-    lanes.generate();
+    lanes().generate();
     use(one);
     one_lane_kernels.generate();
     ASSERT_EQ(one.next.count, wide.next.count);
@@ -239,7 +255,7 @@ TEST_P(WideKernels, GiveTheBitsOfOneLane) {
         wide.shadow_count = 0;
         one_lane_kernels.shade();
         use(wide);
-        lanes.shade();
+        lanes().shade();
         ASSERT_EQ(one.next.count, wide.next.count);
         ASSERT_EQ(one.shadow_count, wide.shadow_count);
         EXPECT_GT(one.shadow_count, 0u);
@@ -254,7 +270,7 @@ TEST_P(WideKernels, GiveTheBitsOfOneLane) {
         use(one);
         one_lane_kernels.connect();
         use(wide);
-        lanes.connect();
+        lanes().connect();
         EXPECT_TRUE(same_bits(one.radiance, wide.radiance));
     }
     std::vector<target_core::vec4> pictures[4];
@@ -267,7 +283,7 @@ TEST_P(WideKernels, GiveTheBitsOfOneLane) {
         table.finalize();
     };
     finish(one, one_lane_kernels, 0);
-    finish(wide, lanes, 2);
+    finish(wide, lanes(), 2);
     for (size_t i : {0u, 1u}) {
         EXPECT_EQ(std::memcmp(pictures[i].data(), pictures[i + 2].data(), TILE_PATHS * sizeof(target_core::vec4)), 0);
     }
@@ -275,11 +291,6 @@ TEST_P(WideKernels, GiveTheBitsOfOneLane) {
 
 // Packets of rays meet what single rays meet: the same triangles at the same places, but for ties.
 TEST_P(WideKernels, TraceWhatOneLaneTraces) {
-    const KernelTables runnable = runnable_kernels();
-    if (GetParam() + 1 >= runnable.count) {
-        GTEST_SKIP() << "this CPU has fewer kinds of lanes";
-    }
-    const KernelTable& lanes = *runnable.tables[GetParam()];
     pass_.path_count = TILE_PATHS - 5;
     Tile one;
     Tile wide;
@@ -288,15 +299,11 @@ TEST_P(WideKernels, TraceWhatOneLaneTraces) {
         one_lane_kernels.generate();
         std::swap(tile->current, tile->next);
         pass.segment = 1;
-        (tile == &one ? one_lane_kernels : lanes).extend();
+        (tile == &one ? one_lane_kernels : lanes()).extend();
     }
     ASSERT_EQ(one.surface_count, wide.surface_count);
     EXPECT_GT(one.surface_count, pass_.path_count / 4);
-    uint same = 0;
-    for (uint i = 0; i < one.surface_count; ++i) {
-        same += std::memcmp(&one.surfaces[i], &wide.surfaces[i], sizeof(one.surfaces[i])) == 0 ? 1 : 0;
-    }
-    EXPECT_GE(same, one.surface_count - 2);
+    EXPECT_GE(same_surfaces(one, wide), one.surface_count - 2);
     // What meets nothing ends in the sky.
     EXPECT_LT(one.surface_count, pass_.path_count);
     EXPECT_TRUE(same_bits(one.radiance, wide.radiance));
@@ -304,11 +311,6 @@ TEST_P(WideKernels, TraceWhatOneLaneTraces) {
 
 // Rows and columns of any pixel of a picture of any width: the lanes divide words as one lane does.
 TEST_P(WideKernels, GenerateDividesAnyPixelByAnyWidth) {
-    const KernelTables runnable = runnable_kernels();
-    if (GetParam() + 1 >= runnable.count) {
-        GTEST_SKIP() << "this CPU has fewer kinds of lanes";
-    }
-    const KernelTable& lanes = *runnable.tables[GetParam()];
     for (uint width : {1u, 3u, 641u, 65535u, 65537u, 0x7FFFFFFFu, 0xFFFFFFFEu, 0xFFFFFFFFu}) {
         for (uint first : {0u, 0x7FFFF800u, 0x80000000u, 0xFFFFFFFFu - TILE_PATHS}) {
             SCOPED_TRACE(std::to_string(first) + " by " + std::to_string(width));
@@ -320,7 +322,7 @@ TEST_P(WideKernels, GenerateDividesAnyPixelByAnyWidth) {
             use(one);
             one_lane_kernels.generate();
             use(wide);
-            lanes.generate();
+            lanes().generate();
             EXPECT_TRUE(same_bits(one.direction, wide.direction, pass_.path_count));
         }
     }
@@ -328,11 +330,6 @@ TEST_P(WideKernels, GenerateDividesAnyPixelByAnyWidth) {
 
 // Rays that left a surface and meet nothing get the sky, weighted against the sky's own sampling.
 TEST_P(WideKernels, ExtendEndsBouncesInTheSkyAsOneLaneDoes) {
-    const KernelTables runnable = runnable_kernels();
-    if (GetParam() + 1 >= runnable.count) {
-        GTEST_SKIP() << "this CPU has fewer kinds of lanes";
-    }
-    const KernelTable& lanes = *runnable.tables[GetParam()];
     pass_.path_count = TILE_PATHS - 5;
     Tile one;
     Tile wide;
@@ -351,15 +348,11 @@ TEST_P(WideKernels, ExtendEndsBouncesInTheSkyAsOneLaneDoes) {
     use(one);
     one_lane_kernels.extend();
     use(wide);
-    lanes.extend();
+    lanes().extend();
     EXPECT_LT(one.surface_count, one.current.count);
     ASSERT_EQ(one.surface_count, wide.surface_count);
     EXPECT_TRUE(same_bits(one.radiance, wide.radiance));
-    uint same = 0;
-    for (uint i = 0; i < one.surface_count; ++i) {
-        same += std::memcmp(&one.surfaces[i], &wide.surfaces[i], sizeof(one.surfaces[i])) == 0 ? 1 : 0;
-    }
-    EXPECT_GE(same + 2, one.surface_count);
+    EXPECT_GE(same_surfaces(one, wide) + 2, one.surface_count);
 }
 
 // The rows of a tile end where memory does: a lane that reads or writes past the spare rows stops the test.
@@ -375,11 +368,6 @@ void move_to_the_edge(TileRows<Row>& rows, std::vector<std::pair<void*, size_t>>
 }
 
 TEST_P(WideKernels, StayInsideTheTile) {
-    const KernelTables runnable = runnable_kernels();
-    if (GetParam() + 1 >= runnable.count) {
-        GTEST_SKIP() << "this CPU has fewer kinds of lanes";
-    }
-    const KernelTable& lanes = *runnable.tables[GetParam()];
     for (uint count : {1u, 7u, 8u, 9u, 15u, 16u, 17u, 31u, TILE_PATHS - 15, TILE_PATHS - 1, TILE_PATHS}) {
         SCOPED_TRACE(count);
         Tile tile;
@@ -400,15 +388,15 @@ TEST_P(WideKernels, StayInsideTheTile) {
         each([&](auto& rows) { move_to_the_edge(rows, maps); });
         pass_.path_count = count;
         use(tile);
-        lanes.generate();
+        lanes().generate();
         for (uint segment = 1; segment <= 8; ++segment) {
             std::swap(tile.current, tile.next);
             tile.next.count = tile.surface_count = tile.shadow_count = 0;
             pass.segment = segment;
-            lanes.extend();
+            lanes().extend();
             order_surfaces(tile);
-            lanes.shade();
-            lanes.connect();
+            lanes().shade();
+            lanes().connect();
             EXPECT_LE(tile.next.count, count);
         }
         each([](auto& rows) { (void)rows.rows.release(); });
