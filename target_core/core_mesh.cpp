@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "target_core/core_tables.h"
+#include "target_core/device/surface_order.h"
 #include "target_core/kernels/intersect.h"
 
 namespace target_core {
@@ -136,6 +137,7 @@ void CoreMeshes::place(std::span<const CoreMaterial> materials) {
         pack_instance(transform, static_cast<uint>(mesh.first_triangle), static_cast<uint>(mesh.first_vertex),
                       mesh.has_tangents, &instances_[i * INSTANCE_ROWS]);
     }
+    assign_bins(geometry_);
 }
 
 bool CoreMeshes::passing_changed(std::span<const CoreMaterial> materials) const {

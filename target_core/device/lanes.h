@@ -92,6 +92,17 @@ inline Row gather(const Row* table, Rows first, uint offset) {
     return table[first + offset];
 }
 
+// Where wide lanes are likely to want the same row.
+template <class Row>
+inline Row gather_shared(const Row* rows, Uint index) {
+    return rows[index];
+}
+
+template <class Row>
+inline Row gather_shared(const Row* table, Rows first, uint offset) {
+    return table[first + offset];
+}
+
 // Rows of a tile by job.
 template <class Row>
 inline Row gather_jobs(const TileRows<Row>& rows, Uint job) {

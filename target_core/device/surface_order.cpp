@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "target_core/device/surface_order.h"
 
+#include <algorithm>
+#include <numeric>
 #include <utility>
+#include <vector>
 
 #include "target_core/device/bindings.h"
-#include "target_core/device/instance_geometry.h"
 
 namespace target_core {
 
@@ -13,9 +15,19 @@ namespace {
 
 constexpr uint BINS = 256;
 
-uint bin_of(const uvec4& surface) { return surface.y % BINS; }
+uint bin_of(const uvec4& surface) { return bound.geometry[surface.y].bin; }
 
 }  // namespace
+
+void assign_bins(std::span<InstanceGeometry> geometry) {
+    std::vector<size_t> order(geometry.size());
+    std::iota(order.begin(), order.end(), size_t{0});
+    auto material_of = [&](size_t i) { return geometry[i].triangle_count > 0 ? geometry[i].triangles[0].w : 0u; };
+    std::stable_sort(order.begin(), order.end(), [&](size_t a, size_t b) { return material_of(a) < material_of(b); });
+    for (size_t i = 0; i < order.size(); ++i) {
+        geometry[order[i]].bin = static_cast<uint>(i * BINS / order.size());
+    }
+}
 
 // Counting sort.
 void order_surfaces(Tile& tile) {

@@ -180,7 +180,8 @@ struct LaneWords {
 /// Where the rows of an entry of a table begin: a row is 16 bytes, and addresses scale by 8 for free.
 struct Rows {
     LaneWords halves;
-    explicit Rows(Uint first) : halves(first + first) {}
+    bool same;  // for all lanes
+    explicit Rows(Uint first) : halves(first + first), same(!any_lane(first != Uint(first.v[0]))) {}
     const float* row(const target_core::vec4* table, uint lane) const {
         return reinterpret_cast<const float*>(table) + size_t{2} * halves[lane];
     }
@@ -196,6 +197,15 @@ inline vec4 gather(const target_core::vec4* table, const Rows& first, uint offse
     return row;
 }
 
+/// gather() where lanes are likely to want the same row.
+inline vec4 gather_shared(const target_core::vec4* table, const Rows& first, uint offset) {
+    if (first.same) {
+        const float* row = first.row(table + offset, 0);
+        return {Float(row[0]), Float(row[1]), Float(row[2]), Float(row[3])};
+    }
+    return gather(table, first, offset);
+}
+
 inline vec4 gather(const target_core::vec4* rows, Uint index) { return gather(rows, Rows(index), 0); }
 
 inline uvec4 bits_of(const vec4& row) {
@@ -204,6 +214,10 @@ inline uvec4 bits_of(const vec4& row) {
 
 inline uvec4 gather(const target_core::uvec4* rows, Uint index) {
     return bits_of(gather(reinterpret_cast<const target_core::vec4*>(rows), index));
+}
+
+inline uvec4 gather_shared(const target_core::uvec4* rows, Uint index) {
+    return bits_of(gather_shared(reinterpret_cast<const target_core::vec4*>(rows), Rows(index), 0));
 }
 
 inline Uint gather(const uint* words, Uint index) { return Uint(gather_words(words, index.v)); }

@@ -17,10 +17,10 @@ inline bool has_feature(uint feature) { return (settings.features & feature) != 
 inline uvec4 fetch_mesh_triangles(Uint row) { return gather(bound.mesh_triangles, row); }
 inline vec4 fetch_vertices(Rows first, uint offset) { return gather(bound.vertices, first, offset); }
 inline Uint fetch_tangents(Uint row) { return gather(bound.tangents, row); }
-inline vec4 fetch_instances(Rows first, uint offset) { return gather(bound.instances, first, offset); }
-inline vec4 fetch_materials(Rows first, uint offset) { return gather(bound.materials, first, offset); }
-inline vec4 fetch_texture_slots(Rows first, uint offset) { return gather(bound.texture_slots, first, offset); }
-inline uvec4 fetch_textures(Uint row) { return gather(bound.textures, row); }
+inline vec4 fetch_instances(Rows first, uint offset) { return gather_shared(bound.instances, first, offset); }
+inline vec4 fetch_materials(Rows first, uint offset) { return gather_shared(bound.materials, first, offset); }
+inline vec4 fetch_texture_slots(Rows first, uint offset) { return gather_shared(bound.texture_slots, first, offset); }
+inline uvec4 fetch_textures(Uint row) { return gather_shared(bound.textures, row); }
 inline Uint fetch_texels(Uint texel) { return gather(bound.texels, texel); }
 inline vec4 fetch_lights(Rows first, uint offset) { return gather(bound.lights, first, offset); }
 inline vec4 fetch_light_table(Uint row) { return gather(bound.light_table, row); }
