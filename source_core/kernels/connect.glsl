@@ -4,7 +4,6 @@
 #ifndef CONNECT_GLSL
 #define CONNECT_GLSL
 
-#include "alpha.glsl"
 #include "trace.glsl"
 
 // Traces one shadow ray and adds what it carries to its path if nothing is in the way.
@@ -15,7 +14,7 @@ void connect_shadow_ray(Uint job) {
     Ray ray;
     ray.origin = vec3(origin);
     ray.direction = vec3(direction);
-    Mask blocked = trace_any(ray, origin.w, ray_key(path, RAY_SHADOW));
+    Mask blocked = trace_any(ray, origin.w, path);
     vec4 radiance = load_path_radiance(rows_from(path)) + load_shadow_contribution(job);
     store_path_radiance(path, radiance, !blocked);
 }

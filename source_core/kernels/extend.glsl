@@ -4,7 +4,6 @@
 #ifndef EXTEND_GLSL
 #define EXTEND_GLSL
 
-#include "alpha.glsl"
 #include "sky.glsl"
 #include "trace.glsl"
 
@@ -19,7 +18,7 @@ void extend_path(Uint job) {
     Uint path = load_extension_job(job);
     Rows rows = rows_from(path);
     PathRay path_ray = load_path_ray(rows);
-    Hit hit = trace_closest(path_ray.ray, ray_key(path, RAY_EXTENSION));
+    Hit hit = trace_closest(path_ray.ray, path);
     Mask missed = hit.instance == NONE;
     push_surface_job(uvec4(path, hit.instance, hit.triangle, 0u), !missed);
     if (any_lane(missed)) {

@@ -313,14 +313,16 @@ Crossing walk_tree(Ray ray, Float tmax, Uint key, bool any_hit) {
     return walk.best;
 }
 
-Hit trace_closest(Ray ray, Uint key) {
-    Crossing crossing = walk_tree(ray, NO_HIT, key, false);
+Hit trace_closest(Ray ray, Uint path) {
+    Crossing crossing = walk_tree(ray, NO_HIT, ray_key(path, RAY_EXTENSION), false);
     Hit hit;
     hit.instance = crossing.instance;
     hit.triangle = crossing.triangle;
     return hit;
 }
 
-Mask trace_any(Ray ray, Float tmax, Uint key) { return walk_tree(ray, min(tmax, NO_HIT), key, true).instance != NONE; }
+Mask trace_any(Ray ray, Float tmax, Uint path) {
+    return walk_tree(ray, min(tmax, NO_HIT), ray_key(path, RAY_SHADOW), true).instance != NONE;
+}
 
 #endif

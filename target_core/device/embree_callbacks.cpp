@@ -20,6 +20,9 @@ Ray ray_of(const TraceContext& context, uint lane) {
             vec3(context.direction.x[lane], context.direction.y[lane], context.direction.z[lane])};
 }
 
+// Few rays meet a triangle that may let them through: their keys are computed here rather than for all rays.
+uint key_of(const TraceContext& context, uint lane) { return ray_key(context.path[lane], context.kind); }
+
 struct Candidate {
     TriangleTest test;
     bool met;  // hit, and not let through by its alpha
@@ -34,7 +37,8 @@ Candidate test_candidate(const TraceContext& context, uint instance, uint primit
     const InstanceGeometry& geometry = bound.geometry[instance];
     if (candidate.met && geometry.lets_rays_pass) {
         float opacity = bound.opacities[geometry.triangles[primitive].w];
-        candidate.met = meets_surface(opacity, *context.key, instance, primitive, candidate.test.u, candidate.test.v);
+        candidate.met =
+            meets_surface(opacity, key_of(context, 0), instance, primitive, candidate.test.u, candidate.test.v);
     }
     return candidate;
 }
@@ -72,7 +76,7 @@ void filter_by_alpha(const RTCFilterFunctionNArguments* arguments) {
         TriangleVertices triangle = fetch_triangle(instance, primitive);
         TriangleTest test = intersect_triangle(ray.origin, ray.direction, triangle.v0, triangle.v1, triangle.v2);
         float opacity = bound.opacities[bound.geometry[instance].triangles[primitive].w];
-        if (!meets_surface(opacity, context.key[lane], instance, primitive, test.u, test.v)) {
+        if (!meets_surface(opacity, key_of(context, lane), instance, primitive, test.u, test.v)) {
             arguments->valid[i] = 0;
         }
     }

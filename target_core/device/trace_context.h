@@ -15,14 +15,16 @@ struct TraceContext {
     RTCIntersectContext embree;
     Vec3<const float*> origin;
     Vec3<const float*> direction;
-    const uint* key;
+    const uint* path;
+    uint kind;  // of ray: RAY_EXTENSION or RAY_SHADOW
 
-    /// Refers to `ray` and `keys` of any lane type, which must outlive the trace.
+    /// Refers to `ray` and `paths` of any lane type, which must outlive the trace.
     template <class Ray, class Uint>
-    TraceContext(const Ray& ray, const Uint& keys)
+    TraceContext(const Ray& ray, const Uint& paths, uint kind_of_ray)
         : origin(first_lanes(ray.origin)),
           direction(first_lanes(ray.direction)),
-          key(reinterpret_cast<const uint*>(&keys)) {
+          path(reinterpret_cast<const uint*>(&paths)),
+          kind(kind_of_ray) {
         rtcInitIntersectContext(&embree);
     }
 

@@ -109,8 +109,8 @@ inline void find_closest(const Ray& ray, const int* valid, RTCIntersectContext* 
     take_lanes(packet.hit.primID, found.primitive, first);
 }
 
-inline Hit trace_closest(const Ray& ray, const Uint& key) {
-    TraceContext context(ray, key);
+inline Hit trace_closest(const Ray& ray, const Uint& path) {
+    TraceContext context(ray, path, RAY_EXTENSION);
     alignas(64) IntLanes valid = mask_words(mask_of_bits(active_lanes));
     const int* lanes = reinterpret_cast<const int*>(&valid);
     Found found;
@@ -131,8 +131,8 @@ inline Hit trace_closest(const Ray& ray, const Uint& key) {
     return hit;
 }
 
-inline Mask trace_any(const Ray& ray, const Float& t_max, const Uint& key) {
-    TraceContext context(ray, key);
+inline Mask trace_any(const Ray& ray, const Float& t_max, const Uint& path) {
+    TraceContext context(ray, path, RAY_SHADOW);
     RayPacket packet;
     fill_packet(packet, ray, t_max, 0);
     alignas(64) IntLanes valid = mask_words(mask_of_bits(active_lanes));

@@ -3,7 +3,6 @@
 // Kind: twin of source_core/kernels/connect.glsl.
 #pragma once
 
-#include "target_core/kernels/alpha.h"
 #include "target_core/kernels/trace.h"
 
 namespace target_core::kernels {
@@ -16,7 +15,7 @@ inline void connect_shadow_ray(Uint job) {
     Ray ray;
     ray.origin = vec3(origin);
     ray.direction = vec3(direction);
-    Mask blocked = trace_any(ray, origin.w, ray_key(path, RAY_SHADOW));
+    Mask blocked = trace_any(ray, origin.w, path);
     vec4 radiance = load_path_radiance(rows_from(path)) + load_shadow_contribution(job);
     store_path_radiance(path, radiance, !blocked);
 }

@@ -3,7 +3,6 @@
 // Kind: twin of source_core/kernels/extend.glsl.
 #pragma once
 
-#include "target_core/kernels/alpha.h"
 #include "target_core/kernels/sky.h"
 #include "target_core/kernels/trace.h"
 
@@ -20,7 +19,7 @@ inline void extend_path(Uint job) {
     Uint path = load_extension_job(job);
     Rows rows = rows_from(path);
     PathRay path_ray = load_path_ray(rows);
-    Hit hit = trace_closest(path_ray.ray, ray_key(path, RAY_EXTENSION));
+    Hit hit = trace_closest(path_ray.ray, path);
     Mask missed = hit.instance == NONE;
     push_surface_job(uvec4(path, hit.instance, hit.triangle, 0u), !missed);
     if (any_lane(missed)) {

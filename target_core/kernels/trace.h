@@ -52,8 +52,8 @@ inline RTCRay embree_ray(Ray ray, float t_max) {
     return embree;
 }
 
-inline Hit trace_closest(Ray ray, Uint key) {
-    TraceContext context(ray, key);
+inline Hit trace_closest(Ray ray, Uint path) {
+    TraceContext context(ray, path, RAY_EXTENSION);
     RTCRayHit found;
     found.ray = embree_ray(ray, std::numeric_limits<float>::infinity());
     found.hit.geomID = RTC_INVALID_GEOMETRY_ID;
@@ -71,8 +71,8 @@ inline Hit trace_closest(Ray ray, Uint key) {
     return hit;
 }
 
-inline Mask trace_any(Ray ray, Float t_max, Uint key) {
-    TraceContext context(ray, key);
+inline Mask trace_any(Ray ray, Float t_max, Uint path) {
+    TraceContext context(ray, path, RAY_SHADOW);
     RTCRay found = embree_ray(ray, t_max);
     rtcOccluded1(bound.scene, &context.embree, &found);
     return found.tfar < 0.0f;

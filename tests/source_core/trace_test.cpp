@@ -32,14 +32,13 @@ void generate_path(Uint job) {
 #endif
 )GLSL";
 
-// All rays decide about alpha by the same key here.
 constexpr const char* EXTEND = R"GLSL(
 #ifndef EXTEND_GLSL
 #define EXTEND_GLSL
 #include "trace.glsl"
 void extend_path(Uint job) {
     Uint path = load_extension_job(job);
-    Hit hit = trace_closest(load_path_ray(path).ray, 0u);
+    Hit hit = trace_closest(load_path_ray(path).ray, path);
     push_surface_job(uvec4(path, hit.instance, hit.triangle, 0u), true);
 }
 #endif
@@ -57,7 +56,7 @@ void shade_path(Uint job) {
     hit.triangle = row.z;
     PathRay path_ray = load_path_ray(path);
     Float tmax = fetch_sky_texels(path).w;
-    Mask blocked = trace_any(path_ray.ray, tmax, 0u);
+    Mask blocked = trace_any(path_ray.ray, tmax, path);
     vec4 found = vec4(-1.0f, -1.0f, 0.0f, blocked ? 1.0f : 0.0f);
     if (hit.instance != NONE) {
         TriangleVertices triangle = fetch_triangle(hit.instance, hit.triangle);
@@ -77,6 +76,8 @@ constexpr const char* FINALIZE = R"GLSL(
 void finalize_pixel(Uint job) { store_target(job + pass.first_pixel, load_path_radiance(job)); }
 #endif
 )GLSL";
+
+constexpr uint32_t SEED = 5;
 
 struct TestRay {
     glm::vec3 origin;
@@ -122,7 +123,7 @@ float intersect(const TestRay& ray, glm::vec3 v0, glm::vec3 v1, glm::vec3 v2) {
     return sum != 0.0f && approach != 0.0f && inside && t > 0.0f ? t : -1.0f;
 }
 
-// The hashed decision of kernels/alpha.glsl for the key 0: the share of (instance, primitive) that rays meet.
+// The hashed decision of kernels/alpha.glsl: the share of (ray, instance, primitive) that meet.
 uint32_t hash_bits(uint32_t x) {
     x = (x ^ (x >> 16)) * 0x7feb352du;
     x = (x ^ (x >> 15)) * 0x846ca68bu;
@@ -131,13 +132,18 @@ uint32_t hash_bits(uint32_t x) {
 
 uint32_t hash_pair(uint32_t a, uint32_t b) { return hash_bits(a ^ (hash_bits(b) + 0x9e3779b9u)); }
 
-bool meets(const CoreMaterial& material, uint32_t instance, uint32_t primitive) {
-    const float draw = static_cast<float>(hash_pair(0, hash_pair(instance, primitive)) >> 8) * 0x1p-24f;
+// Of the ray of pixel `pixel` in the first sample's first segment; kind 0: extension, 1: shadow.
+uint32_t ray_key(uint32_t pixel, uint32_t kind) {
+    return hash_pair(hash_pair(pixel, hash_bits(SEED)), hash_pair(0, 2 + kind));
+}
+
+bool meets(const CoreMaterial& material, uint32_t key, uint32_t instance, uint32_t primitive) {
+    const float draw = static_cast<float>(hash_pair(key, hash_pair(instance, primitive)) >> 8) * 0x1p-24f;
     return material.opaque || draw < material.alpha;
 }
 
 // All triangles in the order of (instance, primitive): the first of equal t wins.
-Found brute_force(const TestScene& scene, const TestRay& ray) {
+Found brute_force(const TestScene& scene, const TestRay& ray, uint32_t pixel) {
     Found best;
     for (size_t i = 0; i < scene.instances.size(); ++i) {
         if (scene.instances[i].mesh == NONE) {
@@ -147,18 +153,19 @@ Found brute_force(const TestScene& scene, const TestRay& ray) {
         const CoreTransform& transform = scene.instances[i].transform;
         for (size_t k = 0; k < mesh.triangles.size(); ++k) {
             const glm::uvec4& corners = mesh.triangles[k];
-            if (!meets(scene.materials[corners.w], static_cast<uint32_t>(i), static_cast<uint32_t>(k))) {
-                continue;
-            }
+            auto met_by = [&](uint32_t kind) {
+                return meets(scene.materials[corners.w], ray_key(pixel, kind), static_cast<uint32_t>(i),
+                             static_cast<uint32_t>(k));
+            };
             const float t =
                 intersect(ray, place(transform, mesh.positions[corners.x]), place(transform, mesh.positions[corners.y]),
                           place(transform, mesh.positions[corners.z]));
-            if (t > 0.0f && (best.instance < 0.0f || t < best.t)) {
+            if (t > 0.0f && (best.instance < 0.0f || t < best.t) && met_by(0)) {
                 best.instance = static_cast<float>(i);
                 best.primitive = static_cast<float>(k);
                 best.t = t;
             }
-            best.blocked = t > 0.0f && t < ray.tmax ? 1.0f : best.blocked;
+            best.blocked = t > 0.0f && t < ray.tmax && met_by(1) ? 1.0f : best.blocked;
         }
     }
     return best;
@@ -216,12 +223,13 @@ protected:
         ASSERT_TRUE(core->SetSkyData(sky).ok());
         CoreSettings settings;
         settings.max_path_length = 1;
+        settings.seed = SEED;
         ASSERT_TRUE(core->Setting(settings).ok());
         const auto pixels = render(*core, width, 1, 1);
         uint32_t hits = 0;
         uint32_t blocked = 0;
         for (uint32_t i = 0; i < width; ++i) {
-            const Found expected = brute_force(scene, rays[i]);
+            const Found expected = brute_force(scene, rays[i], i);
             ASSERT_EQ(pixels[i].x, expected.instance) << "ray " << i;
             ASSERT_EQ(pixels[i].y, expected.primitive) << "ray " << i;
             ASSERT_EQ(pixels[i].z, expected.t) << "ray " << i;
