@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "target_core/device/float_mode.h"
 #include "target_core/kernels/trace.h"
 
 namespace target_core {
@@ -62,6 +63,7 @@ void filter_by_alpha(const RTCFilterFunctionNArguments* arguments) {
     if (!bound.geometry) {
         return;
     }
+    KeepDenormals keep;
     const TraceContext& context = context_of(arguments->context);
     uint count = arguments->N;
     for (uint i = 0; i < count; ++i) {
