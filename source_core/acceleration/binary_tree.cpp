@@ -21,6 +21,7 @@ constexpr uint32_t LARGEST_LEAF = 4;
 constexpr uint32_t BINS = 16;
 constexpr float NODE_COST = 2.0f;        // against a triangle test; higher makes fewer, fuller leaves, no slower
 constexpr size_t PARALLEL_RANGE = 8192;  // primitives below which a thread of its own is not worth it
+constexpr size_t TWO_HALVES = 256;       // primitives from which two sets of bins pay
 constexpr float LARGEST = std::numeric_limits<float>::max();
 
 struct Bounds {
@@ -75,22 +76,27 @@ struct Split {
     int axis = -1;     // -1: none
     uint32_t bin = 0;  // first bin of the right side
     float cost = LARGEST;
+    Bounds left;  // boxes of the two sides
+    Bounds right;
 };
 
 // How centres map to bins. Small ranges get few: their bins would be empty.
 struct BinScale {
     Lanes origin;
     Lanes scale;
+    Lanes last;  // bin
     uint32_t count;
 
-    uint32_t bin(Lanes middle, int axis) const {
-        const float position = (middle[axis] - origin[axis]) * scale[axis];
-        return std::min(static_cast<uint32_t>(position), count - 1);
+    /// One bin for each axis.
+    Words bins(Lanes middle) const {
+        const Lanes position = (middle - origin) * scale;
+        return __builtin_convertvector(position < last ? position : last, Words);
     }
 };
 
 BinScale make_scale(const Bounds& centres, size_t range) {
-    BinScale result{centres.lower, {}, static_cast<uint32_t>(std::min<size_t>(BINS, 4 + range / 8))};
+    BinScale result{centres.lower, {}, {}, static_cast<uint32_t>(std::min<size_t>(BINS, 4 + range / 8))};
+    result.last += static_cast<float>(result.count - 1);
     for (int axis = 0; axis < 3; ++axis) {
         const float extent = centres.upper[axis] - centres.lower[axis];
         const float scale = static_cast<float>(result.count) / extent;
@@ -101,33 +107,67 @@ BinScale make_scale(const Bounds& centres, size_t range) {
 
 struct Bin {
     Bounds bounds;
-    uint32_t count = 0;
+    uint32_t count;
+
+    void include(Lanes lower, Lanes upper, uint32_t primitives) {
+        bounds.include(lower, upper);
+        count += primitives;
+    }
 };
 
 struct Bins {
     Bin bins[3][BINS];
-};
 
-void fill(Bins& bins, const BinScale& scale, std::span<const BuildPrimitive> range) {
-    for (const BuildPrimitive& primitive : range) {
+    explicit Bins(uint32_t count) {
+        for (auto& axis : bins) {
+            std::fill(axis, axis + count, Bin{{}, 0});
+        }
+    }
+    void include(const BuildPrimitive& primitive, const BinScale& scale) {
         const Lanes lower = load_lower(primitive);
         const Lanes upper = load_upper(primitive);
-        const Lanes position = (centre(primitive) - scale.origin) * scale.scale;
+        const Words bin = scale.bins(lower * 0.5f + upper * 0.5f);
+        bins[0][bin[0]].include(lower, upper, 1);
+        bins[1][bin[1]].include(lower, upper, 1);
+        bins[2][bin[2]].include(lower, upper, 1);
+    }
+    void include(const Bins& other, uint32_t count) {
         for (int axis = 0; axis < 3; ++axis) {
-            Bin& bin = bins.bins[axis][std::min(static_cast<uint32_t>(position[axis]), scale.count - 1)];
-            bin.bounds.include(lower, upper);
-            ++bin.count;
+            for (uint32_t i = 0; i < count; ++i) {
+                const Bin& bin = other.bins[axis][i];
+                bins[axis][i].include(bin.bounds.lower, bin.bounds.upper, bin.count);
+            }
         }
+    }
+};
+
+// Neighbours in the range mostly fall into the same bin, and each would wait for the one before it to be stored: two
+// halves of the range are taken in turn.
+void fill(Bins& bins, const BinScale& scale, std::span<const BuildPrimitive> range) {
+    size_t half = 0;
+    if (range.size() >= TWO_HALVES) {
+        half = range.size() / 2;
+        Bins others(scale.count);
+        for (size_t i = 0; i < half; ++i) {
+            bins.include(range[i], scale);
+            others.include(range[half + i], scale);
+        }
+        bins.include(others, scale.count);
+    }
+    for (size_t i = 2 * half; i < range.size(); ++i) {
+        bins.include(range[i], scale);
     }
 }
 
 void sweep_axis(const Bin* bins, uint32_t bin_count, int axis, Split& best) {
     float right_cost[BINS];
+    Bounds rights[BINS];
     Bounds right;
     uint32_t count = 0;
     for (uint32_t bin = bin_count - 1; bin > 0; --bin) {
         right.include(bins[bin].bounds.lower, bins[bin].bounds.upper);
         count += bins[bin].count;
+        rights[bin] = right;
         right_cost[bin] = count == 0 ? LARGEST : right.half_area() * static_cast<float>(count);
     }
     Bounds left;
@@ -140,13 +180,13 @@ void sweep_axis(const Bin* bins, uint32_t bin_count, int axis, Split& best) {
         }
         const float cost = left.half_area() * static_cast<float>(count) + right_cost[bin];
         if (cost < best.cost) {
-            best = {axis, bin, cost};
+            best = {axis, bin, cost, left, rights[bin]};
         }
     }
 }
 
 Split find_split(const BinScale& scale, std::span<const BuildPrimitive> range) {
-    Bins bins;
+    Bins bins(scale.count);
     fill(bins, scale, range);
     Split best;
     for (int axis = 0; axis < 3; ++axis) {
@@ -166,14 +206,22 @@ struct Parts {
 
 Parts partition(std::span<BuildPrimitive> range, const BinScale& scale, const Split& split) {
     Parts parts;
+    parts.left.boxes = split.left;
+    parts.right.boxes = split.right;
+    const auto first_right_bin = static_cast<int32_t>(split.bin);
     size_t left = 0;
     size_t right = range.size();
     while (left < right) {
-        if (scale.bin(centre(range[left]), split.axis) < split.bin) {
-            parts.left.include(range[left++]);
+        const Lanes middle = centre(range[left]);
+        const bool alone = range[left].alone != 0;
+        if (scale.bins(middle)[split.axis] < first_right_bin) {
+            parts.left.centres.include(middle, middle);
+            parts.left.some_alone |= alone;
+            ++left;
         } else {
+            parts.right.centres.include(middle, middle);
+            parts.right.some_alone |= alone;
             std::swap(range[left], range[--right]);
-            parts.right.include(range[right]);
         }
     }
     parts.left_count = left;
