@@ -11,6 +11,7 @@
 #include "target_core/core_tables.h"
 #include "target_core/device/bindings.h"
 #include "target_core/device/embree_scene.h"
+#include "target_core/device/float_mode.h"
 #include "target_core/device/kernel_table.h"
 #include "target_core/device/surface_order.h"
 #include "target_core/kernels/surface.h"
@@ -26,14 +27,20 @@ protected:
         make_textures();
         make_materials();
         make_lights();
-        make_sheet();
-        meshes_.place(materials_);
         std::string message;
         ASSERT_TRUE(embree_.open(1, message)) << message;
+        set_sheet(0, 0, 24);
+        meshes_.set_instance(0, 0, {});
+        build();
+    }
+    void TearDown() override { bound = {}; }
+
+    void build() {
+        meshes_.place(materials_);
+        std::string message;
         ASSERT_TRUE(embree_.build(meshes_.geometry(), false, message)) << message;
         make_frame();
     }
-    void TearDown() override { bound = {}; }
 
     void make_textures() {
         for (uint i = 0; i < 64 + 16 + 4 + 1; ++i) {
@@ -103,7 +110,8 @@ protected:
         pack_sky({glm::vec3(0.0f), 8, 4, sky_texels_, sky_table_, 0.5f}, tables_);
     }
 
-    void make_sheet() {
+    // A mesh whose triangles have the materials from `first` on.
+    void set_sheet(uint mesh, uint first, uint material_count) {
         constexpr uint N = 20;
         std::vector<glm::vec3> positions, normals;
         std::vector<glm::vec4> tangents;
@@ -121,12 +129,11 @@ protected:
         }
         for (uint i = 0; i + N < N * N; ++i) {
             if (i % N + 1 < N) {
-                triangles.push_back({i, i + N, i + 1, i % 24});
-                triangles.push_back({i + 1, i + N, i + N + 1, (i * 5) % 24});
+                triangles.push_back({i, i + N, i + 1, first + i % material_count});
+                triangles.push_back({i + 1, i + N, i + N + 1, first + (i * 5) % material_count});
             }
         }
-        meshes_.set_mesh(0, {positions, normals, tangents, uv, uv, colors, triangles});
-        meshes_.set_instance(0, 0, {});
+        meshes_.set_mesh(mesh, {positions, normals, tangents, uv, uv, colors, triangles});
     }
 
     void make_frame() {
@@ -220,73 +227,123 @@ protected:
         return same;
     }
 
+    // What one sample leaves behind after each kernel. Hits come from the one-lane walk, so that ties between
+    // coincident triangles do not hide a fault of the lanes.
+    void expect_bits_of_one_lane() {
+        SCOPED_TRACE(lanes().name);
+        // A count that leaves lanes of the last job idle.
+        pass_.path_count = TILE_PATHS - 21;
+        Tile one;
+        Tile wide;
+        use(wide);
+        lanes().generate();
+        use(one);
+        one_lane_kernels.generate();
+        ASSERT_EQ(one.next.count, wide.next.count);
+        ASSERT_TRUE(same_bits(one.next.paths, wide.next.paths, one.next.count));
+        ASSERT_TRUE(same_bits(one.origin, wide.origin));
+        ASSERT_TRUE(same_bits(one.direction, wide.direction));
+        for (uint segment = 1; segment <= 3; ++segment) {
+            SCOPED_TRACE("segment " + std::to_string(segment));
+            pass_.segment = segment;
+            std::swap(one.current, one.next);
+            one.next.count = 0;
+            one.surface_count = 0;
+            one.shadow_count = 0;
+            ASSERT_GT(one.current.count, 0u);
+            use(one);
+            one_lane_kernels.extend();
+            copy_state(one, wide);
+            wide.next.count = 0;
+            wide.shadow_count = 0;
+            one_lane_kernels.shade();
+            use(wide);
+            lanes().shade();
+            ASSERT_EQ(one.next.count, wide.next.count);
+            ASSERT_EQ(one.shadow_count, wide.shadow_count);
+            EXPECT_GT(one.shadow_count, 0u);
+            EXPECT_TRUE(same_bits(one.next.paths, wide.next.paths, one.next.count));
+            EXPECT_TRUE(same_bits(one.origin, wide.origin));
+            EXPECT_TRUE(same_bits(one.direction, wide.direction));
+            EXPECT_TRUE(same_bits(one.throughput, wide.throughput));
+            EXPECT_TRUE(same_bits(one.radiance, wide.radiance));
+            EXPECT_TRUE(same_bits(one.shadow_origin, wide.shadow_origin, one.shadow_count));
+            EXPECT_TRUE(same_bits(one.shadow_direction, wide.shadow_direction, one.shadow_count));
+            EXPECT_TRUE(same_bits(one.shadow_contribution, wide.shadow_contribution, one.shadow_count));
+            use(one);
+            one_lane_kernels.connect();
+            use(wide);
+            lanes().connect();
+            EXPECT_TRUE(same_bits(one.radiance, wide.radiance));
+        }
+        std::vector<target_core::vec4> pictures[4];
+        for (std::vector<target_core::vec4>& picture : pictures) picture.assign(TILE_PATHS, target_core::vec4(0.25f));
+        auto finish = [&](Tile& tile, const KernelTable& table, size_t first) {
+            use(tile);
+            bound.accumulator = pictures[first].data();
+            bound.target = pictures[first + 1].data();
+            pass.sample_scale = 0.5f;
+            table.finalize();
+        };
+        finish(one, one_lane_kernels, 0);
+        finish(wide, lanes(), 2);
+        for (size_t i : {0u, 1u}) {
+            EXPECT_EQ(std::memcmp(pictures[i].data(), pictures[i + 2].data(), TILE_PATHS * sizeof(target_core::vec4)),
+                      0);
+        }
+    }
+
 private:
     const KernelTables runnable_ = runnable_kernels();
 };
 
-// What one sample leaves behind after each kernel. Hits come from the one-lane walk, so that ties between coincident
-// triangles do not hide a fault of the lanes.
-TEST_P(WideKernels, GiveTheBitsOfOneLane) {
-    SCOPED_TRACE(lanes().name);
-    // A count that leaves lanes of the last job idle.
-    pass_.path_count = TILE_PATHS - 21;
-    Tile one;
-    Tile wide;
-    use(wide);
+TEST_P(WideKernels, GiveTheBitsOfOneLane) { expect_bits_of_one_lane(); }
+
+TEST_P(WideKernels, GiveTheBitsOfOneLaneWhereAllLanesWantTheSameRows) {
+    for (uint material : {4u, 9u, 13u, 14u}) {
+        SCOPED_TRACE("material " + std::to_string(material));
+        set_sheet(0, material, 1);
+        build();
+        expect_bits_of_one_lane();
+    }
+}
+
+// Two instances of one mesh stay in mesh space, one of them mirrored; a third, of a mesh of its own, is in world space.
+TEST_P(WideKernels, GiveTheBitsOfOneLaneOnInstances) {
+    set_sheet(1, 5, 3);
+    render_system::CoreTransform left;
+    left.rows[0] = {-0.6f, 0.1f, 0.0f, -1.3f};
+    left.rows[1] = {0.0f, 1.1f, 0.2f, -0.2f};
+    left.rows[2] = {0.1f, 0.0f, 0.9f, 0.3f};
+    render_system::CoreTransform right;
+    right.rows[0] = {0.5f, 0.0f, 0.0f, 1.2f};
+    right.rows[1] = {0.0f, 0.8f, 0.0f, 0.1f};
+    right.rows[2] = {0.0f, -0.3f, 1.0f, 0.0f};
+    render_system::CoreTransform below;
+    below.rows[1].w = -0.7f;
+    meshes_.set_instance(0, 0, left);
+    meshes_.set_instance(1, 0, right);
+    meshes_.set_instance(2, 1, below);
+    build();
+    ASSERT_NE(settings_.features & FEATURE_INSTANCES, 0u);
+    expect_bits_of_one_lane();
+}
+
+// Embree may flush denormals while it walks camera rays; the kernels after it must not.
+TEST_P(WideKernels, LeaveTheFloatModeAsItWas) {
+    Tile tile;
+    use(tile);
+    KeepDenormals keep;
+    const unsigned before = _mm_getcsr();
     lanes().generate();
-    use(one);
-    one_lane_kernels.generate();
-    ASSERT_EQ(one.next.count, wide.next.count);
-    ASSERT_TRUE(same_bits(one.next.paths, wide.next.paths, one.next.count));
-    ASSERT_TRUE(same_bits(one.origin, wide.origin));
-    ASSERT_TRUE(same_bits(one.direction, wide.direction));
-    for (uint segment = 1; segment <= 3; ++segment) {
-        SCOPED_TRACE("segment " + std::to_string(segment));
-        pass_.segment = segment;
-        std::swap(one.current, one.next);
-        one.next.count = 0;
-        one.surface_count = 0;
-        one.shadow_count = 0;
-        ASSERT_GT(one.current.count, 0u);
-        use(one);
-        one_lane_kernels.extend();
-        copy_state(one, wide);
-        wide.next.count = 0;
-        wide.shadow_count = 0;
-        one_lane_kernels.shade();
-        use(wide);
-        lanes().shade();
-        ASSERT_EQ(one.next.count, wide.next.count);
-        ASSERT_EQ(one.shadow_count, wide.shadow_count);
-        EXPECT_GT(one.shadow_count, 0u);
-        EXPECT_TRUE(same_bits(one.next.paths, wide.next.paths, one.next.count));
-        EXPECT_TRUE(same_bits(one.origin, wide.origin));
-        EXPECT_TRUE(same_bits(one.direction, wide.direction));
-        EXPECT_TRUE(same_bits(one.throughput, wide.throughput));
-        EXPECT_TRUE(same_bits(one.radiance, wide.radiance));
-        EXPECT_TRUE(same_bits(one.shadow_origin, wide.shadow_origin, one.shadow_count));
-        EXPECT_TRUE(same_bits(one.shadow_direction, wide.shadow_direction, one.shadow_count));
-        EXPECT_TRUE(same_bits(one.shadow_contribution, wide.shadow_contribution, one.shadow_count));
-        use(one);
-        one_lane_kernels.connect();
-        use(wide);
-        lanes().connect();
-        EXPECT_TRUE(same_bits(one.radiance, wide.radiance));
+    std::swap(tile.current, tile.next);
+    for (uint segment : {1u, 2u}) {
+        pass.segment = segment;
+        tile.surface_count = 0;
+        lanes().extend();
+        EXPECT_EQ(_mm_getcsr() & 0x8040u, before & 0x8040u) << "segment " << segment;
     }
-    std::vector<target_core::vec4> pictures[4];
-    for (std::vector<target_core::vec4>& picture : pictures) picture.assign(TILE_PATHS, target_core::vec4(0.25f));
-    auto finish = [&](Tile& tile, const KernelTable& table, size_t first) {
-        use(tile);
-        bound.accumulator = pictures[first].data();
-        bound.target = pictures[first + 1].data();
-        pass.sample_scale = 0.5f;
-        table.finalize();
-    };
-    finish(one, one_lane_kernels, 0);
-    finish(wide, lanes(), 2);
-    for (size_t i : {0u, 1u}) {
-        EXPECT_EQ(std::memcmp(pictures[i].data(), pictures[i + 2].data(), TILE_PATHS * sizeof(target_core::vec4)), 0);
-    }
+    EXPECT_EQ(before & 0x8040u, 0u);
 }
 
 // Packets of rays meet what single rays meet: the same triangles at the same places, but for ties.
