@@ -107,7 +107,7 @@ BinScale make_scale(const Bounds& centres, size_t range) {
 
 struct Bin {
     Bounds bounds;
-    uint32_t count;
+    uint32_t count = 0;
 
     void include(Lanes lower, Lanes upper, uint32_t primitives) {
         bounds.include(lower, upper);
@@ -118,11 +118,6 @@ struct Bin {
 struct Bins {
     Bin bins[3][BINS];
 
-    explicit Bins(uint32_t count) {
-        for (auto& axis : bins) {
-            std::fill(axis, axis + count, Bin{{}, 0});
-        }
-    }
     void include(const BuildPrimitive& primitive, const BinScale& scale) {
         const Lanes lower = load_lower(primitive);
         const Lanes upper = load_upper(primitive);
@@ -144,10 +139,9 @@ struct Bins {
 // Neighbours in the range mostly fall into the same bin, and each would wait for the one before it to be stored: two
 // halves of the range are taken in turn.
 void fill(Bins& bins, const BinScale& scale, std::span<const BuildPrimitive> range) {
-    size_t half = 0;
-    if (range.size() >= TWO_HALVES) {
-        half = range.size() / 2;
-        Bins others(scale.count);
+    const size_t half = range.size() < TWO_HALVES ? 0 : range.size() / 2;
+    if (half > 0) {
+        Bins others;
         for (size_t i = 0; i < half; ++i) {
             bins.include(range[i], scale);
             others.include(range[half + i], scale);
@@ -185,8 +179,9 @@ void sweep_axis(const Bin* bins, uint32_t bin_count, int axis, Split& best) {
     }
 }
 
-Split find_split(const BinScale& scale, std::span<const BuildPrimitive> range) {
-    Bins bins(scale.count);
+// Not inlined: its bins would lie on the stack of every level of the recursion.
+[[gnu::noinline]] Split find_split(const BinScale& scale, std::span<const BuildPrimitive> range) {
+    Bins bins;
     fill(bins, scale, range);
     Split best;
     for (int axis = 0; axis < 3; ++axis) {

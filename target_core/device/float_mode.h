@@ -8,7 +8,8 @@
 
 namespace target_core {
 
-/// Sets what becomes of denormal floats while it lives, on this thread.
+/// Sets what becomes of denormal floats while it lives, on this thread. Always inlined: objects for several instruction
+/// sets use it.
 class DenormalMode {
 public:
     DenormalMode(const DenormalMode&) = delete;
@@ -16,16 +17,18 @@ public:
 
 protected:
 #if defined(__x86_64__)
-    explicit DenormalMode(bool flush) : saved_(_mm_getcsr()) {
-        _mm_setcsr(flush ? saved_ | FLUSH_TO_ZERO | DENORMALS_ARE_ZERO
-                         : saved_ & ~(FLUSH_TO_ZERO | DENORMALS_ARE_ZERO));
+    [[gnu::always_inline]] explicit DenormalMode(bool flush)
+        : before_(_mm_getcsr()), during_(flush ? before_ | FLUSH_BITS : before_ & ~FLUSH_BITS) {
+        if (during_ != before_) _mm_setcsr(during_);
     }
-    ~DenormalMode() { _mm_setcsr(saved_); }
+    [[gnu::always_inline]] ~DenormalMode() {
+        if (during_ != before_) _mm_setcsr(before_);
+    }
 
 private:
-    static constexpr unsigned FLUSH_TO_ZERO = 0x8000;
-    static constexpr unsigned DENORMALS_ARE_ZERO = 0x0040;
-    unsigned saved_;
+    static constexpr unsigned FLUSH_BITS = 0x8040;  // results to zero, and denormals that are read
+    unsigned before_;
+    unsigned during_;
 #else
     explicit DenormalMode(bool) {}
     ~DenormalMode() {}
@@ -36,13 +39,15 @@ private:
 /// of its pool to flush them.
 class KeepDenormals : DenormalMode {
 public:
-    KeepDenormals() : DenormalMode(false) {}
+    [[gnu::always_inline]] KeepDenormals() : DenormalMode(false) {}
+    [[gnu::always_inline]] ~KeepDenormals() = default;
 };
 
-/// For Embree where it slows down over denormals of its own making.
+/// For Embree's walk of coherent packets, which is slower over denormals.
 class FlushDenormals : DenormalMode {
 public:
-    FlushDenormals() : DenormalMode(true) {}
+    [[gnu::always_inline]] FlushDenormals() : DenormalMode(true) {}
+    [[gnu::always_inline]] ~FlushDenormals() = default;
 };
 
 }  // namespace target_core

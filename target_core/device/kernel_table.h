@@ -10,7 +10,7 @@ namespace target_core {
 /// the tile bound to this thread.
 struct KernelTable {
     const char* name;
-    uint lanes;
+    uint lanes;  // of the widest of them
     void (*generate)();
     void (*extend)();
     void (*shade)();

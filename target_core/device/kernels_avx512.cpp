@@ -16,8 +16,8 @@ namespace target_core {
 
 namespace {
 
-// Camera rays are faster by 16. Rays that go everywhere are faster by 8, and Embree's code for that is faster again
-// among code without 512 bits.
+// The 16-lane code traces camera rays only, though its text would do for all. Rays that go everywhere are faster by 8,
+// and Embree's code for that is faster again among code without 512 bits.
 void extend() { pass.segment == 1 ? kernels_avx512::extend() : avx2_kernels.extend(); }
 
 }  // namespace

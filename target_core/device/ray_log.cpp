@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "target_core/device/bindings.h"
+#include "target_core/device/float_mode.h"
 #include "target_core/device/parallel.h"
 
 namespace target_core {
@@ -126,6 +127,7 @@ double RayLog::time_of(const std::vector<LoggedRay> Rays::*kind, const Trace& tr
         const std::vector<LoggedRay>& rays = thread.*kind;
         for_each_tile(static_cast<uint>((rays.size() + CHUNK - 1) / CHUNK), [&](uint chunk) {
             bound = {};
+            FlushDenormals flush;  // as Embree likes it best
             size_t first = chunk * CHUNK;
             trace(rays.data() + first, std::min(CHUNK, rays.size() - first));
         });

@@ -200,8 +200,10 @@ inline vec4 gather(const target_core::vec4* table, const Rows& first, uint offse
 /// gather() where lanes are likely to want the same row.
 inline vec4 gather_shared(const target_core::vec4* table, const Rows& first, uint offset) {
     if (first.same) {
-        const float* row = first.row(table + offset, 0);
-        return {Float(row[0]), Float(row[1]), Float(row[2]), Float(row[3])};
+        uint words[4];  // bits: a row may hold integers
+        __builtin_memcpy(words, first.row(table + offset, 0), sizeof(words));
+        return {uintBitsToFloat(words[0]), uintBitsToFloat(words[1]), uintBitsToFloat(words[2]),
+                uintBitsToFloat(words[3])};
     }
     return gather(table, first, offset);
 }

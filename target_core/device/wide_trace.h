@@ -101,7 +101,7 @@ inline Hit trace_closest(const Ray& ray, const Uint& path) {
     alignas(64) IntLanes valid = mask_words(mask_of_bits(active_lanes));
     const int* lanes = reinterpret_cast<const int*>(&valid);
     if (pass.segment == 1u) {
-        // Camera rays share an origin: Embree walks their packets as one, and over denormals at half the speed.
+        // Camera rays share an origin: Embree walks their packets as one, slower over denormals.
         context.embree.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
         FlushDenormals flush;
         trace_packet(lanes, &context.embree, &packet);

@@ -9,6 +9,7 @@
 #include <random>
 #include <vector>
 
+#include "target_core/core_mesh.h"
 #include "target_core/device/bindings.h"
 #include "target_core/device/instance_geometry.h"
 
@@ -106,6 +107,20 @@ TEST_F(SurfaceOrder, InstancesThatShareABinShareAMaterialMostly) {
                      : 1;
     }
     EXPECT_LT(mixed, MATERIALS);
+}
+
+TEST_F(SurfaceOrder, AScenesInstancesAreGivenBins) {
+    std::vector<render_system::CoreMaterial> materials(2);
+    std::vector<glm::vec3> positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    std::vector<glm::vec3> normals(3, glm::vec3(0, 0, 1));
+    CoreMeshes meshes;
+    for (uint mesh : {0u, 1u}) {
+        std::vector<glm::uvec4> triangle = {{0, 1, 2, 1 - mesh}};
+        meshes.set_mesh(mesh, {positions, normals, {}, {}, {}, {}, triangle});
+        meshes.set_instance(mesh, mesh, {});
+    }
+    meshes.place(materials);
+    EXPECT_GT(meshes.geometry()[0].bin, meshes.geometry()[1].bin) << "materials 1 and 0";
 }
 
 TEST_F(SurfaceOrder, NoInstancesNeedNoBins) { assign_bins({}); }

@@ -10,11 +10,12 @@
 #include "target_core/core_mesh.h"
 #include "target_core/core_tables.h"
 #include "target_core/device/bindings.h"
+#include "target_core/device/embree_callbacks.h"
 #include "target_core/device/embree_scene.h"
 #include "target_core/device/float_mode.h"
 #include "target_core/device/kernel_table.h"
 #include "target_core/device/surface_order.h"
-#include "target_core/kernels/surface.h"
+#include "target_core/kernels/trace.h"
 
 using namespace target_core;
 
@@ -166,6 +167,11 @@ protected:
         bindings_.light_table = tables_.light_table.data();
         bindings_.sky_texels = tables_.sky_texels.data();
         bindings_.sky_table = tables_.sky_table.data();
+        opacities_.clear();
+        for (const render_system::CoreMaterial& material : materials_) {
+            opacities_.push_back(opacity_code(material, meshes_.has_colors()));
+        }
+        bindings_.opacities = opacities_.data();
         bindings_.geometry = meshes_.geometry().data();
         bindings_.scene = embree_.scene();
     }
@@ -193,6 +199,13 @@ protected:
         to.current.count = from.current.count;
     }
 
+    static void copy_shadow_rays(const Tile& from, Tile& to) {
+        std::copy_n(from.shadow_origin.get(), TILE_PATHS, to.shadow_origin.get());
+        std::copy_n(from.shadow_direction.get(), TILE_PATHS, to.shadow_direction.get());
+        std::copy_n(from.shadow_contribution.get(), TILE_PATHS, to.shadow_contribution.get());
+        to.shadow_count = from.shadow_count;
+    }
+
     std::vector<uint32_t> texels_;
     std::vector<render_system::CoreMaterial> materials_;
     std::vector<render_system::CoreLight> lights_;
@@ -201,6 +214,7 @@ protected:
     std::vector<render_system::AliasEntry> sky_table_;
     uint light_features_ = 0;
     SceneTables tables_;
+    std::vector<float> opacities_;
     CoreMeshes meshes_;
     EmbreeScene embree_;
     Settings settings_{};
@@ -327,6 +341,53 @@ TEST_P(WideKernels, GiveTheBitsOfOneLaneOnInstances) {
     build();
     ASSERT_NE(settings_.features & FEATURE_INSTANCES, 0u);
     expect_bits_of_one_lane();
+}
+
+// Each ray decides for itself which triangles let it through: by a constant, a texture's alpha or vertex colours.
+TEST_P(WideKernels, DecideAboutAlphaAsOneLaneDoes) {
+    for (render_system::CoreMaterial& material : materials_) {
+        material.opaque = false;
+        material.alpha = 0.5f;
+    }
+    pack_materials(materials_, tables_);
+    set_sheet(1, 5, 3);
+    render_system::CoreTransform below;
+    below.rows[1].w = -0.7f;
+    render_system::CoreTransform lower;
+    lower.rows[1].w = -1.1f;
+    meshes_.set_instance(1, 1, below);
+    meshes_.set_instance(2, 1, lower);
+    build();
+    ASSERT_NE(settings_.features & FEATURE_ALPHA, 0u);
+    pass_.path_count = TILE_PATHS - 5;
+    Tile one;
+    Tile wide;
+    use(one);
+    one_lane_kernels.generate();
+    uint passed = 0;
+    for (uint segment = 1; segment <= 3; ++segment) {
+        SCOPED_TRACE("segment " + std::to_string(segment));
+        pass_.segment = segment;
+        std::swap(one.current, one.next);
+        one.next.count = one.surface_count = one.shadow_count = 0;
+        copy_state(one, wide);
+        use(wide);
+        lanes().extend();
+        use(one);
+        one_lane_kernels.extend();
+        ASSERT_EQ(one.surface_count, wide.surface_count);
+        EXPECT_GT(one.surface_count, one.current.count / 16);
+        EXPECT_GE(same_surfaces(one, wide) + 2, one.surface_count);
+        for (uint i = 0; i < one.surface_count; ++i) passed += one.surfaces[i].y != 0 ? 1 : 0;
+        one_lane_kernels.shade();
+        copy_state(one, wide);
+        copy_shadow_rays(one, wide);
+        one_lane_kernels.connect();
+        use(wide);
+        lanes().connect();
+        EXPECT_TRUE(same_bits(one.radiance, wide.radiance));
+    }
+    EXPECT_GT(passed, 100u) << "of the upper sheet";
 }
 
 // Embree may flush denormals while it walks camera rays; the kernels after it must not.
@@ -459,6 +520,49 @@ TEST_P(WideKernels, StayInsideTheTile) {
         each([](auto& rows) { (void)rows.rows.release(); });
         for (auto& [at, bytes] : maps) munmap(at, bytes);
     }
+}
+
+// A triangle so small that its triangle test is made of denormals, transparent at its first corner and met near the
+// second: where denormals were flushed the hit would lie at the first.
+TEST_F(WideKernelsScene, TheAlphaFilterKeepsDenormalsWhereEmbreeFlushesThem) {
+    std::vector<uint32_t> texels = {0x00FFFFFFu, 0xFFFFFFFFu};
+    render_system::CoreTexture texture;
+    texture.width = 2;
+    texture.height = 1;
+    texture.nearest = true;
+    texture.texels = texels;
+    pack_textures({&texture, 1}, tables_);
+    materials_.assign(1, {});
+    materials_[0].opaque = false;
+    materials_[0].alpha_cutoff = 0.5f;
+    materials_[0].base_color_texture.texture = 0;
+    pack_materials(materials_, tables_);
+    constexpr float TINY = 5.0e-20f;  // twice its square is denormal, and the inverse of that still a number
+    std::vector<glm::vec3> positions = {{0, 0, TINY}, {TINY, 0, TINY}, {0, TINY, TINY}};
+    std::vector<glm::vec3> normals(3, glm::vec3(0, 0, -1));
+    std::vector<glm::vec2> uv = {{0.25f, 0.5f}, {0.75f, 0.5f}, {0.25f, 0.5f}};
+    std::vector<glm::uvec4> triangles = {{0, 1, 2, 0}};
+    meshes_.set_mesh(0, {positions, normals, {}, uv, {}, {}, triangles});
+    build();
+    Tile tile;
+    use(tile);
+    kernels::Ray ray{{0.9f * TINY, 0.05f * TINY, 0.0f}, {0.0f, 0.0f, 1.0f}};
+    uint path = 0;
+    TraceContext context(ray, path, kernels::RAY_EXTENSION);
+    RTCRay embree_ray = kernels::embree_ray(ray, 1.0f);
+    RTCHit hit{};
+    hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+    int valid = -1;
+    RTCFilterFunctionNArguments arguments{};
+    arguments.valid = &valid;
+    arguments.context = &context.embree;
+    arguments.ray = reinterpret_cast<RTCRayN*>(&embree_ray);
+    arguments.hit = reinterpret_cast<RTCHitN*>(&hit);
+    arguments.N = 1;
+    FlushDenormals flush;
+    filter_by_alpha(&arguments);
+    EXPECT_EQ(valid, -1) << "met where it is opaque";
+    EXPECT_EQ(_mm_getcsr() & 0x8040u, 0x8040u) << "and Embree goes on as before";
 }
 
 // The footprint of a wide cone on a triangle seen from its edge, or without area, stays a number: it chooses a level.
