@@ -121,7 +121,7 @@ struct Bins {
     void include(const BuildPrimitive& primitive, const BinScale& scale) {
         const Lanes lower = load_lower(primitive);
         const Lanes upper = load_upper(primitive);
-        const Words bin = scale.bins(lower * 0.5f + upper * 0.5f);
+        const Words bin = scale.bins(centre(primitive));
         bins[0][bin[0]].include(lower, upper, 1);
         bins[1][bin[1]].include(lower, upper, 1);
         bins[2][bin[2]].include(lower, upper, 1);
