@@ -162,8 +162,8 @@ TEST(ScanFuzz, TimeGrowsWithTheSizeOnHostileText) {
                                              "if(a)",
                                              "else "};
     for (const std::string& piece : pieces) {
-        const double small = seconds_for(piece, 100'000);
-        const double large = seconds_for(piece, 800'000);
+        const double small = seconds_for(piece, 100'000 / kLighter);
+        const double large = seconds_for(piece, 800'000 / kLighter);
         EXPECT_LT(large, 40 * small + 0.5) << "a text of " << piece;  // eight times the size; quadratic would be 64
     }
 }
@@ -176,7 +176,7 @@ std::string renamed_print(const std::string& text) {
 /// A body of hundreds of thousands of blocks or locals, as generators write them: a step for each open block, or a
 /// search through all locals, would run for hours.
 TEST(ScanFuzz, RenamingIsSeenThroughInVeryDeepAndVeryLongBodies) {
-    constexpr int kMany = 150'000;
+    constexpr int kMany = 150'000 / kLighter;
     auto deep = [](const std::string& outer, const std::string& inner, const std::string& used) {
         std::string text = "void f() { int " + outer + " = 1; ";
         for (int i = 0; i < kMany; ++i) text += "{";
@@ -205,9 +205,9 @@ TEST(ScanFuzz, RenamingIsSeenThroughInVeryDeepAndVeryLongBodies) {
 
 TEST(ScanFuzz, OneLineOfAHundredMegabytes) {
     std::string text = "int f() { return 0; } ";
-    text.reserve(100'000'000);
-    while (text.size() < 100'000'000 - 100)
-        text += "const float some_rather_long_name = 1234567890.0f + other_long_name; ";
+    constexpr size_t kSize = 100'000'000 / kLighter;
+    text.reserve(kSize);
+    while (text.size() < kSize - 100) text += "const float some_rather_long_name = 1234567890.0f + other_long_name; ";
     const ScannedFile file = scan_text("a.cpp", text);
     EXPECT_EQ(file.units.front().name, "f");
     EXPECT_EQ(file.lexed.line_count, 1u);

@@ -10,6 +10,7 @@
 
 #include "porttool/match/words.h"
 #include "porttool/scan/scan.h"
+#include "tests/porttool/fixtures.h"
 
 namespace porttool {
 namespace {
@@ -283,8 +284,8 @@ TEST(Match, IsFastAndGrowsGently) {
         EXPECT_GT(got.pairs.size(), functions * 95 / 100);
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     };
-    const double small = seconds(1000);
-    const double large = seconds(8000);  // 8,000 + 8,000 functions of 8 lines: 128,000 lines
+    const double small = seconds(1000 / testing::kLighter);
+    const double large = seconds(8000 / testing::kLighter);  // 8,000 + 8,000 functions of 8 lines: 128,000 lines
     EXPECT_LT(large, 16 * small + 1.0);
     RecordProperty("seconds_for_128000_lines", std::to_string(large));
 }

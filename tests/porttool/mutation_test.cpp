@@ -242,6 +242,7 @@ protected:
 };
 
 TEST_F(Mutations, NoCosmeticEditIsFlagged) {
+    constexpr int kCount = 120 / kLighter;
     int made = 0;
     mutate({{"comment", add_comment},
             {"space", add_space},
@@ -249,15 +250,17 @@ TEST_F(Mutations, NoCosmeticEditIsFlagged) {
             {"braces", change_braces},
             {"rename", rename_local},
             {"order", swap_functions}},
-           120, [&](const std::string& kind, const Body& body, const nlohmann::json& report, const std::string& text) {
+           kCount,
+           [&](const std::string& kind, const Body& body, const nlohmann::json& report, const std::string& text) {
                ++made;
                EXPECT_EQ(report["verdict"], "in_step")
                    << kind << " in " << body.path << " " << body.unit.name << report.dump(1) << text;
            });
-    EXPECT_EQ(made, 120);
+    EXPECT_EQ(made, kCount);
 }
 
 TEST_F(Mutations, EverySemanticEditIsFound) {
+    constexpr int kCount = 200 / kLighter;
     int made = 0;
     mutate({{"number", change_number},
             {"operator", change_operator},
@@ -267,14 +270,14 @@ TEST_F(Mutations, EverySemanticEditIsFound) {
             {"arguments", swap_arguments},
             {"other local", use_other_local},
             {"moved", move_statement}},
-           200, [&](const std::string& kind, const Body& body, const nlohmann::json& report, const std::string&) {
+           kCount, [&](const std::string& kind, const Body& body, const nlohmann::json& report, const std::string&) {
                ++made;
                ASSERT_EQ(report["verdict"], "drift")
                    << kind << " in " << body.path << " " << body.unit.name << report.dump(1);
                ASSERT_FALSE(report["findings"].empty());
                EXPECT_EQ(report["findings"][0]["source"]["id"], unit_id(body.file, body.unit)) << kind;
            });
-    EXPECT_EQ(made, 200);
+    EXPECT_EQ(made, kCount);
 }
 
 /// Heads of every kind with an operator (`@`) before a global, which our kernels do not have.
