@@ -100,8 +100,9 @@ void render_tile(const Frame& frame, uint first_pixel, uint path_count, Worker& 
         pass.first_in_sum = in_sum == 0 ? 1u : 0u;
         render_sample(*frame.kernels, worker, log);
     }
-    std::transform(bound.target + first_pixel, bound.target + first_pixel + path_count,
-                   frame.pixels.begin() + first_pixel, [](const vec4& p) { return glm::vec4(p.x, p.y, p.z, p.w); });
+    const vec4* target = worker.tile.target.get();
+    std::transform(target, target + path_count, frame.pixels.begin() + first_pixel,
+                   [](const vec4& p) { return glm::vec4(p.x, p.y, p.z, p.w); });
 }
 
 // Enough tiles that the last ones leave no thread waiting for long.

@@ -35,7 +35,7 @@ struct Frame {
     uint first_sample = 0;
     uint sample_count = 0;
     uint samples_in_sum = 0;
-    std::span<glm::vec4> pixels;  // for the host: a tile's part of the target is copied there while it is in the cache
+    std::span<glm::vec4> pixels;  // the host's; a tile's are copied there while they are in the cache
 };
 
 /// A tile for each thread, kept from frame to frame.

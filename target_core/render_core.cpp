@@ -71,7 +71,6 @@ private:
     std::optional<tbb::global_control> parallelism_;
     std::optional<tbb::task_arena> arena_;
     std::vector<vec4> accumulator_;  // sums of all samples
-    std::vector<vec4> picture_;      // their mean; copied to the target, whose memory need not be aligned
     float total_light_weight_ = 0.0f;
     uint light_features_ = 0;
     glm::vec3 sky_radiance_{0.0f};
@@ -131,7 +130,6 @@ Status TargetCore::SetTarget(const CoreTarget& target) {
     return guarded([&] {
         if (target.width != target_.width || target.height != target_.height) {
             accumulator_.assign(size_t{target.width} * target.height, vec4(0.0f));
-            picture_ = accumulator_;
             restart();
         }
         target_ = target;
@@ -310,7 +308,6 @@ Bindings TargetCore::bindings() {
     bindings.geometry = meshes_.geometry().data();
     bindings.scene = embree_.scene();
     bindings.accumulator = accumulator_.data();
-    bindings.target = picture_.data();
     return bindings;
 }
 
@@ -365,9 +362,9 @@ Status TargetCore::Render(const ViewPyramid& view, Convergence convergence, uint
 
 uint64_t TargetCore::memory_bytes() const {
     auto bytes = [](const auto& rows) { return rows.capacity() * sizeof(rows[0]); };
-    return meshes_.memory_bytes() + embree_.memory_bytes() + bytes(accumulator_) + bytes(picture_) +
-           bytes(tables_.materials) + bytes(tables_.texture_slots) + bytes(tables_.textures) + bytes(tables_.texels) +
-           bytes(tables_.lights) + bytes(tables_.light_table) + bytes(tables_.sky_texels) + bytes(tables_.sky_table);
+    return meshes_.memory_bytes() + embree_.memory_bytes() + bytes(accumulator_) + bytes(tables_.materials) +
+           bytes(tables_.texture_slots) + bytes(tables_.textures) + bytes(tables_.texels) + bytes(tables_.lights) +
+           bytes(tables_.light_table) + bytes(tables_.sky_texels) + bytes(tables_.sky_table);
 }
 
 void TargetCore::Shutdown() {
@@ -376,7 +373,6 @@ void TargetCore::Shutdown() {
     meshes_ = {};
     tables_ = {};
     accumulator_ = {};
-    picture_ = {};
     workers_.clear();
     arena_.reset();
     parallelism_.reset();

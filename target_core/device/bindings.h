@@ -11,7 +11,8 @@
 namespace target_core {
 
 /// What the source core binds to its descriptor set, bound here to the thread that works on a tile: tables of
-/// layout.h, the tile, the pictures and Embree's scene. A kernel reaches these through buffers.h and trace.h only.
+/// layout.h, the tile, the sums of all samples and Embree's scene. A kernel reaches these through buffers.h and
+/// trace.h only.
 struct Bindings {
     const uvec4* mesh_triangles = nullptr;
     const vec4* vertices = nullptr;
@@ -29,7 +30,6 @@ struct Bindings {
     const InstanceGeometry* geometry = nullptr;
     RTCScene scene = nullptr;
     vec4* accumulator = nullptr;
-    vec4* target = nullptr;
     Tile* tile = nullptr;
 };
 

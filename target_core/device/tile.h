@@ -47,6 +47,7 @@ struct Tile {
     TileRows<vec4> shadow_direction;
     TileRows<vec4> shadow_contribution;
     uint shadow_count = 0;
+    TileRows<vec4> target;  // by pixel of the tile
 };
 
 }  // namespace target_core

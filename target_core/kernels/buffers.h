@@ -78,6 +78,8 @@ inline void push_shadow_ray(vec4 origin, vec4 direction, vec4 contribution, Mask
 
 inline vec4 load_accumulator(Uint pixel) { return gather(bound.accumulator, pixel); }
 inline void store_accumulator(Uint pixel, vec4 sum) { scatter(bound.accumulator, pixel, sum, true); }
-inline void store_target(Uint pixel, vec4 mean) { scatter(bound.target, pixel, mean, true); }
+inline void store_target(Uint pixel, vec4 mean) {
+    scatter(bound.tile->target.get(), pixel - pass.first_pixel, mean, true);
+}
 
 }  // namespace target_core::kernels
