@@ -38,6 +38,7 @@ if(PORTTOOL_WERROR)
 endif()
 if(PORTTOOL_SANITIZE)
     # Tests look for faults in what they test, not in themselves: without UBSan they compile in two thirds of the time.
+    # The price: a template that both a test and a library instantiate is linked from the test, without UBSan.
     define_property(TARGET PROPERTY PORTTOOL_TEST INITIALIZE_FROM_VARIABLE PORTTOOL_TEST)
     target_compile_options(project_options INTERFACE -fsanitize=${PORTTOOL_SANITIZE} -fno-omit-frame-pointer
         -fno-sanitize-recover=all $<$<BOOL:$<TARGET_PROPERTY:PORTTOOL_TEST>>:-fno-sanitize=undefined>)

@@ -54,9 +54,9 @@ public:
     /// Fails with invalid_argument if the mesh does not exist or the matrix is not finite.
     virtual Status SetInstance(uint32_t instance, uint32_t mesh, const CoreTransform& transform) = 0;
 
-    /// Takes `samples` more samples per pixel and writes the mean of all to the target. What has been set since the
+    /// Takes `samples` more samples per pixel, at least 1, and writes the mean of all to the target. What has been set since the
     /// last call is built and uploaded first; out_of_memory is answered before anything is uploaded. Fails with
-    /// wrong_order without a target, invalid_argument on dangling ids.
+    /// wrong_order without a target, invalid_argument on 0 samples or dangling ids.
     virtual Status Render(const ViewPyramid& view, Convergence convergence, uint32_t samples) = 0;
 
     /// Gives everything back. A second call does nothing.

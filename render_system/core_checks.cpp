@@ -210,9 +210,10 @@ Status CoreContract::check_instance(uint32_t instance, uint32_t mesh, const Core
     return validate_transform(transform);
 }
 
-Status CoreContract::check_render() const {
+Status CoreContract::check_render(uint32_t samples) const {
     if (Status order = check_open("Render"); !order.ok()) return order;
     if (!has_target_) return Status::error(StatusCode::wrong_order, "Render came before SetTarget");
+    if (samples == 0) return invalid("Render: 0 samples; ask for at least 1");
     for (size_t i = 0; i < instances_.size(); ++i) {
         if (instances_[i] == NONE) continue;
         const Mesh& mesh = meshes_[instances_[i]];

@@ -37,7 +37,7 @@ public:
     Status check_geometry(uint32_t mesh, const CoreMesh& data) const;
     Status check_instance(uint32_t instance, uint32_t mesh, const CoreTransform& transform) const;
     /// Order, then dangling ids: a triangle's material, a material's or a light's texture.
-    Status check_render() const;
+    Status check_render(uint32_t samples) const;
 
     void accept_init();
     void accept_target();

@@ -66,7 +66,7 @@ public:
     }
 
     Status Render(const ViewPyramid&, Convergence convergence, uint32_t samples) override {
-        if (Status status = contract_.check_render(); !status.ok()) return status;
+        if (Status status = contract_.check_render(samples); !status.ok()) return status;
         if (convergence == Convergence::Restart) restart();
         stats_.triangles = contract_.triangles();
         stats_.samples += samples;

@@ -415,7 +415,7 @@ Status SourceCore::render_batches(const KernelSet& kernels, const Settings& sett
 }
 
 Status SourceCore::Render(const ViewPyramid& view, Convergence convergence, uint32_t samples) {
-    if (Status status = contract_.check_render(); !status.ok()) {
+    if (Status status = contract_.check_render(samples); !status.ok()) {
         return status;
     }
     return guarded([&] {

@@ -317,7 +317,7 @@ void TargetCore::measure_limit(const RayLog& log) {
 }
 
 Status TargetCore::Render(const ViewPyramid& view, Convergence convergence, uint32_t samples) {
-    if (Status status = contract_.check_render(); !status.ok()) {
+    if (Status status = contract_.check_render(samples); !status.ok()) {
         return status;
     }
     return guarded([&] {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "target_core/device/ray_log.h"
 
+#include <algorithm>
+#include <array>
 #include <chrono>
 #include <limits>
 
@@ -39,22 +41,58 @@ uint64_t RayLog::count() const {
     return count;
 }
 
-void RayLog::trace_single(RTCScene scene, const LoggedRay* rays, size_t count) {
+RTCRay RayLog::embree_ray(const LoggedRay& logged) {
+    RTCRay ray{};
+    ray.org_x = logged.origin[0];
+    ray.org_y = logged.origin[1];
+    ray.org_z = logged.origin[2];
+    ray.dir_x = logged.direction[0];
+    ray.dir_y = logged.direction[1];
+    ray.dir_z = logged.direction[2];
+    ray.tfar = logged.t_max;
+    ray.mask = ~0u;
+    return ray;
+}
+
+RTCRayHit RayLog::embree_ray_hit(const LoggedRay& logged) {
+    RTCRayHit hit{};
+    hit.ray = embree_ray(logged);
+    hit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    hit.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+    return hit;
+}
+
+RTCIntersectContext RayLog::context_for(Kind kind) {
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
+    // Not for shadow rays: Embree 3.13.5 (AVX-512) never returned from one coherent packet of the built-in scene.
+    if (kind == Kind::primary) context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    return context;
+}
+
+void RayLog::trace_single(RTCScene scene, const LoggedRay* rays, size_t count, Kind kind) {
+    RTCIntersectContext context = context_for(kind);
     for (size_t i = 0; i < count; ++i) {
-        RTCRayHit hit{};
-        hit.ray.org_x = rays[i].origin[0];
-        hit.ray.org_y = rays[i].origin[1];
-        hit.ray.org_z = rays[i].origin[2];
-        hit.ray.dir_x = rays[i].direction[0];
-        hit.ray.dir_y = rays[i].direction[1];
-        hit.ray.dir_z = rays[i].direction[2];
-        hit.ray.tfar = rays[i].t_max;
-        hit.ray.mask = ~0u;
-        hit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-        hit.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-        rtcIntersect1(scene, &context, &hit);
+        if (kind == Kind::shadow) {
+            RTCRay ray = embree_ray(rays[i]);
+            rtcOccluded1(scene, &context, &ray);
+        } else {
+            RTCRayHit hit = embree_ray_hit(rays[i]);
+            rtcIntersect1(scene, &context, &hit);
+        }
+    }
+}
+
+void RayLog::trace_stream(RTCScene scene, const LoggedRay* rays, size_t count, Kind kind) {
+    RTCIntersectContext context = context_for(kind);
+    if (kind == Kind::shadow) {
+        std::array<RTCRay, CHUNK> stream;
+        std::transform(rays, rays + count, stream.begin(), embree_ray);
+        rtcOccluded1M(scene, &context, stream.data(), static_cast<unsigned>(count), sizeof(RTCRay));
+    } else {
+        std::array<RTCRayHit, CHUNK> stream;
+        std::transform(rays, rays + count, stream.begin(), embree_ray_hit);
+        rtcIntersect1M(scene, &context, stream.data(), static_cast<unsigned>(count), sizeof(RTCRayHit));
     }
 }
 
@@ -90,10 +128,7 @@ struct Packet16 {
 template <class Packet>
 void RayLog::trace_packets(RTCScene scene, const LoggedRay* rays, size_t count, Kind kind) {
     bool shadow = kind == Kind::shadow;
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    // Not for shadow rays: Embree 3.13.5 (AVX-512) never returned from one coherent packet of the built-in scene.
-    if (kind == Kind::primary) context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    RTCIntersectContext context = context_for(kind);
     for (size_t first = 0; first < count; first += Packet::WIDTH) {
         alignas(64) int valid[Packet::WIDTH] = {};
         alignas(64) typename Packet::RayHit packet{};
@@ -121,7 +156,6 @@ void RayLog::trace_packets(RTCScene scene, const LoggedRay* rays, size_t count, 
 
 template <class Trace>
 double RayLog::time_of(const std::vector<LoggedRay> Rays::*kind, const Trace& trace) const {
-    constexpr size_t CHUNK = 1024;
     auto start = std::chrono::steady_clock::now();
     for (const Rays& thread : rays_) {
         const std::vector<LoggedRay>& rays = thread.*kind;
@@ -139,13 +173,12 @@ double RayLog::replay(RTCDevice device, RTCScene scene) const {
     bool wide = rtcGetDeviceProperty(device, RTC_DEVICE_PROPERTY_NATIVE_RAY16_SUPPORTED) != 0;
     auto fastest = [&](const std::vector<LoggedRay> Rays::*rays, Kind kind) {
         double best = time_of(rays, [&](const LoggedRay* r, size_t n) { trace_packets<Packet8>(scene, r, n, kind); });
-        if (wide) {
-            auto by_16 = [&](const LoggedRay* r, size_t n) { trace_packets<Packet16>(scene, r, n, kind); };
-            best = std::min(best, time_of(rays, by_16));
-        }
-        if (kind == Kind::extension) {
-            best = std::min(best, time_of(rays, [&](const LoggedRay* r, size_t n) { trace_single(scene, r, n); }));
-        }
+        auto also = [&](auto&& trace) {
+            best = std::min(best, time_of(rays, [&](const LoggedRay* r, size_t n) { trace(scene, r, n, kind); }));
+        };
+        if (wide) also(trace_packets<Packet16>);
+        also(trace_single);
+        also(trace_stream);
         return best;
     };
     return fastest(&Rays::primary, Kind::primary) + fastest(&Rays::extension, Kind::extension) +

@@ -20,7 +20,7 @@ public:
     uint64_t count() const;
 
     /// Traces all rays again and does nothing else, on the current task arena: each kind by packets of 8, by packets of
-    /// 16 where the CPU has them, extension rays one by one as well. Wall time of the fastest call for each kind, in
+    /// 16 where the CPU has them, one by one and as streams. Wall time of the fastest call for each kind, in
     /// milliseconds.
     double replay(RTCDevice device, RTCScene scene) const;
 
@@ -37,7 +37,12 @@ private:
         std::vector<LoggedRay> shadow;
     };
     static LoggedRay logged(const vec4& origin, const vec4& direction, float t_max);
-    static void trace_single(RTCScene scene, const LoggedRay* rays, size_t count);
+    static constexpr size_t CHUNK = 1024;  // rays that a thread takes at a time, and of a stream
+    static RTCRay embree_ray(const LoggedRay& logged);
+    static RTCRayHit embree_ray_hit(const LoggedRay& logged);
+    static RTCIntersectContext context_for(Kind kind);
+    static void trace_single(RTCScene scene, const LoggedRay* rays, size_t count, Kind kind);
+    static void trace_stream(RTCScene scene, const LoggedRay* rays, size_t count, Kind kind);
     template <class Packet>
     static void trace_packets(RTCScene scene, const LoggedRay* rays, size_t count, Kind kind);
     /// Wall time of trace(rays, count) over all rays of one kind, in chunks, in milliseconds.

@@ -198,6 +198,16 @@ TYPED_TEST_P(CoreContractSuite, SamplesTakenInPartsGiveTheSamePicture) {
     EXPECT_EQ(this->render(3, Convergence::Converge), whole);
 }
 
+TYPED_TEST_P(CoreContractSuite, NoSamplesAreRefusedAndLeaveThePicture) {
+    SKIP_WITHOUT_DEVICE();
+    this->send(ContractScene());
+    this->expect_ok(this->core_->SetTarget(this->target()));
+    const std::vector<glm::vec4> before = this->render(2);
+    this->expect_refused(this->core_->Render(contract_view(), Convergence::Converge, 0));
+    EXPECT_EQ(this->pixels_, before);
+    EXPECT_EQ(this->core_->GetCoreStats().samples, 2u);
+}
+
 TYPED_TEST_P(CoreContractSuite, ATargetOfAnotherSizeStartsAnew) {
     SKIP_WITHOUT_DEVICE();
     this->send(ContractScene());
@@ -375,7 +385,8 @@ TYPED_TEST_P(CoreContractSuite, EditsTakeEffectWithTheNextRender) {
 
 REGISTER_TYPED_TEST_SUITE_P(CoreContractSuite, NothingWorksBeforeInitOrAfterShutdown,
                             StatisticsAreZeroBeforeTheFirstRender, RendersAndCounts, ConvergeAddsAndRestartDrops,
-                            SamplesTakenInPartsGiveTheSamePicture, ATargetOfAnotherSizeStartsAnew, AnEmptySceneIsAllSky,
+                            SamplesTakenInPartsGiveTheSamePicture, NoSamplesAreRefusedAndLeaveThePicture,
+                            ATargetOfAnotherSizeStartsAnew, AnEmptySceneIsAllSky,
                             RefusesTargetsAndSettingsThatMakeNoSense, RefusesTexturesThatAreNoMipChain,
                             RefusesGapsInNumberedThings, RefusesMeshesThatContradictThemselves,
                             RefusesInstancesOfNothingAndMatricesThatAreNotFinite, RefusesTablesOfTheWrongLength,
