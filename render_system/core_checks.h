@@ -36,7 +36,7 @@ public:
     Status check_sky(const CoreSky& sky) const;
     Status check_geometry(uint32_t mesh, const CoreMesh& data) const;
     Status check_instance(uint32_t instance, uint32_t mesh, const CoreTransform& transform) const;
-    /// Order, then dangling ids: a triangle's material, a material's or a light's texture.
+    /// Order, the number of samples, then dangling ids: a triangle's material, a material's or a light's texture.
     Status check_render(uint32_t samples) const;
 
     void accept_init();

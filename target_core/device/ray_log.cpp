@@ -10,26 +10,25 @@
 #include "target_core/device/bindings.h"
 #include "target_core/device/float_mode.h"
 #include "target_core/device/parallel.h"
+#include "target_core/kernels/trace.h"
 
 namespace target_core {
-
-RayLog::LoggedRay RayLog::logged(const vec4& origin, const vec4& direction, float t_max) {
-    return {{origin.x, origin.y, origin.z}, {direction.x, direction.y, direction.z}, t_max};
-}
 
 void RayLog::record_extension_rays(const Tile& tile, bool primary) {
     Rays& rays = rays_.local();
     std::vector<LoggedRay>& kind = primary ? rays.primary : rays.extension;
     for (uint job = 0; job < tile.current.count; ++job) {
         uint path = tile.current.paths[job];
-        kind.push_back(logged(tile.origin[path], tile.direction[path], std::numeric_limits<float>::infinity()));
+        kind.push_back({{kernels::vec3(tile.origin[path]), kernels::vec3(tile.direction[path])},
+                        std::numeric_limits<float>::infinity()});
     }
 }
 
 void RayLog::record_shadow_rays(const Tile& tile) {
     std::vector<LoggedRay>& kind = rays_.local().shadow;
     for (uint job = 0; job < tile.shadow_count; ++job) {
-        kind.push_back(logged(tile.shadow_origin[job], tile.shadow_direction[job], tile.shadow_origin[job].w));
+        const vec4& origin = tile.shadow_origin[job];
+        kind.push_back({{kernels::vec3(origin), kernels::vec3(tile.shadow_direction[job])}, origin.w});
     }
 }
 
@@ -41,22 +40,9 @@ uint64_t RayLog::count() const {
     return count;
 }
 
-RTCRay RayLog::embree_ray(const LoggedRay& logged) {
-    RTCRay ray{};
-    ray.org_x = logged.origin[0];
-    ray.org_y = logged.origin[1];
-    ray.org_z = logged.origin[2];
-    ray.dir_x = logged.direction[0];
-    ray.dir_y = logged.direction[1];
-    ray.dir_z = logged.direction[2];
-    ray.tfar = logged.t_max;
-    ray.mask = ~0u;
-    return ray;
-}
-
 RTCRayHit RayLog::embree_ray_hit(const LoggedRay& logged) {
     RTCRayHit hit{};
-    hit.ray = embree_ray(logged);
+    hit.ray = kernels::embree_ray(logged.ray, logged.t_max);
     hit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     hit.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
     return hit;
@@ -74,7 +60,7 @@ void RayLog::trace_single(RTCScene scene, const LoggedRay* rays, size_t count, K
     RTCIntersectContext context = context_for(kind);
     for (size_t i = 0; i < count; ++i) {
         if (kind == Kind::shadow) {
-            RTCRay ray = embree_ray(rays[i]);
+            RTCRay ray = kernels::embree_ray(rays[i].ray, rays[i].t_max);
             rtcOccluded1(scene, &context, &ray);
         } else {
             RTCRayHit hit = embree_ray_hit(rays[i]);
@@ -87,7 +73,8 @@ void RayLog::trace_stream(RTCScene scene, const LoggedRay* rays, size_t count, K
     RTCIntersectContext context = context_for(kind);
     if (kind == Kind::shadow) {
         std::array<RTCRay, CHUNK> stream;
-        std::transform(rays, rays + count, stream.begin(), embree_ray);
+        std::transform(rays, rays + count, stream.begin(),
+                       [](const LoggedRay& logged) { return kernels::embree_ray(logged.ray, logged.t_max); });
         rtcOccluded1M(scene, &context, stream.data(), static_cast<unsigned>(count), sizeof(RTCRay));
     } else {
         std::array<RTCRayHit, CHUNK> stream;
@@ -133,15 +120,15 @@ void RayLog::trace_packets(RTCScene scene, const LoggedRay* rays, size_t count, 
         alignas(64) int valid[Packet::WIDTH] = {};
         alignas(64) typename Packet::RayHit packet{};
         for (size_t lane = 0; lane < Packet::WIDTH && first + lane < count; ++lane) {
-            const LoggedRay& ray = rays[first + lane];
+            const auto& [ray, t_max] = rays[first + lane];
             valid[lane] = -1;
-            packet.ray.org_x[lane] = ray.origin[0];
-            packet.ray.org_y[lane] = ray.origin[1];
-            packet.ray.org_z[lane] = ray.origin[2];
-            packet.ray.dir_x[lane] = ray.direction[0];
-            packet.ray.dir_y[lane] = ray.direction[1];
-            packet.ray.dir_z[lane] = ray.direction[2];
-            packet.ray.tfar[lane] = ray.t_max;
+            packet.ray.org_x[lane] = ray.origin.x;
+            packet.ray.org_y[lane] = ray.origin.y;
+            packet.ray.org_z[lane] = ray.origin.z;
+            packet.ray.dir_x[lane] = ray.direction.x;
+            packet.ray.dir_y[lane] = ray.direction.y;
+            packet.ray.dir_z[lane] = ray.direction.z;
+            packet.ray.tfar[lane] = t_max;
             packet.ray.mask[lane] = ~0u;
             packet.hit.geomID[lane] = RTC_INVALID_GEOMETRY_ID;
             packet.hit.instID[0][lane] = RTC_INVALID_GEOMETRY_ID;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "target_core/device/tile.h"
+#include "target_core/kernels/path_state.h"
 
 namespace target_core {
 
@@ -27,8 +28,7 @@ public:
 private:
     enum class Kind : uint8_t { primary, extension, shadow };
     struct LoggedRay {
-        float origin[3];
-        float direction[3];
+        kernels::Ray ray;
         float t_max;
     };
     struct Rays {
@@ -36,9 +36,7 @@ private:
         std::vector<LoggedRay> extension;
         std::vector<LoggedRay> shadow;
     };
-    static LoggedRay logged(const vec4& origin, const vec4& direction, float t_max);
     static constexpr size_t CHUNK = 1024;  // rays that a thread takes at a time, and of a stream
-    static RTCRay embree_ray(const LoggedRay& logged);
     static RTCRayHit embree_ray_hit(const LoggedRay& logged);
     static RTCIntersectContext context_for(Kind kind);
     static void trace_single(RTCScene scene, const LoggedRay* rays, size_t count, Kind kind);
