@@ -5,20 +5,34 @@
 #include <algorithm>
 #include <set>
 
+#include "porttool/command/past_project.h"
+#include "porttool/compare/lock_upgrade.h"
 #include "porttool/read/git.h"
 
 namespace porttool {
 namespace {
 
-/// Wants what the sides' globs name, ignore rules, and the lock.
+/// Wants what globs name.
 WantsFile wanted(const std::vector<std::string>& globs) {
     std::vector<Glob> compiled;
     for (const std::string& text : globs) compiled.emplace_back(text);
     return [compiled](const std::string& path) {
-        return path == "portmap.lock" ||
-               std::any_of(compiled.begin(), compiled.end(), [&](const Glob& glob) { return glob.matches(path); });
+        return std::any_of(compiled.begin(), compiled.end(), [&](const Glob& glob) { return glob.matches(path); });
     };
 }
+
+/// Where the map, its lock and the texts of that stand in the commits of a project, as seen from its root.
+struct RecordPaths {
+    TreePath map, lock;
+    std::string base_folder;
+    bool in_commits = false;  ///< false: the map is the user's own, elsewhere
+
+    explicit RecordPaths(const Project& project)
+        : map(beside_map(project, project.map_path.substr(project.map_path.find_last_of('/') + 1))),
+          lock(beside_map(project, "portmap.lock")),
+          base_folder(beside_map(project, "portmap.base").path + "/"),
+          in_commits(map.root == project.root) {}
+};
 
 MemoryDisk disk_of(const std::string& root, GitFiles files) {
     if (!files.error.empty()) throw CannotDo(files.error);
@@ -31,11 +45,20 @@ bool same(const LockedPair& a, const LockedPair& b) {
     return a.source_prints == b.source_prints && a.target_prints == b.target_prints;
 }
 
-const LockedPair* line_of(const LockFile& lock, const std::string& source, const std::string& target) {
-    const auto found = std::find_if(lock.pairs.begin(), lock.pairs.end(),
-                                    [&](const LockedPair& p) { return p.source == source && p.target == target; });
-    return found == lock.pairs.end() ? nullptr : &*found;
-}
+/// The lines of a lock by their pair.
+class LinesOf {
+public:
+    explicit LinesOf(const LockFile& lock) {
+        for (const LockedPair& pair : lock.pairs) lines_.emplace(std::pair(pair.source, pair.target), &pair);
+    }
+    const LockedPair* find(const std::string& source, const std::string& target) const {
+        const auto found = lines_.find({source, target});
+        return found == lines_.end() ? nullptr : found->second;
+    }
+
+private:
+    std::map<std::pair<std::string, std::string>, const LockedPair*> lines_;
+};
 
 const UnitState* find_in(const std::map<std::string, UnitState>& states, const std::string& id) {
     const auto found = states.find(id);
@@ -43,11 +66,11 @@ const UnitState* find_in(const std::map<std::string, UnitState>& states, const s
 }
 
 /// The line of today's lock that accepts a pair as it is, if it was written since the base.
-const LockedPair* accepted_since(const LockFile& then, const LockFile& now, const States& today,
+const LockedPair* accepted_since(const LinesOf& then, const LinesOf& now, const States& today,
                                  const std::string& source, const std::string& target) {
-    const LockedPair* line = line_of(now, source, target);
+    const LockedPair* line = now.find(source, target);
     if (line == nullptr) return nullptr;
-    const LockedPair* old = line_of(then, source, target);
+    const LockedPair* old = then.find(source, target);
     if (old != nullptr && same(*old, *line)) return nullptr;
     const auto left = today.source.find(source), right = today.target.find(target);
     const bool matches = left != today.source.end() && right != today.target.end() &&
@@ -71,33 +94,86 @@ std::string add_other_checkout(MemoryDisk& disk, const Project& project, const s
 
 }  // namespace
 
-BaseLock base_lock(const Project& project, const std::string& revision, const LockFile& lock, const States& today) {
+BaseTree base_tree(const Project& project, const std::string& revision) {
     std::vector<std::string> globs = project.map.source;
     if (project.map.target_root.empty())
         globs.insert(globs.end(), project.map.target.begin(), project.map.target.end());
-    MemoryDisk disk = disk_of(project.root, files_at_base(project.root, revision, wanted(globs)));
-    BaseLock out;
-    if (!project.map.target_root.empty()) out.note = add_other_checkout(disk, project, revision);
-    const FileText old_lock = disk.read(join_path(project.root, "portmap.lock"), kLargestFile);
-    const LockFile then = old_lock.error.empty() ? read_lock(old_lock.bytes).lock : LockFile();
+    const RecordPaths record(project);
+    const WantsFile of_sides = wanted(globs);
+    const auto wants = [&](const std::string& path) {
+        return of_sides(path) || (record.in_commits && (path == record.map.path || path == record.lock.path));
+    };
+    BaseTree out{revision, disk_of(project.root, files_at_base(project.root, revision, wants)), ""};
+    if (!project.map.target_root.empty()) out.note = add_other_checkout(out.disk, project, revision);
+    return out;
+}
 
+void take_map_of_base(Project& project, const std::string& revision) {
+    const RecordPaths record(project);
+    if (!record.in_commits) return;
+    const MemoryDisk disk = disk_of(project.root, files_at_base(project.root, revision, [&](const std::string& path) {
+                                        return path == record.map.path;
+                                    }));
+    const FileText text = disk.read(record.map, kLargestFile);
+    if (!text.error.empty())
+        throw CannotDo("--trusted-map: there is no " + record.map.path + " at the merge base of " + revision +
+                       "\nMerge a first map into that branch; until then check without --trusted-map");
+    ReadMap read = read_map(record.map.path + " at " + revision, text.bytes);
+    if (!read.error.empty()) throw CannotDo(read.error);
+    project.map = std::move(read.map);
+    require_sides_beneath(project);
+}
+
+BaseRecord base_record(const Project& project, const BaseTree& tree, const States& today, std::ostream& err) {
+    BaseRecord out;
+    const RecordPaths record(project);
+    if (!record.in_commits) return out;
+    if (const FileText text = tree.disk.read(record.map, kLargestFile); text.error.empty()) {
+        ReadMap read = text.bytes == project.map_text ? ReadMap{project.map, ""}
+                                                      : read_map(record.map.path + " at " + tree.revision, text.bytes);
+        out.has_map = read.error.empty();
+        out.map = std::move(read.map);
+        if (!out.has_map) err << "warning: " << read.error << "\nThat map is left out\n";
+    }
+    const FileText text = tree.disk.read(record.lock, kLargestFile);
+    if (!text.error.empty()) return out;
+    try {
+        MemoryDisk disk;
+        if (is_outdated(read_lock(text.bytes).lock))  // only then are the texts behind it needed
+            disk = disk_of(project.root, files_at_base(project.root, tree.revision, [&](const std::string& path) {
+                               return path.starts_with(record.base_folder);
+                           }));
+        disk.files[join_path(project.root, record.lock.path)] = text.bytes;
+        out.lock = load_lock(project, disk, today);
+        out.has_lock = true;
+    } catch (const CannotDo& problem) {
+        err << "warning: at " << tree.revision << ": " << problem.what() << "\nThat lock is left out\n";
+    }
+    return out;
+}
+
+BaseLock base_lock(const Project& project, const BaseTree& tree, const LockFile& then, const LockFile& now,
+                   const States& today) {
+    BaseLock out;
     Project past = project;
-    read_sides_from(past, disk, target_root(project));
+    read_sides_from(past, tree.disk, target_root(project));
+    out.suppressions = placed_suppressions(past);
     const States states = read_states(past);
     for (const auto* side : {&states.source, &states.target, &today.source, &today.target})
         for (const auto& [id, state] : *side) out.texts.emplace(state.prints.written, state.text);
+    const LinesOf lines_then(then), lines_now(now);
     std::set<std::string> mapped;
     for (const MapPair& pair : project.map.pairs) {
         mapped.insert(pair.source);
         for (const std::string& target : pair.targets) {
-            if (const LockedPair* line = accepted_since(then, lock, today, pair.source, target)) {
+            if (const LockedPair* line = accepted_since(lines_then, lines_now, today, pair.source, target)) {
                 out.lock.pairs.push_back(*line);
                 continue;
             }
             const UnitState* left = find_in(states.source, pair.source);
             const UnitState* right = find_in(states.target, target);
             if (left == nullptr || right == nullptr) {  // the pair is new since the base
-                if (const LockedPair* line = line_of(lock, pair.source, target)) {
+                if (const LockedPair* line = lines_now.find(pair.source, target)) {
                     out.lock.pairs.push_back(*line);
                     continue;
                 }
@@ -109,13 +185,13 @@ BaseLock base_lock(const Project& project, const std::string& revision, const Lo
         }
     }
     for (const auto& [id, state] : states.source)
-        if (!mapped.contains(id)) out.lock.baseline.push_back({id, state.prints.written});
-    out.lock.baseline.insert(out.lock.baseline.end(), lock.baseline.begin(), lock.baseline.end());
-    out.lock.ledger = lock.ledger;
+        if (!mapped.contains(id)) out.lock.baseline.push_back({id, state.prints});
+    out.lock.baseline.insert(out.lock.baseline.end(), now.baseline.begin(), now.baseline.end());
+    out.lock.ledger = now.ledger;
     return out;
 }
 
-MemoryDisk read_staged_sides(Project& project) {
+MemoryDisk staged_record(Project& project) {
     const std::string map_folder = project.map_path.substr(0, project.map_path.find_last_of('/'));
     const auto is_of_map = [](const std::string& path) { return path.starts_with("portmap."); };
     MemoryDisk disk = disk_of(map_folder, files_in_index(map_folder, is_of_map));
@@ -123,7 +199,12 @@ MemoryDisk read_staged_sides(Project& project) {
         ReadMap read = read_map("portmap.toml (staged)", map->second);
         if (!read.error.empty()) throw CannotDo(read.error);
         project.map = std::move(read.map);
+        require_sides_beneath(project);
     }
+    return disk;
+}
+
+void read_staged_sides(Project& project, MemoryDisk& disk) {
     auto add = [&](const std::string& root, const std::vector<std::string>& globs) {
         GitFiles files = files_in_index(root, wanted(globs));
         if (!files.error.empty()) throw CannotDo(files.error);
@@ -137,7 +218,6 @@ MemoryDisk read_staged_sides(Project& project) {
             throw CannotDo(std::string("--staged: the index holds no file of the ") +
                            (side == &project.source ? "source" : "target") +
                            " side\nStage them with: git add; or check without --staged");
-    return disk;
 }
 
 }  // namespace porttool

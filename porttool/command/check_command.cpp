@@ -10,6 +10,7 @@
 #include <ctime>
 
 #include "porttool/command/base_lock.h"
+#include "porttool/command/past_project.h"
 #include "porttool/command/spirv_check.h"
 #include "porttool/read/git.h"
 #include "porttool/report/check_report.h"
@@ -39,49 +40,64 @@ std::string today() {
 namespace {
 
 /// With --base the lock only adds what was accepted since: one that cannot be read is left out.
-LockFile lock_if_readable(const Project& project, const Disk& disk, Workplace& place) {
+RecordedLock lock_if_readable(const Project& project, const Disk& disk, const States& states, Workplace& place) {
     if (!disk.exists(lock_path(project))) return {};
     try {
-        return load_lock(project, disk);
+        return load_lock(project, disk, states);
     } catch (const CannotDo& problem) {
         place.err << "warning: " << problem.what() << "\nWithout it, what was accepted since the base is not known\n";
         return {};
     }
 }
 
+/// Takes the state at the merge base for what was in step, and notes what the change itself does to the gate.
+void hold_against_base(CheckedProject& checked, const Options& options, MapFile map_today, const Disk& disk,
+                       Workplace& place) {
+    const BaseTree tree = base_tree(checked.project, options.base);
+    if (!tree.note.empty()) place.err << tree.note << "\n";
+    const BaseRecord then = base_record(checked.project, tree, checked.states, place.err);
+    RecordedLock now = lock_if_readable(checked.project, disk, checked.states, place);
+    const LockFile& in_force = options.trusted_map ? then.lock.lock : now.lock;
+    BaseLock base = base_lock(checked.project, tree, then.lock.lock, in_force, checked.states);
+    checked.brought_in =
+        brought_in({then.has_map, then.map, then.has_lock, then.lock.lock, base.suppressions},
+                   {true, map_today, disk.exists(lock_path(checked.project)), now.lock, checked.suppressions},
+                   options.config.empty() ? "portmap.toml" : options.config);
+    if (options.trusted_map) checked.suppressions = known_before(checked.suppressions, base.suppressions);
+    checked.lock = std::move(base.lock);
+    checked.texts = std::move(base.texts);
+    checked.texts.merge(now.texts);
+}
+
 }  // namespace
 
 CheckedProject check_project(const Options& options, Workplace& place) {
+    if (options.trusted_map && options.base.empty())
+        throw CannotDo("--trusted-map takes map and lock from the merge base; name it with --base REV");
     CheckedProject checked;
     checked.project = open_project(options, place, true);
     MemoryDisk staged;
+    if (options.staged) staged = staged_record(checked.project);
+    MapFile map_today = checked.project.map;
+    if (options.trusted_map) take_map_of_base(checked.project, options.base);
     if (options.staged)
-        staged = read_staged_sides(checked.project);
+        read_staged_sides(checked.project, staged);
     else
         read_sides(checked.project, place);
     const Disk& disk = staged.exists(lock_path(checked.project)) ? staged : place.disk;  // the lock's
     checked.states = read_states(checked.project);
-    std::map<std::string, std::string> texts;
+    checked.suppressions = placed_suppressions(checked.project);
     if (options.base.empty()) {
-        checked.lock = load_lock(checked.project, disk);
+        RecordedLock recorded = load_lock(checked.project, disk, checked.states);
+        checked.lock = std::move(recorded.lock);
+        checked.texts = std::move(recorded.texts);
     } else {
-        BaseLock base =
-            base_lock(checked.project, options.base, lock_if_readable(checked.project, disk, place), checked.states);
-        if (!base.note.empty()) place.err << base.note << "\n";
-        checked.lock = std::move(base.lock);
-        texts = std::move(base.texts);
+        hold_against_base(checked, options, std::move(map_today), disk, place);
     }
     const auto text_of = [&](const std::string& print) {
-        const auto found = texts.find(print);
-        return found == texts.end() ? base_text(checked.project, disk, print) : found->second;
+        const auto found = checked.texts.find(print);
+        return found == checked.texts.end() ? base_text(checked.project, disk, print) : found->second;
     };
-    std::vector<PlacedSuppression> suppressions;
-    for (const auto* side : {&checked.project.source, &checked.project.target})
-        for (const ScannedFile& file : *side)
-            for (const Suppression& comment : file.lexed.suppressions)
-                suppressions.push_back(
-                    {side == &checked.project.source ? file.path : target_path(checked.project.map, file.path),
-                     comment});
     std::unique_ptr<SpirvCheck> spirv;
     if (options.spirv) spirv = std::make_unique<SpirvCheck>(checked.project, options, place.disk);
     const auto same_code = [&](const UnitState& unit, bool source, const std::string& before) {
@@ -94,7 +110,7 @@ CheckedProject check_project(const Options& options, Workplace& place) {
                      checked.project.skipped,
                      text_of,
                      today(),
-                     std::move(suppressions),
+                     checked.suppressions,
                      spirv ? SameCode(same_code) : SameCode()};
     checked.judgement = judge(facts);
     if (spirv)
@@ -106,12 +122,11 @@ namespace {
 
 std::string formatted(const Judgement& judgement, const Project& project, const Options& options) {
     if (options.format == "json") return check_json(judgement);
-    const std::string folder = folder_in_repository(project.root);
-    if (options.format == "sarif") return check_sarif(judgement, folder);
     if (options.format == "junit") return check_junit(judgement);
-    if (options.format == "github") return check_github(judgement, folder);
-    if (options.format == "gitlab") return check_gitlab(judgement, folder);
     if (options.format == "markdown") return check_markdown(judgement);
+    if (options.format == "sarif") return check_sarif(judgement, folder_in_repository(project.root));
+    if (options.format == "github") return check_github(judgement, folder_in_repository(project.root));
+    if (options.format == "gitlab") return check_gitlab(judgement, folder_in_repository(project.root));
     const bool terminal = isatty(STDOUT_FILENO) != 0 && options.output.empty() && std::getenv("NO_COLOR") == nullptr;
     return check_table(judgement, options.color == "always" || (options.color == "auto" && terminal));
 }

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "porttool/command/lock_store.h"
+#include "porttool/judge/brought_in.h"
 #include "porttool/judge/judge.h"
 
 namespace porttool {
@@ -14,7 +15,10 @@ namespace porttool {
 struct CheckedProject {
     Project project;
     LockFile lock;
+    std::map<std::string, std::string> texts;  ///< by print: those behind the lock that portmap.base/ does not have
     States states;
+    std::vector<PlacedSuppression> suppressions;
+    std::vector<BroughtIn> brought_in;  ///< with --base
     Judgement judgement;
 };
 

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <future>
 
-#include "porttool/command/commands.h"
+#include "porttool/command/project.h"
 #include "porttool/compare/measure.h"
 #include "porttool/read/map_file.h"
 #include "porttool/read/source_files.h"
@@ -104,7 +104,7 @@ Dialect read_dialect(const Options& options, const Disk& disk, const std::string
         if (!options.config.empty()) throw CannotDo("--config " + options.config + ": no such file");
         return Dialect();
     }
-    const FileText file = disk.read(path, kLargestFile);
+    const FileText file = read_map_text(disk, root, path);
     if (!file.error.empty()) throw CannotDo(path + ": " + file.error);
     const ReadMap read = read_map(options.config.empty() ? "portmap.toml" : options.config, file.bytes);
     if (!read.error.empty()) throw CannotDo(read.error);

@@ -34,8 +34,7 @@ LockFile first_lock(const Matching& matching, const States& states) {
     for (const MatchedPair& pair : matching.pairs)
         lock.pairs.push_back(
             {pair.source, pair.target, states.source.at(pair.source).prints, states.target.at(pair.target).prints});
-    for (const std::string& id : matching.unmapped_source)
-        lock.baseline.push_back({id, states.source.at(id).prints.written});
+    for (const std::string& id : matching.unmapped_source) lock.baseline.push_back({id, states.source.at(id).prints});
     return lock;
 }
 
@@ -79,6 +78,7 @@ std::string summary(const Matching& matching, const Project& project) {
 
 /// With a map that is there already: it stays as it is, and its pairs are recorded as in step.
 Outcome record_map(const Options& options, Workplace& place) {
+    const auto guard = guard_lock(options, place);
     Project project = open_project(options, place, true);
     if (!options.force && place.disk.exists(lock_path(project)))
         throw CannotDo(lock_path(project) + " is there already; replace it with --force, or run: porttool accept");
@@ -95,9 +95,9 @@ Outcome record_map(const Options& options, Workplace& place) {
         }
     }
     for (const auto& [id, state] : states.source)
-        if (!mapped.contains(id)) lock.baseline.push_back({id, state.prints.written});
+        if (!mapped.contains(id)) lock.baseline.push_back({id, state.prints});
     note_differences(lock, states, Dialect(project.map.dialect), place);
-    store_lock(project, lock, states, place.disk);
+    store_lock(project, {lock, states, {}}, place.disk);
     return {fmt::format("{} pairs of {} recorded as in step, {} source units without a port as the baseline.\n"
                         "Next: porttool check\n",
                         lock.pairs.size(), project.map_path, lock.baseline.size()),
@@ -121,6 +121,8 @@ Outcome init_command(const Options& options, Workplace& place) {
     fresh.config.clear();
     Project project = open_project(fresh, place, false);
     if (!options.config.empty()) project.map_path = clean_path(join_path(project.root, options.config));
+    require_sides_beneath(project);  // as the map will be read
+    const auto guard = guard_lock(options, place);
     for (const std::string& path : {project.map_path, lock_path(project)})
         if (!options.force && place.disk.exists(path))
             throw CannotDo(path + " is there already; replace it with --force, or edit it and run: porttool check");
@@ -130,9 +132,8 @@ Outcome init_command(const Options& options, Workplace& place) {
     const States states = read_states(project);
     LockFile lock = first_lock(matching, states);
     note_differences(lock, states, Dialect(), place);
-    store_lock(project, lock, states, place.disk);
-    if (const std::string failure = place.disk.write(project.map_path, map_text(project, matching)); !failure.empty())
-        throw CannotDo(project.map_path + ": " + failure);
+    const std::string map = map_text(project, matching);
+    store_lock(project, {lock, states, {}, &map}, place.disk);
     return {summary(matching, project), 0};
 }
 

@@ -2,15 +2,42 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "porttool/command/lock_store.h"
 
+#include <optional>
 #include <set>
 
+#include "porttool/compare/lock_upgrade.h"
 #include "porttool/scan/scan.h"
 
 namespace porttool {
 namespace {
 
+constexpr const char* kBase = "portmap.base";
+
 std::string folder_of_map(const Project& project) {
     return project.map_path.substr(0, project.map_path.find_last_of('/') + 1);
+}
+
+TreePath base_folder(const Project& project) { return beside_map(project, kBase, Links::None); }
+
+TreePath base_file(const Project& project, const std::string& print) {
+    return beside_map(project, kBase + ("/" + print), Links::None);
+}
+
+/// A folder of porttool's own: a link in its place would have us read and remove elsewhere.
+void require_own_base(const Project& project, const Disk& disk) {
+    const FileKind kind = disk.kind(base_folder(project));
+    if (kind == FileKind::None || kind == FileKind::Folder) return;
+    throw CannotDo(folder_of_map(project) + kBase +
+                   ": is a link, or no folder; porttool keeps its texts in a folder of its own\nRemove it, and restore "
+                   "the folder from git, or run: porttool init --force");
+}
+
+/// A file of portmap.base/ as it is. A checkout may have given its lines the ends of another system.
+std::string read_base(const Project& project, const Disk& disk, const std::string& print) {
+    if (!is_fingerprint(print)) return {};
+    FileText file = disk.read(base_file(project, print), kLargestFile);
+    std::erase(file.bytes, '\r');
+    return file.error.empty() ? std::move(file.bytes) : std::string();
 }
 
 void add_states(std::map<std::string, UnitState>& states, const std::vector<ScannedFile>& files,
@@ -28,9 +55,62 @@ void add_states(std::map<std::string, UnitState>& states, const std::vector<Scan
     }
 }
 
-void write(Disk& disk, const std::string& path, const std::string& bytes) {
-    const std::string failure = disk.write(path, bytes);
-    if (!failure.empty()) throw CannotDo(path + ": " + failure);
+/// Files that are all written, or are all as they were.
+class Transaction {
+public:
+    explicit Transaction(Disk& disk) : disk_(disk) {}
+    Transaction(const Transaction&) = delete;
+    Transaction& operator=(const Transaction&) = delete;
+    ~Transaction() {
+        if (done_) return;
+        for (auto file = before_.rbegin(); file != before_.rend(); ++file) {
+            if (file->bytes)
+                disk_.write(file->place, *file->bytes);
+            else
+                disk_.remove(file->place);
+        }
+    }
+
+    /// Notes a folder that is made by writing into it.
+    void will_make(const TreePath& folder) {
+        if (disk_.kind(folder) == FileKind::None) before_.push_back({folder, std::nullopt});
+    }
+    void write(const TreePath& place, const std::string& bytes) {
+        FileText old = disk_.read(place, kLargestFile);
+        before_.push_back({place, old.error.empty() ? std::optional(std::move(old.bytes)) : std::nullopt});
+        const std::string failure = disk_.write(place, bytes);
+        if (failure.empty()) return;
+        if (!before_.back().bytes) before_.pop_back();  // what stands there is not ours to remove
+        throw CannotDo(join_path(place.root, place.path) + ": " + failure);
+    }
+    void done() { done_ = true; }
+
+private:
+    struct Before {
+        TreePath place;
+        std::optional<std::string> bytes;  ///< nothing: it was not there
+    };
+    Disk& disk_;
+    std::vector<Before> before_;
+    bool done_ = false;
+};
+
+std::set<std::string> prints_of(const LockFile& lock) {
+    std::set<std::string> out;
+    for (const LockedPair& pair : lock.pairs)
+        for (const std::string& print : {pair.source_prints.written, pair.target_prints.written}) out.insert(print);
+    return out;
+}
+
+/// The texts behind prints, as far as they are known.
+std::map<std::string, const std::string*> texts_behind(const std::set<std::string>& prints, const NewRecord& record) {
+    std::map<std::string, const std::string*> out;
+    for (const auto* side : {&record.states.source, &record.states.target})
+        for (const auto& [id, state] : *side)
+            if (prints.contains(state.prints.written)) out.emplace(state.prints.written, &state.text);
+    for (const auto& [print, text] : record.texts)
+        if (prints.contains(print)) out.emplace(print, &text);
+    return out;
 }
 
 }  // namespace
@@ -49,41 +129,53 @@ States read_states(const Project& project) {
 
 std::string lock_path(const Project& project) { return folder_of_map(project) + "portmap.lock"; }
 
-LockFile load_lock(const Project& project, const Disk& disk) {
-    const FileText file = disk.read(lock_path(project), kLargestFile);
+RecordedLock load_lock(const Project& project, const Disk& disk, const States& today) {
+    const FileText file = disk.read(beside_map(project, "portmap.lock"), kLargestFile);
     if (!file.error.empty() && disk.exists(lock_path(project)))
         throw CannotDo(lock_path(project) + " " + file.error +
                        "; restore it from git, or remove it and run: porttool init");
     if (!file.error.empty())
         throw CannotDo("no portmap.lock beside " + project.map_path +
                        "; record the present state of its pairs with: porttool init");
+    require_own_base(project, disk);
     ReadLock read = read_lock(file.bytes);
     if (!read.error.empty()) throw CannotDo(read.error);
-    return std::move(read.lock);
+    if (!is_outdated(read.lock)) return {std::move(read.lock), {}};
+    UpgradedLock upgrade =
+        upgraded(std::move(read.lock), [&](const std::string& print) { return read_base(project, disk, print); },
+                 {&today.source, &today.target});
+    if (!upgrade.error.empty()) throw CannotDo(upgrade.error);
+    return {std::move(upgrade.lock), std::move(upgrade.texts)};
 }
 
-void store_lock(const Project& project, const LockFile& lock, const States& states, Disk& disk) {
-    const std::string folder = folder_of_map(project) + "portmap.base";
-    std::set<std::string> needed;
-    for (const LockedPair& pair : lock.pairs) {
-        needed.insert(pair.source_prints.written);
-        needed.insert(pair.target_prints.written);
+std::unique_ptr<WriteGuard> guard_lock(const Options& options, Workplace& place) {
+    Project project;
+    find_map(project, options, place.disk);
+    TakenGuard taken = place.disk.guard(beside_map(project, "portmap.lock"));
+    if (!taken.error.empty()) throw CannotDo(taken.error);
+    return std::move(taken.guard);
+}
+
+void store_lock(const Project& project, const NewRecord& record, Disk& disk) {
+    require_own_base(project, disk);
+    const std::set<std::string> needed = prints_of(record.lock);
+    Transaction files(disk);
+    files.will_make(base_folder(project));
+    for (const auto& [print, text] : texts_behind(needed, record))
+        if (read_base(project, disk, print) != *text) files.write(base_file(project, print), *text);
+    files.write(beside_map(project, "portmap.lock"), lock_text(record.lock));
+    if (record.map_text != nullptr) {
+        const std::string name = project.map_path.substr(project.map_path.find_last_of('/') + 1);
+        files.write(beside_map(project, name), *record.map_text);
     }
-    std::set<std::string> there;
-    if (const auto entries = disk.list(folder))
-        for (const DirectoryEntry& entry : *entries) there.insert(entry.name);
-    for (const auto* side : {&states.source, &states.target})
-        for (const auto& [id, state] : *side)
-            if (needed.contains(state.prints.written) && there.insert(state.prints.written).second)
-                write(disk, join_path(folder, state.prints.written), state.text);
-    write(disk, lock_path(project), lock_text(lock));
-    for (const std::string& print : there)
-        if (!needed.contains(print)) disk.remove(join_path(folder, print));
+    files.done();
+    for (const DirectoryEntry& entry : disk.list(base_folder(project)).entries)
+        if (is_fingerprint(entry.name) && !needed.contains(entry.name)) disk.remove(base_file(project, entry.name));
 }
 
 std::string base_text(const Project& project, const Disk& disk, const std::string& print) {
-    const FileText file = disk.read(join_path(folder_of_map(project) + "portmap.base", print), kLargestFile);
-    return file.error.empty() ? file.bytes : std::string();
+    std::string text = read_base(project, disk, print);
+    return is_text_of(text, print, kNormalForm) ? std::move(text) : std::string();
 }
 
 }  // namespace porttool

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <string>
 
 #include "porttool/command/project.h"
@@ -21,13 +22,32 @@ States read_states(const Project& project);
 
 std::string lock_path(const Project& project);
 
-/// Reads portmap.lock; throws CannotDo if it is not there or cannot be used.
-LockFile load_lock(const Project& project, const Disk& disk);
+/// A lock whose prints are of today's normal form.
+struct RecordedLock {
+    LockFile lock;
+    std::map<std::string, std::string> texts;  ///< by print: those that an older lock's prints were made anew from
+};
 
-/// Writes portmap.lock and, in portmap.base/, the texts behind its fingerprints; removes texts that it no longer needs.
-void store_lock(const Project& project, const LockFile& lock, const States& states, Disk& disk);
+/// Reads portmap.lock; throws CannotDo if it is not there or cannot be used. `today`: the units as they are now.
+RecordedLock load_lock(const Project& project, const Disk& disk, const States& today);
 
-/// A text from portmap.base/, or "" if it is not there.
+/// Waits until no other porttool changes this project's lock. Taken before the lock is read, held until it is written.
+/// Throws CannotDo.
+std::unique_ptr<WriteGuard> guard_lock(const Options& options, Workplace& place);
+
+/// What is written at once.
+struct NewRecord {
+    const LockFile& lock;
+    const States& states;
+    const std::map<std::string, std::string>& texts;  ///< by print, where the states do not have them any more
+    const std::string* map_text = nullptr;            ///< the map, where it is new, too
+};
+
+/// Writes portmap.lock and, in portmap.base/, the texts behind its fingerprints, then removes texts that it no longer
+/// needs; of other files in that folder none. What fails leaves all as it was. Throws CannotDo.
+void store_lock(const Project& project, const NewRecord& record, Disk& disk);
+
+/// A text from portmap.base/, or "" if it is not there, or is not the one that its name says.
 std::string base_text(const Project& project, const Disk& disk, const std::string& print);
 
 }  // namespace porttool

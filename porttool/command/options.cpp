@@ -57,6 +57,8 @@ void add_init(CLI::App& app, Options& options) {
 void add_check(CLI::App& app, Options& options) {
     CLI::App* command = app.add_subcommand("check", "Find what changed on one side only, or differently on both");
     add_base(*command, options, "Hold the work tree against merge-base(REV, HEAD)");
+    command->add_flag("--trusted-map", options.trusted_map,
+                      "With --base: take map, lock and suppressions from there, so that a change cannot settle itself");
     command->add_flag("--staged", options.staged, "Take the index in place of the work tree");
     command->add_flag("--spirv", options.spirv, "Compile edited GLSL; what gives the same SPIR-V is a note");
     command->add_flag("--strict", options.strict, "Exit 1 for warnings too");

@@ -28,6 +28,7 @@ struct Options {
     std::vector<std::string> bench;       ///< report's bench files, FILE or FILE=MRAYS each
     std::vector<std::string> fail_under;  ///< report's bars, BLOCK=PERCENT each
     bool staged = false;
+    bool trusted_map = false;       ///< check --base: map and lock from the base
     std::string from, to = "HEAD";  ///< effort's revisions
     std::string since;              ///< history's
     bool no_cache = false;

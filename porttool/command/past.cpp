@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "porttool/command/project.h"
 #include "porttool/read/source_files.h"
 #include "porttool/scan/language.h"
 
@@ -37,13 +38,14 @@ bool SideGlobs::takes(const std::string& path) const {
 
 Past open_past(const Options& options, Workplace& place) {
     Past past;
-    past.root = find_root(place.disk, options.directory);
+    Project project;
+    find_map(project, options, place.disk);
+    past.root = project.root;
     past.map_is_given = !options.config.empty();
     past.map_name = past.map_is_given ? options.config : "portmap.toml";
-    const std::string path =
-        past.map_is_given ? join_path(options.directory, options.config) : join_path(past.root, "portmap.toml");
+    const std::string& path = project.map_path;
     if (place.disk.exists(path)) {
-        const FileText file = place.disk.read(path, kLargestFile);
+        const FileText file = read_map_text(place.disk, past.root, path);
         if (!file.error.empty()) throw CannotDo(path + ": " + file.error);
         ReadMap read = read_map(past.map_name, file.bytes);
         if (!read.error.empty()) throw CannotDo(read.error);
@@ -64,8 +66,9 @@ GitCommit find_commit(const Past& past, const std::string& option, const std::st
 
 std::string read_blob(const Past& past, const std::string& path, const std::string& blob) {
     if (auto text = past.git->find_blob(blob)) return std::move(*text);
-    throw CannotDo(path + ": git knows version " + blob +
-                   " of it, but its text is not here, as in a partial clone\nFetch it: git fetch --refetch --no-filter");
+    throw CannotDo(
+        path + ": git knows version " + blob +
+        " of it, but its text is not here, as in a partial clone\nFetch it: git fetch --refetch --no-filter");
 }
 
 void require_sides(const MapFile& map, const std::string& where) {

@@ -46,7 +46,9 @@ std::vector<PlacedSuppression> placed_suppressions(const Project& project) {
     std::vector<PlacedSuppression> suppressions;
     for (const auto* side : {&project.source, &project.target})
         for (const ScannedFile& file : *side)
-            for (const Suppression& comment : file.lexed.suppressions) suppressions.push_back({file.path, comment});
+            for (const Suppression& comment : file.lexed.suppressions)
+                suppressions.push_back(
+                    {side == &project.source ? file.path : target_path(project.map, file.path), comment});
     return suppressions;
 }
 
@@ -66,10 +68,13 @@ void read_past(PastProject& past, const Project& today, const std::string& revis
     read_sides_from(past.project, disk, today.root);
     past.states = read_states(past.project);
     past.is_recorded = disk.exists(lock_path(past.project));
-    if (past.is_recorded) past.lock = load_lock(past.project, disk);
-    const auto text_of = [&](const std::string& print) { return base_text(past.project, disk, print); };
-    past.judgement = judge({past.project.map, past.lock, past.states.source, past.states.target, past.project.skipped,
-                            text_of, date, placed_suppressions(past.project)});
+    if (past.is_recorded) past.lock = load_lock(past.project, disk, past.states);
+    const auto text_of = [&](const std::string& print) {
+        const auto found = past.lock.texts.find(print);
+        return found != past.lock.texts.end() ? found->second : base_text(past.project, disk, print);
+    };
+    past.judgement = judge({past.project.map, past.lock.lock, past.states.source, past.states.target,
+                            past.project.skipped, text_of, date, placed_suppressions(past.project)});
 }
 
 }  // namespace porttool

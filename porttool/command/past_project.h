@@ -13,7 +13,7 @@ namespace porttool {
 /// states into nothing: keep them together.
 struct PastProject {
     Project project;
-    LockFile lock;
+    RecordedLock lock;
     bool is_recorded = false;  ///< there was a lock
     States states;
     Judgement judgement;

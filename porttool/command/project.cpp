@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 
 #include "porttool/scan/scan.h"
 
@@ -36,20 +37,51 @@ void require_matches(const std::vector<std::string>& unmatched, const char* side
                    bracket_hint(unmatched.front()));
 }
 
+/// `path` as seen from `root`, if it lies there.
+std::optional<std::string> below(const std::string& root, const std::string& path) {
+    const std::string folder = root.ends_with('/') ? root : root + "/";
+    return path.starts_with(folder) ? std::optional(path.substr(folder.size())) : std::nullopt;
+}
+
+/// A map's globs name what lies beneath their side's root: a map is part of what is proposed.
+void require_beneath(const std::vector<std::string>& globs, const std::string& root, const char* side) {
+    for (const std::string& glob : globs)
+        if (leads_out_of(root, glob))
+            throw CannotDo("portmap.toml: the " + std::string(side) + " glob '" + glob + "' leads out of " + root +
+                           "\nGlobs of a map stay beneath the root; a target side in another checkout is named by "
+                           "[sides] target_root");
+}
+
 }  // namespace
 
-Project open_project(const Options& options, Workplace& place, bool needs_map) {
+void find_map(Project& project, const Options& options, const Disk& disk) {
     if (options.source.empty() != options.target.empty())
         throw CannotDo("--source and --target go together; name both sides, or neither to use portmap.toml");
-    Project project;
-    const bool globs_given = !options.source.empty();
-    project.root = globs_given ? absolute(options.directory) : find_root(place.disk, options.directory);
+    project.globs_given = !options.source.empty();
+    project.root = project.globs_given ? absolute(options.directory) : find_root(disk, options.directory);
     project.map_path = options.config.empty() ? join_path(project.root, "portmap.toml")
                                               : absolute(join_path(options.directory, options.config));
+}
+
+TreePath beside_map(const Project& project, const std::string& name, Links links) {
+    const size_t slash = project.map_path.find_last_of('/');
+    const std::string folder = project.map_path.substr(0, slash + 1);
+    if (const auto path = below(project.root, folder + name)) return {project.root, *path, links};
+    return {folder, name, links};
+}
+
+FileText read_map_text(const Disk& disk, const std::string& root, const std::string& path) {
+    const auto beneath = below(root, path);
+    return beneath ? disk.read(TreePath{root, *beneath}, kLargestFile) : disk.read(path, kLargestFile);
+}
+
+Project open_project(const Options& options, Workplace& place, bool needs_map) {
+    Project project;
+    find_map(project, options, place.disk);
     const bool there = place.disk.exists(project.map_path);
     if (!options.config.empty() && !there) throw CannotDo("--config " + options.config + ": no such file");
-    if (there && (!globs_given || !options.config.empty())) {
-        const FileText file = place.disk.read(project.map_path, kLargestFile);
+    if (there && (!project.globs_given || !options.config.empty())) {
+        const FileText file = read_map_text(place.disk, project.root, project.map_path);
         if (!file.error.empty()) throw CannotDo(project.map_path + ": " + file.error);
         project.map_text = file.bytes;
         ReadMap read = read_map(options.config.empty() ? "portmap.toml" : options.config, file.bytes);
@@ -57,7 +89,7 @@ Project open_project(const Options& options, Workplace& place, bool needs_map) {
         project.map = std::move(read.map);
         project.has_map = true;
     }
-    if (globs_given) {
+    if (project.globs_given) {
         project.map.source = options.source;
         project.map.target = options.target;
     } else if (!project.has_map && needs_map) {
@@ -71,14 +103,21 @@ Project open_project(const Options& options, Workplace& place, bool needs_map) {
     if (project.map.source.empty() || project.map.target.empty())
         throw CannotDo(
             "no sides named: put [sides] source and target into portmap.toml, or give --source and --target");
+    if (!project.globs_given) require_sides_beneath(project);
     return project;
+}
+
+void require_sides_beneath(const Project& project) {
+    require_beneath(project.map.source, project.root, "source");
+    require_beneath(project.map.target, target_root(project), "target");
 }
 
 void read_sides(Project& project, Workplace& place) {
     std::vector<std::string> unmatched;
-    const SourceSet source = read_globs(place.disk, project.root, project.map.source, unmatched);
+    const Reach reach = project.globs_given ? Reach::Anywhere : Reach::Beneath;
+    const SourceSet source = read_globs(place.disk, project.root, project.map.source, unmatched, reach);
     require_matches(unmatched, "source");
-    const SourceSet target = read_globs(place.disk, target_root(project), project.map.target, unmatched);
+    const SourceSet target = read_globs(place.disk, target_root(project), project.map.target, unmatched, reach);
     require_matches(unmatched, "target");
     project.source = scan_all(source);
     project.target = scan_all(target);

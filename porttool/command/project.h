@@ -17,15 +17,28 @@ struct Project {
     std::string root;
     std::string map_path;  ///< where portmap.toml is or would be
     bool has_map = false;
+    bool globs_given = false;  ///< on the command line
     std::string map_text;
     MapFile map;
     std::vector<ScannedFile> source, target;
     std::vector<SkippedFile> skipped;
 };
 
+/// Finds a project's root and where its map is or would be. Throws CannotDo.
+void find_map(Project& project, const Options& options, const Disk& disk);
+
+/// A file in the folder of the map. It is opened beneath the root where that lies there, else beneath the folder.
+TreePath beside_map(const Project& project, const std::string& name, Links links = Links::Within);
+
+/// The text of a map. Where it lies beneath the root, whoever proposes a change may have written it, or made it a link.
+FileText read_map_text(const Disk& disk, const std::string& root, const std::string& path);
+
 /// Opens the project that the options name: its root and, if there is one, its map. With both globs given the root is
 /// the folder itself and no map is needed. Throws CannotDo.
 Project open_project(const Options& options, Workplace& place, bool needs_map);
+
+/// Throws CannotDo for a glob of the map that leads out of its side's root.
+void require_sides_beneath(const Project& project);
 
 /// Reads and scans both sides. Throws CannotDo for globs that match nothing.
 void read_sides(Project& project, Workplace& place);

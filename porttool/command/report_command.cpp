@@ -112,7 +112,7 @@ SideTexts read_texts(const Project& project, const Disk& disk) {
     SideTexts texts;
     const auto read = [&](size_t side, const std::vector<ScannedFile>& files, const std::string& root) {
         for (const ScannedFile& file : files)
-            texts[side][file.path] = disk.read(join_path(root, file.path), kLargestFile).bytes;
+            texts[side][file.path] = disk.read(place_of_path(root, file.path), kLargestFile).bytes;
     };
     read(0, project.source, project.root);
     read(1, project.target, target_root(project));
@@ -155,7 +155,7 @@ Outcome report_command(const Options& options, Workplace& place) {
     PastProject past;
     if (!options.base.empty()) {
         read_past(past, checked.project, options.base, date);
-        whole.base = BaseReport{options.base, report_of(past.project, past.lock, past.judgement, false), {}};
+        whole.base = BaseReport{options.base, report_of(past.project, past.lock.lock, past.judgement, false), {}};
         if (past.is_recorded) whole.base->drift = past.judgement.summary;
     }
     Outcome outcome{formatted(whole, options, checked.project, place.disk), low.empty() ? 0 : 1};

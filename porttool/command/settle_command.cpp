@@ -7,6 +7,7 @@
 #include <chrono>
 
 #include "porttool/command/check_command.h"
+#include "porttool/judge/lock_index.h"
 #include "porttool/text/suggest.h"
 
 namespace porttool {
@@ -55,14 +56,21 @@ std::vector<const JudgedPair*> pairs_of(const CheckedProject& checked, const std
 
 /// The lock's line for a pair is made to match today's units; a reason is kept beside it, with its day.
 void record(LockFile& lock, const JudgedPair& pair, const std::string& reason) {
-    std::erase_if(lock.pairs,
-                  [&](const LockedPair& p) { return p.source == pair.map_source && p.target == pair.map_target; });
+    const auto line = std::find_if(lock.pairs.begin(), lock.pairs.end(), [&](const LockedPair& p) {
+        return p.source == pair.map_source && p.target == pair.map_target;
+    });
+    MoreFields more;
+    if (line != lock.pairs.end()) {
+        more = std::move(line->more);
+        lock.pairs.erase(line);
+    }
     std::erase_if(lock.ledger, [&](const LedgerEntry& e) {
         return e.source == pair.map_source && (e.target == pair.map_target || e.target.empty());
     });
     std::erase_if(lock.baseline, [&](const LockedUnit& u) { return u.id == pair.map_source; });
     if (pair.source != nullptr && pair.target != nullptr)
-        lock.pairs.push_back({pair.map_source, pair.map_target, pair.source->prints, pair.target->prints});
+        lock.pairs.push_back({pair.map_source, pair.map_target, pair.source->prints, pair.target->prints, "recorded",
+                              "", std::move(more)});
     if (!reason.empty())
         lock.ledger.push_back({"accept", pair.map_source, pair.map_target,
                                pair.source != nullptr ? pair.source->prints.written : "-",
@@ -95,15 +103,23 @@ std::string settle_unported(const Options& options, CheckedProject& checked, con
                        finding.remedy);
     forget(checked.lock, id, "");
     if (verdict == "ignore")
-        checked.lock.baseline.push_back({id, unit->second.prints.written, options.reason});
+        checked.lock.baseline.push_back({id, unit->second.prints, options.reason});
     else
         checked.lock.ledger.push_back(
             {verdict, id, "", unit->second.prints.written, "-", options.owner, options.until, options.reason});
     return fmt::format("{} {}\n", verdict == "defer" ? "deferred" : "ignored", id);
 }
 
+/// Writes the lock without what holds for nothing any more.
+void store(CheckedProject& checked, Disk& disk) {
+    drop_idle_lines(checked.lock, checked.project.map, checked.states.source, checked.states.target,
+                    checked.project.skipped);
+    store_lock(checked.project, {checked.lock, checked.states, checked.texts}, disk);
+}
+
 Outcome settle(const Options& options, Workplace& place, const std::string& verdict) {
     require_format(options.format, {"text"});
+    const auto guard = guard_lock(options, place);
     CheckedProject checked = check_project(options, place);
     std::string out;
     for (const std::string& id : options.paths) {
@@ -121,7 +137,7 @@ Outcome settle(const Options& options, Workplace& place, const std::string& verd
                                pair->map_target);
         }
     }
-    store_lock(checked.project, checked.lock, checked.states, place.disk);
+    store(checked, place.disk);
     return {out, 0};
 }
 
@@ -164,7 +180,10 @@ void explain_edits(const CheckedProject& checked, const JudgedPair& pair, const 
     if (lock == checked.lock.pairs.end() || pair.source == nullptr || pair.target == nullptr) return;
     auto rows = [&](const UnitState& unit, const std::string& print) {
         std::vector<std::string> lines;
-        const Edit edit = edit_of(read_state_text(base_text(checked.project, disk, print)), read_state_text(unit.text));
+        const auto known = checked.texts.find(print);
+        const std::string before =
+            known != checked.texts.end() ? known->second : base_text(checked.project, disk, print);
+        const Edit edit = edit_of(read_state_text(before), read_state_text(unit.text));
         for (const std::string& statement : edit.lost) lines.push_back("- " + statement);
         for (const std::string& statement : edit.gained) lines.push_back("+ " + statement);
         return lines;
@@ -185,6 +204,7 @@ Outcome accept_command(const Options& options, Workplace& place) {
     require_format(options.format, {"text"});
     if (options.all == !options.paths.empty())
         throw CannotDo("accept needs ids, or --all for every pair whose two edits are equivalent");
+    const auto guard = guard_lock(options, place);
     CheckedProject checked = check_project(options, place);
     size_t accepted = 0;
     std::vector<std::string> left;
@@ -201,9 +221,8 @@ Outcome accept_command(const Options& options, Workplace& place) {
         if (options.force)
             for (const Finding& finding : checked.judgement.findings)
                 if (finding.rule == "unported")
-                    checked.lock.baseline.push_back({finding.source->id,
-                                                     checked.states.source.at(finding.source->id).prints.written,
-                                                     options.reason});
+                    checked.lock.baseline.push_back(
+                        {finding.source->id, checked.states.source.at(finding.source->id).prints, options.reason});
     }
     for (const std::string& id : options.paths) {
         const auto pairs = pairs_of(checked, id);
@@ -213,7 +232,7 @@ Outcome accept_command(const Options& options, Workplace& place) {
         for (const JudgedPair* pair : pairs) record(checked.lock, *pair, options.reason);
         accepted += pairs.size();
     }
-    store_lock(checked.project, checked.lock, checked.states, place.disk);
+    store(checked, place.disk);
     std::string out = fmt::format("{} pairs recorded as in step\n", accepted);
     if (!left.empty())
         out += fmt::format(

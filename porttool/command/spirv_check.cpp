@@ -64,7 +64,7 @@ SpirvCheck::Side& SpirvCheck::side(bool source) {
     side.comparer.emplace(ShaderSide{[this, &side](const std::string& path) {
                                          const auto [at, fresh] = side.now.try_emplace(path);
                                          if (fresh) {
-                                             FileText file = disk_.read(join_path(side.root, path), kLargestFile);
+                                             FileText file = disk_.read(TreePath{side.root, path}, kLargestFile);
                                              if (file.error.empty()) at->second = std::move(file.bytes);
                                          }
                                          return at->second ? &*at->second : nullptr;

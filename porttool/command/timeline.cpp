@@ -6,6 +6,7 @@
 #include <set>
 
 #include "porttool/command/block_figures.h"
+#include "porttool/compare/lock_upgrade.h"
 #include "porttool/read/lock_file.h"
 
 namespace porttool {
@@ -30,8 +31,11 @@ public:
           blobs_(past, cache),
           drift_([this](const Fingerprints& source_before, const UnitFacts& source_now,
                         const Fingerprints& target_before, const UnitFacts& target_now) {
-              return blobs_.edits(source_before, source_now, target_before, target_now,
-                                  [this](const std::string& print) { return blob_at("portmap.base/" + print); });
+              return blobs_.edits(
+                  source_before, source_now, target_before, target_now, [this](const std::string& print) {
+                      const auto renewed = renewed_.find(print);
+                      return renewed != renewed_.end() ? renewed->second : blob_at("portmap.base/" + print);
+                  });
           }) {
         if (past.has_map_today) use_map(past.map_today, past.map_name);
     }
@@ -122,8 +126,7 @@ private:
         const std::string blob = blob_at("portmap.lock");
         if (blob == lock_blob_) return false;
         lock_blob_ = blob;
-        const LockFile before =
-            std::exchange(lock_, blob.empty() ? LockFile() : read_lock(read_blob(past_, "portmap.lock", blob)).lock);
+        const LockFile before = std::exchange(lock_, blob.empty() ? LockFile() : lock_of(blob));
         std::map<PairId, const LockedPair*> gone = std::exchange(locked_, {});
         for (const LockedPair& pair : lock_.pairs) {
             const PairId id{pair.source, pair.target};
@@ -138,6 +141,20 @@ private:
         for (const LockFile* lock : {&before, &std::as_const(lock_)})
             for (const LedgerEntry& entry : lock->ledger) relocked_.insert({entry.source, entry.target});
         return true;
+    }
+
+    /// A commit's lock, in prints of today's normal form.
+    LockFile lock_of(const std::string& blob) {
+        LockFile lock = read_lock(read_blob(past_, "portmap.lock", blob)).lock;
+        if (!is_outdated(lock)) return lock;
+        const auto text_of = [this](const std::string& print) {
+            const std::string base = blob_at("portmap.base/" + print);
+            if (base.empty()) return std::string();
+            std::string text = read_blob(past_, "portmap.base/" + print, base);
+            renewed_[prints_of_text(text).written] = base;
+            return text;
+        };
+        return upgraded(std::move(lock), text_of, {}).lock;
     }
 
     /// The files of both sides, after the map changed.
@@ -229,6 +246,7 @@ private:
     std::string map_blob_, lock_blob_;
     std::array<SideGlobs, 2> globs_ = {SideGlobs({}), SideGlobs({})};
     LockFile lock_;
+    std::map<std::string, std::string> renewed_;  ///< by today's print, the blob with a text that an older lock names
     std::map<PairId, const LockedPair*> locked_;
     std::set<PairId> relocked_;  ///< by this commit
     SideFiles files_;

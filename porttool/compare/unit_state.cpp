@@ -39,6 +39,21 @@ private:
     int64_t parens_ = 0;
 };
 
+/// The three prints of a unit, word by word.
+class UnitPrinter {
+public:
+    /// `numbered` stands for the word where it names a local, else it is the word.
+    void add(std::string_view word, std::string_view numbered) {
+        written_.add(word);
+        renamed_.add(numbered);
+        blanked_.add(is_number(numbered) ? "#" : numbered);
+    }
+    Fingerprints take() const { return {written_.digits(), renamed_.digits(), blanked_.digits()}; }
+
+private:
+    Fingerprinter written_, renamed_, blanked_;
+};
+
 }  // namespace
 
 std::vector<std::string> local_names(const ScannedFile& file, const Unit& unit) {
@@ -60,19 +75,25 @@ UnitState unit_state(const ScannedFile& file, const Unit& unit) {
     state.end_line = unit.end_line;
     const bool code = unit.kind == UnitKind::Function || unit.kind == UnitKind::Kernel;
     LocalNumbers numbers(code ? declaring_tokens(file.lexed, unit.parameters, unit.body) : std::vector<uint32_t>());
-    Fingerprinter written, renamed, blanked;
+    UnitPrinter prints;
     TextWriter text;
     write_normal_form(file, unit, [&](std::string_view word, uint32_t token) {
         ++state.tokens;
         text.add(word);
-        written.add(word);
-        const std::string_view numbered = numbers.next(word, token);
-        renamed.add(numbered);
-        blanked.add(is_number(numbered) ? "#" : numbered);
+        prints.add(word, numbers.next(word, token));
     });
     state.text = text.take();
-    state.prints = {written.digits(), renamed.digits(), blanked.digits()};
+    state.prints = prints.take();
     return state;
+}
+
+Fingerprints prints_of_text(const std::string& text) {
+    const std::vector<std::string> words = read_state_text(text);
+    const std::vector<size_t> locals = local_numbers(words);
+    UnitPrinter prints;
+    for (size_t i = 0; i < words.size(); ++i)
+        prints.add(words[i], locals.empty() || locals[i] == 0 ? words[i] : "%" + std::to_string(locals[i]));
+    return prints.take();
 }
 
 std::vector<std::string> read_state_text(const std::string& text) {

@@ -27,6 +27,10 @@ UnitState unit_state(const ScannedFile& file, const Unit& unit);
 /// The names that a unit declares for itself, in order of appearance: parameters and local variables.
 std::vector<std::string> local_names(const ScannedFile& file, const Unit& unit);
 
+/// The prints of a text as UnitState::text holds it. Where it has preprocessor lines, which tell no longer where a
+/// local is declared, its locals keep their names.
+Fingerprints prints_of_text(const std::string& text);
+
 /// The tokens of UnitState::text.
 std::vector<std::string> read_state_text(const std::string& text);
 

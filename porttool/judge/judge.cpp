@@ -79,6 +79,7 @@ public:
         for (const LedgerEntry& entry : facts.lock.ledger)
             if (entry.verdict != "accept") ledger_[{entry.source, entry.target}].push_back(&entry);
         for (const MapIgnore& ignore : facts.map.ignores) ignored_.emplace_back(ignore.id);
+        for (const SkippedFile& file : facts.skipped) unread_.emplace(file.file, file.reason);
     }
 
     Judgement run() {
@@ -190,8 +191,29 @@ private:
         finding.remedy = "Write the new id into portmap.toml and run: porttool accept '" + unit.id + "'";
     }
 
+    /// Why the file of an id could not be read, or "".
+    std::string unread_reason(const std::string& id) const {
+        const auto file = unread_.find(split_id(id).first);
+        return file == unread_.end() ? std::string() : file->second;
+    }
+
+    /// A recorded unit in a file that cannot be read is not gone: it may have been changed in any way. False if none
+    /// is.
+    bool note_unread(const JudgedPair& pair) {
+        const std::string source = pair.source == nullptr ? unread_reason(pair.map_source) : "";
+        const std::string target =
+            pair.target == nullptr ? unread_reason(target_path(facts_.map, pair.map_target)) : "";
+        if (source.empty() && target.empty()) return false;
+        Finding& finding =
+            add_for(pair, source.empty() ? "target-changed" : "source-changed", "",
+                    source.empty() ? "the file of the port " + target : "the file of the source " + source);
+        finding.remedy = "Make it readable; see the finding of 'unreadable' on that file";
+        return true;
+    }
+
     /// Adds what there is to find on one pair.
     void examine(JudgedPair& pair, const LockedPair* lock) {
+        if (lock != nullptr && note_unread(pair)) return;
         if (pair.target == nullptr && pair.source == nullptr) {
             add_for(pair, lock != nullptr ? "orphaned" : "dead-link", "removed",
                     lock != nullptr
@@ -301,7 +323,8 @@ private:
         const std::string target_base = facts_.base_text(lock.target_prints.written);
         if (source_base.empty() || target_base.empty()) {
             add_for(pair, "port-differs", change_name(change),
-                    "both sides changed, and the texts to compare the edits by are not in portmap.base/");
+                    "both sides changed, and the texts to compare the edits by are not in portmap.base/, or not as "
+                    "recorded");
             return;
         }
         const EditComparison edits =
@@ -434,11 +457,13 @@ private:
 
     void find_unported() {
         std::map<std::string, const LockedUnit*> known;  // by id and by text
-        for (const LockedUnit& unit : facts_.lock.baseline)
-            for (const std::string& key : {unit.id, unit.print}) {
+        for (const LockedUnit& unit : facts_.lock.baseline) {
+            if (unit.side != "source") continue;
+            for (const std::string& key : {unit.id, unit.prints.written}) {
                 const LockedUnit*& best = known[key];
                 if (best == nullptr || best->reason.empty()) best = &unit;
             }
+        }
         for (const auto& [id, unit] : facts_.source) {
             if (source_.taken(unit) || unit.kind == UnitKind::File) continue;
             ++out_.summary.unported;
@@ -488,6 +513,7 @@ private:
     Resolver source_, target_;
     std::map<std::pair<std::string, std::string>, std::vector<const LedgerEntry*>> ledger_;
     std::vector<Glob> ignored_;
+    std::map<std::string, std::string> unread_;  ///< files, and why
     std::set<size_t> used_suppressions_;
     Judgement out_;
 };

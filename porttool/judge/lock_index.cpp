@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "porttool/judge/lock_index.h"
 
+#include <algorithm>
 #include <set>
 
 namespace porttool {
@@ -24,6 +25,37 @@ FoundLock LockIndex::find(const std::string& source, const std::string& target) 
     if (left == source_.end() || right == target_.end()) return {};
     const auto old = left_over_.find({left->second.prints.written, right->second.prints.written});
     return old == left_over_.end() ? FoundLock{} : FoundLock{old->second, true};
+}
+
+void drop_idle_lines(LockFile& lock, const MapFile& map, const LockIndex::Units& source, const LockIndex::Units& target,
+                     const std::vector<SkippedFile>& skipped) {
+    const LockIndex index(map, lock, source, target);
+    std::set<const LockedPair*> used;
+    std::set<std::pair<std::string, std::string>> mapped;
+    for (const MapPair& pair : map.pairs)
+        for (const std::string& id : pair.targets) {
+            used.insert(index.find(pair.source, id).pair);
+            mapped.insert({pair.source, id});
+        }
+    std::vector<LockedPair> pairs;
+    for (const LockedPair& pair : lock.pairs)
+        if (used.contains(&pair)) pairs.push_back(pair);
+    lock.pairs = std::move(pairs);
+
+    std::set<std::string> texts;
+    for (const auto& [id, unit] : source) texts.insert(unit.prints.written);
+    const auto is_unread = [&](const std::string& id) {
+        return std::any_of(skipped.begin(), skipped.end(),
+                           [&](const SkippedFile& file) { return id.starts_with(file.file + ":"); });
+    };
+    std::erase_if(lock.baseline, [&](const LockedUnit& unit) {
+        return unit.side == "source" && !source.contains(unit.id) && !texts.contains(unit.prints.written) &&
+               !is_unread(unit.id);
+    });
+    std::erase_if(lock.ledger, [&](const LedgerEntry& entry) {
+        if (!entry.target.empty()) return !mapped.contains({entry.source, entry.target});
+        return !source.contains(entry.source) && !is_unread(entry.source);
+    });
 }
 
 }  // namespace porttool

@@ -5,10 +5,12 @@
 #include <map>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "porttool/compare/unit_state.h"
 #include "porttool/read/lock_file.h"
 #include "porttool/read/map_file.h"
+#include "porttool/read/source_files.h"
 
 namespace porttool {
 
@@ -35,5 +37,11 @@ private:
     std::map<Two, const LockedPair*> by_ids_;
     std::map<Two, const LockedPair*> left_over_;  ///< by the prints of both texts
 };
+
+/// Drops what holds for nothing any more: lines of pairs that the map does not name, unless a pair without a line of
+/// its own was moved from there; units of the baseline, and verdicts, whose unit is gone. Files that could not be read
+/// (`skipped`) may still have theirs.
+void drop_idle_lines(LockFile& lock, const MapFile& map, const LockIndex::Units& source, const LockIndex::Units& target,
+                     const std::vector<SkippedFile>& skipped);
 
 }  // namespace porttool

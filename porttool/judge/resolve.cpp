@@ -19,14 +19,6 @@ std::string plain_id(const std::string& id) {
 
 constexpr size_t kLongEnough = 12;  // tokens that make a text its own
 
-/// The file and the name of an id whose name is `Glass::Evaluate` or `main`.
-std::pair<std::string, std::string> split_id(const std::string& id) {
-    size_t colon = id.find(':');
-    while (colon != std::string::npos && colon + 1 < id.size() && id[colon + 1] == ':') colon = id.find(':', colon + 2);
-    if (colon == std::string::npos) return {id, {}};
-    return {id.substr(0, colon), id.substr(colon + 1)};
-}
-
 /// A text up to its body, without the names of the parameters.
 std::string signature_of(const std::string& text) {
     std::vector<std::string> out;
@@ -46,6 +38,13 @@ std::string signature_of(const std::string& text) {
 using Key = std::function<std::string(const UnitState&)>;
 
 }  // namespace
+
+std::pair<std::string, std::string> split_id(const std::string& id) {
+    size_t colon = id.find(':');
+    while (colon != std::string::npos && colon + 1 < id.size() && id[colon + 1] == ':') colon = id.find(':', colon + 2);
+    if (colon == std::string::npos) return {id, {}};
+    return {id.substr(0, colon), id.substr(colon + 1)};
+}
 
 Resolver::Resolver(const std::map<std::string, UnitState>& units, const std::vector<NamedUnit>& named,
                    const std::function<std::string(const std::string&)>& base_text)

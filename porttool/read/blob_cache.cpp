@@ -13,7 +13,7 @@ namespace porttool {
 namespace {
 
 /// Another number for another meaning of any entry, as when the scanner or a metric changes.
-constexpr std::string_view kHeader = "porttool-cache 1";
+constexpr std::string_view kHeader = "porttool-cache 2";
 constexpr size_t kSumDigits = 16, kKeyDigits = 32;
 
 std::string digits(uint64_t number) {

@@ -2,19 +2,53 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "porttool/read/disk.h"
 
+#include <dirent.h>
+#include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
-#include <system_error>
+
+#include "porttool/read/replace_file.h"
+#include "porttool/read/write_guard.h"
 
 namespace porttool {
 namespace fs = std::filesystem;
 namespace {
+
+std::string cannot_be_read(int code) { return std::string("cannot be read: ") + std::strerror(code); }
+
+/// Reads an open file, if it is one.
+FileText read_open(const Descriptor& file, uint64_t limit) {
+    struct stat status {};
+    if (::fstat(file.get(), &status) != 0) return {"", cannot_be_read(errno)};
+    if (!S_ISREG(status.st_mode)) return {"", "is not a regular file"};
+    const auto size = static_cast<uint64_t>(status.st_size);
+    if (size > limit) return {"", too_large(size, limit)};
+    FileText out;
+    out.bytes.resize(size);
+    size_t got = 0;
+    while (got < size) {
+        const ssize_t now = ::read(file.get(), out.bytes.data() + got, size - got);
+        if (now < 0 && errno == EINTR) continue;
+        if (now < 0) return {"", "cannot be read to its end"};
+        if (now == 0) break;  // it became shorter meanwhile
+        got += static_cast<size_t>(now);
+    }
+    out.bytes.resize(got);
+    return out;
+}
+
+bool is_folder_in(int folder, const dirent& entry) {
+    if (entry.d_type != DT_UNKNOWN) return entry.d_type == DT_DIR;
+    struct stat status {};
+    return ::fstatat(folder, entry.d_name, &status, AT_SYMLINK_NOFOLLOW) == 0 && S_ISDIR(status.st_mode);
+}
+
+}  // namespace
 
 std::string too_large(uint64_t size, uint64_t limit) {
     constexpr uint64_t kMebibyte = 1024 * 1024;
@@ -22,48 +56,39 @@ std::string too_large(uint64_t size, uint64_t limit) {
            " MiB that are read of one file";
 }
 
-}  // namespace
-
 FileText RealDisk::read(const std::string& path, uint64_t limit) const {
-    FileText out;
-    std::error_code error;
-    const auto status = fs::status(path, error);
-    if (error) {
-        out.error = "cannot be read: " + error.message();
-        return out;
+    const Descriptor file(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
+    return file.valid() ? read_open(file, limit) : FileText{"", cannot_be_read(errno)};
+}
+
+FileText RealDisk::read(const TreePath& path, uint64_t limit) const {
+    const OpenedBeneath opened = open_beneath(path, O_RDONLY);
+    return opened.error.empty() ? read_open(opened.file, limit) : FileText{"", opened.error};
+}
+
+FolderList RealDisk::list(const TreePath& path) const {
+    OpenedBeneath opened = open_beneath(path, O_RDONLY | O_DIRECTORY);
+    if (!opened.error.empty()) return {{}, opened.error, opened.code == EXDEV || opened.code == ELOOP};
+    FolderList out;
+    DIR* folder = ::fdopendir(opened.file.get());
+    if (folder == nullptr) return {{}, cannot_be_read(errno)};
+    opened.file.release();  // closedir() closes it
+    while (const dirent* entry = ::readdir(folder)) {
+        const std::string_view name = entry->d_name;
+        if (name != "." && name != "..")
+            out.entries.push_back({std::string(name), is_folder_in(::dirfd(folder), *entry)});
     }
-    if (!fs::is_regular_file(status)) {
-        out.error = "is not a regular file";
-        return out;
-    }
-    const uint64_t size = fs::file_size(path, error);
-    if (!error && size > limit) {
-        out.error = too_large(size, limit);
-        return out;
-    }
-    std::FILE* stream = std::fopen(path.c_str(), "rb");
-    if (stream == nullptr) {
-        out.error = std::string("cannot be read: ") + std::strerror(errno);
-        return out;
-    }
-    out.bytes.resize(size);
-    out.bytes.resize(std::fread(out.bytes.data(), 1, size, stream));
-    if (std::ferror(stream) != 0) out.error = "cannot be read to its end";
-    std::fclose(stream);
+    ::closedir(folder);
+    std::sort(out.entries.begin(), out.entries.end(), [](const auto& a, const auto& b) { return a.name < b.name; });
     return out;
 }
 
-std::optional<std::vector<DirectoryEntry>> RealDisk::list(const std::string& path) const {
-    std::error_code error;
-    std::vector<DirectoryEntry> entries;
-    for (fs::directory_iterator at(path, error), end; !error && at != end; at.increment(error)) {
-        std::error_code ignored;
-        entries.push_back(
-            {at->path().filename().string(), at->symlink_status(ignored).type() == fs::file_type::directory});
-    }
-    if (error) return std::nullopt;
-    std::sort(entries.begin(), entries.end(), [](const auto& a, const auto& b) { return a.name < b.name; });
-    return entries;
+FileKind RealDisk::kind(const TreePath& path) const {
+    const OpenedBeneath opened = open_beneath(path, O_PATH);
+    if (!opened.error.empty()) return opened.code == EXDEV || opened.code == ELOOP ? FileKind::Other : FileKind::None;
+    struct stat status {};
+    if (::fstat(opened.file.get(), &status) != 0) return FileKind::None;
+    return S_ISREG(status.st_mode) ? FileKind::File : S_ISDIR(status.st_mode) ? FileKind::Folder : FileKind::Other;
 }
 
 bool RealDisk::is_directory(const std::string& path) const {
@@ -76,94 +101,30 @@ bool RealDisk::exists(const std::string& path) const {
     return fs::exists(path, error);
 }
 
-namespace {
+std::string RealDisk::write(const std::string& path, const std::string& bytes) { return replace_file(path, bytes); }
 
-/// Empty, or why the bytes are not in the file.
-std::string put_bytes(const std::string& path, const std::string& bytes, std::ios::openmode mode = std::ios::trunc) {
-    errno = 0;
-    std::ofstream stream(path, std::ios::binary | mode);
-    stream << bytes;
-    stream.close();
-    return stream ? std::string() : std::string("cannot be written: ") + std::strerror(errno);
+std::string RealDisk::write(const TreePath& path, const std::string& bytes) { return replace_file(path, bytes); }
+
+std::string RealDisk::remove(const TreePath& path) {
+    const FolderBeneath at = folder_beneath(path);
+    if (!at.error.empty()) return at.error;
+    if (::unlinkat(at.folder.get(), at.name.c_str(), 0) == 0 || errno == ENOENT) return {};
+    return std::string("cannot be removed: ") + std::strerror(errno);
 }
 
-}  // namespace
-
-std::string RealDisk::write(const std::string& path, const std::string& bytes) {
-    std::error_code error;
-    const fs::path folder = fs::path(path).parent_path();
-    if (!folder.empty()) fs::create_directories(folder, error);
-    // A link stays a link, and a device, a pipe or an open file (/dev/stdout) is written to, not replaced.
-    if (path.starts_with("/dev/") || path.starts_with("/proc/")) return put_bytes(path, bytes, std::ios::app);
-    const std::string place = fs::is_symlink(path, error) ? fs::weakly_canonical(path, error).string() : path;
-    if (fs::exists(place, error) && !fs::is_regular_file(place, error)) return put_bytes(place, bytes);
-    const std::string temporary = place + ".tmp" + std::to_string(::getpid());
-    if (const std::string reason = put_bytes(temporary, bytes); !reason.empty()) {
-        fs::remove(temporary, error);
-        return reason;
-    }
-    if (const auto before = fs::status(place, error); fs::exists(before))
-        fs::permissions(temporary, before.permissions(), error);
-    fs::rename(temporary, place, error);
-    if (!error) return {};
-    const std::string reason = "cannot be written: " + error.message();
-    fs::remove(temporary, error);
-    return reason;
-}
-
-std::string RealDisk::remove(const std::string& path) {
-    std::error_code error;
-    fs::remove(path, error);
-    return error ? "cannot be removed: " + error.message() : std::string();
-}
-
-FileText MemoryDisk::read(const std::string& path, uint64_t limit) const {
-    if (const auto bad = errors.find(path); bad != errors.end()) return {"", bad->second};
-    const auto file = files.find(path);
-    if (file == files.end()) return {"", "cannot be read: No such file or directory"};
-    if (file->second.size() > limit) return {"", too_large(file->second.size(), limit)};
-    return {file->second, ""};
-}
-
-std::optional<std::vector<DirectoryEntry>> MemoryDisk::list(const std::string& path) const {
-    if (!is_directory(path)) return std::nullopt;
-    const std::string prefix = path == "." || path.empty() ? "" : path + "/";
-    std::map<std::string, bool> found;
-    auto add = [&](const std::string& file) {
-        if (!file.starts_with(prefix)) return;
-        const std::string rest = file.substr(prefix.size());
-        const size_t slash = rest.find('/');
-        found[rest.substr(0, slash)] |= slash != std::string::npos;
-    };
-    for (const auto& [file, bytes] : files) add(file);
-    for (const auto& [file, reason] : errors) add(file);
-    std::vector<DirectoryEntry> entries;
-    for (const auto& [name, folder] : found) entries.push_back({name, folder});
-    return entries;
-}
-
-bool MemoryDisk::is_directory(const std::string& path) const {
-    if (path.empty() || path == ".") return true;
-    const auto next = files.lower_bound(path + "/");
-    return next != files.end() && next->first.starts_with(path + "/");
-}
-
-bool MemoryDisk::exists(const std::string& path) const { return files.contains(path) || is_directory(path); }
-
-std::string MemoryDisk::write(const std::string& path, const std::string& bytes) {
-    files[path] = bytes;
-    return {};
-}
-
-std::string MemoryDisk::remove(const std::string& path) {
-    files.erase(path);
-    return {};
-}
+TakenGuard RealDisk::guard(const TreePath& path) { return take_file_guard(path); }
 
 std::string join_path(const std::string& folder, const std::string& name) {
     if (folder.empty() || folder == "." || name.starts_with('/')) return name.empty() ? folder : name;
     if (name.empty() || name == ".") return folder;
     return folder.ends_with('/') ? folder + name : folder + "/" + name;
+}
+
+TreePath place_of_path(const std::string& root, const std::string& path) {
+    const std::string clean = clean_path(path);
+    if (!clean.starts_with('/') && clean != ".." && !clean.starts_with("../")) return {root, path};
+    const size_t slash = clean.find_last_of('/');
+    return {join_path(root, clean.substr(0, slash + 1)), clean.substr(slash + 1)};
 }
 
 std::string clean_path(const std::string& path) {

@@ -4,9 +4,11 @@
 
 #include <cstdint>
 #include <map>
-#include <optional>
+#include <memory>
 #include <string>
 #include <vector>
+
+#include "porttool/read/beneath.h"
 
 namespace porttool {
 
@@ -21,47 +23,91 @@ struct FileText {
     std::string error;  ///< empty if the file was read
 };
 
-/// The only way to the disk. Paths are absolute or relative to the working directory, `/`-separated.
+/// The entries of a folder, sorted by name, or why there are none.
+struct FolderList {
+    std::vector<DirectoryEntry> entries;
+    std::string error;
+    bool refused = false;  ///< it is there, but leads out of the root, or lies in .git
+};
+
+/// Why a file of so many bytes is not read.
+std::string too_large(uint64_t size, uint64_t limit);
+
+/// What stands at a path; a link stands for what it leads to.
+enum class FileKind : uint8_t { None, File, Folder, Other };
+
+/// Held while a file is replaced by what was made of its present content, so that no other writer's change is lost.
+/// Gone with its holder, however that ends.
+class WriteGuard {
+public:
+    virtual ~WriteGuard() = default;
+};
+
+/// A guard, or why there is none and what to do.
+struct TakenGuard {
+    std::unique_ptr<WriteGuard> guard;
+    std::string error;
+};
+
+/// The only way to the disk. A path is the user's own, from the command line, absolute or relative to the working
+/// directory; a TreePath was written by somebody else, and does not lead out of its root. All are `/`-separated.
 class Disk {
 public:
     virtual ~Disk() = default;
     /// Reads a whole file; one above `limit` bytes is refused unread.
     virtual FileText read(const std::string& path, uint64_t limit) const = 0;
-    /// The entries of a folder, sorted by name; nothing if it is none or cannot be read.
-    virtual std::optional<std::vector<DirectoryEntry>> list(const std::string& path) const = 0;
+    virtual FileText read(const TreePath& path, uint64_t limit) const = 0;
+    virtual FolderList list(const TreePath& path) const = 0;
+    virtual FileKind kind(const TreePath& path) const = 0;
     virtual bool is_directory(const std::string& path) const = 0;
     virtual bool exists(const std::string& path) const = 0;
-    /// Replaces a file as a whole (never half-written), making its folder; returns why it could not, or "".
+    /// Replaces a file as a whole (never half-written); returns why it could not, or "". A device, a pipe or an open
+    /// file (/dev/stdout) is appended to.
     virtual std::string write(const std::string& path, const std::string& bytes) = 0;
-    virtual std::string remove(const std::string& path) = 0;
+    /// The same beneath a root; makes the file's folder there.
+    virtual std::string write(const TreePath& path, const std::string& bytes) = 0;
+    virtual std::string remove(const TreePath& path) = 0;
+    /// Waits until no other process holds the guard of this file.
+    virtual TakenGuard guard(const TreePath& path) = 0;
 };
 
 class RealDisk final : public Disk {
 public:
     FileText read(const std::string& path, uint64_t limit) const override;
-    std::optional<std::vector<DirectoryEntry>> list(const std::string& path) const override;
+    FileText read(const TreePath& path, uint64_t limit) const override;
+    FolderList list(const TreePath& path) const override;
+    FileKind kind(const TreePath& path) const override;
     bool is_directory(const std::string& path) const override;
     bool exists(const std::string& path) const override;
     std::string write(const std::string& path, const std::string& bytes) override;
-    std::string remove(const std::string& path) override;
+    std::string write(const TreePath& path, const std::string& bytes) override;
+    std::string remove(const TreePath& path) override;
+    TakenGuard guard(const TreePath& path) override;
 };
 
-/// A disk in memory, for tests. Folders are implied by the files.
+/// A disk in memory, for tests and for what git holds. Folders are implied by the files; there are no links.
 class MemoryDisk final : public Disk {
 public:
     std::map<std::string, std::string> files;
     std::map<std::string, std::string> errors;  ///< files that cannot be read, and why
 
     FileText read(const std::string& path, uint64_t limit) const override;
-    std::optional<std::vector<DirectoryEntry>> list(const std::string& path) const override;
+    FileText read(const TreePath& path, uint64_t limit) const override;
+    FolderList list(const TreePath& path) const override;
+    FileKind kind(const TreePath& path) const override;
     bool is_directory(const std::string& path) const override;
     bool exists(const std::string& path) const override;
     std::string write(const std::string& path, const std::string& bytes) override;
-    std::string remove(const std::string& path) override;
+    std::string write(const TreePath& path, const std::string& bytes) override;
+    std::string remove(const TreePath& path) override;
+    TakenGuard guard(const TreePath& path) override;
 };
 
 /// `a/b`; an absolute second part stands alone.
 std::string join_path(const std::string& folder, const std::string& name);
+
+/// A path as seen from a root, which it may lie out of: then beneath its own folder. For what the user named.
+TreePath place_of_path(const std::string& root, const std::string& path);
 
 /// Without `.`, `..` and double slashes as far as the text alone tells.
 std::string clean_path(const std::string& path);

@@ -1,20 +1,38 @@
 // SPDX-FileCopyrightText: 2026 The porttool authors
 // SPDX-License-Identifier: Apache-2.0
+//
+//   porttool-lock	2
+//   normal-form	2
+//   # Written by porttool: ...
+//   000                                                       a mark
+//   ...
+//   7f3
+//   7f3a90c1                                                  the key of the facts below
+//   7f3a90c1	pair	gpu/a.cl:f	cpu/a.cpp:f	(six prints)	state=recorded
+//   7f4
+//   ...
 #include "porttool/read/lock_file.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <map>
+#include <charconv>
+#include <set>
 #include <string_view>
 #include <utility>
 
 namespace porttool {
 namespace {
 
-constexpr const char* kHeader = "porttool-lock\t1";
+constexpr std::string_view kHeader = "porttool-lock\t", kNormalFormLine = "normal-form\t";
+constexpr size_t kMarkDigits = 3, kKeyDigits = 8, kMarks = 4096;
+constexpr const char* kRestore = "\nRestore it from git, or renew it with: porttool init --force";
 
-std::vector<std::string> split(const std::string& line) {
-    std::vector<std::string> fields;
+using Fields = std::vector<std::string>;
+
+Fields split(const std::string& line) {
+    Fields fields;
     size_t first = 0;
     while (true) {
         const size_t tab = std::min(line.find('\t', first), line.size());
@@ -50,34 +68,189 @@ std::string decoded(const std::string& field) {
     return out;
 }
 
-/// Reads one line; false if it has not the form of any.
-bool read_line(LockFile& lock, const std::vector<std::string>& f) {
+bool is_hexadecimal(std::string_view text, size_t digits) {
+    return text.size() == digits && std::all_of(text.begin(), text.end(), [](char c) {
+               return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f');
+           });
+}
+
+/// The form of a date; that it is a day of the calendar was seen to when it was given.
+bool is_date(const std::string& text) {
+    constexpr std::string_view kForm = "0000-00-00";
+    return std::equal(text.begin(), text.end(), kForm.begin(), kForm.end(),
+                      [](char c, char form) { return form == '-' ? c == '-' : c >= '0' && c <= '9'; });
+}
+
+bool is_verdict(const std::string& kind) { return kind == "accept" || kind == "defer" || kind == "ignore"; }
+
+/// What is wrong with one line's fields, thrown while they are read.
+struct Misread {
+    std::string what;
+};
+
+std::string print_of(const std::string& field, bool may_be_unknown) {
+    if (is_fingerprint(field) || (may_be_unknown && field == "-")) return field;
+    throw Misread{"'" + field.substr(0, 60) + "' is no fingerprint, which has 16 hexadecimal digits"};
+}
+
+Fingerprints prints_of(const Fields& f, size_t at, bool may_be_unknown = false) {
+    return {print_of(f[at], may_be_unknown), print_of(f[at + 1], may_be_unknown), print_of(f[at + 2], may_be_unknown)};
+}
+
+/// The fields `name=value` from a place on.
+MoreFields more_of(const Fields& f, size_t at) {
+    MoreFields out;
+    for (size_t i = at; i < f.size(); ++i) {
+        const size_t equal = f[i].find('=');
+        if (equal == std::string::npos || equal == 0) throw Misread{"'" + f[i].substr(0, 60) + "' is no name=value"};
+        out[f[i].substr(0, equal)] = decoded(f[i].substr(equal + 1));
+    }
+    return out;
+}
+
+std::string taken(MoreFields& more, const std::string& name, const std::string& otherwise = {}) {
+    const auto node = more.extract(name);
+    return node.empty() ? otherwise : node.mapped();
+}
+
+LedgerEntry ledger_entry(const Fields& f) {
+    LedgerEntry entry{f[0], decoded(f[1]), decoded(f[2]), print_of(f[3], true), print_of(f[4], true), f[5], f[6], f[7],
+                      {}};
+    if (!(is_date(entry.until) || (entry.until.empty() && entry.verdict != "defer")))
+        throw Misread{"'" + entry.until.substr(0, 60) + "' is no date as YYYY-MM-DD"};
+    return entry;
+}
+
+/// Reads a line of version 1; false if it has not the form of any.
+bool read_line_1(LockFile& lock, const Fields& f) {
     if (f[0] == "pair" && f.size() == 9) {
-        lock.pairs.push_back({decoded(f[1]), decoded(f[2]), {f[3], f[4], f[5]}, {f[6], f[7], f[8]}});
+        lock.pairs.push_back({decoded(f[1]), decoded(f[2]), prints_of(f, 3), prints_of(f, 6)});
     } else if (f[0] == "baseline" && (f.size() == 3 || f.size() == 4)) {
-        lock.baseline.push_back({decoded(f[1]), f[2], f.size() == 4 ? f[3] : std::string()});
-    } else if ((f[0] == "accept" || f[0] == "defer" || f[0] == "ignore") && f.size() == 8) {
-        lock.ledger.push_back({f[0], decoded(f[1]), decoded(f[2]), f[3], f[4], f[5], f[6], f[7]});
+        lock.baseline.push_back(
+            {decoded(f[1]), {print_of(f[2], false), "-", "-"}, f.size() == 4 ? f[3] : std::string()});
+    } else if (is_verdict(f[0]) && f.size() == 8) {
+        lock.ledger.push_back(ledger_entry(f));
     } else {
         return false;
     }
     return true;
 }
 
-struct SeenLine {
-    std::string text;
-    int number = 0;
-};
-
-/// What is wrong if an earlier line says something else of the same pair: a merge kept both.
-std::string stands_twice(const std::string& line, std::map<std::string, SeenLine>& seen, int number) {
-    const std::vector<std::string> fields = split(line);
-    if (fields[0] != "pair" || fields.size() < 3) return {};
-    const auto [first, fresh] = seen.try_emplace(fields[1] + "\t" + fields[2], SeenLine{line, number});
-    if (fresh || first->second.text == line) return {};
-    return "a second line for '" + fields[1] + "=" + fields[2] + "'; line " + std::to_string(first->second.number) +
-           " says something else, as after a merge\nRemove one of the two, then run: porttool check";
+/// Reads a line of version 2 without its key; false if it has not the form of any.
+bool read_line_2(LockFile& lock, const Fields& f) {
+    if (f[0] == "pair" && f.size() >= 9) {
+        LockedPair pair{decoded(f[1]), decoded(f[2]), prints_of(f, 3), prints_of(f, 6)};
+        pair.more = more_of(f, 9);
+        pair.state = taken(pair.more, "state", pair.state);
+        pair.by = taken(pair.more, "by");
+        lock.pairs.push_back(std::move(pair));
+    } else if (f[0] == "unit" && f.size() >= 7) {
+        lock.baseline.push_back({decoded(f[2]), prints_of(f, 3, true), f[6], f[1], more_of(f, 7)});
+    } else if (is_verdict(f[0]) && f.size() >= 8) {
+        lock.ledger.push_back(ledger_entry(f));
+        lock.ledger.back().more = more_of(f, 8);
+    } else {
+        return false;
+    }
+    return true;
 }
+
+class LockReader {
+public:
+    explicit LockReader(const std::string& text) : text_(text) {}
+
+    ReadLock read() {
+        if (text_.empty()) return {{}, std::string("portmap.lock is empty") + kRestore};
+        size_t first = 0;
+        while (first < text_.size()) {
+            const size_t end = std::min(text_.find('\n', first), text_.size());
+            std::string line = text_.substr(first, end - first);
+            first = end + 1;
+            ++number_;
+            if (!line.empty() && line.back() == '\r') line.pop_back();
+            if (const std::string wrong = take(line); !wrong.empty())
+                return {{}, "portmap.lock:" + std::to_string(number_) + ": " + wrong};
+        }
+        return {std::move(lock_), ""};
+    }
+
+private:
+    struct Seen {
+        Fields fields;
+        int number = 0;
+    };
+
+    /// Takes in a line; what is wrong with it, or "".
+    std::string take(const std::string& line) {
+        if (line.starts_with("<<<<<<<") || line.starts_with("=======") || line.starts_with(">>>>>>>"))
+            return "a merge conflict is not resolved\nKeep one line for each pair, or take one side whole and run: "
+                   "porttool accept --all";
+        if (number_ == 1) return take_header(line);
+        if (line.empty() || line[0] == '#') return {};
+        if (line.starts_with(kNormalFormLine)) return take_normal_form(line);
+        Fields fields = split(line);
+        if (lock_.version > 1) {
+            if (fields.size() == 1 && (is_hexadecimal(line, kMarkDigits) || is_hexadecimal(line, kKeyDigits)))
+                return {};
+            if (is_hexadecimal(fields[0], kKeyDigits)) fields.erase(fields.begin());  // one by hand may lack it
+            if (fields.empty()) return unreadable(line);
+        }
+        if (const std::string twice = stands_twice(fields); !twice.empty()) return twice;
+        try {
+            const bool known = lock_.version == 1 ? read_line_1(lock_, fields) : read_line_2(lock_, fields);
+            if (!known) return unreadable(line);
+            (fields[0] == "pair"     ? lock_.pairs.back().line
+             : is_verdict(fields[0]) ? lock_.ledger.back().line
+                                     : lock_.baseline.back().line) = number_;
+            return {};
+        } catch (const Misread& wrong) {
+            return wrong.what + "\nRestore the line from git, or renew the lock with: porttool init --force";
+        }
+    }
+
+    std::string take_header(const std::string& line) {
+        if (!line.starts_with(kHeader)) return std::string("this is no lock of porttool") + kRestore;
+        const std::string version = line.substr(kHeader.size());
+        if (version != "1" && version != "2")
+            return "'" + line.substr(0, 60) +
+                   "' is of another version; this porttool reads versions 1 and 2\nUse the porttool that wrote it, or "
+                   "renew it with: porttool init --force";
+        lock_.version = version == "1" ? 1 : 2;
+        lock_.normal_form = 1;  // unless it says otherwise
+        return {};
+    }
+
+    std::string take_normal_form(const std::string& line) {
+        int form = 0;
+        const char* end = line.data() + line.size();
+        const auto read = std::from_chars(line.data() + kNormalFormLine.size(), end, form);
+        if (read.ec != std::errc() || read.ptr != end || form < 1) return unreadable(line);
+        if (form > kNormalForm)
+            return "its fingerprints are of normal form " + std::to_string(form) + "; this porttool knows " +
+                   std::to_string(kNormalForm) + "\nUse the porttool that wrote it, or a newer one";
+        lock_.normal_form = form;
+        return {};
+    }
+
+    /// What is wrong if an earlier line says something else of the same pair: a merge kept both.
+    std::string stands_twice(const Fields& fields) {
+        if (fields[0] != "pair" || fields.size() < 3) return {};
+        const auto [first, fresh] = seen_.try_emplace({fields[1], fields[2]}, Seen{fields, number_});
+        if (fresh || first->second.fields == fields) return {};
+        return "a second line for '" + fields[1] + "=" + fields[2] + "'; line " + std::to_string(first->second.number) +
+               " says something else, as after a merge\nRemove one of the two, then run: porttool check";
+    }
+
+    static std::string unreadable(const std::string& line) {
+        return "cannot be read: '" + line.substr(0, 60) +
+               "'\nRestore the line from git, or renew the lock with: porttool init --force";
+    }
+
+    const std::string& text_;
+    LockFile lock_;
+    int number_ = 0;
+    std::map<std::pair<std::string, std::string>, Seen> seen_;
+};
 
 std::string plain(std::string text) {
     for (char& c : text)
@@ -85,67 +258,66 @@ std::string plain(std::string text) {
     return text;
 }
 
-}  // namespace
+std::string key_of(const std::string& source, const std::string& target) {
+    return fmt::format("{:016x}", hash_text(source + "\t" + target)).substr(0, kKeyDigits);
+}
 
-ReadLock read_lock(const std::string& text) {
-    ReadLock out;
-    std::map<std::string, SeenLine> seen;
-    size_t first = 0;
-    for (int number = 1; first < text.size(); ++number) {
-        const size_t end = std::min(text.find('\n', first), text.size());
-        std::string line = text.substr(first, end - first);
-        first = end + 1;
-        if (!line.empty() && line.back() == '\r') line.pop_back();
-        const std::string where = "portmap.lock:" + std::to_string(number) + ": ";
-        if (line.starts_with("<<<<<<<") || line.starts_with("=======") || line.starts_with(">>>>>>>"))
-            return {{},
-                    where +
-                        "a merge conflict is not resolved\nKeep one line for each pair, or take one side whole and "
-                        "run: porttool accept --all"};
-        if (number == 1) {
-            if (line == kHeader) continue;
-            if (line.starts_with("porttool-lock"))
-                return {{},
-                        where + "'" + line +
-                            "' is of another version; this porttool reads version 1\nUse the porttool that wrote it, "
-                            "or renew it with: porttool init --force"};
-            return {
-                {},
-                where + "this is no lock of porttool\nRestore it from git, or renew it with: porttool init --force"};
-        }
-        if (line.empty() || line[0] == '#') continue;
-        if (const std::string twice = stands_twice(line, seen, number); !twice.empty()) return {{}, where + twice};
-        if (!read_line(out.lock, split(line)))
-            return {{},
-                    where + "cannot be read: '" + line.substr(0, 60) +
-                        "'\nRestore the line from git, or renew the lock with: porttool init --force"};
-    }
-    if (text.empty())
-        return {{}, "portmap.lock is empty\nRestore it from git, or renew it with: porttool init --force"};
+std::string text_of(const Fingerprints& prints) {
+    return prints.written + "\t" + prints.renamed + "\t" + prints.blanked;
+}
+
+std::string text_of(MoreFields more, std::initializer_list<std::pair<const char*, std::string>> own) {
+    for (const auto& [name, value] : own)
+        if (!value.empty()) more[name] = value;
+    std::string out;
+    for (const auto& [name, value] : more) out += "\t" + name + "=" + encoded(value);
     return out;
 }
 
-std::string lock_text(const LockFile& lock) {
-    std::vector<std::string> lines;
-    for (const LockedPair& pair : lock.pairs) {
-        const Fingerprints &s = pair.source_prints, &t = pair.target_prints;
-        lines.push_back("pair\t" + encoded(pair.source) + "\t" + encoded(pair.target) + "\t" + s.written + "\t" +
-                        s.renamed + "\t" + s.blanked + "\t" + t.written + "\t" + t.renamed + "\t" + t.blanked);
+/// The lines of all facts, each under its key.
+class LockLines {
+public:
+    void add(const std::string& source, const std::string& target, const std::string& fact) {
+        const std::string key = key_of(source, target);
+        lines_.insert(key);
+        lines_.insert(key + "\t" + fact);
     }
+    std::string joined() {
+        for (size_t mark = 0; mark < kMarks; ++mark) lines_.insert(fmt::format("{:03x}", mark));
+        std::string out;
+        for (const std::string& line : lines_) out += line + "\n";
+        return out;
+    }
+
+private:
+    std::set<std::string> lines_;
+};
+
+}  // namespace
+
+ReadLock read_lock(const std::string& text) { return LockReader(text).read(); }
+
+std::string lock_text(const LockFile& lock) {
+    LockLines lines;
+    for (const LockedPair& pair : lock.pairs)
+        lines.add(pair.source, pair.target,
+                  "pair\t" + encoded(pair.source) + "\t" + encoded(pair.target) + "\t" + text_of(pair.source_prints) +
+                      "\t" + text_of(pair.target_prints) +
+                      text_of(pair.more, {{"state", pair.state}, {"by", pair.by}}));
     for (const LockedUnit& unit : lock.baseline)
-        lines.push_back("baseline\t" + encoded(unit.id) + "\t" + unit.print +
-                        (unit.reason.empty() ? std::string() : "\t" + plain(unit.reason)));
+        lines.add(unit.id, "",
+                  "unit\t" + plain(unit.side) + "\t" + encoded(unit.id) + "\t" + text_of(unit.prints) + "\t" +
+                      plain(unit.reason) + text_of(unit.more, {}));
     for (const LedgerEntry& entry : lock.ledger)
-        lines.push_back(entry.verdict + "\t" + encoded(entry.source) + "\t" + encoded(entry.target) + "\t" +
-                        entry.source_print + "\t" + entry.target_print + "\t" + plain(entry.owner) + "\t" +
-                        plain(entry.until) + "\t" + plain(entry.reason));
-    std::sort(lines.begin(), lines.end());
-    lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
-    std::string out =
-        std::string(kHeader) +
-        "\n# Written by porttool: what was in step, and what had no port. Edit with porttool accept, defer, ignore.\n";
-    for (const std::string& line : lines) out += line + "\n";
-    return out;
+        lines.add(entry.source, entry.target,
+                  entry.verdict + "\t" + encoded(entry.source) + "\t" + encoded(entry.target) + "\t" +
+                      entry.source_print + "\t" + entry.target_print + "\t" + plain(entry.owner) + "\t" +
+                      plain(entry.until) + "\t" + plain(entry.reason) + text_of(entry.more, {}));
+    return fmt::format(
+               "{}2\n{}{}\n# Written by porttool: what was in step, and what had no port. Edit with porttool accept, "
+               "defer, ignore.\n# git merges it by itself: leave the lines that hold a number alone.\n",
+               kHeader, kNormalFormLine, kNormalForm) +
+           lines.joined();
 }
 
 }  // namespace porttool

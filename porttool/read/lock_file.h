@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -9,33 +10,52 @@
 
 namespace porttool {
 
+/// The normal form of texts, and the numbering of locals in it, that prints are of. Another number for another form: a
+/// lock of an older one is read anew from portmap.base/, one of a newer one is refused.
+inline constexpr int kNormalForm = 2;
+
+/// What later versions of porttool keep beside a line's own fields: `name=value`, carried along unread.
+using MoreFields = std::map<std::string, std::string>;
+
 /// A pair as it was when its sides were last in step.
 struct LockedPair {
     std::string source, target;
     Fingerprints source_prints, target_prints;
+    std::string state = "recorded";  ///< or "verified"
+    std::string by = {};             ///< what verified it, and when
+    MoreFields more = {};
+    int line = 0;  ///< in the file that it was read from
 };
 
-/// A source unit that had no counterpart when the baseline was taken.
+/// A unit that no pair watches, as it was when it was last looked at: a source unit without a counterpart is in the
+/// baseline. Prints that are not known are "-".
 struct LockedUnit {
     std::string id;
-    std::string print;
+    Fingerprints prints;
     std::string reason = {};  ///< why it needs none, if somebody said so
+    std::string side = "source";
+    MoreFields more = {};
+    int line = 0;  ///< in the file that it was read from
 };
 
 /// A verdict that a person gave on a pair, for the texts that it had then.
 struct LedgerEntry {
     std::string verdict;  ///< "accept", "defer" or "ignore"
     std::string source, target;
-    std::string source_print, target_print;
+    std::string source_print, target_print;  ///< "-" for a side that was not there, or whose text is not known any more
     std::string owner;
     std::string until;  ///< YYYY-MM-DD: the last day of a deferral; the day of an acceptance
     std::string reason;
+    MoreFields more = {};
+    int line = 0;  ///< in the file that it was read from
 };
 
 struct LockFile {
     std::vector<LockedPair> pairs;
     std::vector<LockedUnit> baseline;
     std::vector<LedgerEntry> ledger;
+    int version = 2;                ///< of the layout that was read
+    int normal_form = kNormalForm;  ///< that its prints are of
 };
 
 /// A lock, or why it cannot be used and what to do.
@@ -44,9 +64,12 @@ struct ReadLock {
     std::string error;
 };
 
+/// Reads a lock of version 1 or 2. Every print is checked to be one: they become the names of files.
 ReadLock read_lock(const std::string& text);
 
-/// The text of a lock: one sorted line a fact, fields apart by tabs, so that merges are unions.
+/// The text of a lock, version 2. A fact is one line, fields apart by tabs, under a key that its ids give; lines are
+/// sorted. Between any two facts of different ids stand lines that no change touches, the keys and 4,096 marks, so that
+/// git merges changes of different pairs by itself: it takes changes with an unchanged line between them as apart.
 std::string lock_text(const LockFile& lock);
 
 }  // namespace porttool

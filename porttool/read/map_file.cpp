@@ -34,6 +34,7 @@ public:
             fail(root.get("version") != nullptr ? root.get("version")->source() : root.source(),
                  root.get("version") == nullptr ? "'version = 1' is missing"
                                                 : "version: expected 1; this porttool reads maps of version 1");
+        note_lines(root);
         if (const toml::table* sides = section(root, "sides")) read_sides(*sides);
         for (const toml::table* pair : tables(root, "pair")) read_pair(*pair);
         for (const toml::table* ignore : tables(root, "ignore")) read_ignore(*ignore);
@@ -131,6 +132,14 @@ private:
             return out;
         }
         return {text(table, key)};
+    }
+
+    void note_lines(const toml::table& root) {
+        for (const char* name : {"sides", "rules", "dialect", "spirv"})
+            if (const toml::table* table = section(root, name))
+                for (const auto& [key, node] : *table)
+                    map_.key_lines[std::string(name) + "." + std::string(key.str())] =
+                        static_cast<int>(key.source().begin.line);
     }
 
     void read_sides(const toml::table& sides) {

@@ -62,6 +62,8 @@ struct MapFile {
     metrics::LineWeights weights;    ///< [cost]
     metrics::ReuseSettings reuse;    ///< [reuse]
     std::vector<MapEffort> efforts;  ///< [[effort]]
+    std::map<std::string, int>
+        key_lines;  ///< where keys of [sides], [rules], [dialect] and [spirv] stand: "rules.orphaned"
 };
 
 /// A map, or the error as it is shown: file:line:column, what is wrong, the line with a caret.

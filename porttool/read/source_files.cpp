@@ -13,10 +13,12 @@
 namespace porttool {
 namespace {
 
-/// Walks folders below a root, reading each .gitignore on the way.
+/// Walks folders below a root, reading each .gitignore on the way. What lies below `own`, a folder that the user named
+/// and that need not lie beneath the root, is opened beneath that.
 class Walker {
 public:
-    Walker(const Disk& disk, const std::string& root) : disk_(disk), root_(root) {}
+    Walker(const Disk& disk, const std::string& root, const std::string& own = "")
+        : disk_(disk), root_(root), own_(own) {}
 
     /// Calls `visit(path)` for each file below `folder` that is not ignored.
     template <class Visit>
@@ -25,10 +27,11 @@ public:
         while (!open.empty()) {
             const std::string at = open.back();
             open.pop_back();
-            const auto entries = disk_.list(join_path(root_, at.empty() ? "." : at));
-            if (!entries) continue;
+            const FolderList list = disk_.list(place_of(at));
+            if (list.refused) refused_.push_back({at, list.error});
+            if (!list.error.empty()) continue;
             const IgnoreRules& rules = rules_of(at);
-            for (const DirectoryEntry& entry : *entries) {
+            for (const DirectoryEntry& entry : list.entries) {
                 const std::string path = at.empty() ? entry.name : at + "/" + entry.name;
                 if (entry.name == ".git" || rules.ignores(path, entry.is_directory)) continue;
                 if (entry.is_directory)
@@ -39,33 +42,47 @@ public:
         }
     }
 
+    TreePath place_of(const std::string& path) const {
+        if (own_.empty() || (path != own_ && !path.starts_with(own_ + "/"))) return {root_, path};
+        return {join_path(root_, own_), path.substr(std::min(own_.size() + 1, path.size()))};
+    }
+
+    /// Folders that lie elsewhere, and so were not looked into.
+    const std::vector<SkippedFile>& refused() const { return refused_; }
+
 private:
     /// The rules that hold in a folder: its parent's and its own.
     const IgnoreRules& rules_of(const std::string& folder) {
         if (const auto known = rules_.find(folder); known != rules_.end()) return known->second;
         IgnoreRules rules;
-        if (!folder.empty()) {
-            const size_t slash = folder.find_last_of('/');
+        const size_t slash = folder.find_last_of('/');
+        if (!folder.empty() && slash != 0) {
             rules = rules_of(slash == std::string::npos ? "" : folder.substr(0, slash));
         } else {
             const FileText exclude = disk_.read(join_path(root_, ".git/info/exclude"), kLargestFile);
             if (exclude.error.empty()) rules.add("", exclude.bytes);
         }
-        const FileText own = disk_.read(join_path(root_, join_path(folder, ".gitignore")), kLargestFile);
+        const FileText own = disk_.read(place_of(folder.empty() ? ".gitignore" : folder + "/.gitignore"), kLargestFile);
         if (own.error.empty()) rules.add(folder, own.bytes);
         return rules_.emplace(folder, std::move(rules)).first->second;
     }
 
     const Disk& disk_;
-    std::string root_;
+    std::string root_, own_;
     std::map<std::string, IgnoreRules> rules_;
+    std::vector<SkippedFile> refused_;
 };
 
-SourceSet read_all(const Disk& disk, const std::string& root, const std::set<std::string>& paths) {
+/// Files by the paths that they are shown with, and where each is opened. The user's own has no root: it is followed
+/// wherever it leads.
+using FoundFiles = std::map<std::string, TreePath>;
+
+SourceSet read_all(const Disk& disk, const FoundFiles& found) {
     SourceSet out;
-    for (const std::string& path : paths) {
+    for (const auto& [path, place] : found) {
         FileText file = {"", unreadable_name(path)};
-        if (file.error.empty()) file = disk.read(join_path(root, path), kLargestSource);
+        if (file.error.empty())
+            file = place.root.empty() ? disk.read(place.path, kLargestSource) : disk.read(place, kLargestSource);
         if (file.error.empty()) file.error = unreadable_reason(file.bytes);
         if (file.error.empty())
             out.files.push_back({path, std::move(file.bytes)});
@@ -75,6 +92,12 @@ SourceSet read_all(const Disk& disk, const std::string& root, const std::set<std
     return out;
 }
 
+void add_refused(SourceSet& set, const Walker& walker) {
+    set.skipped.insert(set.skipped.end(), walker.refused().begin(), walker.refused().end());
+}
+
+bool leads_out(const std::string& path) { return path.starts_with('/') || path == ".." || path.starts_with("../"); }
+
 /// `path` as seen from the root; an absolute path elsewhere stays as it is.
 std::string below_root(const std::string& root, const std::string& path) {
     const std::string clean = clean_path(path);
@@ -82,6 +105,11 @@ std::string below_root(const std::string& root, const std::string& path) {
     if (clean == folder) return ".";
     if (clean.starts_with(folder + "/")) return clean.substr(folder.size() + 1);
     return clean;
+}
+
+/// A glob as seen from the root. One that ends in a slash names a folder.
+Glob glob_below(const std::string& root, const std::string& text) {
+    return Glob(below_root(root, text.empty() ? "." : text) + (text.ends_with('/') ? "/" : ""));
 }
 
 }  // namespace
@@ -96,60 +124,104 @@ std::string unreadable_reason(const std::string& bytes) {
         return "is more than the " + std::to_string(kLargestSource / kMebibyte) + " MiB that are read of one source";
     if (bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF"))
         return "is UTF-16; save it as UTF-8 to have it scanned";
+    if (bytes.starts_with("version https://git-lfs.github.com/spec/v1\n"))
+        return "is a pointer of Git LFS, not the file itself; fetch it: git lfs pull";
     const size_t nul = bytes.find('\0');
     if (nul != std::string::npos) return "is binary: byte " + std::to_string(nul) + " is NUL";
     return {};
 }
 
+bool leads_out_of(const std::string& root, const std::string& glob) {
+    const std::vector<std::string> folders = glob_below(root, glob).roots();
+    return std::any_of(folders.begin(), folders.end(), leads_out);
+}
+
 SourceSet read_paths(const Disk& disk, const std::string& root, const std::vector<std::string>& paths,
                      std::vector<std::string>& missing) {
-    Walker walker(disk, root);
-    std::set<std::string> found;
+    FoundFiles found;
+    SourceSet out;
     for (const std::string& given : paths) {
         const std::string path = below_root(root, given);
         const std::string full = join_path(root, path);
         if (disk.is_directory(full)) {
+            const bool beneath = disk.kind({root, path}) == FileKind::Folder;
+            Walker walker(disk, root, beneath ? "" : path);
             walker.walk(path, [&](const std::string& file) {
-                if (language_of_path(file) != Language::Unknown) found.insert(file);
+                if (language_of_path(file) != Language::Unknown) found.emplace(file, walker.place_of(file));
             });
+            add_refused(out, walker);
         } else if (disk.exists(full) || disk.read(full, kLargestFile).error.find("No such file") == std::string::npos) {
-            found.insert(path);
+            found[path] = {"", full};
         } else {
             missing.push_back(given);
         }
     }
-    return read_all(disk, root, found);
+    SourceSet read = read_all(disk, found);
+    read.skipped.insert(read.skipped.end(), out.skipped.begin(), out.skipped.end());
+    return read;
 }
 
-SourceSet read_globs(const Disk& disk, const std::string& root, const std::vector<std::string>& globs,
-                     std::vector<std::string>& unmatched) {
-    Walker walker(disk, root);
-    std::set<std::string> found;
-    std::map<std::string, std::vector<std::string>> listed;  // a root is walked once
-    for (const std::string& text : globs) {
-        const Glob glob(below_root(root, text.empty() ? "." : text) + (text.ends_with('/') ? "/" : ""));
+namespace {
+
+/// Reads what globs match, walking each of their folders once.
+class GlobReader {
+public:
+    GlobReader(const Disk& disk, const std::string& root, Reach reach) : disk_(disk), root_(root), reach_(reach) {}
+
+    /// How many files a glob matches.
+    size_t take(const std::string& text) {
+        const Glob glob = glob_below(root_, text);
         size_t count = 0;
         // `src/*.inc` asks for that suffix, `src/*` for what is known to be source.
         const bool names_suffix = text.find('.', text.find_last_of('/') + 1) != std::string::npos;
-        auto take = [&](const std::string& file, bool named) {
+        const auto take_file = [&](const std::string& file, const TreePath& place, bool named) {
             if (!glob.matches(file) || (!named && language_of_path(file) == Language::Unknown)) return;
             ++count;
-            found.insert(file);
+            found_.emplace(file, place);
         };
-        if (glob.literal() && disk.exists(join_path(root, glob.text())) &&
-            !disk.is_directory(join_path(root, glob.text())))
-            take(clean_path(glob.text()), true);
-        for (const std::string& folder : glob.roots()) {
-            auto files = listed.find(folder);
-            if (files == listed.end()) {
-                files = listed.emplace(folder, std::vector<std::string>()).first;
-                walker.walk(folder, [&](const std::string& file) { files->second.push_back(file); });
-            }
-            for (const std::string& file : files->second) take(file, names_suffix);
+        if (glob.literal()) {
+            const std::string path = clean_path(glob.text());
+            const TreePath place = reach_ == Reach::Beneath ? TreePath{root_, path} : place_of_path(root_, path);
+            const FileKind kind = disk_.kind(place);
+            if (kind == FileKind::File || kind == FileKind::Other) take_file(path, place, true);
         }
-        if (count == 0) unmatched.push_back(text);
+        for (const std::string& folder : glob.roots())
+            for (const auto& [file, place] : files_below(folder)) take_file(file, place, names_suffix);
+        return count;
     }
-    return read_all(disk, root, found);
+
+    SourceSet read() {
+        SourceSet out = read_all(disk_, found_);
+        for (const auto& [own, walker] : walkers_) add_refused(out, walker);
+        return out;
+    }
+
+private:
+    const FoundFiles& files_below(const std::string& folder) {
+        const auto [files, fresh] = listed_.try_emplace(folder);
+        if (!fresh) return files->second;
+        const std::string own = reach_ == Reach::Anywhere && leads_out(folder) ? folder : "";
+        Walker& walker = walkers_.try_emplace(own, disk_, root_, own).first->second;
+        walker.walk(folder, [&](const std::string& file) { files->second.emplace(file, walker.place_of(file)); });
+        return files->second;
+    }
+
+    const Disk& disk_;
+    const std::string& root_;
+    const Reach reach_;
+    FoundFiles found_;
+    std::map<std::string, FoundFiles> listed_;  ///< by folder
+    std::map<std::string, Walker> walkers_;     ///< by the folder that they do not leave, "" for the root
+};
+
+}  // namespace
+
+SourceSet read_globs(const Disk& disk, const std::string& root, const std::vector<std::string>& globs,
+                     std::vector<std::string>& unmatched, Reach reach) {
+    GlobReader reader(disk, root, reach);
+    for (const std::string& text : globs)
+        if (reader.take(text) == 0) unmatched.push_back(text);
+    return reader.read();
 }
 
 }  // namespace porttool

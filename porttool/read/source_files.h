@@ -37,9 +37,16 @@ inline constexpr uint64_t kLargestSource = 16ull * 1024 * 1024;
 SourceSet read_paths(const Disk& disk, const std::string& root, const std::vector<std::string>& paths,
                      std::vector<std::string>& missing);
 
-/// Reads what matches the globs under `root`; a glob that matches nothing is reported in `unmatched`.
+/// Where globs may lead: those of a map beneath the root, those that the user gave on the command line anywhere.
+enum class Reach : uint8_t { Beneath, Anywhere };
+
+/// Reads what matches the globs under `root`; a glob that matches nothing is reported in `unmatched`. What lies out of
+/// the root is skipped and named.
 SourceSet read_globs(const Disk& disk, const std::string& root, const std::vector<std::string>& globs,
-                     std::vector<std::string>& unmatched);
+                     std::vector<std::string>& unmatched, Reach reach = Reach::Beneath);
+
+/// True for a glob that names files elsewhere than beneath the root.
+bool leads_out_of(const std::string& root, const std::string& glob);
 
 /// Why a text cannot be scanned as source (too large, binary, UTF-16), or "".
 std::string unreadable_reason(const std::string& bytes);

@@ -2,24 +2,51 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace porttool {
 
-/// A 64-bit hash of bytes, the same on every machine.
+/// A 64-bit hash of bytes, the same on every machine. For tables: whoever knows it can make two texts of one hash.
 uint64_t hash_text(std::string_view text, uint64_t seed = 0);
+
+/// SipHash-2-4 (Aumasson and Bernstein 2012). The key is known to all; what it buys is that nobody finds another text
+/// for a given print with less than some 2^64 tries, as anybody could for a simpler hash, and so slip an edit past the
+/// gate.
+class SipHash {
+public:
+    explicit SipHash(std::array<uint64_t, 2> key);
+    /// Takes in eight bytes, the first the lowest.
+    void word(uint64_t value);
+    /// The hash. `last`: the bytes that make no word, and in the highest byte the length of all modulo 256. Ends the
+    /// object's life.
+    uint64_t finish(uint64_t last);
+
+private:
+    void round();
+
+    uint64_t a_, b_, c_, d_;
+};
 
 /// 64 bits over texts in their order, as 16 hexadecimal digits.
 class Fingerprinter {
 public:
+    Fingerprinter();
     void add(std::string_view text);
     std::string digits() const;
 
 private:
-    uint64_t hash_ = 0;
+    SipHash hash_;
 };
+
+/// True for what Fingerprinter::digits() can give: 16 small hexadecimal digits.
+bool is_fingerprint(std::string_view text);
+
+/// The print that porttool 0.1 gave to the words of a text: to read its locks.
+std::string fingerprint_of_version_1(const std::vector<std::string>& words);
 
 /// What tells whether a unit changed, and how.
 struct Fingerprints {

@@ -368,7 +368,7 @@ TEST(Check, BadMapsAndLocksAreNamed) {
     EXPECT_NE(error("version = 1\n[sides]\nsorce = [\"a\"]\n", lock).find("did you mean 'source'"), std::string::npos);
     EXPECT_NE(error("version = 2\n", lock).find("version"), std::string::npos);
     EXPECT_NE(error(replaced(map, "src/*", "nowhere/*"), lock).find("'nowhere/*' matches no file"), std::string::npos);
-    EXPECT_NE(error(map, replaced(lock, "porttool-lock\t1", "porttool-lock\t9")).find("another version"),
+    EXPECT_NE(error(map, replaced(lock, "porttool-lock\t2", "porttool-lock\t9")).find("another version"),
               std::string::npos);
     EXPECT_NE(error(map, lock + "<<<<<<< HEAD\n").find("merge conflict"), std::string::npos);
     EXPECT_NE(error(map, lock + "pair\tx\n").find("cannot be read"), std::string::npos);

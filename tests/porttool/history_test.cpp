@@ -456,7 +456,7 @@ TEST(BlobCache, GivesBackWhatWasPutAndForgetsWhatIsDamaged) {
     BlobCache damaged(replaced(file, "first value", "other value"));
     EXPECT_EQ(damaged.find(one), nullptr);
     EXPECT_NE(damaged.find(two), nullptr);
-    EXPECT_EQ(BlobCache(replaced(file, "porttool-cache 1", "porttool-cache 0")).find(two), nullptr);
+    EXPECT_EQ(BlobCache(replaced(file, "porttool-cache 2", "porttool-cache 0")).find(two), nullptr);
     EXPECT_EQ(BlobCache("garbage").find(one), nullptr);
 }
 

@@ -1,0 +1,177 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/judge/brought_in.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <tuple>
+
+namespace porttool {
+namespace {
+
+/// A suppression by what it says and where it belongs, not by its line, which any edit above it moves.
+std::string key_of(const PlacedSuppression& suppression) {
+    const Suppression& comment = suppression.comment;
+    std::string key = suppression.file + "\n" + comment.rule + "\n" + comment.reason;
+    for (const std::string& unit : comment.units) key += "\n" + unit;
+    return key;
+}
+
+/// How often each suppression stands somewhere; taking one away says whether it was there.
+class Counted {
+public:
+    explicit Counted(const std::vector<PlacedSuppression>& suppressions) {
+        for (const PlacedSuppression& one : suppressions) ++counts_[key_of(one)];
+    }
+    bool take(const PlacedSuppression& one) {
+        const auto found = counts_.find(key_of(one));
+        if (found == counts_.end() || found->second == 0) return false;
+        --found->second;
+        return true;
+    }
+
+private:
+    std::map<std::string, size_t> counts_;
+};
+
+class Comparison {
+public:
+    Comparison(const GateState& before, const GateState& now, std::string map_name)
+        : before_(before), now_(now), map_name_(std::move(map_name)) {}
+
+    std::vector<BroughtIn> run() {
+        Counted known(before_.suppressions);
+        for (const PlacedSuppression& one : now_.suppressions)
+            if (!known.take(one))
+                add("suppression", one.file, static_cast<int>(one.comment.line),
+                    fmt::format("porttool: ignore({}) {}", one.comment.rule, one.comment.reason));
+        compare_locks();
+        compare_maps();
+        std::sort(out_.begin(), out_.end(), [](const BroughtIn& a, const BroughtIn& b) {
+            return std::tie(a.file, a.line, a.kind, a.text) < std::tie(b.file, b.line, b.kind, b.text);
+        });
+        return std::move(out_);
+    }
+
+private:
+    void add(const char* kind, const std::string& file, int line, const std::string& text) {
+        out_.push_back({kind, file, std::max(1, line), text});
+    }
+
+    void compare_locks() {
+        constexpr const char* kLock = "portmap.lock";
+        if (!now_.has_lock) return;
+        if (!before_.has_lock)
+            return add("accept", kLock, 1,
+                       fmt::format("the lock is new: {} pairs, {} units in the baseline, {} verdicts",
+                                   now_.lock.pairs.size(), now_.lock.baseline.size(), now_.lock.ledger.size()));
+        std::map<std::pair<std::string, std::string>, const LockedPair*> pairs;
+        for (const LockedPair& pair : before_.lock.pairs) pairs[{pair.source, pair.target}] = &pair;
+        for (const LockedPair& pair : now_.lock.pairs) {
+            const auto old = pairs.find({pair.source, pair.target});
+            if (old == pairs.end() || old->second->source_prints != pair.source_prints ||
+                old->second->target_prints != pair.target_prints)
+                add("accept", kLock, pair.line, pair.source + " = " + pair.target);
+        }
+        const auto units = [](const LockedUnit& u) { return std::tie(u.side, u.id, u.reason); };
+        const auto verdicts = [](const LedgerEntry& e) {
+            return std::tie(e.verdict, e.source, e.target, e.source_print, e.target_print, e.owner, e.until, e.reason);
+        };
+        for (const LockedUnit* unit : new_ones(before_.lock.baseline, now_.lock.baseline, units))
+            add("ignore", kLock, unit->line, unit->id + (unit->reason.empty() ? "" : ": " + unit->reason));
+        for (const LedgerEntry* entry : new_ones(before_.lock.ledger, now_.lock.ledger, verdicts))
+            add(entry->verdict.c_str(), kLock, entry->line,
+                entry->source + (entry->target.empty() ? "" : " = " + entry->target) + ": " + entry->reason +
+                    (entry->verdict == "defer" ? " (" + entry->owner + ", until " + entry->until + ")" : ""));
+    }
+
+    template <class T, class Key>
+    static std::vector<const T*> new_ones(const std::vector<T>& before, const std::vector<T>& now, const Key& key) {
+        std::set<decltype(key(now.front()))> known;
+        for (const T& one : before) known.insert(key(one));
+        std::vector<const T*> out;
+        for (const T& one : now)
+            if (!known.contains(key(one))) out.push_back(&one);
+        return out;
+    }
+
+    void compare_maps() {
+        if (!before_.has_map) return add("sides", map_name_, 1, "the map is new: " + sides_text(now_.map));
+        compare_pairs();
+        std::set<std::string> known;
+        for (const MapIgnore& ignore : before_.map.ignores) known.insert(ignore.id);
+        for (const MapIgnore& ignore : now_.map.ignores)
+            if (!known.contains(ignore.id)) add("ignore", map_name_, ignore.line, ignore.id + ": " + ignore.reason);
+        compare_tables("rule", "rules", before_.map.rules, now_.map.rules);
+        compare_tables("dialect", "dialect", {before_.map.dialect.begin(), before_.map.dialect.end()},
+                       {now_.map.dialect.begin(), now_.map.dialect.end()});
+        compare_tables("sides", "sides", sides_of(before_.map), sides_of(now_.map));
+        compare_tables("rule", "spirv", shaders_of(before_.map), shaders_of(now_.map));
+    }
+
+    void compare_pairs() {
+        std::map<std::pair<std::string, std::string>, int> gone;
+        for (const MapPair& pair : before_.map.pairs)
+            for (const std::string& target : pair.targets) gone[{pair.source, target}] = pair.line;
+        for (const MapPair& pair : now_.map.pairs)
+            for (const std::string& target : pair.targets)
+                if (gone.erase({pair.source, target}) == 0)
+                    add("pair", map_name_, pair.line, pair.source + " = " + target);
+        for (const auto& [pair, line] : gone)
+            add("pair", map_name_, 1, "no longer: " + pair.first + " = " + pair.second);
+    }
+
+    using Table = std::map<std::string, std::string>;
+
+    void compare_tables(const char* kind, const std::string& section, Table before, const Table& now) {
+        for (const auto& [key, value] : now) {
+            const auto old = before.extract(key);
+            if (!old.empty() && old.mapped() == value) continue;
+            const auto line = now_.map.key_lines.find(section + "." + key);
+            add(kind, map_name_, line == now_.map.key_lines.end() ? 1 : line->second,
+                key + " = " + value + (old.empty() ? "" : ", before " + old.mapped()));
+        }
+        for (const auto& [key, value] : before) add(kind, map_name_, 1, "no longer: " + key + " = " + value);
+    }
+
+    static Table sides_of(const MapFile& map) {
+        Table out{{"source", fmt::format("{}", fmt::join(map.source, ", "))},
+                  {"target", fmt::format("{}", fmt::join(map.target, ", "))},
+                  {"reference", map.reference}};
+        if (!map.target_root.empty()) out["target_root"] = map.target_root;
+        return out;
+    }
+    static std::string sides_text(const MapFile& map) {
+        std::string out;
+        for (const auto& [key, value] : sides_of(map)) out += (out.empty() ? "" : "; ") + key + " = " + value;
+        return out;
+    }
+    static Table shaders_of(const MapFile& map) {
+        return {{"include", fmt::format("{}", fmt::join(map.shaders.include, ", "))},
+                {"preamble", fmt::format("{}", fmt::join(map.shaders.preamble, ", "))}};
+    }
+
+    const GateState& before_;
+    const GateState& now_;
+    std::string map_name_;
+    std::vector<BroughtIn> out_;
+};
+
+}  // namespace
+
+std::vector<BroughtIn> brought_in(const GateState& before, const GateState& now, const std::string& map_name) {
+    return Comparison(before, now, map_name).run();
+}
+
+std::vector<PlacedSuppression> known_before(const std::vector<PlacedSuppression>& now,
+                                            const std::vector<PlacedSuppression>& before) {
+    Counted known(before);
+    std::vector<PlacedSuppression> out;
+    for (const PlacedSuppression& one : now)
+        if (known.take(one)) out.push_back(one);
+    return out;
+}
+
+}  // namespace porttool

@@ -1,0 +1,161 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/read/replace_file.h"
+
+#include <dirent.h>
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/stat.h>
+#include <sys/vfs.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <charconv>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <vector>
+
+#include "porttool/read/disk.h"
+
+namespace porttool {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr std::string_view kMark = ".tmp";
+constexpr mode_t kNewFile = 0666, kNewFolder = 0777;
+
+std::string cannot_be_written(int code) { return std::string("cannot be written: ") + std::strerror(code); }
+
+std::string temporary_name(const std::string& name) {
+    static std::atomic<unsigned> count = 0;
+    return name + std::string(kMark) + std::to_string(::getpid()) + "." + std::to_string(++count);
+}
+
+/// Empty, or why the bytes are not in the file.
+std::string put_bytes(const Descriptor& file, const std::string& bytes) {
+    for (size_t done = 0; done < bytes.size();) {
+        const ssize_t now = ::write(file.get(), bytes.data() + done, bytes.size() - done);
+        if (now < 0 && errno == EINTR) continue;
+        if (now < 0) return cannot_be_written(errno);
+        done += static_cast<size_t>(now);
+    }
+    return {};
+}
+
+/// Gives a new file the permissions of the one that it replaces.
+void keep_permissions(int folder, const std::string& name, const Descriptor& file) {
+    struct stat before {};
+    if (::fstatat(folder, name.c_str(), &before, AT_SYMLINK_NOFOLLOW) == 0 && S_ISREG(before.st_mode))
+        (void)::fchmod(file.get(), before.st_mode & 07777);
+}
+
+/// Writes `name` in an open folder by way of a temporary.
+std::string replace_in(int folder, const std::string& name, const std::string& bytes) {
+    const std::string temporary = temporary_name(name);
+    (void)::unlinkat(folder, temporary.c_str(), 0);  // of a killed process that had our number
+    const Descriptor file(
+        ::openat(folder, temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, kNewFile));
+    if (!file.valid()) return cannot_be_written(errno);
+    std::string reason = put_bytes(file, bytes);
+    if (reason.empty()) keep_permissions(folder, name, file);
+    if (reason.empty() && ::renameat(folder, temporary.c_str(), folder, name.c_str()) != 0)
+        reason = cannot_be_written(errno);
+    if (!reason.empty()) (void)::unlinkat(folder, temporary.c_str(), 0);
+    return reason;
+}
+
+std::string append(const std::string& path, const std::string& bytes) {
+    const Descriptor file(::open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC));
+    return file.valid() ? put_bytes(file, bytes) : cannot_be_written(errno);
+}
+
+/// What a path of the user's leads to over its links.
+struct Destination {
+    std::string path;
+    bool is_stream = false;  ///< it is written to, not replaced
+};
+
+bool is_of_proc(const std::string& folder) {
+    constexpr long kProc = 0x9FA0;  // PROC_SUPER_MAGIC
+    struct statfs system {};
+    return ::statfs(folder.empty() ? "." : folder.c_str(), &system) == 0 && static_cast<long>(system.f_type) == kProc;
+}
+
+/// Asks the file, not its name: a link of /proc stands for a file that is open already.
+Destination destination_of(std::string path) {
+    constexpr int kMostLinks = 40;
+    for (int links = 0; links < kMostLinks; ++links) {
+        struct stat status {};
+        if (::lstat(path.c_str(), &status) != 0 || !S_ISLNK(status.st_mode))
+            return {path, ::lstat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode)};
+        const std::string folder = fs::path(path).parent_path().string();
+        if (is_of_proc(folder)) return {path, true};
+        std::error_code error;
+        path = join_path(folder, fs::read_symlink(path, error).string());
+    }
+    return {path, true};  // links that lead to one another: opening it says so
+}
+
+/// Removes the temporaries of this file that a killed process left.
+void sweep(const std::string& folder, const std::string& name) {
+    DIR* entries = ::opendir(folder.c_str());
+    if (entries == nullptr) return;
+    std::vector<std::string> left;
+    while (const dirent* entry = ::readdir(entries)) {
+        int process = 0;
+        if (temporary_of(entry->d_name, process) == name && ::kill(process, 0) != 0 && errno == ESRCH)
+            left.emplace_back(entry->d_name);
+    }
+    for (const std::string& one : left) (void)::unlinkat(::dirfd(entries), one.c_str(), 0);
+    ::closedir(entries);
+}
+
+/// Opens the folder of a path beneath a root, and makes its last part where that is missing.
+FolderBeneath folder_to_write(const TreePath& path) {
+    FolderBeneath at = folder_beneath(path);
+    const size_t slash = path.path.find_last_of('/');
+    if (at.code != ENOENT || slash == std::string::npos) return at;
+    const FolderBeneath above = folder_beneath({path.root, path.path.substr(0, slash), path.links});
+    if (!above.error.empty()) return at;
+    if (::mkdirat(above.folder.get(), above.name.c_str(), kNewFolder) != 0 && errno != EEXIST)
+        return {Descriptor(), "", cannot_be_written(errno), errno};
+    return folder_beneath(path);
+}
+
+}  // namespace
+
+std::string replace_file(const std::string& path, const std::string& bytes) {
+    std::error_code error;
+    if (const fs::path folder = fs::path(path).parent_path(); !folder.empty()) fs::create_directories(folder, error);
+    const Destination to = destination_of(path);
+    if (to.is_stream) return append(path, bytes);
+    const fs::path place = to.path;
+    const std::string folder = place.has_parent_path() ? place.parent_path().string() : ".";
+    sweep(folder, place.filename().string());
+    const Descriptor open(::open(folder.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
+    return open.valid() ? replace_in(open.get(), place.filename().string(), bytes) : cannot_be_written(errno);
+}
+
+std::string replace_file(const TreePath& path, const std::string& bytes) {
+    const FolderBeneath at = folder_to_write(path);
+    return at.error.empty() ? replace_in(at.folder.get(), at.name, bytes) : at.error;
+}
+
+std::string_view temporary_of(std::string_view name, int& process) {
+    const size_t mark = name.rfind(kMark);
+    if (mark == std::string_view::npos || mark == 0) return {};
+    const char* end = name.data() + name.size();
+    const auto number = std::from_chars(name.data() + mark + kMark.size(), end, process);
+    if (number.ec != std::errc() || process <= 0) return {};
+    unsigned count = 0;
+    if (number.ptr != end) {  // 0.1 wrote no count
+        if (*number.ptr != '.') return {};
+        const auto rest = std::from_chars(number.ptr + 1, end, count);
+        if (rest.ec != std::errc() || rest.ptr != end) return {};
+    }
+    return name.substr(0, mark);
+}
+
+}  // namespace porttool

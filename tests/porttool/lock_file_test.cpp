@@ -1,0 +1,329 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+// The lock: its layout, what is refused in it, and that git merges it by itself.
+#include "porttool/read/lock_file.h"
+
+#include <gmock/gmock.h>
+
+#include <random>
+#include <sstream>
+#include <thread>
+
+#include "porttool/compare/unit_state.h"
+#include "porttool/scan/scan.h"
+#include "tests/porttool/temporary_repository.h"
+
+namespace porttool::testing {
+namespace {
+
+const std::string kPrint = "0123456789abcdef", kOther = "fedcba9876543210";
+
+LockFile sample() {
+    LockFile lock;
+    const Fingerprints a{kPrint, kPrint, kOther}, b{kOther, kOther, kPrint};
+    lock.pairs = {{"s/a.cl:f", "t/a.cpp:f", a, b, "recorded", "", {}},
+                  {"s/%09\t.cl:g", "t/\n.cpp:g", b, a, "verified", "accept 2026-11-22", {{"later", "a\tb=%"}}}};
+    lock.baseline = {{"s/a.cl:h", {kPrint, "-", "-"}, "host only", "source", {}},
+                     {"t/a.cpp:k", {kPrint, kOther, kOther}, "", "target:cpu", {{"seen", "1"}}}};
+    lock.ledger = {{"defer", "s/a.cl:f", "t/a.cpp:f", kPrint, "-", "me", "2030-01-01", "later", {}}};
+    return lock;
+}
+
+TEST(LockFile, ComesBackAsItWasWrittenWithFieldsOfLaterVersions) {
+    const std::string text = lock_text(sample());
+    const ReadLock read = read_lock(text);
+    ASSERT_EQ(read.error, "");
+    EXPECT_EQ(lock_text(read.lock), text);
+    ASSERT_EQ(read.lock.pairs.size(), 2u);
+    const LockedPair& pair = read.lock.pairs[read.lock.pairs[0].state == "verified" ? 0 : 1];
+    EXPECT_EQ(pair.source, "s/%09\t.cl:g");
+    EXPECT_EQ(pair.target, "t/\n.cpp:g");
+    EXPECT_EQ(pair.by, "accept 2026-11-22");
+    EXPECT_EQ(pair.more.at("later"), "a\tb=%");
+    EXPECT_EQ(read.lock.baseline.size(), 2u);
+    EXPECT_EQ(read.lock.ledger[0].owner, "me");
+}
+
+TEST(LockFile, HasOneSortedLineForEachFact) {
+    std::istringstream lines(lock_text(sample()));
+    std::vector<std::string> body;
+    size_t facts = 0;
+    for (std::string line; std::getline(lines, line);) {
+        if (line[0] == '#' || line.starts_with("porttool-lock") || line.starts_with("normal-form")) continue;
+        body.push_back(line);
+        facts += line.find('\t') != std::string::npos ? 1 : 0;
+    }
+    EXPECT_EQ(facts, 5u);
+    EXPECT_TRUE(std::is_sorted(body.begin(), body.end()));
+    for (size_t i = 1; i < body.size(); ++i)
+        EXPECT_TRUE(body[i - 1].substr(0, 8) == body[i].substr(0, 8) || body[i].find('\t') == std::string::npos)
+            << "between facts of different ids stands a line that no change touches: " << body[i];
+}
+
+TEST(LockFile, EveryPrintIsCheckedBeforeItBecomesAPath) {
+    for (const std::string bad : {"../.git/config", "/etc/passwd", "..", "0123456789abcdeF", "0123456789abcde",
+                                  "0123456789abcdef0", "0123456789abcde/", "", "0123456789abcde\xC3\xA9"}) {
+        for (const char* version : {"porttool-lock\t1\n", "porttool-lock\t2\nnormal-form\t2\n01234567\t"}) {
+            for (size_t place = 0; place < 6; ++place) {
+                std::string line = version + std::string("pair\ta:f\tb:f");
+                for (size_t i = 0; i < 6; ++i) line += "\t" + (i == place ? bad : kPrint);
+                EXPECT_NE(read_lock(line + "\n").error.find("is no fingerprint"), std::string::npos) << line;
+            }
+        }
+        for (const std::string& line : {"baseline\ta:f\t" + bad, "accept\ta:f\tb:f\t" + bad + "\t-\t\t2026-01-01\tx"})
+            EXPECT_NE(read_lock("porttool-lock\t1\n" + line + "\n").error, "") << line;
+    }
+}
+
+TEST(LockFile, WhatIsNoneIsNamedWithItsLine) {
+    const auto error = [](const std::string& lines) { return read_lock("porttool-lock\t2\n" + lines).error; };
+    EXPECT_THAT(error("normal-form\t3\n"),
+                ::testing::HasSubstr("portmap.lock:2: its fingerprints are of normal form 3"));
+    EXPECT_THAT(error("normal-form\tx\n"), ::testing::HasSubstr("portmap.lock:2: cannot be read"));
+    EXPECT_THAT(error("00000000\tdefer\ta:f\tb:f\t-\t-\tme\tnever\tx\n"), ::testing::HasSubstr("'never' is no date"));
+    EXPECT_THAT(error("000\n0000\n"), ::testing::HasSubstr("portmap.lock:3: cannot be read: '0000'"));
+    EXPECT_THAT(error("00000000\tpear\ta\tb\n"), ::testing::HasSubstr("cannot be read"));
+    EXPECT_THAT(read_lock("porttool-lock\t3\n").error, ::testing::HasSubstr("another version"));
+}
+
+// The published vector of SipHash-2-4-64 (Aumasson and Bernstein 2012, appendix A): key 00..0f, message 00..0e.
+TEST(Fingerprint, IsTheSipHashThatWasPublished) {
+    SipHash hash({0x0706050403020100ull, 0x0f0e0d0c0b0a0908ull});
+    hash.word(0x0706050403020100ull);
+    EXPECT_EQ(hash.finish(0x0f0e0d0c0b0a0908ull), 0xa129ca6149be45e5ull);
+}
+
+TEST(Fingerprint, TellsTextsApartByWhereTheyEnd) {
+    const auto of = [](const std::vector<std::string>& texts) {
+        Fingerprinter print;
+        for (const std::string& text : texts) print.add(text);
+        return print.digits();
+    };
+    const std::vector<std::vector<std::string>> all = {{},
+                                                       {""},
+                                                       {"", ""},
+                                                       {"a", "b"},
+                                                       {"ab"},
+                                                       {"b", "a"},
+                                                       {std::string(7, 'a')},
+                                                       {std::string(8, 'a')},
+                                                       {std::string(15, 'a')},
+                                                       {std::string(16, 'a')},
+                                                       {std::string(254, 'a')},
+                                                       {std::string(255, 'a')},
+                                                       {std::string(256, 'a')},
+                                                       {std::string(255, 'a'), "a"},
+                                                       {std::string("a\0", 2)},
+                                                       {"a"}};
+    std::set<std::string> seen;
+    for (const auto& texts : all) {
+        EXPECT_TRUE(is_fingerprint(of(texts)));
+        seen.insert(of(texts));
+    }
+    EXPECT_EQ(seen.size(), all.size());
+}
+
+// If this fails, recorded texts look edited after an update of porttool: raise kNormalForm.
+TEST(Fingerprint, OfATextStaysTheSameAsLongAsTheNormalFormDoes) {
+    const ScannedFile file = scan_text("a.cl", "float f(float x, int n) { if (n > 0x10) x = x * 2.0f; return x; }\n");
+    const UnitState unit = unit_state(file, file.units.at(0));
+    EXPECT_EQ(unit.text, "float @ ( float x , int n ) {\nif ( n > 16 ) {\nx = x * 2f ;\n}\nreturn x ;\n}\n");
+    EXPECT_EQ(prints_of_text(unit.text), unit.prints) << "told from the text alone";
+}
+
+/// A repository with some pairs, one function a pair, all in one file a side.
+class MergedLock : public TemporaryRepository {
+protected:
+    static std::string side(const std::vector<int>& factors, const char* head) {
+        std::string text;
+        for (size_t i = 0; i < factors.size(); ++i)
+            text += std::string(head) + "float work_" + std::to_string(i) +
+                    "(float x, float y) {\n    float sum = x * " + std::to_string(i) + ".5f;\n    sum += y * " +
+                    std::to_string(factors[i]) + ".0f;\n    return sum;\n}\n\n\n\n";
+        return text;
+    }
+    void write_sides(const std::vector<int>& values) {
+        write("src/a.cu", side(values, "__device__ "));
+        write("port/a.cpp", side(values, ""));
+    }
+    void start(size_t pairs) {
+        values.assign(pairs, 1);
+        write_sides(values);
+        ASSERT_EQ(porttool({"init", "--source", "src/*", "--target", "port/*"}).exit_code, 0);
+        commit("start");
+    }
+    std::string id(size_t i) const { return "src/a.cu:work_" + std::to_string(i); }
+
+    std::vector<int> values;
+};
+
+TEST_F(MergedLock, TwentyBranchesThatAcceptTwentyPairsMergeInAnyOrder) {
+    constexpr size_t kBranches = 20;
+    start(kBranches);
+    for (size_t i = 0; i < kBranches; ++i) {
+        git("checkout -q -b b" + std::to_string(i) + " main");
+        std::vector<int> mine = values;
+        mine[i] = 100 + static_cast<int>(i);
+        write_sides(mine);
+        ASSERT_EQ(porttool({"check"}).exit_code, 0);
+        const bool reason = i % 3 == 0;  // a verdict of its own beside the pair's line
+        ASSERT_EQ(porttool(reason ? std::vector<std::string>{"accept", id(i), "--reason", "it is right"}
+                                  : std::vector<std::string>{"accept", id(i)})
+                      .exit_code,
+                  0);
+        commit("branch " + std::to_string(i));
+    }
+    std::mt19937 random(7);
+    for (int round = 0; round < 3; ++round) {
+        std::vector<size_t> order(kBranches);
+        std::iota(order.begin(), order.end(), size_t{0});
+        std::shuffle(order.begin(), order.end(), random);
+        git("checkout -q -B merged main");
+        for (const size_t i : order) git("merge -q --no-edit b" + std::to_string(i));
+        const auto got = json({"check"});
+        EXPECT_EQ(got["verdict"], "in_step") << got.dump(1);
+        EXPECT_EQ(got["summary"]["in_step"], kBranches);
+        write("src/a.cu", replaced(read_text(root / "src/a.cu"), "100.0f", "7.0f"));
+        EXPECT_EQ(porttool({"check"}).exit_code, 1) << "the merged lock watches";
+        git("checkout -q -- src");
+    }
+}
+
+TEST_F(MergedLock, BranchesWithNewUnitsMergeToo) {
+    start(3);
+    for (int i = 0; i < 6; ++i) {
+        git("checkout -q -b n" + std::to_string(i) + " main");
+        const std::string name = "fresh_" + std::to_string(i);
+        write("src/" + name + ".cu", "__device__ float " + name + "(float x) { return x; }\n");
+        ASSERT_EQ(porttool({"ignore", "src/" + name + ".cu:" + name, "--reason", "host only"}).exit_code, 0);
+        commit(name);
+    }
+    git("checkout -q main");
+    for (int i = 0; i < 6; ++i) git("merge -q --no-edit n" + std::to_string(i));
+    EXPECT_EQ(json({"check"})["verdict"], "in_step");
+}
+
+TEST_F(MergedLock, AcceptancesAtOnceAreAllKept) {
+    constexpr size_t kWriters = 8, kRounds = 12;
+    start(kWriters);
+    for (size_t round = 0; round < kRounds; ++round) {
+        for (int& value : values) value += 1;
+        write_sides(values);
+        std::vector<std::thread> writers;
+        std::atomic<int> failed = 0;
+        for (size_t i = 0; i < kWriters; ++i)
+            writers.emplace_back([&, i] {
+                RealDisk own;
+                if (run(own, {"-C", root.string(), "accept", id(i), "--reason", "round"}).exit_code != 0) ++failed;
+            });
+        for (std::thread& writer : writers) writer.join();
+        EXPECT_EQ(failed, 0);
+        std::string lock = read_text(root / "portmap.lock");
+        for (size_t i = 0; i < kWriters; ++i) {
+            const UnitState now = unit_state(scan_text("a.cu", read_text(root / "src/a.cu")),
+                                             scan_text("a.cu", read_text(root / "src/a.cu")).units.at(i));
+            EXPECT_NE(lock.find(id(i) + "\tport/a.cpp:work_" + std::to_string(i) + "\t" + now.prints.written),
+                      std::string::npos)
+                << "round " << round << " lost " << i;
+        }
+    }
+    EXPECT_FALSE(std::filesystem::exists(root / "portmap.lock.busy"));
+}
+
+TEST_F(MergedLock, WhatAKilledWriterLeftIsRemovedByTheNext) {
+    start(2);
+    write("portmap.lock.busy", "");
+    write("portmap.lock.tmp999999", "half");
+    write("portmap.toml.tmp999999.1", "half");
+    write("portmap.base/0123456789abcdef.tmp999999.3", "half");
+    write("portmap.base/README", "mine");
+    write("portmap.base/.gitattributes", "* -text\n");
+    write("portmap.lock.tmpfoo", "mine");
+    ASSERT_EQ(porttool({"accept", id(0)}).exit_code, 0);
+    for (const char* gone : {"portmap.lock.busy", "portmap.lock.tmp999999", "portmap.toml.tmp999999.1",
+                             "portmap.base/0123456789abcdef.tmp999999.3"})
+        EXPECT_FALSE(std::filesystem::exists(root / gone)) << gone;
+    for (const char* there : {"portmap.base/README", "portmap.base/.gitattributes", "portmap.lock.tmpfoo"})
+        EXPECT_TRUE(std::filesystem::exists(root / there)) << there;
+}
+
+/// The lock that porttool 0.1 wrote for today's sides.
+std::string version_1(const std::string& lock, const std::filesystem::path& base) {
+    std::map<std::string, std::string> old;
+    for (const auto& entry : std::filesystem::directory_iterator(base)) {
+        const std::string text = read_text(entry.path());
+        const std::string print = fingerprint_of_version_1(read_state_text(text));
+        old[entry.path().filename().string()] = print;
+        std::filesystem::rename(entry.path(), base / (print + "x"));
+    }
+    for (const auto& entry : std::filesystem::directory_iterator(base)) {
+        const std::string name = entry.path().filename().string();
+        std::filesystem::rename(entry.path(), base / name.substr(0, name.size() - 1));
+    }
+    std::string out = "porttool-lock\t1\n";
+    for (const LockedPair& pair : read_lock(lock).lock.pairs) {
+        const std::string source = old.at(pair.source_prints.written), target = old.at(pair.target_prints.written);
+        out += "pair\t" + pair.source + "\t" + pair.target + "\t" + source + "\t" + kPrint + "\t" + kPrint + "\t" +
+               target + "\t" + kPrint + "\t" + kPrint + "\n";  // prints of locals as an older form had them
+    }
+    return out + "pair\tsrc/gone.cu:f\tport/gone.cpp:f" + "\t" + old.begin()->second + "\t" + kPrint + "\t" + kPrint +
+           "\t" + old.begin()->second + "\t" + kPrint + "\t" + kPrint + "\n";
+}
+
+TEST_F(MergedLock, OfVersionOneIsReadFromItsTextsAndRewritten) {
+    start(3);
+    write("portmap.lock", version_1(read_text(root / "portmap.lock"), root / "portmap.base"));
+    EXPECT_EQ(json({"check"})["verdict"], "in_step");
+    std::vector<int> edited = values;
+    edited[1] = 9;
+    write("src/a.cu", side(edited, "__device__ "));
+    const CommandRun drift = porttool({"check"});
+    EXPECT_EQ(drift.exit_code, 1);
+    EXPECT_NE(drift.out.find("- sum += y * 1f"), std::string::npos) << "the text behind it is found: " << drift.out;
+    write("src/a.cu", replaced(side(values, "__device__ "), "float sum = x", "float total = x"));
+    std::string renamed = read_text(root / "src/a.cu");
+    renamed = replaced(replaced(renamed, "sum += y", "total += y"), "return sum", "return total");
+    write("src/a.cu", renamed);
+    EXPECT_EQ(json({"check"})["findings"].size(), 0u) << "a renamed local is cosmetic, whatever the old prints were";
+    EXPECT_TRUE(read_text(root / "portmap.lock").starts_with("porttool-lock\t1\n")) << "check writes nothing";
+    ASSERT_EQ(porttool({"accept", "--all"}).exit_code, 0);
+    const std::string lock = read_text(root / "portmap.lock");
+    EXPECT_TRUE(lock.starts_with("porttool-lock\t2\n"));
+    EXPECT_EQ(lock.find("gone"), std::string::npos) << "lines that hold for nothing go";
+    EXPECT_EQ(read_lock(lock).lock.pairs.size(), 3u);
+    EXPECT_EQ(json({"check"})["verdict"], "in_step");
+}
+
+TEST_F(MergedLock, OfVersionOneWithoutItsTextsIsRefusedWithTheCommandThatHelps) {
+    start(2);
+    write("portmap.lock", version_1(read_text(root / "portmap.lock"), root / "portmap.base"));
+    std::filesystem::remove_all(root / "portmap.base");
+    EXPECT_EQ(json({"check"})["verdict"], "in_step") << "the texts are still those of today";
+    values[0] = 5;
+    write_sides(values);
+    const CommandRun got = porttool({"check"});
+    EXPECT_EQ(got.exit_code, 2);
+    EXPECT_NE(got.err.find("'src/a.cu:work_0'"), std::string::npos) << got.err;
+    EXPECT_NE(got.err.find("porttool init --force"), std::string::npos) << got.err;
+    EXPECT_EQ(porttool({"init", "--force"}).exit_code, 0);
+    EXPECT_EQ(json({"check"})["verdict"], "in_step");
+}
+
+TEST_F(MergedLock, HistoryReadsLocksOfBothVersions) {
+    start(2);
+    write("portmap.lock", version_1(read_text(root / "portmap.lock"), root / "portmap.base"));
+    commit("as version 1", 2);
+    values[1] = 8;
+    write("src/a.cu", side(values, "__device__ "));
+    commit("drifts", 3);
+    write_sides(values);
+    ASSERT_EQ(porttool({"accept", "--all"}).exit_code, 0);
+    commit("ports", 5);
+    const auto got = json({"history", "--no-cache"});
+    std::vector<int> open;
+    for (const auto& one : got["commits"]) open.push_back(one["drift"]["open_pairs"].get<int>());
+    EXPECT_THAT(open, ::testing::ElementsAre(0, 0, 1, 0)) << got.dump(1);
+}
+
+}  // namespace
+}  // namespace porttool::testing
