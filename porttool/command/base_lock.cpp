@@ -6,6 +6,7 @@
 #include <set>
 
 #include "porttool/read/git.h"
+#include "porttool/text/sink/terminal.h"
 
 namespace porttool {
 namespace {
@@ -62,7 +63,8 @@ std::string add_other_checkout(MemoryDisk& disk, const Project& project, const s
     GitFiles files = files_at_base(root, revision, wanted(project.map.target));
     if (!files.error.empty()) {
         files = files_at_base(root, "HEAD", wanted(project.map.target));
-        note = "--base " + revision + " names nothing in " + root + "; its HEAD is taken for the port as it was";
+        note = "--base " + terminal_text(revision) + " names nothing in " + terminal_text(root) +
+               "; its HEAD is taken for the port as it was";
     }
     if (!files.error.empty()) throw CannotDo("target_root: " + files.error);
     for (auto& [path, bytes] : files.files) disk.files[join_path(root, path)] = std::move(bytes);

@@ -14,6 +14,7 @@
 #include "porttool/read/git.h"
 #include "porttool/report/check_report.h"
 #include "porttool/report/ci_reports.h"
+#include "porttool/text/sink/terminal.h"
 
 namespace porttool {
 
@@ -25,7 +26,7 @@ std::string today() {
         int64_t seconds = -1;
         const auto read = std::from_chars(text.data(), text.data() + text.size(), seconds);
         if (read.ec != std::errc() || read.ptr != text.data() + text.size() || seconds < 0 || seconds > kYear9999)
-            throw CannotDo("SOURCE_DATE_EPOCH=" + std::string(text) +
+            throw CannotDo("SOURCE_DATE_EPOCH=" + terminal_text(text) +
                            ": expected seconds since 1970 as a whole number; correct it, or unset it");
         now = static_cast<std::time_t>(seconds);
     }
@@ -98,7 +99,7 @@ CheckedProject check_project(const Options& options, Workplace& place) {
                      spirv ? SameCode(same_code) : SameCode()};
     checked.judgement = judge(facts);
     if (spirv)
-        for (const std::string& line : spirv->obstacles()) place.err << line << "\n";
+        for (const std::string& line : spirv->obstacles()) place.err << terminal_text(line) << "\n";
     return checked;
 }
 

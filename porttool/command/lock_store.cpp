@@ -5,6 +5,7 @@
 #include <set>
 
 #include "porttool/scan/scan.h"
+#include "porttool/text/sink/terminal.h"
 
 namespace porttool {
 namespace {
@@ -30,7 +31,7 @@ void add_states(std::map<std::string, UnitState>& states, const std::vector<Scan
 
 void write(Disk& disk, const std::string& path, const std::string& bytes) {
     const std::string failure = disk.write(path, bytes);
-    if (!failure.empty()) throw CannotDo(path + ": " + failure);
+    if (!failure.empty()) throw CannotDo(terminal_text(path) + ": " + failure);
 }
 
 }  // namespace
@@ -52,10 +53,10 @@ std::string lock_path(const Project& project) { return folder_of_map(project) + 
 LockFile load_lock(const Project& project, const Disk& disk) {
     const FileText file = disk.read(lock_path(project), kLargestFile);
     if (!file.error.empty() && disk.exists(lock_path(project)))
-        throw CannotDo(lock_path(project) + " " + file.error +
+        throw CannotDo(terminal_text(lock_path(project)) + " " + file.error +
                        "; restore it from git, or remove it and run: porttool init");
     if (!file.error.empty())
-        throw CannotDo("no portmap.lock beside " + project.map_path +
+        throw CannotDo("no portmap.lock beside " + terminal_text(project.map_path) +
                        "; record the present state of its pairs with: porttool init");
     ReadLock read = read_lock(file.bytes);
     if (!read.error.empty()) throw CannotDo(read.error);

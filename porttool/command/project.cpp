@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "porttool/scan/scan.h"
+#include "porttool/text/sink/terminal.h"
 
 namespace porttool {
 namespace {
@@ -32,7 +33,7 @@ std::string bracket_hint(const std::string& glob) {
 
 void require_matches(const std::vector<std::string>& unmatched, const char* side) {
     if (unmatched.empty()) return;
-    throw CannotDo(std::string(side) + " glob '" + unmatched.front() + "' matches no file that is read" +
+    throw CannotDo(std::string(side) + " glob '" + terminal_text(unmatched.front()) + "' matches no file that is read" +
                    bracket_hint(unmatched.front()));
 }
 
@@ -47,10 +48,11 @@ Project open_project(const Options& options, Workplace& place, bool needs_map) {
     project.map_path = options.config.empty() ? join_path(project.root, "portmap.toml")
                                               : absolute(join_path(options.directory, options.config));
     const bool there = place.disk.exists(project.map_path);
-    if (!options.config.empty() && !there) throw CannotDo("--config " + options.config + ": no such file");
+    if (!options.config.empty() && !there)
+        throw CannotDo("--config " + terminal_text(options.config) + ": no such file");
     if (there && (!globs_given || !options.config.empty())) {
         const FileText file = place.disk.read(project.map_path, kLargestFile);
-        if (!file.error.empty()) throw CannotDo(project.map_path + ": " + file.error);
+        if (!file.error.empty()) throw CannotDo(terminal_text(project.map_path) + ": " + file.error);
         project.map_text = file.bytes;
         ReadMap read = read_map(options.config.empty() ? "portmap.toml" : options.config, file.bytes);
         if (!read.error.empty()) throw CannotDo(read.error);
@@ -61,7 +63,7 @@ Project open_project(const Options& options, Workplace& place, bool needs_map) {
         project.map.source = options.source;
         project.map.target = options.target;
     } else if (!project.has_map && needs_map) {
-        throw CannotDo("no portmap.toml in " + project.root +
+        throw CannotDo("no portmap.toml in " + terminal_text(project.root) +
                        " or above; write one with: porttool init --source GLOB --target GLOB");
     }
     for (const auto* globs : {&project.map.source, &project.map.target})

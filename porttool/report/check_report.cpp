@@ -6,7 +6,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "porttool/text/utf8.h"
+#include "porttool/text/sink/json.h"
+#include "porttool/text/sink/terminal.h"
 
 namespace porttool {
 namespace {
@@ -25,19 +26,6 @@ const char* color_of(Level level) {
 }
 
 }  // namespace
-
-Finding printable(const Finding& finding) {
-    Finding out = finding;
-    for (std::string* text : {&out.message, &out.remedy, &out.map_source, &out.map_target, &out.verdict_reason})
-        *text = as_printable(*text);
-    for (std::string& detail : out.details) detail = as_printable(detail);
-    for (std::optional<Place>* place : {&out.source, &out.target})
-        if (*place) {
-            (*place)->id = as_printable((*place)->id);
-            (*place)->file = as_printable((*place)->file);
-        }
-    return out;
-}
 
 std::string check_json(const Judgement& judgement) {
     const Summary& s = judgement.summary;
@@ -66,22 +54,23 @@ std::string check_json(const Judgement& judgement) {
                                 {"deferred", s.deferred},
                                 {"ignored", s.ignored}}},
                               {"findings", findings}};
-    return out.dump(1, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+    return json_text(out, 1) + "\n";
 }
 
 std::string check_table(const Judgement& judgement, bool color) {
     std::string out;
-    for (const Finding& finding : judgement.findings) {
-        if (!is_shown(finding)) continue;
-        const Finding f = printable(finding);
+    for (const Finding& f : judgement.findings) {
+        if (!is_shown(f)) continue;
         const Place place = f.source ? *f.source : f.target.value_or(Place{"", "portmap.toml", f.map_line, f.map_line});
         const std::string level = color ? fmt::format("{}{}\x1b[0m", color_of(f.level), level_name(f.level))
                                         : std::string(level_name(f.level));
-        out += fmt::format("{}:{}: {}: {} [{}]\n", place.file, place.line, level, f.message, f.rule);
-        if (f.source && f.target) out += fmt::format("    port: {}:{}\n", f.target->file, f.target->line);
+        out += fmt::format("{}:{}: {}: {} [{}]\n", terminal_line(place.file), place.line, level,
+                           terminal_text(f.message), f.rule);
+        if (f.source && f.target)
+            out += fmt::format("    port: {}:{}\n", terminal_text(f.target->file), f.target->line);
         if (f.details.size() > 1)
-            for (const std::string& detail : f.details) out += "    " + detail + "\n";
-        out += "    " + f.remedy + "\n";
+            for (const std::string& detail : f.details) out += "    " + terminal_line(detail) + "\n";
+        out += "    " + terminal_line(f.remedy) + "\n";
     }
     const Summary& s = judgement.summary;
     out += fmt::format(
