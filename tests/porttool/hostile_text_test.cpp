@@ -410,8 +410,9 @@ protected:
 };
 
 TEST_F(HostileHistory, CommitsAndRevisionsAreHarmless) {
-    Strings names;  // a commit, and an answer of git, take their time
-    for (size_t i = 0; i < hostile_strings().size(); i += 4) names.push_back(hostile_strings()[i]);
+    Strings names;  // not all, which git would take long for; history takes what precedes a colon for the file
+    for (size_t i = 0; i < hostile_strings().size(); i += 4)
+        if (hostile_strings()[i].find(':') == std::string::npos) names.push_back(hostile_strings()[i]);
     const Strings plain = harmless(names.size());
     put("hostile", recorded(names, kUnits));
     put("harmless", recorded(plain, kUnits));
