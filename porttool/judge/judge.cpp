@@ -139,7 +139,8 @@ private:
     /// An id as the argument of a command that a person pastes into a shell. What cannot be pasted, as a name with a
     /// line break, goes by the finding's fingerprint.
     static std::string argument(const std::string& id, const Finding& finding) {
-        return can_be_pasted(id) ? shell_quoted(id) : finding.fingerprint;
+        const bool is_list = id.starts_with('[') && id.ends_with(']');  // to the reader of the command line
+        return can_be_pasted(id) && !is_list ? shell_quoted(id) : finding.fingerprint;
     }
 
     Finding& add(const std::string& rule, const std::string& source, const std::string& target) {

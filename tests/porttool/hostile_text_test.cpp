@@ -5,7 +5,9 @@
 #include <sys/wait.h>
 
 #include <functional>
+#include <random>
 
+#include "porttool/text/sink/markdown.h"
 #include "porttool/text/sink/shell.h"
 #include "porttool/text/toml_string.h"
 #include "tests/porttool/hostile_strings.h"
@@ -458,6 +460,47 @@ TEST_F(HostileHistory, CommitsAndRevisionsAreHarmless) {
         cases.push_back({"text", option, said[0], said[1], {}, {{"lines_vary", true}}});
     }
     expect_read_back(cases);
+}
+
+/// Texts of signs that mean something somewhere, in any order.
+Strings random_texts(size_t count, uint32_t seed) {
+    const Strings signs = {"`",   "``", "```", "|", "\\", "*",  "_", "~",  "[",      "]",  "(", ")",   "<",    ">", "&",
+                           "lt;", "#",  "1",   "@", "a",  "bc", " ", "  ", "!",      "$",  ":", "://", "www.", ".", "-",
+                           "+",   "=",  "{",   "}", "\"", "'",  "/", "é",  "\u202e", "\n", "^", "%",   "GH-"};
+    std::mt19937 random(seed);
+    Strings out;
+    for (size_t i = 0; i < count; ++i) {
+        std::string text = "t";
+        for (size_t length = 1 + random() % 12; length > 0; --length) text += signs[random() % signs.size()];
+        out.push_back(text + "t" + std::to_string(i));  // told apart by its end
+    }
+    return out;
+}
+
+TEST(Markdown, RandomTextsStayText) {
+    constexpr size_t kCount = 1500;
+    const Strings texts = random_texts(kCount, 12), plain = harmless(kCount);
+    const auto table = [](const Strings& strings) {
+        std::string out = "| text | cell | code | both |\n| --- | --- | --- | --- |\n";
+        for (const std::string& text : strings)
+            out += "| " + markdown_text(text) + " | " + markdown_cell(text + " of " + text) + " | " +
+                   markdown_code(text) + " | " + markdown_code(text) + ": " + markdown_text(text) + " |\n";
+        return out;
+    };
+    const auto list = [](const Strings& strings) {
+        std::string out;
+        for (const std::string& text : strings)
+            out += "- " + markdown_code(text) + " and " + markdown_text(text) + "\n";
+        return out;
+    };
+    const auto issues = [](const Strings& strings) {
+        json out = json::array();
+        for (const std::string& text : strings) out.push_back({{"description", markdown_sentence(text)}});
+        return out.dump();
+    };
+    expect_read_back({{"markdown", "a table", table(texts), table(plain), texts},
+                      {"markdown", "a list", list(texts), list(plain), texts},
+                      {"json", "sentences", issues(texts), issues(plain), {}, {{"sub", "gitlab"}}}});
 }
 
 /// The reader must not be content with everything.

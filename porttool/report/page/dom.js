@@ -3,7 +3,7 @@
 // within emoji.
 
 const INVISIBLE = /[\x00-\x08\x0B-\x1F\x7F-\x9F\p{Default_Ignorable_Code_Point}\u2028\u2029\uFFF9-\uFFFB]/gu;
-const AFTER_PICTURE = /[\p{Extended_Pictographic}\p{Emoji_Modifier}\uFE0F]$/u;
+const AFTER_PICTURE = /(?:\p{Extended_Pictographic}|\p{Emoji_Modifier}|\uFE0F)$/u;
 
 function visible(text) {
   return String(text).replace(INVISIBLE, (character, at, all) => {
