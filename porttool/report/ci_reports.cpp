@@ -160,7 +160,7 @@ std::string check_markdown(const Judgement& judgement) {
         if (!any) out += "\n| | source | port | finding |\n| --- | --- | --- | --- |\n";
         any = true;
         auto cell = [](const std::optional<Place>& place) {
-            return place ? markdown_text(place->file) + ":" + std::to_string(place->line) : std::string();
+            return place ? markdown_text(place->file + ":" + std::to_string(place->line)) : std::string();
         };
         out += fmt::format("| {} | {} | {} | {} ({}) |\n", level_name(f.level), cell(f.source), cell(f.target),
                            markdown_cell(f.message), f.rule);

@@ -96,6 +96,20 @@ MemoryDisk drifted(const Strings& names, const Strings& units) {
         std::string& target = disk.files["/r/" + name + ".comp"];
         target = replaced(target, "a / b", "a / b / b");
     }
+    std::string all;  // in one: each command judges the whole project
+    for (const std::string& name : names) all += name + " ";
+    disk.files["/r/bench.json"] =
+        json{{"core", all}, {"device", all}, {"mrays_per_s", {{"total", 5.0}}}, {"embree_limit_mrays_per_s", 10.0}}
+            .dump();
+    for (const Strings& settled :
+         {Strings{"defer", "--owner", all, "--until", "2999-01-01", "--reason", all, "--"},
+          Strings{"ignore", "--reason", all, "--"}, Strings{"accept", "--reason", all, "--"}}) {
+        Strings arguments = {"-C", "/r"};
+        arguments.insert(arguments.end(), settled.begin(), settled.end());
+        const size_t i = settled[0] == "defer" ? 0 : settled[0] == "ignore" ? 1 : 2;
+        arguments.push_back(names[i] + ".cu:f" + std::to_string(i));
+        if (const CommandRun got = run(disk, arguments); got.exit_code != 0) throw std::runtime_error(got.err);
+    }
     return disk;
 }
 
@@ -197,6 +211,9 @@ TEST_F(HostileText, EveryFormatHasTheStructureOfHarmlessText) {
     add(cases, "csv", {"report", "--format", "csv"}, hostile_strings());
     add(cases, "markdown", {"report", "--format", "markdown"}, files(), {{"lists_vary", true}});
     add(cases, "html", {"report", "--format", "html"}, files(), {{"script", true}});
+    add(cases, "text", {"report", "--bench", "bench.json"}, hostile_strings());
+    add(cases, "markdown", {"report", "--bench", "bench.json", "--format", "markdown"}, files(),
+        {{"lists_vary", true}});
     add(cases, "text", {"scan", "."}, files());
     add(cases, "json", {"scan", ".", "--format", "json"}, files());
     add(cases, "text", {"map"}, files());
@@ -300,9 +317,9 @@ TEST_F(HostileText, WhatCommandsSayOfAnIdIsHarmless) {
         add({"defer", "--owner", names[0], "--until", "2999-01-01", "--reason", names[0]}, few);
         add({"ignore", "--reason", names[5]}, Strings(ids.begin() + 40, ids.end()));
         add({"accept", "--reason", names[1]}, Strings(others.begin(), others.begin() + 9));
-        for (size_t i = 0; i < 9; ++i) add({"explain"}, {others[i]});
+        for (size_t i = 3; i < 9; ++i) add({"explain"}, {others[i]});
         for (const char* format : {"text", "json"})
-            for (size_t i = 0; i < names.size(); i += 7)
+            for (size_t i = 0; i < names.size(); i += 20)
                 add({"compare", "--format", format}, {names[i] + ".cu", names[i] + ".comp:f" + std::to_string(i)});
         return out;
     };
@@ -360,14 +377,13 @@ TEST_F(HostileText, ArgumentsAreEchoedHarmlessly) {
     expect_read_back(cases);
 }
 
-/// What check says where a file of the project holds each text.
+/// What report says where a file of the project holds each text.
 std::string said_of_file(const Strings& texts, const std::string& path,
                          const std::function<std::string(const std::string&)>& made, const MemoryDisk& start) {
     std::string out;
     for (const std::string& text : texts) {
         MemoryDisk disk = start;
         disk.files[path] = made(text);
-        out += run(disk, {"-C", "/r", "check"}).err;
         out += run(disk, {"-C", "/r", "report"}).err;
     }
     return out;
@@ -478,7 +494,7 @@ Strings random_texts(size_t count, uint32_t seed) {
 }
 
 TEST(Markdown, RandomTextsStayText) {
-    constexpr size_t kCount = 1500;
+    constexpr size_t kCount = 800;
     const Strings texts = random_texts(kCount, 12), plain = harmless(kCount);
     const auto table = [](const Strings& strings) {
         std::string out = "| text | cell | code | both |\n| --- | --- | --- | --- |\n";
