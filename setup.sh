@@ -21,7 +21,7 @@ packages=(
     libgit2-dev libtomlplusplus-dev
     # Tests and style
     libgtest-dev libgmock-dev universal-ctags similarity-tester clang-format
-    python3-jsonschema python3-yaml
+    python3-jsonschema python3-yaml cmark-gfm python3-pyte
 )
 
 # What may also come from elsewhere than Debian.

@@ -8,6 +8,7 @@
 #include "porttool/command/past_project.h"
 #include "porttool/compare/lock_upgrade.h"
 #include "porttool/read/git.h"
+#include "porttool/text/sink/terminal.h"
 
 namespace porttool {
 namespace {
@@ -85,7 +86,8 @@ std::string add_other_checkout(MemoryDisk& disk, const Project& project, const s
     GitFiles files = files_at_base(root, revision, wanted(project.map.target));
     if (!files.error.empty()) {
         files = files_at_base(root, "HEAD", wanted(project.map.target));
-        note = "--base " + revision + " names nothing in " + root + "; its HEAD is taken for the port as it was";
+        note = "--base " + terminal_text(revision) + " names nothing in " + terminal_text(root) +
+               "; its HEAD is taken for the port as it was";
     }
     if (!files.error.empty()) throw CannotDo("target_root: " + files.error);
     for (auto& [path, bytes] : files.files) disk.files[join_path(root, path)] = std::move(bytes);
@@ -116,7 +118,8 @@ void take_map_of_base(Project& project, const std::string& revision) {
                                     }));
     const FileText text = disk.read(record.map, kLargestFile);
     if (!text.error.empty())
-        throw CannotDo("--trusted-map: there is no " + record.map.path + " at the merge base of " + revision +
+        throw CannotDo("--trusted-map: there is no " + terminal_text(record.map.path) + " at the merge base of " +
+                       terminal_text(revision) +
                        "\nMerge a first map into that branch; until then check without --trusted-map");
     ReadMap read = read_map(record.map.path + " at " + revision, text.bytes);
     if (!read.error.empty()) throw CannotDo(read.error);
@@ -147,7 +150,7 @@ BaseRecord base_record(const Project& project, const BaseTree& tree, const State
         out.lock = load_lock(project, disk, today);
         out.has_lock = true;
     } catch (const CannotDo& problem) {
-        err << "warning: at " << tree.revision << ": " << problem.what() << "\nThat lock is left out\n";
+        err << "warning: at " << terminal_text(tree.revision) << ": " << problem.what() << "\nThat lock is left out\n";
     }
     return out;
 }

@@ -12,9 +12,11 @@
 #include "porttool/command/base_lock.h"
 #include "porttool/command/past_project.h"
 #include "porttool/command/spirv_check.h"
+#include "porttool/judge/brought_in.h"
 #include "porttool/read/git.h"
 #include "porttool/report/check_report.h"
 #include "porttool/report/ci_reports.h"
+#include "porttool/text/sink/terminal.h"
 
 namespace porttool {
 
@@ -26,7 +28,7 @@ std::string today() {
         int64_t seconds = -1;
         const auto read = std::from_chars(text.data(), text.data() + text.size(), seconds);
         if (read.ec != std::errc() || read.ptr != text.data() + text.size() || seconds < 0 || seconds > kYear9999)
-            throw CannotDo("SOURCE_DATE_EPOCH=" + std::string(text) +
+            throw CannotDo("SOURCE_DATE_EPOCH=" + terminal_text(text) +
                            ": expected seconds since 1970 as a whole number; correct it, or unset it");
         now = static_cast<std::time_t>(seconds);
     }
@@ -50,23 +52,24 @@ RecordedLock lock_if_readable(const Project& project, const Disk& disk, const St
     }
 }
 
-/// Takes the state at the merge base for what was in step, and notes what the change itself does to the gate.
-void hold_against_base(CheckedProject& checked, const Options& options, MapFile map_today, const Disk& disk,
-                       Workplace& place) {
+/// Takes the state at the merge base for what was in step. Returns what the change itself does to the gate.
+std::vector<BroughtIn> hold_against_base(CheckedProject& checked, const Options& options, const MapFile& map_today,
+                                         const Disk& disk, Workplace& place) {
     const BaseTree tree = base_tree(checked.project, options.base);
     if (!tree.note.empty()) place.err << tree.note << "\n";
     const BaseRecord then = base_record(checked.project, tree, checked.states, place.err);
     RecordedLock now = lock_if_readable(checked.project, disk, checked.states, place);
     const LockFile& in_force = options.trusted_map ? then.lock.lock : now.lock;
     BaseLock base = base_lock(checked.project, tree, then.lock.lock, in_force, checked.states);
-    checked.brought_in =
-        brought_in({then.has_map, then.map, then.has_lock, then.lock.lock, base.suppressions},
-                   {true, map_today, disk.exists(lock_path(checked.project)), now.lock, checked.suppressions},
-                   options.config.empty() ? "portmap.toml" : options.config);
+    const GateState before{then.has_map, then.map, then.has_lock, then.lock.lock, base.suppressions};
+    const GateState today{true, map_today, disk.exists(lock_path(checked.project)), now.lock, checked.suppressions};
+    std::vector<BroughtIn> brought =
+        brought_in(before, today, options.config.empty() ? "portmap.toml" : options.config);
     if (options.trusted_map) checked.suppressions = known_before(checked.suppressions, base.suppressions);
     checked.lock = std::move(base.lock);
     checked.texts = std::move(base.texts);
     checked.texts.merge(now.texts);
+    return brought;
 }
 
 }  // namespace
@@ -78,7 +81,7 @@ CheckedProject check_project(const Options& options, Workplace& place) {
     checked.project = open_project(options, place, true);
     MemoryDisk staged;
     if (options.staged) staged = staged_record(checked.project);
-    MapFile map_today = checked.project.map;
+    const MapFile map_today = checked.project.map;
     if (options.trusted_map) take_map_of_base(checked.project, options.base);
     if (options.staged)
         read_staged_sides(checked.project, staged);
@@ -87,12 +90,13 @@ CheckedProject check_project(const Options& options, Workplace& place) {
     const Disk& disk = staged.exists(lock_path(checked.project)) ? staged : place.disk;  // the lock's
     checked.states = read_states(checked.project);
     checked.suppressions = placed_suppressions(checked.project);
+    std::vector<BroughtIn> brought;
     if (options.base.empty()) {
         RecordedLock recorded = load_lock(checked.project, disk, checked.states);
         checked.lock = std::move(recorded.lock);
         checked.texts = std::move(recorded.texts);
     } else {
-        hold_against_base(checked, options, std::move(map_today), disk, place);
+        brought = hold_against_base(checked, options, map_today, disk, place);
     }
     const auto text_of = [&](const std::string& print) {
         const auto found = checked.texts.find(print);
@@ -113,8 +117,9 @@ CheckedProject check_project(const Options& options, Workplace& place) {
                      checked.suppressions,
                      spirv ? SameCode(same_code) : SameCode()};
     checked.judgement = judge(facts);
+    checked.judgement.brought_in = std::move(brought);
     if (spirv)
-        for (const std::string& line : spirv->obstacles()) place.err << line << "\n";
+        for (const std::string& line : spirv->obstacles()) place.err << terminal_text(line) << "\n";
     return checked;
 }
 

@@ -6,7 +6,6 @@
 #include <string>
 
 #include "porttool/command/lock_store.h"
-#include "porttool/judge/brought_in.h"
 #include "porttool/judge/judge.h"
 
 namespace porttool {
@@ -18,7 +17,6 @@ struct CheckedProject {
     std::map<std::string, std::string> texts;  ///< by print: those behind the lock that portmap.base/ does not have
     States states;
     std::vector<PlacedSuppression> suppressions;
-    std::vector<BroughtIn> brought_in;  ///< with --base
     Judgement judgement;
 };
 

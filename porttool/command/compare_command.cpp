@@ -10,6 +10,8 @@
 #include "porttool/read/source_files.h"
 #include "porttool/report/compare_report.h"
 #include "porttool/scan/scan.h"
+#include "porttool/text/sink/shell.h"
+#include "porttool/text/sink/terminal.h"
 #include "porttool/text/suggest.h"
 
 namespace porttool {
@@ -41,8 +43,9 @@ std::optional<Named> find_file(const Disk& disk, const std::string& folder, cons
 [[noreturn]] void refuse_argument(const Disk& disk, const std::string& folder, const std::string& argument) {
     if (argument.empty()) throw CannotDo("compare: an empty name; name a file, or a unit as PATH:NAME");
     if (disk.is_directory(absolute(join_path(folder, argument))))
-        throw CannotDo(argument + " is a folder; name a file, or a unit as PATH:NAME");
-    throw CannotDo(argument + ": no such file or unit; paths are relative to -C or to the root, units are PATH:NAME");
+        throw CannotDo(terminal_text(argument) + " is a folder; name a file, or a unit as PATH:NAME");
+    throw CannotDo(terminal_text(argument) +
+                   ": no such file or unit; paths are relative to -C or to the root, units are PATH:NAME");
 }
 
 std::string leaf(const std::string& name) {
@@ -65,9 +68,11 @@ std::string nearest_unit(const ScannedFile& file, const std::string& name) {
 }
 
 [[noreturn]] void refuse_unit(const ScannedFile& file, const std::string& name) {
-    std::string text = file.path + " has no unit '" + name + "'";
-    if (const std::string near = nearest_unit(file, name); !near.empty()) text += "; did you mean '" + near + "'?";
-    text += "\nporttool scan " + file.path + " lists its " + std::to_string(file.units.size()) + " units";
+    std::string text = terminal_text(file.path) + " has no unit '" + terminal_text(name) + "'";
+    if (const std::string near = nearest_unit(file, name); !near.empty())
+        text += "; did you mean '" + terminal_text(near) + "'?";
+    text += "\nporttool scan " + terminal_text(shell_word(file.path)) + " lists its " +
+            std::to_string(file.units.size()) + " units";
     throw CannotDo(text);
 }
 
@@ -86,8 +91,9 @@ ReadSide read_side(const Options& options, const Disk& disk, const std::string& 
     if (!named) refuse_argument(disk, options.directory, argument);
     std::vector<std::string> missing;
     const SourceSet sources = read_paths(disk, root, {named->path}, missing);
-    if (!missing.empty()) throw CannotDo(argument + ": no such file");
-    if (!sources.skipped.empty()) throw CannotDo(sources.skipped[0].file + ": " + sources.skipped[0].reason);
+    if (!missing.empty()) throw CannotDo(terminal_text(argument) + ": no such file");
+    if (!sources.skipped.empty())
+        throw CannotDo(terminal_text(sources.skipped[0].file) + ": " + sources.skipped[0].reason);
     ReadSide side{scan_text(sources.files[0].path, sources.files[0].text), std::nullopt};
     if (named->name.empty() || named->name == "@file") return side;
     for (size_t i = 0; i < side.file.units.size(); ++i)
@@ -101,11 +107,11 @@ Dialect read_dialect(const Options& options, const Disk& disk, const std::string
     const std::string path = options.config.empty() ? join_path(root, "portmap.toml")
                                                     : absolute(join_path(options.directory, options.config));
     if (!disk.exists(path)) {
-        if (!options.config.empty()) throw CannotDo("--config " + options.config + ": no such file");
+        if (!options.config.empty()) throw CannotDo("--config " + terminal_text(options.config) + ": no such file");
         return Dialect();
     }
     const FileText file = read_map_text(disk, root, path);
-    if (!file.error.empty()) throw CannotDo(path + ": " + file.error);
+    if (!file.error.empty()) throw CannotDo(terminal_text(path) + ": " + file.error);
     const ReadMap read = read_map(options.config.empty() ? "portmap.toml" : options.config, file.bytes);
     if (!read.error.empty()) throw CannotDo(read.error);
     return Dialect(read.map.dialect);

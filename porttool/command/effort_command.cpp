@@ -9,6 +9,7 @@
 #include "porttool/read/source_files.h"
 #include "porttool/report/effort_report.h"
 #include "porttool/scan/scan.h"
+#include "porttool/text/sink/terminal.h"
 
 namespace porttool {
 namespace {
@@ -38,7 +39,7 @@ std::vector<ScannedFile> scan_side(const Past& past, const GitCommit& commit, co
          past.git->changes("", commit.id, [&](const std::string& path) { return side.takes(path); })) {
         const std::string text = read_blob(past, file.path, file.blob);
         if (const std::string reason = unreadable_reason(text); !reason.empty())
-            place.err << "skipped " << file.path << " at " << commit.id << ": " << reason << "\n";
+            place.err << "skipped " << terminal_text(file.path) << " at " << commit.id << ": " << reason << "\n";
         else
             files.push_back(scan_text(file.path, text));
     }
@@ -101,7 +102,7 @@ Outcome effort_command(const Options& options, Workplace& place) {
     report.to = find_commit(past, "--to", options.to);
     report.commits = past.git->commits_between(report.from.id, report.to.id);
     if (!past.git->is_ancestor(report.from.id, report.to.id))
-        place.err << "porttool: " << options.from << " is no ancestor of " << options.to
+        place.err << "porttool: " << terminal_text(options.from) << " is no ancestor of " << terminal_text(options.to)
                   << (past.git->is_shallow() ? " as far as this shallow clone tells" : "")
                   << "; the two are compared as they are, with what only the former has as removed\n";
     const MapFile map = map_for(past, report.from, report.to);

@@ -6,6 +6,7 @@
 #include "porttool/read/blob_cache.h"
 #include "porttool/report/figures.h"
 #include "porttool/report/history_report.h"
+#include "porttool/text/sink/terminal.h"
 
 namespace porttool {
 namespace {
@@ -33,7 +34,7 @@ Outcome history_command(const Options& options, Workplace& place) {
     if (!options.no_cache && cache.changed())
         if (const std::string failure = place.disk.write(path, cache.file(kLargestCache / 2));
             !failure.empty() && options.verbose)
-            place.err << "porttool: " << path << ": " << failure << "; the next run measures anew\n";
+            place.err << "porttool: " << terminal_text(path) << ": " << failure << "; the next run measures anew\n";
     if (history.cut && !options.quiet)
         place.err << "porttool: this is a shallow clone; its history reaches back to " << history.oldest.id << " ("
                   << day_of(history.oldest.time) << ")\nFetch the rest: git fetch --unshallow\n";

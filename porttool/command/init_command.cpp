@@ -7,6 +7,7 @@
 
 #include "porttool/command/check_command.h"
 #include "porttool/judge/constant_value.h"
+#include "porttool/text/sink/terminal.h"
 #include "porttool/text/toml_string.h"
 
 namespace porttool {
@@ -50,7 +51,8 @@ void note_differences(LockFile& lock, const States& states, const Dialect& diale
         const ComparedValues compared = compare_values_of(source, target, dialect);
         if (compared.same || !compared.certain) continue;
         if (++differing <= kShown)
-            place.err << "warning: " << pair.source << " = " << pair.target << ": " << compared.says << "\n";
+            place.err << "warning: " << terminal_text(pair.source) << " = " << terminal_text(pair.target) << ": "
+                      << terminal_text(compared.says) << "\n";
         lock.ledger.push_back({"accept", pair.source, pair.target, source.prints.written, target.prints.written, "",
                                today(), "accepted at init: " + compared.says});
     }
@@ -71,8 +73,9 @@ std::string summary(const Matching& matching, const Project& project) {
     constexpr size_t kShown = 5;
     if (!least.empty() && least.front().score < 0.8f) out += "Look at these first:\n";
     for (size_t i = 0; i < least.size() && i < kShown && least[i].score < 0.8f; ++i)
-        out += fmt::format("  {:.0f} %  {} = {}\n", 100 * least[i].score, least[i].source, least[i].target);
-    return out + "Wrote portmap.toml, portmap.lock and portmap.base/ in " + project.root +
+        out += fmt::format("  {:.0f} %  {} = {}\n", 100 * least[i].score, terminal_text(least[i].source),
+                           terminal_text(least[i].target));
+    return out + "Wrote portmap.toml, portmap.lock and portmap.base/ in " + terminal_text(project.root) +
            "; commit all three.\nNext: porttool check\n";
 }
 
@@ -81,7 +84,8 @@ Outcome record_map(const Options& options, Workplace& place) {
     const auto guard = guard_lock(options, place);
     Project project = open_project(options, place, true);
     if (!options.force && place.disk.exists(lock_path(project)))
-        throw CannotDo(lock_path(project) + " is there already; replace it with --force, or run: porttool accept");
+        throw CannotDo(terminal_text(lock_path(project)) +
+                       " is there already; replace it with --force, or run: porttool accept");
     read_sides(project, place);
     const States states = read_states(project);
     LockFile lock;
@@ -100,7 +104,7 @@ Outcome record_map(const Options& options, Workplace& place) {
     store_lock(project, {lock, states, {}}, place.disk);
     return {fmt::format("{} pairs of {} recorded as in step, {} source units without a port as the baseline.\n"
                         "Next: porttool check\n",
-                        lock.pairs.size(), project.map_path, lock.baseline.size()),
+                        lock.pairs.size(), terminal_text(project.map_path), lock.baseline.size()),
             0};
 }
 
@@ -125,9 +129,11 @@ Outcome init_command(const Options& options, Workplace& place) {
     const auto guard = guard_lock(options, place);
     for (const std::string& path : {project.map_path, lock_path(project)})
         if (!options.force && place.disk.exists(path))
-            throw CannotDo(path + " is there already; replace it with --force, or edit it and run: porttool check");
+            throw CannotDo(terminal_text(path) +
+                           " is there already; replace it with --force, or edit it and run: porttool check");
     read_sides(project, place);
-    for (const SkippedFile& file : project.skipped) place.err << "skipped " << file.file << ": " << file.reason << "\n";
+    for (const SkippedFile& file : project.skipped)
+        place.err << "skipped " << terminal_text(file.file) << ": " << terminal_text(file.reason) << "\n";
     const Matching matching = match_units(project.source, project.target, {}, Dialect());
     const States states = read_states(project);
     LockFile lock = first_lock(matching, states);

@@ -7,6 +7,7 @@
 
 #include "porttool/compare/lock_upgrade.h"
 #include "porttool/scan/scan.h"
+#include "porttool/text/sink/terminal.h"
 
 namespace porttool {
 namespace {
@@ -27,7 +28,7 @@ TreePath base_file(const Project& project, const std::string& print) {
 void require_own_base(const Project& project, const Disk& disk) {
     const FileKind kind = disk.kind(base_folder(project));
     if (kind == FileKind::None || kind == FileKind::Folder) return;
-    throw CannotDo(folder_of_map(project) + kBase +
+    throw CannotDo(terminal_text(folder_of_map(project)) + kBase +
                    ": is a link, or no folder; porttool keeps its texts in a folder of its own\nRemove it, and restore "
                    "the folder from git, or run: porttool init --force");
 }
@@ -81,7 +82,7 @@ public:
         const std::string failure = disk_.write(place, bytes);
         if (failure.empty()) return;
         if (!before_.back().bytes) before_.pop_back();  // what stands there is not ours to remove
-        throw CannotDo(join_path(place.root, place.path) + ": " + failure);
+        throw CannotDo(terminal_text(join_path(place.root, place.path)) + ": " + failure);
     }
     void done() { done_ = true; }
 
@@ -132,10 +133,10 @@ std::string lock_path(const Project& project) { return folder_of_map(project) + 
 RecordedLock load_lock(const Project& project, const Disk& disk, const States& today) {
     const FileText file = disk.read(beside_map(project, "portmap.lock"), kLargestFile);
     if (!file.error.empty() && disk.exists(lock_path(project)))
-        throw CannotDo(lock_path(project) + " " + file.error +
+        throw CannotDo(terminal_text(lock_path(project)) + " " + file.error +
                        "; restore it from git, or remove it and run: porttool init");
     if (!file.error.empty())
-        throw CannotDo("no portmap.lock beside " + project.map_path +
+        throw CannotDo("no portmap.lock beside " + terminal_text(project.map_path) +
                        "; record the present state of its pairs with: porttool init");
     require_own_base(project, disk);
     ReadLock read = read_lock(file.bytes);

@@ -3,6 +3,7 @@
 #include "porttool/command/commands.h"
 #include "porttool/command/project.h"
 #include "porttool/report/map_report.h"
+#include "porttool/text/sink/terminal.h"
 
 namespace porttool {
 
@@ -10,7 +11,8 @@ Outcome map_command(const Options& options, Workplace& place) {
     require_format(options.format, {"text", "json"});
     Project project = open_project(options, place, true);
     read_sides(project, place);
-    for (const SkippedFile& file : project.skipped) place.err << "skipped " << file.file << ": " << file.reason << "\n";
+    for (const SkippedFile& file : project.skipped)
+        place.err << "skipped " << terminal_text(file.file) << ": " << terminal_text(file.reason) << "\n";
     const Matching matching =
         match_units(project.source, project.target, settled_by(project.map), Dialect(project.map.dialect));
     return {options.format == "json" ? map_json(matching) : map_table(matching), 0};

@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
+#include "porttool/text/sink/terminal.h"
 #include "porttool/text/suggest.h"
 
 namespace porttool {
@@ -126,7 +127,7 @@ void add_report(CLI::App& app, Options& options) {
 
 /// CLI11's message without its pointer to --help, with the nearest name of an unknown subcommand.
 std::string usage_error(const CLI::App& app, const CLI::ParseError& error, int argc, const char* const* argv) {
-    std::string text = error.what();
+    std::string text = terminal_text(error.what());
     std::vector<std::string> names;
     for (const CLI::App* sub : app.get_subcommands([](const CLI::App*) { return true; }))
         names.push_back(sub->get_name());

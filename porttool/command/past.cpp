@@ -8,6 +8,7 @@
 #include "porttool/command/project.h"
 #include "porttool/read/source_files.h"
 #include "porttool/scan/language.h"
+#include "porttool/text/sink/terminal.h"
 
 namespace porttool {
 namespace {
@@ -46,13 +47,13 @@ Past open_past(const Options& options, Workplace& place) {
     const std::string& path = project.map_path;
     if (place.disk.exists(path)) {
         const FileText file = read_map_text(place.disk, past.root, path);
-        if (!file.error.empty()) throw CannotDo(path + ": " + file.error);
+        if (!file.error.empty()) throw CannotDo(terminal_text(path) + ": " + file.error);
         ReadMap read = read_map(past.map_name, file.bytes);
         if (!read.error.empty()) throw CannotDo(read.error);
         past.map_today = std::move(read.map);
         past.has_map_today = true;
     } else if (past.map_is_given) {
-        throw CannotDo("--config " + options.config + ": no such file");
+        throw CannotDo("--config " + terminal_text(options.config) + ": no such file");
     }
     past.git = std::make_unique<GitRepository>(past.root);
     if (!past.git->error().empty()) throw CannotDo(past.git->error());
@@ -61,21 +62,21 @@ Past open_past(const Options& options, Workplace& place) {
 
 GitCommit find_commit(const Past& past, const std::string& option, const std::string& revision) {
     if (const auto commit = past.git->commit(revision)) return *commit;
-    throw CannotDo(option + " " + revision + ": no such revision here\n" + remedy_for(past));
+    throw CannotDo(option + " " + terminal_text(revision) + ": no such revision here\n" + remedy_for(past));
 }
 
 std::string read_blob(const Past& past, const std::string& path, const std::string& blob) {
     if (auto text = past.git->find_blob(blob)) return std::move(*text);
     throw CannotDo(
-        path + ": git knows version " + blob +
+        terminal_text(path) + ": git knows version " + blob +
         " of it, but its text is not here, as in a partial clone\nFetch it: git fetch --refetch --no-filter");
 }
 
 void require_sides(const MapFile& map, const std::string& where) {
     if (map.source.empty() || map.target.empty())
-        throw CannotDo(where + ": no sides named; put [sides] source and target into it");
+        throw CannotDo(terminal_text(where) + ": no sides named; put [sides] source and target into it");
     if (!map.target_root.empty())
-        throw CannotDo(where +
+        throw CannotDo(terminal_text(where) +
                        ": the target side lies in another checkout (target_root); this command reads the "
                        "history of one repository\nRun it where both sides lie in one");
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "porttool/read/git.h"
+#include "porttool/text/sink/terminal.h"
 
 namespace porttool {
 namespace {
@@ -54,7 +55,7 @@ std::vector<PlacedSuppression> placed_suppressions(const Project& project) {
 
 void read_past(PastProject& past, const Project& today, const std::string& revision, const std::string& date) {
     if (!today.map.target_root.empty())
-        throw CannotDo("--base " + revision +
+        throw CannotDo("--base " + terminal_text(revision) +
                        ": the target side lies in another checkout ([sides] target_root), whose history is not read\n"
                        "Report without --base");
     GitFiles files = files_at_base(today.root, revision, wanted(today));

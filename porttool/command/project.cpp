@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "porttool/scan/scan.h"
+#include "porttool/text/sink/terminal.h"
 
 namespace porttool {
 namespace {
@@ -33,7 +34,7 @@ std::string bracket_hint(const std::string& glob) {
 
 void require_matches(const std::vector<std::string>& unmatched, const char* side) {
     if (unmatched.empty()) return;
-    throw CannotDo(std::string(side) + " glob '" + unmatched.front() + "' matches no file that is read" +
+    throw CannotDo(std::string(side) + " glob '" + terminal_text(unmatched.front()) + "' matches no file that is read" +
                    bracket_hint(unmatched.front()));
 }
 
@@ -47,7 +48,8 @@ std::optional<std::string> below(const std::string& root, const std::string& pat
 void require_beneath(const std::vector<std::string>& globs, const std::string& root, const char* side) {
     for (const std::string& glob : globs)
         if (leads_out_of(root, glob))
-            throw CannotDo("portmap.toml: the " + std::string(side) + " glob '" + glob + "' leads out of " + root +
+            throw CannotDo("portmap.toml: the " + std::string(side) + " glob '" + terminal_text(glob) +
+                           "' leads out of " + terminal_text(root) +
                            "\nGlobs of a map stay beneath the root; a target side in another checkout is named by "
                            "[sides] target_root");
 }
@@ -79,10 +81,11 @@ Project open_project(const Options& options, Workplace& place, bool needs_map) {
     Project project;
     find_map(project, options, place.disk);
     const bool there = place.disk.exists(project.map_path);
-    if (!options.config.empty() && !there) throw CannotDo("--config " + options.config + ": no such file");
+    if (!options.config.empty() && !there)
+        throw CannotDo("--config " + terminal_text(options.config) + ": no such file");
     if (there && (!project.globs_given || !options.config.empty())) {
         const FileText file = read_map_text(place.disk, project.root, project.map_path);
-        if (!file.error.empty()) throw CannotDo(project.map_path + ": " + file.error);
+        if (!file.error.empty()) throw CannotDo(terminal_text(project.map_path) + ": " + file.error);
         project.map_text = file.bytes;
         ReadMap read = read_map(options.config.empty() ? "portmap.toml" : options.config, file.bytes);
         if (!read.error.empty()) throw CannotDo(read.error);
@@ -93,7 +96,7 @@ Project open_project(const Options& options, Workplace& place, bool needs_map) {
         project.map.source = options.source;
         project.map.target = options.target;
     } else if (!project.has_map && needs_map) {
-        throw CannotDo("no portmap.toml in " + project.root +
+        throw CannotDo("no portmap.toml in " + terminal_text(project.root) +
                        " or above; write one with: porttool init --source GLOB --target GLOB");
     }
     for (const auto* globs : {&project.map.source, &project.map.target})

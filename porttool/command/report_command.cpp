@@ -12,6 +12,8 @@
 #include "porttool/command/past_project.h"
 #include "porttool/report/portability_page.h"
 #include "porttool/report/portability_text.h"
+#include "porttool/text/sink/json.h"
+#include "porttool/text/sink/terminal.h"
 #include "porttool/text/suggest.h"
 
 namespace porttool {
@@ -25,7 +27,7 @@ struct Bar {
 
 /// Reads BLOCK=PERCENT; the block may hold equal signs itself.
 Bar read_bar(const std::string& text) {
-    const std::string start = "--fail-under " + text + ": ";
+    const std::string start = "--fail-under " + terminal_text(text) + ": ";
     const size_t cut = text.rfind('=');
     if (cut == std::string::npos || cut == 0)
         throw CannotDo(start + "expected BLOCK=PERCENT, as in --fail-under BSDF=90");
@@ -35,7 +37,8 @@ Bar read_bar(const std::string& text) {
     const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), bar.percent);
     constexpr double kMost = 100;
     if (error != std::errc() || end != number.data() + number.size() || !(bar.percent >= 0 && bar.percent <= kMost))
-        throw CannotDo(start + "'" + text.substr(cut + 1) + "' is no percentage; expected a number from 0 to 100");
+        throw CannotDo(start + "'" + terminal_text(text.substr(cut + 1)) +
+                       "' is no percentage; expected a number from 0 to 100");
     return bar;
 }
 
@@ -45,10 +48,10 @@ const BlockReport& block_of(const PortabilityReport& report, const Bar& bar) {
     std::string list;
     for (const BlockReport& block : report.blocks) {
         names.push_back(block.name);
-        list += (list.empty() ? "" : ", ") + block.name;
+        list += (list.empty() ? "" : ", ") + terminal_text(block.name);
     }
-    const std::string near = nearest(bar.block, names);
-    throw CannotDo("--fail-under " + bar.block + ": no such block" +
+    const std::string near = terminal_text(nearest(bar.block, names));
+    throw CannotDo("--fail-under " + terminal_text(bar.block) + ": no such block" +
                    (near.empty()   ? std::string()
                     : list.empty() ? std::string()
                                    : "; did you mean '" + near + "'?") +
@@ -61,11 +64,11 @@ std::string below_bars(const PortabilityReport& report, const std::vector<Bar>& 
     for (const Bar& bar : bars) {
         const std::optional<double> percent = block_of(report, bar).measures[1].moss_percent;
         if (!percent)
-            throw CannotDo("--fail-under " + bar.block +
+            throw CannotDo("--fail-under " + terminal_text(bar.block) +
                            ": the block is too short to be measured; choose a larger one, or leave the bar out");
         if (*percent < bar.percent)
-            out += fmt::format("porttool: {}: moss_percent_target is {:.2f}, below the bar of {:g}\n", bar.block,
-                               *percent, bar.percent);
+            out += fmt::format("porttool: {}: moss_percent_target is {:.2f}, below the bar of {:g}\n",
+                               terminal_text(bar.block), *percent, bar.percent);
     }
     return out;
 }
@@ -80,12 +83,12 @@ PlatformSpeed read_bench(const std::string& text, const Options& options, const 
         double value = 0;
         const auto [end, error] = std::from_chars(text.data() + cut + 1, text.data() + text.size(), value);
         if (error != std::errc() || end != text.data() + text.size() || !(value > 0) || !std::isfinite(value))
-            throw CannotDo("--bench " + text + ": '" + text.substr(cut + 1) +
+            throw CannotDo("--bench " + terminal_text(text) + ": '" + terminal_text(text.substr(cut + 1)) +
                            "' is no rate; expected millions of rays per second, as in --bench gpu.json=120");
         limit = value;
     }
     const FileText file = disk.read(join_path(options.directory, path), kLargestFile);
-    if (!file.error.empty()) throw CannotDo("--bench " + path + ": " + file.error);
+    if (!file.error.empty()) throw CannotDo("--bench " + terminal_text(path) + ": " + file.error);
     const ReadSpeed speed = read_speed(path, file.bytes, limit);
     if (!speed.error.empty()) throw CannotDo(speed.error);
     return speed.platform;

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "porttool/command/commands.h"
+#include "porttool/text/sink/terminal.h"
 #include "porttool/text/utf8.h"
 
 namespace porttool {
@@ -44,7 +45,7 @@ void require_format(const std::string& format, std::initializer_list<const char*
         if (format == name) return;
         list += (list.empty() ? "" : ", ") + std::string(name);
     }
-    throw CannotDo("--format " + format + ": not known here; known are " + list);
+    throw CannotDo("--format " + terminal_text(format) + ": not known here; known are " + list);
 }
 
 namespace {
@@ -63,14 +64,15 @@ std::string output_path(const Options& options, const Disk& disk) {
     const std::string path = join_path(options.directory, options.output);
     const std::string folder = std::filesystem::path(path).parent_path().generic_string();
     if (!folder.empty() && !disk.is_directory(folder))
-        throw CannotDo("-o " + options.output + ": there is no folder " + folder + "; make it first");
+        throw CannotDo("-o " + terminal_text(options.output) + ": there is no folder " + terminal_text(folder) +
+                       "; make it first");
     return path;
 }
 
 /// Runs the command that was asked for; returns its exit code. Throws CannotDo.
 int run_command(const Options& options, Disk& disk, std::ostream& out, std::ostream& err) {
     if (!disk.is_directory(options.directory))
-        throw CannotDo("-C " + options.directory + ": no such folder; name one that exists");
+        throw CannotDo("-C " + terminal_text(options.directory) + ": no such folder; name one that exists");
     const bool to_file = !options.output.empty();
     const std::string path = to_file ? output_path(options, disk) : std::string();
     Workplace place{disk, err};
@@ -79,13 +81,15 @@ int run_command(const Options& options, Disk& disk, std::ostream& out, std::ostr
     if (!to_file)
         print(out, text);
     else if (const std::string failure = disk.write(path, text); !failure.empty())
-        throw CannotDo("-o " + options.output + ": " + failure);
+        throw CannotDo("-o " + terminal_text(options.output) + ": " + failure);
     return outcome.exit_code;
 }
 
 }  // namespace
 
-int run_porttool(int argc, const char* const* argv, Disk& disk, std::ostream& out, std::ostream& err) {
+int run_porttool(int argc, const char* const* argv, Disk& disk, std::ostream& out, std::ostream& errors) {
+    TerminalBuffer printable(errors.rdbuf());  // what a message echoes never acts
+    std::ostream err(&printable);
     const ParsedOptions parsed = parse_options(argc, argv);
     try {
         if (!parsed.done) return run_command(parsed.options, disk, out, err);
@@ -93,7 +97,7 @@ int run_porttool(int argc, const char* const* argv, Disk& disk, std::ostream& ou
         if (!parsed.out.empty()) print(out, parsed.out);
         return parsed.exit_code;
     } catch (const CannotDo& problem) {
-        err << "porttool: " << as_utf8(problem.what()) << "\n";
+        err << "porttool: " << problem.what() << "\n";
         return 2;
     }
 }

@@ -7,6 +7,7 @@
 #include "porttool/read/source_files.h"
 #include "porttool/report/scan_report.h"
 #include "porttool/scan/scan.h"
+#include "porttool/text/sink/terminal.h"
 
 namespace porttool {
 namespace {
@@ -26,7 +27,8 @@ Outcome scan_command(const Options& options, Workplace& place) {
     std::vector<std::string> missing;
     const SourceSet sources = read_paths(place.disk, root, paths, missing);
     if (!missing.empty())
-        throw CannotDo(missing.front() + ": no such file or folder; paths are relative to the working directory or -C");
+        throw CannotDo(terminal_text(missing.front()) +
+                       ": no such file or folder; paths are relative to the working directory or -C");
     ScanReport report;
     for (const SourceText& source : sources.files) add_file(report, scan_text(source.path, source.text));
     report.skipped = sources.skipped;

@@ -8,6 +8,7 @@
 
 #include "porttool/command/check_command.h"
 #include "porttool/judge/lock_index.h"
+#include "porttool/text/sink/terminal.h"
 #include "porttool/text/suggest.h"
 
 namespace porttool {
@@ -50,8 +51,9 @@ std::vector<const JudgedPair*> pairs_of(const CheckedProject& checked, const std
     if (near.empty())
         for (const std::string& name : names)
             if (name.ends_with(":" + id) || name.ends_with("::" + id)) near = name;
-    throw CannotDo(id + ": no such pair or finding" +
-                   (near.empty() ? std::string("; porttool map lists the pairs") : "; did you mean '" + near + "'?"));
+    throw CannotDo(terminal_text(id) + ": no such pair or finding" +
+                   (near.empty() ? std::string("; porttool map lists the pairs")
+                                 : "; did you mean '" + terminal_text(near) + "'?"));
 }
 
 /// The lock's line for a pair is made to match today's units; a reason is kept beside it, with its day.
@@ -100,14 +102,14 @@ std::string settle_unported(const Options& options, CheckedProject& checked, con
     const bool unported = finding.rule == "unported" || finding.rule == "deferral-expired";
     if (!unported || unit == checked.states.source.end())
         throw CannotDo(finding.fingerprint + ": a finding of '" + finding.rule + "' cannot be settled; " +
-                       finding.remedy);
+                       terminal_text(finding.remedy));
     forget(checked.lock, id, "");
     if (verdict == "ignore")
         checked.lock.baseline.push_back({id, unit->second.prints, options.reason});
     else
         checked.lock.ledger.push_back(
             {verdict, id, "", unit->second.prints.written, "-", options.owner, options.until, options.reason});
-    return fmt::format("{} {}\n", verdict == "defer" ? "deferred" : "ignored", id);
+    return fmt::format("{} {}\n", verdict == "defer" ? "deferred" : "ignored", terminal_text(id));
 }
 
 /// Writes the lock without what holds for nothing any more.
@@ -133,8 +135,8 @@ Outcome settle(const Options& options, Workplace& place, const std::string& verd
                                            pair->source != nullptr ? pair->source->prints.written : "-",
                                            pair->target != nullptr ? pair->target->prints.written : "-", options.owner,
                                            options.until, options.reason});
-            out += fmt::format("{} {} = {}\n", verdict == "defer" ? "deferred" : "ignored", pair->map_source,
-                               pair->map_target);
+            out += fmt::format("{} {} = {}\n", verdict == "defer" ? "deferred" : "ignored",
+                               terminal_text(pair->map_source), terminal_text(pair->map_target));
         }
     }
     store(checked, place.disk);
@@ -151,15 +153,16 @@ bool is_date(const std::string& text) {
 }
 
 void explain_finding(const Finding& finding, std::string& out) {
-    out += fmt::format("{} [{}]: {}\n", level_name(finding.level), finding.rule, finding.message);
+    out += fmt::format("{} [{}]: {}\n", level_name(finding.level), finding.rule, terminal_text(finding.message));
     if (!finding.verdict.empty())
-        out += fmt::format("  settled by '{}': {}\n", finding.verdict, finding.verdict_reason);
-    for (const std::string& detail : finding.details) out += "  " + detail + "\n";
-    out += "  " + finding.remedy + "\n";
+        out += fmt::format("  settled by '{}': {}\n", terminal_text(finding.verdict),
+                           terminal_text(finding.verdict_reason));
+    for (const std::string& detail : finding.details) out += "  " + terminal_line(detail) + "\n";
+    out += "  " + terminal_line(finding.remedy) + "\n";
 }
 
 void explain_pair(const CheckedProject& checked, const JudgedPair& pair, std::string& out) {
-    out += fmt::format("source  {}\nport    {}\n", pair.map_source, pair.map_target);
+    out += fmt::format("source  {}\nport    {}\n", terminal_text(pair.map_source), terminal_text(pair.map_target));
     bool any = false;
     for (const Finding& finding : checked.judgement.findings) {
         if (!is_of(finding, pair)) continue;
@@ -169,7 +172,7 @@ void explain_pair(const CheckedProject& checked, const JudgedPair& pair, std::st
     if (!any) out += "in step\n";
     for (const LedgerEntry& entry : checked.lock.ledger)
         if (entry.verdict == "accept" && entry.source == pair.map_source && entry.target == pair.map_target)
-            out += fmt::format("last accepted on {}: {}\n", entry.until, entry.reason);
+            out += fmt::format("last accepted on {}: {}\n", terminal_text(entry.until), terminal_text(entry.reason));
 }
 
 /// Both edits, side by side: what each side lost and gained since the two were in step.
@@ -184,16 +187,17 @@ void explain_edits(const CheckedProject& checked, const JudgedPair& pair, const 
         const std::string before =
             known != checked.texts.end() ? known->second : base_text(checked.project, disk, print);
         const Edit edit = edit_of(read_state_text(before), read_state_text(unit.text));
-        for (const std::string& statement : edit.lost) lines.push_back("- " + statement);
-        for (const std::string& statement : edit.gained) lines.push_back("+ " + statement);
+        for (const std::string& statement : edit.lost) lines.push_back("- " + terminal_text(statement));
+        for (const std::string& statement : edit.gained) lines.push_back("+ " + terminal_text(statement));
         return lines;
     };
     const auto left = rows(*pair.source, lock->source_prints.written),
                right = rows(*pair.target, lock->target_prints.written);
     if (left.empty() && right.empty()) return;
     constexpr size_t kWidth = 58;
-    out += fmt::format("{:<{}} | {}\n", fmt::format("source {}:{}", pair.source->file, pair.source->start_line), kWidth,
-                       fmt::format("port {}:{}", pair.target->file, pair.target->start_line));
+    out += fmt::format("{:<{}} | {}\n",
+                       fmt::format("source {}:{}", terminal_text(pair.source->file), pair.source->start_line), kWidth,
+                       fmt::format("port {}:{}", terminal_text(pair.target->file), pair.target->start_line));
     for (size_t i = 0; i < std::max(left.size(), right.size()); ++i)
         out += fmt::format("{:<{}} | {}\n", i < left.size() ? left[i] : "", kWidth, i < right.size() ? right[i] : "");
 }
@@ -212,7 +216,7 @@ Outcome accept_command(const Options& options, Workplace& place) {
         for (const JudgedPair& pair : checked.judgement.pairs) {
             if (!pair.changed) continue;
             if (!pair.equivalent && !options.force) {
-                left.push_back(pair.map_source);
+                left.push_back(terminal_line(pair.map_source));
                 continue;
             }
             record(checked.lock, pair, options.reason);
@@ -227,7 +231,8 @@ Outcome accept_command(const Options& options, Workplace& place) {
     for (const std::string& id : options.paths) {
         const auto pairs = pairs_of(checked, id);
         if (pairs.empty() && !lone_findings_of(checked, id).empty())
-            throw CannotDo(id + ": there is no pair to accept; " + lone_findings_of(checked, id).front()->remedy);
+            throw CannotDo(terminal_text(id) + ": there is no pair to accept; " +
+                           terminal_text(lone_findings_of(checked, id).front()->remedy));
         if (pairs.empty()) unknown_id(checked, id);
         for (const JudgedPair* pair : pairs) record(checked.lock, *pair, options.reason);
         accepted += pairs.size();
@@ -243,9 +248,11 @@ Outcome accept_command(const Options& options, Workplace& place) {
 }
 
 Outcome defer_command(const Options& options, Workplace& place) {
-    if (!is_date(options.until)) throw CannotDo("--until " + options.until + ": expected a date as YYYY-MM-DD");
+    if (!is_date(options.until))
+        throw CannotDo("--until " + terminal_text(options.until) + ": expected a date as YYYY-MM-DD");
     if (options.until < today())
-        throw CannotDo("--until " + options.until + " is past: today is " + today() + "; give the last day to wait");
+        throw CannotDo("--until " + terminal_text(options.until) + " is past: today is " + today() +
+                       "; give the last day to wait");
     return settle(options, place, "defer");
 }
 
@@ -265,7 +272,7 @@ Outcome explain_command(const Options& options, Workplace& place) {
         if (pairs.empty() && lone.empty()) unknown_id(checked, id);
         for (const Finding* finding : lone) {
             const Place at = finding->source.value_or(Place{"", "portmap.toml", finding->map_line, 0});
-            out += fmt::format("{}:{}\n", at.file, at.line);
+            out += fmt::format("{}:{}\n", terminal_line(at.file), at.line);
             explain_finding(*finding, out);
         }
         for (const JudgedPair* pair : pairs) {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "porttool/compare/lock_upgrade.h"
 
+#include "porttool/text/sink/terminal.h"
+
 namespace porttool {
 namespace {
 
@@ -53,7 +55,7 @@ private:
         const std::string old = prints.written;
         prints = find(old);
         if (prints.written != "-" || !out_.error.empty()) return;
-        out_.error = "portmap.lock is of an older porttool, and the text of '" + id +
+        out_.error = "portmap.lock is of an older porttool, and the text of '" + terminal_text(id) +
                      "' that it was in step with is not in portmap.base/ (" + old +
                      ")\nRestore portmap.base/ from git, or record the present state with: porttool init --force";
     }

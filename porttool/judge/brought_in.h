@@ -9,14 +9,6 @@
 
 namespace porttool {
 
-/// Something that a change does to the gate itself, for a reviewer to see.
-struct BroughtIn {
-    std::string kind;  ///< suppression, accept, defer, ignore, pair, rule, dialect or sides
-    std::string file;
-    int line = 1;
-    std::string text;
-};
-
 /// What decides over findings, at one time.
 struct GateState {
     bool has_map = false;

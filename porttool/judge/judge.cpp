@@ -12,6 +12,7 @@
 #include "porttool/judge/resolve.h"
 #include "porttool/read/disk.h"
 #include "porttool/read/glob.h"
+#include "porttool/text/sink/shell.h"
 
 namespace porttool {
 namespace {
@@ -136,16 +137,23 @@ private:
                                           : Level::Off;
     }
 
+    /// An id as the argument of a command that a person pastes into a shell. What cannot be pasted, as a name with a
+    /// line break, goes by the finding's fingerprint.
+    static std::string argument(const std::string& id, const Finding& finding) {
+        const bool is_list = id.starts_with('[') && id.ends_with(']');  // to the reader of the command line
+        return can_be_pasted(id) && !is_list ? shell_quoted(id) : finding.fingerprint;
+    }
+
     Finding& add(const std::string& rule, const std::string& source, const std::string& target) {
         Finding finding;
         finding.rule = rule;
         finding.level = level_of(rule);
         finding.remedy = second_line(rule_row(rule).help);
         const size_t id = finding.remedy.find("ID");
-        if (id != std::string::npos && !source.empty()) finding.remedy.replace(id, 2, "'" + source + "'");
         finding.map_source = source;
         finding.map_target = target;
         finding.fingerprint = fingerprint({{rule, 0}, {source, 0}, {target, 0}});
+        if (id != std::string::npos && !source.empty()) finding.remedy.replace(id, 2, argument(source, finding));
         out_.findings.push_back(std::move(finding));
         return out_.findings.back();
     }
@@ -188,7 +196,7 @@ private:
         Finding& finding = add_for(pair, source.elsewhere ? "source-changed" : "target-changed",
                                    same_file ? "rename" : "moved", old_id + " is now " + unit.id);
         finding.level = std::min(finding.level, Level::Note);
-        finding.remedy = "Write the new id into portmap.toml and run: porttool accept '" + unit.id + "'";
+        finding.remedy = "Write the new id into portmap.toml and run: porttool accept " + argument(unit.id, finding);
     }
 
     /// Why the file of an id could not be read, or "".
@@ -238,8 +246,8 @@ private:
             pair.changed = true;
             Finding& finding =
                 add_for(pair, "target-changed", "", "this pair is in the map, but was never recorded as in step");
-            finding.remedy =
-                "Compare the two once, then run: porttool accept '" + pair.map_source + "=" + pair.map_target + "'";
+            finding.remedy = "Compare the two once, then run: porttool accept " +
+                             argument(pair.map_source + "=" + pair.map_target, finding);
             return;
         }
         compare_pair(pair, *lock);
@@ -305,7 +313,8 @@ private:
         pair.equivalent = true;
         finding.level = std::min(finding.level, Level::Note);
         finding.message += "; but it " + same;
-        finding.remedy = "Nothing to port; to be rid of this note, run: porttool accept '" + pair.map_source + "'";
+        finding.remedy =
+            "Nothing to port; to be rid of this note, run: porttool accept " + argument(pair.map_source, finding);
     }
 
     /// Whether a number's suffix tells its type on both sides.
@@ -347,7 +356,7 @@ private:
             if (!needed) {
                 Finding& unused = add_for(pair, "unused-suppression", "",
                                           "'" + entry->verdict + "' on this pair settles nothing: it is in step");
-                unused.remedy = "Run: porttool accept '" + pair.map_source + "'";
+                unused.remedy = "Run: porttool accept " + argument(pair.map_source, unused);
                 return count(first, "");
             }
             if (!is_of_these_texts(*entry, pair.source, pair.target)) {

@@ -54,11 +54,20 @@ struct JudgedPair {
     bool equivalent = false;  ///< both sides changed alike
 };
 
+/// Something that a change does to the gate itself, for a reviewer to see.
+struct BroughtIn {
+    std::string kind;  ///< suppression, accept, defer, ignore, pair, rule, dialect or sides
+    std::string file;
+    int line = 1;
+    std::string text;
+};
+
 struct Judgement {
     std::vector<Finding> findings;  ///< sorted by place
     Summary summary;
     std::vector<JudgedPair> pairs;
-    std::string verdict() const;  ///< in_step, review or drift
+    std::vector<BroughtIn> brought_in;  ///< where a base was given
+    std::string verdict() const;        ///< in_step, review or drift
 };
 
 /// A comment in the code that settles findings of one rule in its unit.

@@ -7,6 +7,8 @@
 
 #include "porttool/read/disk.h"
 #include "porttool/read/git_open.h"
+#include "porttool/text/sink/shell.h"
+#include "porttool/text/sink/terminal.h"
 
 namespace porttool {
 namespace {
@@ -38,7 +40,7 @@ struct Walk {
 bool add_blob(const Walk& walk, const git_oid& id, const std::string& path) {
     git_blob* blob = nullptr;
     if (git_blob_lookup(&blob, walk.repository, &id) != 0) {
-        walk.out.error = path + ": git knows this file, but its text is not here (" + git_last_error() +
+        walk.out.error = terminal_text(path) + ": git knows this file, but its text is not here (" + git_last_error() +
                          "), as in a partial clone\nFetch it: git fetch --refetch --no-filter";
         return false;
     }
@@ -109,11 +111,11 @@ bool read_tree(const Walk& walk, const git_oid& commit_id) {
     git_commit* commit = nullptr;
     git_tree* tree = nullptr;
     if (git_commit_lookup(&commit, walk.repository, &commit_id) != 0) {
-        walk.out.error =
-            (walk.before.empty() ? "the merge base" : "the submodule " + walk.before) +
-            " cannot be read: " + git_last_error() + "\nFetch it: " +
-            (walk.before.empty() ? "git fetch"
-                                 : "git submodule update --init; or git -C '" + walk.before + "' fetch --unshallow");
+        walk.out.error = (walk.before.empty() ? "the merge base" : "the submodule " + terminal_text(walk.before)) +
+                         " cannot be read: " + git_last_error() + "\nFetch it: " +
+                         (walk.before.empty() ? "git fetch"
+                                              : "git submodule update --init; or git -C " +
+                                                    terminal_text(shell_quoted(walk.before)) + " fetch --unshallow");
         return false;
     }
     const Commit commit_owner(commit);
@@ -133,8 +135,9 @@ bool read_tree(const Walk& walk, const git_oid& commit_id) {
 /// How to get a revision that is not here.
 std::string fetch_command(const std::string& revision) {
     const std::string remote = "origin/";
-    if (revision.starts_with(remote)) return "git fetch origin " + revision.substr(remote.size());
-    return "git fetch origin " + revision + ", and then use --base FETCH_HEAD";
+    if (revision.starts_with('-')) return "git fetch origin";  // no option to git
+    if (revision.starts_with(remote)) return "git fetch origin " + shell_word(revision.substr(remote.size()));
+    return "git fetch origin " + shell_word(revision) + ", and then use --base FETCH_HEAD";
 }
 
 }  // namespace
@@ -151,11 +154,13 @@ GitFiles files_at_base(const std::string& root, const std::string& revision, con
         return {{}, "HEAD names no commit yet; commit once, or check without --base"};
     git_object* found = nullptr;
     if (git_revparse_single(&found, repository, (revision + "^{commit}").c_str()) != 0)
-        return {{}, "--base " + revision + ": no such revision here\nFetch it first: " + fetch_command(revision)};
+        return {{},
+                "--base " + terminal_text(revision) +
+                    ": no such revision here\nFetch it first: " + terminal_text(fetch_command(revision))};
     const Object base(found);
     if (git_merge_base(&merge_base, repository, git_object_id(base.get()), &head) != 0)
         return {{},
-                "--base " + revision +
+                "--base " + terminal_text(revision) +
                     ": no common ancestor with HEAD is here, as in a shallow clone\nFetch the history: git fetch "
                     "--unshallow (in CI: fetch-depth: 0)"};
     read_tree({out, repository, opened.prefix, "", wants}, merge_base);
@@ -202,8 +207,9 @@ GitFiles files_in_index(const std::string& root, const WantsFile& wants) {
         } else if (walk.wants(walk.name_of(path))) {
             if (git_index_entry_stage(entry) != 0)
                 return {{},
-                        walk.name_of(path) + ": a merge conflict is not resolved\nResolve it and run: git add '" +
-                            walk.name_of(path) + "'; or check without --staged"};
+                        terminal_text(walk.name_of(path)) +
+                            ": a merge conflict is not resolved\nResolve it and run: git add " +
+                            terminal_text(shell_quoted(walk.name_of(path))) + "; or check without --staged"};
             if (entry->mode == GIT_FILEMODE_LINK)
                 entry = git_index_get_bypath(index, link_target(walk.repository, entry->id, path).c_str(), 0);
             if (entry != nullptr) add_blob(walk, entry->id, walk.name_of(path));

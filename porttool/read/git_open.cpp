@@ -4,11 +4,14 @@
 
 #include <filesystem>
 
+#include "porttool/text/sink/shell.h"
+#include "porttool/text/sink/terminal.h"
+
 namespace porttool {
 
 std::string git_last_error() {
     const git_error* error = git_error_last();
-    return error != nullptr && error->message != nullptr ? error->message : "no reason given";
+    return error != nullptr && error->message != nullptr ? terminal_text(error->message) : "no reason given";
 }
 
 OpenedGit open_git(const std::string& root, const std::string& remedy) {
@@ -18,14 +21,14 @@ OpenedGit open_git(const std::string& root, const std::string& remedy) {
     OpenedGit out;
     git_repository* repository = nullptr;
     if (git_repository_open_ext(&repository, root.c_str(), 0, nullptr) != 0) {
-        out.error = root + " is in no git repository that can be read (" + git_last_error() + ")\n" + remedy +
-                    ": git -C '" + root + "' status";
+        out.error = terminal_text(root) + " is in no git repository that can be read (" + git_last_error() + ")\n" +
+                    remedy + ": git -C " + terminal_text(shell_quoted(root)) + " status";
         return out;
     }
     out.repository.reset(repository);
     const char* workdir = git_repository_workdir(repository);
     if (workdir == nullptr) {
-        out.error = root + " is a bare repository; porttool needs a work tree: git worktree add";
+        out.error = terminal_text(root) + " is a bare repository; porttool needs a work tree: git worktree add";
         return out;
     }
     std::error_code error;

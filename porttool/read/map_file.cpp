@@ -11,7 +11,9 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "porttool/text/sink/terminal.h"
 #include "porttool/text/suggest.h"
+#include "porttool/text/utf8.h"
 
 namespace porttool {
 namespace {
@@ -19,6 +21,16 @@ namespace {
 struct Misread : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
+
+/// Blanks and a caret below a column of a line as `terminal_line` shows it. toml++ counts columns in characters.
+std::string caret_below(const std::string& line, uint32_t column) {
+    std::string_view rest = line;
+    uint32_t at = 1;
+    for (; at < column && !rest.empty(); ++at) rest.remove_prefix(std::max<size_t>(1, utf8_length(rest)));
+    const std::string shown = terminal_line(std::string_view(line).substr(0, line.size() - rest.size()));
+    const auto width = std::count_if(shown.begin(), shown.end(), [](char c) { return (c & 0xC0) != 0x80; });
+    return std::string(static_cast<size_t>(width) + column - at, ' ') + "^";
+}
 
 class MapReader {
 public:
@@ -70,13 +82,14 @@ private:
 
     [[noreturn]] void fail(const toml::source_region& where, const std::string& what) const {
         std::ostringstream message;
-        message << path_ << ":" << where.begin.line << ":" << where.begin.column << ": " << what;
+        message << terminal_text(path_) << ":" << where.begin.line << ":" << where.begin.column << ": "
+                << terminal_text(what);
         std::istringstream lines(text_);
         std::string line;
         for (uint32_t i = 0; i < where.begin.line; ++i) std::getline(lines, line);
         constexpr size_t kLongest = 160;
         if (where.begin.line > 0 && !line.empty() && line.size() < kLongest && where.begin.column > 0)
-            message << "\n" << line << "\n" << std::string(where.begin.column - 1, ' ') << "^";
+            message << "\n" << terminal_line(line) << "\n" << caret_below(line, where.begin.column);
         throw Misread(message.str());
     }
 

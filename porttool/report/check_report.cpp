@@ -4,9 +4,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "porttool/text/utf8.h"
+#include "porttool/text/sink/json.h"
+#include "porttool/text/sink/terminal.h"
 
 namespace porttool {
 namespace {
@@ -24,20 +26,20 @@ const char* color_of(Level level) {
     return level == Level::Error ? "\x1b[31m" : level == Level::Warning ? "\x1b[33m" : "\x1b[36m";
 }
 
-}  // namespace
-
-Finding printable(const Finding& finding) {
-    Finding out = finding;
-    for (std::string* text : {&out.message, &out.remedy, &out.map_source, &out.map_target, &out.verdict_reason})
-        *text = as_printable(*text);
-    for (std::string& detail : out.details) detail = as_printable(detail);
-    for (std::optional<Place>* place : {&out.source, &out.target})
-        if (*place) {
-            (*place)->id = as_printable((*place)->id);
-            (*place)->file = as_printable((*place)->file);
-        }
+/// For a reviewer: what settles findings and came with the change itself.
+std::string brought_in_table(const std::vector<BroughtIn>& brought_in) {
+    constexpr size_t kShown = 20;
+    std::string out = "What this change does to the gate itself:\n";
+    for (size_t i = 0; i < std::min(brought_in.size(), kShown); ++i) {
+        const BroughtIn& one = brought_in[i];
+        out += fmt::format("    {}:{}: {}: {}\n", terminal_line(one.file), one.line, one.kind, terminal_text(one.text));
+    }
+    if (brought_in.size() > kShown)
+        out += fmt::format("    and {} more; --format json lists all\n", brought_in.size() - kShown);
     return out;
 }
+
+}  // namespace
 
 std::string check_json(const Judgement& judgement) {
     const Summary& s = judgement.summary;
@@ -56,6 +58,9 @@ std::string check_json(const Judgement& judgement) {
         if (!f.details.empty()) one["details"] = f.details;
         findings.push_back(std::move(one));
     }
+    ordered_json brought_in = ordered_json::array();
+    for (const BroughtIn& one : judgement.brought_in)
+        brought_in.push_back({{"kind", one.kind}, {"file", one.file}, {"line", one.line}, {"text", one.text}});
     const ordered_json out = {{"verdict", judgement.verdict()},
                               {"summary",
                                {{"pairs", s.pairs},
@@ -65,24 +70,27 @@ std::string check_json(const Judgement& judgement) {
                                 {"unported", s.unported},
                                 {"deferred", s.deferred},
                                 {"ignored", s.ignored}}},
+                              {"brought_in", brought_in},
                               {"findings", findings}};
-    return out.dump(1, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+    return json_text(out, 1) + "\n";
 }
 
 std::string check_table(const Judgement& judgement, bool color) {
     std::string out;
-    for (const Finding& finding : judgement.findings) {
-        if (!is_shown(finding)) continue;
-        const Finding f = printable(finding);
+    for (const Finding& f : judgement.findings) {
+        if (!is_shown(f)) continue;
         const Place place = f.source ? *f.source : f.target.value_or(Place{"", "portmap.toml", f.map_line, f.map_line});
         const std::string level = color ? fmt::format("{}{}\x1b[0m", color_of(f.level), level_name(f.level))
                                         : std::string(level_name(f.level));
-        out += fmt::format("{}:{}: {}: {} [{}]\n", place.file, place.line, level, f.message, f.rule);
-        if (f.source && f.target) out += fmt::format("    port: {}:{}\n", f.target->file, f.target->line);
+        out += fmt::format("{}:{}: {}: {} [{}]\n", terminal_line(place.file), place.line, level,
+                           terminal_text(f.message), f.rule);
+        if (f.source && f.target)
+            out += fmt::format("    port: {}:{}\n", terminal_text(f.target->file), f.target->line);
         if (f.details.size() > 1)
-            for (const std::string& detail : f.details) out += "    " + detail + "\n";
-        out += "    " + f.remedy + "\n";
+            for (const std::string& detail : f.details) out += "    " + terminal_line(detail) + "\n";
+        out += "    " + terminal_line(f.remedy) + "\n";
     }
+    if (!judgement.brought_in.empty()) out += brought_in_table(judgement.brought_in);
     const Summary& s = judgement.summary;
     out += fmt::format(
         "{}: {} pairs, {} in step, {} drifted, {} to review, {} deferred, {} ignored; {} source units without a port\n",

@@ -8,9 +8,6 @@
 
 namespace porttool {
 
-/// A finding whose texts are UTF-8 on lines of their own, whatever the source holds: for formats without escapes.
-Finding printable(const Finding& finding);
-
 std::string check_json(const Judgement& judgement);
 /// Findings with their remedies, then one line of summary; `color` adds terminal colours.
 std::string check_table(const Judgement& judgement, bool color);

@@ -8,7 +8,11 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "porttool/report/check_report.h"
+#include "porttool/text/sink/json.h"
+#include "porttool/text/sink/markdown.h"
+#include "porttool/text/sink/sarif.h"
+#include "porttool/text/sink/workflow_command.h"
+#include "porttool/text/sink/xml.h"
 
 namespace porttool {
 namespace {
@@ -17,9 +21,7 @@ using nlohmann::ordered_json;
 
 bool is_open(const Finding& f) { return f.level != Level::Off && f.verdict.empty(); }
 
-std::string dumped(const ordered_json& json) {
-    return json.dump(1, ' ', false, ordered_json::error_handler_t::replace) + "\n";
-}
+std::string dumped(const ordered_json& json) { return json_text(json, 1) + "\n"; }
 
 /// A place by its path from the root of the repository. The other checkout of a target may lead out of it.
 Place below(const std::string& folder, Place place) {
@@ -33,20 +35,9 @@ Place shown_at(const Finding& f, const std::string& folder = "") {
     return below(folder, f.target.value_or(Place{f.map_source, "portmap.toml", f.map_line, f.map_line}));
 }
 
-/// A path as the path of a relative URI.
-std::string uri(const std::string& path) {
-    std::string out;
-    for (const char c : path) {
-        const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
-                           std::string_view("/-._~").find(c) != std::string_view::npos;
-        out += plain ? std::string(1, c) : fmt::format("%{:02X}", static_cast<unsigned char>(c));
-    }
-    return out;
-}
-
 ordered_json sarif_location(const Place& place) {
     return {{"physicalLocation",
-             {{"artifactLocation", {{"uri", uri(place.file)}, {"uriBaseId", "%SRCROOT%"}}},
+             {{"artifactLocation", {{"uri", uri_path(place.file)}, {"uriBaseId", "%SRCROOT%"}}},
               {"region",
                {{"startLine", std::max(1u, place.line)}, {"endLine", std::max({1u, place.line, place.end_line})}}}}},
             {"logicalLocations", ordered_json::array({{{"fullyQualifiedName", place.id}}})}};
@@ -62,59 +53,6 @@ ordered_json sarif_rule(const std::string& rule) {
             {"defaultConfiguration", {{"level", level_name(default_level(rule))}}}};
 }
 
-/// Printable text as text or as an attribute of XML.
-std::string escaped_xml(const std::string& text) {
-    std::string out;
-    for (const char c : text) {
-        if (c == '&')
-            out += "&amp;";
-        else if (c == '<')
-            out += "&lt;";
-        else if (c == '>')
-            out += "&gt;";
-        else if (c == '"')
-            out += "&quot;";
-        else
-            out += c;
-    }
-    return out;
-}
-
-/// Text in a workflow command; properties also may not hold colons and commas.
-std::string escaped_command(const std::string& text, bool property) {
-    std::string out;
-    for (const char c : text) {
-        if (c == '%')
-            out += "%25";
-        else if (c == '\r')
-            out += "%0D";
-        else if (c == '\n')
-            out += "%0A";
-        else if (property && c == ':')
-            out += "%3A";
-        else if (property && c == ',')
-            out += "%2C";
-        else
-            out += c;
-    }
-    return out;
-}
-
-/// Text in the cell of a table. Between backticks nothing is escaped but the bar, which ends a cell even there.
-std::string escaped_markdown(const std::string& text) {
-    constexpr std::string_view kSpecial = "\\|<*_[]&";
-    const size_t last = std::count(text.begin(), text.end(), '`') % 2 == 0 ? std::string::npos : text.rfind('`');
-    std::string out;
-    bool code = false;
-    for (size_t i = 0; i < text.size(); ++i) {
-        const char c = text[i];
-        if (c == '`' && i != last) code = !code;
-        if (c == '|' || i == last || (!code && kSpecial.find(c) != std::string_view::npos)) out += '\\';
-        out += c == '\n' ? ' ' : c;
-    }
-    return out;
-}
-
 }  // namespace
 
 std::string check_sarif(const Judgement& judgement, const std::string& folder) {
@@ -127,7 +65,7 @@ std::string check_sarif(const Judgement& judgement, const std::string& folder) {
             {"ruleId", f.rule},
             {"ruleIndex", std::distance(names.begin(), std::find(names.begin(), names.end(), f.rule))},
             {"level", level_name(f.level)},
-            {"message", {{"text", f.message + "\n" + f.remedy}}},
+            {"message", {{"text", sarif_message(f.message) + "\n" + sarif_message(f.remedy)}}},
             {"locations", ordered_json::array({sarif_location(shown_at(f, folder))})},
             {"partialFingerprints", {{"porttool/v1", f.fingerprint}}}};
         if (f.source && f.target) {
@@ -139,7 +77,7 @@ std::string check_sarif(const Judgement& judgement, const std::string& folder) {
         if (!f.verdict.empty())
             result["suppressions"] = ordered_json::array({{{"kind", f.settled_in_source ? "inSource" : "external"},
                                                            {"status", "accepted"},
-                                                           {"justification", f.verdict_reason}}});
+                                                           {"justification", sarif_message(f.verdict_reason)}}});
         results.push_back(std::move(result));
     }
     return dumped(
@@ -156,20 +94,18 @@ std::string check_sarif(const Judgement& judgement, const std::string& folder) {
 std::string check_junit(const Judgement& judgement) {
     std::string cases;
     size_t tests = 0, failures = 0;
-    for (const Finding& finding : judgement.findings) {
-        if (!is_open(finding) || finding.level == Level::Note) continue;
-        const Finding f = printable(finding);
+    for (const Finding& f : judgement.findings) {
+        if (!is_open(f) || f.level == Level::Note) continue;
         ++tests;
         const Place place = shown_at(f);
-        cases += fmt::format("    <testcase classname=\"porttool.{}\" name=\"{}\" file=\"{}\">\n", escaped_xml(f.rule),
-                             escaped_xml(place.id), escaped_xml(place.file));
+        cases += fmt::format("    <testcase classname=\"porttool.{}\" name=\"{}\" file=\"{}\">\n", xml_text(f.rule),
+                             xml_text(place.id), xml_text(place.file));
         if (f.level == Level::Error) {
             ++failures;
-            cases += fmt::format("      <failure type=\"{}\" message=\"{}\">{}:{}\n{}</failure>\n", escaped_xml(f.rule),
-                                 escaped_xml(f.message), escaped_xml(place.file), place.line, escaped_xml(f.remedy));
+            cases += fmt::format("      <failure type=\"{}\" message=\"{}\">{}:{}\n{}</failure>\n", xml_text(f.rule),
+                                 xml_text(f.message), xml_text(place.file), place.line, xml_text(f.remedy));
         } else {
-            cases +=
-                fmt::format("      <system-out>{}\n{}</system-out>\n", escaped_xml(f.message), escaped_xml(f.remedy));
+            cases += fmt::format("      <system-out>{}\n{}</system-out>\n", xml_text(f.message), xml_text(f.remedy));
         }
         cases += "    </testcase>\n";
     }
@@ -185,15 +121,17 @@ std::string check_junit(const Judgement& judgement) {
 
 std::string check_github(const Judgement& judgement, const std::string& folder) {
     std::string out;
-    for (const Finding& finding : judgement.findings) {
-        if (!is_open(finding)) continue;
-        const Finding f = printable(finding);
+    for (const Finding& f : judgement.findings) {
+        if (!is_open(f)) continue;
         const Place place = shown_at(f, folder);
         const char* command = f.level == Level::Error ? "error" : f.level == Level::Warning ? "warning" : "notice";
-        out += fmt::format("::{} file={},line={},endLine={},title={}::{}\n", command, escaped_command(place.file, true),
-                           place.line, place.end_line, escaped_command("porttool " + f.rule, true),
-                           escaped_command(f.message + "\n" + f.remedy, false));
+        out += fmt::format("::{} file={},line={},endLine={},title={}::{}\n", command, workflow_property(place.file),
+                           place.line, place.end_line, workflow_property("porttool " + f.rule),
+                           workflow_data(f.message) + kWorkflowLineBreak + workflow_data(f.remedy));
     }
+    for (const BroughtIn& one : judgement.brought_in)
+        out += fmt::format("::notice file={},line={},title={}::{}\n", workflow_property(folder + one.file), one.line,
+                           workflow_property("porttool brought in: " + one.kind), workflow_data(one.text));
     return out;
 }
 
@@ -202,7 +140,7 @@ std::string check_gitlab(const Judgement& judgement, const std::string& folder) 
     for (const Finding& f : judgement.findings) {
         if (!is_open(f)) continue;
         const Place place = shown_at(f, folder);
-        out.push_back({{"description", f.message + ". " + f.remedy},
+        out.push_back({{"description", markdown_sentence(f.message + ". " + f.remedy)},
                        {"check_name", f.rule},
                        {"fingerprint", f.fingerprint},
                        {"severity", f.level == Level::Error     ? "major"
@@ -220,17 +158,21 @@ std::string check_markdown(const Judgement& judgement) {
         "without a port.\n",
         judgement.verdict(), s.pairs, s.in_step, s.drifted, s.review, s.deferred, s.ignored, s.unported);
     bool any = false;
-    for (const Finding& finding : judgement.findings) {
-        if (!is_open(finding)) continue;
-        const Finding f = printable(finding);
+    for (const Finding& f : judgement.findings) {
+        if (!is_open(f)) continue;
         if (!any) out += "\n| | source | port | finding |\n| --- | --- | --- | --- |\n";
         any = true;
         auto cell = [](const std::optional<Place>& place) {
-            return place ? escaped_markdown(place->file) + ":" + std::to_string(place->line) : std::string();
+            return place ? markdown_text(place->file + ":" + std::to_string(place->line)) : std::string();
         };
         out += fmt::format("| {} | {} | {} | {} ({}) |\n", level_name(f.level), cell(f.source), cell(f.target),
-                           escaped_markdown(f.message), f.rule);
+                           markdown_cell(f.message), f.rule);
     }
+    if (!judgement.brought_in.empty())
+        out += "\nWhat this change does to the gate itself:\n\n| | where | what |\n| --- | --- | --- |\n";
+    for (const BroughtIn& one : judgement.brought_in)
+        out += fmt::format("| {} | {} | {} |\n", one.kind, markdown_text(one.file + ":" + std::to_string(one.line)),
+                           markdown_text(one.text));
     return out;
 }
 

@@ -9,6 +9,8 @@
 
 #include "metrics/code/string_tiling.h"
 #include "porttool/report/figures.h"
+#include "porttool/text/sink/json.h"
+#include "porttool/text/sink/terminal.h"
 
 namespace porttool {
 namespace {
@@ -66,12 +68,12 @@ std::string compare_json(const CompareReport& report) {
           {"guarantee", report.parameters.guarantee()},
           {"tiling_minimum", metrics::TilingParameters{}.minimum}}},
         {"matches", matches}};
-    return out.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+    return json_text(out, 1) + "\n";
 }
 
 std::string compare_table(const CompareReport& report) {
     const Similarity& s = report.similarity;
-    std::string out = fmt::format("a: {}\nb: {}\n\n", report.a_id, report.b_id);
+    std::string out = fmt::format("a: {}\nb: {}\n\n", terminal_text(report.a_id), terminal_text(report.b_id));
     out += row("", "a", "b");
     out += row("lines with code", std::to_string(s.a.lines), std::to_string(s.b.lines));
     out += row("tokens", std::to_string(s.a.tokens), std::to_string(s.b.tokens));

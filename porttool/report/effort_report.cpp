@@ -7,6 +7,11 @@
 #include <nlohmann/json.hpp>
 
 #include "porttool/report/figures.h"
+#include "porttool/text/sink/csv.h"
+#include "porttool/text/sink/json.h"
+#include "porttool/text/sink/terminal.h"
+#include "porttool/text/toml_string.h"
+#include "porttool/text/utf8.h"
 
 namespace porttool {
 namespace {
@@ -33,7 +38,7 @@ std::string inputs_text(const metrics::Figure& figure) {
 std::string row(const std::string& name, const PortedEdit& edit, const metrics::LineWeights& weights) {
     return fmt::format("  {:<12} {:<12} {:>8} {:>8} {:>8}  {:<21} {}\n", edit_text(edit.source), edit_text(edit.target),
                        share_text(edit.carried_over()), edit.novel(), share_text(edit.similarity()),
-                       figure_text(degree_of_edit(edit, weights)), name);
+                       figure_text(degree_of_edit(edit, weights)), terminal_text(name));
 }
 
 LineEdit sum(const std::vector<FileEffort>& files) {
@@ -122,8 +127,9 @@ std::string effort_table(const EffortReport& report) {
         out += fmt::format("degree of portability of all recorded ports, in hours: {}  from {}\n",
                            figure_text(report.ledger_degree), inputs_text(*report.ledger_degree));
     for (const auto& [block, degree] : report.ledger_blocks)
-        out += fmt::format("  of the block {}: {}  from {}\n", block, figure_text(degree), inputs_text(degree));
-    for (const std::string& missing : report.missing) out += "not given: " + missing + "\n";
+        out += fmt::format("  of the block {}: {}  from {}\n", terminal_text(block), figure_text(degree),
+                           inputs_text(degree));
+    for (const std::string& missing : report.missing) out += "not given: " + terminal_text(missing) + "\n";
     return out;
 }
 
@@ -152,7 +158,7 @@ std::string effort_json(const EffortReport& report) {
                               {"ledger_degree_of_portability", figure_json(report.ledger_degree)},
                               {"ledger_blocks", ledger},
                               {"not_given", report.missing}};
-    return out.dump(1, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+    return json_text(out, 1) + "\n";
 }
 
 std::string effort_csv(const EffortReport& report) {
@@ -169,16 +175,13 @@ std::string effort_csv(const EffortReport& report) {
 }
 
 std::string effort_toml(const EffortReport& report) {
-    std::string what;
-    for (const char c : report.to.subject)
-        if (static_cast<unsigned char>(c) >= ' ') what += c == '"' || c == '\\' ? '\'' : c;
     const PortedEdit& totals = report.effort.totals;
     return fmt::format(
-        "[[effort]]\nwhat = \"{}\"\nfrom = \"{}\"\nto = \"{}\"\nlines = {}\nnovel = {}\n"
+        "[[effort]]\nwhat = {}\nfrom = \"{}\"\nto = \"{}\"\nlines = {}\nnovel = {}\n"
         "# Hours, where they are known:\n"
         "# port = {{ coding = 0, testing = 0, documentation = 0 }}\n"
         "# redevelopment = {{ design = 0, coding = 0, testing = 0, documentation = 0 }}\n",
-        what, report.from.id, report.to.id, totals.target.added, totals.novel());
+        toml_string(as_utf8(report.to.subject)), report.from.id, report.to.id, totals.target.added, totals.novel());
 }
 
 }  // namespace porttool

@@ -9,8 +9,6 @@
 #include <cmath>
 #include <ctime>
 
-#include "porttool/text/utf8.h"
-
 namespace porttool {
 
 nlohmann::ordered_json number_json(const std::optional<double>& number) {
@@ -39,27 +37,6 @@ std::string figure_text(const std::optional<metrics::Figure>& figure) {
     if (!figure) return "-";
     const auto text = [](double value) { return value > 0 ? bounded_text(value, 1, 2) : fmt::format("{:.2f}", value); };
     return text(figure->value) + " (" + text(figure->low) + " to " + text(figure->high) + ")";
-}
-
-std::string plain_text(const std::string& text) {
-    constexpr char kDelete = 0x7f;
-    std::string out = as_utf8(text);
-    std::replace_if(
-        out.begin(), out.end(), [](char c) { return (c >= 0 && c < ' ') || c == kDelete; }, ' ');
-    return out;
-}
-
-/// What a spreadsheet would take for a formula gets an apostrophe before it.
-static std::string csv_safe(const std::string& text) {
-    return !text.empty() && std::string("=+-@\t\r").find(text[0]) != std::string::npos ? "'" + text : text;
-}
-
-std::string csv_field(const std::string& text) {
-    const std::string safe = csv_safe(text);
-    if (safe.find_first_of(",\"\r\n") == std::string::npos) return safe;
-    std::string out = "\"";
-    for (const char c : safe) out += c == '"' ? std::string("\"\"") : std::string(1, c);
-    return out + "\"";
 }
 
 std::string day_of(int64_t time) {

@@ -23,12 +23,6 @@ std::string bounded_text(double value, double most, int digits);
 /// "0.73 (0.60 to 0.81)", or "-".
 std::string figure_text(const std::optional<metrics::Figure>& figure);
 
-/// A text in one line: what controls a terminal or breaks the line becomes a space, what is no UTF-8 U+FFFD.
-std::string plain_text(const std::string& text);
-
-/// One field of a CSV line, quoted where it must be; what a spreadsheet would take for a formula gets an apostrophe.
-std::string csv_field(const std::string& text);
-
 /// YYYY-MM-DD of seconds since 1970.
 std::string day_of(int64_t time);
 

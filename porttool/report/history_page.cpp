@@ -8,6 +8,7 @@
 
 #include "porttool/report/figures.h"
 #include "porttool/report/history_report.h"
+#include "porttool/text/sink/html.h"
 
 namespace porttool {
 namespace {
@@ -37,23 +38,6 @@ th { color: var(--muted); font-weight: 500; } th:first-child, td:first-child { t
 @media (max-width: 40rem) { svg text { font-size: 24px; } .series { stroke-width: 3.5; } .legend .series { stroke-width: 2; } }
 @media print { body { max-width: none; } figure { break-inside: avoid; } }
 )";
-
-std::string escaped(const std::string& text) {
-    std::string out;
-    for (const char c : text) {
-        if (c == '&')
-            out += "&amp;";
-        else if (c == '<')
-            out += "&lt;";
-        else if (c == '>')
-            out += "&gt;";
-        else if (c == '"')
-            out += "&quot;";
-        else
-            out += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
-    }
-    return out;
-}
 
 /// A number short enough for an axis, without an exponent.
 std::string number_text(double value) {
@@ -141,8 +125,8 @@ std::string figure_of(const Chart& chart, const History& history) {
     std::string out = fmt::format(
         "<h2>{}</h2>\n<p class=\"fine\">{}</p>\n<figure><svg viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{}\">"
         "<title>{}</title><desc>{}</desc>{}\n",
-        escaped(chart.title), escaped(chart.description), kWidth, kHeight, escaped(chart.title), escaped(chart.title),
-        escaped(chart.description), grid_of(chart, history));
+        html_text(chart.title), html_text(chart.description), kWidth, kHeight, html_text(chart.title),
+        html_text(chart.title), html_text(chart.description), grid_of(chart, history));
     std::string legend, above;
     for (const Series& series : chart.series) {
         const std::string path = path_of(chart, series, x);
@@ -160,7 +144,7 @@ std::string figure_of(const Chart& chart, const History& history) {
         legend += fmt::format(
             "<li><svg viewBox=\"0 0 28 10\" aria-hidden=\"true\"><path class=\"series\" d=\"M0 5H28\" "
             "stroke=\"var({})\" stroke-dasharray=\"{}\"/></svg>{}{}</li>",
-            series.color, series.dash, escaped(series.name),
+            series.color, series.dash, html_text(series.name),
             series.values.empty() || !series.values.back() ? std::string()
                                                            : ": " + number_text(*series.values.back()) + chart.unit);
     }
@@ -268,7 +252,7 @@ std::string table_of_blocks(const HistoryPoint& newest) {
     const auto row = [&](const BlockPoint& block, const std::string& name) {
         out +=
             fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
-                        escaped(name), block.sides[0].lines, shared(block, 0), block.sides[1].lines, shared(block, 1),
+                        html_text(name), block.sides[0].lines, shared(block, 0), block.sides[1].lines, shared(block, 1),
                         block.sides[1].moss_percent ? bounded_text(*block.sides[1].moss_percent, 100, 1) : "-",
                         figure_text(block.degree));
     };
@@ -288,8 +272,8 @@ std::string table_of_open(const History& history) {
     std::stable_sort(pairs.begin(), pairs.end(),
                      [&](const OpenPair& a, const OpenPair& b) { return a.debt(now) > b.debt(now); });
     for (const OpenPair& pair : pairs)
-        out += fmt::format("<tr><td>{} = {}</td><td>{}</td><td>{}</td><td>{:.1f}</td></tr>\n", escaped(pair.id.first),
-                           escaped(pair.id.second), day_of(pair.since), pair.lines, pair.debt(now));
+        out += fmt::format("<tr><td>{} = {}</td><td>{}</td><td>{}</td><td>{:.1f}</td></tr>\n", html_text(pair.id.first),
+                           html_text(pair.id.second), day_of(pair.since), pair.lines, pair.debt(now));
     return out + "</tbody></table></div>\n";
 }
 

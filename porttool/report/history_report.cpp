@@ -7,6 +7,9 @@
 #include <nlohmann/json.hpp>
 
 #include "porttool/report/figures.h"
+#include "porttool/text/sink/csv.h"
+#include "porttool/text/sink/json.h"
+#include "porttool/text/sink/terminal.h"
 
 namespace porttool {
 namespace {
@@ -87,7 +90,7 @@ std::string history_json(const History& history) {
                               {"oldest", {{"id", history.oldest.id}, {"date", day_of(history.oldest.time)}}},
                               {"commits", std::move(commits)},
                               {"open", std::move(open)}};
-    return out.dump(1, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+    return json_text(out, 1) + "\n";
 }
 
 std::string history_csv(const History& history) {
@@ -124,10 +127,12 @@ std::string history_table(const History& history) {
     out += "blocks at the newest commit:\n";
     for (const BlockPoint& block : newest.blocks)
         out += fmt::format("  {:>6}/{:<7} {:>6}  {:<21}  {}\n", shared_text(block, 1, "-"), block.sides[1].lines,
-                           percent_text(block.sides[1].moss_percent), figure_text(block.degree), block.name);
+                           percent_text(block.sides[1].moss_percent), figure_text(block.degree),
+                           terminal_text(block.name));
     for (const OpenPair& pair : history.open)
-        out += fmt::format("open since {}: {}  =  {}, {} lines, {:.1f} line-days\n", day_of(pair.since), pair.id.first,
-                           pair.id.second, pair.lines, pair.debt(newest.commit.time));
+        out += fmt::format("open since {}: {}  =  {}, {} lines, {:.1f} line-days\n", day_of(pair.since),
+                           terminal_text(pair.id.first), terminal_text(pair.id.second), pair.lines,
+                           pair.debt(newest.commit.time));
     return out;
 }
 

@@ -7,6 +7,9 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "porttool/text/sink/json.h"
+#include "porttool/text/sink/terminal.h"
+
 namespace porttool {
 namespace {
 
@@ -23,16 +26,18 @@ std::string map_json(const Matching& matching) {
                          {"state", state_name(pair.state)}});
     const nlohmann::ordered_json out = {
         {"pairs", pairs}, {"unmapped_source", matching.unmapped_source}, {"unmapped_target", matching.unmapped_target}};
-    return out.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+    return json_text(out, 1) + "\n";
 }
 
 std::string map_table(const Matching& matching) {
     std::string out;
     for (const MatchedPair& pair : matching.pairs)
-        out += fmt::format("{:<9} {:>3.0f} %  {}  =  {}\n", state_name(pair.state), 100 * pair.score, pair.source,
-                           pair.target);
-    for (const std::string& id : matching.unmapped_source) out += fmt::format("no port          {}\n", id);
-    for (const std::string& id : matching.unmapped_target) out += fmt::format("no source        {}\n", id);
+        out += fmt::format("{:<9} {:>3.0f} %  {}  =  {}\n", state_name(pair.state), 100 * pair.score,
+                           terminal_text(pair.source), terminal_text(pair.target));
+    for (const std::string& id : matching.unmapped_source)
+        out += fmt::format("no port          {}\n", terminal_text(id));
+    for (const std::string& id : matching.unmapped_target)
+        out += fmt::format("no source        {}\n", terminal_text(id));
     return out + fmt::format("{} pairs, {} source units without a port, {} target units without a source\n",
                              matching.pairs.size(), matching.unmapped_source.size(), matching.unmapped_target.size());
 }

@@ -8,6 +8,8 @@
 #include <nlohmann/json.hpp>
 
 #include "metrics/portability/performance_portability.h"
+#include "porttool/text/sink/markdown.h"
+#include "porttool/text/sink/terminal.h"
 
 namespace porttool {
 namespace {
@@ -57,7 +59,7 @@ ReadSpeed read_speed(const std::string& path, const std::string& text, std::opti
     const json rates = bench.is_object() ? bench.value("mrays_per_s", json()) : json();
     const std::optional<double> achieved = rate_at(rates, "total");
     if (!achieved) {
-        result.error = "--bench " + path + ": " +
+        result.error = "--bench " + terminal_text(path) + ": " +
                        (bench.is_discarded() ? "no JSON" : "has no rate above 0 at mrays_per_s.total") +
                        "; make it with: pathtracer bench SCENE --format json";
         return result;
@@ -85,8 +87,8 @@ std::string performance_markdown(const Performance& performance) {
     std::string out = "\n| platform | Mrays/s | of at most | efficiency |\n| --- | ---: | ---: | ---: |\n";
     for (const PlatformSpeed& platform : performance.platforms) {
         const std::optional<double> efficiency = platform.efficiency();
-        out += fmt::format("| {} | {:.2f} | {} | {} |\n", platform.name, platform.achieved, rate_text(platform.limit),
-                           efficiency ? fmt::format("{:.2f}", *efficiency) : "not known");
+        out += fmt::format("| {} | {:.2f} | {} | {} |\n", markdown_text(platform.name), platform.achieved,
+                           rate_text(platform.limit), efficiency ? fmt::format("{:.2f}", *efficiency) : "not known");
     }
     const std::optional<double> portability = performance.portability();
     return out + "\nPerformance portability (harmonic mean of the efficiencies): " +

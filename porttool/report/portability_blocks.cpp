@@ -7,6 +7,7 @@
 
 #include "porttool/read/glob.h"
 #include "porttool/scan/scan.h"
+#include "porttool/text/sink/terminal.h"
 #include "porttool/text/suggest.h"
 
 namespace porttool {
@@ -59,14 +60,14 @@ std::string nearest_to(const std::string& pattern, const Files& files) {
     }
     const std::string near = nearest(pattern, names);
     return near.empty() ? std::string("patterns are relative to the root, and what they name must lie in [sides]")
-                        : "did you mean '" + near + "'?";
+                        : "did you mean '" + terminal_text(near) + "'?";
 }
 
 BlockTexts named_blocks(const MapFile& map, const Files& source, const Files& target) {
     BlockTexts out;
     std::set<std::string> names;
     for (const MapBlock& block : map.blocks) {
-        const std::string start = "portmap.toml: block '" + block.name + "': ";
+        const std::string start = "portmap.toml: block '" + terminal_text(block.name) + "': ";
         if (!names.insert(block.name).second) out.error = start + "there are two of this name; rename one";
         if (block.source.empty() && block.target.empty())
             out.error = start + "it names neither a source nor a target; add them, or remove the block";
@@ -75,8 +76,8 @@ BlockTexts named_blocks(const MapFile& map, const Files& source, const Files& ta
                               Passage& passage) {
             for (const std::string& pattern : patterns)
                 if (!add_matches(passage, pattern, files) && out.error.empty())
-                    out.error =
-                        start + side + " '" + pattern + "' matches no file and no unit; " + nearest_to(pattern, files);
+                    out.error = start + side + " '" + terminal_text(pattern) + "' matches no file and no unit; " +
+                                nearest_to(pattern, files);
             sort_by_place(passage);
         };
         take("source", block.source, source, text.source);

@@ -247,8 +247,4 @@ ordered_json portability_json(const WholeReport& whole) {
     return out;
 }
 
-std::string json_text(const ordered_json& value, int indent) {
-    return value.dump(indent, ' ', false, ordered_json::error_handler_t::replace);
-}
-
 }  // namespace porttool

@@ -44,7 +44,4 @@ const BlockReport* find_block(const std::vector<BlockReport>& blocks, const std:
 /// As the contract has it, with every figure's lines.
 nlohmann::ordered_json portability_json(const WholeReport& whole);
 
-/// The text of a JSON value: bytes that are no UTF-8 are replaced.
-std::string json_text(const nlohmann::ordered_json& value, int indent);
-
 }  // namespace porttool

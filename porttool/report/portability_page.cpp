@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "porttool/text/sink/json.h"
 #include "porttool/text/utf8.h"
 
 namespace porttool {
@@ -101,19 +102,6 @@ ordered_json page_data(const WholeReport& whole, const SideTexts& texts) {
     return data;
 }
 
-/// JSON that may stand in a script element: without `<` it can neither end the element nor open a comment.
-std::string script_safe(const std::string& json) {
-    std::string out;
-    out.reserve(json.size() + json.size() / 64);
-    for (const char c : json) {
-        if (c == '<')
-            out += "\\u003c";
-        else
-            out += c;
-    }
-    return out;
-}
-
 /// Replaces each @NAME@ of the template once, in one pass: what is put in is never looked at again.
 std::string filled(std::string_view page, const std::map<std::string_view, std::string_view>& values) {
     std::string out;
@@ -147,7 +135,7 @@ std::string page_text(std::string_view bytes) {
 }
 
 std::string portability_html(const WholeReport& whole, const SideTexts& texts) {
-    const std::string data = script_safe(json_text(page_data(whole, texts), -1));
+    const std::string data = json_in_script(page_data(whole, texts));
     const PageParts parts = page_parts();
     return filled(parts.page, {{"@STYLE@", parts.style}, {"@DATA@", data}, {"@SCRIPT@", parts.script}});
 }

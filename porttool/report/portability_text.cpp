@@ -8,6 +8,9 @@
 #include <cmath>
 
 #include "porttool/report/figures.h"
+#include "porttool/text/sink/csv.h"
+#include "porttool/text/sink/markdown.h"
+#include "porttool/text/sink/terminal.h"
 
 namespace porttool {
 namespace {
@@ -70,30 +73,13 @@ std::vector<Shown> shown_blocks(const WholeReport& whole) {
     return out;
 }
 
-/// Free text in a table or a list.
-std::string cell(const std::string& text) {
-    std::string out;
-    for (const char c : plain_text(text)) {
-        if (c == '|' || c == '\\' || c == '`' || c == '*' || c == '_' || c == '[' || c == ']' || c == '<' || c == '>')
-            out += '\\';
-        out += c;
-    }
-    return out;
-}
-
-/// An id, as code where that is possible.
-std::string id_text(const std::string& id) {
-    if (id.empty() || id.find_first_of("`|\r\n") != std::string::npos) return cell(id);
-    return "`" + plain_text(id) + "`";
-}
-
 std::string block_rows(const WholeReport& whole) {
     std::string out =
         "| block | source lines | shared | Moss % | target lines | shared | Moss % | degree of portability |\n"
         "| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: |\n";
     for (const Shown& shown : shown_blocks(whole)) {
         const BlockChange change = shown.change.value_or(BlockChange());
-        out += "| " + cell(shown.name) + " |";
+        out += "| " + markdown_text(shown.name) + " |";
         for (const size_t side : {0, 1}) {
             const SideMeasure& measure = shown.block->measures[side];
             out += fmt::format(" {}{} | {}{} | {}{} |", measure.lines, arrow(change.lines[side], 0),
@@ -124,8 +110,9 @@ std::string open_findings(const WholeReport& whole) {
         if (out.empty()) out = "\n| | source | port | finding |\n| --- | --- | --- | --- |\n";
         const std::string note = row.until.empty() ? "" : " Deferred until " + row.until + " to " + row.owner + ".";
         out += fmt::format("| {} | {} | {} | {} ({}){} |\n", row.status == "open" ? level_name(f.level) : "deferred",
-                           id_text(f.source ? f.source->id : f.map_source),
-                           id_text(f.target ? f.target->id : f.map_target), cell(f.message), f.rule, cell(note));
+                           markdown_code(f.source ? f.source->id : f.map_source),
+                           markdown_code(f.target ? f.target->id : f.map_target), markdown_text(f.message), f.rule,
+                           markdown_text(note));
     }
     return out;
 }
@@ -145,12 +132,12 @@ std::string where_to_look(const PortabilityReport& report) {
     for (const RowReport& row : report.rows) {
         const RowSide& side = row.sides[0] ? *row.sides[0] : *row.sides[1];
         if (row.share == Share::Rewritten)
-            rewritten.push_back(fmt::format("{} and {}: {}", id_text(side.id), id_text(row.sides[1]->id),
+            rewritten.push_back(fmt::format("{} and {}: {}", markdown_code(side.id), markdown_code(row.sides[1]->id),
                                             row.likeness ? fmt::format("{:.0f} %", *row.likeness) : kTooShort));
         if (row.share != Share::Unmatched || side.lines == 0) continue;
         const bool is_unit = side.place.unit != nullptr;
         (is_unit ? unmatched : outside)
-            .push_back(fmt::format("{}: {}", id_text(is_unit ? side.id : side.file), lines_text(side.lines)));
+            .push_back(fmt::format("{}: {}", markdown_code(is_unit ? side.id : side.file), lines_text(side.lines)));
     }
     return details("Rewritten pairs", rewritten) + details("Units without counterpart", unmatched) +
            details("Files with code outside units", outside);
@@ -172,13 +159,13 @@ void add_change_fields(std::string& out, const std::optional<BlockChange>& chang
 std::string portability_table(const WholeReport& whole) {
     const std::vector<Shown> blocks = shown_blocks(whole);
     size_t width = 5;
-    for (const Shown& shown : blocks) width = std::max(width, shown.name.size());
+    for (const Shown& shown : blocks) width = std::max(width, terminal_line(shown.name).size());
     std::string out = fmt::format("{}: {}\n\n", verdict_words(whole), summary_line(whole));
     out += fmt::format("{:<{}}  {:>12} {:>7} {:>9}  {:>12} {:>7} {:>9}  {}\n", "block", width, "source lines", "shared",
                        "Moss", "target lines", "shared", "Moss", "degree of portability");
     for (const Shown& shown : blocks) {
         const SideMeasure &a = shown.block->measures[0], &b = shown.block->measures[1];
-        out += fmt::format("{:<{}}  {:>12} {:>7} {:>9}  {:>12} {:>7} {:>9}  {}\n", plain_text(shown.name), width,
+        out += fmt::format("{:<{}}  {:>12} {:>7} {:>9}  {:>12} {:>7} {:>9}  {}\n", terminal_line(shown.name), width,
                            a.lines, shared_text(*shown.block, 0, "-"), moss_text(*shown.block, 0), b.lines,
                            shared_text(*shown.block, 1, "-"), moss_text(*shown.block, 1),
                            figure_text(shown.block->portability));
@@ -205,7 +192,8 @@ std::string portability_table(const WholeReport& whole) {
 std::string portability_markdown(const WholeReport& whole) {
     std::string out = "<!-- Made by: porttool report --format markdown -->\n";
     out += fmt::format("### Port: {}\n\n{}.\n", verdict_words(whole), summary_line(whole));
-    if (whole.base) out += fmt::format("Changes are against the merge base with `{}`.\n", whole.base->revision);
+    if (whole.base)
+        out += fmt::format("Changes are against the merge base with {}.\n", markdown_code(whole.base->revision));
     out += open_findings(whole);
     out += "\n" + block_rows(whole) + "\n" + part_rows(whole.report);
     out += performance_markdown(whole.performance);

@@ -9,6 +9,8 @@
 
 #include "porttool/compare/normal_form.h"
 #include "porttool/scan/scan.h"
+#include "porttool/text/sink/json.h"
+#include "porttool/text/sink/terminal.h"
 
 namespace porttool {
 namespace {
@@ -23,8 +25,7 @@ void add_array(std::string& out, const Rows& rows, const ToJson& to_json) {
     for (const auto& row : rows) {
         out += before;
         before = ",\n  ";
-        for (const char c : to_json(row).dump(1, ' ', false, Json::error_handler_t::replace))
-            out += c == '\n' ? std::string("\n  ") : std::string(1, c);
+        for (const char c : json_text(to_json(row), 1)) out += c == '\n' ? std::string("\n  ") : std::string(1, c);
     }
     out += rows.empty() ? "]" : "\n ]";
 }
@@ -73,8 +74,9 @@ std::string scan_json(const ScanReport& report) {
 std::string scan_table(const ScanReport& report) {
     std::string out;
     for (const UnitRow& row : report.units)
-        out += fmt::format("{:<9} {:>5}-{:<5} {}\n", row.kind, row.start_line, row.end_line, row.id);
-    for (const SkippedFile& file : report.skipped) out += fmt::format("skipped   {}: {}\n", file.file, file.reason);
+        out += fmt::format("{:<9} {:>5}-{:<5} {}\n", row.kind, row.start_line, row.end_line, terminal_text(row.id));
+    for (const SkippedFile& file : report.skipped)
+        out += fmt::format("skipped   {}: {}\n", terminal_text(file.file), terminal_text(file.reason));
     out += fmt::format("{} units, {} files skipped\n", report.units.size(), report.skipped.size());
     return out;
 }

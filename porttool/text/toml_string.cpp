@@ -4,21 +4,21 @@
 
 #include <fmt/format.h>
 
+#include "porttool/text/visible.h"
+
 namespace porttool {
 
+/// Beside control characters, which TOML asks for, what would be read otherwise than it is.
+static std::string escaped(char32_t code) {
+    constexpr char32_t kPlanes = 0x10000;
+    const auto value = static_cast<uint32_t>(code);
+    return code < kPlanes ? fmt::format("\\u{:04X}", value) : fmt::format("\\U{:08X}", value);
+}
+
 std::string toml_string(std::string_view text) {
-    constexpr unsigned char kFirstPrintable = 0x20, kDelete = 0x7F;
-    std::string out = "\"";
-    for (const char c : text) {
-        const auto byte = static_cast<unsigned char>(c);
-        if (c == '"' || c == '\\')
-            out += std::string("\\") + c;
-        else if (byte < kFirstPrintable || byte == kDelete)
-            out += fmt::format("\\u{:04X}", byte);
-        else
-            out += c;
-    }
-    return out + "\"";
+    std::string quoted;
+    for (const char c : text) quoted += c == '"' || c == '\\' ? std::string("\\") + c : std::string(1, c);
+    return "\"" + without_log_commands(without_invisible(quoted, escaped), "\\u0023") + "\"";
 }
 
 }  // namespace porttool

@@ -7,7 +7,8 @@
 
 namespace porttool {
 
-/// A text as a basic string of TOML 1.0, quoted: control characters as \uXXXX. The text must be UTF-8.
+/// A text as a basic string of TOML 1.0, quoted: what `visible` escapes as \uXXXX, so that it is read back
+/// as it was. The text must be UTF-8.
 std::string toml_string(std::string_view text);
 
 }  // namespace porttool

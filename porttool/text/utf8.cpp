@@ -26,26 +26,6 @@ namespace {
 
 constexpr std::string_view kReplacement = "\xEF\xBF\xBD";
 
-bool is_printable(std::string_view character) {
-    if (character.size() > 1) return character != "\xEF\xBF\xBE" && character != "\xEF\xBF\xBF";
-    const auto byte = static_cast<uint8_t>(character[0]);
-    return (byte >= 0x20 && byte != 0x7F) || byte == '\t' || byte == '\n';
-}
-
-/// Replaces what is no UTF-8, and what `keeps` does not keep.
-template <class Keeps>
-std::string replaced(std::string_view bytes, const Keeps& keeps) {
-    std::string out;
-    out.reserve(bytes.size());
-    while (!bytes.empty()) {
-        const size_t length = utf8_length(bytes);
-        const bool kept = length > 0 && keeps(bytes.substr(0, length));
-        out += kept ? bytes.substr(0, length) : kReplacement;
-        bytes.remove_prefix(length > 0 ? length : 1);
-    }
-    return out;
-}
-
 }  // namespace
 
 bool is_utf8(std::string_view bytes) {
@@ -58,9 +38,14 @@ bool is_utf8(std::string_view bytes) {
 }
 
 std::string as_utf8(std::string_view bytes) {
-    return replaced(bytes, [](std::string_view) { return true; });
+    std::string out;
+    out.reserve(bytes.size());
+    while (!bytes.empty()) {
+        const size_t length = utf8_length(bytes);
+        out += length > 0 ? bytes.substr(0, length) : kReplacement;
+        bytes.remove_prefix(length > 0 ? length : 1);
+    }
+    return out;
 }
-
-std::string as_printable(std::string_view bytes) { return replaced(bytes, is_printable); }
 
 }  // namespace porttool

@@ -16,8 +16,4 @@ size_t utf8_length(std::string_view text);
 /// The text with U+FFFD in the place of each byte that is no UTF-8.
 std::string as_utf8(std::string_view bytes);
 
-/// The same, also with U+FFFD for what a line of text, and XML 1.0, cannot hold: control characters other than tab and
-/// line break, U+FFFE and U+FFFF.
-std::string as_printable(std::string_view bytes);
-
 }  // namespace porttool

@@ -147,9 +147,9 @@ TEST(Texts, EveryFormatIsUtf8AndWellFormedWhateverTheSourceHolds) {
             ASSERT_EQ(got.exit_code, 1) << format << got.err;
             texts.push_back(got.out);
             for (const char c : got.out) ASSERT_TRUE(static_cast<unsigned char>(c) >= 32 || c == '\n') << format;
-            const bool traced = got.out.find("\xEF\xBF\xBD") != std::string::npos ||
-                                got.out.find("\xEF\xBF\xBE") != std::string::npos ||
-                                got.out.find("\\u00") != std::string::npos;
+            const bool traced =
+                got.out.find("\xEF\xBF\xBD") != std::string::npos || got.out.find("\\u{") != std::string::npos ||
+                got.out.find("\\u00") != std::string::npos || got.out.find("\\ufffe") != std::string::npos;
             EXPECT_TRUE(traced) << "lost without a trace in " << format << "\n" << got.out;
         }
         texts.push_back(run(disk, {"-C", "/r", "explain", "src/k.cu:f"}).out);

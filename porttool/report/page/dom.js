@@ -1,16 +1,29 @@
-// Elements and numbers. Text always goes in as text nodes, so that no source line is ever read as markup.
+// Elements and numbers. Text always goes in as text nodes, so that no source line is ever read as markup, and what
+// would reorder or hide it is shown as an escape, as in porttool's other outputs. Joiners and variation selectors stay
+// within emoji.
 
+const INVISIBLE = /[\x00-\x08\x0B-\x1F\x7F-\x9F\p{Default_Ignorable_Code_Point}\u2028\u2029\uFFF9-\uFFFB]/gu;
+const AFTER_PICTURE = /(?:\p{Extended_Pictographic}|\p{Emoji_Modifier}|\uFE0F)$/u;
+
+function visible(text) {
+  return String(text).replace(INVISIBLE, (character, at, all) => {
+    const isPart = (character === "\uFE0F" || character === "\u200D") && AFTER_PICTURE.test(all.slice(Math.max(0, at - 2), at));
+    return isPart ? character : `\\u{${character.codePointAt(0).toString(16)}}`;
+  });
+}
+
+const SHOWN = new Set(["title", "aria-label"]);  // attributes that a person reads or hears
 const SVG = "http://www.w3.org/2000/svg";
 
 function fill(node, attributes, children) {
   for (const [name, value] of Object.entries(attributes || {})) {
     if (value === null || value === undefined || value === false) continue;
     if (name.startsWith("on")) node.addEventListener(name.slice(2), value);
-    else node.setAttribute(name, value === true ? "" : String(value));
+    else node.setAttribute(name, value === true ? "" : SHOWN.has(name) ? visible(value) : String(value));
   }
   for (const child of children.flat(Infinity)) {
     if (child === null || child === undefined || child === false) continue;
-    node.append(child instanceof Node ? child : String(child));
+    node.append(child instanceof Node ? child : visible(child));
   }
   return node;
 }
