@@ -13,6 +13,7 @@ namespace render_system {
 struct LoadError {
     StatusCode code = StatusCode::unreadable;
     std::string message;  ///< without the file's name, which the border adds
+    bool hostile = false;  ///< no flaw of an exporter: the whole file is refused, even where a placeholder would do
 };
 
 /// `place` is where in the file, e.g. a JSON pointer; `what` is wrong there and, after a semicolon, what to do.
