@@ -46,8 +46,7 @@ Result<Camera> camera_of_scene(const Options& options, const HostScene& scene, C
                              fmt::format("--camera: there is no camera {}: {} {}", index, options.scene, offer));
     }
     console.note("no camera in the scene: the view is from +z and frames all of it");
-    const Camera camera =
-        framing_camera(scene, static_cast<float>(options.width) / static_cast<float>(options.height));
+    const Camera camera = framing_camera(scene, static_cast<float>(options.width) / static_cast<float>(options.height));
     const Status status = check_camera(camera);
     if (status.ok()) return camera;
     return Status::error(status.code, fmt::format("{}: seen whole at {}x{}, {}; or give --camera", options.scene,

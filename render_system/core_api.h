@@ -48,8 +48,8 @@ public:
     virtual Status SetSkyData(const CoreSky& sky) = 0;
 
     /// Sets mesh `mesh`; ids are dense, a new mesh has the next free id. Fails with invalid_argument on an index past
-    /// the vertices, spans of unequal length or an element that is not finite. What does not fit the budget is refused by Render, which knows all of
-    /// it.
+    /// the vertices, spans of unequal length or an element that is not finite. What does not fit the budget is refused
+    /// by Render, which knows all of it.
     virtual Status SetGeometry(uint32_t mesh, const CoreMesh& data) = 0;
 
     /// Puts mesh `mesh` into the scene as instance `instance` (dense ids), or moves it there. NONE as mesh hides it.
@@ -58,8 +58,8 @@ public:
 
     /// Takes `samples` more samples per pixel, at least 1, and writes the mean of all to the target. What has been set
     /// since the last call is built and uploaded first; out_of_memory is answered before anything is uploaded. Fails
-    /// with wrong_order without a target, invalid_argument on 0 samples, dangling ids, or a view or placed mesh past the
-    /// limits in scene_limits.h.
+    /// with wrong_order without a target, invalid_argument on 0 samples, dangling ids, or a view or placed mesh past
+    /// the limits in scene_limits.h.
     virtual Status Render(const ViewPyramid& view, Convergence convergence, uint32_t samples) = 0;
 
     /// Gives everything back. A second call does nothing.

@@ -49,9 +49,9 @@ Status validate_values(const CoreMesh& mesh) {
 }
 
 Status validate_light(const CoreLight& light) {
-    const int vertices = light.kind == LightKind::triangle                                     ? 3
+    const int vertices = light.kind == LightKind::triangle                                 ? 3
                          : light.kind == LightKind::point || light.kind == LightKind::spot ? 1
-                                                                                               : 0;
+                                                                                           : 0;
     for (int i = 0; i < vertices; ++i) {
         if (Status status = check_light_position(light.vertices[i]); !status.ok()) return status;
     }

@@ -82,8 +82,8 @@ private:
     std::vector<Mesh> meshes_;
     std::vector<Instance> instances_;
     mutable std::optional<Extent> extent_;  // none: something has changed
-    std::vector<uint32_t> last_textures_;  // of each material: the largest texture index + 1
-    uint32_t lights_last_texture_ = 0;     // the largest texture index + 1
+    std::vector<uint32_t> last_textures_;   // of each material: the largest texture index + 1
+    uint32_t lights_last_texture_ = 0;      // the largest texture index + 1
 };
 
 }  // namespace render_system

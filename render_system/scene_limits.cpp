@@ -136,7 +136,8 @@ Status check_view(const ViewPyramid& view) {
     double reach = 0.0;
     for (const glm::vec3& corner : {view.top_left, view.top_right, view.bottom_left}) {
         const double own = largest_coordinate(corner);
-        if (!(own <= FARTHEST_LOCAL)) return invalid("the screen's corners are too far apart; take a smaller field of view");
+        if (!(own <= FARTHEST_LOCAL))
+            return invalid("the screen's corners are too far apart; take a smaller field of view");
         reach = std::max(reach, largest_coordinate(corner - view.eye));
     }
     if (reach > 0.0) return Status::success();

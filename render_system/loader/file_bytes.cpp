@@ -31,8 +31,8 @@ void refuse_what_is_no_file(const struct stat& info) {
                        : S_ISFIFO(info.st_mode) ? "a pipe"
                        : S_ISSOCK(info.st_mode) ? "a socket"
                                                 : "a device";
-    throw LoadError{StatusCode::unreadable,
-                    std::string("is not a regular file but ") + kind + "; name the file itself", true};
+    throw LoadError{StatusCode::unreadable, std::string("is not a regular file but ") + kind + "; name the file itself",
+                    true};
 }
 
 // Closes the descriptor on every way out.

@@ -8,7 +8,8 @@
 
 namespace render_system {
 
-/// The one way in which files are read here: a file's content, mapped into memory: files of many gigabytes cost address space only until they are read.
+/// The one way in which files are read here: a file's content, mapped into memory: files of many gigabytes cost address
+/// space only until they are read.
 class FileBytes {
 public:
     FileBytes() = default;

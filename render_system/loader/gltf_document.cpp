@@ -135,7 +135,8 @@ GltfBuffer open_buffer(const json& entry, size_t index, const GltfDocument& docu
         buffer.bytes = buffer.decoded;
         source = "its data URI";
     } else {
-        const std::filesystem::path file = file_of_uri(uri, document.path.parent_path(), document.reach, place + "/uri");
+        const std::filesystem::path file =
+            file_of_uri(uri, document.path.parent_path(), document.reach, place + "/uri");
         source = file.string();
         try {
             buffer.file = FileBytes(file);

@@ -51,6 +51,7 @@ struct GltfDocument {
     tinygltf::Model model;
     std::vector<GltfBuffer> buffers;
     std::vector<GltfImage> images;
+    uint64_t geometry_bytes = 0;  ///< what the meshes read so far take, at least
     Omissions omissions;
     std::vector<std::string> warnings;
 

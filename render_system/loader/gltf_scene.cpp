@@ -103,6 +103,10 @@ public:
         for (size_t i : order) host_nodes[i] = carry(nodes_[i]);
         for (HostNode& node : host_nodes) scene().add_node(std::move(node));
         if (scene().triangle_count() == 0) {
+            if (first_hidden_ >= 0) {
+                fail_at(node_place(first_hidden_),
+                        "its mesh is scaled to nothing, and the scene has no other; scale it up");
+            }
             fail_at("", "the scene has no triangles; name a file with a mesh in its scene");
         }
         write_warnings();
@@ -147,6 +151,7 @@ private:
         if (mesh != mesh_ids_.end()) {
             const CoreTransform transform = core_transform(placed.world);
             const bool hidden = is_scaled_to_nothing(transform);
+            if (hidden && first_hidden_ < 0) first_hidden_ = placed.node;
             if (hidden)
                 document_.omissions.add("instances scaled to nothing", node_place(placed.node));
             else
@@ -230,6 +235,7 @@ private:
     LoadedScene loaded_;
     std::vector<PlacedNode> nodes_;
     std::map<int, uint32_t> mesh_ids_;
+    int first_hidden_ = -1;  // the first node whose mesh is scaled to nothing
 };
 
 }  // namespace

@@ -103,9 +103,9 @@ void read_strips(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, int chann
     std::vector<T> pixels(row * static_cast<size_t>(rows));
     for (int y = 0; y < spec.height; y += rows) {
         const int end = std::min(spec.height, y + rows);
-        const bool good = whole ? input.read_image(0, 0, 0, channels, type, pixels.data())
-                                : input.read_scanlines(0, 0, spec.y + y, spec.y + end, spec.z, 0, channels, type,
-                                                       pixels.data());
+        const bool good =
+            whole ? input.read_image(0, 0, 0, channels, type, pixels.data())
+                  : input.read_scanlines(0, 0, spec.y + y, spec.y + end, spec.z, 0, channels, type, pixels.data());
         if (!good) fail(last_error(input));
         take(pixels, static_cast<size_t>(spec.width) * static_cast<size_t>(end - y));
     }
@@ -160,9 +160,8 @@ Image read_image(std::span<const std::byte> bytes, const std::string& name) {
         const OIIO::TypeDesc type = as_stored ? OIIO::TypeUnknown : OIIO::TypeDesc(OIIO::TypeDesc::FLOAT);
         const int channels = std::min(spec.nchannels, 4);
         image.floats.reserve(texels);
-        read_strips<float>(*input, spec, channels, type, [&](const auto& pixels, size_t count) {
-            fill_floats(image, pixels, count, channels);
-        });
+        read_strips<float>(*input, spec, channels, type,
+                           [&](const auto& pixels, size_t count) { fill_floats(image, pixels, count, channels); });
     }
     return image;
 }

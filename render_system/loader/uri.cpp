@@ -145,8 +145,8 @@ std::filesystem::path file_of_uri(std::string_view uri, const std::filesystem::p
         uri.remove_prefix(5);
         if (uri.substr(0, 2) == "//") uri.remove_prefix(std::min(uri.find('/', 2), uri.size()));
     } else if (!scheme.empty()) {
-        fail_at(place, shown(whole) + " is not a local file; " + scheme +
-                           " is not supported: download it and name the copy");
+        fail_at(place,
+                shown(whole) + " is not a local file; " + scheme + " is not supported: download it and name the copy");
     }
     const std::string decoded = percent_decoded(uri);
     if (decoded.empty()) fail_at(place, "the URI is empty" + EXPORT_AGAIN);
