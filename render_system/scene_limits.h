@@ -9,7 +9,7 @@
 #include "render_system/status.h"
 
 // How large a scene may be and how far off its camera: where floats still hold the cores' arithmetic, and where Embree
-// does not end the process (decision 22). One place for the loaders, the render system and CoreContract.
+// does not end the process. One place for the loaders, the render system and CoreContract.
 
 namespace render_system {
 
