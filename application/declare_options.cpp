@@ -76,6 +76,7 @@ void declare_picture(CLI::App& app, Options& options) {
         app, "--sky", parse_sky, [&options](const SkyChoice& sky) { options.sky = sky; },
         "Constant radiance, or an HDR map (black; white where nothing emits)")
         ->type_name("R,G,B|FILE.hdr");
+    app.add_flag("--allow-outside", options.allow_outside, "Let the scene name files outside its own folder");
 }
 
 void declare_paths(CLI::App& app, Options& options) {

@@ -46,6 +46,7 @@ struct Options {
     bool russian_roulette = true;
     bool next_event_estimation = true;
     bool exact = false;
+    bool allow_outside = false;  ///< the scene may name files outside its folder
     CameraChoice camera;
     SkyChoice sky;
     uint32_t threads = 0;           ///< 0: all

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <optional>
 
+#include "render_system/scene_limits.h"
 #include "render_system/scene_loader.h"
 
 namespace application {
@@ -33,7 +34,11 @@ Status apply_camera_file(const CameraFile& file, HostScene& scene) {
 Result<Camera> camera_of_scene(const Options& options, const HostScene& scene, Console& console) {
     const auto& cameras = scene.cameras();
     const uint32_t index = options.camera.index.value_or(0);
-    if (index < cameras.size()) return cameras[index].camera;
+    if (index < cameras.size()) {
+        const Status status = check_camera(cameras[index].camera);
+        if (status.ok()) return cameras[index].camera;
+        return Status::error(status.code, fmt::format("{}: camera {}: {}", options.scene, index, status.message));
+    }
     if (options.camera.index) {
         const std::string offer = cameras.empty() ? "has no camera; leave --camera out for a view of the whole scene"
                                                   : fmt::format("has {}; the first is 0", cameras.size());
@@ -41,7 +46,11 @@ Result<Camera> camera_of_scene(const Options& options, const HostScene& scene, C
                              fmt::format("--camera: there is no camera {}: {} {}", index, options.scene, offer));
     }
     console.note("no camera in the scene: the view is from +z and frames all of it");
-    return framing_camera(scene, static_cast<float>(options.width) / static_cast<float>(options.height));
+    const Camera camera = framing_camera(scene, static_cast<float>(options.width) / static_cast<float>(options.height));
+    const Status status = check_camera(camera);
+    if (status.ok()) return camera;
+    return Status::error(status.code, fmt::format("{}: seen whole at {}x{}, {}; or give --camera", options.scene,
+                                                  options.width, options.height, status.message));
 }
 
 /// Camera, and what a camera file adds to the scene.
@@ -94,7 +103,7 @@ std::string default_picture_name(const std::string& scene) { return path(scene).
 
 Result<SceneSetup> set_up_scene(const Options& options, Console& console) {
     const auto start = std::chrono::steady_clock::now();
-    auto loaded = render_system::load_scene(scene_path(options.scene));
+    auto loaded = render_system::load_scene(scene_path(options.scene), {.allow_outside = options.allow_outside});
     if (!loaded.ok()) return loaded.status;
     for (const std::string& warning : loaded->warnings) console.warning(warning);
     HostScene& scene = loaded->scene;
@@ -103,6 +112,10 @@ Result<SceneSetup> set_up_scene(const Options& options, Console& console) {
     const auto camera = choose_camera(options, scene, sky_given, console);
     if (!camera.ok()) return camera.status;
     if (Status status = choose_sky(options, sky_given, scene, console); !status.ok()) return status;
+    const auto view = render_system::view_pyramid(*camera, options.width, options.height);
+    if (const Status status = check_scene_limits(scene, view); !status.ok()) {
+        return Status::error(status.code, options.scene + ": " + status.message);
+    }
 
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
     console.detail(

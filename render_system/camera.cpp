@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render_system/camera.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace render_system {
@@ -18,6 +19,14 @@ glm::dvec3 perpendicular_to(const glm::dvec3& direction, const glm::dvec3& wish)
         if (glm::length(part) > 1e-6) return glm::normalize(part);
     }
     return {0, 1, 0};
+}
+
+// How far from the eye the screen stands. Far from the origin floats are wider apart than a screen at distance 1 is
+// large, so that it moves away with the eye; a power of two changes no direction.
+float screen_distance(const glm::vec3& eye) {
+    constexpr float NEAR = 4096.0f, SHARE = 64.0f;
+    const float reach = std::max(std::max(std::abs(eye.x), std::abs(eye.y)), std::abs(eye.z));
+    return reach > NEAR && std::isfinite(reach) ? std::exp2(std::ceil(std::log2(reach / SHARE))) : 1.0f;
 }
 
 }  // namespace
@@ -38,9 +47,10 @@ Camera look_at(const glm::vec3& position, const glm::vec3& target, const glm::ve
 ViewPyramid view_pyramid(const Camera& camera, uint32_t width, uint32_t height) {
     const float half_height = static_cast<float>(std::tan(0.5 * static_cast<double>(camera.vertical_fov)));
     const float aspect = static_cast<float>(static_cast<double>(width) / static_cast<double>(height));
-    const glm::vec3 across = camera.right * (half_height * aspect);
-    const glm::vec3 upwards = camera.up * half_height;
-    const glm::vec3 middle = camera.position + camera.forward;
+    const float distance = screen_distance(camera.position);
+    const glm::vec3 across = camera.right * (half_height * aspect * distance);
+    const glm::vec3 upwards = camera.up * (half_height * distance);
+    const glm::vec3 middle = camera.position + camera.forward * distance;
     ViewPyramid view;
     view.eye = camera.position;
     view.top_left = middle - across + upwards;

@@ -22,8 +22,9 @@ struct Camera {
 /// -z where target and position coincide.
 Camera look_at(const glm::vec3& position, const glm::vec3& target, const glm::vec3& up, float vertical_fov);
 
-/// The screen of `camera` at distance 1 for a picture of width x height pixels: the vertical field of view is kept,
-/// the aspect follows the size.
+/// The screen of `camera` for a picture of width x height pixels: the vertical field of view is kept, the aspect
+/// follows the size. It stands at distance 1, farther off where the eye is so far from the origin that floats would
+/// blur it.
 ViewPyramid view_pyramid(const Camera& camera, uint32_t width, uint32_t height);
 
 }  // namespace render_system

@@ -40,24 +40,26 @@ public:
     /// invalid_argument if that leaves a gap. Texture indices are checked at Render.
     virtual Status SetMaterials(uint32_t first, std::span<const CoreMaterial> materials) = 0;
 
-    /// Replaces all lights. Fails with invalid_argument if lights and table differ in length.
+    /// Replaces all lights. Fails with invalid_argument if lights and table differ in length, or a light is not finite
+    /// or too far off.
     virtual Status SetLights(const CoreLights& lights) = 0;
 
     /// Replaces the sky. Fails with invalid_argument if the map's size and spans disagree.
     virtual Status SetSkyData(const CoreSky& sky) = 0;
 
     /// Sets mesh `mesh`; ids are dense, a new mesh has the next free id. Fails with invalid_argument on an index past
-    /// the vertices or spans of unequal length. What does not fit the budget is refused by Render, which knows all of
-    /// it.
+    /// the vertices, spans of unequal length or an element that is not finite. What does not fit the budget is refused
+    /// by Render, which knows all of it.
     virtual Status SetGeometry(uint32_t mesh, const CoreMesh& data) = 0;
 
     /// Puts mesh `mesh` into the scene as instance `instance` (dense ids), or moves it there. NONE as mesh hides it.
-    /// Fails with invalid_argument if the mesh does not exist or the matrix is not finite.
+    /// Fails with invalid_argument if the mesh does not exist, or the matrix is not finite or cannot be inverted.
     virtual Status SetInstance(uint32_t instance, uint32_t mesh, const CoreTransform& transform) = 0;
 
     /// Takes `samples` more samples per pixel, at least 1, and writes the mean of all to the target. What has been set
     /// since the last call is built and uploaded first; out_of_memory is answered before anything is uploaded. Fails
-    /// with wrong_order without a target, invalid_argument on 0 samples or dangling ids.
+    /// with wrong_order without a target, invalid_argument on 0 samples, dangling ids, or a view or placed mesh past
+    /// the limits in scene_limits.h.
     virtual Status Render(const ViewPyramid& view, Convergence convergence, uint32_t samples) = 0;
 
     /// Gives everything back. A second call does nothing.

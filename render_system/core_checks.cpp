@@ -3,8 +3,11 @@
 #include "render_system/core_checks.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <string>
+
+#include "render_system/scene_limits.h"
 
 namespace render_system {
 
@@ -19,6 +22,42 @@ Status unequal(const char* what, uint64_t got, uint64_t wanted) {
 
 bool finite(const glm::vec4& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z) && std::isfinite(v.w);
+}
+
+template <class T>
+bool all_finite(std::span<const T> values) {
+    // By the exponent's bits and without a way out, so that compilers make vectors of it.
+    constexpr uint32_t EXPONENT = 0x7F800000u;
+    uint32_t found = 0;
+    for (const T& value : values) {
+        for (int c = 0; c < T::length(); ++c) {
+            found |= (std::bit_cast<uint32_t>(value[c]) & EXPONENT) == EXPONENT ? 1u : 0u;
+        }
+    }
+    return found == 0;
+}
+
+// Nothing that a ray could start from or be bent by may be infinite or NaN: Embree ends the process over such rays.
+Status validate_values(const CoreMesh& mesh) {
+    const char* wrong = !all_finite(mesh.positions)  ? "positions"
+                        : !all_finite(mesh.normals)  ? "normals"
+                        : !all_finite(mesh.tangents) ? "tangents"
+                        : !all_finite(mesh.uv0)      ? "uv0"
+                        : !all_finite(mesh.uv1)      ? "uv1"
+                                                     : nullptr;
+    return wrong ? invalid(std::string("mesh: ") + wrong + " holds an element that is not finite") : Status::success();
+}
+
+Status validate_light(const CoreLight& light) {
+    const int vertices = light.kind == LightKind::triangle                                 ? 3
+                         : light.kind == LightKind::point || light.kind == LightKind::spot ? 1
+                                                                                           : 0;
+    for (int i = 0; i < vertices; ++i) {
+        if (Status status = check_light_position(light.vertices[i]); !status.ok()) return status;
+    }
+    const glm::vec3 values[] = {light.direction, light.emission};
+    if (!all_finite(std::span<const glm::vec3>(values))) return invalid("its direction or emission is not finite");
+    return Status::success();
 }
 
 Status validate_table(std::span<const AliasEntry> table, const char* owner) {
@@ -105,7 +144,7 @@ Status validate_mesh(const CoreMesh& mesh) {
                            ", but there are " + std::to_string(vertices) + " vertices");
         }
     }
-    return Status::success();
+    return validate_values(mesh);
 }
 
 Status validate_transform(const CoreTransform& transform) {
@@ -119,6 +158,10 @@ Status validate_lights(const CoreLights& lights) {
     if (lights.lights.size() != lights.table.size()) {
         return invalid("lights: " + std::to_string(lights.lights.size()) + " lights, but the table has " +
                        std::to_string(lights.table.size()) + " entries");
+    }
+    for (size_t i = 0; i < lights.lights.size(); ++i) {
+        const Status status = validate_light(lights.lights[i]);
+        if (!status.ok()) return invalid("light " + std::to_string(i) + ": " + status.message);
     }
     return validate_table(lights.table, "lights");
 }
@@ -207,18 +250,56 @@ Status CoreContract::check_instance(uint32_t instance, uint32_t mesh, const Core
         return invalid("SetInstance: mesh " + std::to_string(mesh) + " does not exist; there are " +
                        std::to_string(meshes_.size()));
     }
-    return validate_transform(transform);
+    Status status = validate_transform(transform);
+    if (!status.ok() || mesh == NONE || is_invertible(transform)) return status;
+    return invalid("instance: the matrix cannot be inverted");
 }
 
-Status CoreContract::check_render(uint32_t samples) const {
+// Worked out once for all calls of Render between two edits.
+const CoreContract::Extent& CoreContract::extent() const {
+    if (extent_) return *extent_;
+    extent_.emplace();
+    for (size_t i = 0; i < instances_.size(); ++i) {
+        const Instance& instance = instances_[i];
+        if (instance.mesh == NONE) continue;
+        const Placement placement = placement_of(meshes_[instance.mesh].box, instance.transform);
+        if (placement.reach >= extent_->farthest.reach) {
+            extent_->farthest = placement;
+            extent_->farthest_instance = i;
+        }
+        if (placement.inverse >= extent_->smallest.inverse) extent_->smallest = placement;
+        extent_->offset = std::max(extent_->offset, placement.offset);
+    }
+    return *extent_;
+}
+
+Status CoreContract::check_limits(const ViewPyramid& view) const {
+    if (Status status = check_view(view); !status.ok()) return invalid("Render: " + status.message);
+    const Extent& all = extent();
+    if (Status status = check_placement(all.farthest); !status.ok()) {
+        return invalid("Render: instance " + std::to_string(all.farthest_instance) + " " + status.message);
+    }
+    const double reach = std::max(largest_coordinate(view.eye), all.farthest.reach);
+    if (check_rays_into(all.smallest, reach + all.offset).ok()) return Status::success();
+    // Seldom reached: which of them it is.
+    for (size_t i = 0; i < instances_.size(); ++i) {
+        if (instances_[i].mesh == NONE) continue;
+        const Placement placement = placement_of(meshes_[instances_[i].mesh].box, instances_[i].transform);
+        const Status status = check_rays_into(placement, reach);
+        if (!status.ok()) return invalid("Render: instance " + std::to_string(i) + ": " + status.message);
+    }
+    return Status::success();
+}
+
+Status CoreContract::check_render(const ViewPyramid& view, uint32_t samples) const {
     if (Status order = check_open("Render"); !order.ok()) return order;
     if (!has_target_) return Status::error(StatusCode::wrong_order, "Render came before SetTarget");
     if (samples == 0) return invalid("Render: 0 samples; ask for at least 1");
-    for (size_t i = 0; i < instances_.size(); ++i) {
-        if (instances_[i] == NONE) continue;
-        const Mesh& mesh = meshes_[instances_[i]];
+    for (const Instance& instance : instances_) {
+        if (instance.mesh == NONE) continue;
+        const Mesh& mesh = meshes_[instance.mesh];
         if (mesh.triangles > 0 && mesh.last_material >= last_textures_.size()) {
-            return invalid("Render: mesh " + std::to_string(instances_[i]) + " uses material " +
+            return invalid("Render: mesh " + std::to_string(instance.mesh) + " uses material " +
                            std::to_string(mesh.last_material) + ", but there are " +
                            std::to_string(last_textures_.size()));
         }
@@ -233,7 +314,7 @@ Status CoreContract::check_render(uint32_t samples) const {
         return invalid("Render: a light uses texture " + std::to_string(lights_last_texture_ - 1) + ", but there are " +
                        std::to_string(textures_));
     }
-    return Status::success();
+    return check_limits(view);
 }
 
 void CoreContract::accept_init() { stage_ = Stage::open; }
@@ -256,21 +337,24 @@ void CoreContract::accept_lights(const CoreLights& lights) {
 
 void CoreContract::accept_geometry(uint32_t mesh, const CoreMesh& data) {
     if (mesh == meshes_.size()) meshes_.emplace_back();
-    meshes_[mesh] = {data.triangles.size(), 0};
+    meshes_[mesh] = {data.triangles.size(), 0, {}};
+    for (const glm::vec3& position : data.positions) meshes_[mesh].box.extend(position);
+    extent_.reset();
     for (const glm::uvec4& triangle : data.triangles) {
         meshes_[mesh].last_material = std::max(meshes_[mesh].last_material, triangle.w);
     }
 }
 
-void CoreContract::accept_instance(uint32_t instance, uint32_t mesh) {
-    if (instance == instances_.size()) instances_.emplace_back(NONE);
-    instances_[instance] = mesh;
+void CoreContract::accept_instance(uint32_t instance, uint32_t mesh, const CoreTransform& transform) {
+    if (instance == instances_.size()) instances_.emplace_back();
+    instances_[instance] = {mesh, transform};
+    extent_.reset();
 }
 
 uint64_t CoreContract::triangles() const {
     uint64_t sum = 0;
-    for (uint32_t mesh : instances_) {
-        if (mesh != NONE) sum += meshes_[mesh].triangles;
+    for (const Instance& instance : instances_) {
+        if (instance.mesh != NONE) sum += meshes_[instance.mesh].triangles;
     }
     return sum;
 }

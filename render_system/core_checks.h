@@ -3,9 +3,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "render_system/core_api.h"
+#include "render_system/scene_limits.h"
 
 // What core_api.h says must fail, checked in one place, so that all cores refuse the same things in the same words.
 
@@ -36,8 +38,9 @@ public:
     Status check_sky(const CoreSky& sky) const;
     Status check_geometry(uint32_t mesh, const CoreMesh& data) const;
     Status check_instance(uint32_t instance, uint32_t mesh, const CoreTransform& transform) const;
-    /// Order, the number of samples, then dangling ids: a triangle's material, a material's or a light's texture.
-    Status check_render(uint32_t samples) const;
+    /// Order, the number of samples, dangling ids (a triangle's material, a material's or a light's texture), then what
+    /// scene_limits.h bounds.
+    Status check_render(const ViewPyramid& view, uint32_t samples) const;
 
     void accept_init();
     void accept_target();
@@ -45,7 +48,7 @@ public:
     void accept_materials(uint32_t first, std::span<const CoreMaterial> materials);
     void accept_lights(const CoreLights& lights);
     void accept_geometry(uint32_t mesh, const CoreMesh& data);
-    void accept_instance(uint32_t instance, uint32_t mesh);
+    void accept_instance(uint32_t instance, uint32_t mesh, const CoreTransform& transform);
     void accept_shutdown();
 
     /// Triangles in all visible instances.
@@ -56,16 +59,31 @@ private:
     struct Mesh {
         uint64_t triangles = 0;
         uint32_t last_material = 0;  // the largest index used
+        Box box;                     // in its own space
+    };
+    struct Instance {
+        uint32_t mesh = NONE;
+        CoreTransform transform;
+    };
+    // Of all visible instances.
+    struct Extent {
+        Placement farthest;
+        size_t farthest_instance = 0;
+        Placement smallest;   // the one whose inverse enlarges most
+        double offset = 0.0;  // the largest
     };
     Status check_open(const char* call) const;
+    Status check_limits(const ViewPyramid& view) const;
+    const Extent& extent() const;
 
     Stage stage_ = Stage::created;
     bool has_target_ = false;
     uint64_t textures_ = 0;
     std::vector<Mesh> meshes_;
-    std::vector<uint32_t> instances_;      // the mesh of each
-    std::vector<uint32_t> last_textures_;  // of each material: the largest texture index + 1
-    uint32_t lights_last_texture_ = 0;     // the largest texture index + 1
+    std::vector<Instance> instances_;
+    mutable std::optional<Extent> extent_;  // none: something has changed
+    std::vector<uint32_t> last_textures_;   // of each material: the largest texture index + 1
+    uint32_t lights_last_texture_ = 0;      // the largest texture index + 1
 };
 
 }  // namespace render_system

@@ -168,11 +168,11 @@ void HostScene::set_node_transform(uint32_t id, const glm::dmat4& local) {
 
 // Parents come first, so one pass over what follows finds all that hangs below.
 void HostScene::place_subtree(uint32_t id) {
-    std::vector<bool> moved(nodes_.size(), false);
+    std::vector<bool> moved(nodes_.size() - id, false);  // from `id` on
     for (uint32_t i = id; i < nodes_.size(); ++i) {
         const HostNode& node = nodes_[i];
-        if (i != id && (node.parent == NONE || !moved[node.parent])) continue;
-        moved[i] = true;
+        if (i != id && (node.parent == NONE || node.parent < id || !moved[node.parent - id])) continue;
+        moved[i - id] = true;
         const glm::dmat4 world = node.parent == NONE ? node.local : node_worlds_[node.parent] * node.local;
         node_worlds_[i] = world;
         if (node.instance != NONE) set_instance_transform(node.instance, core_transform(world));

@@ -143,6 +143,9 @@ public:
     /// Moves a node and everything below it: instances, lights, cameras.
     void set_node_transform(uint32_t id, const glm::dmat4& local);
 
+    /// The box of a mesh in its own space.
+    const Box& mesh_box(uint32_t mesh) const { return mesh_boxes_[mesh]; }
+
     /// Triangles in all visible instances.
     uint64_t triangle_count() const;
 

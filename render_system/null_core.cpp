@@ -61,12 +61,12 @@ public:
 
     Status SetInstance(uint32_t instance, uint32_t mesh, const CoreTransform& transform) override {
         if (Status status = contract_.check_instance(instance, mesh, transform); !status.ok()) return status;
-        contract_.accept_instance(instance, mesh);
+        contract_.accept_instance(instance, mesh, transform);
         return Status::success();
     }
 
-    Status Render(const ViewPyramid&, Convergence convergence, uint32_t samples) override {
-        if (Status status = contract_.check_render(samples); !status.ok()) return status;
+    Status Render(const ViewPyramid& view, Convergence convergence, uint32_t samples) override {
+        if (Status status = contract_.check_render(view, samples); !status.ok()) return status;
         if (convergence == Convergence::Restart) restart();
         stats_.triangles = contract_.triangles();
         stats_.samples += samples;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "render_system/light_table.h"
+#include "render_system/scene_limits.h"
 
 namespace render_system {
 
@@ -98,7 +99,10 @@ Status RenderSystem::send_lights_and_sky() {
 }
 
 Status RenderSystem::render(const ViewPyramid& view, Convergence convergence, uint32_t samples) {
-    restart_ = restart_ || scene_.changes().any();
+    const bool changed = scene_.changes().any();
+    const Status limits = changed ? check_scene_limits(scene_, view) : check_view(view);
+    if (!limits.ok()) return limits;
+    restart_ = restart_ || changed;
     if (Status status = synchronize(); !status.ok()) return status;
     Status status = core_->Render(view, restart_ ? Convergence::Restart : convergence, samples);
     if (status.ok()) restart_ = false;

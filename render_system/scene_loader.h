@@ -19,10 +19,16 @@ struct LoadedScene {
     std::vector<std::string> warnings;
 };
 
+/// What the caller lets a scene do.
+struct LoadOptions {
+    bool allow_outside = false;  ///< buffers and images may lie outside the scene's folder
+};
+
 /// Reads a glTF 2.0 file (.gltf or .glb, told apart by content). Cameras are those of the scene's perspective camera
-/// nodes in node order; light intensities are taken as radiometric. Fails with not_found or unreadable; the message
-/// names the file, the place in it, what is wrong and what to do.
-Result<LoadedScene> load_scene(const std::filesystem::path& path);
+/// nodes in node order; light intensities are taken as radiometric. A buffer or image outside the scene's folder is
+/// refused unless allowed, and so is what a core could not take (scene_limits.h). Fails with not_found or unreadable;
+/// the message names the file, the place in it, what is wrong and what to do.
+Result<LoadedScene> load_scene(const std::filesystem::path& path, const LoadOptions& options = {});
 
 /// A one-sided quadrilateral light.
 struct QuadLight {

@@ -227,7 +227,7 @@ Status SourceCore::SetInstance(uint32_t instance, uint32_t mesh, const CoreTrans
     }
     return guarded([&] {
         scene_.set_instance(instance, mesh, transform);
-        contract_.accept_instance(instance, mesh);
+        contract_.accept_instance(instance, mesh, transform);
         return Status::success();
     });
 }
@@ -415,7 +415,7 @@ Status SourceCore::render_batches(const KernelSet& kernels, const Settings& sett
 }
 
 Status SourceCore::Render(const ViewPyramid& view, Convergence convergence, uint32_t samples) {
-    if (Status status = contract_.check_render(samples); !status.ok()) {
+    if (Status status = contract_.check_render(view, samples); !status.ok()) {
         return status;
     }
     return guarded([&] {

@@ -216,7 +216,7 @@ Status TargetCore::SetInstance(uint32_t instance, uint32_t mesh, const CoreTrans
     return guarded([&] {
         meshes_.set_instance(instance, mesh, transform);
         geometry_dirty_ = true;
-        contract_.accept_instance(instance, mesh);
+        contract_.accept_instance(instance, mesh, transform);
         return Status::success();
     });
 }
@@ -317,7 +317,7 @@ void TargetCore::measure_limit(const RayLog& log) {
 }
 
 Status TargetCore::Render(const ViewPyramid& view, Convergence convergence, uint32_t samples) {
-    if (Status status = contract_.check_render(samples); !status.ok()) {
+    if (Status status = contract_.check_render(view, samples); !status.ok()) {
         return status;
     }
     return guarded([&] {

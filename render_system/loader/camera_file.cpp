@@ -6,6 +6,7 @@
 
 #include "render_system/loader/file_bytes.h"
 #include "render_system/loader/load_error.h"
+#include "render_system/scene_limits.h"
 #include "render_system/scene_loader.h"
 
 namespace render_system {
@@ -48,7 +49,10 @@ QuadLight quad_light_of(const json& value, const std::string& place) {
     const json& corners = member(value, "corners", place);
     if (!corners.is_array() || corners.size() != 4) fail_at(place + "/corners", "must be four points");
     for (size_t i = 0; i < 4; ++i) {
-        light.corners[i] = vector_of(corners[i], place + "/corners/" + std::to_string(i));
+        const std::string corner = place + "/corners/" + std::to_string(i);
+        light.corners[i] = vector_of(corners[i], corner);
+        const Placement placement{.reach = largest_coordinate(light.corners[i])};
+        if (const Status status = check_placement(placement); !status.ok()) fail_at(corner, status.message);
     }
     light.radiance = radiance_of(member(value, "radiance", place), place + "/radiance");
     const glm::vec3 front = glm::cross(light.corners[1] - light.corners[0], light.corners[3] - light.corners[0]);
@@ -73,6 +77,7 @@ CameraFile camera_file_of(const json& root) {
         1e-6 * glm::length(glm::dvec3(target) - glm::dvec3(position)) * glm::length(glm::dvec3(up))) {
         fail_at("/up", "is parallel to the view; use a direction that is not");
     }
+    if (const Status status = check_camera({.position = position}); !status.ok()) fail_at("/position", status.message);
     file.camera = look_at(position, target, up, degrees * RADIANS_PER_DEGREE);
     file.has_sky = root.contains("sky_radiance");
     if (file.has_sky) file.sky_radiance = radiance_of(root["sky_radiance"], "/sky_radiance");

@@ -24,6 +24,17 @@ namespace {
     throw LoadError{StatusCode::unreadable, std::string("cannot be read (") + std::strerror(error) + ")"};
 }
 
+// What opening would wait for, or would set off, is asked for first: a pipe waits for its writer, a device may act.
+void refuse_what_is_no_file(const struct stat& info) {
+    if (S_ISREG(info.st_mode)) return;
+    const char* kind = S_ISDIR(info.st_mode)    ? "a folder"
+                       : S_ISFIFO(info.st_mode) ? "a pipe"
+                       : S_ISSOCK(info.st_mode) ? "a socket"
+                                                : "a device";
+    throw LoadError{StatusCode::unreadable, std::string("is not a regular file but ") + kind + "; name the file itself",
+                    true};
+}
+
 // Closes the descriptor on every way out.
 struct Descriptor {
     int number;
@@ -35,13 +46,14 @@ struct Descriptor {
 }  // namespace
 
 FileBytes::FileBytes(const std::filesystem::path& path) {
-    const Descriptor file{open(path.c_str(), O_RDONLY | O_CLOEXEC)};
-    if (file.number < 0) fail_open(errno);
     struct stat info {};
+    if (stat(path.c_str(), &info) != 0) fail_open(errno);
+    refuse_what_is_no_file(info);
+    // It may have been exchanged meanwhile: opening still does not wait, and what was opened is asked once more.
+    const Descriptor file{open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY)};
+    if (file.number < 0) fail_open(errno);
     if (fstat(file.number, &info) != 0) fail_open(errno);
-    if (!S_ISREG(info.st_mode)) {
-        throw LoadError{StatusCode::unreadable, "is not a regular file; name the file itself"};
-    }
+    refuse_what_is_no_file(info);
     if (info.st_size == 0) return;
     void* data = mmap(nullptr, static_cast<size_t>(info.st_size), PROT_READ, MAP_PRIVATE, file.number, 0);
     if (data == MAP_FAILED) fail_open(errno);

@@ -8,11 +8,13 @@
 
 namespace render_system {
 
-/// A file's content, mapped into memory: files of many gigabytes cost address space only until they are read.
+/// The one way in which files are read here: a file's content, mapped into memory: files of many gigabytes cost address
+/// space only until they are read.
 class FileBytes {
 public:
     FileBytes() = default;
-    /// Throws LoadError: not_found if there is no such file, unreadable if it is a folder or cannot be opened.
+    /// Throws LoadError: not_found if there is no such file, unreadable if it cannot be opened or is no regular file (a
+    /// folder, pipe, socket or device), at once and without waiting.
     explicit FileBytes(const std::filesystem::path& path);
     FileBytes(FileBytes&& other) noexcept;
     FileBytes& operator=(FileBytes&& other) noexcept;

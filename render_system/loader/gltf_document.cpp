@@ -10,7 +10,6 @@
 
 #include "render_system/loader/gltf_schema.h"
 #include "render_system/loader/load_error.h"
-#include "render_system/loader/uri.h"
 
 namespace render_system {
 
@@ -136,7 +135,8 @@ GltfBuffer open_buffer(const json& entry, size_t index, const GltfDocument& docu
         buffer.bytes = buffer.decoded;
         source = "its data URI";
     } else {
-        const std::filesystem::path file = file_of_uri(uri, document.path.parent_path(), place + "/uri");
+        const std::filesystem::path file =
+            file_of_uri(uri, document.path.parent_path(), document.reach, place + "/uri");
         source = file.string();
         try {
             buffer.file = FileBytes(file);
@@ -164,6 +164,17 @@ GltfImage image_of(json& entry, const std::string& place) {
     image.buffer_view = entry.value("bufferView", -1);
     image.mime_type = entry.value("mimeType", "");
     return image;
+}
+
+// An image that cannot be read has a placeholder in its stead, but one that lies out of reach ends the loading, used or
+// not.
+void check_reach(const GltfDocument& document, const std::string& uri, const std::string& place) {
+    if (uri.empty() || is_data_uri(uri)) return;
+    try {
+        file_of_uri(uri, document.path.parent_path(), document.reach, place);
+    } catch (const LoadError& error) {
+        if (error.hostile) throw;
+    }
 }
 
 // Accessors without a buffer view are legal, but tinygltf refuses them as indices: they get a view of their own, which
@@ -252,9 +263,10 @@ void GltfDocument::release_pages() const {
     for (const GltfBuffer& buffer : buffers) buffer.file.release_pages();
 }
 
-GltfDocument open_gltf(const std::filesystem::path& path) {
+GltfDocument open_gltf(const std::filesystem::path& path, Reach reach) {
     GltfDocument document;
     document.path = path;
+    document.reach = reach;
     document.file = FileBytes(path);
     const Container container = open_container(document.file.bytes());
     json root = parse_json(container.text);
@@ -270,7 +282,9 @@ GltfDocument open_gltf(const std::filesystem::path& path) {
     }
     if (root.contains("images")) {
         for (size_t i = 0; i < root["images"].size(); ++i) {
-            document.images.push_back(image_of(root["images"][i], "/images/" + std::to_string(i)));
+            const std::string place = "/images/" + std::to_string(i);
+            document.images.push_back(image_of(root["images"][i], place));
+            check_reach(document, document.images.back().uri, place + "/uri");
         }
     }
     document.model = parse_model(root);

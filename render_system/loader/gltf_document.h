@@ -12,6 +12,7 @@
 
 #include "render_system/loader/file_bytes.h"
 #include "render_system/loader/tinygltf_model.h"
+#include "render_system/loader/uri.h"
 
 namespace render_system {
 
@@ -45,10 +46,12 @@ private:
 /// its buffer. `model.buffers` and `model.images` are empty; `buffers` and `images` stand in their place.
 struct GltfDocument {
     std::filesystem::path path;
+    Reach reach = Reach::folder;
     FileBytes file;
     tinygltf::Model model;
     std::vector<GltfBuffer> buffers;
     std::vector<GltfImage> images;
+    uint64_t geometry_bytes = 0;  ///< what the meshes read so far take, at least
     Omissions omissions;
     std::vector<std::string> warnings;
 
@@ -57,7 +60,8 @@ struct GltfDocument {
     void release_pages() const;
 };
 
-/// Reads and checks a .gltf or .glb file and opens its buffers. Throws LoadError.
-GltfDocument open_gltf(const std::filesystem::path& path);
+/// Reads and checks a .gltf or .glb file and opens its buffers. Throws LoadError, also where a buffer or an image lies
+/// beyond `reach`.
+GltfDocument open_gltf(const std::filesystem::path& path, Reach reach);
 
 }  // namespace render_system

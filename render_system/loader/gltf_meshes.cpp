@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render_system/loader/gltf_meshes.h"
 
+#include <unistd.h>
+
 #include <cmath>
 #include <string>
 
@@ -49,6 +51,10 @@ glm::vec3 flat_normal(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c
     return size > 0.0 && std::isfinite(size) ? glm::vec3(way / size) : glm::vec3(0.0f, 0.0f, 1.0f);
 }
 
+uint64_t machine_memory() {
+    return static_cast<uint64_t>(sysconf(_SC_PHYS_PAGES)) * static_cast<uint64_t>(sysconf(_SC_PAGE_SIZE));
+}
+
 // Adds the primitives of one glTF mesh to one HostMesh.
 class MeshReader {
 public:
@@ -71,7 +77,8 @@ public:
     }
 
 private:
-    // Growing by doubling would cost as much again as the mesh itself.
+    // Growing by doubling would cost as much again as the mesh itself. Primitives may share their accessors, so that a
+    // small file can ask for more than any machine has: that is found here, before memory is taken.
     void reserve() {
         uint64_t vertices = 0;
         uint64_t triangles = 0;
@@ -83,6 +90,11 @@ private:
             const uint64_t own = triangle_count(primitive.mode, corners);
             triangles += own;
             vertices += attribute(primitive, "NORMAL") == MISSING ? 3 * own : count;
+        }
+        document_.geometry_bytes += vertices * 2 * sizeof(glm::vec3) + triangles * sizeof(glm::uvec4);
+        if (document_.geometry_bytes > machine_memory()) {
+            fail_at(mesh_place_, "with it the meshes take " + std::to_string(document_.geometry_bytes >> 20) +
+                                     " MiB, more memory than this machine has; split the scene");
         }
         constexpr uint64_t WORTH_IT = 1 << 16;
         if (vertices < WORTH_IT && triangles < WORTH_IT) return;

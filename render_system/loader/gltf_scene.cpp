@@ -12,6 +12,7 @@
 #include "render_system/loader/gltf_materials.h"
 #include "render_system/loader/gltf_meshes.h"
 #include "render_system/loader/load_error.h"
+#include "render_system/scene_limits.h"
 #include "render_system/scene_loader.h"
 
 namespace render_system {
@@ -75,16 +76,18 @@ std::vector<PlacedNode> place_nodes(const tinygltf::Model& model) {
 }
 
 // A matrix that flattens everything leaves no normals, and no way back from world to object space.
-bool is_singular(const glm::dmat4& world) {
-    const CoreTransform t = core_transform(world);
-    const glm::dvec3 x(t.rows[0]), y(t.rows[1]), z(t.rows[2]);
-    const double size = glm::length(x) * glm::length(y) * glm::length(z);
-    return !(std::abs(glm::dot(x, glm::cross(y, z))) > 1e-12 * size) || !(size > 0.0);
+bool is_scaled_to_nothing(const CoreTransform& world) {
+    // What is not invertible for being too large is none of this.
+    constexpr float LARGE = 1e9f;
+    for (const glm::vec4& row : world.rows) {
+        if (!(largest_coordinate(glm::vec3(row)) <= static_cast<double>(LARGE))) return false;
+    }
+    return !is_invertible(world);
 }
 
 class SceneReader {
 public:
-    explicit SceneReader(const std::filesystem::path& path) : document_(open_gltf(path)) {}
+    SceneReader(const std::filesystem::path& path, Reach reach) : document_(open_gltf(path, reach)) {}
 
     LoadedScene read() {
         if (document_.model.scenes.empty()) {
@@ -100,6 +103,10 @@ public:
         for (size_t i : order) host_nodes[i] = carry(nodes_[i]);
         for (HostNode& node : host_nodes) scene().add_node(std::move(node));
         if (scene().triangle_count() == 0) {
+            if (first_hidden_ >= 0) {
+                fail_at(node_place(first_hidden_),
+                        "its mesh is scaled to nothing, and the scene has no other; scale it up");
+            }
             fail_at("", "the scene has no triangles; name a file with a mesh in its scene");
         }
         write_warnings();
@@ -142,14 +149,34 @@ private:
         host.local = local_transform(node, node_place(placed.node));
         const auto mesh = mesh_ids_.find(node.mesh);
         if (mesh != mesh_ids_.end()) {
-            const bool hidden = is_singular(placed.world);
-            if (hidden) document_.omissions.add("instances scaled to nothing", node_place(placed.node));
-            host.instance = scene().add_instance(hidden ? NONE : mesh->second, core_transform(placed.world));
+            const CoreTransform transform = core_transform(placed.world);
+            const bool hidden = is_scaled_to_nothing(transform);
+            if (hidden && first_hidden_ < 0) first_hidden_ = placed.node;
+            if (hidden)
+                document_.omissions.add("instances scaled to nothing", node_place(placed.node));
+            else
+                check_instance(placed.node, mesh->second, transform);
+            host.instance = scene().add_instance(hidden ? NONE : mesh->second, transform);
         }
         if (node.camera >= 0) host.camera = add_camera(placed.node, node.camera);
         const auto light = node.extensions.find("KHR_lights_punctual");
-        if (light != node.extensions.end()) host.light = add_light(light->second.Get("light").GetNumberAsInt());
+        if (light != node.extensions.end()) {
+            host.light = add_light(light->second.Get("light").GetNumberAsInt());
+            fail_unless(check_light_position(glm::vec3(placed.world[3])), node_place(placed.node));
+        }
         return host;
+    }
+
+    static void fail_unless(const Status& status, const std::string& place) {
+        if (!status.ok()) fail_at(place, status.message);
+    }
+
+    void check_instance(int node, uint32_t mesh, const CoreTransform& transform) {
+        const std::string place = node_place(node) + mesh_name(scene(), mesh);
+        if (!is_invertible(transform)) fail_at(place, "its transform is too large for floats; scale the scene down");
+        const Placement placement = placement_of(scene().mesh_box(mesh), transform);
+        fail_unless(check_placement(placement), place);
+        fail_unless(check_rays_into(placement, placement.reach), place);
     }
 
     uint32_t add_camera(int node, int index) {
@@ -208,13 +235,14 @@ private:
     LoadedScene loaded_;
     std::vector<PlacedNode> nodes_;
     std::map<int, uint32_t> mesh_ids_;
+    int first_hidden_ = -1;  // the first node whose mesh is scaled to nothing
 };
 
 }  // namespace
 
-Result<LoadedScene> load_scene(const std::filesystem::path& path) {
+Result<LoadedScene> load_scene(const std::filesystem::path& path, const LoadOptions& options) {
     try {
-        return SceneReader(path).read();
+        return SceneReader(path, options.allow_outside ? Reach::anywhere : Reach::folder).read();
     } catch (const LoadError& error) {
         return Status::error(error.code, path.string() + ": " + error.message);
     } catch (const std::bad_alloc&) {

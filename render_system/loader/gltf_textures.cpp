@@ -65,7 +65,11 @@ uint32_t GltfTextures::load(int texture, const Key& key) {
     try {
         if (key.image < 0) fail_at("", "has no image in a supported format");
         result = build_texture(read(key.image), key.role, key.mips);
-    } catch (const LoadError& error) {
+    } catch (LoadError& error) {
+        if (error.hostile) {
+            error.message = image_place(key.image) + ": " + error.message;
+            throw;
+        }
         warn(texture, key.image, error.message);
         if (key.role == TextureRole::data) return NONE;
         result = build_texture(placeholder_image(), key.role, false);
@@ -84,7 +88,7 @@ Image GltfTextures::read(int image) const {
     const GltfImage& source = document_.images[static_cast<size_t>(image)];
     if (source.buffer_view >= 0) return read_image(document_.view_bytes(source.buffer_view), source.mime_type);
     if (is_data_uri(source.uri)) return read_image(decode_data_uri(source.uri, ""), "");
-    const std::filesystem::path file = file_of_uri(source.uri, document_.path.parent_path(), "");
+    const std::filesystem::path file = file_of_uri(source.uri, document_.path.parent_path(), document_.reach, "");
     try {
         const FileBytes bytes(file);
         return read_image(bytes.bytes(), file.string());

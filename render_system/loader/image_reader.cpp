@@ -22,6 +22,8 @@ using Bytes = std::span<const std::byte>;
 
 // 16384 x 16384; more than that is a broken header rather than a texture.
 constexpr uint64_t MOST_TEXELS = uint64_t{1} << 28;
+// Four channels of the largest picture.
+constexpr uint64_t MOST_VALUES = 4 * MOST_TEXELS;
 // No format here packs much tighter than 1000 : 1, so a short file cannot hold a large picture.
 constexpr uint64_t MOST_COMPRESSION = 4096;
 
@@ -70,6 +72,9 @@ void check_size(const OIIO::ImageSpec& spec, size_t file_size) {
     if (spec.width < 1 || spec.height < 1 || spec.nchannels < 1) fail("has no pixels (" + size + ")");
     const uint64_t texels = static_cast<uint64_t>(spec.width) * static_cast<uint64_t>(spec.height);
     if (texels > MOST_TEXELS || spec.depth > 1) fail("is too large (" + size + "); 16384x16384 is the most");
+    if (texels * static_cast<uint64_t>(spec.nchannels) > MOST_VALUES) {
+        fail("is too large (" + size + " with " + std::to_string(spec.nchannels) + " channels)");
+    }
     if (texels / MOST_COMPRESSION > file_size) fail("is far too short for its " + size + " pixels; it is cut off");
 }
 
@@ -87,26 +92,33 @@ glm::vec<4, T> rgba_of(const T* texel, int channels, T one) {
     return {texel[0], texel[1], texel[2], channels >= 4 ? texel[3] : one};
 }
 
-template <class T>
-std::vector<T> read_pixels(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, int channels, OIIO::TypeDesc type) {
-    std::vector<T> pixels(static_cast<size_t>(spec.width) * static_cast<size_t>(spec.height) *
-                          static_cast<size_t>(channels));
-    if (!input.read_image(0, 0, 0, channels, type, pixels.data())) fail(last_error(input));
-    return pixels;
+// Hands the picture over strip by strip, with the number of texels in each: a second copy of all of it is never there,
+// and a header that promises too much costs only what the file then really holds.
+template <class T, class Take>
+void read_strips(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, int channels, OIIO::TypeDesc type, Take take) {
+    constexpr int STRIP = 256;  // the most rows that a format packs together
+    const bool whole = spec.tile_width > 0;
+    const size_t row = static_cast<size_t>(spec.width) * static_cast<size_t>(channels);
+    const int rows = whole ? spec.height : std::min(spec.height, STRIP);
+    std::vector<T> pixels(row * static_cast<size_t>(rows));
+    for (int y = 0; y < spec.height; y += rows) {
+        const int end = std::min(spec.height, y + rows);
+        const bool good =
+            whole ? input.read_image(0, 0, 0, channels, type, pixels.data())
+                  : input.read_scanlines(0, 0, spec.y + y, spec.y + end, spec.z, 0, channels, type, pixels.data());
+        if (!good) fail(last_error(input));
+        take(pixels, static_cast<size_t>(spec.width) * static_cast<size_t>(end - y));
+    }
 }
 
-void fill_bytes(Image& image, const std::vector<uint8_t>& pixels, int channels) {
-    const size_t count = static_cast<size_t>(image.width) * image.height;
-    image.bytes.reserve(count);
+void fill_bytes(Image& image, const std::vector<uint8_t>& pixels, size_t count, int channels) {
     for (size_t i = 0; i < count; ++i) {
         const glm::u8vec4 c = rgba_of<uint8_t>(&pixels[i * static_cast<size_t>(channels)], channels, 255);
         image.bytes.push_back(uint32_t{c.x} | uint32_t{c.y} << 8 | uint32_t{c.z} << 16 | uint32_t{c.w} << 24);
     }
 }
 
-void fill_floats(Image& image, const std::vector<float>& pixels, int channels) {
-    const size_t count = static_cast<size_t>(image.width) * image.height;
-    image.floats.reserve(count);
+void fill_floats(Image& image, const std::vector<float>& pixels, size_t count, int channels) {
     for (size_t i = 0; i < count; ++i) {
         image.floats.push_back(rgba_of<float>(&pixels[i * static_cast<size_t>(channels)], channels, 1.0f));
     }
@@ -133,17 +145,23 @@ Image read_image(std::span<const std::byte> bytes, const std::string& name) {
     Image image;
     image.width = static_cast<uint32_t>(spec.width);
     image.height = static_cast<uint32_t>(spec.height);
+    const size_t texels = static_cast<size_t>(image.width) * image.height;
     // Without a type, pixels come as they are in the file: OpenImageIO then needs no buffer of its own, which would be
     // of 16 MiB. That takes all channels.
     if (spec.format == OIIO::TypeDesc::UINT8) {
-        fill_bytes(image, read_pixels<uint8_t>(*input, spec, spec.nchannels, OIIO::TypeUnknown), spec.nchannels);
+        image.bytes.reserve(texels);
+        read_strips<uint8_t>(*input, spec, spec.nchannels, OIIO::TypeUnknown, [&](const auto& pixels, size_t count) {
+            fill_bytes(image, pixels, count, spec.nchannels);
+        });
     } else {
         // 16-bit integers become 0 to 1, which is what the texture builder expects of them.
         image.is_hdr = spec.format.is_floating_point();
         const bool as_stored = spec.format == OIIO::TypeDesc::FLOAT && spec.nchannels <= 4;
         const OIIO::TypeDesc type = as_stored ? OIIO::TypeUnknown : OIIO::TypeDesc(OIIO::TypeDesc::FLOAT);
         const int channels = std::min(spec.nchannels, 4);
-        fill_floats(image, read_pixels<float>(*input, spec, channels, type), channels);
+        image.floats.reserve(texels);
+        read_strips<float>(*input, spec, channels, type,
+                           [&](const auto& pixels, size_t count) { fill_floats(image, pixels, count, channels); });
     }
     return image;
 }

@@ -12,7 +12,8 @@ namespace render_system {
 /// How a loader gives up. Thrown only inside `loader/`; each public function turns it into a Status at its border.
 struct LoadError {
     StatusCode code = StatusCode::unreadable;
-    std::string message;  ///< without the file's name, which the border adds
+    std::string message;   ///< without the file's name, which the border adds
+    bool hostile = false;  ///< no flaw of an exporter: the whole file is refused, even where a placeholder would do
 };
 
 /// `place` is where in the file, e.g. a JSON pointer; `what` is wrong there and, after a semicolon, what to do.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <system_error>
 
 #include "render_system/loader/load_error.h"
 
@@ -78,6 +79,41 @@ std::string scheme_of(std::string_view uri) {
     return scheme;
 }
 
+std::string shown(std::string_view uri) {
+    constexpr size_t LONGEST = 80;
+    return "\"" + std::string(uri.substr(0, LONGEST)) + (uri.size() > LONGEST ? "..." : "") + "\"";
+}
+
+[[noreturn]] void fail_outside(std::string_view uri, const std::string& place) {
+    throw LoadError{StatusCode::unreadable,
+                    place + ": " + shown(uri) +
+                        " leads out of the scene's folder; copy the file into it, or give --allow-outside if you "
+                        "trust the scene",
+                    true};
+}
+
+// Refused whatever lies there: what is absolute, here or on another system, and backslashes that step out.
+bool leaves_by_name(std::string name) {
+    if (name.size() > 1 && name[1] == ':' && std::isalpha(static_cast<unsigned char>(name[0]))) return true;
+    const bool foreign = name.find('\\') != std::string::npos;
+    std::replace(name.begin(), name.end(), '\\', '/');
+    if (name.front() == '/') return true;
+    return foreign && *std::filesystem::path(name).lexically_normal().begin() == "..";
+}
+
+// The file behind all links, which must lie below the folder behind all links.
+std::filesystem::path file_within(const std::filesystem::path& folder, const std::string& name, std::string_view uri,
+                                  const std::string& place) {
+    std::error_code error;
+    const std::filesystem::path root = std::filesystem::canonical(folder.empty() ? "." : folder, error);
+    if (error) return folder / name;  // opening it says why
+    const std::filesystem::path file = std::filesystem::weakly_canonical(root / name, error);
+    if (error) return folder / name;
+    const auto parted = std::mismatch(root.begin(), root.end(), file.begin(), file.end());
+    if (parted.first != root.end()) fail_outside(uri, place);
+    return folder / file.lexically_relative(root);
+}
+
 }  // namespace
 
 bool is_data_uri(std::string_view uri) { return scheme_of(uri.substr(0, 5)) == "data"; }
@@ -100,19 +136,24 @@ std::vector<std::byte> decode_data_uri(std::string_view uri, const std::string& 
     return bytes;
 }
 
-std::filesystem::path file_of_uri(std::string_view uri, const std::filesystem::path& folder, const std::string& place) {
+std::filesystem::path file_of_uri(std::string_view uri, const std::filesystem::path& folder, Reach reach,
+                                  const std::string& place) {
+    const std::string_view whole = uri;
     const std::string scheme = scheme_of(uri);
     if (scheme == "file") {
+        if (reach == Reach::folder) fail_outside(whole, place);
         uri.remove_prefix(5);
         if (uri.substr(0, 2) == "//") uri.remove_prefix(std::min(uri.find('/', 2), uri.size()));
     } else if (!scheme.empty()) {
-        fail_at(place, "\"" + std::string(uri.substr(0, 80)) + "\" is not a local file; " + scheme +
-                           " is not supported: download it and name the copy");
+        fail_at(place,
+                shown(whole) + " is not a local file; " + scheme + " is not supported: download it and name the copy");
     }
     const std::string decoded = percent_decoded(uri);
     if (decoded.empty()) fail_at(place, "the URI is empty" + EXPORT_AGAIN);
     if (decoded.find('\0') != std::string::npos) fail_at(place, "the URI contains a zero byte" + EXPORT_AGAIN);
-    return folder / decoded;
+    if (reach == Reach::anywhere) return folder / decoded;
+    if (leaves_by_name(decoded)) fail_outside(whole, place);
+    return file_within(folder, decoded, whole, place);
 }
 
 }  // namespace render_system

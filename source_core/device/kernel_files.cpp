@@ -3,21 +3,15 @@
 #include "source_core/device/kernel_files.h"
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
+
+#include "render_system/input_file.h"
 
 namespace source_core {
 
 namespace {
 
-Result<std::string> read_text(const std::filesystem::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    if (!file) {
-        return Status::error(StatusCode::not_found,
-                             path.string() + ": cannot read this kernel; it is needed in the folder of kernels");
-    }
-    return std::string(std::istreambuf_iterator<char>(file), {});
-}
+// Ours have at most some thousand bytes.
+constexpr uint64_t LARGEST_KERNEL = uint64_t{1} << 24;
 
 }  // namespace
 
@@ -34,8 +28,10 @@ Result<std::map<std::string, std::string>> read_kernel_files(const std::string& 
         return Status::error(StatusCode::not_found, directory + ": the folder of kernels does not exist");
     }
     for (auto& [name, text] : files) {
-        Result<std::string> read = read_text(std::filesystem::path(directory) / name);
+        Result<std::string> read =
+            render_system::read_input_file(std::filesystem::path(directory) / name, LARGEST_KERNEL);
         if (!read.ok()) {
+            read.status.message += "; this kernel is needed in the folder of kernels";
             return read.status;
         }
         text = std::move(*read);
@@ -45,7 +41,7 @@ Result<std::map<std::string, std::string>> read_kernel_files(const std::string& 
         if (!entry.is_regular_file(error) || files.contains(name)) {
             continue;  // a file that somebody added beside ours may be included too
         }
-        Result<std::string> read = read_text(entry.path());
+        Result<std::string> read = render_system::read_input_file(entry.path(), LARGEST_KERNEL);
         if (read.ok()) {
             files.emplace(name, std::move(*read));
         }

@@ -303,6 +303,47 @@ TYPED_TEST_P(CoreContractSuite, RefusesInstancesOfNothingAndMatricesThatAreNotFi
     this->expect_refused(this->core_->SetInstance(0, 0, transform));
 }
 
+TYPED_TEST_P(CoreContractSuite, RefusesWhatRaysCannotReachOrStartFrom) {
+    SKIP_WITHOUT_DEVICE();
+    const float infinite = std::numeric_limits<float>::infinity(), none = std::numeric_limits<float>::quiet_NaN();
+    this->send(ContractScene());
+    this->expect_ok(this->core_->SetTarget(this->target()));
+    const std::vector<glm::vec4> before = this->render();
+    for (const float eye : {none, infinite, 2e18f, -1.1e12f}) {
+        ViewPyramid view = contract_view();
+        view.eye.x = eye;
+        this->expect_refused(this->core_->Render(view, Convergence::Restart, 1));
+        view = contract_view();
+        view.top_left.y = eye * 1e7f;
+        this->expect_refused(this->core_->Render(view, Convergence::Restart, 1));
+    }
+    ViewPyramid nothing;
+    nothing.top_left = nothing.top_right = nothing.bottom_left = nothing.eye;
+    this->expect_refused(this->core_->Render(nothing, Convergence::Restart, 1));
+    ContractScene scene;
+    scene.positions[2].x = none;
+    this->expect_refused(this->core_->SetGeometry(0, scene.mesh()));
+    scene = ContractScene();
+    scene.normals[0].z = infinite;
+    this->expect_refused(this->core_->SetGeometry(0, scene.mesh()));
+    scene = ContractScene();
+    scene.lights[0].vertices[0].x = 2e18f;
+    this->expect_refused(this->core_->SetLights(scene.light_table()));
+    CoreTransform flat;
+    flat.rows[1] = glm::vec4(0.0f);
+    this->expect_refused(this->core_->SetInstance(0, 0, flat));
+    CoreTransform far;
+    far.rows[0].w = 2e18f;
+    this->expect_ok(this->core_->SetInstance(0, 0, far));
+    this->expect_refused(this->core_->Render(contract_view(), Convergence::Restart, 1));
+    CoreTransform tiny;  // from the eye, 3e18 in the mesh's own space
+    tiny.rows[0].x = 1e-18f;
+    this->expect_ok(this->core_->SetInstance(0, 0, tiny));
+    this->expect_refused(this->core_->Render(contract_view(), Convergence::Restart, 1));
+    this->expect_ok(this->core_->SetInstance(0, 0, CoreTransform()));
+    EXPECT_EQ(this->render(), before);
+}
+
 TYPED_TEST_P(CoreContractSuite, RefusesTablesOfTheWrongLength) {
     SKIP_WITHOUT_DEVICE();
     const ContractScene scene;
@@ -389,8 +430,8 @@ REGISTER_TYPED_TEST_SUITE_P(CoreContractSuite, NothingWorksBeforeInitOrAfterShut
                             ATargetOfAnotherSizeStartsAnew, AnEmptySceneIsAllSky,
                             RefusesTargetsAndSettingsThatMakeNoSense, RefusesTexturesThatAreNoMipChain,
                             RefusesGapsInNumberedThings, RefusesMeshesThatContradictThemselves,
-                            RefusesInstancesOfNothingAndMatricesThatAreNotFinite, RefusesTablesOfTheWrongLength,
-                            DanglingIdsAreRefusedAtRender, AFailedCallLeavesWhatWasSetBefore,
-                            EditsTakeEffectWithTheNextRender);
+                            RefusesInstancesOfNothingAndMatricesThatAreNotFinite, RefusesWhatRaysCannotReachOrStartFrom,
+                            RefusesTablesOfTheWrongLength, DanglingIdsAreRefusedAtRender,
+                            AFailedCallLeavesWhatWasSetBefore, EditsTakeEffectWithTheNextRender);
 
 }  // namespace render_system::testing

@@ -56,15 +56,16 @@ TEST(LoaderContainer, TakesWholeNumbersWrittenWithAPoint) {
     EXPECT_EQ(loaded(file).triangle_count(), 1u);
 }
 
-TEST(LoaderContainer, FilesMayLieOutsideTheScenesFolder) {
+TEST(LoaderContainer, FilesMayLieOutsideTheScenesFolderWhereAllowed) {
+    const LoadOptions allowed{.allow_outside = true};
     const TempFolder folder;
     std::filesystem::create_directory(folder / "scenes");
     const GltfFile file = one_triangle();
     write_file(folder / "data.bin", file.buffer);
     write_file(folder / "scenes/scene.gltf", file.text_external("../data.bin"));
-    EXPECT_TRUE(load_scene(folder / "scenes/scene.gltf").ok());
+    EXPECT_TRUE(load_scene(folder / "scenes/scene.gltf", allowed).ok());
     write_file(folder / "scenes/absolute.gltf", file.text_external("file://" + (folder / "data.bin").string()));
-    EXPECT_TRUE(load_scene(folder / "scenes/absolute.gltf").ok());
+    EXPECT_TRUE(load_scene(folder / "scenes/absolute.gltf", allowed).ok());
 }
 
 TEST(LoaderBadInput, AMissingFile) {

@@ -15,6 +15,7 @@
 #include "render_system/light_table.h"
 #include "render_system/loader/image_reader.h"
 #include "render_system/loader/load_error.h"
+#include "render_system/scene_limits.h"
 #include "tests/render_system/gltf_file.h"
 
 namespace render_system::testing {
@@ -95,9 +96,10 @@ void collect(json& value, std::vector<json*>& all) {
 }
 
 json odd_value(Dice& dice) {
-    const json values[] = {0,       1,   -1,    2147483647, 2147483648u, 4294967295u, 9007199254740993, 1e300,
-                           -1e-300, 0.5, "",    "x",        true,        nullptr,     json::array(),    json::object(),
-                           {1, 2},  3,   65535, "data:,"};
+    const json values[] = {
+        0,       1,   -1,    2147483647, 2147483648u, 4294967295u, 9007199254740993, 1e300,
+        -1e-300, 0.5, "",    "x",        true,        nullptr,     json::array(),    json::object(),
+        {1, 2},  3,   65535, "data:,",   1e18,        1e-18,       "../../x",        "file:/etc/passwd"};
     return values[dice.below(std::size(values))];
 }
 
@@ -167,6 +169,9 @@ void expect_sound(const HostScene& scene) {
     for (const HostInstance& instance : scene.instances()) {
         ASSERT_TRUE(instance.mesh == NONE || instance.mesh < scene.meshes().size());
         ASSERT_TRUE(validate_transform(instance.transform).ok());
+        if (instance.mesh == NONE) continue;
+        ASSERT_TRUE(is_invertible(instance.transform));
+        ASSERT_TRUE(check_placement(placement_of(scene.mesh_box(instance.mesh), instance.transform)).ok());
     }
     for (const HostMaterial& material : scene.materials()) {
         const CoreMaterial& m = material.core;

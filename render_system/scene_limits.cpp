@@ -1,0 +1,189 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "render_system/scene_limits.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+namespace render_system {
+
+namespace {
+
+Status invalid(std::string message) { return Status::error(StatusCode::invalid_argument, std::move(message)); }
+
+// A number for a person: 3e+18, 0.25.
+std::string shown(double number) {
+    char text[32];
+    std::snprintf(text, sizeof(text), "%.6g", number);
+    return text;
+}
+
+// The matrix without its translation, and what its inverse is made of. Cofactors are sums of the products' sizes: what
+// cancels out in one order of operations may not in another.
+struct Linear {
+    double m[3][3];
+    double determinant = 0.0;
+    double volume = 0.0;  // the determinant's products, without their signs
+    double cofactors[3][3];
+
+    explicit Linear(const CoreTransform& transform) {
+        for (int r = 0; r < 3; ++r) {
+            for (int c = 0; c < 3; ++c) m[r][c] = static_cast<double>(transform.rows[r][c]);
+        }
+        for (int r = 0; r < 3; ++r) {
+            for (int c = 0; c < 3; ++c) set_cofactor(r, c);
+        }
+    }
+
+private:
+    void set_cofactor(int r, int c) {
+        const int r1 = (r + 1) % 3, r2 = (r + 2) % 3, c1 = (c + 1) % 3, c2 = (c + 2) % 3;
+        const double one = m[r1][c1] * m[r2][c2], other = m[r1][c2] * m[r2][c1];
+        cofactors[r][c] = std::abs(one) + std::abs(other);
+        if (r > 0) return;
+        determinant += m[0][c] * (one - other);
+        volume += std::abs(m[0][c]) * cofactors[0][c];
+    }
+};
+
+glm::dvec3 placed(const CoreTransform& transform, const glm::dvec3& point, bool as_size) {
+    glm::dvec3 result;
+    for (int r = 0; r < 3; ++r) {
+        glm::dvec3 row(transform.rows[r]);
+        if (as_size) row = glm::abs(row);
+        result[r] = glm::dot(row, point) + (as_size ? 0.0 : static_cast<double>(transform.rows[r].w));
+    }
+    return result;
+}
+
+Status check_eye(const glm::vec3& eye) {
+    const double reach = largest_coordinate(eye);
+    if (reach <= static_cast<double>(FARTHEST_EYE)) return Status::success();
+    return invalid("the eye is at " + shown(static_cast<double>(eye.x)) + ", " + shown(static_cast<double>(eye.y)) +
+                   ", " + shown(static_cast<double>(eye.z)) + "; coordinates up to " +
+                   shown(static_cast<double>(FARTHEST_EYE)) + " can be rendered: move the camera or scale the scene");
+}
+
+std::string instance_name(const HostScene& scene, size_t instance) {
+    return "instance " + std::to_string(instance) + mesh_name(scene, scene.instances()[instance].mesh) + ": ";
+}
+
+}  // namespace
+
+std::string mesh_name(const HostScene& scene, uint32_t mesh) {
+    const std::string& name = scene.meshes()[mesh].name;
+    return name.empty() ? "" : " (mesh \"" + name + "\")";
+}
+
+double largest_coordinate(const glm::vec3& point) {
+    const glm::dvec3 size = glm::abs(glm::dvec3(point));
+    return std::isnan(size.x + size.y + size.z) ? std::nan("") : std::max(size.x, std::max(size.y, size.z));
+}
+
+bool is_invertible(const CoreTransform& transform) {
+    // Inside the range of a float by a hundredfold either way, for the products on the way to the inverse.
+    constexpr double SMALLEST = 1e-36, LARGEST = 1e36;
+    // Rounding moves a determinant by some 1e-7 of its products.
+    constexpr double CANCELLED = 1e-5;
+    const Linear linear(transform);
+    const double size = std::abs(linear.determinant);
+    if (!(size > CANCELLED * linear.volume && size >= SMALLEST && linear.volume <= LARGEST)) return false;
+    for (const auto& row : linear.cofactors) {
+        for (const double cofactor : row) {
+            if (!(cofactor <= LARGEST)) return false;
+        }
+    }
+    return true;
+}
+
+Placement placement_of(const Box& box, const CoreTransform& transform) {
+    Placement placement;
+    for (const glm::vec4& row : transform.rows) {
+        placement.offset = std::max(placement.offset, std::abs(static_cast<double>(row.w)));
+    }
+    const Linear linear(transform);
+    for (int c = 0; c < 3; ++c) {
+        double row = 0.0;
+        for (int r = 0; r < 3; ++r) row += linear.cofactors[r][c];
+        placement.inverse = std::max(placement.inverse, row / std::abs(linear.determinant));
+    }
+    if (box.empty()) return placement;
+    const glm::dvec3 lower(box.lower), upper(box.upper);
+    const glm::dvec3 middle = glm::abs(placed(transform, 0.5 * (lower + upper), false));
+    const glm::dvec3 half = placed(transform, 0.5 * (upper - lower), true);
+    for (int i = 0; i < 3; ++i) placement.reach = std::max(placement.reach, middle[i] + half[i]);
+    return placement;
+}
+
+Status check_placement(const Placement& placement) {
+    if (placement.reach <= static_cast<double>(FARTHEST_VERTEX)) return Status::success();
+    return invalid("reaches to a coordinate of " + shown(placement.reach) + "; up to " +
+                   shown(static_cast<double>(FARTHEST_VERTEX)) + " can be rendered: scale the scene down");
+}
+
+Status check_rays_into(const Placement& placement, double reach) {
+    const double local = placement.inverse * (reach + placement.offset);
+    if (local <= FARTHEST_LOCAL && placement.inverse <= FARTHEST_LOCAL) return Status::success();
+    return invalid("its matrix scales so far down that a ray from a coordinate of " + shown(reach) +
+                   " would start at " + shown(local) + " in the mesh's own space; up to " + shown(FARTHEST_LOCAL) +
+                   " can be traced: apply the scale to the mesh itself");
+}
+
+Status check_view(const ViewPyramid& view) {
+    if (Status status = check_eye(view.eye); !status.ok()) return status;
+    double reach = 0.0;
+    for (const glm::vec3& corner : {view.top_left, view.top_right, view.bottom_left}) {
+        const double own = largest_coordinate(corner);
+        if (!(own <= FARTHEST_LOCAL))
+            return invalid("the screen's corners are too far apart; take a smaller field of view");
+        reach = std::max(reach, largest_coordinate(corner - view.eye));
+    }
+    if (reach > 0.0) return Status::success();
+    return invalid("the screen's corners coincide with the eye");
+}
+
+Status check_camera(const Camera& camera) {
+    if (Status status = check_eye(camera.position); !status.ok()) return status;
+    for (const glm::vec3& direction : {camera.right, camera.up, camera.forward}) {
+        if (!(largest_coordinate(direction) <= 2.0)) return invalid("the camera's directions are not of unit length");
+    }
+    return Status::success();
+}
+
+Status check_light_position(const glm::vec3& position) {
+    const double reach = largest_coordinate(position);
+    if (reach <= static_cast<double>(FARTHEST_EYE)) return Status::success();
+    return invalid("the light is at a coordinate of " + shown(reach) + "; up to " +
+                   shown(static_cast<double>(FARTHEST_EYE)) + " can be rendered: scale the scene down");
+}
+
+Status check_scene_limits(const HostScene& scene, const ViewPyramid& view) {
+    if (Status status = check_view(view); !status.ok()) return status;
+    double reach = largest_coordinate(view.eye);
+    std::vector<std::pair<size_t, Placement>> placements;
+    for (size_t i = 0; i < scene.instances().size(); ++i) {
+        const HostInstance& instance = scene.instances()[i];
+        if (instance.mesh == NONE) continue;
+        if (!is_invertible(instance.transform)) {
+            return invalid(instance_name(scene, i) + "its matrix cannot be inverted; hide the instance instead");
+        }
+        const Placement placement = placement_of(scene.mesh_box(instance.mesh), instance.transform);
+        Status status = check_placement(placement);
+        if (!status.ok()) return invalid(instance_name(scene, i) + status.message);
+        reach = std::max(reach, placement.reach);
+        placements.emplace_back(i, placement);
+    }
+    for (const auto& [i, placement] : placements) {
+        Status status = check_rays_into(placement, reach);
+        if (!status.ok()) return invalid(instance_name(scene, i) + status.message);
+    }
+    for (const PunctualLight& light : scene.punctual_lights()) {
+        Status status = check_light_position(light.position);
+        if (!status.ok()) return invalid("light \"" + light.name + "\": " + status.message);
+    }
+    return Status::success();
+}
+
+}  // namespace render_system
