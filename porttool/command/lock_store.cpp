@@ -132,7 +132,7 @@ std::string lock_path(const Project& project) { return folder_of_map(project) + 
 
 RecordedLock load_lock(const Project& project, const Disk& disk, const States& today) {
     const FileText file = disk.read(beside_map(project, "portmap.lock"), kLargestFile);
-    if (!file.error.empty() && disk.exists(lock_path(project)))
+    if (!file.error.empty() && disk.kind(beside_map(project, "portmap.lock")) != FileKind::None)
         throw CannotDo(terminal_text(lock_path(project)) + " " + file.error +
                        "; restore it from git, or remove it and run: porttool init");
     if (!file.error.empty())

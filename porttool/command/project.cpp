@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "porttool/judge/resolve.h"
 #include "porttool/scan/scan.h"
 #include "porttool/text/sink/terminal.h"
 
@@ -115,12 +116,29 @@ void require_sides_beneath(const Project& project) {
     require_beneath(project.map.target, target_root(project), "target");
 }
 
+namespace {
+
+/// The files of one side that the map's pairs name.
+std::set<std::string> named_files(const MapFile& map, bool source) {
+    std::set<std::string> out;
+    for (const MapPair& pair : map.pairs) {
+        if (source) out.insert(split_id(pair.source).first);
+        for (const std::string& target : pair.targets)
+            if (!source) out.insert(split_id(target).first);
+    }
+    return out;
+}
+
+}  // namespace
+
 void read_sides(Project& project, Workplace& place) {
     std::vector<std::string> unmatched;
     const Reach reach = project.globs_given ? Reach::Anywhere : Reach::Beneath;
-    const SourceSet source = read_globs(place.disk, project.root, project.map.source, unmatched, reach);
+    const SourceSet source =
+        read_globs(place.disk, project.root, project.map.source, unmatched, reach, named_files(project.map, true));
     require_matches(unmatched, "source");
-    const SourceSet target = read_globs(place.disk, target_root(project), project.map.target, unmatched, reach);
+    const SourceSet target = read_globs(place.disk, target_root(project), project.map.target, unmatched, reach,
+                                        named_files(project.map, false));
     require_matches(unmatched, "target");
     project.source = scan_all(source);
     project.target = scan_all(target);

@@ -109,6 +109,7 @@ std::string RealDisk::remove(const TreePath& path) {
     const FolderBeneath at = folder_beneath(path);
     if (!at.error.empty()) return at.error;
     if (::unlinkat(at.folder.get(), at.name.c_str(), 0) == 0 || errno == ENOENT) return {};
+    if (errno == EISDIR && ::unlinkat(at.folder.get(), at.name.c_str(), AT_REMOVEDIR) == 0) return {};
     return std::string("cannot be removed: ") + std::strerror(errno);
 }
 

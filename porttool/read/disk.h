@@ -66,6 +66,7 @@ public:
     virtual std::string write(const std::string& path, const std::string& bytes) = 0;
     /// The same beneath a root; makes the file's folder there.
     virtual std::string write(const TreePath& path, const std::string& bytes) = 0;
+    /// Removes a file, or an empty folder; what is not there is no error.
     virtual std::string remove(const TreePath& path) = 0;
     /// Waits until no other process holds the guard of this file.
     virtual TakenGuard guard(const TreePath& path) = 0;

@@ -93,7 +93,10 @@ SourceSet read_all(const Disk& disk, const FoundFiles& found) {
 }
 
 void add_refused(SourceSet& set, const Walker& walker) {
-    set.skipped.insert(set.skipped.end(), walker.refused().begin(), walker.refused().end());
+    for (const SkippedFile& folder : walker.refused())
+        if (std::none_of(set.skipped.begin(), set.skipped.end(),
+                         [&](const SkippedFile& known) { return known.file == folder.file; }))
+            set.skipped.push_back(folder);
 }
 
 bool leads_out(const std::string& path) { return path.starts_with('/') || path == ".." || path.starts_with("../"); }
@@ -168,14 +171,14 @@ class GlobReader {
 public:
     GlobReader(const Disk& disk, const std::string& root, Reach reach) : disk_(disk), root_(root), reach_(reach) {}
 
-    /// How many files a glob matches.
-    size_t take(const std::string& text) {
+    /// How many files a glob matches, those that are `named` even where they are ignored.
+    size_t take(const std::string& text, const std::set<std::string>& named) {
         const Glob glob = glob_below(root_, text);
         size_t count = 0;
         // `src/*.inc` asks for that suffix, `src/*` for what is known to be source.
         const bool names_suffix = text.find('.', text.find_last_of('/') + 1) != std::string::npos;
-        const auto take_file = [&](const std::string& file, const TreePath& place, bool named) {
-            if (!glob.matches(file) || (!named && language_of_path(file) == Language::Unknown)) return;
+        const auto take_file = [&](const std::string& file, const TreePath& place, bool by_suffix) {
+            if (!glob.matches(file) || (!by_suffix && language_of_path(file) == Language::Unknown)) return;
             ++count;
             found_.emplace(file, place);
         };
@@ -187,6 +190,9 @@ public:
         }
         for (const std::string& folder : glob.roots())
             for (const auto& [file, place] : files_below(folder)) take_file(file, place, names_suffix);
+        for (const std::string& file : named)
+            if (!found_.contains(file) && glob.matches(file) && disk_.kind({root_, file}) != FileKind::None)
+                take_file(file, {root_, file}, names_suffix);
         return count;
     }
 
@@ -217,10 +223,10 @@ private:
 }  // namespace
 
 SourceSet read_globs(const Disk& disk, const std::string& root, const std::vector<std::string>& globs,
-                     std::vector<std::string>& unmatched, Reach reach) {
+                     std::vector<std::string>& unmatched, Reach reach, const std::set<std::string>& named) {
     GlobReader reader(disk, root, reach);
     for (const std::string& text : globs)
-        if (reader.take(text) == 0) unmatched.push_back(text);
+        if (reader.take(text, named) == 0) unmatched.push_back(text);
     return reader.read();
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -41,9 +42,11 @@ SourceSet read_paths(const Disk& disk, const std::string& root, const std::vecto
 enum class Reach : uint8_t { Beneath, Anywhere };
 
 /// Reads what matches the globs under `root`; a glob that matches nothing is reported in `unmatched`. What lies out of
-/// the root is skipped and named.
+/// the root is skipped and named. Files in `named` are read where a glob matches them, whatever .gitignore says: git
+/// tracks a file that was ignored later, and so does a map.
 SourceSet read_globs(const Disk& disk, const std::string& root, const std::vector<std::string>& globs,
-                     std::vector<std::string>& unmatched, Reach reach = Reach::Beneath);
+                     std::vector<std::string>& unmatched, Reach reach = Reach::Beneath,
+                     const std::set<std::string>& named = {});
 
 /// True for a glob that names files elsewhere than beneath the root.
 bool leads_out_of(const std::string& root, const std::string& glob);

@@ -1,0 +1,340 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+// What a pull request may try on the gate that checks it (docs/security.md). The oracle is the disk: a secret that must
+// not show in any output, and files that must not change.
+#include <sys/stat.h>
+
+#include <functional>
+
+#include "porttool/read/lock_file.h"
+#include "tests/porttool/temporary_repository.h"
+
+namespace porttool::testing {
+namespace {
+namespace fs = std::filesystem;
+
+const std::string kSource =
+    "__device__ float f(float x) {\n    return x * 2.0f;\n}\n__device__ float g(float x) {\n    float y = x + 1.0f;\n  "
+    "  return y * 3.0f;\n}\n";
+const std::string kTarget =
+    "float f(float x) {\n    return x * 2.0f;\n}\nfloat g(float x) {\n    float y = x + 1.0f;\n    return y * "
+    "3.0f;\n}\n";
+const std::string kSecret = "ghs_TheTokenOfTheCheckout";
+
+class HostileChange : public TemporaryRepository {
+protected:
+    void SetUp() override {
+        TemporaryRepository::SetUp();
+        if (IsSkipped()) return;
+        outside = root.string() + "_outside";
+        fs::remove_all(outside);
+        fs::create_directories(outside);
+        std::ofstream(outside / "0123456789abcdef") << kSecret;
+        std::ofstream(outside / "notes.txt") << "precious";
+        std::ofstream(outside / "secret.cu") << "float " << kSecret << "(float x) { return x * 7.0f; }\n";
+        write("src/k.cu", kSource);
+        write("port/k.cpp", kTarget);
+        ASSERT_EQ(porttool({"init", "--source", "src/*", "--target", "port/*"}).exit_code, 0);
+        commit("start");
+        std::ofstream(root / ".git" / "config", std::ios::app)
+            << "[http]\n\textraheader = AUTHORIZATION: basic " << kSecret << "\n";
+    }
+    void TearDown() override {
+        fs::remove_all(outside);
+        TemporaryRepository::TearDown();
+    }
+    void edit_both() {
+        write("src/k.cu", replaced(kSource, "3.0f", "4.0f"));
+        write("port/k.cpp", replaced(kTarget, "3.0f", "5.0f"));
+    }
+    void link(const fs::path& target, const std::string& name) const {
+        fs::remove_all(root / name);
+        fs::create_symlink(target, root / name);
+    }
+    /// No command in any format shows the secret or harms what lies outside; each ends with a code of ours.
+    void expect_harmless() {
+        const std::vector<std::vector<std::string>> commands = {
+            {"check"},
+            {"check", "--format", "json"},
+            {"check", "--format", "markdown"},
+            {"check", "--format", "sarif"},
+            {"check", "--base", "main", "--format", "json"},
+            {"check", "--base", "main", "--trusted-map"},
+            {"explain", "src/k.cu:g"},
+            {"scan", root.string(), "--format", "json"},
+            {"map", "--format", "json"},
+            {"report", "--format", "html"},
+            {"accept", "src/k.cu:g"},
+            {"ignore", "src/k.cu:f", "--reason", "x"},
+            {"accept", "--all", "--force"},
+            {"init", "--force"},
+            {"init", "--force", "--source", "src/*", "--target", "port/*"}};
+        for (const auto& command : commands) {
+            const CommandRun got = porttool(command);
+            EXPECT_TRUE(got.exit_code >= 0 && got.exit_code <= 2) << command[0];
+            EXPECT_EQ((got.out + got.err).find(kSecret), std::string::npos) << command[0] << "\n" << got.out << got.err;
+            EXPECT_TRUE(got.exit_code < 2 || got.out.empty()) << command[0];
+        }
+        EXPECT_EQ(read_text(outside / "0123456789abcdef"), kSecret);
+        EXPECT_EQ(read_text(outside / "notes.txt"), "precious");
+        EXPECT_EQ(std::distance(fs::directory_iterator(outside), fs::directory_iterator()), 3);
+        EXPECT_NE(read_text(root / ".git" / "config").find(kSecret), std::string::npos);
+    }
+
+    fs::path outside;
+};
+
+TEST_F(HostileChange, ALinkedBaseFolderIsRefused) {
+    for (const bool within : {false, true}) {
+        if (within) fs::create_directories(root / "other");
+        link(within ? fs::path("other") : outside, "portmap.base");
+        for (const auto& command : std::vector<std::vector<std::string>>{
+                 {"check"}, {"accept", "--all"}, {"ignore", "src/k.cu:f", "--reason", "x"}, {"init", "--force"}}) {
+            const CommandRun got = porttool(command);
+            EXPECT_EQ(got.exit_code, 2) << command[0];
+            EXPECT_NE(got.err.find("portmap.base: is a link"), std::string::npos) << got.err;
+        }
+    }
+    expect_harmless();
+}
+
+TEST_F(HostileChange, PrintsThatArePathsAreRefused) {
+    const std::string good = read_text(root / "portmap.lock");
+    const std::string print = read_lock(good).lock.pairs.at(0).source_prints.written;
+    for (const std::string& path : {std::string("../.git/config"), (outside / "notes.txt").string(),
+                                    std::string("../../") + outside.filename().string() + "/notes.txt",
+                                    std::string("."), std::string("0123456789abcde/")}) {
+        write("portmap.lock", replaced(good, print, path));
+        const CommandRun got = porttool({"check", "--format", "markdown"});
+        EXPECT_EQ(got.exit_code, 2) << path;
+        EXPECT_NE(got.err.find("is no fingerprint"), std::string::npos) << got.err;
+    }
+    expect_harmless();
+}
+
+TEST_F(HostileChange, LinkedOrForgedBaseTextsAreNotShown) {
+    const auto texts = [&] {
+        std::vector<std::string> names;
+        for (const auto& entry : fs::directory_iterator(root / "portmap.base"))
+            names.push_back("portmap.base/" + entry.path().filename().string());
+        return names;
+    };
+    edit_both();
+    for (const fs::path& target : {fs::path("../.git/config"), outside / "0123456789abcdef"}) {
+        for (const std::string& name : texts()) link(target, name);
+        const auto got = nlohmann::json::parse(porttool({"check", "--format", "json"}).out);
+        EXPECT_EQ(got["verdict"], "drift") << "an edit whose earlier text is not known stays loud";
+    }
+    // A text that makes the two edits look alike, under the name of another.
+    for (const std::string& name : texts()) {
+        fs::remove(root / name);
+        write(name, "float @ ( float x ) {\nreturn x ;\n}\n");
+    }
+    EXPECT_EQ(porttool({"check"}).exit_code, 1);
+    expect_harmless();
+}
+
+TEST_F(HostileChange, SourcesMapAndLockThatLeadOutAreNotRead) {
+    struct Row {
+        const char* file;
+        fs::path target;
+        int exit_code;
+    };
+    const std::vector<Row> rows = {
+        {"src/k.cu", outside / "secret.cu", 1},
+        {"src/k.cu", "../.git/config", 1},
+        {"src/k.cu", "../../" + outside.filename().string() + "/secret.cu", 1},
+        {"port/k.cpp", outside / "secret.cu", 0},
+        {"src", outside, 1},
+        {"src", ".git", 1},
+        {"src/sub", outside, 0},
+        {"src/new.cu", outside / "secret.cu", 0},
+        {"src/new.cu", "/proc/self/environ", 0},
+        {"src/.gitignore", outside / "notes.txt", 0},
+        {"portmap.toml", outside / "notes.txt", 2},
+        {"portmap.toml", ".git/config", 2},
+        {"portmap.lock", outside / "notes.txt", 2},
+        {"portmap.lock", ".git/config", 2},
+        {"portmap.lock", outside / "new", 2},
+    };
+    for (const Row& row : rows) {
+        link(row.target, row.file);
+        const CommandRun got = porttool({"check"});
+        EXPECT_EQ(got.exit_code, row.exit_code) << row.file << " -> " << row.target << "\n" << got.out << got.err;
+        const bool is_source = std::string(row.file) != "src/.gitignore" && std::string(row.file) != "src/sub";
+        if (is_source) {
+            EXPECT_TRUE((got.out + got.err).find("and is not followed") != std::string::npos ||
+                        (got.out + got.err).find("lies in .git") != std::string::npos)
+                << row.file << " is named\n"
+                << got.out << got.err;
+        }
+        expect_harmless();
+        git("checkout -q -f main && git -C '" + root.string() + "' clean -qfd");
+    }
+}
+
+TEST_F(HostileChange, GlobsOfAMapStayBeneathTheRoot) {
+    const std::string map = read_text(root / "portmap.toml");
+    const std::string up = "../" + outside.filename().string();
+    for (const std::string& glob :
+         {std::string("../**"), up + "/*.cu", "src/../" + up + "/*.cu",
+          "{src,../" + outside.filename().string() + "}/*.cu", outside.string() + "/*.cu", std::string("/etc/*"),
+          std::string("../"), std::string(".."), std::string("src/../../**/*.cu"), std::string(".git/config"),
+          std::string(".git/*"), std::string("{.git/config,src/*}")}) {
+        write("portmap.toml", replaced(map, "\"src/*\"", "\"" + glob + "\", \"src/*\""));
+        const CommandRun got = porttool({"check"});
+        EXPECT_TRUE(got.exit_code == 2 || got.out.find("lies in .git") != std::string::npos)
+            << glob << got.out << got.err;
+        EXPECT_EQ((got.out + got.err).find(kSecret), std::string::npos) << glob;
+    }
+    write("portmap.toml", map);
+    const CommandRun own = porttool({"map", "--source", up + "/*.cu", "--target", "port/*", "--format", "json"});
+    EXPECT_EQ(own.exit_code, 0) << "globs of the command line are the user's own: " << own.err;
+    EXPECT_NE(own.out.find(kSecret), std::string::npos);
+    fs::remove(root / "portmap.toml");
+    EXPECT_EQ(porttool({"init", "--force", "--source", up + "/*.cu", "--target", "port/*"}).exit_code, 2);
+    EXPECT_FALSE(fs::exists(root / "portmap.toml"));
+}
+
+TEST_F(HostileChange, ATargetRootIsTheDeclaredWayOut) {
+    write("../" + outside.filename().string() + "/k.cpp", kTarget);
+    const std::string map = replaced(read_text(root / "portmap.toml"), "[sides]",
+                                     "[sides]\ntarget_root = \"../" + outside.filename().string() + "\"");
+    std::string flat = map;
+    while (flat.find("port/k.cpp") != std::string::npos) flat = replaced(flat, "port/k.cpp", "k.cpp");
+    write("portmap.toml", replaced(flat, "port/*", "k.cpp"));
+    EXPECT_EQ(porttool({"init", "--force"}).exit_code, 0);
+    EXPECT_EQ(porttool({"check"}).exit_code, 0);
+    write("portmap.toml", replaced(flat, "port/*", "../" + root.filename().string() + "/port/*"));
+    EXPECT_EQ(porttool({"check"}).exit_code, 2) << "but its globs stay beneath it";
+}
+
+TEST_F(HostileChange, FilesThatCannotBeReadDoNotPassAsGone) {
+    const std::vector<std::pair<std::string, std::string>> rows = {
+        {std::string("// \0\n", 5) + replaced(kSource, "3.0f", "4.0f"), "binary"},
+        {"\xFF\xFE" + kSource, "UTF-16"},
+        {"version https://git-lfs.github.com/spec/v1\noid sha256:0\nsize 1\n", "git lfs pull"},
+    };
+    for (const auto& [text, reason] : rows) {
+        write("src/k.cu", text);
+        const CommandRun got = porttool({"check"});
+        EXPECT_EQ(got.exit_code, 1) << reason;
+        EXPECT_NE(got.out.find(reason), std::string::npos) << got.out;
+        EXPECT_EQ(got.out.find("gone"), std::string::npos) << got.out;
+    }
+    write("src/k.cu", replaced(kSource, "3.0f", "4.0f"));
+    write(".gitignore", "src/k.cu\n");
+    EXPECT_EQ(porttool({"check"}).exit_code, 1) << "ignoring a file that the map names does not hide it";
+}
+
+TEST_F(HostileChange, WhatAChangeDoesToTheGateIsListed) {
+    git("checkout -q -b feature");
+    std::string source = replaced(kSource, "2.0f", "2.5f") + "__device__ float h(float x) {\n    return x;\n}\n";
+    source = replaced(source, "    float y", "    // porttool: ignore(source-changed) trust me\n    float y = x; y");
+    write("src/k.cu", source);
+    write("portmap.toml", read_text(root / "portmap.toml") +
+                              "[[ignore]]\nid = \"port/**\"\nreason = \"all\"\n[rules]\n\"port-differs\" = "
+                              "\"off\"\n[dialect]\n\"vec9\" = \"float9\"\n");
+    ASSERT_EQ(porttool({"ignore", "src/k.cu:h", "--reason", "host only"}).exit_code, 0);
+    ASSERT_EQ(
+        porttool({"defer", "src/k.cu:g", "--owner", "me", "--until", "2099-01-01", "--reason", "later"}).exit_code, 0);
+    ASSERT_EQ(porttool({"accept", "src/k.cu:f"}).exit_code, 0);
+    commit("silences itself", 2);
+    const auto quiet = nlohmann::json::parse(porttool({"check", "--base", "main", "--format", "json"}).out);
+    EXPECT_NE(quiet["verdict"], "drift");
+    std::map<std::string, std::string> listed;
+    for (const auto& one : quiet["brought_in"]) {
+        listed[one["kind"].get<std::string>() + " " + one["file"].get<std::string>()] = one["text"];
+        EXPECT_GE(one["line"].get<int>(), 1);
+    }
+    EXPECT_EQ(listed.size(), 7u) << quiet["brought_in"].dump(1);
+    EXPECT_EQ(listed["suppression src/k.cu"], "porttool: ignore(source-changed) trust me");
+    EXPECT_EQ(listed["accept portmap.lock"], "src/k.cu:f = port/k.cpp:f");
+    EXPECT_EQ(listed["defer portmap.lock"], "src/k.cu:g = port/k.cpp:g: later (me, until 2099-01-01)");
+    EXPECT_EQ(listed["ignore portmap.lock"], "src/k.cu:h: host only");
+    EXPECT_EQ(listed["ignore portmap.toml"], "port/**: all");
+    EXPECT_EQ(listed["rule portmap.toml"], "port-differs = off");
+    EXPECT_EQ(listed["dialect portmap.toml"], "vec9 = float9");
+    for (const char* format : {"text", "markdown", "github"})
+        EXPECT_NE(porttool({"check", "--base", "main", "--format", format}).out.find("vec9 = float9"),
+                  std::string::npos)
+            << format;
+
+    const auto trusted =
+        nlohmann::json::parse(porttool({"check", "--base", "main", "--trusted-map", "--format", "json"}).out);
+    EXPECT_EQ(trusted["verdict"], "drift");
+    EXPECT_EQ(trusted["summary"]["drifted"], 2);
+    EXPECT_EQ(trusted["brought_in"], quiet["brought_in"]);
+    EXPECT_EQ(porttool({"check", "--trusted-map"}).exit_code, 2);
+    EXPECT_TRUE(json({"check"})["brought_in"].empty()) << "without a base there is nothing to compare with";
+}
+
+TEST_F(HostileChange, PairsAndSidesThatGoAreListedAndTheTrustedMapStillWatchesThem) {
+    git("checkout -q -b feature");
+    const std::string map = read_text(root / "portmap.toml");
+    const size_t second = map.rfind("\n[[pair]]");
+    write("portmap.toml", replaced(map.substr(0, second), "\"port/*\"", "\"port/k.cpp\"") + "\n");
+    write("src/k.cu", replaced(kSource, "3.0f", "4.0f"));
+    write("portmap.lock", lock_text(LockFile()));
+    commit("drops a pair", 2);
+    const auto got = nlohmann::json::parse(porttool({"check", "--base", "main", "--format", "json"}).out);
+    std::set<std::string> texts;
+    for (const auto& one : got["brought_in"])
+        texts.insert(one["kind"].get<std::string>() + ": " + one["text"].get<std::string>());
+    EXPECT_TRUE(texts.contains("pair: no longer: src/k.cu:g = port/k.cpp:g")) << got["brought_in"].dump(1);
+    EXPECT_TRUE(texts.contains("sides: target = port/k.cpp, before port/*")) << got["brought_in"].dump(1);
+    EXPECT_EQ(porttool({"check", "--base", "main", "--trusted-map"}).exit_code, 1);
+    fs::remove(root / "portmap.toml");
+    EXPECT_EQ(porttool({"check", "--base", "main", "--trusted-map"}).exit_code, 2) << "no project without any map";
+}
+
+TEST_F(HostileChange, AMapThatIsNewHasNothingTrusted) {
+    git("checkout -q --orphan fresh && git -C '" + root.string() +
+        "' rm -q -f --cached portmap.toml portmap.lock && git -C '" + root.string() + "' rm -rq --cached portmap.base");
+    git("commit -qm 'no map'");
+    git("checkout -q -b feature");
+    commit("brings the map", 2);
+    const auto got = nlohmann::json::parse(porttool({"check", "--base", "fresh", "--format", "json"}).out);
+    ASSERT_EQ(got["brought_in"].size(), 2u) << got["brought_in"].dump(1);
+    EXPECT_EQ(got["brought_in"][0]["kind"], "accept");
+    EXPECT_EQ(got["brought_in"][1]["kind"], "sides");
+    const CommandRun trusted = porttool({"check", "--base", "fresh", "--trusted-map"});
+    EXPECT_EQ(trusted.exit_code, 2);
+    EXPECT_NE(trusted.err.find("no portmap.toml at the merge base of fresh"), std::string::npos) << trusted.err;
+}
+
+TEST_F(HostileChange, AFailedInitLeavesNothing) {
+    for (const char* name : {"portmap.toml", "portmap.lock", "portmap.base"}) fs::remove_all(root / name);
+    for (const char* name : {"portmap.toml", "portmap.lock", "portmap.base"}) {
+        if (std::string(name) == "portmap.base")
+            write(name, "a file");
+        else
+            fs::create_directories(root / name / "in the way");
+        const CommandRun got = porttool({"init", "--force", "--source", "src/*", "--target", "port/*"});
+        EXPECT_EQ(got.exit_code, 2) << name;
+        EXPECT_EQ(got.out, "");
+        for (const char* other : {"portmap.toml", "portmap.lock", "portmap.base", "portmap.lock.busy"})
+            EXPECT_EQ(fs::exists(root / other), std::string(other) == name)
+                << other << " with " << name << " in the way";
+        fs::remove_all(root / name);
+    }
+}
+
+TEST_F(HostileChange, OutputGoesToWhatTheFileIs) {
+    const fs::path shared = fs::exists("/dev/shm") ? fs::path("/dev/shm/porttool_test.txt") : outside / "x.txt";
+    for (int i = 0; i < 2; ++i) ASSERT_EQ(porttool({"check", "-o", shared.string()}).exit_code, 0);
+    const std::string once = porttool({"check"}).out;
+    EXPECT_EQ(read_text(shared), once) << "a file is replaced wherever it lies";
+    write("left.txt.tmp999999999.1", "half");
+    write("left.txt.tmp" + std::to_string(::getpid()) + ".7", "of a living process");
+    ASSERT_EQ(porttool({"check", "-o", "left.txt"}).exit_code, 0);
+    EXPECT_FALSE(fs::exists(root / "left.txt.tmp999999999.1"));
+    EXPECT_TRUE(fs::exists(root / ("left.txt.tmp" + std::to_string(::getpid()) + ".7")));
+    fs::create_symlink("left.txt", root / "to.txt");
+    ASSERT_EQ(porttool({"check", "-o", "to.txt"}).exit_code, 0);
+    EXPECT_TRUE(fs::is_symlink(root / "to.txt"));
+    fs::remove(shared);
+}
+
+}  // namespace
+}  // namespace porttool::testing
