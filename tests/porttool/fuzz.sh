@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: Apache-2.0
 #
 # tests/porttool/fuzz.sh [--runs N] [--seed FIRST] [KIND...]: the long run of the fuzzers under ASan and UBSan.
-# 100,000 inputs of each of the kinds source, map, lock and base, unless told otherwise. Each input follows from its seed
+# 100,000 inputs of each of the kinds source, map, lock and base, unless told otherwise. Each follows from its seed
 # alone: what a run that was ended said last (`next seed N`) is where `--seed N` goes on. A failure prints its seed and
 # leaves its files in build/fuzz-failures/KIND-SEED.
 set -euo pipefail

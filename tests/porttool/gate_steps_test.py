@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Runs the shell steps of action.yml and templates/porttool.yml as the two services would: PORTTOOL as first argument.
 
-The archive is a file:// one. In most tests its program writes down the arguments that it was given, so that what reaches
-it can be held to what was asked for, byte by byte; the real program runs in the last ones.
+The archive is a file:// one. In most tests its program writes down the arguments that it was given, so that what
+reaches it can be held to what was asked for, byte by byte; the real program runs in the last ones.
 """
 import hashlib
 import os
@@ -39,7 +39,8 @@ class Service:
         self.temp.mkdir()
 
     def run(self, inputs, **more):
-        environment = {"PATH": os.environ["PATH"], "RECORD": str(self.folder / "record"), "HOME": str(self.folder), **more}
+        environment = {"PATH": os.environ["PATH"], "RECORD": str(self.folder / "record"), "HOME": str(self.folder),
+                       **more}
         for name in ("record", "output", "path"):
             (self.folder / name).write_bytes(b"")
         for left in self.temp.iterdir():
@@ -49,7 +50,8 @@ class Service:
         return code, out, err, recorded.split("\0")[:-1]
 
     def shell(self, script, environment):
-        done = subprocess.run(["sh", "-e", "-c", script], cwd=self.work, env=environment, capture_output=True, text=True)
+        done = subprocess.run(["sh", "-e", "-c", script], cwd=self.work, env=environment, capture_output=True,
+                              text=True)
         return done.returncode, done.stdout, done.stderr
 
 
@@ -61,12 +63,11 @@ class GitHub(Service):
     def steps(self, inputs, environment):
         values = {f"inputs.{name}": spec["default"] for name, spec in self.definition["inputs"].items()}
         values.update({f"inputs.{name}": value for name, value in inputs.items()})
-        values["runner.temp"] = str(self.temp)
         out = err = ""
         for step in self.definition["runs"]["steps"]:
             assert step["shell"] == "sh"
             local = dict(environment, GITHUB_OUTPUT=str(self.folder / "output"), GITHUB_PATH=str(self.folder / "path"),
-                         GITHUB_SERVER_URL="https://github.invalid")
+                         GITHUB_SERVER_URL="https://github.invalid", RUNNER_TEMP=str(self.temp))
             for name, value in step["env"].items():
                 local[name] = re.sub(r"\$\{\{ *([^ }]+) *\}\}", lambda found: values[found[1]], value)
             code, more_out, more_err = self.shell(step["run"], local)
@@ -152,10 +153,11 @@ class Steps:
         self.refused({**self.archive, "sha256": ""}, "does not list")
         sums.unlink()
         self.refused({**self.archive, "sha256": ""}, "could not get SHA256SUMS")
-        self.refused({**self.archive, "archive-url": self.archive["archive-url"].replace("-9-", "-8-")}, "could not get")
+        another = self.archive["archive-url"].replace("-9-", "-8-")
+        self.refused({**self.archive, "archive-url": another}, "could not get")
 
     def test_only_addresses_that_cannot_be_read_along(self):
-        for url in ("http://example.org/p.tar.gz", "ftp://example.org/p.tar.gz", "file://host/p.tar.gz", "-o/etc/x.tar.gz"):
+        for url in ("http://example.org/p.tar.gz", "ftp://example.org/p.tar.gz", "file://host/p.tar.gz", "-o/x.tar.gz"):
             self.refused({**self.archive, "archive-url": url}, "must begin with https://")
         self.refused({**self.archive, "archive-url": "https://example.org/"}, "must end in .tar.gz")
 
