@@ -56,9 +56,12 @@ expect() {
 output_has() { grep -q "$1" "$work/out" || wrong "the output lacks $1"; }
 
 shader() {
-    printf '#version 450\nlayout(set = 0, binding = 0) buffer B { float v[]; };\nfloat half_of(float x) { return x * %s; }\nvoid main() { v[0] = half_of(v[0]); }\n' "$1"
+    echo '#version 450'
+    echo 'layout(set = 0, binding = 0) buffer B { float v[]; };'
+    echo "float half_of(float x) { return x * $1; }"
+    echo 'void main() { v[0] = half_of(v[0]); }'
 }
-kernel() { printf '__device__ float half_of(float x) { return x * %s; }\n' "$1"; }
+kernel() { echo "__device__ float half_of(float x) { return x * $1; }"; }
 hand_over() { chown -R 12345:12345 "$root/trial"; }
 
 try_root() {
@@ -72,6 +75,8 @@ try_root() {
     hand_over
     expect 0 scan cuda glsl --format json
     output_has '"cuda/k.cu:half_of"'
+    expect 0 compare cuda/k.cu glsl/k.comp
+    expect 0 map --source 'cuda/*' --target 'glsl/*'
     expect 0 init --source 'cuda/*' --target 'glsl/*'
     expect 0 check --strict
     git_there add -A
