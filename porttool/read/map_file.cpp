@@ -76,7 +76,10 @@ private:
         try {
             return toml::parse(text_, path_);
         } catch (const toml::parse_error& error) {
-            fail(error.source(), std::string(error.description()));
+            std::string reason(error.description());  // toml++ quotes what it found, a line break as well
+            for (char& letter : reason)
+                if (letter == '\n' || letter == '\r') letter = ' ';
+            fail(error.source(), reason);
         }
     }
 

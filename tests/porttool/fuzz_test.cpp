@@ -8,102 +8,37 @@
 #include "porttool/compare/unit_state.h"
 #include "porttool/scan/scan.h"
 #include "tests/porttool/fixtures.h"
+#include "tests/porttool/fuzz_inputs.h"
+#include "tests/porttool/mutate.h"
 
 namespace porttool::testing {
 namespace {
 
-void expect_sound(const ScannedFile& file) {
-    const auto tokens = static_cast<uint32_t>(file.lexed.tokens.size());
-    for (const Unit& unit : file.units) {
-        ASSERT_LT(unit.tokens.first, unit.tokens.end);
-        ASSERT_LE(unit.tokens.end, tokens);
-        ASSERT_GE(unit.start_line, 1u);
-        ASSERT_LE(unit.start_line, unit.end_line);
-        ASSERT_FALSE(unit.name.empty());
-        const UnitState state = unit_state(file, unit);
-        const std::vector<NormalToken> tokens_now = normal_form(file, unit);
-        ASSERT_EQ(state.prints.written, fingerprint(tokens_now));
-        ASSERT_EQ(state.tokens, tokens_now.size());
-    }
-    for (const LineClass line : file.lines) ASSERT_NE(line, LineClass::Unclassified);
+void expect_all_hold(FuzzKind kind, uint64_t runs) {
+    for (uint64_t seed = 0; seed < runs / kLighter; ++seed)
+        EXPECT_EQ(fuzz_fault(kind, fuzz_input(kind, seed), seed), "") << "seed " << seed;
 }
 
-std::string mutate(std::string text, const std::vector<std::string>& others, std::mt19937& random) {
-    static const std::vector<std::string> kPieces = {"{",
-                                                     "}",
-                                                     "(",
-                                                     ")",
-                                                     "[",
-                                                     "]",
-                                                     "<",
-                                                     ">",
-                                                     ";",
-                                                     ":",
-                                                     "=",
-                                                     ",",
-                                                     "\"",
-                                                     "'",
-                                                     "\\",
-                                                     "\n",
-                                                     "#",
-                                                     "#if 0\n",
-                                                     "#else\n",
-                                                     "#endif\n",
-                                                     "/*",
-                                                     "*/",
-                                                     "//",
-                                                     "R\"(",
-                                                     ")\"",
-                                                     "template <",
-                                                     "operator",
-                                                     "struct ",
-                                                     "namespace a::",
-                                                     "\r",
-                                                     std::string(1, '\0'),
-                                                     "\xFF",
-                                                     "enum ",
-                                                     "#define A(x) ",
-                                                     "##",
-                                                     "__global__ ",
-                                                     "const float x = ",
-                                                     "\\\n",
-                                                     "::",
-                                                     "~"};
-    auto pick = [&](size_t n) { return std::uniform_int_distribution<size_t>(0, n)(random); };
-    for (size_t edits = 1 + pick(6); edits > 0; --edits) {
-        const size_t at = pick(text.size());
-        switch (pick(4)) {
-            case 0:
-                text.insert(at, kPieces[pick(kPieces.size() - 1)]);
-                break;
-            case 1:
-                text.erase(at, 1 + pick(40));
-                break;
-            case 2:
-                text.resize(at);
-                break;
-            case 3:
-                text.insert(at, text.substr(pick(text.size()), pick(200)));
-                break;
-            default: {
-                const std::string& other = others[pick(others.size() - 1)];
-                text.insert(at, other.substr(pick(other.size()), pick(300)));
-            }
-        }
-    }
-    return text;
-}
+TEST(Fuzz, WhatIsMutatedIsGood) { EXPECT_EQ(fuzz_seed_fault(), ""); }
+
+// A few of the inputs that fuzz.sh runs by the hundred thousand.
+TEST(Fuzz, Sources) { expect_all_hold(FuzzKind::Source, 250); }
+TEST(Fuzz, Maps) { expect_all_hold(FuzzKind::Map, 600); }
+TEST(Fuzz, Locks) { expect_all_hold(FuzzKind::Lock, 300); }
+TEST(Fuzz, Bases) { expect_all_hold(FuzzKind::Base, 300); }
 
 TEST(ScanFuzz, MutatedFilesNeverBreakTheScanner) {
-    std::vector<std::string> seeds;
-    for (const auto& path : fixture_files()) seeds.push_back(read_text(path));
+    MutationStock stock;
+    for (const auto& path : fixture_files()) stock.texts.push_back(read_text(path));
+    stock.pieces = {"{",       "}",        "(",  ")",  "\"",   "'",          "\\\n",
+                    "#if 0\n", "#endif\n", "/*", "*/", "R\"(", "template <", "\xFF"};
     const std::vector<std::string> names = {"a.cu",   "a.cl",    "a.comp",  "a.cpp", "a.c",
                                             "a.hlsl", "a.metal", "a.slang", "a.ispc"};
-    std::mt19937 random(20261121);
+    std::mt19937_64 random(20261121);
     for (int round = 0; round < 4000; ++round) {
-        std::string text = mutate(seeds[random() % seeds.size()], seeds, random);
-        const ScannedFile file = scan_text(names[random() % names.size()], text);
-        ASSERT_NO_FATAL_FAILURE(expect_sound(file)) << "round " << round << ":\n" << text;
+        const std::string text = mutate(stock.texts[random() % stock.texts.size()], stock, random);
+        ASSERT_EQ(scan_fault(scan_text(names[random() % names.size()], text)), "") << "round " << round << ":\n"
+                                                                                   << text;
     }
 }
 
@@ -113,7 +48,7 @@ TEST(ScanFuzz, RandomBytesNeverBreakTheScanner) {
     for (int round = 0; round < 2000; ++round) {
         std::string text;
         for (size_t i = random() % 400; i > 0; --i) text += letters[random() % letters.size()];
-        ASSERT_NO_FATAL_FAILURE(expect_sound(scan_text("a.cpp", text))) << "round " << round << ":\n" << text;
+        ASSERT_EQ(scan_fault(scan_text("a.cpp", text)), "") << "round " << round << ":\n" << text;
     }
 }
 
