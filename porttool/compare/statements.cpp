@@ -114,7 +114,7 @@ std::vector<Statement> split_statements(const std::vector<std::string>& tokens, 
 namespace {
 
 // Beyond, two texts are not laid side by side but taken as other texts: all of one went, all of the other came.
-constexpr size_t kMostCells = 9'000'000;
+constexpr size_t kMostCells = 9'010'000;
 
 /// Two texts without what they begin and end with alike.
 struct Middle {
@@ -148,20 +148,13 @@ public:
             const bool shared = found != words.end();
             if (shared) found->second.shared = true;
             columns_.push_back({shared ? found->second.number : 0, shared});
-            shared_columns_ += shared ? 1 : 0;
         }
-        for (size_t i = 0; i < middle.rows; ++i) {
-            rows_[i].shared = words.find(before[head_ + i])->second.shared;
-            shared_rows_ += rows_[i].shared ? 1 : 0;
-        }
+        for (size_t i = 0; i < middle.rows; ++i) rows_[i].shared = words.find(before[head_ + i])->second.shared;
     }
 
     void run(std::vector<DiffStep>& steps) {
         size_t i = 0, k = 0;
-        if (shared_rows_ > 0 && shared_columns_ <= kMostCells / shared_rows_) {
-            fill();
-            trace(i, k, steps);
-        }
+        if (fill()) trace(i, k, steps);
         while (i < rows_.size()) steps.push_back({DiffStep::Remove, head_ + i++, head_ + k});
         while (k < columns_.size()) steps.push_back({DiffStep::Add, head_ + i, head_ + k++});
     }
@@ -177,20 +170,44 @@ private:
         bool equals(const Entry& other) const { return shared && other.shared && number == other.number; }
     };
 
-    /// How many entries can be kept from a row and a column on.
-    uint16_t& kept(size_t row, size_t column) { return kept_[row * (shared_columns_ + 1) + column]; }
+    /// How many entries can be kept from a row and a column on. Of the table only a band about the diagonal is there.
+    uint32_t kept(size_t row, size_t column) const {
+        const size_t first = first_column(row);
+        return column < first || column - first >= width_ ? 0 : kept_[row * width_ + column - first];
+    }
+    size_t first_column(size_t row) const { return row > reach_ ? row - reach_ : 0; }
 
-    void fill() {
+    /// Fills the table in. Where little was edited, a narrow band holds every shortest way; else it is made wider.
+    /// False if the table would be too large.
+    bool fill() {
         std::vector<size_t> left, right;
         for (const Entry& entry : rows_)
             if (entry.shared) left.push_back(entry.number);
         for (const Entry& entry : columns_)
             if (entry.shared) right.push_back(entry.number);
-        kept_.assign((left.size() + 1) * (right.size() + 1), 0);
-        for (size_t a = left.size(); a-- > 0;)
-            for (size_t b = right.size(); b-- > 0;)
-                kept(a, b) = left[a] == right[b] ? static_cast<uint16_t>(kept(a + 1, b + 1) + 1)
-                                                 : std::max(kept(a + 1, b), kept(a, b + 1));
+        if (left.empty()) return false;
+        constexpr size_t kNarrowest = 32;
+        const size_t longer = std::max(left.size(), right.size()), shorter = std::min(left.size(), right.size());
+        for (size_t slack = kNarrowest;; slack *= 4) {
+            reach_ = slack + (left.size() > right.size() ? longer - shorter : 0);
+            width_ = std::min(right.size() + 1, 2 * slack + longer - shorter + 1);
+            const bool whole = width_ > right.size();
+            if (whole) reach_ = left.size();
+            if ((left.size() + 1) > kMostCells / width_) return false;
+            fill_band(left, right);
+            const size_t edits = longer + shorter - 2 * size_t{kept(0, 0)};
+            if (whole || edits <= slack) return true;
+        }
+    }
+
+    void fill_band(const std::vector<size_t>& left, const std::vector<size_t>& right) {
+        kept_.assign((left.size() + 1) * width_, 0);
+        for (size_t a = left.size(); a-- > 0;) {
+            const size_t first = first_column(a);
+            for (size_t b = std::min(right.size(), first + width_); b-- > first;)
+                kept_[a * width_ + b - first] = left[a] == right[b] ? static_cast<uint32_t>(kept(a + 1, b + 1) + 1)
+                                                                    : std::max(kept(a + 1, b), kept(a, b + 1));
+        }
     }
 
     void trace(size_t& i, size_t& k, std::vector<DiffStep>& steps) {
@@ -211,9 +228,10 @@ private:
         }
     }
 
-    size_t head_, shared_rows_ = 0, shared_columns_ = 0;
+    size_t head_;
     std::vector<Entry> rows_, columns_;
-    std::vector<uint16_t> kept_;  ///< as many as the shorter side has at most: below 3000
+    std::vector<uint32_t> kept_;    ///< the table, row by row
+    size_t reach_ = 0, width_ = 0;  ///< how far left of the diagonal a row begins, and its length
 };
 
 }  // namespace

@@ -17,7 +17,7 @@ public:
         : lexed_(lexed),
           structure_(structure),
           macros_(read_macros(lexed)),
-          context_{lexed, structure, language, macros_} {}
+          context_{lexed, structure, language, macros_, angles_} {}
 
     UnitList run() {
         end_ = static_cast<uint32_t>(structure_.tokens.size());
@@ -30,7 +30,7 @@ public:
 private:
     static constexpr size_t kNoUnit = static_cast<size_t>(-1);
     // Scopes in scopes, and many small units in a scope of a long name, would fill the memory with their names.
-    static constexpr size_t kLongestPrefix = 1024;
+    static constexpr size_t kLongestPrefix = 1024, kDeepestPrefix = 16;
     static constexpr size_t kMostPrefixes(size_t text) { return 8 * text + 262'144; }
 
     struct Scope {
@@ -215,7 +215,8 @@ private:
 
     void enter_scope(uint32_t close, const std::string& name, bool is_class, size_t unit = kNoUnit) {
         declare(start_, at_ + 1);
-        if (!name.empty() && prefix_.size() < kLongestPrefix) prefix_ += name + "::";
+        if (!name.empty() && prefix_.size() < kLongestPrefix && scopes_.size() <= kDeepestPrefix)
+            prefix_ += name + "::";
         const auto namespaces = is_class ? scopes_.back().namespaces : static_cast<uint32_t>(prefix_.size());
         scopes_.push_back({close, prefix_.size(), is_class, unit == kNoUnit ? scopes_.back().unit : unit, namespaces});
         begin_statement(at_ + 1);
@@ -290,6 +291,7 @@ private:
     const LexedText& lexed_;
     const Structure& structure_;
     MacroTable macros_;
+    AngleTable angles_;
     HeadContext context_;
     UnitList out_;
     std::vector<Scope> scopes_;
