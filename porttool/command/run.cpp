@@ -7,6 +7,7 @@
 #include <new>
 
 #include "porttool/command/commands.h"
+#include "porttool/read/glob.h"
 #include "porttool/text/utf8.h"
 
 namespace porttool {
@@ -94,6 +95,8 @@ int run_porttool(int argc, const char* const* argv, Disk& disk, std::ostream& ou
         if (!parsed.out.empty()) print(out, parsed.out);
         return parsed.exit_code;
     } catch (const CannotDo& problem) {
+        err << "porttool: " << as_utf8(problem.what()) << "\n";
+    } catch (const GlobTooLarge& problem) {
         err << "porttool: " << as_utf8(problem.what()) << "\n";
     } catch (const std::bad_alloc&) {
         err << "porttool: not enough memory; take the largest files out of [sides], or give it more\n";
