@@ -4,8 +4,10 @@
 #include <cstring>
 #include <filesystem>
 #include <map>
+#include <new>
 
 #include "porttool/command/commands.h"
+#include "porttool/read/glob.h"
 #include "porttool/text/sink/terminal.h"
 #include "porttool/text/utf8.h"
 
@@ -90,16 +92,24 @@ int run_command(const Options& options, Disk& disk, std::ostream& out, std::ostr
 int run_porttool(int argc, const char* const* argv, Disk& disk, std::ostream& out, std::ostream& errors) {
     TerminalBuffer printable(errors.rdbuf());  // what a message echoes never acts
     std::ostream err(&printable);
-    const ParsedOptions parsed = parse_options(argc, argv);
     try {
+        const ParsedOptions parsed = parse_options(argc, argv);
         if (!parsed.done) return run_command(parsed.options, disk, out, err);
         err << parsed.err;
         if (!parsed.out.empty()) print(out, parsed.out);
         return parsed.exit_code;
     } catch (const CannotDo& problem) {
         err << "porttool: " << problem.what() << "\n";
-        return 2;
+    } catch (const GlobTooLarge& problem) {
+        err << "porttool: " << terminal_lines(problem.what()) << "\n";
+    } catch (const std::bad_alloc&) {
+        err << "porttool: not enough memory; take the largest files out of [sides], or give it more\n";
+    } catch (const std::exception& problem) {
+        err << "porttool: stopped by an error of its own: " << terminal_text(problem.what()) << "; please report it\n";
+    } catch (...) {
+        err << "porttool: stopped by an error of its own; please report it\n";
     }
+    return 2;
 }
 
 }  // namespace porttool

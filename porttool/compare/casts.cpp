@@ -17,51 +17,116 @@ bool is_value(const std::string& word) {
     return is_name(word) || (!word.empty() && word[0] >= '0' && word[0] <= '9') || word == "(";
 }
 
-/// Behind the bracket that closes the one at `i`.
-size_t behind_group(const Words& words, size_t i) {
-    int depth = 0;
-    for (; i < words.size(); ++i) {
-        if (words[i] == "(" || words[i] == "[") ++depth;
-        if ((words[i] == ")" || words[i] == "]") && --depth == 0) return i + 1;
-    }
-    return i;
-}
+bool is_sign(const std::string& word) { return word == "-" || word == "!" || word == "~" || word == "+"; }
 
-/// Behind what a cast at `i` applies to: signs, further casts, a value and its members, indices and arguments.
-size_t behind_operand(const Words& words, size_t i, const Dialect& dialect) {
-    while (i < words.size() && (words[i] == "-" || words[i] == "!" || words[i] == "~" || words[i] == "+")) ++i;
-    if (i >= words.size()) return i;
-    if (words[i] == "(") {
-        const bool cast = i + 3 < words.size() && words[i + 2] == ")" && dialect.is_number_type(words[i + 1]);
-        if (cast) return behind_operand(words, i + 3, dialect);
-        i = behind_group(words, i);
-    } else {
-        ++i;
+/// Writes C casts as functional ones. One pass: casts in casts and in brackets are kept on a stack, and where a chain
+/// of casts ends is found once for all of it.
+class CastWriter {
+public:
+    CastWriter(const Words& words, const Dialect& dialect)
+        : words_(words), dialect_(dialect), behind_(words.size(), words.size()), operand_ends_(words.size(), 0) {
+        std::vector<size_t> open;
+        for (size_t i = 0; i < words_.size(); ++i) {
+            if (words_[i] == "(" || words_[i] == "[") open.push_back(i);
+            if (open.empty() || (words_[i] != ")" && words_[i] != "]")) continue;
+            behind_[open.back()] = i + 1;
+            open.pop_back();
+        }
     }
-    while (i < words.size()) {
-        if (words[i] == "(" || words[i] == "[")
-            i = behind_group(words, i);
-        else if (words[i] == "." && i + 1 < words.size())
-            i += 2;
-        else
-            break;
+
+    Words run() {
+        operands_.push_back({0, words_.size(), words_.size()});
+        for (size_t i = 0; i < words_.size() || operands_.size() > 1;) {
+            if (operands_.size() > 1 && i >= operands_.back().end) {
+                out_.emplace_back(")");
+                i = std::max(i, operands_.back().behind);
+                operands_.pop_back();
+                continue;
+            }
+            i = step(i);
+        }
+        return std::move(out_);
     }
-    return i;
-}
 
-/// True if a cast `(type) operand` stands at `i`, not a call's argument list or a size.
-bool is_cast(const Words& words, size_t i, const Dialect& dialect) {
-    if (i + 3 >= words.size() || words[i] != "(" || words[i + 2] != ")") return false;
-    if (!dialect.is_number_type(words[i + 1])) return false;
-    if (i > 0 && words[i - 1] != "return" && (is_name(words[i - 1]) || words[i - 1] == ")" || words[i - 1] == "]"))
-        return false;
-    const std::string& next = words[i + 3];
-    return is_value(next) || next == "-" || next == "!" || next == "~" || next == "+";
-}
+private:
+    /// What a cast that is being written applies to; `behind` is where the text goes on, behind its brackets.
+    struct Operand {
+        size_t first, end, behind;
+    };
 
-Words slice(const Words& words, size_t first, size_t last) {
-    return {words.begin() + static_cast<std::ptrdiff_t>(first), words.begin() + static_cast<std::ptrdiff_t>(last)};
-}
+    size_t step(size_t i) {
+        const bool named = words_[i] == "staticcast" && i + 4 < end() && words_[i + 1] == "<" && words_[i + 3] == ">" &&
+                           dialect_.is_number_type(words_[i + 2]);
+        if (named) {
+            out_.push_back(words_[i + 2]);
+            return i + 4;
+        }
+        if (!is_cast(i)) {
+            out_.push_back(words_[i]);
+            return i + 1;
+        }
+        out_.push_back(words_[i + 1]);
+        out_.emplace_back("(");
+        const size_t first = i + 3, last = std::min(behind_operand(first), end());
+        const bool bracketed = words_[first] == "(" && std::min(behind_[first], end()) == last && first + 1 < last &&
+                               !is_cast(first, first, last);
+        operands_.push_back(bracketed ? Operand{first + 1, last - 1, last} : Operand{first, last, last});
+        return operands_.back().first;
+    }
+
+    size_t end() const { return operands_.back().end; }
+
+    /// True if a cast `(type) operand` stands at `i`, not a call's argument list or a size.
+    bool is_cast(size_t i) const { return is_cast(i, operands_.back().first, end()); }
+    bool is_cast(size_t i, size_t first, size_t end) const {
+        if (i + 3 >= end || words_[i] != "(" || words_[i + 2] != ")") return false;
+        if (!dialect_.is_number_type(words_[i + 1])) return false;
+        if (i > first && words_[i - 1] != "return" &&
+            (is_name(words_[i - 1]) || words_[i - 1] == ")" || words_[i - 1] == "]"))
+            return false;
+        return is_value(words_[i + 3]) || is_sign(words_[i + 3]);
+    }
+
+    /// Behind what a cast applies to that stands before `i`: signs, further casts, a value and its members, indices and
+    /// arguments.
+    size_t behind_operand(size_t i) {
+        const size_t first = i;
+        if (i < words_.size() && operand_ends_[i] > 0) return operand_ends_[i];
+        for (;;) {
+            while (i < words_.size() && is_sign(words_[i])) ++i;
+            const bool cast = i + 3 < words_.size() && words_[i] == "(" && words_[i + 2] == ")" &&
+                              dialect_.is_number_type(words_[i + 1]);
+            if (!cast) break;
+            i += 3;
+            if (i < words_.size() && operand_ends_[i] > 0) return remember(first, i, operand_ends_[i]);
+        }
+        const size_t last = i;
+        if (i < words_.size()) i = words_[i] == "(" ? behind_[i] : i + 1;
+        while (i < words_.size()) {
+            if (words_[i] == "(" || words_[i] == "[")
+                i = behind_[i];
+            else if (words_[i] == "." && i + 1 < words_.size())
+                i += 2;
+            else
+                break;
+        }
+        return remember(first, last, i);
+    }
+
+    /// All operands of one chain of casts end alike.
+    size_t remember(size_t first, size_t last, size_t end) {
+        for (size_t i = first; i <= last && i < words_.size(); ++i)
+            if (i == first || words_[i - 1] == ")") operand_ends_[i] = end;
+        return end;
+    }
+
+    const Words& words_;
+    const Dialect& dialect_;
+    std::vector<size_t> behind_;        ///< of each opening bracket, behind the one that closes it
+    std::vector<size_t> operand_ends_;  ///< where the operand that begins at a word ends, once it is known
+    std::vector<Operand> operands_;
+    Words out_;
+};
 
 }  // namespace
 
@@ -82,8 +147,13 @@ Words with_one_word_types(const Words& tokens) {
                 break;
         }
         const bool is_double = end < tokens.size() && tokens[end] == "double";
-        if (end == i || is_double || (end == i + 1 && !is_unsigned && !is_signed)) {
+        if (end == i) end = i + 1;
+        if (end == i + 1 && !is_unsigned && !is_signed) {
             out.push_back(tokens[i++]);
+            continue;
+        }
+        if (is_double) {
+            for (; i < end; ++i) out.push_back(tokens[i]);
             continue;
         }
         if (is_char)
@@ -100,31 +170,8 @@ Words with_one_word_types(const Words& tokens) {
 }
 
 Words with_functional_casts(const Words& words, const Dialect& dialect) {
-    Words out;
-    for (size_t i = 0; i < words.size();) {
-        const bool named = words[i] == "staticcast" && i + 4 < words.size() && words[i + 1] == "<" &&
-                           words[i + 3] == ">" && dialect.is_number_type(words[i + 2]);
-        if (named) {
-            out.push_back(words[i + 2]);
-            i += 4;
-            continue;
-        }
-        if (!is_cast(words, i, dialect)) {
-            out.push_back(words[i++]);
-            continue;
-        }
-        const size_t first = i + 3, end = behind_operand(words, first, dialect);
-        const bool bracketed = words[first] == "(" && behind_group(words, first) == end && first + 1 < end &&
-                               !is_cast(words, first, dialect);
-        Words operand = bracketed ? slice(words, first + 1, end - 1) : slice(words, first, end);
-        operand = with_functional_casts(operand, dialect);
-        out.push_back(words[i + 1]);
-        out.emplace_back("(");
-        out.insert(out.end(), operand.begin(), operand.end());
-        out.emplace_back(")");
-        i = end;
-    }
-    return out;
+    if (std::find(words.begin(), words.end(), ")") == words.end()) return words;
+    return CastWriter(words, dialect).run();
 }
 
 }  // namespace porttool

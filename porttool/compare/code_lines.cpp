@@ -25,33 +25,35 @@ bool is_include_guard(const LexedText& lexed) {
     return false;
 }
 
-/// The directives within a range that are boilerplate, ascending.
-std::vector<TokenRange> boilerplate(const LexedText& lexed, TokenRange range) {
-    const std::vector<Directive>& directives = lexed.directives;
-    auto at = std::lower_bound(directives.begin(), directives.end(), range.first,
-                               [](const Directive& directive, uint32_t token) { return directive.end_token <= token; });
-    const bool guarded = (range.first < 6 || range.end == lexed.tokens.size()) && is_include_guard(lexed);
-    std::vector<TokenRange> out;
-    for (; at != directives.end() && at->first_token < range.end; ++at) {
-        const bool of_guard = guarded && (at - directives.begin() < 2 || at + 1 == directives.end());
-        if (of_guard || at->kind == DirectiveKind::Include || at->kind == DirectiveKind::Other)
-            out.push_back({at->first_token, at->end_token});
-    }
-    return out;
-}
-
-/// Walks ascending ranges with ascending tokens.
-class RangeCursor {
+/// Walks ascending tokens and tells which belong to directives that are boilerplate.
+class Boilerplate {
 public:
-    explicit RangeCursor(std::vector<TokenRange> ranges) : ranges_(std::move(ranges)) {}
+    Boilerplate(const LexedText& lexed, TokenRange range)
+        : directives_(lexed.directives),
+          guarded_((range.first < 6 || range.end == lexed.tokens.size()) && is_include_guard(lexed)) {
+        skip_to(range.first);
+    }
+
+    void skip_to(uint32_t token) {
+        at_ = std::lower_bound(directives_.begin() + at_, directives_.end(), token,
+                               [](const Directive& directive, uint32_t i) { return directive.end_token <= i; }) -
+              directives_.begin();
+    }
+
     bool holds(uint32_t token) {
-        while (at_ < ranges_.size() && ranges_[at_].end <= token) ++at_;
-        return at_ < ranges_.size() && ranges_[at_].first <= token;
+        const auto count = static_cast<std::ptrdiff_t>(directives_.size());
+        while (at_ < count && directives_[static_cast<size_t>(at_)].end_token <= token) ++at_;
+        if (at_ == count) return false;
+        const Directive& directive = directives_[static_cast<size_t>(at_)];
+        if (directive.first_token > token) return false;
+        const bool of_guard = guarded_ && (at_ < 2 || at_ + 1 == count);
+        return of_guard || directive.kind == DirectiveKind::Include || directive.kind == DirectiveKind::Other;
     }
 
 private:
-    std::vector<TokenRange> ranges_;
-    size_t at_ = 0;
+    const std::vector<Directive>& directives_;
+    bool guarded_;
+    std::ptrdiff_t at_ = 0;
 };
 
 }  // namespace
@@ -60,12 +62,17 @@ std::vector<std::vector<uint32_t>> code_runs(const Excerpt& excerpt) {
     const LexedText& lexed = excerpt.file->lexed;
     const TokenRange range =
         excerpt.unit != nullptr ? excerpt.unit->tokens : TokenRange{0, static_cast<uint32_t>(lexed.tokens.size())};
-    RangeCursor left_out(boilerplate(lexed, range));
-    RangeCursor holes(excerpt.unit != nullptr ? excerpt.unit->holes : std::vector<TokenRange>());
+    Boilerplate left_out(lexed, range);
+    static const std::vector<TokenRange> kNone;
+    const std::vector<TokenRange>& holes = excerpt.unit != nullptr ? excerpt.unit->holes : kNone;
+    size_t hole = 0;
     std::vector<std::vector<uint32_t>> runs(1);
     for (uint32_t i = range.first; i < range.end; ++i) {
-        if (holes.holds(i)) {
+        while (hole < holes.size() && holes[hole].end <= i) ++hole;
+        if (hole < holes.size() && holes[hole].first <= i) {
             if (!runs.back().empty()) runs.emplace_back();
+            i = holes[hole].end - 1;
+            left_out.skip_to(i + 1);
         } else if ((lexed.tokens[i].flags & kDead) == 0 && !left_out.holds(i)) {
             runs.back().push_back(i);
         }

@@ -3,6 +3,8 @@
 #include "porttool/compare/edits.h"
 
 #include <algorithm>
+#include <unordered_map>
+#include <unordered_set>
 
 #include "porttool/compare/places.h"
 #include "porttool/compare/renaming.h"
@@ -56,29 +58,60 @@ std::vector<Hunk> hunks(const StatementEdit& edit) {
     return out;
 }
 
-size_t common_words(const std::vector<std::string>& a, const std::vector<std::string>& b) {
-    size_t count = 0;
-    for (const DiffStep& step : diff(a, b)) count += step.kind == DiffStep::Keep ? 1 : 0;
-    return count;
+using Numbers = std::vector<uint32_t>;
+
+/// The words of statements as numbers.
+class WordNumbers {
+public:
+    Numbers of(const Statement& statement) {
+        Numbers out;
+        for (const std::string& word : statement.common)
+            out.push_back(numbers_.try_emplace(word, static_cast<uint32_t>(numbers_.size())).first->second);
+        return out;
+    }
+
+private:
+    std::unordered_map<std::string_view, uint32_t> numbers_;
+};
+
+/// The length of the longest common subsequence.
+size_t common_words(const Numbers& a, const Numbers& b) {
+    Numbers row(b.size() + 1, 0);
+    for (const uint32_t word : a) {
+        uint32_t diagonal = 0;
+        for (size_t k = 0; k < b.size(); ++k) {
+            const uint32_t above = row[k + 1];
+            row[k + 1] = word == b[k] ? diagonal + 1 : std::max(above, row[k]);
+            diagonal = above;
+        }
+    }
+    return row.back();
 }
 
 /// How alike two statements are, 0 to 1.
-double likeness(const Statement& a, const Statement& b) {
-    const size_t words = a.common.size() + b.common.size();
-    return words == 0 ? 1.0 : 2.0 * static_cast<double>(common_words(a.common, b.common)) / static_cast<double>(words);
+double likeness(const Numbers& a, const Numbers& b) {
+    const size_t words = a.size() + b.size();
+    return words == 0 ? 1.0 : 2.0 * static_cast<double>(common_words(a, b)) / static_cast<double>(words);
 }
 
 /// True if the edits are to statements that stand for each other: no other statement of the target's old text is more
 /// like what the source's edit took away. Else the same words were changed in another place.
 bool same_places(const StatementEdit& source, const StatementEdit& target) {
     if (source.lost.size() != target.lost.size() || source.gained.size() != target.gained.size()) return false;
-    constexpr size_t kMostComparisons = 100'000;  // beyond, a person is asked
+    constexpr size_t kMostComparisons = 100'000, kMostCells = 200'000'000;  // beyond, a person is asked
     if (source.lost.size() * target.before.size() > kMostComparisons) return false;
+    WordNumbers numbers;
+    std::vector<Numbers> there;
+    for (const Statement& statement : target.before) there.push_back(numbers.of(statement));
+    uint64_t cells = 0;
     for (size_t k = 0; k < source.lost.size(); ++k) {
-        const Statement& here = source.before[source.lost[k]];
-        const double found = likeness(here, target.before[target.lost[k]]);
-        for (const Statement& other : target.before)
-            if (likeness(here, other) > found) return false;
+        const Numbers here = numbers.of(source.before[source.lost[k]]);
+        const Numbers& stands = there[target.lost[k]];
+        if ((cells += here.size() * stands.size()) > kMostCells) return false;
+        const double found = here == stands ? 1 : likeness(here, stands);
+        for (size_t i = 0; i < there.size() && found < 1; ++i) {
+            if ((cells += here.size() * there[i].size()) > kMostCells || likeness(here, there[i]) > found) return false;
+        }
     }
     return true;
 }
@@ -113,16 +146,18 @@ Edit shown(const StatementEdit& edit) {
 /// Says which statements of one side's list the other side's lacks, and of one that only moved (it is in `opposite`,
 /// what the same side lost, or gained) in which block.
 void name_missing(const std::vector<Statement>& here, const std::vector<size_t>& indices,
-                  std::vector<std::string> others, const std::vector<std::string>& opposite, bool is_source,
+                  const std::vector<std::string>& others, const std::vector<std::string>& opposite, bool is_source,
                   const char* verb, std::vector<std::string>& out) {
+    std::unordered_map<std::string_view, size_t> free;
+    for (const std::string& key : others) ++free[key];
+    const std::unordered_set<std::string_view> turned(opposite.begin(), opposite.end());
     for (const size_t i : indices) {
         if (here[i].is_brace()) continue;
-        const auto found = std::find(others.begin(), others.end(), here[i].key);
-        if (found != others.end()) {
-            others.erase(found);
+        if (const auto found = free.find(here[i].key); found != free.end() && found->second > 0) {
+            --found->second;
             continue;
         }
-        const bool moved = std::find(opposite.begin(), opposite.end(), here[i].key) != opposite.end();
+        const bool moved = turned.contains(here[i].key);
         out.push_back(std::string(is_source ? "the source " : "the port ") + verb + " `" + here[i].shown + "`" +
                       (moved ? " in " + block_of(here, i) : "") +
                       (is_source ? "; the port did not" : "; the source did not"));

@@ -192,10 +192,12 @@ Similarity measure_linear(const Passage& a, const Passage& b, const Dialect& dia
     sides.a = table.place(a);
     sides.b = table.place(b);
     Similarity out;
-    // The three vocabularies have nothing to do with each other; for long texts each gets a thread.
-    constexpr size_t kWorthAThread = 100'000;
-    const bool is_long = sides.a.size() + sides.b.size() > kWorthAThread;
-    const std::launch when = is_long ? std::launch::async : std::launch::deferred;
+    // The three vocabularies have nothing to do with each other; for long texts each gets a thread. For the longest one
+    // after the other is done, so that their tables are not in memory together.
+    constexpr size_t kWorthAThread = 100'000, kTooLargeTogether = 4'000'000;
+    const size_t tokens = sides.a.size() + sides.b.size();
+    const bool at_once = tokens > kWorthAThread && tokens < kTooLargeTogether;
+    const std::launch when = at_once ? std::launch::async : std::launch::deferred;
     const auto find = [&](Vocabulary vocabulary) { return find_shares(table, sides, vocabulary, parameters); };
     std::future<Shares> blind = std::async(when, find, Vocabulary::Blind);
     std::future<Shares> raw = std::async(when, find, Vocabulary::Raw);

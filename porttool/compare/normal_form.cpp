@@ -13,7 +13,7 @@ namespace {
 /// The tokens of a unit that belong to it: without holes and dead branches.
 std::vector<uint32_t> own_tokens(const ScannedFile& file, const Unit& unit) {
     std::vector<uint32_t> own;
-    own.reserve(unit.tokens.end - unit.tokens.first);
+    if (unit.holes.empty()) own.reserve(unit.tokens.end - unit.tokens.first);  // else most may be somebody else's
     size_t hole = 0;
     for (uint32_t i = unit.tokens.first; i < unit.tokens.end; ++i) {
         while (hole < unit.holes.size() && unit.holes[hole].end <= i) ++hole;
@@ -216,7 +216,7 @@ void write_normal_form(const ScannedFile& file, const Unit& unit, const NormalSi
 
 std::vector<NormalToken> normal_form(const ScannedFile& file, const Unit& unit) {
     std::vector<NormalToken> out;
-    out.reserve(unit.tokens.end - unit.tokens.first + 16);
+    if (unit.holes.empty()) out.reserve(unit.tokens.end - unit.tokens.first + 16);
     write_normal_form(file, unit, [&](std::string_view text, uint32_t token) {
         out.push_back({std::string(text), token});
     });

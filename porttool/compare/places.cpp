@@ -58,13 +58,20 @@ bool same_place(const std::vector<Anchor>& shared, size_t source, size_t target)
     return in_source == in_target;
 }
 
+/// A statement as it is quoted beside others: many can stand in or behind a single long one.
+std::string quoted(const Statement& statement) {
+    constexpr size_t kLongest = 500;
+    return "`" + (statement.shown.size() > kLongest ? statement.shown.substr(0, kLongest) + " ..." : statement.shown) +
+           "`";
+}
+
 /// Where a statement stands, for a reader: its block, or within the same block the statement before it.
 std::string place_of(const std::vector<Statement>& statements, size_t i, bool by_block) {
     if (by_block) return "in " + block_of(statements, i);
     if (i == 0) return "first";
     const Statement& last = statements[i - 1];
     if (last.is_brace()) return "behind the block of " + block_of(statements, i - 1);
-    return "behind `" + last.shown + "`";
+    return "behind " + quoted(last);
 }
 
 std::string both_places(const std::vector<Statement>& source, size_t at, const std::vector<Statement>& target,
@@ -94,9 +101,13 @@ std::string moved_block(const StatementEdit& source, const StatementEdit& target
 std::vector<size_t> StatementEdit::kept() const {
     std::vector<size_t> out(before.size(), kGone);
     size_t k = 0;
+    auto next_lost = lost.begin(), next_gained = gained.begin();
     for (size_t i = 0; i < before.size(); ++i) {
-        if (std::binary_search(lost.begin(), lost.end(), i)) continue;
-        while (std::binary_search(gained.begin(), gained.end(), k)) ++k;
+        if (next_lost != lost.end() && *next_lost == i) {
+            ++next_lost;
+            continue;
+        }
+        for (; next_gained != gained.end() && *next_gained == k; ++next_gained) ++k;
         out[i] = k++;
     }
     return out;
@@ -116,7 +127,7 @@ std::string block_of(const std::vector<Statement>& statements, size_t i) {
     const size_t head = statements[i].head;
     if (head == Statement::kNoHead) return "the head";
     if (statements[head].head == Statement::kNoHead) return "the function's body";
-    return "`" + statements[head].shown + "`";
+    return quoted(statements[head]);
 }
 
 std::vector<std::string> other_places(const StatementEdit& source, const StatementEdit& target) {

@@ -15,13 +15,16 @@
 namespace porttool {
 namespace {
 
+constexpr size_t kMostOfALine = 100'000, kMostOfAnEdit = 1'000'000;  // tokens; beyond, no person wrote it
+
 struct TextLine {
     uint32_t line = 0;
     std::string key;                  ///< its tokens, numbers in one spelling
     std::vector<std::string> tokens;  ///< as written
 };
 
-std::vector<TextLine> lines_of(const Excerpt& excerpt) {
+/// `with_tokens` false leaves the tokens out: of a text that was, only the keys are of use.
+std::vector<TextLine> lines_of(const Excerpt& excerpt, bool with_tokens) {
     std::vector<TextLine> out;
     if (excerpt.file == nullptr) return out;
     const LexedText& lexed = excerpt.file->lexed;
@@ -32,8 +35,11 @@ std::vector<TextLine> lines_of(const Excerpt& excerpt) {
             const std::string word =
                 token.kind == TokenKind::Number ? normal_number(lexed.view(token)) : std::string(lexed.view(token));
             out.back().key += word + " ";
-            out.back().tokens.push_back(word);
+            if (with_tokens && out.back().tokens.size() < kMostOfALine) out.back().tokens.push_back(word);
         }
+    // What is left out of a line must not make it equal to another.
+    for (TextLine& line : out)
+        if (line.tokens.size() >= kMostOfALine) line.tokens.push_back(std::to_string(hash_text(line.key)));
     return out;
 }
 
@@ -61,6 +67,7 @@ Edited edited(const std::vector<TextLine>& before, std::vector<TextLine> now) {
     Edited out;
     auto keys = [](const std::vector<TextLine>& lines) {
         std::vector<std::string> texts;
+        texts.reserve(lines.size());
         for (const TextLine& line : lines) texts.push_back(line.key);
         return texts;
     };
@@ -251,7 +258,9 @@ struct CarriedLines {
 
 std::vector<std::string> added_words(const Edited& side, const Dialect& dialect) {
     std::vector<std::string> tokens;
-    for (const size_t i : side.added) tokens.insert(tokens.end(), side.now[i].tokens.begin(), side.now[i].tokens.end());
+    for (const size_t i : side.added)
+        if (tokens.size() < kMostOfAnEdit)
+            tokens.insert(tokens.end(), side.now[i].tokens.begin(), side.now[i].tokens.end());
     std::vector<std::string> words = common_words(tokens, dialect);
     std::erase(words, "}");
     std::sort(words.begin(), words.end());
@@ -296,7 +305,7 @@ struct Side {
 
     Edited edit(const std::string& id) {
         const Excerpt old = before.find_before(id, now), fresh = now.find(id);
-        std::vector<TextLine> old_lines = lines_of(old), new_lines = lines_of(fresh);
+        std::vector<TextLine> old_lines = lines_of(old, false), new_lines = lines_of(fresh, true);
         for (const TextLine& line : old_lines) lines_before[old.file->path].insert(line.line);
         for (const TextLine& line : new_lines) lines_now[fresh.file->path].insert(line.line);
         return edited(old_lines, std::move(new_lines));
@@ -304,7 +313,7 @@ struct Side {
 };
 
 std::vector<TextLine> lines_outside(const ScannedFile& file, const std::map<std::string, std::set<uint32_t>>& paired) {
-    std::vector<TextLine> lines = lines_of({&file, nullptr});
+    std::vector<TextLine> lines = lines_of({&file, nullptr}, true);
     if (const auto found = paired.find(file.path); found != paired.end())
         std::erase_if(lines, [&](const TextLine& line) { return found->second.contains(line.line); });
     return lines;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <unordered_set>
 
 #include "porttool/compare/locals.h"
 #include "porttool/compare/statements.h"
@@ -57,9 +58,10 @@ struct Function {
 
 /// The text with all of `names` made one word, so that two texts can be laid side by side without them.
 Words blanked(const Words& words, const Words& names) {
+    const std::unordered_set<std::string_view> blank(names.begin(), names.end());
     Words out = words;
     for (std::string& word : out)
-        if (std::find(names.begin(), names.end(), word) != names.end()) word = "%";
+        if (blank.contains(word)) word = "%";
     return out;
 }
 

@@ -11,15 +11,8 @@
 namespace porttool {
 namespace {
 
-/// A suppression by what it says and where it belongs, not by its line, which any edit above it moves.
-std::string key_of(const PlacedSuppression& suppression) {
-    const Suppression& comment = suppression.comment;
-    std::string key = suppression.file + "\n" + comment.rule + "\n" + comment.reason;
-    for (const std::string& unit : comment.units) key += "\n" + unit;
-    return key;
-}
-
-/// How often each suppression stands somewhere; taking one away says whether it was there.
+/// How often each suppression stands somewhere; taking one away says whether it was there. One is told by what it says
+/// and where it belongs, not by its line, which any edit above it moves.
 class Counted {
 public:
     explicit Counted(const std::vector<PlacedSuppression>& suppressions) {
@@ -33,7 +26,27 @@ public:
     }
 
 private:
+    std::string key_of(const PlacedSuppression& suppression) {
+        const Suppression& comment = suppression.comment;
+        Fingerprinter print;
+        for (const std::string* part : {&suppression.file, &comment.rule, &comment.reason}) print.add(*part);
+        print.add(units_of(comment));
+        return print.digits();
+    }
+
+    /// Many comments share one list of units, which may be long.
+    const std::string& units_of(const Suppression& comment) {
+        const auto [known, fresh] = units_.try_emplace(comment.units);
+        if (fresh && comment.units != nullptr) {
+            Fingerprinter print;
+            for (const std::string& unit : *comment.units) print.add(unit);
+            known->second = print.digits();
+        }
+        return known->second;
+    }
+
     std::map<std::string, size_t> counts_;
+    std::map<decltype(Suppression::units), std::string> units_;
 };
 
 class Comparison {

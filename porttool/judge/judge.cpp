@@ -5,13 +5,16 @@
 #include <algorithm>
 #include <array>
 #include <tuple>
+#include <unordered_set>
 
 #include "porttool/compare/hazards.h"
+#include "porttool/judge/compare_budget.h"
 #include "porttool/judge/constant_value.h"
 #include "porttool/judge/lock_index.h"
 #include "porttool/judge/resolve.h"
+#include "porttool/judge/suppression_index.h"
 #include "porttool/read/disk.h"
-#include "porttool/read/glob.h"
+#include "porttool/read/id_patterns.h"
 #include "porttool/text/sink/shell.h"
 
 namespace porttool {
@@ -69,6 +72,11 @@ std::vector<std::string> words_of(const UnitState& unit) { return read_state_tex
 
 std::string change_name(Change change) { return change == Change::Constant ? "constant" : "semantic"; }
 
+/// The changed sides' texts when they were last in step; "" where there is none.
+struct BaseTexts {
+    std::string source, target;
+};
+
 class Judge {
 public:
     explicit Judge(const Case& facts)
@@ -76,11 +84,12 @@ public:
           dialect_(facts.map.dialect),
           locks_(facts.map, facts.lock, facts.source, facts.target),
           source_(facts.source, named_units(true), facts.base_text),
-          target_(facts.target, named_units(false), facts.base_text) {
+          target_(facts.target, named_units(false), facts.base_text),
+          suppressions_(facts.suppressions) {
         for (const LedgerEntry& entry : facts.lock.ledger)
             if (entry.verdict != "accept") ledger_[{entry.source, entry.target}].push_back(&entry);
-        for (const MapIgnore& ignore : facts.map.ignores) ignored_.emplace_back(ignore.id);
         for (const SkippedFile& file : facts.skipped) unread_.emplace(file.file, file.reason);
+        find_ignored();
     }
 
     Judgement run() {
@@ -260,21 +269,41 @@ private:
         pair.changed = source != Change::None || target != Change::None;
         pair.equivalent = pair.changed && !source_changed && !target_changed;
         if (!source_changed && !target_changed) return;
+        const BaseTexts base{source_changed ? facts_.base_text(lock.source_prints.written) : std::string(),
+                             target_changed ? facts_.base_text(lock.target_prints.written) : std::string()};
+        if (const std::string why = budget_.refusal(pair, base.source, base.target); !why.empty())
+            return report_unread(pair, source, target, why);
         const bool constants = pair.source->kind == UnitKind::Constant && pair.target->kind == UnitKind::Constant;
         const bool structs = pair.source->kind == UnitKind::Struct && pair.target->kind == UnitKind::Struct;
-        if (source_changed) note_hazards(pair, lock);
         const bool both = source_changed && target_changed;
+        Edit edit;
+        if (source_changed && !base.source.empty())
+            edit = edit_of(read_state_text(base.source), words_of(*pair.source));
+        if (source_changed) note_hazards(pair, edit);
         if ((constants || structs) && compare_values(pair, structs, source_changed ? source : target, both)) return;
-        if (source_changed && target_changed) return compare_both(pair, lock, std::max(source, target));
-        if (source_changed) return report_one(pair, lock, true, source);
-        report_one(pair, lock, false, target);
+        if (both) return compare_both(pair, base, std::max(source, target));
+        if (target_changed && !base.target.empty())
+            edit = edit_of(read_state_text(base.target), words_of(*pair.target));
+        report_one(pair, source_changed ? base.source : base.target, edit, source_changed,
+                   source_changed ? source : target);
+    }
+
+    /// What is too long to be compared is a finding all the same.
+    void report_unread(const JudgedPair& pair, Change source, Change target, const std::string& why) {
+        const bool source_changed = source > Change::Cosmetic, both = source_changed && target > Change::Cosmetic;
+        add_for(pair,
+                both             ? "port-differs"
+                : source_changed ? "source-changed"
+                                 : "target-changed",
+                change_name(std::max(source, target)),
+                std::string(both             ? "both sides changed"
+                            : source_changed ? "the source changed; its port did not"
+                                             : "the port changed; its source did not") +
+                    "; the edit was not compared: " + why);
     }
 
     /// Built-ins that the source's edit brings in and that mean different things in different dialects.
-    void note_hazards(const JudgedPair& pair, const LockedPair& lock) {
-        const std::string base = facts_.base_text(lock.source_prints.written);
-        if (base.empty()) return;
-        const Edit edit = edit_of(read_state_text(base), words_of(*pair.source));
+    void note_hazards(const JudgedPair& pair, const Edit& edit) {
         for (const std::string& hazard : hazards_of(edit.gained, edit.lost))
             add_for(pair, "dialect-hazard", "", hazard).fingerprint =
                 fingerprint({{"dialect-hazard", 0}, {pair.map_source, 0}, {pair.map_target, 0}, {hazard, 0}});
@@ -292,14 +321,12 @@ private:
         return true;
     }
 
-    void report_one(JudgedPair& pair, const LockedPair& lock, bool source, Change change) {
+    void report_one(JudgedPair& pair, const std::string& base, const Edit& edit, bool source, Change change) {
         const UnitState& unit = source ? *pair.source : *pair.target;
-        const std::string base = facts_.base_text(source ? lock.source_prints.written : lock.target_prints.written);
         Finding& finding =
             add_for(pair, source ? "source-changed" : "target-changed", change_name(change),
                     source ? "the source changed; its port did not" : "the port changed; its source did not");
         if (base.empty()) return;
-        const Edit edit = edit_of(read_state_text(base), words_of(unit));
         for (const std::string& statement : edit.lost) finding.details.push_back("- " + statement);
         for (const std::string& statement : edit.gained) finding.details.push_back("+ " + statement);
         if (finding.details.empty()) finding.details.emplace_back("the statements were rearranged");
@@ -327,17 +354,15 @@ private:
         return shading(*pair.source) || shading(*pair.target) ? Literals::Shading : Literals::C;
     }
 
-    void compare_both(JudgedPair& pair, const LockedPair& lock, Change change) {
-        const std::string source_base = facts_.base_text(lock.source_prints.written);
-        const std::string target_base = facts_.base_text(lock.target_prints.written);
-        if (source_base.empty() || target_base.empty()) {
+    void compare_both(JudgedPair& pair, const BaseTexts& base, Change change) {
+        if (base.source.empty() || base.target.empty()) {
             add_for(pair, "port-differs", change_name(change),
                     "both sides changed, and the texts to compare the edits by are not in portmap.base/, or not as "
                     "recorded");
             return;
         }
         const EditComparison edits =
-            compare_edits(read_state_text(source_base), words_of(*pair.source), read_state_text(target_base),
+            compare_edits(read_state_text(base.source), words_of(*pair.source), read_state_text(base.target),
                           words_of(*pair.target), dialect_, literals_of(pair));
         pair.equivalent = edits.equivalent;
         if (edits.equivalent) return;
@@ -388,25 +413,17 @@ private:
                (target == nullptr || entry.target_print == target->prints.written);
     }
 
-    /// A comment of the unit; where the map names a whole file, any comment in it.
-    static bool covers(const PlacedSuppression& suppression, const std::optional<Place>& place) {
-        if (!place || suppression.file != place->file) return false;
-        const auto& units = suppression.comment.units;
-        return place->id.ends_with(":@file") || std::find(units.begin(), units.end(), place->id) != units.end();
-    }
-
     /// Lets comments settle findings from `first` on; true if they settle some and leave none open but notes.
     bool suppress(size_t first) {
         bool some = false, all = true;
         for (size_t i = first; i < out_.findings.size(); ++i) {
             Finding& finding = out_.findings[i];
-            for (size_t k = 0; k < facts_.suppressions.size(); ++k) {
-                const PlacedSuppression& suppression = facts_.suppressions[k];
-                if (suppression.comment.rule != finding.rule) continue;
-                if (!covers(suppression, finding.source) && !covers(suppression, finding.target)) continue;
-                used_suppressions_.insert(k);
+            std::optional<size_t> settled;
+            for (const std::optional<Place>* place : {&finding.source, &finding.target})
+                if (*place) settled = std::max(settled, suppressions_.use(finding.rule, **place));
+            if (settled) {
                 finding.verdict = "ignore";
-                finding.verdict_reason = suppression.comment.reason;
+                finding.verdict_reason = facts_.suppressions[*settled].comment.reason;
                 finding.settled_in_source = true;
             }
             some = some || !finding.verdict.empty();
@@ -417,7 +434,7 @@ private:
 
     void find_unused_suppressions() {
         for (size_t k = 0; k < facts_.suppressions.size(); ++k) {
-            if (used_suppressions_.contains(k)) continue;
+            if (suppressions_.is_used(k)) continue;
             const auto& [file, comment] = facts_.suppressions[k];
             Finding& finding = add("unused-suppression", file + ":" + comment.rule, "");
             finding.source = Place{file + ":@file", file, comment.line, comment.line};
@@ -426,16 +443,22 @@ private:
         }
     }
 
-    bool names_any(const Glob& glob) const {
+    void find_ignored() {
+        std::vector<std::string> texts;
+        for (const MapIgnore& ignore : facts_.map.ignores) texts.push_back(ignore.id);
+        const IdPatterns patterns(texts);
+        idle_ignores_.assign(texts.size(), true);
         for (const auto* side : {&facts_.source, &facts_.target})
             for (const auto& [id, unit] : *side)
-                if (glob.text() == id || glob.matches(id)) return true;
-        return false;
+                for (const size_t i : patterns.matching(id)) {
+                    idle_ignores_[i] = false;
+                    ignored_.insert(id);
+                }
     }
 
     void find_idle_ignores() {
-        for (size_t i = 0; i < ignored_.size(); ++i) {
-            if (names_any(ignored_[i])) continue;
+        for (size_t i = 0; i < idle_ignores_.size(); ++i) {
+            if (!idle_ignores_[i]) continue;
             const MapIgnore& ignore = facts_.map.ignores[i];
             Finding& finding = add("unused-suppression", ignore.id, "");
             finding.map_line = static_cast<uint32_t>(std::max(1, ignore.line));
@@ -457,11 +480,6 @@ private:
             ++out_.summary.review;
         else
             ++out_.summary.in_step;
-    }
-
-    bool is_ignored(const std::string& id) const {
-        return std::any_of(ignored_.begin(), ignored_.end(),
-                           [&](const Glob& g) { return g.text() == id || g.matches(id); });
     }
 
     void find_unported() {
@@ -492,7 +510,7 @@ private:
         finding.source = place_of(unit, true);
         finding.change = "added";
         finding.message = std::string(unit_kind_name(unit.kind)) + " " + unit.name + " has no port";
-        if (baseline != nullptr || is_ignored(unit.id)) {
+        if (baseline != nullptr || ignored_.contains(unit.id)) {
             suppress(first);  // a comment there says the same and is not idle
             Finding& settled = out_.findings[first];
             if (settled.verdict.empty() && baseline != nullptr && !baseline->reason.empty()) {
@@ -521,9 +539,11 @@ private:
     LockIndex locks_;
     Resolver source_, target_;
     std::map<std::pair<std::string, std::string>, std::vector<const LedgerEntry*>> ledger_;
-    std::vector<Glob> ignored_;
-    std::map<std::string, std::string> unread_;  ///< files, and why
-    std::set<size_t> used_suppressions_;
+    std::map<std::string, std::string> unread_;     ///< files, and why
+    std::unordered_set<std::string_view> ignored_;  ///< ids of units that an [[ignore]] names
+    std::vector<bool> idle_ignores_;
+    SuppressionIndex suppressions_;
+    CompareBudget budget_;
     Judgement out_;
 };
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <unordered_map>
 
 #include "porttool/compare/normal_form.h"
 #include "porttool/match/words.h"
@@ -40,15 +40,23 @@ public:
 
     UnitFeatures read(const Unit& unit) {
         UnitFeatures features;
-        counts_ = {};
         features.group = group_of(unit.kind);
         features.kernel = unit.kind == UnitKind::Kernel;
         read_names(unit, features);
         read_place();
         read_parameters(unit, features);
         read_body(unit, features);
-        for (size_t family = 0; family < kFamilies; ++family)
-            for (const auto& [id, count] : counts_[family]) features.bags[family].push_back({id, count});
+        for (size_t family = 0; family < kFamilies; ++family) {
+            Bag& bag = features.bags[family];
+            bag.reserve(counts_[family].size());
+            for (const auto& [id, count] : counts_[family]) bag.push_back({id, count});
+            std::sort(bag.begin(), bag.end(), [](const Term& a, const Term& b) { return a.id < b.id; });
+            constexpr size_t kFew = 1024;  // to clear a large table takes as long as it is large
+            if (counts_[family].bucket_count() > kFew)
+                counts_[family] = {};
+            else
+                counts_[family].clear();
+        }
         return features;
     }
 
@@ -99,6 +107,7 @@ private:
             features.name_words = {vocabulary_.id(kName, split_words(stage).front())};
         } else {
             for (const auto& [id, amount] : counts_[kName]) features.name_words.push_back(id);
+            std::sort(features.name_words.begin(), features.name_words.end());
         }
         features.all_words = name_ids({shown, stage});
         features.path_words = name_ids({file_.path.substr(0, file_.path.rfind('.')), stage_word(file_.path)});
@@ -226,7 +235,7 @@ private:
     const ScannedFile& file_;
     const Dialect& dialect_;
     Vocabulary& vocabulary_;
-    std::array<std::map<uint32_t, float>, kFamilies> counts_;
+    std::array<std::unordered_map<uint32_t, float>, kFamilies> counts_;
     std::vector<uint64_t> shape_;
 };
 

@@ -8,7 +8,7 @@
 #include <unordered_set>
 
 #include "porttool/match/decide.h"
-#include "porttool/read/glob.h"
+#include "porttool/read/id_patterns.h"
 #include "porttool/scan/scan.h"
 
 namespace porttool {
@@ -18,17 +18,12 @@ std::string id_of(const std::vector<ScannedFile>& files, const UnitFeatures& uni
     return unit_id(files[unit.file], files[unit.file].units[unit.unit]);
 }
 
-bool is_ignored(const std::vector<Glob>& ignored, const std::string& id) {
-    return std::any_of(ignored.begin(), ignored.end(),
-                       [&](const Glob& glob) { return glob.text() == id || glob.matches(id); });
-}
-
 /// Takes the units out that are ignored or stand in a settled pair.
 void keep_open_units(std::vector<UnitFeatures>& units, const std::vector<ScannedFile>& files,
-                     const std::unordered_set<std::string>& settled, const std::vector<Glob>& ignored) {
+                     const std::unordered_set<std::string>& settled, const IdPatterns& ignored) {
     std::erase_if(units, [&](const UnitFeatures& unit) {
         const std::string id = id_of(files, unit);
-        return settled.contains(id) || is_ignored(ignored, id);
+        return settled.contains(id) || ignored.match(id);
     });
 }
 
@@ -52,8 +47,7 @@ Matching match_units(const std::vector<ScannedFile>& source, const std::vector<S
         settled_source.insert(from);
         settled_target.insert(to);
     }
-    std::vector<Glob> ignored;
-    for (const std::string& text : settled.ignored) ignored.emplace_back(text);
+    const IdPatterns ignored(settled.ignored);
 
     Vocabulary vocabulary;
     auto source_units = read_features(source, dialect, vocabulary);

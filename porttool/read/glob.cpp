@@ -8,7 +8,8 @@
 namespace porttool {
 namespace {
 
-constexpr size_t kMostAlternatives = 4096;
+constexpr size_t kLongestPattern = 65'536, kMostAlternatives = 4096, kDeepestBraces = 32, kMostGroups = 256,
+                 kMostBytes = 16'777'216;
 
 /// Position of the `}` that closes the `{` at `open`.
 std::optional<size_t> closing_brace(std::string_view pattern, size_t open) {
@@ -24,9 +25,50 @@ std::optional<size_t> closing_brace(std::string_view pattern, size_t open) {
     return std::nullopt;
 }
 
+/// The texts between the commas of a group.
+std::vector<std::string_view> choices(std::string_view inner) {
+    std::vector<std::string_view> out;
+    int depth = 0;
+    size_t first = 0;
+    for (size_t i = 0; i <= inner.size(); ++i) {
+        if (i < inner.size() && inner[i] == '{') ++depth;
+        if (i < inner.size() && inner[i] == '}') --depth;
+        if (i < inner.size() && (inner[i] != ',' || depth != 0)) continue;
+        out.push_back(inner.substr(first, i - first));
+        first = i + 1;
+    }
+    return out;
+}
+
+/// Counts what `{a,b}` written out would give, so that nothing is begun that has no end.
+class BraceCount {
+public:
+    /// Above kMostAlternatives if there is more of anything than is taken.
+    size_t of(std::string_view pattern, size_t depth = 0) {
+        if (depth > kDeepestBraces) return kMostAlternatives + 1;
+        size_t product = 1;
+        for (size_t open = 0; open < pattern.size() && product <= kMostAlternatives; ++open) {
+            if (pattern[open] == '\\') ++open;
+            if (open >= pattern.size() || pattern[open] != '{') continue;
+            const auto close = closing_brace(pattern, open);
+            if (!close) break;
+            if (++groups_ > kMostGroups) return kMostAlternatives + 1;
+            size_t sum = 0;
+            for (const std::string_view choice : choices(pattern.substr(open + 1, *close - open - 1)))
+                sum += std::min(of(choice, depth + 1), kMostAlternatives + 1);
+            product *= std::min(sum, kMostAlternatives + 1);
+            open = *close;
+        }
+        return product;
+    }
+
+private:
+    size_t groups_ = 0;
+};
+
 /// Writes `{a,b}` out, the first brace first.
-void expand_braces(const std::string& pattern, std::vector<std::string>& out) {
-    for (size_t open = 0; open < pattern.size(); ++open) {
+void expand_braces(const std::string& pattern, size_t from, std::vector<std::string>& out) {
+    for (size_t open = from; open < pattern.size(); ++open) {
         if (pattern[open] == '\\') {
             ++open;
             continue;
@@ -34,19 +76,27 @@ void expand_braces(const std::string& pattern, std::vector<std::string>& out) {
         if (pattern[open] != '{') continue;
         const auto close = closing_brace(pattern, open);
         if (!close) break;
-        int depth = 0;
-        size_t first = open + 1;
-        for (size_t i = open + 1; i <= *close && out.size() < kMostAlternatives; ++i) {
-            if (pattern[i] == '{') ++depth;
-            const bool ends = i == *close || (pattern[i] == ',' && depth == 0);
-            if (pattern[i] == '}') --depth;
-            if (!ends) continue;
-            expand_braces(pattern.substr(0, open) + pattern.substr(first, i - first) + pattern.substr(*close + 1), out);
-            first = i + 1;
-        }
+        const std::string_view text = pattern;
+        for (const std::string_view choice : choices(text.substr(open + 1, *close - open - 1)))
+            expand_braces(pattern.substr(0, open) + std::string(choice) + pattern.substr(*close + 1), open, out);
         return;
     }
-    if (out.size() < kMostAlternatives) out.push_back(pattern);
+    out.push_back(pattern);
+}
+
+/// Throws GlobTooLarge.
+std::vector<std::string> expanded(const std::string& pattern) {
+    const size_t count = pattern.size() > kLongestPattern ? kMostAlternatives + 1 : BraceCount().of(pattern);
+    if (count > kMostAlternatives || count * pattern.size() > kMostBytes) {
+        constexpr size_t kShown = 60;
+        throw GlobTooLarge("the pattern '" + pattern.substr(0, kShown) + (pattern.size() > kShown ? "...'" : "'") +
+                           " stands for too many: at most " + std::to_string(kMostAlternatives) +
+                           " patterns of together 16 MiB, with at most " + std::to_string(kMostGroups) +
+                           " braces; write several shorter ones");
+    }
+    std::vector<std::string> out;
+    expand_braces(pattern, 0, out);
+    return out;
 }
 
 bool has_wildcard(std::string_view text) { return text.find_first_of("*?[") != std::string_view::npos; }
@@ -141,9 +191,8 @@ std::vector<std::string_view> split_path(std::string_view path) {
 }
 
 Glob::Glob(std::string_view pattern) : text_(pattern) {
-    std::vector<std::string> expanded;
-    expand_braces(text_, expanded);
-    for (const std::string& one : expanded) {
+    const std::vector<std::string> all = expanded(text_);
+    for (const std::string& one : all) {
         std::vector<std::string> segments;
         for (const std::string_view segment : split_path(one)) {
             if (segment != "**" && segment.starts_with("**")) {  // **.cl reads as **/*.cl
@@ -154,7 +203,7 @@ Glob::Glob(std::string_view pattern) : text_(pattern) {
             }
         }
         const bool wild = std::any_of(segments.begin(), segments.end(), has_wildcard);
-        literal_ = expanded.size() == 1 && !wild;
+        literal_ = all.size() == 1 && !wild;
         const bool folder = one.ends_with('/') || one == "." || segments.empty();
         if (!folder) alternatives_.push_back(segments);
         if (folder || !has_wildcard(segments.back())) {

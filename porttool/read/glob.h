@@ -2,16 +2,23 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace porttool {
 
+/// A pattern that stands for more than can be tried; says which, and what to do.
+struct GlobTooLarge : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
 /// A pattern over `/`-separated relative paths: `*` and `?` within a folder, `**` over folders, `[a-z]`, `[!a]`,
 /// `{a,b}`, backslash escapes. A pattern that names a folder matches what lies in it.
 class Glob {
 public:
+    /// Throws GlobTooLarge.
     explicit Glob(std::string_view pattern);
 
     bool matches(std::string_view path) const;
@@ -20,6 +27,8 @@ public:
     /// True if the pattern has no wildcard and is one path.
     bool literal() const { return literal_; }
     const std::string& text() const { return text_; }
+    /// How many patterns without braces it stands for.
+    size_t size() const { return alternatives_.size(); }
 
 private:
     std::string text_;

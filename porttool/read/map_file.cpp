@@ -11,6 +11,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "porttool/read/dotted_keys.h"
 #include "porttool/text/sink/terminal.h"
 #include "porttool/text/suggest.h"
 #include "porttool/text/utf8.h"
@@ -73,6 +74,9 @@ public:
 
 private:
     toml::table parse() {
+        if (const auto line = line_of_deep_key(text_))
+            throw Misread(path_ + ":" + std::to_string(*line) +
+                          ": a key of more than 16 dots; no table of a map lies that deep");
         try {
             return toml::parse(text_, path_);
         } catch (const toml::parse_error& error) {

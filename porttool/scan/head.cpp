@@ -541,8 +541,13 @@ Head read_head(const HeadContext& context, uint32_t first, uint32_t end) {
 }
 
 uint32_t skip_angles(const HeadContext& context, uint32_t open, uint32_t end) {
+    constexpr uint32_t kNear = 256;
     int depth = 0;
     for (uint32_t at = open; at < end; ++at) {
+        if (at - open > kNear) {
+            const uint32_t close = context.angles.close(context.lexed, context.structure, open);
+            return close < end ? close + 1 : kNoMatch;
+        }
         const std::string_view text = context.lexed.view(context.structure.tokens[at]);
         const uint32_t close = context.structure.match[at];
         if ((text == "(" || text == "[" || text == "{") && close != kNoMatch && close < end)
@@ -555,6 +560,36 @@ uint32_t skip_angles(const HeadContext& context, uint32_t open, uint32_t end) {
             return kNoMatch;
     }
     return kNoMatch;
+}
+
+uint32_t AngleTable::close(const LexedText& lexed, const Structure& structure, uint32_t open) {
+    if (close_.empty()) fill(lexed, structure);
+    return close_[open];
+}
+
+void AngleTable::fill(const LexedText& lexed, const Structure& structure) {
+    const auto count = static_cast<uint32_t>(structure.tokens.size());
+    close_.assign(count, kNoMatch);
+    std::vector<uint32_t> open;  // angle brackets, those of outer groups below those of inner ones
+    std::vector<size_t> outer;   // how many belong to the groups around
+    for (uint32_t at = 0; at < count; ++at) {
+        const std::string_view text = lexed.view(structure.tokens[at]);
+        const uint32_t match = structure.match[at];
+        const size_t floor = outer.empty() ? 0 : outer.back();
+        if (match != kNoMatch && match > at) {
+            outer.push_back(open.size());
+        } else if (match != kNoMatch) {
+            open.resize(floor);
+            if (!outer.empty()) outer.pop_back();
+        } else if (text == "<") {
+            open.push_back(at);
+        } else if (text == ">" && open.size() > floor) {
+            close_[open.back()] = at;
+            open.pop_back();
+        } else if (text == ";") {
+            open.resize(floor);
+        }
+    }
 }
 
 bool takes_attribute_arguments(std::string_view word) { return is_one_of(kAttributeWords, word); }

@@ -25,12 +25,25 @@ struct Head {
     bool is_typedef = false;
 };
 
+/// Where the angle brackets of a file that stand for template arguments would close: made at one go when it is first
+/// asked for, since each search on its own can run to the end of the file.
+class AngleTable {
+public:
+    /// Position of the `>` that closes the `<` at `open`, kNoMatch if none does.
+    uint32_t close(const LexedText& lexed, const Structure& structure, uint32_t open);
+
+private:
+    void fill(const LexedText& lexed, const Structure& structure);
+    std::vector<uint32_t> close_;
+};
+
 /// What a head is read with.
 struct HeadContext {
     const LexedText& lexed;
     const Structure& structure;
     Language language;
     const MacroTable& macros;
+    AngleTable& angles;
     bool in_class = false;
 };
 

@@ -131,20 +131,26 @@ private:
         out_.comments.push_back({first, line_});
     }
 
-    /// `porttool: ignore(RULE) reason`, also several in one comment.
+    /// `porttool: ignore(RULE) reason`, also several in one comment. A rule or a reason that goes on without end is
+    /// cut: in a comment of nothing else each would hold all that follow.
     void read_suppressions(std::string_view comment) {
         constexpr std::string_view kMark = "porttool: ignore(";
+        constexpr size_t kLongestRule = 128, kLongestReason = 1024;
+        uint32_t line = line_;
+        size_t counted = 0;
         for (size_t at = comment.find(kMark); at != std::string_view::npos; at = comment.find(kMark, at + 1)) {
-            const size_t rule = at + kMark.size();
-            const size_t close = comment.find(')', rule);
-            if (close == std::string_view::npos) return;
-            std::string_view reason = comment.substr(close + 1, comment.find('\n', close) - close - 1);
+            const std::string_view rule = comment.substr(at + kMark.size(), kLongestRule);
+            const size_t close = rule.find(')');
+            if (close == std::string_view::npos) continue;
+            std::string_view reason = comment.substr(at + kMark.size() + close + 1, kLongestReason);
+            reason = reason.substr(0, reason.find('\n'));
             if (const size_t end = reason.find("*/"); end != std::string_view::npos) reason = reason.substr(0, end);
             while (!reason.empty() && reason.front() == ' ') reason.remove_prefix(1);
             while (!reason.empty() && reason.back() == ' ') reason.remove_suffix(1);
-            const auto line = line_ + static_cast<uint32_t>(std::count(
-                                          comment.begin(), comment.begin() + static_cast<std::ptrdiff_t>(at), '\n'));
-            out_.suppressions.push_back({std::string(comment.substr(rule, close - rule)), std::string(reason), line});
+            line += static_cast<uint32_t>(std::count(comment.begin() + static_cast<std::ptrdiff_t>(counted),
+                                                     comment.begin() + static_cast<std::ptrdiff_t>(at), '\n'));
+            counted = at;
+            out_.suppressions.push_back({std::string(rule.substr(0, close)), std::string(reason), line});
         }
     }
 

@@ -11,6 +11,7 @@
 #include "porttool/scan/lexer.h"
 #include "porttool/scan/suppressions.h"
 #include "porttool/scan/units.h"
+#include "porttool/text/fingerprint.h"
 #include "porttool/text/utf8.h"
 
 namespace porttool {
@@ -42,6 +43,17 @@ void number_names(std::vector<Unit>& units) {
         const int count = ++seen[unit.name];
         if (count > 1) unit.name += "#" + std::to_string(count);
     }
+}
+
+/// What no person wrote as a name is cut, with a number made of the whole behind it: names stand in many places.
+std::string shortened(std::string name) {
+    constexpr size_t kLongest = 1024, kKept = 512;
+    if (name.size() <= kLongest) return name;
+    Fingerprinter print;
+    print.add(name);
+    size_t kept = kKept;
+    while (kept > 0 && (static_cast<unsigned char>(name[kept]) & 0xC0) == 0x80) --kept;  // no half of a character
+    return name.substr(0, kept) + "~" + print.digits();
 }
 
 /// Names of old files in Latin-1 must not make a map that is no valid text: their bytes are written as %E4.
@@ -141,7 +153,10 @@ ScannedFile scan_text(std::string_view path, std::string_view text) {
         found = find_units(file.lexed, structure, file.language);
     }
     file.units = merge(std::move(found.units), find_macro_units(file.lexed));
-    for (Unit& unit : file.units) unit.name = with_other_bytes_escaped(unit.name);
+    for (Unit& unit : file.units) {
+        unit.name = shortened(with_other_bytes_escaped(unit.name));
+        unit.namespace_length = std::min(unit.namespace_length, static_cast<uint32_t>(unit.name.size()));
+    }
     number_names(file.units);
     for (const Unit& unit : file.units) found.declarations.push_back(unit.tokens);
     classify_lines(file, found.declarations);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -49,7 +50,8 @@ struct LineSpan {
 struct Suppression {
     std::string rule, reason;
     uint32_t line = 0;
-    std::vector<std::string> units = {};  ///< the ids of the units that it belongs to, once the file is scanned
+    /// The ids of the units that it belongs to, once the file is scanned; comments of one line share them.
+    std::shared_ptr<const std::vector<std::string>> units = nullptr;
 };
 
 /// A file as tokens. `text` is the file without byte order mark, carriage returns and line splices.

@@ -17,11 +17,11 @@ public:
         : lexed_(lexed),
           structure_(structure),
           macros_(read_macros(lexed)),
-          context_{lexed, structure, language, macros_} {}
+          context_{lexed, structure, language, macros_, angles_} {}
 
     UnitList run() {
         end_ = static_cast<uint32_t>(structure_.tokens.size());
-        scopes_.push_back({end_, "", false, kNoUnit, 0});
+        scopes_.push_back({end_, 0, false, kNoUnit, 0});
         while (at_ < end_ || scopes_.size() > 1) step();
         declare(start_, end_);
         return std::move(out_);
@@ -29,12 +29,15 @@ public:
 
 private:
     static constexpr size_t kNoUnit = static_cast<size_t>(-1);
+    // Scopes in scopes, and many small units in a scope of a long name, would fill the memory with their names.
+    static constexpr size_t kLongestPrefix = 1024, kDeepestPrefix = 16;
+    static constexpr size_t kMostPrefixes(size_t text) { return 8 * text + 262'144; }
 
     struct Scope {
-        uint32_t close;      ///< position of the closing brace, or the end of the file
-        std::string prefix;  ///< "A::B::"
+        uint32_t close;  ///< position of the closing brace, or the end of the file
+        size_t prefix;   ///< how much of prefix_ holds in it
         bool is_class;
-        size_t unit;              ///< the class as a unit
+        size_t unit;              ///< the innermost class around, as a unit
         uint32_t namespaces = 0;  ///< length of the prefix that is namespaces
     };
 
@@ -140,11 +143,15 @@ private:
     }
 
     /// A unit over the positions [first, end).
-    Unit new_unit(UnitKind kind, std::string_view name, uint32_t first, uint32_t end) const {
+    Unit new_unit(UnitKind kind, std::string_view name, uint32_t first, uint32_t end) {
         Unit unit;
         unit.kind = kind;
-        unit.name = scopes_.back().prefix + std::string(name);
-        unit.namespace_length = scopes_.back().namespaces;
+        unit.name = std::string(name);
+        if (prefixes_ < kMostPrefixes(lexed_.text.size())) {
+            prefixes_ += prefix_.size();
+            unit.name.insert(0, prefix_);
+            unit.namespace_length = scopes_.back().namespaces;
+        }
         unit.tokens = {token(first), token(end - 1) + 1};
         unit.start_line = lexed_.tokens[token(first)].line;
         unit.end_line = lexed_.tokens[token(end - 1)].line;
@@ -153,11 +160,8 @@ private:
     }
 
     size_t add(Unit unit) {
-        for (size_t i = scopes_.size(); i-- > 1;) {
-            if (scopes_[i].unit == kNoUnit) continue;
-            out_.units[scopes_[i].unit].holes.push_back(unit.tokens);
-            break;
-        }
+        if (const size_t around = scopes_.back().unit; around != kNoUnit)
+            out_.units[around].holes.push_back(unit.tokens);
         out_.units.push_back(std::move(unit));
         return out_.units.size() - 1;
     }
@@ -211,11 +215,10 @@ private:
 
     void enter_scope(uint32_t close, const std::string& name, bool is_class, size_t unit = kNoUnit) {
         declare(start_, at_ + 1);
-        std::string prefix = scopes_.back().prefix;
-        constexpr size_t kLongestPrefix = 1024;  // a thousand nested scopes would fill the memory with their names
-        if (!name.empty() && prefix.size() < kLongestPrefix) prefix += name + "::";
-        const auto namespaces = is_class ? scopes_.back().namespaces : static_cast<uint32_t>(prefix.size());
-        scopes_.push_back({close, prefix, is_class, unit, namespaces});
+        if (!name.empty() && prefix_.size() < kLongestPrefix && scopes_.size() <= kDeepestPrefix)
+            prefix_ += name + "::";
+        const auto namespaces = is_class ? scopes_.back().namespaces : static_cast<uint32_t>(prefix_.size());
+        scopes_.push_back({close, prefix_.size(), is_class, unit == kNoUnit ? scopes_.back().unit : unit, namespaces});
         begin_statement(at_ + 1);
     }
 
@@ -224,6 +227,7 @@ private:
         declare(start_, std::min(close, end_));
         if (close < end_) declare(close, close + 1);
         if (scopes_.size() > 1) scopes_.pop_back();
+        prefix_.resize(scopes_.back().prefix);
         begin_statement(std::min(close + 1, scopes_.back().close));
         if (close >= end_) at_ = start_ = end_;
     }
@@ -287,12 +291,15 @@ private:
     const LexedText& lexed_;
     const Structure& structure_;
     MacroTable macros_;
+    AngleTable angles_;
     HeadContext context_;
     UnitList out_;
     std::vector<Scope> scopes_;
     uint32_t end_ = 0;
     uint32_t at_ = 0;
     uint32_t start_ = 0;
+    std::string prefix_;             ///< "A::B::", of the scope at hand
+    size_t prefixes_ = 0;            ///< bytes of all names that are scopes
     bool assigned_ = false;          ///< the statement has an initialiser
     bool initialiser_list_ = false;  ///< ... a colon behind a parameter list
     bool variable_ = false;          ///< ... a braced initialiser

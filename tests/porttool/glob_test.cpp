@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "porttool/read/id_patterns.h"
 #include "porttool/read/ignore_rules.h"
 
 namespace porttool {
@@ -51,6 +52,35 @@ TEST(Glob, HostilePatternsEnd) {
     EXPECT_TRUE(matches("{a,b}{a,b}{a,b}{a,b}{a,b}{a,b}", "ababab"));
 }
 
+TEST(Glob, MoreThanCanBeTriedIsRefused) {
+    const auto repeated = [](const char* text, size_t count) {
+        std::string out;
+        for (size_t i = 0; i < count; ++i) out += text;
+        return out;
+    };
+    EXPECT_EQ(Glob(repeated("{a,b}", 11)).size(), 4096u);  // each also as a folder
+    for (const std::string& pattern :
+         {repeated("{a,b}", 13), repeated("{a}", 300), repeated("{a,", 40) + repeated("}", 40),
+          repeated("{", 20) + "a,b" + repeated("}", 20) + repeated("{a,b,c,d,e,f,g,h}", 5), std::string(70'000, 'a'),
+          repeated("{,}", 20'000)})
+        EXPECT_THROW(Glob{pattern}, GlobTooLarge) << pattern.substr(0, 40);
+    EXPECT_TRUE(matches(repeated("{", 50'000).c_str(), repeated("{", 50'000).c_str()));
+}
+
+TEST(IdPatterns, FindWhatEachGlobWouldFind) {
+    const std::vector<std::string> texts = {
+        "a.cu:f",   "a.cu:*",  "**/b.cu:g", "./c/*.cu:h", "c/d.cu:{k,l}", "c",
+        "*.cu:f#2", "c/d.cu:", "c//d.cu:k", "[ac].cu:f",  "c/d.cu*",      "\\a.cu:f"};
+    const IdPatterns patterns(texts);
+    for (const char* id :
+         {"a.cu:f", "a.cu:f#2", "x/b.cu:g", "b.cu:g", "c/d.cu:k", "c/d.cu:h", "c/x/d.cu:k", "cc/d.cu:k"}) {
+        std::vector<size_t> expected;
+        for (size_t i = 0; i < texts.size(); ++i)
+            if (texts[i] == id || Glob(texts[i]).matches(id)) expected.push_back(i);
+        EXPECT_EQ(patterns.matching(id), expected) << id;
+    }
+}
+
 TEST(IgnoreRules, FollowGit) {
     IgnoreRules rules;
     rules.add("", "# comment\nbuild/\n*.tmp\n!keep.tmp\n/only_here.cl\ndoc/*.txt\n");
@@ -66,6 +96,22 @@ TEST(IgnoreRules, FollowGit) {
     EXPECT_FALSE(rules.ignores("x/doc/a.txt", false));
     EXPECT_TRUE(rules.ignores("sub/deep/local.cl", false));
     EXPECT_FALSE(rules.ignores("local.cl", false));
+}
+
+TEST(IgnoreRules, TheLastOfAllKindsDecides) {
+    IgnoreRules rules;
+    rules.add("", "a.cu\n!*.cu\nb.cu\n/c/d.cu\n!c/*.cu\nc/e.cu\nx/\n!y/\n");
+    EXPECT_FALSE(rules.ignores("a.cu", false));
+    EXPECT_TRUE(rules.ignores("b.cu", false));
+    EXPECT_FALSE(rules.ignores("c/d.cu", false));
+    EXPECT_TRUE(rules.ignores("c/e.cu", false));
+    EXPECT_TRUE(rules.ignores("c/x", true));
+    EXPECT_FALSE(rules.ignores("c/x", false));
+    IgnoreRules below = rules;
+    below.add("c", "!e.cu\nd.cu\n");
+    EXPECT_FALSE(below.ignores("c/e.cu", false));
+    EXPECT_TRUE(below.ignores("c/d.cu", false));
+    EXPECT_TRUE(rules.ignores("c/e.cu", false));
 }
 
 }  // namespace

@@ -142,9 +142,9 @@ protected:
                     std::to_string(factors[i]) + ".0f;\n    return sum;\n}\n\n\n\n";
         return text;
     }
-    void write_sides(const std::vector<int>& values) {
-        write("src/a.cu", side(values, "__device__ "));
-        write("port/a.cpp", side(values, ""));
+    void write_sides(const std::vector<int>& factors) {
+        write("src/a.cu", side(factors, "__device__ "));
+        write("port/a.cpp", side(factors, ""));
     }
     void start(size_t pairs) {
         values.assign(pairs, 1);

@@ -1,0 +1,129 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The porttool authors
+# SPDX-License-Identifier: Apache-2.0
+"""What texts that were written to hurt cost porttool: its time and memory at one size and at twice that.
+
+    bench/scaling.py [--porttool build/release/bin/porttool] [--bytes 2097152] [--only PART] [--all]
+
+Makes each text of bench/constructs.json in a temporary folder as both sides of a repository, edits one side and both, and
+runs scan, map, init, check, compare and effort. Prints a Markdown table of the worst constructs of each command (--all: of
+all); exits 1 if twice the size takes more than 2.3 times as long, or more than 1 GiB. Times below 0.5 s count as that:
+they are the start of the program.
+"""
+import argparse
+import json
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import time
+
+MOST_GROWTH, LEAST_SECONDS, MOST_BYTES, LONGEST = 2.3, 0.5, 1 << 30, 120
+SIDES = ["--source", "s/**", "--target", "t/**"]
+
+
+def filled(pattern, number, edited):
+    return pattern.replace("{i}", str(number)).replace("{e}", "2" if edited else "1")
+
+
+def repetitions(construct, size):
+    return max(1, size // max(1, len(filled(construct["open"], 1234, False)) + len(filled(construct["close"], 1234, False))))
+
+
+def text(construct, count, edit):
+    """The construct `count` times; `edit` is none, one (in one place) or all."""
+    edited = [edit == "all" or (edit == "one" and k == count // 2) for k in range(count)]
+    opening = "".join(filled(construct["open"], k, edited[k]) for k in range(count))
+    closing = "".join(filled(construct["close"], k, edited[k]) for k in reversed(range(count)))
+    parts = [filled(construct[name], 0, edit != "none") for name in ("before", "middle", "after")]
+    return parts[0] + opening + parts[1] + closing + parts[2]
+
+
+class Repository:
+    def __init__(self, tool, folder):
+        self.tool, self.folder, self.rows = tool, pathlib.Path(folder), {}
+        for side in "st":
+            (self.folder / side).mkdir()
+
+    def write(self, source, target):
+        for name, content in (("s/a.cu", source), ("t/a.cpp", target)):
+            (self.folder / name).write_text(content, encoding="utf-8")
+
+    def git(self, *arguments):
+        subprocess.run(["git", "-c", "user.name=a", "-c", "user.email=a@b", *arguments], cwd=self.folder, check=True,
+                       stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+
+    def run(self, name, *arguments):
+        """Runs a command and notes its processor time and peak memory."""
+        with open(os.devnull, "wb") as sink:
+            process = subprocess.Popen([self.tool, *arguments], cwd=self.folder, stdout=sink, stderr=sink)
+            start = time.monotonic()
+            while True:
+                pid, status, usage = os.wait4(process.pid, os.WNOHANG)
+                if pid:
+                    break
+                if time.monotonic() - start > LONGEST:
+                    process.kill()
+                time.sleep(0.005)
+        process.returncode = os.waitstatus_to_exitcode(status)
+        self.rows[name] = (usage.ru_utime + usage.ru_stime, usage.ru_maxrss * 1024, process.returncode)
+
+
+def measure(tool, construct, size):
+    count = repetitions(construct, size)
+    old, one, other = (text(construct, count, edit) for edit in ("none", "one", "all"))
+    with tempfile.TemporaryDirectory() as folder:
+        repository = Repository(tool, folder)
+        repository.write(old, old)
+        repository.run("scan", "scan", "s", "--format", "json")
+        repository.run("map", "map", *SIDES, "--format", "json")
+        repository.run("init", "init", *SIDES)
+        for command in (["init", "-q"], ["add", "s", "t"], ["commit", "-qm", "before"]):
+            repository.git(*command)
+        repository.write(one, old)
+        repository.run("check, one side", "check")
+        repository.write(other, one)
+        repository.run("check, both sides", "check")
+        repository.run("compare", "compare", "s/a.cu", "t/a.cpp")
+        for command in (["add", "s", "t"], ["commit", "-qm", "now"]):
+            repository.git(*command)
+        repository.run("effort", "effort", "--from", "HEAD~1", "--to", "HEAD")
+        return repository.rows
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("--porttool", default="build/release/bin/porttool")
+    parser.add_argument("--bytes", type=int, default=2 << 20, help="the smaller size of each text")
+    parser.add_argument("--only", default="", help="constructs whose name holds this")
+    parser.add_argument("--all", action="store_true", help="a row for every construct")
+    options = parser.parse_args()
+    if not os.path.exists(options.porttool):
+        sys.exit(f"no {options.porttool} here; build it, or name it with --porttool")
+    tool = os.path.abspath(options.porttool)
+    constructs = json.loads((pathlib.Path(__file__).parent / "constructs.json").read_text(encoding="utf-8"))
+    rows, failed = {}, 0
+    for construct in constructs:
+        if options.only not in construct["name"]:
+            continue
+        once, twice = (measure(tool, construct, size) for size in (options.bytes, 2 * options.bytes))
+        for command, (seconds, peak, code) in twice.items():
+            growth = max(seconds, LEAST_SECONDS) / max(once[command][0], LEAST_SECONDS)
+            bad = growth > MOST_GROWTH or peak > MOST_BYTES or code not in (0, 1)
+            failed += bad
+            rows.setdefault(command, []).append((growth, seconds, once[command][0], peak, construct["name"], code, bad))
+        print(construct["name"], file=sys.stderr)
+    print(f"| command | construct | {options.bytes} bytes | twice that | growth | peak | |\n| --- | --- | --- | --- | --- | --- | --- |")
+    for command, found in rows.items():
+        worst = {max(found)[4], max(found, key=lambda row: row[1])[4], max(found, key=lambda row: row[3])[4]}
+        for growth, seconds, before, peak, name, code, bad in sorted(found, reverse=True):
+            if options.all or bad or name in worst:
+                print(f"| {command} | {name} | {before:.2f} s | {seconds:.2f} s | {growth:.2f} | {peak / 2**20:.0f} MiB |"
+                      f" {'exit ' + str(code) if code not in (0, 1) else 'TOO MUCH' if bad else ''} |")
+    print(f"\n{sum(len(found) for found in rows.values())} runs of twice the size, {failed} beyond the bounds")
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,180 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+// A text of twice the size costs at most twice the work, whatever it is made of. Work is counted, not timed: the code
+// under test is compiled so that each of its branches counts itself, so nothing that loops can be forgotten.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <functional>
+#include <iostream>
+#include <optional>
+
+#include "porttool/compare/measure.h"
+#include "porttool/compare/port_effort.h"
+#include "porttool/compare/unit_state.h"
+#include "porttool/judge/judge.h"
+#include "porttool/match/match.h"
+#include "porttool/read/id_patterns.h"
+#include "porttool/read/ignore_rules.h"
+#include "porttool/scan/scan.h"
+#include "tests/porttool/work/constructs.h"
+#include "tests/porttool/work/work_counter.h"
+
+namespace porttool::testing {
+namespace {
+
+constexpr double kMostGrowth = 2.1;
+constexpr size_t kBytes = 700;
+
+using States = std::map<std::string, UnitState>;
+
+States states_of(const ScannedFile& file) {
+    States out;
+    const auto add = [&](const Unit& unit) {
+        UnitState state = unit_state(file, unit);
+        out.emplace(state.id, std::move(state));
+    };
+    for (const Unit& unit : file.units) add(unit);
+    if (file.units.empty()) add(whole_file_unit(file));
+    return out;
+}
+
+/// Both sides of a repository of two files, recorded with one text and judged with others.
+class Repository {
+public:
+    explicit Repository(const std::string& text)
+        : source_(states_of(scan_text("s/a.cu", text))), target_(states_of(scan_text("t/a.cpp", text))) {
+        for (const auto& [id, unit] : source_) {
+            const std::string other = "t/a.cpp" + id.substr(std::string("s/a.cu").size());
+            if (!target_.contains(other)) continue;  // another language may read a broken text otherwise
+            map_.pairs.push_back({id, {other}, 1});
+            LockedPair pair;
+            pair.source = id;
+            pair.target = other;
+            pair.source_prints = unit.prints;
+            pair.target_prints = target_.at(other).prints;
+            lock_.pairs.push_back(std::move(pair));
+            texts_[unit.prints.written] = unit.text;
+            texts_[target_.at(other).prints.written] = target_.at(other).text;
+        }
+    }
+
+    /// As `check` goes through it; returns how many findings there are.
+    size_t check(const std::string& source, const std::string& target) const {
+        const ScannedFile left = scan_text("s/a.cu", source), right = scan_text("t/a.cpp", target);
+        const States here = states_of(left), there = states_of(right);
+        const auto text_of = [&](const std::string& print) {
+            const auto found = texts_.find(print);
+            return found == texts_.end() ? std::string() : found->second;
+        };
+        Case facts{map_, lock_, here, there, skipped_, text_of, "2026-01-01"};
+        for (const ScannedFile* file : {&left, &right})
+            for (const Suppression& comment : file->lexed.suppressions)
+                facts.suppressions.push_back({file->path, comment});
+        return judge(facts).findings.size();
+    }
+
+private:
+    States source_, target_;
+    MapFile map_;
+    LockFile lock_;
+    std::vector<SkippedFile> skipped_;
+    std::map<std::string, std::string> texts_;
+};
+
+Work work_of(const std::function<void()>& run) {
+    const Work before = work_so_far();
+    run();
+    const Work after = work_so_far();
+    return {after.steps - before.steps, after.allocated - before.allocated};
+}
+
+/// What is done with a construct of so many repetitions. Making its text is no part of the work.
+using Task = std::function<Work(const Construct& construct, size_t repetitions)>;
+
+struct Growth {
+    Work once, twice;
+
+    static double of(uint64_t once, uint64_t twice) {
+        return static_cast<double>(twice) / static_cast<double>(std::max<uint64_t>(1, once));
+    }
+    bool is_linear() const {
+        return of(once.steps, twice.steps) <= kMostGrowth && of(once.allocated, twice.allocated) <= kMostGrowth;
+    }
+};
+
+/// Some tables are filled in up to a bound that is documented: what grows faster in a small text must not in a large
+/// one.
+Growth growth_of(const Task& task, const Construct& construct, size_t bytes) {
+    const size_t repetitions = construct.repetitions(bytes);
+    const Growth growth{task(construct, repetitions), task(construct, 2 * repetitions)};
+    constexpr size_t kLargest = 100'000, kLarger = 4;
+    return growth.is_linear() || bytes * kLarger > kLargest ? growth : growth_of(task, construct, bytes * kLarger);
+}
+
+void expect_linear(const char* name, const Task& task) {
+    for (const Construct& construct : read_constructs(CONSTRUCTS)) {
+        const Growth growth = growth_of(task, construct, kBytes);
+        EXPECT_TRUE(growth.is_linear()) << name << " of " << construct.name << ": from " << growth.once.steps << " to "
+                                        << growth.twice.steps << " steps, from " << growth.once.allocated << " to "
+                                        << growth.twice.allocated << " bytes allocated";
+    }
+}
+
+TEST(Work, TheListIsLong) { EXPECT_GE(read_constructs(CONSTRUCTS).size(), 80u); }
+
+TEST(Work, Scan) {
+    expect_linear("scan", [](const Construct& construct, size_t repetitions) {
+        const std::string text = construct.text(repetitions, EditOf::None);
+        return work_of([&] { scan_text("s/a.cu", text); });
+    });
+}
+
+TEST(Work, Map) {
+    expect_linear("map", [](const Construct& construct, size_t repetitions) {
+        const std::string text = construct.text(repetitions, EditOf::None);
+        return work_of([&] { match_units({scan_text("s/a.cu", text)}, {scan_text("t/a.cpp", text)}, {}, Dialect()); });
+    });
+}
+
+Task check_of(EditOf source, EditOf target) {
+    return [=](const Construct& construct, size_t repetitions) {
+        const Repository repository(construct.text(repetitions, EditOf::None));
+        const std::string left = construct.text(repetitions, source), right = construct.text(repetitions, target);
+        return work_of([&] { repository.check(left, right); });
+    };
+}
+
+TEST(Work, CheckOfOneEditedPlace) { expect_linear("check", check_of(EditOf::One, EditOf::None)); }
+TEST(Work, CheckOfTheSameEditOnBothSides) { expect_linear("check", check_of(EditOf::All, EditOf::All)); }
+TEST(Work, CheckOfOtherEditsOnBothSides) { expect_linear("check", check_of(EditOf::All, EditOf::One)); }
+
+TEST(Work, Compare) {
+    expect_linear("compare", [](const Construct& construct, size_t repetitions) {
+        const ScannedFile a = scan_text("s/a.cu", construct.text(repetitions, EditOf::None)),
+                          b = scan_text("t/a.cpp", construct.text(repetitions, EditOf::One));
+        return work_of([&] { measure_shares({{&a, nullptr}}, {{&b, nullptr}}, Dialect()); });
+    });
+}
+
+TEST(Work, Effort) {
+    expect_linear("effort", [](const Construct& construct, size_t repetitions) {
+        const auto scanned = [&](const char* path, EditOf edit) {
+            std::vector<ScannedFile> files;
+            files.push_back(scan_text(path, construct.text(repetitions, edit)));
+            return files;
+        };
+        const std::vector<ScannedFile> source_before = scanned("s/a.cu", EditOf::None),
+                                       source_now = scanned("s/a.cu", EditOf::All),
+                                       target_before = scanned("t/a.cpp", EditOf::None),
+                                       target_now = scanned("t/a.cpp", EditOf::All);
+        std::vector<MapPair> pairs;
+        for (const Unit& unit : source_before[0].units)
+            pairs.push_back({unit_id(source_before[0], unit), {"t/a.cpp:" + unit.name}, 1});
+        return work_of([&] { port_effort(pairs, {source_before, source_now, target_before, target_now}, Dialect()); });
+    });
+}
+
+}  // namespace
+}  // namespace porttool::testing
