@@ -127,7 +127,8 @@ void take_map_of_base(Project& project, const std::string& revision) {
     require_sides_beneath(project);
 }
 
-BaseRecord base_record(const Project& project, const BaseTree& tree, const States& today, std::ostream& err) {
+BaseRecord base_record(const Project& project, const BaseTree& tree, const RecordedLock& now, const States& today,
+                       std::ostream& err) {
     BaseRecord out;
     const RecordPaths record(project);
     if (!record.in_commits) return out;
@@ -140,14 +141,19 @@ BaseRecord base_record(const Project& project, const BaseTree& tree, const State
     }
     const FileText text = tree.disk.read(record.lock, kLargestFile);
     if (!text.error.empty()) return out;
+    if (text.bytes == now.written) {
+        out.lock = now;
+        out.has_lock = true;
+        return out;
+    }
     try {
+        ReadLock read = read_lock(text.bytes);
         MemoryDisk disk;
-        if (is_outdated(read_lock(text.bytes).lock))  // only then are the texts behind it needed
+        if (is_outdated(read.lock))  // only then are the texts behind it needed
             disk = disk_of(project.root, files_at_base(project.root, tree.revision, [&](const std::string& path) {
                                return path.starts_with(record.base_folder);
                            }));
-        disk.files[join_path(project.root, record.lock.path)] = text.bytes;
-        out.lock = load_lock(project, disk, today);
+        out.lock = lock_of_today(project, disk, std::move(read), today);
         out.has_lock = true;
     } catch (const CannotDo& problem) {
         err << "warning: at " << terminal_text(tree.revision) << ": " << problem.what() << "\nThat lock is left out\n";

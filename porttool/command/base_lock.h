@@ -33,8 +33,10 @@ struct BaseRecord {
     RecordedLock lock;
 };
 
-/// A map or lock there that cannot be used is as none, with a word on `err`: history cannot be mended.
-BaseRecord base_record(const Project& project, const BaseTree& tree, const States& today, std::ostream& err);
+/// A map or lock there that cannot be used is as none, with a word on `err`: history cannot be mended. `now`: today's
+/// lock, which mostly is the same.
+BaseRecord base_record(const Project& project, const BaseTree& tree, const RecordedLock& now, const States& today,
+                       std::ostream& err);
 
 /// What --base stands in for the lock: the units of both sides at the merge base, as if they had been accepted there.
 struct BaseLock {

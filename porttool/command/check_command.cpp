@@ -57,8 +57,8 @@ std::vector<BroughtIn> hold_against_base(CheckedProject& checked, const Options&
                                          const Disk& disk, Workplace& place) {
     const BaseTree tree = base_tree(checked.project, options.base);
     if (!tree.note.empty()) place.err << tree.note << "\n";
-    const BaseRecord then = base_record(checked.project, tree, checked.states, place.err);
     RecordedLock now = lock_if_readable(checked.project, disk, checked.states, place);
+    const BaseRecord then = base_record(checked.project, tree, now, checked.states, place.err);
     const LockFile& in_force = options.trusted_map ? then.lock.lock : now.lock;
     BaseLock base = base_lock(checked.project, tree, then.lock.lock, in_force, checked.states);
     const GateState before{then.has_map, then.map, then.has_lock, then.lock.lock, base.suppressions};

@@ -131,22 +131,27 @@ States read_states(const Project& project) {
 std::string lock_path(const Project& project) { return folder_of_map(project) + "portmap.lock"; }
 
 RecordedLock load_lock(const Project& project, const Disk& disk, const States& today) {
-    const FileText file = disk.read(beside_map(project, "portmap.lock"), kLargestFile);
+    FileText file = disk.read(beside_map(project, "portmap.lock"), kLargestFile);
     if (!file.error.empty() && disk.kind(beside_map(project, "portmap.lock")) != FileKind::None)
         throw CannotDo(terminal_text(lock_path(project)) + " " + file.error +
                        "; restore it from git, or remove it and run: porttool init");
     if (!file.error.empty())
         throw CannotDo("no portmap.lock beside " + terminal_text(project.map_path) +
                        "; record the present state of its pairs with: porttool init");
+    RecordedLock out = lock_of_today(project, disk, read_lock(file.bytes), today);
+    out.written = std::move(file.bytes);
+    return out;
+}
+
+RecordedLock lock_of_today(const Project& project, const Disk& disk, ReadLock read, const States& today) {
     require_own_base(project, disk);
-    ReadLock read = read_lock(file.bytes);
     if (!read.error.empty()) throw CannotDo(read.error);
-    if (!is_outdated(read.lock)) return {std::move(read.lock), {}};
+    if (!is_outdated(read.lock)) return {std::move(read.lock), "", {}};
     UpgradedLock upgrade =
         upgraded(std::move(read.lock), [&](const std::string& print) { return read_base(project, disk, print); },
                  {&today.source, &today.target});
     if (!upgrade.error.empty()) throw CannotDo(upgrade.error);
-    return {std::move(upgrade.lock), std::move(upgrade.texts)};
+    return {std::move(upgrade.lock), "", std::move(upgrade.texts)};
 }
 
 std::unique_ptr<WriteGuard> guard_lock(const Options& options, Workplace& place) {

@@ -25,11 +25,15 @@ std::string lock_path(const Project& project);
 /// A lock whose prints are of today's normal form.
 struct RecordedLock {
     LockFile lock;
+    std::string written;                       ///< as the file has it
     std::map<std::string, std::string> texts;  ///< by print: those that an older lock's prints were made anew from
 };
 
 /// Reads portmap.lock; throws CannotDo if it is not there or cannot be used. `today`: the units as they are now.
 RecordedLock load_lock(const Project& project, const Disk& disk, const States& today);
+
+/// The same of a lock that was read already; its texts are on that disk.
+RecordedLock lock_of_today(const Project& project, const Disk& disk, ReadLock read, const States& today);
 
 /// Waits until no other porttool changes this project's lock. Taken before the lock is read, held until it is written.
 /// Throws CannotDo.

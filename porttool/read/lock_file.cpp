@@ -110,7 +110,7 @@ MoreFields more_of(const Fields& f, size_t at) {
 
 std::string taken(MoreFields& more, const std::string& name, const std::string& otherwise = {}) {
     const auto node = more.extract(name);
-    return node.empty() ? otherwise : node.mapped();
+    return node.empty() || node.mapped().empty() ? otherwise : node.mapped();
 }
 
 LedgerEntry ledger_entry(const Fields& f) {

@@ -3,9 +3,7 @@
 #include "porttool/text/fingerprint.h"
 
 #include <algorithm>
-#include <bit>
 #include <cstdio>
-#include <cstring>
 
 namespace porttool {
 namespace {
@@ -19,15 +17,20 @@ std::string hexadecimal(uint64_t number) {
     return text.data();
 }
 
-/// Up to eight bytes as a number, the first the lowest.
-uint64_t little_endian(const char* bytes, size_t count) {
-    uint64_t value = 0;
-    if constexpr (std::endian::native == std::endian::little) {
-        std::memcpy(&value, bytes, count);
-    } else {
-        for (size_t i = 0; i < count; ++i) value |= static_cast<uint64_t>(static_cast<uint8_t>(bytes[i])) << (8 * i);
-    }
+template <class T>
+uint64_t load(const char* bytes) {
+    T value = 0;
+    for (size_t i = 0; i < sizeof(T); ++i)  // one load where the machine is little-endian
+        value = static_cast<T>(value | static_cast<T>(static_cast<T>(static_cast<uint8_t>(bytes[i])) << (8 * i)));
     return value;
+}
+
+/// Up to eight bytes as a number, the first the lowest. Loads that overlap in place of a loop.
+inline uint64_t little_endian(const char* bytes, size_t count) {
+    if (count == kWord) return load<uint64_t>(bytes);
+    if (count >= 4) return load<uint32_t>(bytes) | load<uint32_t>(bytes + count - 4) << (8 * (count - 4));
+    if (count >= 2) return load<uint16_t>(bytes) | load<uint8_t>(bytes + count - 1) << (8 * (count - 1));
+    return count == 1 ? load<uint8_t>(bytes) : 0;
 }
 
 }  // namespace
@@ -45,26 +48,6 @@ SipHash::SipHash(std::array<uint64_t, 2> key)
       b_(key[1] ^ 0x646f72616e646f6dull),
       c_(key[0] ^ 0x6c7967656e657261ull),
       d_(key[1] ^ 0x7465646279746573ull) {}
-
-void SipHash::round() {
-    a_ += b_;
-    c_ += d_;
-    b_ = std::rotl(b_, 13) ^ a_;
-    d_ = std::rotl(d_, 16) ^ c_;
-    a_ = std::rotl(a_, 32);
-    c_ += b_;
-    a_ += d_;
-    b_ = std::rotl(b_, 17) ^ c_;
-    d_ = std::rotl(d_, 21) ^ a_;
-    c_ = std::rotl(c_, 32);
-}
-
-void SipHash::word(uint64_t value) {
-    d_ ^= value;
-    round();
-    round();
-    a_ ^= value;
-}
 
 uint64_t SipHash::finish(uint64_t last) {
     word(last);

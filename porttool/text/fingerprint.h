@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -20,13 +21,29 @@ class SipHash {
 public:
     explicit SipHash(std::array<uint64_t, 2> key);
     /// Takes in eight bytes, the first the lowest.
-    void word(uint64_t value);
+    void word(uint64_t value) {
+        d_ ^= value;
+        round();
+        round();
+        a_ ^= value;
+    }
     /// The hash. `last`: the bytes that make no word, and in the highest byte the length of all modulo 256. Ends the
     /// object's life.
     uint64_t finish(uint64_t last);
 
 private:
-    void round();
+    void round() {
+        a_ += b_;
+        c_ += d_;
+        b_ = std::rotl(b_, 13) ^ a_;
+        d_ = std::rotl(d_, 16) ^ c_;
+        a_ = std::rotl(a_, 32);
+        c_ += b_;
+        a_ += d_;
+        b_ = std::rotl(b_, 17) ^ c_;
+        d_ = std::rotl(d_, 21) ^ a_;
+        c_ = std::rotl(c_, 32);
+    }
 
     uint64_t a_, b_, c_, d_;
 };

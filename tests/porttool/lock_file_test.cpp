@@ -44,6 +44,13 @@ TEST(LockFile, ComesBackAsItWasWrittenWithFieldsOfLaterVersions) {
     EXPECT_EQ(read.lock.ledger[0].owner, "me");
 }
 
+TEST(LockFile, AnEmptyStateIsTheUsualOne) {
+    const std::string text = replaced(lock_text(sample()), "state=recorded", "state=");
+    const ReadLock read = read_lock(text);
+    ASSERT_EQ(read.error, "");
+    EXPECT_EQ(lock_text(read.lock), lock_text(sample()));
+}
+
 TEST(LockFile, HasOneSortedLineForEachFact) {
     std::istringstream lines(lock_text(sample()));
     std::vector<std::string> body;
