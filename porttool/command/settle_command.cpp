@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <map>
+#include <set>
 
 #include "porttool/command/check_command.h"
 #include "porttool/judge/lock_index.h"
@@ -56,27 +58,33 @@ std::vector<const JudgedPair*> pairs_of(const CheckedProject& checked, const std
                                  : "; did you mean '" + terminal_text(near) + "'?"));
 }
 
-/// The lock's line for a pair is made to match today's units; a reason is kept beside it, with its day.
-void record(LockFile& lock, const JudgedPair& pair, const std::string& reason) {
-    const auto line = std::find_if(lock.pairs.begin(), lock.pairs.end(), [&](const LockedPair& p) {
-        return p.source == pair.map_source && p.target == pair.map_target;
-    });
-    MoreFields more;
-    if (line != lock.pairs.end()) {
-        more = std::move(line->more);
-        lock.pairs.erase(line);
+/// The lock's lines for pairs are made to match today's units; a reason is kept beside each, with its day.
+void record(LockFile& lock, const std::vector<const JudgedPair*>& pairs, const std::string& reason) {
+    std::map<std::pair<std::string, std::string>, MoreFields> recorded;
+    std::set<std::string> sources;
+    for (const JudgedPair* pair : pairs) {
+        recorded.try_emplace({pair->map_source, pair->map_target});
+        sources.insert(pair->map_source);
     }
-    std::erase_if(lock.ledger, [&](const LedgerEntry& e) {
-        return e.source == pair.map_source && (e.target == pair.map_target || e.target.empty());
+    std::erase_if(lock.pairs, [&](LockedPair& p) {
+        const auto pair = recorded.find({p.source, p.target});
+        if (pair != recorded.end()) pair->second = std::move(p.more);
+        return pair != recorded.end();
     });
-    std::erase_if(lock.baseline, [&](const LockedUnit& u) { return u.id == pair.map_source; });
-    if (pair.source != nullptr && pair.target != nullptr)
-        lock.pairs.push_back({pair.map_source, pair.map_target, pair.source->prints, pair.target->prints, "recorded",
-                              "", std::move(more)});
-    if (!reason.empty())
-        lock.ledger.push_back({"accept", pair.map_source, pair.map_target,
-                               pair.source != nullptr ? pair.source->prints.written : "-",
-                               pair.target != nullptr ? pair.target->prints.written : "-", "", today(), reason});
+    std::erase_if(lock.ledger, [&](const LedgerEntry& e) {
+        return e.target.empty() ? sources.contains(e.source) : recorded.contains({e.source, e.target});
+    });
+    std::erase_if(lock.baseline, [&](const LockedUnit& u) { return u.side == "source" && sources.contains(u.id); });
+    for (const JudgedPair* pair : pairs) {
+        const UnitState *source = pair->source, *target = pair->target;
+        if (source != nullptr && target != nullptr)
+            lock.pairs.push_back({pair->map_source, pair->map_target, source->prints, target->prints, "recorded", "",
+                                  std::move(recorded.at({pair->map_source, pair->map_target}))});
+        if (!reason.empty())
+            lock.ledger.push_back({"accept", pair->map_source, pair->map_target,
+                                   source != nullptr ? source->prints.written : "-",
+                                   target != nullptr ? target->prints.written : "-", "", today(), reason});
+    }
 }
 
 /// The findings outside pairs that an id means: their fingerprint, or the id of their unit.
@@ -210,7 +218,7 @@ Outcome accept_command(const Options& options, Workplace& place) {
         throw CannotDo("accept needs ids, or --all for every pair whose two edits are equivalent");
     const auto guard = guard_lock(options, place);
     CheckedProject checked = check_project(options, place);
-    size_t accepted = 0;
+    std::vector<const JudgedPair*> accepted;
     std::vector<std::string> left;
     if (options.all) {
         for (const JudgedPair& pair : checked.judgement.pairs) {
@@ -219,8 +227,7 @@ Outcome accept_command(const Options& options, Workplace& place) {
                 left.push_back(terminal_line(pair.map_source));
                 continue;
             }
-            record(checked.lock, pair, options.reason);
-            ++accepted;
+            accepted.push_back(&pair);
         }
         if (options.force)
             for (const Finding& finding : checked.judgement.findings)
@@ -234,11 +241,13 @@ Outcome accept_command(const Options& options, Workplace& place) {
             throw CannotDo(terminal_text(id) + ": there is no pair to accept; " +
                            terminal_text(lone_findings_of(checked, id).front()->remedy));
         if (pairs.empty()) unknown_id(checked, id);
-        for (const JudgedPair* pair : pairs) record(checked.lock, *pair, options.reason);
-        accepted += pairs.size();
+        accepted.insert(accepted.end(), pairs.begin(), pairs.end());
     }
+    std::sort(accepted.begin(), accepted.end());  // two ids may name one pair
+    accepted.erase(std::unique(accepted.begin(), accepted.end()), accepted.end());
+    record(checked.lock, accepted, options.reason);
     store(checked, place.disk);
-    std::string out = fmt::format("{} pairs recorded as in step\n", accepted);
+    std::string out = fmt::format("{} pairs recorded as in step\n", accepted.size());
     if (!left.empty())
         out += fmt::format(
             "{} changed pairs left: new to the lock, or their edits are not equivalent; name them, or add --force:\n  "

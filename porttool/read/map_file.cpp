@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 
@@ -242,6 +243,16 @@ private:
                       number(reuse, "translated", kPercent)};
     }
 
+    /// A block that an entry names must be there, where there are any.
+    void require_block(const toml::table& effort, const std::string& name) {
+        if (block_names_.empty())
+            for (const MapBlock& block : map_.blocks) block_names_.insert(block.name);
+        if (name.empty() || block_names_.empty() || block_names_.contains(name)) return;
+        const std::string near = nearest(name, {block_names_.begin(), block_names_.end()});
+        fail(effort.get("block")->source(), "there is no [[block]] of the name '" + name + "'" +
+                                                (near.empty() ? "" : "; did you mean '" + near + "'?"));
+    }
+
     void read_effort(const toml::table& effort) {
         only(effort, {"what", "block", "from", "to", "lines", "novel", "port", "redevelopment", "uncertainty"},
              "[[effort]]");
@@ -266,14 +277,7 @@ private:
             if (entry.redevelopment->total() <= 0)
                 fail(anew->source(), "redevelopment: no hours in design, coding, testing or documentation");
         }
-        std::vector<std::string> blocks;
-        for (const MapBlock& block : map_.blocks) blocks.push_back(block.name);
-        if (!entry.block.empty() && !blocks.empty() &&
-            std::find(blocks.begin(), blocks.end(), entry.block) == blocks.end()) {
-            const std::string near = nearest(entry.block, blocks);
-            fail(effort.get("block")->source(), "there is no [[block]] of the name '" + entry.block + "'" +
-                                                    (near.empty() ? "" : "; did you mean '" + near + "'?"));
-        }
+        require_block(effort, entry.block);
         map_.efforts.push_back(std::move(entry));
     }
 
@@ -284,6 +288,7 @@ private:
     const std::string& text_;
     MapFile map_;
     std::map<std::pair<std::string, std::string>, int> pair_lines_;
+    std::set<std::string> block_names_;
 };
 
 }  // namespace
