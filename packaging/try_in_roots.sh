@@ -10,28 +10,36 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-debian=${DEBIAN_MIRROR:-http://deb.debian.org/debian}
-ubuntu=${UBUNTU_MIRROR:-http://archive.ubuntu.com/ubuntu}
+debian=${DEBIAN_MIRROR:-$(apt-get indextargets --format '$(SITE)' 'Created-By: Packages' 'Component: main' | head -n 1)}
+ubuntu=${UBUNTU_MIRROR:-}
 roots=$PWD/build/roots
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 archives=(build/static/release/porttool-*-linux-"$(uname -m)".tar.gz)
 archive=$PWD/${archives[0]}
+if [ ${#archives[@]} -gt 1 ]; then
+    echo "try_in_roots: several archives in build/static/release; leave the one to try" >&2
+    exit 2
+fi
 if [ ! -f "$archive" ] || [ "$(id -u)" -ne 0 ]; then
     echo "try_in_roots: needs root, and the archive first: cmake --workflow --preset static" >&2
     exit 2
 fi
 
-# make_root SUITE: bootstraps it unless it is there. Ubuntu's keys are not in Debian: a root for a trial goes without.
+# make_root SUITE: bootstraps it unless it is there, its packages held to the keys of their makers.
 make_root() {
     [ ! -f "$roots/$1/.whole" ] || return 0
-    local from=("$debian")
+    local from=("$debian") keys=/usr/share/keyrings/debian-archive-keyring.gpg
     case $1 in
-        jammy | noble) from=("$ubuntu" gutsy) ;;
+        jammy | noble) from=("$ubuntu" gutsy) keys=${UBUNTU_KEYRING:-/usr/share/keyrings/ubuntu-archive-keyring.gpg} ;;
     esac
+    if [ -z "${from[0]}" ] || [ ! -f "$keys" ]; then
+        echo "$1: needs its mirror (DEBIAN_MIRROR, UBUNTU_MIRROR) and $keys (UBUNTU_KEYRING; the package ubuntu-keyring)" >&2
+        return 1
+    fi
     rm -rf "${roots:?}/$1"
     mkdir -p "$roots"
-    debootstrap --variant=minbase $([ "${from[0]}" = "$debian" ] || echo --no-check-gpg) "$1" "$roots/$1" "${from[@]}" \
+    debootstrap --variant=minbase --keyring="$keys" "$1" "$roots/$1" "${from[@]}" \
         >"$roots/$1.log" 2>&1 || return 1
     touch "$roots/$1/.whole"
 }

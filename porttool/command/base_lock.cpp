@@ -110,7 +110,7 @@ BaseTree base_tree(const Project& project, const std::string& revision) {
     return out;
 }
 
-void take_map_of_base(Project& project, const std::string& revision) {
+void take_map_of_base(Project& project, const std::string& revision, const Disk& on_disk) {
     const RecordPaths record(project);
     if (!record.in_commits) return;
     const MemoryDisk disk = disk_of(project.root, files_at_base(project.root, revision, [&](const std::string& path) {
@@ -124,7 +124,7 @@ void take_map_of_base(Project& project, const std::string& revision) {
     ReadMap read = read_map(record.map.path + " at " + revision, text.bytes);
     if (!read.error.empty()) throw CannotDo(read.error);
     project.map = std::move(read.map);
-    require_sides_beneath(project);
+    require_sides_beneath(project, on_disk);
 }
 
 BaseRecord base_record(const Project& project, const BaseTree& tree, const RecordedLock& now, const States& today,
@@ -200,7 +200,7 @@ BaseLock base_lock(const Project& project, const BaseTree& tree, const LockFile&
     return out;
 }
 
-MemoryDisk staged_record(Project& project) {
+MemoryDisk staged_record(Project& project, const Disk& on_disk) {
     const std::string map_folder = project.map_path.substr(0, project.map_path.find_last_of('/'));
     const auto is_of_map = [](const std::string& path) { return path.starts_with("portmap."); };
     MemoryDisk disk = disk_of(map_folder, files_in_index(map_folder, is_of_map));
@@ -208,7 +208,7 @@ MemoryDisk staged_record(Project& project) {
         ReadMap read = read_map("portmap.toml (staged)", map->second);
         if (!read.error.empty()) throw CannotDo(read.error);
         project.map = std::move(read.map);
-        require_sides_beneath(project);
+        require_sides_beneath(project, on_disk);
     }
     return disk;
 }

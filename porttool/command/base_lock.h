@@ -23,7 +23,7 @@ struct BaseTree {
 BaseTree base_tree(const Project& project, const std::string& revision);
 
 /// Puts the map of the merge base in the place of today's. Throws CannotDo.
-void take_map_of_base(Project& project, const std::string& revision);
+void take_map_of_base(Project& project, const std::string& revision, const Disk& on_disk);
 
 /// The map and the lock as the merge base has them.
 struct BaseRecord {
@@ -51,7 +51,7 @@ BaseLock base_lock(const Project& project, const BaseTree& tree, const LockFile&
                    const States& today);
 
 /// What the index holds of the map, the lock and its texts (maybe nothing); the project gets that map. Throws CannotDo.
-MemoryDisk staged_record(Project& project);
+MemoryDisk staged_record(Project& project, const Disk& on_disk);
 
 /// Replaces a project's sides by what the index holds, and adds it to the disk. Throws CannotDo.
 void read_staged_sides(Project& project, MemoryDisk& disk);

@@ -80,9 +80,9 @@ CheckedProject check_project(const Options& options, Workplace& place) {
     CheckedProject checked;
     checked.project = open_project(options, place, true);
     MemoryDisk staged;
-    if (options.staged) staged = staged_record(checked.project);
+    if (options.staged) staged = staged_record(checked.project, place.disk);
     const MapFile map_today = checked.project.map;
-    if (options.trusted_map) take_map_of_base(checked.project, options.base);
+    if (options.trusted_map) take_map_of_base(checked.project, options.base, place.disk);
     if (options.staged)
         read_staged_sides(checked.project, staged);
     else
@@ -94,6 +94,10 @@ CheckedProject check_project(const Options& options, Workplace& place) {
     if (options.base.empty()) {
         RecordedLock recorded = load_lock(checked.project, disk, checked.states);
         checked.lock = std::move(recorded.lock);
+        if (checked.lock.version == 1 && options.command == "check")
+            place.err
+                << "note: portmap.lock is of version 1; rewrite it once, on the main branch, with: porttool accept "
+                   "--all\n";
         checked.texts = std::move(recorded.texts);
     } else {
         brought = hold_against_base(checked, options, map_today, disk, place);

@@ -125,7 +125,7 @@ Outcome init_command(const Options& options, Workplace& place) {
     fresh.config.clear();
     Project project = open_project(fresh, place, false);
     if (!options.config.empty()) project.map_path = clean_path(join_path(project.root, options.config));
-    require_sides_beneath(project);  // as the map will be read
+    require_sides_beneath(project, place.disk);  // as the map will be read
     const auto guard = guard_lock(options, place);
     for (const std::string& path : {project.map_path, lock_path(project)})
         if (!options.force && place.disk.exists(path))

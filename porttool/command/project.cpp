@@ -7,6 +7,8 @@
 #include <optional>
 
 #include "porttool/judge/resolve.h"
+#include "porttool/read/git.h"
+#include "porttool/read/glob.h"
 #include "porttool/scan/scan.h"
 #include "porttool/text/sink/terminal.h"
 
@@ -55,6 +57,29 @@ void require_beneath(const std::vector<std::string>& globs, const std::string& r
                            "[sides] target_root");
 }
 
+/// True for a path with `.git` in it, where a checkout keeps its credentials.
+bool passes_git_folder(const std::string& path) {
+    std::error_code error;
+    for (const std::filesystem::path& spelling :
+         {std::filesystem::path(path), std::filesystem::weakly_canonical(path, error)})
+        if (std::any_of(spelling.begin(), spelling.end(),
+                        [](const auto& name) { return is_git_folder(name.string()); }))
+            return true;
+    return false;
+}
+
+/// The one declared way out is for another checkout: one beneath the root leads nowhere else, and none into `.git`.
+void require_target_root(const Project& project, const Disk& disk) {
+    const std::string& named = project.map.target_root;
+    if (named.empty()) return;
+    const auto beneath = below(project.root, target_root(project));
+    const bool refused = beneath && disk.kind({project.root, *beneath}) == FileKind::Other;
+    if (refused || passes_git_folder(target_root(project)))
+        throw CannotDo(
+            "portmap.toml: target_root '" + terminal_text(named) +
+            "' leads into .git, or out of the root behind a link\nName the folder of the other checkout itself");
+}
+
 }  // namespace
 
 void find_map(Project& project, const Options& options, const Disk& disk) {
@@ -78,6 +103,11 @@ FileText read_map_text(const Disk& disk, const std::string& root, const std::str
     return beneath ? disk.read(TreePath{root, *beneath}, kLargestFile) : disk.read(path, kLargestFile);
 }
 
+CannotDo no_map(const Project& project) {
+    return CannotDo("no portmap.toml in " + terminal_text(project.root) +
+                    " or above; write one with: porttool init --source GLOB --target GLOB");
+}
+
 Project open_project(const Options& options, Workplace& place, bool needs_map) {
     Project project;
     find_map(project, options, place.disk);
@@ -97,8 +127,7 @@ Project open_project(const Options& options, Workplace& place, bool needs_map) {
         project.map.source = options.source;
         project.map.target = options.target;
     } else if (!project.has_map && needs_map) {
-        throw CannotDo("no portmap.toml in " + terminal_text(project.root) +
-                       " or above; write one with: porttool init --source GLOB --target GLOB");
+        throw no_map(project);
     }
     for (const auto* globs : {&project.map.source, &project.map.target})
         if (std::find(globs->begin(), globs->end(), "") != globs->end())
@@ -107,13 +136,14 @@ Project open_project(const Options& options, Workplace& place, bool needs_map) {
     if (project.map.source.empty() || project.map.target.empty())
         throw CannotDo(
             "no sides named: put [sides] source and target into portmap.toml, or give --source and --target");
-    if (!project.globs_given) require_sides_beneath(project);
+    if (!project.globs_given) require_sides_beneath(project, place.disk);
     return project;
 }
 
-void require_sides_beneath(const Project& project) {
+void require_sides_beneath(const Project& project, const Disk& disk) {
     require_beneath(project.map.source, project.root, "source");
     require_beneath(project.map.target, target_root(project), "target");
+    require_target_root(project, disk);
 }
 
 namespace {
@@ -129,16 +159,26 @@ std::set<std::string> named_files(const MapFile& map, bool source) {
     return out;
 }
 
+SourceSet read_side(const Project& project, const Disk& disk, bool source, std::vector<std::string>& unmatched) {
+    const std::string root = source ? project.root : target_root(project);
+    const std::vector<std::string>& globs = source ? project.map.source : project.map.target;
+    const auto tracked = [&] {
+        return tracked_files(root, [patterns = std::vector<Glob>(globs.begin(), globs.end())](const std::string& path) {
+            return std::any_of(patterns.begin(), patterns.end(), [&](const Glob& glob) { return glob.matches(path); });
+        });
+    };
+    return read_globs(disk, root, globs, unmatched,
+                      {project.globs_given ? Reach::Anywhere : Reach::Beneath, !source && is_elsewhere(project),
+                       named_files(project.map, source), tracked});
+}
+
 }  // namespace
 
 void read_sides(Project& project, Workplace& place) {
     std::vector<std::string> unmatched;
-    const Reach reach = project.globs_given ? Reach::Anywhere : Reach::Beneath;
-    const SourceSet source =
-        read_globs(place.disk, project.root, project.map.source, unmatched, reach, named_files(project.map, true));
+    const SourceSet source = read_side(project, place.disk, true, unmatched);
     require_matches(unmatched, "source");
-    const SourceSet target = read_globs(place.disk, target_root(project), project.map.target, unmatched, reach,
-                                        named_files(project.map, false));
+    const SourceSet target = read_side(project, place.disk, false, unmatched);
     require_matches(unmatched, "target");
     project.source = scan_all(source);
     project.target = scan_all(target);
@@ -159,6 +199,11 @@ void read_sides_from(Project& project, const Disk& disk, const std::string& targ
 std::string target_root(const Project& project) {
     return project.map.target_root.empty() ? project.root
                                            : clean_path(join_path(project.root, project.map.target_root));
+}
+
+bool is_elsewhere(const Project& project) {
+    return !project.map.target_root.empty() && target_root(project) != project.root &&
+           !below(project.root, target_root(project));
 }
 
 Settled settled_by(const MapFile& map) {

@@ -27,6 +27,9 @@ struct Project {
 /// Finds a project's root and where its map is or would be. Throws CannotDo.
 void find_map(Project& project, const Options& options, const Disk& disk);
 
+/// What to say where there is no map.
+CannotDo no_map(const Project& project);
+
 /// A file in the folder of the map. It is opened beneath the root where that lies there, else beneath the folder.
 TreePath beside_map(const Project& project, const std::string& name, Links links = Links::Within);
 
@@ -37,8 +40,11 @@ FileText read_map_text(const Disk& disk, const std::string& root, const std::str
 /// the folder itself and no map is needed. Throws CannotDo.
 Project open_project(const Options& options, Workplace& place, bool needs_map);
 
-/// Throws CannotDo for a glob of the map that leads out of its side's root.
-void require_sides_beneath(const Project& project);
+/// Throws CannotDo for a glob of the map that leads out of its side's root, and for a target_root into `.git`.
+void require_sides_beneath(const Project& project, const Disk& disk);
+
+/// True where the map has chosen the target's root outside of the project: only sources are read there.
+bool is_elsewhere(const Project& project);
 
 /// Reads and scans both sides. Throws CannotDo for globs that match nothing.
 void read_sides(Project& project, Workplace& place);

@@ -248,6 +248,8 @@ Outcome accept_command(const Options& options, Workplace& place) {
     record(checked.lock, accepted, options.reason);
     store(checked, place.disk);
     std::string out = fmt::format("{} pairs recorded as in step\n", accepted.size());
+    if (checked.lock.version == 1)
+        out += "portmap.lock is rewritten as version 2: this once, all of its lines change\n";
     if (!left.empty())
         out += fmt::format(
             "{} changed pairs left: new to the lock, or their edits are not equivalent; name them, or add --force:\n  "

@@ -19,6 +19,7 @@ bool is_shader_text(const std::string& path) {
 /// The files of one side, each read once.
 struct SpirvCheck::Side {
     std::string root;
+    bool sources_only = false;
     std::map<std::string, std::optional<std::string>> now;
     std::optional<GitFiles> then;
     std::optional<SpirvComparer> comparer;
@@ -40,6 +41,7 @@ SpirvCheck::Side& SpirvCheck::side(bool source) {
     slot = std::make_unique<Side>();
     Side& side = *slot;
     side.root = source ? project_.root : target_root(project_);
+    side.sources_only = !source && is_elsewhere(project_);
     std::vector<std::string> entries;
     if (options_.staged && (source || project_.map.target_root.empty())) {
         GitFiles staged = files_in_index(side.root, is_shader_text);
@@ -61,7 +63,8 @@ SpirvCheck::Side& SpirvCheck::side(bool source) {
         entries.push_back(file.path);
         side.now[file.path] = std::move(file.text);
     }
-    side.comparer.emplace(ShaderSide{[this, &side](const std::string& path) {
+    side.comparer.emplace(ShaderSide{[this, &side](const std::string& path) -> const std::string* {
+                                         if (side.sources_only && !is_shader_text(path)) return nullptr;
                                          const auto [at, fresh] = side.now.try_emplace(path);
                                          if (fresh) {
                                              FileText file = disk_.read(TreePath{side.root, path}, kLargestFile);

@@ -84,16 +84,23 @@ private:
         for (const LockedPair& pair : before_.lock.pairs) pairs[{pair.source, pair.target}] = &pair;
         for (const LockedPair& pair : now_.lock.pairs) {
             const auto old = pairs.find({pair.source, pair.target});
-            if (old == pairs.end() || old->second->source_prints != pair.source_prints ||
-                old->second->target_prints != pair.target_prints)
-                add("accept", kLock, pair.line, pair.source + " = " + pair.target);
+            const bool same_texts = old != pairs.end() && old->second->source_prints == pair.source_prints &&
+                                    old->second->target_prints == pair.target_prints;
+            const bool same_word = same_texts
+                                       ? std::tie(old->second->state, old->second->by) == std::tie(pair.state, pair.by)
+                                       : pair.state == LockedPair().state;
+            if (!same_texts || !same_word)
+                add("accept", kLock, pair.line,
+                    pair.source + " = " + pair.target +
+                        (same_word ? "" : ", " + pair.state + (pair.by.empty() ? "" : " by " + pair.by)));
         }
         const auto units = [](const LockedUnit& u) { return std::tie(u.side, u.id, u.reason); };
         const auto verdicts = [](const LedgerEntry& e) {
             return std::tie(e.verdict, e.source, e.target, e.source_print, e.target_print, e.owner, e.until, e.reason);
         };
         for (const LockedUnit* unit : new_ones(before_.lock.baseline, now_.lock.baseline, units))
-            add("ignore", kLock, unit->line, unit->id + (unit->reason.empty() ? "" : ": " + unit->reason));
+            if (unit->side == "source")
+                add("ignore", kLock, unit->line, unit->id + (unit->reason.empty() ? "" : ": " + unit->reason));
         for (const LedgerEntry* entry : new_ones(before_.lock.ledger, now_.lock.ledger, verdicts))
             add(entry->verdict.c_str(), kLock, entry->line,
                 entry->source + (entry->target.empty() ? "" : " = " + entry->target) + ": " + entry->reason +

@@ -222,7 +222,7 @@ private:
             pair.target == nullptr ? unread_reason(target_path(facts_.map, pair.map_target)) : "";
         if (source.empty() && target.empty()) return false;
         Finding& finding =
-            add_for(pair, source.empty() ? "target-changed" : "source-changed", "",
+            add_for(pair, source.empty() ? "dead-link" : "source-changed", "",
                     source.empty() ? "the file of the port " + target : "the file of the source " + source);
         finding.remedy = "Make it readable; see the finding of 'unreadable' on that file";
         return true;
@@ -326,7 +326,10 @@ private:
         Finding& finding =
             add_for(pair, source ? "source-changed" : "target-changed", change_name(change),
                     source ? "the source changed; its port did not" : "the port changed; its source did not");
-        if (base.empty()) return;
+        if (base.empty()) {
+            finding.message += "; the earlier text is not in portmap.base/, or not as recorded: restore it from git";
+            return;
+        }
         for (const std::string& statement : edit.lost) finding.details.push_back("- " + statement);
         for (const std::string& statement : edit.gained) finding.details.push_back("+ " + statement);
         if (finding.details.empty()) finding.details.emplace_back("the statements were rearranged");

@@ -37,13 +37,6 @@ std::deque<std::string> components_of(std::string_view path) {
     return out;
 }
 
-/// `.git` in any spelling that a file system may take for it.
-bool is_git_folder(std::string_view name) {
-    constexpr std::string_view kName = ".git";
-    return std::equal(name.begin(), name.end(), kName.begin(), kName.end(),
-                      [](char a, char b) { return (a >= 'A' && a <= 'Z' ? a + 32 : a) == b; });
-}
-
 std::string reason_of(int code) { return std::string("cannot be read: ") + std::strerror(code); }
 
 /// Why a path is refused, or "" if it is not; then `code` is 0.
@@ -154,6 +147,12 @@ bool names_git_folder(const std::string& path) {
 }
 
 }  // namespace
+
+bool is_git_folder(std::string_view name) {
+    constexpr std::string_view kName = ".git";
+    return std::equal(name.begin(), name.end(), kName.begin(), kName.end(),
+                      [](char a, char b) { return (a >= 'A' && a <= 'Z' ? a + 32 : a) == b; });
+}
 
 Descriptor& Descriptor::operator=(Descriptor&& other) noexcept {
     std::swap(number_, other.number_);

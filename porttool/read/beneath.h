@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 namespace porttool {
 
@@ -12,6 +13,9 @@ enum class Links : uint8_t {
     Within,  ///< as long as it leads to something beneath the root
     None,    ///< not at all: what porttool alone writes holds no links
 };
+
+/// `.git` in any spelling that a file system may take for it: where a checkout keeps its credentials.
+bool is_git_folder(std::string_view name);
 
 /// A path that somebody else may have written: in a map, a lock, a glob or an `#include`. It is opened beneath `root`,
 /// which is the user's own, or not at all; nor is anything in a folder `.git`, where a checkout keeps its credentials.

@@ -8,8 +8,8 @@
 
 namespace porttool {
 
-/// The line of a TOML text where a key has more dots than anyone writes. Each is a table in a table, and what reads them
-/// calls itself for each.
+/// The line of a TOML text where a key has more dots than anyone writes. Each is a table in a table, and what reads
+/// them calls itself for each.
 std::optional<uint32_t> line_of_deep_key(std::string_view text);
 
 }  // namespace porttool

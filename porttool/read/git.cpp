@@ -187,6 +187,21 @@ std::string index_of_hook(git_repository* repository) {
 
 }  // namespace
 
+std::set<std::string> tracked_files(const std::string& root, const WantsFile& wants) {
+    std::set<std::string> out;
+    const OpenedGit opened = open(root);
+    git_index* index = nullptr;
+    if (!opened.error.empty() || git_repository_index(&index, opened.repository.get()) != 0) return out;
+    const Index owner(index);
+    for (size_t i = 0; i < git_index_entrycount(index); ++i) {
+        const std::string_view path = git_index_get_byindex(index, i)->path;
+        if (!path.starts_with(opened.prefix)) continue;
+        std::string below(path.substr(opened.prefix.size()));
+        if (wants(below)) out.insert(std::move(below));
+    }
+    return out;
+}
+
 GitFiles files_in_index(const std::string& root, const WantsFile& wants) {
     GitFiles out;
     const OpenedGit opened = open(root);

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <map>
+#include <set>
 #include <string>
 
 namespace porttool {
@@ -22,6 +23,9 @@ using WantsFile = std::function<bool(const std::string& path)>;
 
 /// The files at merge-base(revision, HEAD), below `root`, a folder of a work tree (or of a submodule, or a linked one).
 GitFiles files_at_base(const std::string& root, const std::string& revision, const WantsFile& wants);
+
+/// The wanted files that the index names; none outside of any repository.
+std::set<std::string> tracked_files(const std::string& root, const WantsFile& wants);
 
 /// The files of the index.
 GitFiles files_in_index(const std::string& root, const WantsFile& wants);

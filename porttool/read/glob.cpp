@@ -91,8 +91,8 @@ std::vector<std::string> expanded(const std::string& pattern) {
         constexpr size_t kShown = 60;
         throw GlobTooLarge("the pattern '" + pattern.substr(0, kShown) + (pattern.size() > kShown ? "...'" : "'") +
                            " stands for too many: at most " + std::to_string(kMostAlternatives) +
-                           " patterns of together 16 MiB, with at most " + std::to_string(kMostGroups) +
-                           " braces; write several shorter ones");
+                           " patterns of together 16 MiB, with at most " + std::to_string(kMostGroups) + " braces, " +
+                           std::to_string(kDeepestBraces) + " in one another; write several shorter ones");
     }
     std::vector<std::string> out;
     expand_braces(pattern, 0, out);

@@ -22,9 +22,11 @@ void IgnoreRules::add(std::string_view folder, std::string_view text) {
 
 void IgnoreRules::Layer::add(std::string_view line) {
     constexpr size_t kLongestRule = 4096, kMostWild = 4096;
+    if (is_full) return;
     if (line.ends_with('\r')) line.remove_suffix(1);
     while (line.ends_with(' ') && !line.ends_with("\\ ")) line.remove_suffix(1);
-    if (line.empty() || line.starts_with('#') || line.size() > kLongestRule) return;
+    if (line.empty() || line.starts_with('#')) return;
+    if (line.size() > kLongestRule) return give_up();
     Rule rule;
     if (line.starts_with('!')) {
         rule.negated = true;
@@ -44,11 +46,20 @@ void IgnoreRules::Layer::add(std::string_view line) {
     if (rule.pattern.empty()) return;
     if (line.find_first_of("*?[\\") == std::string_view::npos)
         (anywhere ? by_name : by_path)[path].push_back(rules.size());
-    else if (wild.size() < kMostWild)
-        wild.push_back(rules.size());
     else
-        return;
+        wild.push_back(rules.size());
     rules.push_back(std::move(rule));
+    if (wild.size() <= kMostWild) return;
+    // What is ignored by some rules and not by later ones cannot be told by a part of them: nothing is.
+    give_up();
+}
+
+void IgnoreRules::Layer::give_up() {
+    is_full = true;
+    rules.clear();
+    by_name.clear();
+    by_path.clear();
+    wild.clear();
 }
 
 bool IgnoreRules::ignores(std::string_view path, bool is_directory) const {

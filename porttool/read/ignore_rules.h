@@ -33,9 +33,11 @@ private:
         std::vector<Rule> rules;
         Index by_name, by_path;
         std::vector<size_t> wild;
+        bool is_full = false;                ///< it had more than is taken, and ignores nothing
         std::shared_ptr<const Layer> above;  ///< of the folder above
 
         void add(std::string_view line);
+        void give_up();
         const Rule* last_match(std::string_view path, bool is_directory) const;
         void consider(const Index& index, std::string_view key, bool is_directory, const Rule*& best) const;
     };

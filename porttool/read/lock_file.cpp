@@ -171,6 +171,11 @@ public:
             if (const std::string wrong = take(line); !wrong.empty())
                 return {{}, "portmap.lock:" + std::to_string(number_) + ": " + wrong};
         }
+        if (lock_.version > 1 && std::count(marks_.begin(), marks_.end(), true) != static_cast<long>(kMarks))
+            return {{},
+                    "portmap.lock has lost lines: its marks 000 to fff are not all there, as after a copy that was cut "
+                    "short" +
+                        std::string(kRestore)};
         return {std::move(lock_), ""};
     }
 
@@ -190,8 +195,11 @@ private:
         if (line.starts_with(kNormalFormLine)) return take_normal_form(line);
         Fields fields = split(line);
         if (lock_.version > 1) {
-            if (fields.size() == 1 && (is_hexadecimal(line, kMarkDigits) || is_hexadecimal(line, kKeyDigits)))
+            if (is_hexadecimal(line, kMarkDigits)) {
+                marks_[std::stoul(line, nullptr, 16)] = true;
                 return {};
+            }
+            if (is_hexadecimal(line, kKeyDigits)) return {};
             if (is_hexadecimal(fields[0], kKeyDigits)) fields.erase(fields.begin());  // one by hand may lack it
             if (fields.empty()) return unreadable(line);
         }
@@ -249,6 +257,7 @@ private:
     const std::string& text_;
     LockFile lock_;
     int number_ = 0;
+    std::vector<bool> marks_ = std::vector<bool>(kMarks);  ///< those that were seen
     std::map<std::pair<std::string, std::string>, Seen> seen_;
 };
 

@@ -23,7 +23,7 @@ namespace porttool {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr std::string_view kMark = ".tmp";
+constexpr std::string_view kMark = ".porttool-";
 constexpr mode_t kNewFile = 0666, kNewFolder = 0777;
 
 std::string cannot_be_written(int code) { return std::string("cannot be written: ") + std::strerror(code); }
@@ -98,18 +98,17 @@ Destination destination_of(std::string path) {
     return {path, true};  // links that lead to one another: opening it says so
 }
 
-/// Removes the temporaries of this file that a killed process left.
-void sweep(const std::string& folder, const std::string& name) {
-    DIR* entries = ::opendir(folder.c_str());
-    if (entries == nullptr) return;
-    std::vector<std::string> left;
-    while (const dirent* entry = ::readdir(entries)) {
-        int process = 0;
-        if (temporary_of(entry->d_name, process) == name && ::kill(process, 0) != 0 && errno == ESRCH)
-            left.emplace_back(entry->d_name);
-    }
-    for (const std::string& one : left) (void)::unlinkat(::dirfd(entries), one.c_str(), 0);
-    ::closedir(entries);
+/// Whose temporary a name is: `report.html` for `report.html.porttool-4711.1`; "" for any other name. `process` is the
+/// one that made it.
+std::string_view temporary_of(std::string_view name, int& process) {
+    const size_t mark = name.rfind(kMark);
+    if (mark == std::string_view::npos || mark == 0) return {};
+    const char* end = name.data() + name.size();
+    const auto number = std::from_chars(name.data() + mark + kMark.size(), end, process);
+    if (number.ec != std::errc() || process <= 0 || number.ptr == end || *number.ptr != '.') return {};
+    unsigned count = 0;
+    const auto rest = std::from_chars(number.ptr + 1, end, count);
+    return rest.ec == std::errc() && rest.ptr == end ? name.substr(0, mark) : std::string_view();
 }
 
 /// Opens the folder of a path beneath a root, and makes its last part where that is missing.
@@ -133,9 +132,12 @@ std::string replace_file(const std::string& path, const std::string& bytes) {
     if (to.is_stream) return append(path, bytes);
     const fs::path place = to.path;
     const std::string folder = place.has_parent_path() ? place.parent_path().string() : ".";
-    sweep(folder, place.filename().string());
+    const std::string name = place.filename().string();
     const Descriptor open(::open(folder.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
-    return open.valid() ? replace_in(open.get(), place.filename().string(), bytes) : cannot_be_written(errno);
+    if (!open.valid()) return cannot_be_written(errno);
+    sweep_temporaries(
+        open.get(), [&](std::string_view file) { return file == name; }, false);
+    return replace_in(open.get(), name, bytes);
 }
 
 std::string replace_file(const TreePath& path, const std::string& bytes) {
@@ -143,19 +145,19 @@ std::string replace_file(const TreePath& path, const std::string& bytes) {
     return at.error.empty() ? replace_in(at.folder.get(), at.name, bytes) : at.error;
 }
 
-std::string_view temporary_of(std::string_view name, int& process) {
-    const size_t mark = name.rfind(kMark);
-    if (mark == std::string_view::npos || mark == 0) return {};
-    const char* end = name.data() + name.size();
-    const auto number = std::from_chars(name.data() + mark + kMark.size(), end, process);
-    if (number.ec != std::errc() || process <= 0) return {};
-    unsigned count = 0;
-    if (number.ptr != end) {  // 0.1 wrote no count
-        if (*number.ptr != '.') return {};
-        const auto rest = std::from_chars(number.ptr + 1, end, count);
-        if (rest.ec != std::errc() || rest.ptr != end) return {};
+void sweep_temporaries(int folder, const std::function<bool(std::string_view)>& is_swept, bool all) {
+    const int again = ::openat(folder, ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    DIR* entries = again < 0 ? nullptr : ::fdopendir(again);
+    if (entries == nullptr) return;
+    std::vector<std::string> left;
+    while (const dirent* entry = ::readdir(entries)) {
+        int process = 0;
+        const std::string_view file = temporary_of(entry->d_name, process);
+        if (!file.empty() && is_swept(file) && (all || (::kill(process, 0) != 0 && errno == ESRCH)))
+            left.emplace_back(entry->d_name);
     }
-    return name.substr(0, mark);
+    for (const std::string& one : left) (void)::unlinkat(again, one.c_str(), 0);
+    ::closedir(entries);
 }
 
 }  // namespace porttool

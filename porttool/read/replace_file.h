@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -17,8 +18,8 @@ std::string replace_file(const std::string& path, const std::string& bytes);
 /// The same beneath a root, with the file's folder where that is missing.
 std::string replace_file(const TreePath& path, const std::string& bytes);
 
-/// Whose temporary a name is: `report.html` for `report.html.tmp4711.1`; "" for any other name. `process` is the one
-/// that made it.
-std::string_view temporary_of(std::string_view name, int& process);
+/// Removes temporaries of `replace_file` that killed processes left in an open folder: those of files for which
+/// `is_swept` holds, and whose process is no more, or, where `all`, of any process.
+void sweep_temporaries(int folder, const std::function<bool(std::string_view file)>& is_swept, bool all);
 
 }  // namespace porttool

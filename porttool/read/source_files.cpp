@@ -3,6 +3,7 @@
 #include "porttool/read/source_files.h"
 
 #include <algorithm>
+#include <deque>
 #include <map>
 #include <set>
 
@@ -33,7 +34,11 @@ public:
             const IgnoreRules& rules = rules_of(at);
             for (const DirectoryEntry& entry : list.entries) {
                 const std::string path = at.empty() ? entry.name : at + "/" + entry.name;
-                if (entry.name == ".git" || rules.ignores(path, entry.is_directory)) continue;
+                if (entry.name == ".git") continue;
+                if (rules.ignores(path, entry.is_directory)) {
+                    ignored_some_ = true;
+                    continue;
+                }
                 if (entry.is_directory)
                     open.push_back(path);
                 else
@@ -47,6 +52,8 @@ public:
         return {join_path(root_, own_), path.substr(std::min(own_.size() + 1, path.size()))};
     }
 
+    /// True if a rule hid something.
+    bool ignored_some() const { return ignored_some_; }
     /// Folders that lie elsewhere, and so were not looked into.
     const std::vector<SkippedFile>& refused() const { return refused_; }
 
@@ -71,6 +78,7 @@ private:
     std::string root_, own_;
     std::map<std::string, IgnoreRules> rules_;
     std::vector<SkippedFile> refused_;
+    bool ignored_some_ = false;
 };
 
 /// Files by the paths that they are shown with, and where each is opened. The user's own has no root: it is followed
@@ -169,44 +177,62 @@ namespace {
 /// Reads what globs match, walking each of their folders once.
 class GlobReader {
 public:
-    GlobReader(const Disk& disk, const std::string& root, Reach reach) : disk_(disk), root_(root), reach_(reach) {}
+    GlobReader(const Disk& disk, const std::string& root, const GlobScope& scope)
+        : disk_(disk), root_(root), scope_(scope) {}
 
-    /// How many files a glob matches, those that are `named` even where they are ignored.
-    size_t take(const std::string& text, const std::set<std::string>& named) {
-        const Glob glob = glob_below(root_, text);
-        size_t count = 0;
+    /// How many files a glob matches.
+    size_t take(const std::string& text) {
         // `src/*.inc` asks for that suffix, `src/*` for what is known to be source.
         const bool names_suffix = text.find('.', text.find_last_of('/') + 1) != std::string::npos;
-        const auto take_file = [&](const std::string& file, const TreePath& place, bool by_suffix) {
-            if (!glob.matches(file) || (!by_suffix && language_of_path(file) == Language::Unknown)) return;
-            ++count;
-            found_.emplace(file, place);
-        };
-        if (glob.literal()) {
-            const std::string path = clean_path(glob.text());
-            const TreePath place = reach_ == Reach::Beneath ? TreePath{root_, path} : place_of_path(root_, path);
+        const Asked& asked = asked_.emplace_back(Asked{glob_below(root_, text), names_suffix && !scope_.sources_only});
+        size_t count = 0;
+        if (asked.glob.literal()) {
+            const std::string path = clean_path(asked.glob.text());
+            const TreePath place = scope_.reach == Reach::Beneath ? TreePath{root_, path} : place_of_path(root_, path);
             const FileKind kind = disk_.kind(place);
-            if (kind == FileKind::File || kind == FileKind::Other) take_file(path, place, true);
+            if (kind == FileKind::File || kind == FileKind::Other)
+                count += take_file({asked.glob, !scope_.sources_only}, path, place);
         }
-        for (const std::string& folder : glob.roots())
-            for (const auto& [file, place] : files_below(folder)) take_file(file, place, names_suffix);
-        for (const std::string& file : named)
-            if (!found_.contains(file) && glob.matches(file) && disk_.kind({root_, file}) != FileKind::None)
-                take_file(file, {root_, file}, names_suffix);
+        for (const std::string& folder : asked.glob.roots())
+            for (const auto& [file, place] : files_below(folder)) count += take_file(asked, file, place);
+        for (const std::string& file : scope_.named) count += take_hidden(asked, file);
         return count;
     }
 
     SourceSet read() {
+        const bool some_ignored = std::any_of(walkers_.begin(), walkers_.end(),
+                                              [](const auto& walker) { return walker.second.ignored_some(); });
+        if (some_ignored && scope_.tracked)
+            for (const std::string& file : scope_.tracked())
+                for (const Asked& asked : asked_) take_hidden(asked, file);
         SourceSet out = read_all(disk_, found_);
         for (const auto& [own, walker] : walkers_) add_refused(out, walker);
         return out;
     }
 
 private:
+    struct Asked {
+        Glob glob;
+        bool any_suffix = false;
+    };
+
+    size_t take_file(const Asked& asked, const std::string& file, const TreePath& place) {
+        if (!asked.glob.matches(file)) return 0;
+        if (!asked.any_suffix && language_of_path(file) == Language::Unknown) return 0;
+        found_.emplace(file, place);
+        return 1;
+    }
+
+    /// A file that no walk has shown, as far as it is there.
+    size_t take_hidden(const Asked& asked, const std::string& file) {
+        if (found_.contains(file) || !asked.glob.matches(file)) return 0;
+        return disk_.kind({root_, file}) == FileKind::None ? 0 : take_file(asked, file, {root_, file});
+    }
+
     const FoundFiles& files_below(const std::string& folder) {
         const auto [files, fresh] = listed_.try_emplace(folder);
         if (!fresh) return files->second;
-        const std::string own = reach_ == Reach::Anywhere && leads_out(folder) ? folder : "";
+        const std::string own = scope_.reach == Reach::Anywhere && leads_out(folder) ? folder : "";
         Walker& walker = walkers_.try_emplace(own, disk_, root_, own).first->second;
         walker.walk(folder, [&](const std::string& file) { files->second.emplace(file, walker.place_of(file)); });
         return files->second;
@@ -214,7 +240,8 @@ private:
 
     const Disk& disk_;
     const std::string& root_;
-    const Reach reach_;
+    const GlobScope& scope_;
+    std::deque<Asked> asked_;
     FoundFiles found_;
     std::map<std::string, FoundFiles> listed_;  ///< by folder
     std::map<std::string, Walker> walkers_;     ///< by the folder that they do not leave, "" for the root
@@ -223,10 +250,10 @@ private:
 }  // namespace
 
 SourceSet read_globs(const Disk& disk, const std::string& root, const std::vector<std::string>& globs,
-                     std::vector<std::string>& unmatched, Reach reach, const std::set<std::string>& named) {
-    GlobReader reader(disk, root, reach);
+                     std::vector<std::string>& unmatched, const GlobScope& scope) {
+    GlobReader reader(disk, root, scope);
     for (const std::string& text : globs)
-        if (reader.take(text, named) == 0) unmatched.push_back(text);
+        if (reader.take(text) == 0) unmatched.push_back(text);
     return reader.read();
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <set>
 #include <string>
 #include <vector>
@@ -41,12 +42,20 @@ SourceSet read_paths(const Disk& disk, const std::string& root, const std::vecto
 /// Where globs may lead: those of a map beneath the root, those that the user gave on the command line anywhere.
 enum class Reach : uint8_t { Beneath, Anywhere };
 
+/// What globs stand for.
+struct GlobScope {
+    Reach reach = Reach::Beneath;
+    bool sources_only = false;  ///< no file without a suffix of a source, even where a glob names its suffix
+    /// Files that are read where a glob matches them, whatever .gitignore says, which hides only what git does not
+    /// track: those that the map names, and, asked for only where something was ignored, those that git tracks.
+    std::set<std::string> named = {};
+    std::function<std::set<std::string>()> tracked = {};
+};
+
 /// Reads what matches the globs under `root`; a glob that matches nothing is reported in `unmatched`. What lies out of
-/// the root is skipped and named. Files in `named` are read where a glob matches them, whatever .gitignore says: git
-/// tracks a file that was ignored later, and so does a map.
+/// the root is skipped and named.
 SourceSet read_globs(const Disk& disk, const std::string& root, const std::vector<std::string>& globs,
-                     std::vector<std::string>& unmatched, Reach reach = Reach::Beneath,
-                     const std::set<std::string>& named = {});
+                     std::vector<std::string>& unmatched, const GlobScope& scope = {});
 
 /// True for a glob that names files elsewhere than beneath the root.
 bool leads_out_of(const std::string& root, const std::string& glob);

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "porttool/read/write_guard.h"
 
-#include <dirent.h>
 #include <fcntl.h>
 #include <sys/file.h>
 #include <sys/stat.h>
@@ -46,43 +45,39 @@ bool has_name(const Descriptor& folder, const std::string& name, const Descripto
            ours.st_ino == named.st_ino && ours.st_dev == named.st_dev;
 }
 
-/// Whether a file's name is one that only porttool's writers give.
-bool is_temporary_of_ours(const std::string& name, const std::string& file) {
-    int process = 0;
-    const std::string_view of = temporary_of(name, process);
-    return !of.empty() && (of == file || of == "portmap.toml" || is_fingerprint(of));
+/// What killed writers left beside the file and in portmap.base/: whoever holds the guard is the only one there.
+void sweep(const Descriptor& folder, const std::string& name) {
+    const auto is_ours = [&](std::string_view file) {
+        return file == name || file == "portmap.toml" || is_fingerprint(file);
+    };
+    sweep_temporaries(folder.get(), is_ours, true);
+    const Descriptor base(::openat(folder.get(), "portmap.base", O_PATH | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
+    if (base.valid()) sweep_temporaries(base.get(), is_ours, true);
 }
 
-void sweep(int at, const char* name, const std::string& file) {
-    const int folder = ::openat(at, name, O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
-    DIR* entries = folder < 0 ? nullptr : ::fdopendir(folder);
-    if (entries == nullptr) return;
-    std::vector<std::string> left;
-    while (const dirent* entry = ::readdir(entries))
-        if (is_temporary_of_ours(entry->d_name, file)) left.emplace_back(entry->d_name);
-    for (const std::string& one : left) (void)::unlinkat(folder, one.c_str(), 0);
-    ::closedir(entries);
+std::string no_guard(const TreePath& path, const std::string& why) {
+    return join_path(path.root, path.path) + ".busy " + why +
+           "\nporttool makes this file while it writes; make its folder writable, and remove what stands in its place";
 }
 
 }  // namespace
 
 TakenGuard take_file_guard(const TreePath& path) {
     FolderBeneath at = folder_beneath({path.root, path.path + ".busy", Links::None});
-    if (!at.error.empty()) return {nullptr, path.path + ".busy " + at.error};
+    if (!at.error.empty()) return {nullptr, no_guard(path, at.error)};
     const auto end = std::chrono::steady_clock::now() + kLongestWait;
     while (true) {
         Descriptor file(::openat(at.folder.get(), at.name.c_str(),
                                  O_RDWR | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC, kNewFile));
-        if (!file.valid()) return {nullptr, path.path + ".busy cannot be written: " + std::strerror(errno)};
+        if (!file.valid()) return {nullptr, no_guard(path, std::string("cannot be written: ") + std::strerror(errno))};
         if (::flock(file.get(), LOCK_EX | LOCK_NB) == 0) {
             if (!has_name(at.folder, at.name, file)) continue;
             const std::string name = path.path.substr(path.path.find_last_of('/') + 1);
-            sweep(at.folder.get(), ".", name);
-            sweep(at.folder.get(), "portmap.base", name);
+            sweep(at.folder, name);
             return {std::make_unique<FileGuard>(std::move(at.folder), std::move(at.name), std::move(file)), ""};
         }
         if (errno != EWOULDBLOCK && errno != EINTR)
-            return {nullptr, path.path + ".busy cannot be locked: " + std::strerror(errno)};
+            return {nullptr, no_guard(path, std::string("cannot be locked: ") + std::strerror(errno))};
         if (std::chrono::steady_clock::now() > end)
             return {nullptr, path.path +
                                  " is being written by another porttool, for half a minute now\nTry again when "

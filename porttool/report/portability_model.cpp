@@ -70,7 +70,9 @@ public:
     explicit Excuses(const PortabilityCase& facts) {
         for (const MapIgnore& ignore : facts.map.ignores) globs_.push_back({Glob(ignore.id), ignore.reason});
         for (const LockedUnit& unit : facts.lock.baseline)
-            reasons_.emplace(unit.id, unit.reason.empty() ? "had no port when the baseline was taken" : unit.reason);
+            if (unit.side == "source")
+                reasons_.emplace(unit.id,
+                                 unit.reason.empty() ? "had no port when the baseline was taken" : unit.reason);
         for (const Finding& finding : facts.judgement.findings)
             if (finding.rule == "unported" && !finding.verdict.empty() && finding.source)
                 reasons_.emplace(finding.source->id, finding.verdict_reason);

@@ -62,7 +62,7 @@ private:
 /// True for what Fingerprinter::digits() can give: 16 small hexadecimal digits.
 bool is_fingerprint(std::string_view text);
 
-/// The print that porttool 0.1 gave to the words of a text: to read its locks.
+/// The print that a lock of version 1 has for the words of a text.
 std::string fingerprint_of_version_1(const std::vector<std::string>& words);
 
 /// What tells whether a unit changed, and how.

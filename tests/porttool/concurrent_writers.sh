@@ -29,6 +29,7 @@ for round in $(seq "$rounds"); do
     if [ $((round % 10)) -eq 0 ]; then # a writer that does not come to its end, and holds what it holds
         "$porttool" accept --all > /dev/null &
         victim=$!
+        sleep "0.00$((RANDOM % 9))"
         kill -9 "$victim" 2> /dev/null || true
         wait "$victim" 2> /dev/null || true
     fi

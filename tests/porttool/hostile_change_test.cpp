@@ -144,7 +144,7 @@ TEST_F(HostileChange, SourcesMapAndLockThatLeadOutAreNotRead) {
         {"src/k.cu", outside / "secret.cu", 1},
         {"src/k.cu", "../.git/config", 1},
         {"src/k.cu", "../../" + outside.filename().string() + "/secret.cu", 1},
-        {"port/k.cpp", outside / "secret.cu", 0},
+        {"port/k.cpp", outside / "secret.cu", 1},
         {"src", outside, 1},
         {"src", ".git", 1},
         {"src/sub", outside, 0},
@@ -209,6 +209,72 @@ TEST_F(HostileChange, ATargetRootIsTheDeclaredWayOut) {
     EXPECT_EQ(porttool({"check"}).exit_code, 2) << "but its globs stay beneath it";
 }
 
+TEST_F(HostileChange, ATargetRootLeadsNeitherIntoGitNorOutBehindALinkAndElsewhereToSourcesOnly) {
+    const auto with_root = [&](const std::string& target_root, const std::string& glob, const std::string& id) {
+        git("checkout -q -f main");
+        std::string map =
+            replaced(read_text(root / "portmap.toml"), "[sides]", "[sides]\ntarget_root = \"" + target_root + "\"");
+        std::string lock = read_text(root / "portmap.lock");
+        map = replaced(replaced(map, "\"port/*\"", "\"" + glob + "\""), "\"port/k.cpp:f\"", "\"" + id + "\"");
+        write("portmap.toml", replaced(map, "\"port/k.cpp:g\"", "\"" + id + "2\""));
+        write("portmap.lock", replaced(lock, "port/k.cpp:f", id));
+    };
+    const std::string here = root.filename().string();
+    for (const std::string& spelling :
+         {std::string(".git"), std::string("./.git"), std::string("x/../.git"), "../" + here + "/.git",
+          (root / ".git").string(), std::string(".git/.."), std::string(".git/hooks")}) {
+        if (spelling == ".git/..") continue;  // that is the root
+        with_root(spelling, "config", "config:@file");
+        EXPECT_EQ(porttool({"check"}).exit_code, 2) << spelling;
+        expect_harmless();
+    }
+    link("../../" + here + "/.git", "aside");
+    with_root("aside", "config", "config:@file");
+    EXPECT_EQ(porttool({"check"}).exit_code, 2);
+    expect_harmless();
+    // Without a change of the map: the folder that it names becomes a link.
+    git("checkout -q -f main && git -C '" + root.string() + "' clean -qfd");
+    fs::remove_all(root / "port");
+    link(outside, "port");
+    with_root("port", "*", "secret.cu:" + kSecret);
+    fs::remove_all(root / "port");
+    link(outside, "port");
+    EXPECT_EQ(porttool({"check"}).exit_code, 2);
+    expect_harmless();
+    git("checkout -q -f main && git -C '" + root.string() + "' clean -qfd");
+    // Another checkout, or what says so: sources only.
+    for (const char* name : {"notes.txt", "0123456789abcdef"}) {
+        with_root(outside.string(), name, std::string(name) + ":@file");
+        EXPECT_EQ(porttool({"check"}).exit_code, 2) << name;
+        EXPECT_EQ(porttool({"report", "--format", "html"}).out.find("precious"), std::string::npos);
+        with_root(outside.string(), "*.*", std::string(name) + ":@file");
+        EXPECT_EQ(porttool({"report", "--format", "html"}).out.find("precious"), std::string::npos);
+    }
+}
+
+TEST_F(HostileChange, IgnoringWhatGitTracksHidesNothing) {
+    write("src/new.cu", "__device__ float fresh(float x) { return x; }\n");
+    EXPECT_EQ(porttool({"check"}).exit_code, 1) << "unported";
+    write(".gitignore", "new.cu\n*.tmp\n");
+    EXPECT_EQ(porttool({"check"}).exit_code, 0) << "ignored, and git does not track it";
+    git("add -f src/new.cu .gitignore");
+    EXPECT_EQ(porttool({"check"}).exit_code, 1) << "git tracks it";
+    EXPECT_EQ(porttool({"check", "--base", "HEAD", "--trusted-map"}).exit_code, 1);
+    write(".gitignore", "src/\n");
+    EXPECT_EQ(porttool({"check", "--base", "HEAD"}).exit_code, 1) << "a whole folder";
+}
+
+TEST_F(HostileChange, AWordOfTrustInTheLockIsListed) {
+    git("checkout -q -b feature");
+    const std::string lock = read_text(root / "portmap.lock");
+    write("portmap.lock", replaced(lock, "state=recorded", "by=difftest\tstate=verified"));
+    commit("trusts itself", 2);
+    const auto got = nlohmann::json::parse(porttool({"check", "--base", "main", "--format", "json"}).out);
+    ASSERT_EQ(got["brought_in"].size(), 1u);
+    EXPECT_EQ(got["brought_in"][0]["kind"], "accept");
+    EXPECT_NE(got["brought_in"][0]["text"].get<std::string>().find(", verified by difftest"), std::string::npos);
+}
+
 TEST_F(HostileChange, FilesThatCannotBeReadDoNotPassAsGone) {
     const std::vector<std::pair<std::string, std::string>> rows = {
         {std::string("// \0\n", 5) + replaced(kSource, "3.0f", "4.0f"), "binary"},
@@ -216,6 +282,9 @@ TEST_F(HostileChange, FilesThatCannotBeReadDoNotPassAsGone) {
         {"version https://git-lfs.github.com/spec/v1\noid sha256:0\nsize 1\n", "git lfs pull"},
     };
     for (const auto& [text, reason] : rows) {
+        write("port/k.cpp", text);
+        EXPECT_EQ(porttool({"check"}).exit_code, 1) << "the port, too: " << reason;
+        write("port/k.cpp", kTarget);
         write("src/k.cu", text);
         const CommandRun got = porttool({"check"});
         EXPECT_EQ(got.exit_code, 1) << reason;
@@ -321,15 +390,19 @@ TEST_F(HostileChange, AFailedInitLeavesNothing) {
 }
 
 TEST_F(HostileChange, OutputGoesToWhatTheFileIs) {
-    const fs::path shared = fs::exists("/dev/shm") ? fs::path("/dev/shm/porttool_test.txt") : outside / "x.txt";
+    const fs::path shared = fs::exists("/dev/shm")
+                                ? fs::path("/dev/shm") / ("porttool_test" + std::to_string(::getpid()) + ".txt")
+                                : outside / "x.txt";
     for (int i = 0; i < 2; ++i) ASSERT_EQ(porttool({"check", "-o", shared.string()}).exit_code, 0);
     const std::string once = porttool({"check"}).out;
     EXPECT_EQ(read_text(shared), once) << "a file is replaced wherever it lies";
-    write("left.txt.tmp999999999.1", "half");
-    write("left.txt.tmp" + std::to_string(::getpid()) + ".7", "of a living process");
+    write("left.txt.porttool-999999999.1", "half");
+    write("left.txt.porttool-" + std::to_string(::getpid()) + ".7", "of a living process");
+    write("left.txt.tmp999999999", "the user's own");
     ASSERT_EQ(porttool({"check", "-o", "left.txt"}).exit_code, 0);
-    EXPECT_FALSE(fs::exists(root / "left.txt.tmp999999999.1"));
-    EXPECT_TRUE(fs::exists(root / ("left.txt.tmp" + std::to_string(::getpid()) + ".7")));
+    EXPECT_TRUE(fs::exists(root / "left.txt.tmp999999999"));
+    EXPECT_FALSE(fs::exists(root / "left.txt.porttool-999999999.1"));
+    EXPECT_TRUE(fs::exists(root / ("left.txt.porttool-" + std::to_string(::getpid()) + ".7")));
     fs::create_symlink("left.txt", root / "to.txt");
     ASSERT_EQ(porttool({"check", "-o", "to.txt"}).exit_code, 0);
     EXPECT_TRUE(fs::is_symlink(root / "to.txt"));

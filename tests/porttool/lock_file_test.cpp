@@ -93,6 +93,15 @@ TEST(LockFile, WhatIsNoneIsNamedWithItsLine) {
     EXPECT_THAT(read_lock("porttool-lock\t3\n").error, ::testing::HasSubstr("another version"));
 }
 
+TEST(LockFile, OneThatIsCutShortIsRefused) {
+    const std::string text = lock_text(sample());
+    for (const size_t size : {text.size() - 5, text.size() / 2, size_t{1000}, size_t{40}}) {
+        const size_t line = text.rfind('\n', size) + 1;  // also where no line is cut
+        EXPECT_NE(read_lock(text.substr(0, line)).error, "") << line;
+        EXPECT_NE(read_lock(text.substr(0, size)).error, "") << size;
+    }
+}
+
 // The published vector of SipHash-2-4-64 (Aumasson and Bernstein 2012, appendix A): key 00..0f, message 00..0e.
 TEST(Fingerprint, IsTheSipHashThatWasPublished) {
     SipHash hash({0x0706050403020100ull, 0x0f0e0d0c0b0a0908ull});
@@ -240,21 +249,21 @@ TEST_F(MergedLock, AcceptancesAtOnceAreAllKept) {
 TEST_F(MergedLock, WhatAKilledWriterLeftIsRemovedByTheNext) {
     start(2);
     write("portmap.lock.busy", "");
-    write("portmap.lock.tmp999999", "half");
-    write("portmap.toml.tmp999999.1", "half");
-    write("portmap.base/0123456789abcdef.tmp999999.3", "half");
+    write("portmap.lock.porttool-999999.2", "half");
+    write("portmap.toml.porttool-999999.1", "half");
+    write("portmap.base/0123456789abcdef.porttool-999999.3", "half");
     write("portmap.base/README", "mine");
     write("portmap.base/.gitattributes", "* -text\n");
-    write("portmap.lock.tmpfoo", "mine");
+    write("portmap.lock.porttool-1", "mine");
     ASSERT_EQ(porttool({"accept", id(0)}).exit_code, 0);
-    for (const char* gone : {"portmap.lock.busy", "portmap.lock.tmp999999", "portmap.toml.tmp999999.1",
-                             "portmap.base/0123456789abcdef.tmp999999.3"})
+    for (const char* gone : {"portmap.lock.busy", "portmap.lock.porttool-999999.2", "portmap.toml.porttool-999999.1",
+                             "portmap.base/0123456789abcdef.porttool-999999.3"})
         EXPECT_FALSE(std::filesystem::exists(root / gone)) << gone;
-    for (const char* there : {"portmap.base/README", "portmap.base/.gitattributes", "portmap.lock.tmpfoo"})
+    for (const char* there : {"portmap.base/README", "portmap.base/.gitattributes", "portmap.lock.porttool-1"})
         EXPECT_TRUE(std::filesystem::exists(root / there)) << there;
 }
 
-/// The lock that porttool 0.1 wrote for today's sides.
+/// The lock of version 1 for today's sides.
 std::string version_1(const std::string& lock, const std::filesystem::path& base) {
     std::map<std::string, std::string> old;
     for (const auto& entry : std::filesystem::directory_iterator(base)) {
