@@ -13,6 +13,7 @@
 #include "porttool/command/past_project.h"
 #include "porttool/command/spirv_check.h"
 #include "porttool/judge/brought_in.h"
+#include "porttool/judge/resolve.h"
 #include "porttool/read/git.h"
 #include "porttool/report/check_report.h"
 #include "porttool/report/ci_reports.h"
@@ -72,6 +73,26 @@ std::vector<BroughtIn> hold_against_base(CheckedProject& checked, const Options&
     return brought;
 }
 
+/// Without them the gate still tells that a text was edited, not how, and takes no two edits for the same.
+void note_missing_texts(const Project& project, const Disk& disk, const LockFile& lock, Workplace& place) {
+    const size_t missing = lock.version == 1 ? 0 : missing_texts(project, disk, lock);
+    if (missing > 0)
+        place.err
+            << "warning: " << missing
+            << " texts are missing in portmap.base/; restore it from git, or, while their pairs are in step, run: "
+               "porttool accept --all\n";
+}
+
+/// A unit that was followed to where its text stands now is watched there, and no longer where it was.
+void list_moved(const Judgement& judgement, std::vector<BroughtIn>& out) {
+    for (const JudgedPair& pair : judgement.pairs)
+        for (const auto& [unit, id] :
+             {std::pair(pair.source, pair.map_source), std::pair(pair.target, pair.map_target)})
+            if (unit != nullptr && unit->file != split_id(id).first)
+                out.push_back(
+                    {"pair", unit->file, static_cast<int>(unit->start_line), id + " is followed to " + unit->id});
+}
+
 }  // namespace
 
 CheckedProject check_project(const Options& options, Workplace& place) {
@@ -98,6 +119,7 @@ CheckedProject check_project(const Options& options, Workplace& place) {
             place.err
                 << "note: portmap.lock is of version 1; rewrite it once, on the main branch, with: porttool accept "
                    "--all\n";
+        note_missing_texts(checked.project, disk, checked.lock, place);
         checked.texts = std::move(recorded.texts);
     } else {
         brought = hold_against_base(checked, options, map_today, disk, place);
@@ -121,6 +143,7 @@ CheckedProject check_project(const Options& options, Workplace& place) {
                      checked.suppressions,
                      spirv ? SameCode(same_code) : SameCode()};
     checked.judgement = judge(facts);
+    if (!options.base.empty()) list_moved(checked.judgement, brought);
     checked.judgement.brought_in = std::move(brought);
     if (spirv)
         for (const std::string& line : spirv->obstacles()) place.err << terminal_text(line) << "\n";

@@ -101,7 +101,7 @@ Outcome record_map(const Options& options, Workplace& place) {
     for (const auto& [id, state] : states.source)
         if (!mapped.contains(id)) lock.baseline.push_back({id, state.prints});
     note_differences(lock, states, Dialect(project.map.dialect), place);
-    store_lock(project, {lock, states, {}}, place.disk);
+    store_lock(project, {lock, states, {}, nullptr, true}, place.disk);
     return {fmt::format("{} pairs of {} recorded as in step, {} source units without a port as the baseline.\n"
                         "Next: porttool check\n",
                         lock.pairs.size(), terminal_text(project.map_path), lock.baseline.size()),
@@ -139,7 +139,7 @@ Outcome init_command(const Options& options, Workplace& place) {
     LockFile lock = first_lock(matching, states);
     note_differences(lock, states, Dialect(), place);
     const std::string map = map_text(project, matching);
-    store_lock(project, {lock, states, {}, &map}, place.disk);
+    store_lock(project, {lock, states, {}, &map, true}, place.disk);
     return {summary(matching, project), 0};
 }
 

@@ -176,8 +176,15 @@ void store_lock(const Project& project, const NewRecord& record, Disk& disk) {
         files.write(beside_map(project, name), *record.map_text);
     }
     files.done();
+    if (!record.clears) return;
     for (const DirectoryEntry& entry : disk.list(base_folder(project)).entries)
         if (is_fingerprint(entry.name) && !needed.contains(entry.name)) disk.remove(base_file(project, entry.name));
+}
+
+size_t missing_texts(const Project& project, const Disk& disk, const LockFile& lock) {
+    std::set<std::string> missing = prints_of(lock);
+    for (const DirectoryEntry& entry : disk.list(base_folder(project)).entries) missing.erase(entry.name);
+    return missing.size();
 }
 
 std::string base_text(const Project& project, const Disk& disk, const std::string& print) {

@@ -45,11 +45,16 @@ struct NewRecord {
     const States& states;
     const std::map<std::string, std::string>& texts;  ///< by print, where the states do not have them any more
     const std::string* map_text = nullptr;            ///< the map, where it is new, too
+    bool clears = false;                              ///< removes texts that no print stands for
 };
 
-/// Writes portmap.lock and, in portmap.base/, the texts behind its fingerprints, then removes texts that it no longer
-/// needs; of other files in that folder none. What fails leaves all as it was. Throws CannotDo.
+/// Writes portmap.lock and, in portmap.base/, the texts behind its fingerprints. A text that is not needed any more
+/// stays unless asked otherwise: another branch may have come to need it, and git would merge its removal without a
+/// word. Other files in that folder are never removed. What fails leaves all as it was. Throws CannotDo.
 void store_lock(const Project& project, const NewRecord& record, Disk& disk);
+
+/// How many of the texts behind a lock are not there.
+size_t missing_texts(const Project& project, const Disk& disk, const LockFile& lock);
 
 /// A text from portmap.base/, or "" if it is not there, or is not the one that its name says.
 std::string base_text(const Project& project, const Disk& disk, const std::string& print);

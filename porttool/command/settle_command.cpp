@@ -124,7 +124,8 @@ std::string settle_unported(const Options& options, CheckedProject& checked, con
 void store(CheckedProject& checked, Disk& disk) {
     drop_idle_lines(checked.lock, checked.project.map, checked.states.source, checked.states.target,
                     checked.project.skipped);
-    store_lock(checked.project, {checked.lock, checked.states, checked.texts}, disk);
+    const bool clears = checked.lock.version == 1;  // its texts have other names
+    store_lock(checked.project, {checked.lock, checked.states, checked.texts, nullptr, clears}, disk);
 }
 
 Outcome settle(const Options& options, Workplace& place, const std::string& verdict) {

@@ -75,6 +75,7 @@ private:
 
     void compare_locks() {
         constexpr const char* kLock = "portmap.lock";
+        if (!now_.has_lock && before_.has_lock) add("accept", kLock, 1, "the lock is gone");
         if (!now_.has_lock) return;
         if (!before_.has_lock)
             return add("accept", kLock, 1,
@@ -94,7 +95,13 @@ private:
                     pair.source + " = " + pair.target +
                         (same_word ? "" : ", " + pair.state + (pair.by.empty() ? "" : " by " + pair.by)));
         }
-        const auto units = [](const LockedUnit& u) { return std::tie(u.side, u.id, u.reason); };
+        std::set<std::pair<std::string, std::string>> locked;
+        for (const LockedPair& pair : now_.lock.pairs) locked.insert({pair.source, pair.target});
+        for (const MapPair& pair : now_.map.pairs)
+            for (const std::string& target : pair.targets)
+                if (pairs.contains({pair.source, target}) && !locked.contains({pair.source, target}))
+                    add("accept", kLock, 1, "no longer recorded: " + pair.source + " = " + target);
+        const auto units = [](const LockedUnit& u) { return std::tie(u.side, u.id, u.reason, u.prints.written); };
         const auto verdicts = [](const LedgerEntry& e) {
             return std::tie(e.verdict, e.source, e.target, e.source_print, e.target_print, e.owner, e.until, e.reason);
         };

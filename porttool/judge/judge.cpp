@@ -8,6 +8,7 @@
 #include <unordered_set>
 
 #include "porttool/compare/hazards.h"
+#include "porttool/judge/baseline_index.h"
 #include "porttool/judge/compare_budget.h"
 #include "porttool/judge/constant_value.h"
 #include "porttool/judge/lock_index.h"
@@ -190,7 +191,7 @@ private:
         JudgedPair pair{source_id, target_id, static_cast<uint32_t>(std::max(1, line)), source.unit, target.unit,
                         false,     false};
         const size_t before = out_.findings.size();
-        examine(pair, lock);
+        if (lock == nullptr || !note_unread(pair, source.elsewhere, target.elsewhere)) examine(pair, lock);
         if (found.under_old_ids && out_.findings.size() == before && pair.source != nullptr && pair.target != nullptr)
             pair.changed = pair.equivalent = true;  // accept records it under its new ids
         if (source.elsewhere || target.elsewhere) note_moved(pair, source, target);
@@ -214,12 +215,13 @@ private:
         return file == unread_.end() ? std::string() : file->second;
     }
 
-    /// A recorded unit in a file that cannot be read is not gone: it may have been changed in any way. False if none
-    /// is.
-    bool note_unread(const JudgedPair& pair) {
-        const std::string source = pair.source == nullptr ? unread_reason(pair.map_source) : "";
-        const std::string target =
-            pair.target == nullptr ? unread_reason(target_path(facts_.map, pair.map_target)) : "";
+    /// A recorded unit in a file that cannot be read is not gone, nor has it moved to where a copy of it stands: it may
+    /// have been changed in any way. False if none is.
+    bool note_unread(const JudgedPair& pair, bool source_elsewhere, bool target_elsewhere) {
+        const bool no_source = pair.source == nullptr || source_elsewhere;
+        const bool no_target = pair.target == nullptr || target_elsewhere;
+        const std::string source = no_source ? unread_reason(pair.map_source) : "";
+        const std::string target = no_target ? unread_reason(target_path(facts_.map, pair.map_target)) : "";
         if (source.empty() && target.empty()) return false;
         Finding& finding =
             add_for(pair, source.empty() ? "dead-link" : "source-changed", "",
@@ -230,7 +232,6 @@ private:
 
     /// Adds what there is to find on one pair.
     void examine(JudgedPair& pair, const LockedPair* lock) {
-        if (lock != nullptr && note_unread(pair)) return;
         if (pair.target == nullptr && pair.source == nullptr) {
             add_for(pair, lock != nullptr ? "orphaned" : "dead-link", "removed",
                     lock != nullptr
@@ -486,23 +487,12 @@ private:
     }
 
     void find_unported() {
-        std::map<std::string, const LockedUnit*> known;  // by id and by text
-        for (const LockedUnit& unit : facts_.lock.baseline) {
-            if (unit.side != "source") continue;
-            for (const std::string& key : {unit.id, unit.prints.written}) {
-                const LockedUnit*& best = known[key];
-                if (best == nullptr || best->reason.empty()) best = &unit;
-            }
-        }
-        for (const auto& [id, unit] : facts_.source) {
-            if (source_.taken(unit) || unit.kind == UnitKind::File) continue;
-            ++out_.summary.unported;
-            const auto by_id = known.find(id), by_text = known.find(unit.prints.written);
-            const LockedUnit* baseline = by_id != known.end()     ? by_id->second
-                                         : by_text != known.end() ? by_text->second
-                                                                  : nullptr;
-            judge_unported(unit, baseline);
-        }
+        std::vector<const UnitState*> units;
+        for (const auto& [id, unit] : facts_.source)
+            if (!source_.taken(unit) && unit.kind != UnitKind::File) units.push_back(&unit);
+        out_.summary.unported += units.size();
+        const BaselineIndex baseline(facts_.lock.baseline, units);
+        for (const UnitState* unit : units) judge_unported(*unit, baseline.find(*unit));
     }
 
     /// A unit of the baseline, or one that [[ignore]] names, raises nothing; where a person gave a reason for it there

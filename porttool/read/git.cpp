@@ -76,8 +76,8 @@ bool read_tree(const Walk& walk, const git_oid& commit_id);
 /// comparison. False if a commit that is needed is not here.
 bool read_submodule(const Walk& walk, const git_oid& commit, const std::string& path) {
     const char* workdir = git_repository_workdir(walk.repository);
-    git_repository* repository = nullptr;
-    if (workdir == nullptr || git_repository_open(&repository, (workdir + path).c_str()) != 0) return true;
+    git_repository* repository = workdir == nullptr ? nullptr : open_work_tree(workdir + path + "/.git");
+    if (repository == nullptr) return true;
     const Submodule owner(repository);
     const Walk inside{walk.out, repository, "", walk.name_of(path) + "/", walk.wants};
     if (read_tree(inside, commit)) return true;

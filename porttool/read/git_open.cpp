@@ -14,15 +14,43 @@ std::string git_last_error() {
     return error != nullptr && error->message != nullptr ? terminal_text(error->message) : "no reason given";
 }
 
+namespace {
+
+/// The nearest `.git` upwards, which no commit can bring along; "" if there is none. A folder that only looks like a
+/// repository (HEAD, objects, refs) may be a part of what is proposed.
+std::string git_entry_above(const std::string& root) {
+    std::error_code error;
+    for (std::filesystem::path at = std::filesystem::canonical(root, error); !error; at = at.parent_path()) {
+        if (std::filesystem::exists(at / ".git", error)) return (at / ".git").string();
+        if (at == at.parent_path()) break;
+    }
+    return {};
+}
+
+}  // namespace
+
+git_repository* open_work_tree(const std::string& git_entry) {
+    git_repository* repository = nullptr;
+    const unsigned flags = GIT_REPOSITORY_OPEN_NO_SEARCH;
+    return git_repository_open_ext(&repository, git_entry.c_str(), flags, nullptr) == 0 ? repository : nullptr;
+}
+
 OpenedGit open_git(const std::string& root, const std::string& remedy) {
     git_libgit2_init();
     // Objects are only read: that the work tree belongs to another user (as in CI containers) does no harm.
     git_libgit2_opts(GIT_OPT_SET_OWNER_VALIDATION, 0);
     OpenedGit out;
-    git_repository* repository = nullptr;
-    if (git_repository_open_ext(&repository, root.c_str(), 0, nullptr) != 0) {
-        out.error = terminal_text(root) + " is in no git repository that can be read (" + git_last_error() + ")\n" +
-                    remedy + ": git -C " + terminal_text(shell_quoted(root)) + " status";
+    const std::string entry = git_entry_above(root);
+    git_repository* repository = entry.empty() ? nullptr : open_work_tree(entry);
+    if (git_repository* bare = entry.empty() ? open_work_tree(root) : nullptr) {
+        git_repository_free(bare);
+        out.error = terminal_text(root) + " is a bare repository; porttool needs a work tree: git worktree add";
+        return out;
+    }
+    if (repository == nullptr) {
+        out.error = terminal_text(root) + " is in no git repository that can be read (" +
+                    (entry.empty() ? "there is no .git above it" : git_last_error()) + ")\n" + remedy + ": git -C " +
+                    terminal_text(shell_quoted(root)) + " status";
         return out;
     }
     out.repository.reset(repository);

@@ -28,6 +28,9 @@ struct OpenedGit {
     std::string error;   ///< empty, or why not, with `remedy` and the git command that helps
 };
 
+/// The repository of a `.git` entry (a folder, or the file of a submodule or a linked work tree), or nullptr.
+git_repository* open_work_tree(const std::string& git_entry);
+
 /// Opens the repository that a folder of a work tree lies in (also a submodule, or a linked work tree).
 OpenedGit open_git(const std::string& root, const std::string& remedy);
 

@@ -242,7 +242,7 @@ private:
 
     /// What is wrong if an earlier line says something else of the same pair: a merge kept both.
     std::string stands_twice(const Fields& fields) {
-        if (fields[0] != "pair" || fields.size() < 3) return {};
+        if ((fields[0] != "pair" && fields[0] != "unit") || fields.size() < 3) return {};
         const auto [first, fresh] = seen_.try_emplace({fields[1], fields[2]}, Seen{fields, number_});
         if (fresh || first->second.fields == fields) return {};
         return "a second line for '" + fields[1] + "=" + fields[2] + "'; line " + std::to_string(first->second.number) +

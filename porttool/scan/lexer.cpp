@@ -126,9 +126,27 @@ private:
         const uint32_t first = line_;
         read_suppressions(text_.substr(at_, end - at_));
         const bool fresh = line_is_fresh_;
+        while (const size_t doubtful = doubtful_splice(end)) {
+            advance(doubtful - 1);
+            emit(TokenKind::Punctuator, doubtful);
+        }
         advance(end);
         line_is_fresh_ = fresh;  // `/* a */ #define` is a directive
         out_.comments.push_back({first, line_});
+    }
+
+    /// Behind a sign in the comment up to `end` with which some compilers join two lines and others do not: a backslash
+    /// with blanks behind it, or its trigraph. What is code to the one is a comment to the other; such a sign is a
+    /// token, so that nobody can hide an edit behind it. 0 if there is none.
+    size_t doubtful_splice(size_t end) const {
+        for (size_t at = at_; at < end; ++at) {
+            const bool trigraph = text_[at] == '/' && at >= at_ + 2 && text_.substr(at - 2, 2) == "??";
+            if (text_[at] != '\\' && !trigraph) continue;
+            size_t next = at + 1;
+            while (next < text_.size() && is_blank(text_[next])) ++next;
+            if (next < text_.size() && text_[next] == '\n') return at + 1;
+        }
+        return 0;
     }
 
     /// `porttool: ignore(RULE) reason`, also several in one comment. A rule or a reason that goes on without end is

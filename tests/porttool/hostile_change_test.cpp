@@ -52,8 +52,8 @@ protected:
         fs::create_symlink(target, root / name);
     }
     /// No command in any format shows the secret or harms what lies outside; each ends with a code of ours.
-    void expect_harmless() {
-        const std::vector<std::vector<std::string>> commands = {
+    void expect_harmless(bool all = true) {
+        std::vector<std::vector<std::string>> commands = {
             {"check"},
             {"check", "--format", "json"},
             {"check", "--format", "markdown"},
@@ -69,6 +69,7 @@ protected:
             {"accept", "--all", "--force"},
             {"init", "--force"},
             {"init", "--force", "--source", "src/*", "--target", "port/*"}};
+        if (!all) commands = {{"check", "--format", "json"}, {"report", "--format", "html"}, {"init", "--force"}};
         for (const auto& command : commands) {
             const CommandRun got = porttool(command);
             EXPECT_TRUE(got.exit_code >= 0 && got.exit_code <= 2) << command[0];
@@ -168,7 +169,7 @@ TEST_F(HostileChange, SourcesMapAndLockThatLeadOutAreNotRead) {
                 << row.file << " is named\n"
                 << got.out << got.err;
         }
-        expect_harmless();
+        expect_harmless(false);
         git("checkout -q -f main && git -C '" + root.string() + "' clean -qfd");
     }
 }
@@ -226,12 +227,12 @@ TEST_F(HostileChange, ATargetRootLeadsNeitherIntoGitNorOutBehindALinkAndElsewher
         if (spelling == ".git/..") continue;  // that is the root
         with_root(spelling, "config", "config:@file");
         EXPECT_EQ(porttool({"check"}).exit_code, 2) << spelling;
-        expect_harmless();
+        expect_harmless(false);
     }
     link("../../" + here + "/.git", "aside");
     with_root("aside", "config", "config:@file");
     EXPECT_EQ(porttool({"check"}).exit_code, 2);
-    expect_harmless();
+    expect_harmless(false);
     // Without a change of the map: the folder that it names becomes a link.
     git("checkout -q -f main && git -C '" + root.string() + "' clean -qfd");
     fs::remove_all(root / "port");
@@ -240,7 +241,7 @@ TEST_F(HostileChange, ATargetRootLeadsNeitherIntoGitNorOutBehindALinkAndElsewher
     fs::remove_all(root / "port");
     link(outside, "port");
     EXPECT_EQ(porttool({"check"}).exit_code, 2);
-    expect_harmless();
+    expect_harmless(false);
     git("checkout -q -f main && git -C '" + root.string() + "' clean -qfd");
     // Another checkout, or what says so: sources only.
     for (const char* name : {"notes.txt", "0123456789abcdef"}) {
@@ -262,6 +263,143 @@ TEST_F(HostileChange, IgnoringWhatGitTracksHidesNothing) {
     EXPECT_EQ(porttool({"check", "--base", "HEAD", "--trusted-map"}).exit_code, 1);
     write(".gitignore", "src/\n");
     EXPECT_EQ(porttool({"check", "--base", "HEAD"}).exit_code, 1) << "a whole folder";
+}
+
+TEST_F(HostileChange, ARepositoryThatTheChangeBringsAlongIsNotAsked) {
+    // The map in a subfolder, and beside it what looks like a repository of its own.
+    for (const char* name : {"src", "port", "portmap.toml", "portmap.lock", "portmap.base"}) {
+        fs::create_directories(root / "sub");
+        fs::rename(root / name, root / "sub" / name);
+    }
+    commit("into a subfolder", 2);
+    git("checkout -q -b feature");
+    write("sub/src/k.cu", replaced(kSource, "3.0f", "4.0f"));
+    commit("an edit", 3);
+    const std::string folder = (root / "sub").string();
+    ASSERT_EQ(porttool({"check", "--base", "main", "--trusted-map"}, folder).exit_code, 1);
+    const std::string copy = outside.string() + "_copy";
+    fs::remove_all(copy);
+    fs::copy(folder, copy, fs::copy_options::recursive);
+    const std::string fake =
+        "cd '" + copy +
+        "' && git init -q -b main . && git config user.email a@b && git config user.name a && git add -A && "
+        "git commit -qm fake && git config core.bare false && git config core.worktree .";
+    ASSERT_EQ(std::system(fake.c_str()), 0);
+    for (const char* name : {"HEAD", "objects", "refs", "config"})
+        fs::copy(copy + "/.git/" + name, root / "sub" / name, fs::copy_options::recursive);
+    fs::remove_all(copy);
+    EXPECT_EQ(porttool({"check", "--base", "main", "--trusted-map"}, folder).exit_code, 1);
+}
+
+TEST_F(HostileChange, ACopyElsewhereDoesNotStandForAFileThatCannotBeRead) {
+    git("checkout -q -b feature");
+    write("src/decoy.cu", kSource);
+    write("src/k.cu", std::string("// \0\n", 5) + replaced(kSource, "3.0f", "4.0f"));
+    commit("unreadable", 2);
+    EXPECT_EQ(porttool({"check", "--base", "main", "--trusted-map"}).exit_code, 1);
+    EXPECT_EQ(porttool({"check"}).exit_code, 1);
+    git("mv src/k.cu src/k.txt");  // a suffix that no glob takes: followed, and said so
+    write("src/k.txt", replaced(kSource, "3.0f", "4.0f"));
+    commit("moved out of sight", 3);
+    const auto got =
+        nlohmann::json::parse(porttool({"check", "--base", "main", "--trusted-map", "--format", "json"}).out);
+    std::set<std::string> texts;
+    for (const auto& one : got["brought_in"]) texts.insert(one["text"]);
+    EXPECT_TRUE(texts.contains("src/k.cu:g is followed to src/decoy.cu:g")) << got["brought_in"].dump(1);
+}
+
+TEST_F(HostileChange, ALineOfTheBaselineExcusesOneUnit) {
+    const std::string old = "__device__ float h(float x) {\n    return x - 7.5f;\n}\n";
+    write("src/k.cu", kSource + old);
+    ASSERT_EQ(porttool({"ignore", "src/k.cu:h", "--reason", "host only"}).exit_code, 0);
+    ASSERT_EQ(porttool({"check"}).exit_code, 0);
+    commit("a baseline", 2);
+    git("checkout -q -b feature");
+    const std::string evil = "__device__ float h(int x) {\n    return x * 666.0f;\n}\n";
+    write("src/k.cu", evil + kSource + old);
+    EXPECT_EQ(porttool({"check"}).exit_code, 1) << "an overload that takes the id";
+    EXPECT_EQ(porttool({"check", "--base", "main", "--trusted-map"}).exit_code, 1);
+    write("src/k.cu", kSource + replaced(old, "7.5f", "8.5f"));
+    EXPECT_EQ(porttool({"check"}).exit_code, 0) << "an edit of what has no port";
+    write("src/k.cu", kSource);
+    write("src/moved.cu", old);
+    EXPECT_EQ(porttool({"check"}).exit_code, 0) << "a move";
+    fs::remove(root / "src/moved.cu");
+    // The print of another unit in the line: listed, and the unit whose line it was is new then.
+    write("src/k.cu", kSource + old + replaced(evil, "h(int", "evil(int"));
+    ASSERT_EQ(porttool({"ignore", "src/k.cu:evil", "--reason", "x"}).exit_code, 0);
+    const LockFile both = read_lock(read_text(root / "portmap.lock")).lock;
+    LockFile forged = both;
+    const auto line_of = [](LockFile& lock, const std::string& id) {
+        return std::find_if(lock.baseline.begin(), lock.baseline.end(),
+                            [&](const LockedUnit& u) { return u.id == id; });
+    };
+    line_of(forged, "src/k.cu:h")->prints = line_of(forged, "src/k.cu:evil")->prints;
+    forged.baseline.erase(line_of(forged, "src/k.cu:evil"));
+    write("portmap.lock", lock_text(forged));
+    EXPECT_EQ(porttool({"check"}).exit_code, 1);
+    const auto got = nlohmann::json::parse(porttool({"check", "--base", "main", "--format", "json"}).out);
+    ASSERT_EQ(got["brought_in"].size(), 1u) << got["brought_in"].dump(1);
+    EXPECT_EQ(got["brought_in"][0]["kind"], "ignore");
+    LockFile twice = both;
+    twice.baseline.push_back(*line_of(forged, "src/k.cu:h"));
+    write("portmap.lock", lock_text(twice));
+    EXPECT_EQ(porttool({"check"}).exit_code, 2) << "two lines for one unit";
+}
+
+TEST_F(HostileChange, ALockLineThatGoesIsListed) {
+    git("checkout -q -b feature");
+    LockFile lock = read_lock(read_text(root / "portmap.lock")).lock;
+    std::erase_if(lock.pairs, [](const LockedPair& pair) { return pair.source == "src/k.cu:g"; });
+    write("portmap.lock", lock_text(lock));
+    commit("forgets", 2);
+    auto got = nlohmann::json::parse(porttool({"check", "--base", "main", "--format", "json"}).out);
+    ASSERT_EQ(got["brought_in"].size(), 1u);
+    EXPECT_EQ(got["brought_in"][0]["text"], "no longer recorded: src/k.cu:g = port/k.cpp:g");
+    fs::remove(root / "portmap.lock");
+    got = nlohmann::json::parse(porttool({"check", "--base", "main", "--format", "json"}).out);
+    EXPECT_EQ(got["brought_in"][0]["text"], "the lock is gone");
+}
+
+// GCC joins lines behind a backslash with blanks (with a warning), C++14 behind its trigraph; others do not.
+TEST_F(HostileChange, CodeIsNotHiddenInWhatOnlySomeCompilersTakeForAComment) {
+    for (const char* comment : {"    // see the paper \\ \n", "    // see the paper \\\t \n", "    // what\?\?/\n",
+                                "    // what\?\?/ \n", "    /* a *\\ \n/ y = 0; /* b */\n"}) {
+        write("src/k.cu", replaced(kSource, "    return y * 3.0f;", comment + std::string("    return y * 3.0f;")));
+        EXPECT_EQ(porttool({"check"}).exit_code, 1) << comment;
+    }
+    for (const char* comment :
+         {"    // a path: C:\\x\n", "    // what\?\?\n", "    /* \\ here */\n", "    // a \\\n b\n"}) {
+        write("src/k.cu", replaced(kSource, "    return y * 3.0f;", comment + std::string("    return y * 3.0f;")));
+        EXPECT_EQ(porttool({"check"}).exit_code, 0) << comment;
+    }
+}
+
+TEST_F(HostileChange, ATextThatAnotherBranchCameToNeedIsNotMergedAway) {
+    git("checkout -q -b a");
+    write("src/k.cu", replaced(kSource, "2.0f", "3.5f"));
+    write("port/k.cpp", replaced(kTarget, "2.0f", "3.5f"));
+    ASSERT_EQ(porttool({"accept", "--all"}).exit_code, 0);
+    commit("a", 2);
+    git("checkout -q main");
+    git("checkout -q -b b");
+    const std::string copied = kSource.substr(0, kSource.find("__device__ float g"));
+    write("src/c.cu", copied);
+    write("port/c.cpp", replaced(copied, "__device__ ", ""));
+    write("portmap.toml",
+          read_text(root / "portmap.toml") + "\n[[pair]]\nsource = \"src/c.cu:f\"\ntarget = \"port/c.cpp:f\"\n");
+    ASSERT_EQ(porttool({"accept", "src/c.cu:f"}).exit_code, 0);
+    commit("b", 3);
+    git("checkout -q main");
+    git("merge -q --no-edit a");
+    git("merge -q --no-edit b");
+    write("src/c.cu", replaced(copied, "2.0f", "5.0f"));
+    write("port/c.cpp", replaced(replaced(copied, "__device__ ", ""), "2.0f", "5.0f"));
+    EXPECT_EQ(porttool({"check"}).exit_code, 0) << "the same edit on both sides";
+    fs::remove_all(root / "portmap.base");
+    const CommandRun lost = porttool({"check"});
+    EXPECT_EQ(lost.exit_code, 1);
+    EXPECT_NE(lost.err.find("texts are missing in portmap.base/"), std::string::npos) << lost.err;
 }
 
 TEST_F(HostileChange, AWordOfTrustInTheLockIsListed) {

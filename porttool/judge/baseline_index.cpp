@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/judge/baseline_index.h"
+
+#include <algorithm>
+#include <functional>
+#include <set>
+#include <string>
+#include <utility>
+
+namespace porttool {
+namespace {
+
+/// Lines that excuse no unit yet, by some key; of equal ones those with a reason come first.
+class FreeLines {
+public:
+    using Key = std::function<std::string(const LockedUnit&)>;
+
+    FreeLines(const std::vector<const LockedUnit*>& lines, const std::set<const LockedUnit*>& used, const Key& key) {
+        for (const bool with_reason : {false, true})
+            for (const LockedUnit* line : lines)
+                if (!used.contains(line) && line->reason.empty() != with_reason) by_key_[key(*line)].push_back(line);
+    }
+    const LockedUnit* take(const std::string& key) {
+        const auto found = by_key_.find(key);
+        if (found == by_key_.end() || found->second.empty()) return nullptr;
+        const LockedUnit* line = found->second.back();
+        found->second.pop_back();
+        return line;
+    }
+
+private:
+    std::map<std::string, std::vector<const LockedUnit*>> by_key_;
+};
+
+/// With --base the base's own baseline stands beside that of the lock: what both say is one line, with its reason.
+std::vector<const LockedUnit*> distinct(const std::vector<LockedUnit>& lines) {
+    std::map<std::pair<std::string, std::string>, const LockedUnit*> known;
+    for (const LockedUnit& line : lines) {
+        if (line.side != "source") continue;
+        const LockedUnit*& best = known[{line.id, line.prints.written}];
+        if (best == nullptr || best->reason.empty()) best = &line;
+    }
+    std::vector<const LockedUnit*> out;
+    for (const auto& [key, line] : known) out.push_back(line);
+    return out;
+}
+
+}  // namespace
+
+BaselineIndex::BaselineIndex(const std::vector<LockedUnit>& lines, const std::vector<const UnitState*>& units) {
+    const std::vector<const LockedUnit*> all = distinct(lines);
+    std::set<const LockedUnit*> used;
+    const auto match = [&](const FreeLines::Key& of_line, const std::function<std::string(const UnitState&)>& of_unit) {
+        FreeLines free(all, used, of_line);
+        for (const UnitState* unit : units) {
+            if (found_.contains(unit)) continue;
+            const LockedUnit* line = free.take(of_unit(*unit));
+            if (line == nullptr) continue;
+            found_[unit] = line;
+            used.insert(line);
+        }
+    };
+    match([](const LockedUnit& l) { return l.id + " " + l.prints.written; },
+          [](const UnitState& u) { return u.id + " " + u.prints.written; });
+    match([](const LockedUnit& l) { return l.prints.written; }, [](const UnitState& u) { return u.prints.written; });
+    match([](const LockedUnit& l) { return l.id; }, [](const UnitState& u) { return u.id; });
+}
+
+const LockedUnit* BaselineIndex::find(const UnitState& unit) const {
+    const auto found = found_.find(&unit);
+    return found == found_.end() ? nullptr : found->second;
+}
+
+}  // namespace porttool
