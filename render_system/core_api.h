@@ -53,7 +53,8 @@ public:
     virtual Status SetGeometry(uint32_t mesh, const CoreMesh& data) = 0;
 
     /// Puts mesh `mesh` into the scene as instance `instance` (dense ids), or moves it there. NONE as mesh hides it.
-    /// Fails with invalid_argument if the mesh does not exist, or the matrix is not finite or cannot be inverted.
+    /// Fails with invalid_argument if the mesh does not exist, or the matrix is not finite, or cannot be inverted where
+    /// the core needs that; a RenderSystem sends no such matrix.
     virtual Status SetInstance(uint32_t instance, uint32_t mesh, const CoreTransform& transform) = 0;
 
     /// Takes `samples` more samples per pixel, at least 1, and writes the mean of all to the target. What has been set

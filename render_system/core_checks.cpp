@@ -250,9 +250,7 @@ Status CoreContract::check_instance(uint32_t instance, uint32_t mesh, const Core
         return invalid("SetInstance: mesh " + std::to_string(mesh) + " does not exist; there are " +
                        std::to_string(meshes_.size()));
     }
-    Status status = validate_transform(transform);
-    if (!status.ok() || mesh == NONE || is_invertible(transform)) return status;
-    return invalid("instance: the matrix cannot be inverted");
+    return validate_transform(transform);
 }
 
 // Worked out once for all calls of Render between two edits.

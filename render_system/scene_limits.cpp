@@ -104,7 +104,7 @@ Placement placement_of(const Box& box, const CoreTransform& transform) {
         placement.offset = std::max(placement.offset, std::abs(static_cast<double>(row.w)));
     }
     const Linear linear(transform);
-    for (int c = 0; c < 3; ++c) {
+    for (int c = 0; c < 3 && is_invertible(transform); ++c) {  // without an inverse no ray is taken into that space
         double row = 0.0;
         for (int r = 0; r < 3; ++r) row += linear.cofactors[r][c];
         placement.inverse = std::max(placement.inverse, row / std::abs(linear.determinant));

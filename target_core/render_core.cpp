@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "render_system/core_checks.h"
+#include "render_system/scene_limits.h"
 #include "target_core/core_mesh.h"
 #include "target_core/core_tables.h"
 #include "target_core/device/embree_scene.h"
@@ -212,6 +213,9 @@ Status TargetCore::SetGeometry(uint32_t mesh, const CoreMesh& data) {
 Status TargetCore::SetInstance(uint32_t instance, uint32_t mesh, const CoreTransform& transform) {
     if (Status status = contract_.check_instance(instance, mesh, transform); !status.ok()) {
         return status;
+    }
+    if (mesh != NONE && !is_invertible(transform)) {  // Embree takes rays into the mesh's space
+        return Status::error(StatusCode::invalid_argument, "instance: the matrix cannot be inverted");
     }
     return guarded([&] {
         meshes_.set_instance(instance, mesh, transform);
