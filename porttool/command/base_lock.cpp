@@ -73,9 +73,9 @@ const LockedPair* accepted_since(const LinesOf& then, const LinesOf& now, const 
     if (line == nullptr) return nullptr;
     const LockedPair* old = then.find(source, target);
     if (old != nullptr && same(*old, *line)) return nullptr;
-    const auto left = today.source.find(source), right = today.target.find(target);
-    const bool matches = left != today.source.end() && right != today.target.end() &&
-                         left->second.prints == line->source_prints && right->second.prints == line->target_prints;
+    const UnitState *left = find_in(today.source, source), *right = find_in(today.target, target);
+    const bool matches = left != nullptr && right != nullptr && left->prints == line->source_prints &&
+                         right->prints == line->target_prints;
     return matches ? line : nullptr;
 }
 

@@ -21,6 +21,8 @@
 #include <utility>
 #include <vector>
 
+#include "porttool/read/glob.h"
+
 namespace porttool {
 namespace {
 
@@ -28,13 +30,8 @@ namespace {
 int with_care(int flags) { return flags | O_CLOEXEC | O_NOFOLLOW | ((flags & O_PATH) != 0 ? 0 : O_NONBLOCK); }
 
 std::deque<std::string> components_of(std::string_view path) {
-    std::deque<std::string> out;
-    while (!path.empty()) {
-        const size_t slash = std::min(path.find('/'), path.size());
-        if (slash > 0 && path.substr(0, slash) != ".") out.emplace_back(path.substr(0, slash));
-        path.remove_prefix(std::min(slash + 1, path.size()));
-    }
-    return out;
+    const std::vector<std::string_view> names = split_path(path);
+    return {names.begin(), names.end()};
 }
 
 std::string reason_of(int code) { return std::string("cannot be read: ") + std::strerror(code); }
