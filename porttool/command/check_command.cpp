@@ -9,14 +9,14 @@
 #include <cstdlib>
 #include <ctime>
 
-#include "porttool/command/base_lock.h"
-#include "porttool/command/past_project.h"
-#include "porttool/command/spirv_check.h"
+#include "porttool/judge/base_lock.h"
 #include "porttool/judge/brought_in.h"
+#include "porttool/judge/past_project.h"
 #include "porttool/judge/resolve.h"
 #include "porttool/read/git.h"
 #include "porttool/report/check_report.h"
 #include "porttool/report/ci_reports.h"
+#include "porttool/spirv/spirv_check.h"
 #include "porttool/text/sink/terminal.h"
 
 namespace porttool {

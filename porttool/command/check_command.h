@@ -5,8 +5,8 @@
 #include <array>
 #include <string>
 
-#include "porttool/command/lock_store.h"
 #include "porttool/judge/judge.h"
+#include "porttool/judge/lock_store.h"
 
 namespace porttool {
 

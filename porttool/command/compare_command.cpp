@@ -4,12 +4,12 @@
 #include <filesystem>
 #include <future>
 
-#include "porttool/command/project.h"
-#include "porttool/compare/measure.h"
+#include "porttool/measure/measure.h"
 #include "porttool/read/map_file.h"
 #include "porttool/read/source_files.h"
 #include "porttool/report/compare_report.h"
 #include "porttool/scan/scan.h"
+#include "porttool/snapshot/project.h"
 #include "porttool/text/sink/shell.h"
 #include "porttool/text/sink/terminal.h"
 #include "porttool/text/suggest.h"

@@ -5,10 +5,10 @@
 #include "metrics/portability/port_fit.h"
 #include "metrics/portability/reuse.h"
 #include "porttool/command/commands.h"
-#include "porttool/command/past.h"
 #include "porttool/read/source_files.h"
 #include "porttool/report/effort_report.h"
 #include "porttool/scan/scan.h"
+#include "porttool/snapshot/past.h"
 #include "porttool/text/sink/terminal.h"
 
 namespace porttool {

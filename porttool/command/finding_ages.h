@@ -6,7 +6,7 @@
 #include <string>
 
 #include "porttool/command/check_command.h"
-#include "porttool/report/portability_ledger.h"
+#include "porttool/measure/portability_ledger.h"
 
 namespace porttool {
 

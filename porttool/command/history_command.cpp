@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The porttool authors
 // SPDX-License-Identifier: Apache-2.0
 #include "porttool/command/commands.h"
-#include "porttool/command/past.h"
-#include "porttool/command/timeline.h"
+#include "porttool/history/timeline.h"
 #include "porttool/read/blob_cache.h"
 #include "porttool/report/figures.h"
 #include "porttool/report/history_report.h"
+#include "porttool/snapshot/past.h"
 #include "porttool/text/sink/terminal.h"
 
 namespace porttool {

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "porttool/command/check_command.h"
-#include "porttool/judge/constant_value.h"
+#include "porttool/compare/constant_value.h"
 #include "porttool/text/sink/terminal.h"
 #include "porttool/text/toml_string.h"
 

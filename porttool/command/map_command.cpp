@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The porttool authors
 // SPDX-License-Identifier: Apache-2.0
 #include "porttool/command/commands.h"
-#include "porttool/command/project.h"
 #include "porttool/report/map_report.h"
+#include "porttool/snapshot/project.h"
 #include "porttool/text/sink/terminal.h"
 
 namespace porttool {

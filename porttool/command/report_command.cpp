@@ -9,7 +9,7 @@
 
 #include "porttool/command/check_command.h"
 #include "porttool/command/finding_ages.h"
-#include "porttool/command/past_project.h"
+#include "porttool/judge/past_project.h"
 #include "porttool/report/portability_page.h"
 #include "porttool/report/portability_text.h"
 #include "porttool/text/sink/json.h"

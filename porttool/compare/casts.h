@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "porttool/compare/dialect.h"
+#include "porttool/language/dialect.h"
 
 namespace porttool {
 

@@ -8,7 +8,7 @@
 
 #include "porttool/compare/places.h"
 #include "porttool/compare/renaming.h"
-#include "porttool/compare/statements.h"
+#include "porttool/normal/statements.h"
 
 namespace porttool {
 namespace {

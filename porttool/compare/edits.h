@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "porttool/compare/dialect.h"
 #include "porttool/compare/meaning.h"
-#include "porttool/compare/unit_state.h"
+#include "porttool/language/dialect.h"
+#include "porttool/normal/unit_state.h"
 
 namespace porttool {
 

@@ -6,8 +6,8 @@
 #include <array>
 
 #include "porttool/compare/casts.h"
-#include "porttool/compare/normal_form.h"
-#include "porttool/compare/statements.h"
+#include "porttool/normal/normal_form.h"
+#include "porttool/normal/statements.h"
 
 namespace porttool {
 namespace {

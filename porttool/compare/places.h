@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "porttool/compare/statements.h"
+#include "porttool/normal/statements.h"
 
 namespace porttool {
 

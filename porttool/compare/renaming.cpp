@@ -7,8 +7,8 @@
 #include <set>
 #include <unordered_set>
 
-#include "porttool/compare/locals.h"
-#include "porttool/compare/statements.h"
+#include "porttool/normal/locals.h"
+#include "porttool/normal/statements.h"
 
 namespace porttool {
 namespace {

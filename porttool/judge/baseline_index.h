@@ -5,7 +5,7 @@
 #include <map>
 #include <vector>
 
-#include "porttool/compare/unit_state.h"
+#include "porttool/normal/unit_state.h"
 #include "porttool/read/lock_file.h"
 
 namespace porttool {

@@ -7,13 +7,13 @@
 #include <tuple>
 #include <unordered_set>
 
-#include "porttool/compare/hazards.h"
+#include "porttool/compare/compare_budget.h"
+#include "porttool/compare/constant_value.h"
 #include "porttool/judge/baseline_index.h"
-#include "porttool/judge/compare_budget.h"
-#include "porttool/judge/constant_value.h"
 #include "porttool/judge/lock_index.h"
 #include "porttool/judge/resolve.h"
 #include "porttool/judge/suppression_index.h"
+#include "porttool/language/hazards.h"
 #include "porttool/read/disk.h"
 #include "porttool/read/id_patterns.h"
 #include "porttool/text/sink/shell.h"

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "porttool/compare/unit_state.h"
+#include "porttool/normal/unit_state.h"
 #include "porttool/read/lock_file.h"
 #include "porttool/read/map_file.h"
 #include "porttool/read/source_files.h"

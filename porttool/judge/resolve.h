@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "porttool/compare/unit_state.h"
+#include "porttool/normal/unit_state.h"
 
 namespace porttool {
 

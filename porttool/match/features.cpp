@@ -6,8 +6,8 @@
 #include <cmath>
 #include <unordered_map>
 
-#include "porttool/compare/normal_form.h"
 #include "porttool/match/words.h"
+#include "porttool/normal/normal_form.h"
 
 namespace porttool {
 namespace {

@@ -8,7 +8,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "porttool/compare/dialect.h"
+#include "porttool/language/dialect.h"
 #include "porttool/scan/unit.h"
 
 namespace porttool {

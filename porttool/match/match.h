@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "porttool/compare/dialect.h"
+#include "porttool/language/dialect.h"
 #include "porttool/scan/unit.h"
 
 namespace porttool {

@@ -7,8 +7,8 @@
 #include <map>
 #include <set>
 
+#include "porttool/language/language.h"
 #include "porttool/read/ignore_rules.h"
-#include "porttool/scan/language.h"
 #include "porttool/text/utf8.h"
 
 namespace porttool {

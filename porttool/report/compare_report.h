@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "porttool/compare/measure.h"
+#include "porttool/measure/measure.h"
 
 namespace porttool {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "metrics/portability/figure.h"
-#include "porttool/compare/port_effort.h"
+#include "porttool/effort/port_effort.h"
 #include "porttool/read/git_repository.h"
 
 namespace porttool {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "metrics/portability/figure.h"
-#include "porttool/judge/drift_debt.h"
+#include "porttool/history/drift_debt.h"
 #include "porttool/read/git_repository.h"
 
 namespace porttool {

@@ -6,8 +6,8 @@
 #include <optional>
 #include <string>
 
+#include "porttool/measure/portability_ledger.h"
 #include "porttool/report/performance.h"
-#include "porttool/report/portability_ledger.h"
 #include "porttool/report/portability_model.h"
 
 namespace porttool {

@@ -8,8 +8,8 @@
 #include <stdexcept>
 
 #include "metrics/code/token_edit.h"
-#include "porttool/compare/port_cost.h"
-#include "porttool/compare/symbols.h"
+#include "porttool/measure/port_cost.h"
+#include "porttool/measure/symbols.h"
 #include "porttool/read/glob.h"
 #include "porttool/scan/scan.h"
 

@@ -9,11 +9,11 @@
 #include <vector>
 
 #include "metrics/portability/figure.h"
-#include "porttool/compare/measure.h"
 #include "porttool/judge/judge.h"
-#include "porttool/report/portability_accounting.h"
-#include "porttool/report/portability_alignment.h"
-#include "porttool/report/portability_blocks.h"
+#include "porttool/measure/measure.h"
+#include "porttool/measure/portability_accounting.h"
+#include "porttool/measure/portability_alignment.h"
+#include "porttool/measure/portability_blocks.h"
 
 namespace porttool {
 

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "porttool/compare/normal_form.h"
+#include "porttool/normal/normal_form.h"
 #include "porttool/scan/scan.h"
 #include "porttool/text/sink/json.h"
 #include "porttool/text/sink/terminal.h"

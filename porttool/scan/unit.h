@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "porttool/scan/language.h"
+#include "porttool/language/language.h"
 #include "porttool/scan/token.h"
 
 namespace porttool {

@@ -3,7 +3,7 @@
 // Both sides changed: when that is the same edit. The expectations are what the two programs compute.
 #include <gtest/gtest.h>
 
-#include "porttool/compare/dialect.h"
+#include "porttool/language/dialect.h"
 #include "tests/porttool/run_command.h"
 
 namespace porttool::testing {

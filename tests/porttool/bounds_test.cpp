@@ -9,7 +9,7 @@
 #include <new>
 #include <random>
 
-#include "porttool/compare/statements.h"
+#include "porttool/normal/statements.h"
 #include "tests/porttool/run_command.h"
 
 namespace porttool::testing {

@@ -4,7 +4,7 @@
 // the figures, and a text is wholly like itself.
 #include <random>
 
-#include "porttool/compare/measure.h"
+#include "porttool/measure/measure.h"
 #include "porttool/scan/scan.h"
 #include "tests/porttool/fixtures.h"
 

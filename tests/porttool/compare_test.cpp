@@ -9,7 +9,7 @@
 #include <cstdlib>
 #include <random>
 
-#include "porttool/compare/measure.h"
+#include "porttool/measure/measure.h"
 #include "porttool/read/map_file.h"
 #include "porttool/read/source_files.h"
 #include "porttool/scan/scan.h"

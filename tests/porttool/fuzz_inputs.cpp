@@ -8,9 +8,9 @@
 
 #include "porttool/command/commands.h"
 #include "porttool/compare/edits.h"
-#include "porttool/compare/measure.h"
-#include "porttool/compare/unit_state.h"
 #include "porttool/match/match.h"
+#include "porttool/measure/measure.h"
+#include "porttool/normal/unit_state.h"
 #include "porttool/read/lock_file.h"
 #include "porttool/read/map_file.h"
 #include "tests/porttool/fixtures.h"

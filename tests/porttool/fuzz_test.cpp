@@ -5,7 +5,7 @@
 #include <chrono>
 #include <random>
 
-#include "porttool/compare/unit_state.h"
+#include "porttool/normal/unit_state.h"
 #include "porttool/scan/scan.h"
 #include "tests/porttool/fixtures.h"
 #include "tests/porttool/fuzz_inputs.h"

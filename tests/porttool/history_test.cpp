@@ -3,7 +3,7 @@
 // porttool history: similarity, degree of portability and drift debt, with figures counted by hand.
 #include <fstream>
 
-#include "porttool/compare/blob_facts.h"
+#include "porttool/history/blob_facts.h"
 #include "porttool/read/blob_cache.h"
 #include "tests/porttool/temporary_repository.h"
 

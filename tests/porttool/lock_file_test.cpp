@@ -9,7 +9,7 @@
 #include <sstream>
 #include <thread>
 
-#include "porttool/compare/unit_state.h"
+#include "porttool/normal/unit_state.h"
 #include "porttool/scan/scan.h"
 #include "tests/porttool/temporary_repository.h"
 

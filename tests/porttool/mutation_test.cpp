@@ -6,7 +6,7 @@
 #include <random>
 #include <set>
 
-#include "porttool/compare/unit_state.h"
+#include "porttool/normal/unit_state.h"
 #include "porttool/read/map_file.h"
 #include "porttool/scan/scan.h"
 #include "tests/porttool/fixtures.h"

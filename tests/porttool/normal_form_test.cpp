@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The porttool authors
 // SPDX-License-Identifier: Apache-2.0
-#include "porttool/compare/normal_form.h"
+#include "porttool/normal/normal_form.h"
 
 #include "tests/porttool/fixtures.h"
 

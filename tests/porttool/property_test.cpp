@@ -3,7 +3,7 @@
 // What must hold for any text: units share no token and no line, and every line belongs to something.
 #include <algorithm>
 
-#include "porttool/scan/language.h"
+#include "porttool/language/language.h"
 #include "tests/porttool/fixtures.h"
 
 namespace porttool::testing {

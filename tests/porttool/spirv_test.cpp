@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The porttool authors
 // SPDX-License-Identifier: Apache-2.0
 // check --spirv: an edit that does not reach the compiled code is a note; the oracle is what the edit means in GLSL.
-#include "porttool/compare/spirv.h"
+#include "porttool/spirv/spirv.h"
 
 #include <algorithm>
 

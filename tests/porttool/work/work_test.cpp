@@ -10,11 +10,11 @@
 #include <iostream>
 #include <optional>
 
-#include "porttool/compare/measure.h"
-#include "porttool/compare/port_effort.h"
-#include "porttool/compare/unit_state.h"
+#include "porttool/effort/port_effort.h"
 #include "porttool/judge/judge.h"
 #include "porttool/match/match.h"
+#include "porttool/measure/measure.h"
+#include "porttool/normal/unit_state.h"
 #include "porttool/read/id_patterns.h"
 #include "porttool/read/ignore_rules.h"
 #include "porttool/scan/scan.h"

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/compare/compare_budget.h"
+
+#include <algorithm>
+
+namespace porttool {
+namespace {
+
+constexpr size_t kMostWords = 300'000, kMostAgain = 3'000'000;
+
+/// Each word of a unit's text has a blank or a line break behind it.
+size_t count_words(const std::string& text) {
+    return static_cast<size_t>(std::count_if(text.begin(), text.end(), [](char c) { return c == ' ' || c == '\n'; }));
+}
+
+}  // namespace
+
+std::string CompareBudget::refusal(const JudgedPair& pair, const std::string& source_base,
+                                   const std::string& target_base) {
+    const size_t before = count_words(source_base) + count_words(target_base);
+    const size_t longest =
+        std::max({pair.source->tokens, pair.target->tokens, count_words(source_base), count_words(target_base)});
+    if (longest > kMostWords)
+        return "a text has " + std::to_string(longest) + " tokens, at most " + std::to_string(kMostWords) +
+               " are compared";
+    const bool known_source = !compared_.insert(pair.source).second,
+               known_target = !compared_.insert(pair.target).second;
+    if (known_source || known_target) again_ += before + pair.source->tokens + pair.target->tokens;
+    if (again_ > kMostAgain) return "long units stand in too many pairs";
+    return {};
+}
+
+}  // namespace porttool

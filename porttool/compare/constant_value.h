@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "porttool/language/dialect.h"
+#include "porttool/normal/unit_state.h"
+
+namespace porttool {
+
+/// Two paired constants by value, or two paired structs by their fields.
+struct ComparedValues {
+    bool same = false;
+    bool certain = false;  ///< no name is left whose meaning lies elsewhere: they differ if `same` is false
+    std::string says;      ///< what each side has, as written; for a message
+};
+
+/// Compares two units of the same kind, constant or struct.
+ComparedValues compare_values_of(const UnitState& source, const UnitState& target, const Dialect& dialect);
+
+/// The value of a constant expression in tokens of normal form, in a spelling that is the same for all that write it:
+/// integers and reals with + - * / % << >> & | ^ ~, parentheses, casts and constructors of built-in types, and lists in
+/// braces. "" if it cannot be told, as where a name stands. Integer arithmetic is that of C with 64 bits; an unsigned
+/// operand without a larger suffix has 32.
+std::string evaluate_constant(const std::vector<std::string>& tokens, const Dialect& dialect);
+
+}  // namespace porttool

@@ -1,0 +1,235 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/history/blob_facts.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <sstream>
+
+#include "porttool/compare/edits.h"
+#include "porttool/normal/statements.h"
+#include "porttool/scan/scan.h"
+
+namespace porttool {
+namespace {
+
+UnitFacts unit_facts(const ScannedFile& file, const Unit& unit, const Excerpt& excerpt) {
+    return {unit.name, unit.kind, static_cast<uint32_t>(code_lines(excerpt).size()), unit_state(file, unit).prints};
+}
+
+std::vector<bool> flags(const std::vector<std::vector<CodeLine>>& lines) {
+    std::vector<bool> out;
+    for (const auto& excerpt : lines)
+        for (const CodeLine& line : excerpt) out.push_back(line.shared);
+    return out;
+}
+
+std::vector<std::string> split_lines(const std::string& text) {
+    std::vector<std::string> lines;
+    std::istringstream stream(text);
+    for (std::string line; std::getline(stream, line);) lines.push_back(line);
+    return lines;
+}
+
+/// The edit of one side: how many lines it touched, and the tokens that it gained ("+word") and lost ("-word") in the
+/// common vocabulary, sorted. What stays within an edited line is no part of the edit.
+struct SideEdit {
+    uint32_t size = 0;
+    std::vector<std::string> changed;
+};
+
+void add_words(const std::string& line, const Dialect& dialect, std::vector<std::string>& out) {
+    for (const Statement& statement : split_statements(read_state_text(line), dialect))
+        if (statement.key != "}") out.insert(out.end(), statement.common.begin(), statement.common.end());
+}
+
+void add_changed_words(const std::vector<std::string>& lost, const std::vector<std::string>& gained,
+                       std::vector<std::string>& out) {
+    for (const DiffStep& step : diff(lost, gained)) {
+        if (step.kind == DiffStep::Remove) out.push_back("-" + lost[step.before]);
+        if (step.kind == DiffStep::Add) out.push_back("+" + gained[step.now]);
+    }
+}
+
+SideEdit side_edit(const std::string& before, const std::string& now, const Dialect& dialect) {
+    SideEdit out;
+    const std::vector<std::string> old_lines = split_lines(before), new_lines = split_lines(now);
+    std::vector<std::string> lost, gained;  // by the lines that were replaced in one place
+    const auto end_of_place = [&] {
+        add_changed_words(lost, gained, out.changed);
+        lost.clear();
+        gained.clear();
+    };
+    for (const DiffStep& step : diff(old_lines, new_lines)) {
+        if (step.kind == DiffStep::Keep) {
+            end_of_place();
+            continue;
+        }
+        ++out.size;
+        if (step.kind == DiffStep::Remove)
+            add_words(old_lines[step.before], dialect, lost);
+        else
+            add_words(new_lines[step.now], dialect, gained);
+    }
+    end_of_place();
+    std::sort(out.changed.begin(), out.changed.end());
+    return out;
+}
+
+double overlap(const std::vector<std::string>& a, const std::vector<std::string>& b) {
+    if (a.empty() || b.empty()) return 0;
+    std::vector<std::string> both;
+    std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(both));
+    return 2.0 * static_cast<double>(both.size()) / static_cast<double>(a.size() + b.size());
+}
+
+std::string percent_text(const std::optional<double>& percent) { return percent ? fmt::format("{}", *percent) : "-"; }
+
+std::optional<double> read_percent(const std::string& text) {
+    if (text == "-") return std::nullopt;
+    return std::strtod(text.c_str(), nullptr);
+}
+
+/// Four lines a hexadecimal digit, the first in the lowest bit.
+std::string flags_text(const std::vector<bool>& flags) {
+    std::string out = ".";
+    for (size_t i = 0; i < flags.size(); i += 4) {
+        unsigned digit = 0;
+        for (size_t k = 0; k < 4 && i + k < flags.size(); ++k) digit |= (flags[i + k] ? 1u : 0u) << k;
+        out += "0123456789abcdef"[digit];
+    }
+    return out;
+}
+
+std::vector<bool> read_flags(const std::string& text, size_t count) {
+    std::vector<bool> out(count);
+    for (size_t i = 0; i < count && 1 + i / 4 < text.size(); ++i) {
+        const char c = text[1 + i / 4];
+        const unsigned digit = static_cast<unsigned>(c <= '9' ? c - '0' : c - 'a' + 10);
+        out[i] = (digit >> (i % 4) & 1u) != 0;
+    }
+    return out;
+}
+
+std::string side_line(const PieceSide& side) {
+    const SideMeasure& m = side.measure;
+    return fmt::format("{} {} {} {} {} {}", m.lines, m.tokens, percent_text(m.moss_percent),
+                       percent_text(m.moss_percent_blind), percent_text(m.moss_percent_raw), flags_text(side.shared));
+}
+
+bool read_side(std::istringstream& stream, PieceSide& side) {
+    std::string moss, blind, raw, shared;
+    if (!(stream >> side.measure.lines >> side.measure.tokens >> moss >> blind >> raw >> shared)) return false;
+    side.measure.moss_percent = read_percent(moss);
+    side.measure.moss_percent_blind = read_percent(blind);
+    side.measure.moss_percent_raw = read_percent(raw);
+    side.shared = read_flags(shared, side.measure.lines);
+    side.measure.shared_lines = static_cast<uint32_t>(std::count(side.shared.begin(), side.shared.end(), true));
+    return true;
+}
+
+constexpr char kBetweenUnits = '\x1e';
+
+/// Names come from foreign files: what separates entries is no part of them.
+std::string plain_name(std::string name) {
+    std::replace_if(
+        name.begin(), name.end(), [](char c) { return c == '\n' || c == kBetweenUnits; }, ' ');
+    return name;
+}
+
+}  // namespace
+
+const UnitFacts* BlobFacts::find(std::string_view name) const {
+    const auto found =
+        std::find_if(units.begin(), units.end(), [&](const UnitFacts& unit) { return unit.name == name; });
+    return found == units.end() ? nullptr : &*found;
+}
+
+BlobFacts blob_facts(const ScannedFile& file) {
+    BlobFacts facts;
+    for (const Unit& unit : file.units) facts.units.push_back(unit_facts(file, unit, {&file, &unit}));
+    facts.units.push_back(unit_facts(file, whole_file_unit(file), {&file, nullptr}));
+    facts.lines = facts.units.back().lines;
+    for (const std::vector<uint32_t>& run : code_runs({&file, nullptr}))
+        facts.tokens += static_cast<uint32_t>(run.size());
+    return facts;
+}
+
+PieceMeasure measure_pieces(const Passage& source, const Passage& target, const Dialect& dialect) {
+    const Similarity similarity = measure_shares(source, target, dialect);
+    return {{similarity.a, flags(similarity.a_lines)}, {similarity.b, flags(similarity.b_lines)}};
+}
+
+EditFacts edit_facts(const EditTexts& texts, ByValue by_value, const Dialect& dialect) {
+    EditFacts facts;
+    const SideEdit source = side_edit(texts.source_before, texts.source_now, dialect),
+                   target = side_edit(texts.target_before, texts.target_now, dialect);
+    facts.source_size = source.size;
+    facts.target_size = target.size;
+    facts.similarity = overlap(source.changed, target.changed);
+    const std::vector<std::string> source_now = read_state_text(texts.source_now),
+                                   target_now = read_state_text(texts.target_now);
+    if (by_value != ByValue::No)
+        facts.equivalent = value_in_common_words(source_now, dialect, by_value == ByValue::Struct) ==
+                           value_in_common_words(target_now, dialect, by_value == ByValue::Struct);
+    else if (source.size > 0 && target.size > 0)
+        facts.equivalent = compare_edits(read_state_text(texts.source_before), source_now,
+                                         read_state_text(texts.target_before), target_now, dialect)
+                               .equivalent;
+    return facts;
+}
+
+std::string facts_line(const BlobFacts& facts) {
+    std::string out = fmt::format("{} {}", facts.lines, facts.tokens);
+    for (const UnitFacts& unit : facts.units)
+        out += fmt::format("{}{} {} {} {} {} {}", kBetweenUnits, static_cast<int>(unit.kind), unit.lines,
+                           unit.prints.written, unit.prints.renamed, unit.prints.blanked, plain_name(unit.name));
+    return out;
+}
+
+std::optional<BlobFacts> read_blob_facts(const std::string& line) {
+    BlobFacts facts;
+    std::istringstream head(line.substr(0, line.find(kBetweenUnits)));
+    if (!(head >> facts.lines >> facts.tokens)) return std::nullopt;
+    for (size_t at = line.find(kBetweenUnits); at != std::string::npos;) {
+        const size_t end = line.find(kBetweenUnits, at + 1);
+        std::istringstream stream(line.substr(at + 1, end == std::string::npos ? end : end - at - 1));
+        UnitFacts unit;
+        int kind = 0;
+        if (!(stream >> kind >> unit.lines >> unit.prints.written >> unit.prints.renamed >> unit.prints.blanked) ||
+            kind < 0 || kind > static_cast<int>(UnitKind::File))
+            return std::nullopt;
+        stream.get();
+        std::getline(stream, unit.name);
+        unit.kind = static_cast<UnitKind>(kind);
+        facts.units.push_back(std::move(unit));
+        at = end;
+    }
+    return facts;
+}
+
+std::string facts_line(const PieceMeasure& measure) {
+    return side_line(measure.source) + " " + side_line(measure.target);
+}
+
+std::optional<PieceMeasure> read_piece_measure(const std::string& line) {
+    PieceMeasure measure;
+    std::istringstream stream(line);
+    if (!read_side(stream, measure.source) || !read_side(stream, measure.target)) return std::nullopt;
+    return measure;
+}
+
+std::string facts_line(const EditFacts& facts) {
+    return fmt::format("{} {} {} {}", facts.equivalent ? 1 : 0, facts.similarity, facts.source_size, facts.target_size);
+}
+
+std::optional<EditFacts> read_edit_facts(const std::string& line) {
+    EditFacts facts;
+    std::istringstream stream(line);
+    if (!(stream >> facts.equivalent >> facts.similarity >> facts.source_size >> facts.target_size))
+        return std::nullopt;
+    return facts;
+}
+
+}  // namespace porttool

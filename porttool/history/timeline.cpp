@@ -1,0 +1,305 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/history/timeline.h"
+
+#include <algorithm>
+#include <set>
+
+#include "porttool/history/block_figures.h"
+#include "porttool/read/lock_file.h"
+#include "porttool/read/lock_upgrade.h"
+
+namespace porttool {
+namespace {
+
+/// Splits PATH:NAME.
+std::pair<std::string, std::string> split_id(const std::string& id) {
+    const size_t colon = id.find(':');
+    return {id.substr(0, colon), colon == std::string::npos ? std::string() : id.substr(colon + 1)};
+}
+
+struct PairPlan {
+    PairId id;
+    std::string source_path, target_path;
+};
+
+class Timeline {
+public:
+    Timeline(const Past& past, BlobCache& cache, Workplace& place)
+        : past_(past),
+          place_(place),
+          blobs_(past, cache),
+          drift_([this](const Fingerprints& source_before, const UnitFacts& source_now,
+                        const Fingerprints& target_before, const UnitFacts& target_now) {
+              return blobs_.edits(
+                  source_before, source_now, target_before, target_now, [this](const std::string& print) {
+                      const auto renewed = renewed_.find(print);
+                      return renewed != renewed_.end() ? renewed->second : blob_at("portmap.base/" + print);
+                  });
+          }) {
+        if (past.has_map_today) use_map(past.map_today, past.map_name);
+    }
+
+    /// Takes in a commit; true if it touched anything that matters here.
+    bool step(const GitCommit& commit, const std::vector<GitChange>& changes) {
+        Paths touched;
+        bool files_came_or_went = false;
+        for (const GitChange& change : changes) {
+            files_came_or_went |= change.blob.empty() || !tree_.contains(change.path);
+            if (change.blob.empty())
+                tree_.erase(change.path);
+            else
+                tree_[change.path] = change.blob;
+            if (side_of(change.path)) touched.insert(change.path);
+        }
+        const bool new_map = read_map_of(commit);
+        const bool new_lock = read_lock_now();
+        if (!has_map_ || (!new_map && !new_lock && touched.empty())) return false;
+        if (new_map) {
+            collect_files();
+            collect_pairs();
+        }
+        update_files(touched);
+        if (new_map || files_came_or_went) figures_.plan(file_pairs());
+        figures_.touch(touched);
+        update_drift(new_map, touched, commit.time);
+        return true;
+    }
+
+    HistoryPoint point(const GitCommit& commit) {
+        HistoryPoint out;
+        out.commit = commit;
+        out.blocks = figures_.blocks();
+        out.totals = figures_.totals();
+        out.pairs = there_.size();
+        out.open_pairs = drift_.open_count();
+        out.debt = drift_.debt(commit.time);
+        return out;
+    }
+
+    bool has_map() const { return has_map_; }
+    double debt(int64_t time) const { return drift_.debt(time); }
+    std::vector<OpenPair> open() const { return drift_.open(); }
+
+private:
+    std::string blob_at(const std::string& path) const {
+        const auto found = tree_.find(path);
+        return found == tree_.end() ? std::string() : found->second;
+    }
+
+    bool side_of(const std::string& path) const { return globs_[0].takes(path) || globs_[1].takes(path); }
+
+    void use_map(MapFile map, const std::string& name) {
+        require_sides(map, name);
+        map_ = std::move(map);
+        has_map_ = true;
+        globs_ = {SideGlobs(map_.source), SideGlobs(map_.target)};
+        blobs_.use_dialect(map_.dialect);
+    }
+
+    /// Reads the commit's own map if it is another than before; true if the map changed.
+    bool read_map_of(const GitCommit& commit) {
+        const bool first = std::exchange(fresh_, false);
+        const std::string blob = blob_at("portmap.toml");
+        if (past_.map_is_given || blob == map_blob_) return first;
+        map_blob_ = blob;
+        if (blob.empty()) {
+            if (past_.has_map_today) use_map(past_.map_today, past_.map_name);
+            return past_.has_map_today;
+        }
+        const std::string name = "portmap.toml at " + commit.id;
+        const ReadMap read = read_map(name, read_blob(past_, "portmap.toml", blob));
+        try {
+            if (!read.error.empty()) throw CannotDo(read.error);
+            use_map(read.map, name);
+        } catch (const CannotDo& problem) {  // history cannot be mended
+            place_.err << "porttool: " << problem.what() << "\nThis commit is read with the map before it\n";
+            return first;
+        }
+        return true;
+    }
+
+    /// Reads the commit's lock if it is another than before; true if it is. Collects the pairs of which it says
+    /// something else.
+    bool read_lock_now() {
+        relocked_.clear();
+        const std::string blob = blob_at("portmap.lock");
+        if (blob == lock_blob_) return false;
+        lock_blob_ = blob;
+        const LockFile before = std::exchange(lock_, blob.empty() ? LockFile() : lock_of(blob));
+        std::map<PairId, const LockedPair*> gone = std::exchange(locked_, {});
+        for (const LockedPair& pair : lock_.pairs) {
+            const PairId id{pair.source, pair.target};
+            locked_[id] = &pair;
+            const auto old = gone.find(id);
+            if (old == gone.end() || old->second->source_prints != pair.source_prints ||
+                old->second->target_prints != pair.target_prints)
+                relocked_.insert(id);
+            if (old != gone.end()) gone.erase(old);
+        }
+        for (const auto& [id, pair] : gone) relocked_.insert(id);
+        for (const LockFile* lock : {&before, &std::as_const(lock_)})
+            for (const LedgerEntry& entry : lock->ledger) relocked_.insert({entry.source, entry.target});
+        return true;
+    }
+
+    /// A commit's lock, in prints of today's normal form.
+    LockFile lock_of(const std::string& blob) {
+        LockFile lock = read_lock(read_blob(past_, "portmap.lock", blob)).lock;
+        if (!is_outdated(lock)) return lock;
+        const auto text_of = [this](const std::string& print) {
+            const std::string base = blob_at("portmap.base/" + print);
+            if (base.empty()) return std::string();
+            std::string text = read_blob(past_, "portmap.base/" + print, base);
+            renewed_[prints_of_text(text).written] = base;
+            return text;
+        };
+        return upgraded(std::move(lock), text_of, {}).lock;
+    }
+
+    /// The files of both sides, after the map changed.
+    void collect_files() {
+        for (size_t side = 0; side < 2; ++side) {
+            files_[side].clear();
+            for (const auto& [path, blob] : tree_)
+                if (globs_[side].takes(path)) files_[side][path] = blob;
+        }
+    }
+
+    void update_files(const Paths& touched) {
+        for (const std::string& path : touched)
+            for (size_t side = 0; side < 2; ++side) {
+                files_[side].erase(path);
+                const std::string blob = blob_at(path);
+                if (!blob.empty() && globs_[side].takes(path)) files_[side][path] = blob;
+            }
+    }
+
+    /// The pairs of a new map; those that only the old one had are forgotten.
+    void collect_pairs() {
+        std::set<PairId> gone;
+        for (const PairPlan& pair : pairs_) gone.insert(pair.id);
+        pairs_.clear();
+        for (const MapPair& pair : map_.pairs)
+            for (const std::string& target : pair.targets) {
+                pairs_.push_back({{pair.source, target}, split_id(pair.source).first, split_id(target).first});
+                gone.erase(pairs_.back().id);
+            }
+        for (const PairId& id : gone) {
+            drift_.forget(id);
+            there_.erase(id);
+        }
+    }
+
+    FilePairs file_pairs() const {
+        FilePairs out;
+        for (const PairPlan& pair : pairs_)
+            if (files_[0].contains(pair.source_path) && files_[1].contains(pair.target_path))
+                out.emplace(pair.source_path, pair.target_path);
+        return out;
+    }
+
+    const UnitFacts* unit_of(size_t side, const std::string& id) {
+        const auto [path, name] = split_id(id);
+        return files_[side].contains(path) ? blobs_.facts({path, files_[side].at(path)}).find(name) : nullptr;
+    }
+
+    bool is_ignored(const PairId& id, const UnitFacts* source, const UnitFacts* target) const {
+        return std::any_of(lock_.ledger.begin(), lock_.ledger.end(), [&](const LedgerEntry& entry) {
+            return entry.verdict == "ignore" && entry.source == id.first && entry.target == id.second &&
+                   (source == nullptr || entry.source_print == source->prints.written) &&
+                   (target == nullptr || entry.target_print == target->prints.written);
+        });
+    }
+
+    void update_drift(bool all, const Paths& touched, int64_t time) {
+        for (const PairPlan& pair : pairs_)
+            if (all || touched.contains(pair.source_path) || touched.contains(pair.target_path) ||
+                relocked_.contains(pair.id))
+                update_pair(pair.id, time);
+    }
+
+    void update_pair(const PairId& id, int64_t time) {
+        PairNow now;
+        now.source = unit_of(0, id.first);
+        now.target = unit_of(1, id.second);
+        const auto locked = locked_.find(id);
+        if (locked != locked_.end()) {
+            now.locked_source = &locked->second->source_prints;
+            now.locked_target = &locked->second->target_prints;
+        }
+        now.ignored = is_ignored(id, now.source, now.target);
+        if (now.source != nullptr && now.target != nullptr)
+            there_.insert(id);
+        else
+            there_.erase(id);
+        drift_.update(id, now, time);
+    }
+
+    const Past& past_;
+    Workplace& place_;
+    BlobFactsSource blobs_;
+    DriftReplay drift_;
+    std::map<std::string, std::string> tree_;  ///< all files of the commit: path to blob
+    bool has_map_ = false, fresh_ = true;
+    MapFile map_;
+    std::string map_blob_, lock_blob_;
+    std::array<SideGlobs, 2> globs_ = {SideGlobs({}), SideGlobs({})};
+    LockFile lock_;
+    std::map<std::string, std::string> renewed_;  ///< by today's print, the blob with a text that an older lock names
+    std::map<PairId, const LockedPair*> locked_;
+    std::set<PairId> relocked_;  ///< by this commit
+    SideFiles files_;
+    BlockFigures figures_{blobs_, map_, files_};
+    std::vector<PairPlan> pairs_;
+    std::set<PairId> there_;  ///< those of which both sides are there
+};
+
+/// The place in the chain from which on commits are shown: behind the newest one that `since` has.
+size_t first_shown(const Past& past, const std::vector<GitCommit>& chain, const std::string& since) {
+    if (since.empty()) return 0;
+    const GitCommit base = find_commit(past, "--since", since);
+    size_t low = 0, high = chain.size();  // the ancestors of a commit are the start of the chain
+    while (low < high) {
+        const size_t middle = (low + high) / 2;
+        if (past.git->is_ancestor(chain[middle].id, base.id))
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+}  // namespace
+
+History history_of(const Past& past, const std::string& since, BlobCache& cache, Workplace& place) {
+    const auto head = past.git->commit("HEAD");
+    if (!head) throw CannotDo("HEAD names no commit yet; commit once, then there is a history");
+    const GitChain chain = past.git->first_parents(head->id);
+    const size_t first = first_shown(past, chain.commits, since);
+    History history;
+    history.commits = chain.commits.size();
+    history.cut = chain.cut;
+    history.oldest = chain.commits.front();
+    Timeline timeline(past, cache, place);
+    std::string before;
+    for (size_t i = 0; i < chain.commits.size(); ++i) {
+        const GitCommit& commit = chain.commits[i];
+        const double debt_before = timeline.debt(commit.time);
+        const bool touched =
+            timeline.step(commit, past.git->changes(before, commit.id, [](const std::string&) { return true; }));
+        before = commit.id;
+        const bool last = i + 1 == chain.commits.size();
+        if (!timeline.has_map() || !(last || (touched && i >= first))) continue;
+        history.points.push_back(timeline.point(commit));
+        history.points.back().debt_before = debt_before;
+    }
+    if (!timeline.has_map())
+        throw CannotDo(
+            "there is no portmap.toml in the work tree or in any commit of this history\nWrite one with: "
+            "porttool init --source GLOB --target GLOB");
+    history.open = timeline.open();
+    return history;
+}
+
+}  // namespace porttool

@@ -1,0 +1,195 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/judge/lock_store.h"
+
+#include <optional>
+#include <set>
+
+#include "porttool/read/lock_upgrade.h"
+#include "porttool/scan/scan.h"
+#include "porttool/text/sink/terminal.h"
+
+namespace porttool {
+namespace {
+
+constexpr const char* kBase = "portmap.base";
+
+std::string folder_of_map(const Project& project) {
+    return project.map_path.substr(0, project.map_path.find_last_of('/') + 1);
+}
+
+TreePath base_folder(const Project& project) { return beside_map(project, kBase, Links::None); }
+
+TreePath base_file(const Project& project, const std::string& print) {
+    return beside_map(project, kBase + ("/" + print), Links::None);
+}
+
+/// A folder of porttool's own: a link in its place would have us read and remove elsewhere.
+void require_own_base(const Project& project, const Disk& disk) {
+    const FileKind kind = disk.kind(base_folder(project));
+    if (kind == FileKind::None || kind == FileKind::Folder) return;
+    throw CannotDo(terminal_text(folder_of_map(project)) + kBase +
+                   ": is a link, or no folder; porttool keeps its texts in a folder of its own\nRemove it, and restore "
+                   "the folder from git, or run: porttool init --force");
+}
+
+/// A file of portmap.base/ as it is. A checkout may have given its lines the ends of another system.
+std::string read_base(const Project& project, const Disk& disk, const std::string& print) {
+    if (!is_fingerprint(print)) return {};
+    FileText file = disk.read(base_file(project, print), kLargestFile);
+    std::erase(file.bytes, '\r');
+    return file.error.empty() ? std::move(file.bytes) : std::string();
+}
+
+void add_states(std::map<std::string, UnitState>& states, const std::vector<ScannedFile>& files,
+                const std::set<std::string>& named) {
+    for (const ScannedFile& file : files) {
+        for (const Unit& unit : file.units) {
+            UnitState state = unit_state(file, unit);
+            states.emplace(state.id, std::move(state));
+        }
+        const Unit whole = whole_file_unit(file);
+        if (file.units.empty() || named.contains(unit_id(file, whole))) {
+            UnitState state = unit_state(file, whole);
+            states.emplace(state.id, std::move(state));
+        }
+    }
+}
+
+/// Files that are all written, or are all as they were.
+class Transaction {
+public:
+    explicit Transaction(Disk& disk) : disk_(disk) {}
+    Transaction(const Transaction&) = delete;
+    Transaction& operator=(const Transaction&) = delete;
+    ~Transaction() {
+        if (done_) return;
+        for (auto file = before_.rbegin(); file != before_.rend(); ++file) {
+            if (file->bytes)
+                disk_.write(file->place, *file->bytes);
+            else
+                disk_.remove(file->place);
+        }
+    }
+
+    /// Notes a folder that is made by writing into it.
+    void will_make(const TreePath& folder) {
+        if (disk_.kind(folder) == FileKind::None) before_.push_back({folder, std::nullopt});
+    }
+    void write(const TreePath& place, const std::string& bytes) {
+        FileText old = disk_.read(place, kLargestFile);
+        before_.push_back({place, old.error.empty() ? std::optional(std::move(old.bytes)) : std::nullopt});
+        const std::string failure = disk_.write(place, bytes);
+        if (failure.empty()) return;
+        if (!before_.back().bytes) before_.pop_back();  // what stands there is not ours to remove
+        throw CannotDo(terminal_text(join_path(place.root, place.path)) + ": " + failure);
+    }
+    void done() { done_ = true; }
+
+private:
+    struct Before {
+        TreePath place;
+        std::optional<std::string> bytes;  ///< nothing: it was not there
+    };
+    Disk& disk_;
+    std::vector<Before> before_;
+    bool done_ = false;
+};
+
+std::set<std::string> prints_of(const LockFile& lock) {
+    std::set<std::string> out;
+    for (const LockedPair& pair : lock.pairs)
+        for (const std::string& print : {pair.source_prints.written, pair.target_prints.written}) out.insert(print);
+    return out;
+}
+
+/// The texts behind prints, as far as they are known.
+std::map<std::string, const std::string*> texts_behind(const std::set<std::string>& prints, const NewRecord& record) {
+    std::map<std::string, const std::string*> out;
+    for (const auto* side : {&record.states.source, &record.states.target})
+        for (const auto& [id, state] : *side)
+            if (prints.contains(state.prints.written)) out.emplace(state.prints.written, &state.text);
+    for (const auto& [print, text] : record.texts)
+        if (prints.contains(print)) out.emplace(print, &text);
+    return out;
+}
+
+}  // namespace
+
+States read_states(const Project& project) {
+    std::set<std::string> named;
+    for (const MapPair& pair : project.map.pairs) {
+        named.insert(pair.source);
+        named.insert(pair.targets.begin(), pair.targets.end());
+    }
+    States states;
+    add_states(states.source, project.source, named);
+    add_states(states.target, project.target, named);
+    return states;
+}
+
+std::string lock_path(const Project& project) { return folder_of_map(project) + "portmap.lock"; }
+
+RecordedLock load_lock(const Project& project, const Disk& disk, const States& today) {
+    FileText file = disk.read(beside_map(project, "portmap.lock"), kLargestFile);
+    if (!file.error.empty() && disk.kind(beside_map(project, "portmap.lock")) != FileKind::None)
+        throw CannotDo(terminal_text(lock_path(project)) + " " + file.error +
+                       "; restore it from git, or remove it and run: porttool init");
+    if (!file.error.empty())
+        throw CannotDo("no portmap.lock beside " + terminal_text(project.map_path) +
+                       "; record the present state of its pairs with: porttool init");
+    RecordedLock out = lock_of_today(project, disk, read_lock(file.bytes), today);
+    out.written = std::move(file.bytes);
+    return out;
+}
+
+RecordedLock lock_of_today(const Project& project, const Disk& disk, ReadLock read, const States& today) {
+    require_own_base(project, disk);
+    if (!read.error.empty()) throw CannotDo(read.error);
+    if (!is_outdated(read.lock)) return {std::move(read.lock), "", {}};
+    UpgradedLock upgrade =
+        upgraded(std::move(read.lock), [&](const std::string& print) { return read_base(project, disk, print); },
+                 {&today.source, &today.target});
+    if (!upgrade.error.empty()) throw CannotDo(upgrade.error);
+    return {std::move(upgrade.lock), "", std::move(upgrade.texts)};
+}
+
+std::unique_ptr<WriteGuard> guard_lock(const Options& options, Workplace& place) {
+    Project project;
+    find_map(project, options, place.disk);
+    if (options.source.empty() && !place.disk.exists(project.map_path)) throw no_map(project);
+    TakenGuard taken = place.disk.guard(beside_map(project, "portmap.lock"));
+    if (!taken.error.empty()) throw CannotDo(taken.error);
+    return std::move(taken.guard);
+}
+
+void store_lock(const Project& project, const NewRecord& record, Disk& disk) {
+    require_own_base(project, disk);
+    const std::set<std::string> needed = prints_of(record.lock);
+    Transaction files(disk);
+    files.will_make(base_folder(project));
+    for (const auto& [print, text] : texts_behind(needed, record))
+        if (read_base(project, disk, print) != *text) files.write(base_file(project, print), *text);
+    files.write(beside_map(project, "portmap.lock"), lock_text(record.lock));
+    if (record.map_text != nullptr) {
+        const std::string name = project.map_path.substr(project.map_path.find_last_of('/') + 1);
+        files.write(beside_map(project, name), *record.map_text);
+    }
+    files.done();
+    if (!record.clears) return;
+    for (const DirectoryEntry& entry : disk.list(base_folder(project)).entries)
+        if (is_fingerprint(entry.name) && !needed.contains(entry.name)) disk.remove(base_file(project, entry.name));
+}
+
+size_t missing_texts(const Project& project, const Disk& disk, const LockFile& lock) {
+    std::set<std::string> missing = prints_of(lock);
+    for (const DirectoryEntry& entry : disk.list(base_folder(project)).entries) missing.erase(entry.name);
+    return missing.size();
+}
+
+std::string base_text(const Project& project, const Disk& disk, const std::string& print) {
+    std::string text = read_base(project, disk, print);
+    return is_text_of(text, print, kNormalForm) ? std::move(text) : std::string();
+}
+
+}  // namespace porttool

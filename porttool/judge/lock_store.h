@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+
+#include "porttool/normal/unit_state.h"
+#include "porttool/read/lock_file.h"
+#include "porttool/snapshot/project.h"
+
+namespace porttool {
+
+/// The units of both sides by id, as they stand now.
+struct States {
+    std::map<std::string, UnitState> source, target;
+};
+
+/// Reads the states of all units, and of whole files that the map names (`PATH:@file`).
+States read_states(const Project& project);
+
+std::string lock_path(const Project& project);
+
+/// A lock whose prints are of today's normal form.
+struct RecordedLock {
+    LockFile lock;
+    std::string written;                       ///< as the file has it
+    std::map<std::string, std::string> texts;  ///< by print: those that an older lock's prints were made anew from
+};
+
+/// Reads portmap.lock; throws CannotDo if it is not there or cannot be used. `today`: the units as they are now.
+RecordedLock load_lock(const Project& project, const Disk& disk, const States& today);
+
+/// The same of a lock that was read already; its texts are on that disk.
+RecordedLock lock_of_today(const Project& project, const Disk& disk, ReadLock read, const States& today);
+
+/// Waits until no other porttool changes this project's lock. Taken before the lock is read, held until it is written.
+/// Throws CannotDo.
+std::unique_ptr<WriteGuard> guard_lock(const Options& options, Workplace& place);
+
+/// What is written at once.
+struct NewRecord {
+    const LockFile& lock;
+    const States& states;
+    const std::map<std::string, std::string>& texts;  ///< by print, where the states do not have them any more
+    const std::string* map_text = nullptr;            ///< the map, where it is new, too
+    bool clears = false;                              ///< removes texts that no print stands for
+};
+
+/// Writes portmap.lock and, in portmap.base/, the texts behind its fingerprints. A text that is not needed any more
+/// stays unless asked otherwise: another branch may have come to need it, and git would merge its removal without a
+/// word. Other files in that folder are never removed. What fails leaves all as it was. Throws CannotDo.
+void store_lock(const Project& project, const NewRecord& record, Disk& disk);
+
+/// How many of the texts behind a lock are not there.
+size_t missing_texts(const Project& project, const Disk& disk, const LockFile& lock);
+
+/// A text from portmap.base/, or "" if it is not there, or is not the one that its name says.
+std::string base_text(const Project& project, const Disk& disk, const std::string& print);
+
+}  // namespace porttool

@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/measure/portability_accounting.h"
+
+#include "porttool/measure/code_lines.h"
+
+namespace porttool {
+
+std::string_view share_name(Share share) {
+    switch (share) {
+        case Share::Twin:
+            return "twin";
+        case Share::Rewritten:
+            return "rewritten";
+        case Share::OneSided:
+            return "one_sided";
+        case Share::Unmatched:
+            break;
+    }
+    return "unmatched";
+}
+
+void LineParts::add(Share share, size_t lines) {
+    size_t& part = share == Share::Twin        ? twin
+                   : share == Share::Rewritten ? rewritten
+                   : share == Share::OneSided  ? one_sided
+                                               : unmatched;
+    part += lines;
+}
+
+std::vector<Piece> pieces_of(const ScannedFile& file) {
+    std::vector<Piece> pieces;
+    for (const Unit& unit : file.units) pieces.push_back({&file, &unit, {}});
+    pieces.push_back({&file, nullptr, {}});
+    const size_t outside = pieces.size() - 1;
+    std::vector<size_t> open;  // units nest; those that hold the token in hand
+    size_t next = 0;
+    uint32_t last_line = 0;
+    for (const std::vector<uint32_t>& run : code_runs({&file, nullptr})) {
+        for (const uint32_t token : run) {
+            for (; next < file.units.size() && file.units[next].tokens.first <= token; ++next) open.push_back(next);
+            while (!open.empty() && file.units[open.back()].tokens.end <= token) open.pop_back();
+            const uint32_t line = file.lexed.tokens[token].line;
+            if (line == last_line) continue;
+            last_line = line;
+            pieces[open.empty() ? outside : open.back()].lines.push_back(line);
+        }
+    }
+    if (pieces.back().lines.empty()) pieces.pop_back();
+    return pieces;
+}
+
+std::vector<LineSpan> spans_of(const std::vector<uint32_t>& lines) {
+    std::vector<LineSpan> spans;
+    for (const uint32_t line : lines) {
+        if (!spans.empty() && spans.back().last + 1 == line)
+            spans.back().last = line;
+        else
+            spans.push_back({line, line});
+    }
+    return spans;
+}
+
+}  // namespace porttool

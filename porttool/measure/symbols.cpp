@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/measure/symbols.h"
+
+#include <algorithm>
+#include <array>
+
+#include "metrics/code/winnowing.h"
+#include "porttool/normal/normal_form.h"
+
+namespace porttool {
+namespace {
+
+constexpr uint32_t kAnyName = 0;
+
+/// Words that structure a text in every dialect and are nobody's name.
+bool is_keyword(std::string_view word) {
+    constexpr std::array<std::string_view, 52> kKeywords = {
+        "auto",     "break",    "case",      "catch",  "char",    "class",    "continue",     "default",   "define",
+        "defined",  "delete",   "discard",   "do",     "double",  "elif",     "else",         "endif",     "enum",
+        "explicit", "false",    "for",       "friend", "goto",    "if",       "ifdef",        "ifndef",    "import",
+        "long",     "module",   "namespace", "new",    "nullptr", "operator", "private",      "protected", "public",
+        "return",   "short",    "sizeof",    "struct", "switch",  "throw",    "true",         "try",       "typedef",
+        "union",    "unmasked", "using",     "void",   "while",   "foreach",  "static_assert"};
+    return std::find(kKeywords.begin(), kKeywords.end(), word) != kKeywords.end();
+}
+
+}  // namespace
+
+std::vector<PlacedToken> SymbolTable::place(const Passage& passage) {
+    std::vector<PlacedToken> out;
+    for (uint32_t at = 0; at < passage.size(); ++at) {
+        const LexedText& lexed = passage[at].file->lexed;
+        bool first = true;
+        for (const std::vector<uint32_t>& run : code_runs(passage[at])) {
+            for (const uint32_t index : run) {
+                const Token& token = lexed.tokens[index];
+                out.push_back({at, token.line, word(lexed.view(token), token.kind), first});
+                first = false;
+            }
+        }
+    }
+    return out;
+}
+
+SymbolSequence SymbolTable::sequence(const std::vector<PlacedToken>& tokens, Vocabulary vocabulary,
+                                     uint32_t side) const {
+    SymbolSequence out;
+    out.symbols.reserve(tokens.size());
+    out.tokens.reserve(tokens.size());
+    uint32_t separator = kNothing - 1 - side, run = 0;  // far above metrics::FIRST_SEPARATOR
+    auto add = [&](uint32_t symbol, uint32_t token) {
+        out.symbols.push_back(symbol);
+        out.tokens.push_back(token);
+        ++out.token_count;
+        out.longest_run = std::max(out.longest_run, ++run);
+    };
+    for (uint32_t i = 0; i < tokens.size(); ++i) {
+        if (tokens[i].starts_run && !out.symbols.empty()) {
+            out.symbols.push_back(separator);
+            out.tokens.push_back(kNoToken);
+            separator -= 2;
+            run = 0;
+        }
+        const Word& word = words_[tokens[i].word];
+        if (vocabulary == Vocabulary::Raw) {
+            add(word.raw, i);
+            continue;
+        }
+        if (word.scope) continue;  // scopes come and go: a::b is b
+        const bool is_scope =
+            word.name && i + 1 < tokens.size() && !tokens[i + 1].starts_run && words_[tokens[i + 1].word].scope;
+        const uint32_t symbol = vocabulary == Vocabulary::Blind ? word.blind : word.dialect;
+        if (!is_scope && symbol != kNothing) add(symbol, i);
+    }
+    return out;
+}
+
+uint32_t SymbolTable::number(std::string_view text) {
+    const auto [place, fresh] = numbers_.try_emplace(std::string(text), 0);
+    if (!fresh) return place->second;
+    constexpr uint32_t kLargest = metrics::FIRST_SEPARATOR - 1;
+    uint32_t number = static_cast<uint32_t>(hash_text(text)) & kLargest;
+    while (number == kAnyName || !taken_.insert(number).second) number = (number + 1) & kLargest;
+    return place->second = number;
+}
+
+uint32_t SymbolTable::word(std::string_view text, TokenKind kind) {
+    const auto [place, fresh] = known_.try_emplace(text, static_cast<uint32_t>(words_.size()));
+    if (!fresh) return place->second;
+    Word word;
+    word.name = kind == TokenKind::Identifier;
+    word.scope = text == "::";
+    word.raw = number(text);
+    const std::string* known = dialect_.find(text);
+    if (known != nullptr)
+        word.dialect = known->empty() ? kNothing : number(*known);
+    else
+        word.dialect = kind == TokenKind::Number ? number(number_value(text)) : word.raw;
+    const bool folds = word.name && known == nullptr && !is_keyword(text);
+    word.blind = folds ? kAnyName : word.dialect;
+    words_.push_back(word);
+    return place->second;
+}
+
+}  // namespace porttool

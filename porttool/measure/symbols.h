@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <unordered_set>
+#include <vector>
+
+#include "porttool/language/dialect.h"
+#include "porttool/measure/code_lines.h"
+
+namespace porttool {
+
+/// How much of the text counts. Dialect: in the common vocabulary, scopes and words without counterpart dropped,
+/// numbers by value, names kept. Blind: the same with every name that is no built-in of a dialect and no keyword folded
+/// into one. Raw: tokens as they are written.
+enum class Vocabulary : uint8_t { Dialect, Blind, Raw };
+
+/// A token of a passage with its place.
+struct PlacedToken {
+    uint32_t excerpt = 0;
+    uint32_t line = 0;
+    uint32_t word = 0;
+    bool starts_run = false;  ///< the first of an excerpt: nothing matches across
+};
+
+inline constexpr uint32_t kNoToken = 0xFFFFFFFFu;
+
+/// A passage as numbers. `tokens[i]` is the index of the token behind `symbols[i]`; kNoToken for a separator.
+struct SymbolSequence {
+    std::vector<uint32_t> symbols;
+    std::vector<uint32_t> tokens;
+    uint32_t token_count = 0;  ///< without separators
+    uint32_t longest_run = 0;
+};
+
+/// Numbers the words of two passages alike. A number is made of the word and not of the order in which words come, so
+/// that figures do not depend on which side is read first. The texts must outlive it.
+class SymbolTable {
+public:
+    explicit SymbolTable(const Dialect& dialect) : dialect_(dialect) {}
+
+    std::vector<PlacedToken> place(const Passage& passage);
+
+    /// The sequence in one vocabulary. Between excerpts stands a separator that occurs nowhere else; `side` (0 or 1)
+    /// keeps those of the two passages apart.
+    SymbolSequence sequence(const std::vector<PlacedToken>& tokens, Vocabulary vocabulary, uint32_t side) const;
+
+private:
+    struct Word {
+        uint32_t raw = 0;
+        uint32_t dialect = 0;  ///< kNothing: dropped
+        uint32_t blind = 0;
+        bool name = false;
+        bool scope = false;  ///< `::`
+    };
+    static constexpr uint32_t kNothing = 0xFFFFFFFFu;
+
+    uint32_t number(std::string_view text);
+    uint32_t word(std::string_view text, TokenKind kind);
+
+    const Dialect& dialect_;
+    std::unordered_map<std::string_view, uint32_t> known_;  ///< words as written, as indices into words_
+    std::unordered_map<std::string, uint32_t> numbers_;     ///< of words as written and of common ones
+    std::unordered_set<uint32_t> taken_;                    ///< the numbers in use
+    std::vector<Word> words_;
+};
+
+}  // namespace porttool

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "porttool/language/dialect.h"
+
+namespace porttool {
+
+/// A statement, a control head or a brace, as written and in the common vocabulary.
+struct Statement {
+    std::string shown;                ///< readable
+    std::vector<std::string> common;  ///< translated tokens
+    std::string key;                  ///< the same as one text
+    /// The statement at the head of the block that it stands in, or for a closing brace of the block that it closes.
+    size_t head = kNoHead;
+
+    static constexpr size_t kNoHead = static_cast<size_t>(-1);
+    bool is_brace() const { return shown == "}"; }
+};
+
+/// A name without what differs between the manners of languages: case and underscores.
+std::string folded(const std::string& word);
+
+/// One token in the common vocabulary; "" for what has no counterpart elsewhere.
+std::string common_word(const std::string& token, const Dialect& dialect);
+
+/// Translates a statement's tokens; `in_body` is false for what stands before the first brace.
+using Translator = std::function<std::vector<std::string>(const std::vector<std::string>& tokens, bool in_body)>;
+
+/// Cuts tokens in normal form into statements. Empty ones and opening braces are left out.
+std::vector<Statement> split_statements(const std::vector<std::string>& tokens, const Translator& translator);
+
+/// The same in the common vocabulary.
+std::vector<Statement> split_statements(const std::vector<std::string>& tokens, const Dialect& dialect);
+
+/// A step of the shortest way from one list to another.
+struct DiffStep {
+    enum Kind { Keep, Remove, Add } kind;
+    size_t before;
+    size_t now;
+};
+
+/// The longest common subsequence of two lists of texts as steps. Very long lists are compared only between their equal
+/// ends, as one replacement.
+std::vector<DiffStep> diff(const std::vector<std::string>& before, const std::vector<std::string>& now);
+
+}  // namespace porttool

@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/read/lock_upgrade.h"
+
+#include "porttool/text/sink/terminal.h"
+
+namespace porttool {
+namespace {
+
+std::string print_of(int normal_form, const std::vector<std::string>& words) {
+    if (normal_form == 1) return fingerprint_of_version_1(words);
+    Fingerprinter print;
+    for (const std::string& word : words) print.add(word);
+    return print.digits();
+}
+
+/// The words of a text whose own control characters are not those that stand for blanks and line ends in it.
+std::vector<std::string> plain_words(const std::string& text) {
+    std::vector<std::string> words(1);
+    for (const char c : text)
+        if (c != ' ' && c != '\n')
+            words.back() += c;
+        else if (!words.back().empty())
+            words.emplace_back();
+    if (words.back().empty()) words.pop_back();
+    return words;
+}
+
+class Upgrade {
+public:
+    Upgrade(int from, const std::function<std::string(const std::string&)>& text_of,
+            const std::vector<const std::map<std::string, UnitState>*>& today)
+        : from_(from), text_of_(text_of) {
+        for (const auto* side : today)
+            for (const auto& [id, state] : *side) now_.emplace(print_of(from, read_state_text(state.text)), &state);
+    }
+
+    UpgradedLock run(LockFile lock) {
+        for (LockedPair& pair : lock.pairs) {
+            renew(pair.source_prints, pair.source);
+            renew(pair.target_prints, pair.target);
+        }
+        for (LockedUnit& unit : lock.baseline) unit.prints = find(unit.prints.written);
+        for (LedgerEntry& entry : lock.ledger) {
+            entry.source_print = find(entry.source_print).written;
+            entry.target_print = find(entry.target_print).written;
+        }
+        lock.normal_form = kNormalForm;
+        out_.lock = std::move(lock);
+        return std::move(out_);
+    }
+
+private:
+    void renew(Fingerprints& prints, const std::string& id) {
+        const std::string old = prints.written;
+        prints = find(old);
+        if (prints.written != "-" || !out_.error.empty()) return;
+        out_.error = "portmap.lock is of an older porttool, and the text of '" + terminal_text(id) +
+                     "' that it was in step with is not in portmap.base/ (" + old +
+                     ")\nRestore portmap.base/ from git, or record the present state with: porttool init --force";
+    }
+
+    /// Today's prints of the text behind an old one; all "-" if that is nowhere.
+    const Fingerprints& find(const std::string& old) {
+        const auto [known, fresh] = found_.try_emplace(old, Fingerprints{"-", "-", "-"});
+        if (!fresh || !is_fingerprint(old)) return known->second;
+        std::string text;
+        if (const auto unit = now_.find(old); unit != now_.end()) {
+            known->second = unit->second->prints;
+            text = unit->second->text;
+        } else if (text = text_of_(old); !text.empty() && is_text_of(text, old, from_)) {
+            known->second = prints_of_text(text);
+        } else {
+            return known->second;
+        }
+        out_.texts.emplace(known->second.written, std::move(text));
+        return known->second;
+    }
+
+    int from_;
+    const std::function<std::string(const std::string&)>& text_of_;
+    std::map<std::string, const UnitState*> now_;
+    std::map<std::string, Fingerprints> found_;
+    UpgradedLock out_;
+};
+
+}  // namespace
+
+bool is_outdated(const LockFile& lock) { return lock.normal_form < kNormalForm; }
+
+UpgradedLock upgraded(LockFile lock, const std::function<std::string(const std::string&)>& text_of,
+                      const std::vector<const std::map<std::string, UnitState>*>& today) {
+    const int from = lock.normal_form;
+    return Upgrade(from, text_of, today).run(std::move(lock));
+}
+
+bool is_text_of(const std::string& text, const std::string& print, int normal_form) {
+    return print_of(normal_form, read_state_text(text)) == print || print_of(normal_form, plain_words(text)) == print;
+}
+
+}  // namespace porttool

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <map>
+#include <string>
+
+#include "porttool/normal/unit_state.h"
+#include "porttool/read/lock_file.h"
+
+namespace porttool {
+
+/// True if the prints of a lock are of an older normal form than today's, and cannot be held against today's texts.
+bool is_outdated(const LockFile& lock);
+
+/// A lock whose prints are today's, with the texts behind those that were found.
+struct UpgradedLock {
+    LockFile lock;
+    std::map<std::string, std::string> texts;  ///< by today's print
+    std::string error;                         ///< which text is missing, and what to do
+};
+
+/// Gives every print of an outdated lock anew, from the text behind it. `text_of` gives the text that portmap.base/ has
+/// for an old print, or "". `today` are the units as they are now: where a text is still the recorded one, its prints
+/// are known. A pair's text that is nowhere is an error; an old verdict on a text that is nowhere holds no longer.
+UpgradedLock upgraded(LockFile lock, const std::function<std::string(const std::string& print)>& text_of,
+                      const std::vector<const std::map<std::string, UnitState>*>& today);
+
+/// True if a text of portmap.base/ is the one that its name says, as this normal form names it.
+bool is_text_of(const std::string& text, const std::string& print, int normal_form);
+
+}  // namespace porttool

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "porttool/normal/unit_state.h"
+#include "porttool/read/git.h"
+#include "porttool/snapshot/project.h"
+#include "porttool/spirv/same_spirv.h"
+
+namespace porttool {
+
+/// Answers for `check --spirv` whether an edit of a GLSL function reaches the compiled code. Reads shaders and what
+/// they include from the disk or, with --staged, from the index; earlier files from git where a function's earlier text
+/// does not compile among today's files. Nothing is read before the first question.
+class SpirvCheck {
+public:
+    /// Throws CannotDo if porttool was built without glslang.
+    SpirvCheck(const Project& project, const Options& options, const Disk& disk);
+    ~SpirvCheck();
+
+    /// What to say of a function that compiles to the same code as its earlier text `before` (as in portmap.base/), or
+    /// "" if it does not or if that cannot be told.
+    std::string same_code(const UnitState& unit, bool source, const std::string& before);
+
+    /// One line for each function of which it could not be told, and why.
+    const std::vector<std::string>& obstacles() const { return obstacles_; }
+
+private:
+    struct Side;
+    Side& side(bool source);
+    SpirvAnswer ask(Side& side, const ScannedFile& file, const Unit& unit, const std::vector<std::string>& before);
+
+    const Project& project_;
+    const Options& options_;
+    const Disk& disk_;
+    std::unique_ptr<Side> source_, target_;
+    std::vector<std::string> obstacles_;
+};
+
+}  // namespace porttool
