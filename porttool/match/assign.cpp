@@ -18,15 +18,16 @@ struct Choice {
 
 class Assigner {
 public:
-    Assigner(const std::vector<UnitFeatures>& source, const std::vector<UnitFeatures>& target,
-             const Vocabulary& vocabulary, std::vector<std::vector<Candidate>> candidates)
-        : source_(source), target_(target), vocabulary_(vocabulary), candidates_(std::move(candidates)) {
+    Assigner(const std::vector<UnitFeatures>& source, const std::vector<UnitFeatures>& target, const TermNumbers& terms,
+             std::vector<std::vector<Candidate>> candidates)
+        : source_(source), target_(target), terms_(terms), candidates_(std::move(candidates)) {
         for (const UnitFeatures& unit : source_) ++source_names_[unit.folded_name];
         for (const UnitFeatures& unit : target_) ++target_names_[unit.folded_name];
         for (const auto& list : candidates_) {
             scores_.emplace_back();
             for (const Candidate& candidate : list)
-                scores_.back().push_back(candidate.similarity.score + (is_namesake(candidate) ? kNamesakeBonus : 0.0f));
+                scores_.back().push_back(candidate.resemblance.score +
+                                         (is_namesake(candidate) ? kNamesakeBonus : 0.0f));
         }
     }
 
@@ -97,7 +98,7 @@ private:
         std::vector<LearnedPair> pairs;
         for (uint32_t s = 0; s < source_.size(); ++s)
             if (choice_[s] != kNobody) pairs.push_back({s, candidates_[s][choice_[s]].target, is_certain(s)});
-        return {source_, target_, vocabulary_, pairs};
+        return {source_, target_, terms_, pairs};
     }
 
     /// Names that differ as this project's ports do not lower the scores.
@@ -135,7 +136,7 @@ private:
             Assignment out;
             out.source = s;
             out.target = chosen.target;
-            out.similarity = chosen.similarity;
+            out.resemblance = chosen.resemblance;
             out.score = scores_[s][choice_[s]];
             out.margin = margin(s);
             out.names = names.difference(source_[s], target_[chosen.target]);
@@ -148,7 +149,7 @@ private:
 
     const std::vector<UnitFeatures>& source_;
     const std::vector<UnitFeatures>& target_;
-    const Vocabulary& vocabulary_;
+    const TermNumbers& terms_;
     std::vector<std::vector<Candidate>> candidates_;
     std::vector<std::vector<float>> scores_;
     std::vector<std::vector<float>> alike_;  ///< the scores before names are weighed
@@ -160,8 +161,8 @@ private:
 }  // namespace
 
 std::vector<Assignment> assign(const std::vector<UnitFeatures>& source, const std::vector<UnitFeatures>& target,
-                               const Vocabulary& vocabulary, std::vector<std::vector<Candidate>> candidates) {
-    return Assigner(source, target, vocabulary, std::move(candidates)).run();
+                               const TermNumbers& terms, std::vector<std::vector<Candidate>> candidates) {
+    return Assigner(source, target, terms, std::move(candidates)).run();
 }
 
 }  // namespace porttool

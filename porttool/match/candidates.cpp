@@ -84,7 +84,7 @@ std::vector<std::vector<Candidate>> find_candidates(const std::vector<UnitFeatur
         for (size_t i = 0; i < kept; ++i)
             all[s].push_back({s, touched[i], compare_units(source[s], target[touched[i]])});
         std::stable_sort(all[s].begin(), all[s].end(), [](const Candidate& a, const Candidate& b) {
-            return a.similarity.score > b.similarity.score;
+            return a.resemblance.score > b.resemblance.score;
         });
         for (const uint32_t t : touched) likeness[t] = 0;
     }

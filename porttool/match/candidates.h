@@ -4,14 +4,14 @@
 
 #include <vector>
 
-#include "porttool/match/similarity.h"
+#include "porttool/match/resemblance.h"
 
 namespace porttool {
 
 struct Candidate {
     uint32_t source = 0;
     uint32_t target = 0;
-    Similarity similarity;
+    Resemblance resemblance;
 };
 
 /// For each source unit the target units that resemble it most, best first. An inverted index over the terms finds

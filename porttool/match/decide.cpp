@@ -21,15 +21,15 @@ float constant_confidence(const UnitFeatures& source, const UnitFeatures& target
 
 float confidence(const UnitFeatures& source, const UnitFeatures& target, const Assignment& pair) {
     if (source.group == Group::Constant) return constant_confidence(source, target, pair);
-    const Similarity& similarity = pair.similarity;
-    const bool exact = similarity.same_name > 0.999f && pair.only_one;
+    const Resemblance& resemblance = pair.resemblance;
+    const bool exact = resemblance.same_name > 0.999f && pair.only_one;
     // The longer name is forgiven what ports leave out, not what they keep.
-    const float words = similarity.words + (similarity.subject - similarity.words) * (1 - pair.names.lost);
-    const float kind = source.group == Group::Code ? similarity.kind : 1.0f;
+    const float words = resemblance.words + (resemblance.subject - resemblance.words) * (1 - pair.names.lost);
+    const float kind = source.group == Group::Code ? resemblance.kind : 1.0f;
     // A logistic regression over labelled pairs of five ports (OpenCL, CUDA, SYCL, GLSL, C++) and over the same ports
     // with 40 % of the counterparts deleted, rounded. One set of weights for all: the margin and what the names of a
     // project's own certain pairs do carry what differs from project to project.
-    const float z = -4.1f + 3.3f * similarity.families[kPlace] + 2.6f * words + 0.8f * kind +
+    const float z = -4.1f + 3.3f * resemblance.families[kPlace] + 2.6f * words + 0.8f * kind +
                     3.8f * std::clamp(pair.margin, -0.1f, 0.4f) + (exact ? 4.2f : 0.0f) - doubt(pair.names);
     return 1 / (1 + std::exp(-z));
 }

@@ -35,8 +35,8 @@ std::string_view stage_word(std::string_view path) {
 
 class FeatureReader {
 public:
-    FeatureReader(const ScannedFile& file, const Dialect& dialect, Vocabulary& vocabulary)
-        : file_(file), dialect_(dialect), vocabulary_(vocabulary) {}
+    FeatureReader(const ScannedFile& file, const Dialect& dialect, TermNumbers& terms)
+        : file_(file), dialect_(dialect), terms_(terms) {}
 
     UnitFeatures read(const Unit& unit) {
         UnitFeatures features;
@@ -62,7 +62,7 @@ public:
 
 private:
     void count(Family family, std::string_view text, float amount = 1) {
-        counts_[family][vocabulary_.id(family, text)] += amount;
+        counts_[family][terms_.id(family, text)] += amount;
     }
 
     void count_words(Family family, std::string_view name, float amount) {
@@ -82,7 +82,7 @@ private:
     std::vector<uint32_t> name_ids(std::initializer_list<std::string_view> names) {
         std::vector<uint32_t> ids;
         for (const std::string_view name : names)
-            for (const std::string& word : split_words(name)) ids.push_back(vocabulary_.id(kName, common_word(word)));
+            for (const std::string& word : split_words(name)) ids.push_back(terms_.id(kName, common_word(word)));
         std::sort(ids.begin(), ids.end());
         return ids;
     }
@@ -104,7 +104,7 @@ private:
         if (!stage.empty()) {
             count_words(kName, stage, 1);
             count_words(kPlace, stage, 1);
-            features.name_words = {vocabulary_.id(kName, split_words(stage).front())};
+            features.name_words = {terms_.id(kName, split_words(stage).front())};
         } else {
             for (const auto& [id, amount] : counts_[kName]) features.name_words.push_back(id);
             std::sort(features.name_words.begin(), features.name_words.end());
@@ -144,7 +144,7 @@ private:
             if (common == nullptr)
                 count_words(kBody, text, 1);
             else if (!common->empty())
-                features.parameter_types.push_back(vocabulary_.id(kBody, *common));
+                features.parameter_types.push_back(terms_.id(kBody, *common));
         }
         std::sort(features.parameter_types.begin(), features.parameter_types.end());
     }
@@ -234,7 +234,7 @@ private:
 
     const ScannedFile& file_;
     const Dialect& dialect_;
-    Vocabulary& vocabulary_;
+    TermNumbers& terms_;
     std::array<std::unordered_map<uint32_t, float>, kFamilies> counts_;
     std::vector<uint64_t> shape_;
 };
@@ -256,7 +256,7 @@ void drop_common_words(std::vector<UnitFeatures>& units) {
 
 }  // namespace
 
-uint32_t Vocabulary::id(Family family, std::string_view text) {
+uint32_t TermNumbers::id(Family family, std::string_view text) {
     key_.assign(1, static_cast<char>(family));
     key_.append(text);
     const auto [found, added] = ids_.emplace(key_, static_cast<uint32_t>(ids_.size()));
@@ -265,10 +265,10 @@ uint32_t Vocabulary::id(Family family, std::string_view text) {
 }
 
 std::vector<UnitFeatures> read_features(const std::vector<ScannedFile>& files, const Dialect& dialect,
-                                        Vocabulary& vocabulary) {
+                                        TermNumbers& terms) {
     std::vector<UnitFeatures> all;
     for (size_t f = 0; f < files.size(); ++f) {
-        FeatureReader reader(files[f], dialect, vocabulary);
+        FeatureReader reader(files[f], dialect, terms);
         for (size_t u = 0; u < files[f].units.size(); ++u) {
             all.push_back(reader.read(files[f].units[u]));
             all.back().file = static_cast<uint32_t>(f);

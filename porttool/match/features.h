@@ -49,7 +49,7 @@ struct UnitFeatures {
 };
 
 /// Numbers terms; both sides share one.
-class Vocabulary {
+class TermNumbers {
 public:
     uint32_t id(Family family, std::string_view text);
     size_t size() const { return ids_.size(); }
@@ -63,7 +63,7 @@ private:
 
 /// Reads the features of all units of one side. Weights are raw counts; weigh() makes them comparable.
 std::vector<UnitFeatures> read_features(const std::vector<ScannedFile>& files, const Dialect& dialect,
-                                        Vocabulary& vocabulary);
+                                        TermNumbers& terms);
 
 /// Turns counts into tf-idf unit vectors, with document frequencies over both sides.
 void weigh(std::vector<UnitFeatures>& source, std::vector<UnitFeatures>& target, size_t terms);

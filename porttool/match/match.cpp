@@ -49,16 +49,16 @@ Matching match_units(const std::vector<ScannedFile>& source, const std::vector<S
     }
     const IdPatterns ignored(settled.ignored);
 
-    Vocabulary vocabulary;
-    auto source_units = read_features(source, dialect, vocabulary);
-    auto target_units = read_features(target, dialect, vocabulary);
+    TermNumbers terms;
+    auto source_units = read_features(source, dialect, terms);
+    auto target_units = read_features(target, dialect, terms);
     keep_open_units(source_units, source, settled_source, ignored);
     keep_open_units(target_units, target, settled_target, ignored);
-    weigh(source_units, target_units, vocabulary.size());
+    weigh(source_units, target_units, terms.size());
 
     std::vector<bool> source_mapped(source_units.size(), false), target_mapped(target_units.size(), false);
     const auto assignments =
-        assign(source_units, target_units, vocabulary, find_candidates(source_units, target_units, kMostCandidates));
+        assign(source_units, target_units, terms, find_candidates(source_units, target_units, kMostCandidates));
     for (const Assignment& pair : assignments) {
         const float score = confidence(source_units[pair.source], target_units[pair.target], pair);
         if (score < kLeastConfidence) continue;

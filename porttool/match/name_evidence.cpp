@@ -26,14 +26,14 @@ uint64_t sum(const Words& words) {
 
 /// The words of `from` that the other unit's name lacks; one that the other file is named after is not missing, nor
 /// one that is spelled together there (`soft_max`, `softmax`).
-Words missing(const UnitFeatures& from, const UnitFeatures& in, const Vocabulary& vocabulary) {
+Words missing(const UnitFeatures& from, const UnitFeatures& in, const TermNumbers& terms) {
     constexpr size_t kLongEnough = 4;
     Words words;
     std::set_difference(from.all_words.begin(), from.all_words.end(), in.all_words.begin(), in.all_words.end(),
                         std::back_inserter(words));
     std::erase_if(words, [&](uint32_t word) {
         if (std::binary_search(in.path_words.begin(), in.path_words.end(), word)) return true;
-        const std::string_view text = vocabulary.text(word);
+        const std::string_view text = terms.text(word);
         return text.size() >= kLongEnough && in.folded_name.find(text) != std::string::npos;
     });
     words.erase(std::unique(words.begin(), words.end()), words.end());
@@ -152,7 +152,7 @@ std::vector<bool> certain_ones(size_t count, const std::vector<LearnedPair>& pai
 }  // namespace
 
 struct NameEvidence::Learned {
-    const Vocabulary& vocabulary;
+    const TermNumbers& terms;
     Keeping there, back;
     Variants source_variants, target_variants;
     std::unordered_map<uint64_t, int> differences;  ///< how many pairs differ in the same words
@@ -165,9 +165,9 @@ struct NameEvidence::Learned {
 };
 
 NameEvidence::NameEvidence(const std::vector<UnitFeatures>& source, const std::vector<UnitFeatures>& target,
-                           const Vocabulary& vocabulary, const std::vector<LearnedPair>& pairs) {
+                           const TermNumbers& terms, const std::vector<LearnedPair>& pairs) {
     auto learned =
-        std::make_unique<Learned>(Learned{vocabulary,
+        std::make_unique<Learned>(Learned{terms,
                                           Keeping(target),
                                           Keeping(source),
                                           Variants(source, certain_ones(source.size(), pairs, &LearnedPair::source)),
@@ -175,7 +175,7 @@ NameEvidence::NameEvidence(const std::vector<UnitFeatures>& source, const std::v
                                           {}});
     for (const LearnedPair& pair : pairs) {
         const UnitFeatures &from = source[pair.source], &to = target[pair.target];
-        const Words lost = missing(from, to, vocabulary), gained = missing(to, from, vocabulary);
+        const Words lost = missing(from, to, terms), gained = missing(to, from, terms);
         const bool related = lost.size() < from.all_words.size();
         if (related) ++learned->differences[key_of(lost, gained)];
         if (!pair.certain) continue;
@@ -190,7 +190,7 @@ NameEvidence::NameEvidence(const std::vector<UnitFeatures>& source, const std::v
 NameEvidence::~NameEvidence() = default;
 
 NameDifference NameEvidence::difference(const UnitFeatures& from, const UnitFeatures& to) const {
-    const Words lost = missing(from, to, learned_->vocabulary), gained = missing(to, from, learned_->vocabulary);
+    const Words lost = missing(from, to, learned_->terms), gained = missing(to, from, learned_->terms);
     const float habit = learned_->habit(key_of(lost, gained));
     NameDifference out;
     out.lost = learned_->there.kept(lost, habit);

@@ -30,7 +30,7 @@ struct NameDifference {
 class NameEvidence {
 public:
     NameEvidence(const std::vector<UnitFeatures>& source, const std::vector<UnitFeatures>& target,
-                 const Vocabulary& vocabulary, const std::vector<LearnedPair>& pairs);
+                 const TermNumbers& terms, const std::vector<LearnedPair>& pairs);
     ~NameEvidence();
 
     NameDifference difference(const UnitFeatures& from, const UnitFeatures& to) const;

@@ -9,7 +9,7 @@
 namespace porttool {
 
 /// How two units resemble each other, signal by signal, each in [0, 1].
-struct Similarity {
+struct Resemblance {
     std::array<float, kFamilies> families{};
     float same_name = 0;  ///< 1: the whole names fold to one; less: the last parts do, or share their letters
     float words = 0;      ///< share of the names' words, each counting the same
@@ -20,7 +20,7 @@ struct Similarity {
     float score = 0;  ///< all together
 };
 
-Similarity compare_units(const UnitFeatures& a, const UnitFeatures& b);
+Resemblance compare_units(const UnitFeatures& a, const UnitFeatures& b);
 
 /// The product of two weighed bags.
 float cosine(const Bag& a, const Bag& b);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The porttool authors
 // SPDX-License-Identifier: Apache-2.0
-#include "porttool/match/similarity.h"
+#include "porttool/match/resemblance.h"
 
 #include <algorithm>
 #include <cmath>
@@ -107,8 +107,8 @@ float cosine(const Bag& a, const Bag& b) {
     return sum;
 }
 
-Similarity compare_units(const UnitFeatures& a, const UnitFeatures& b) {
-    Similarity out;
+Resemblance compare_units(const UnitFeatures& a, const UnitFeatures& b) {
+    Resemblance out;
     constexpr float kNameWeight = 0.12f, kWordsWeight = 0.08f, kSignatureWeight = 0.06f, kSizeWeight = 0.05f,
                     kKindWeight = 0.09f;
     float weight = kNameWeight + kWordsWeight + kSizeWeight;
