@@ -129,7 +129,9 @@ CheckedProject check_project(const Options& options, Workplace& place) {
         return found == checked.texts.end() ? base_text(checked.project, disk, print) : found->second;
     };
     std::unique_ptr<SpirvCheck> spirv;
-    if (options.spirv) spirv = std::make_unique<SpirvCheck>(checked.project, options, place.disk);
+    if (options.spirv)
+        spirv = std::make_unique<SpirvCheck>(checked.project, options.staged,
+                                             options.base.empty() ? "HEAD" : options.base, place.disk);
     const auto same_code = [&](const UnitState& unit, bool source, const std::string& before) {
         return spirv->same_code(unit, source, before);
     };

@@ -5,6 +5,7 @@
 #include <array>
 #include <string>
 
+#include "porttool/command/commands.h"
 #include "porttool/judge/judge.h"
 #include "porttool/judge/lock_store.h"
 

@@ -3,24 +3,13 @@
 #pragma once
 
 #include <ostream>
-#include <stdexcept>
 #include <string>
 
 #include "porttool/command/options.h"
-#include "porttool/read/disk.h"
+#include "porttool/read/cannot_do.h"
+#include "porttool/read/workplace.h"
 
 namespace porttool {
-
-/// What cannot be done, with its remedy: one or two lines, exit code 2.
-struct CannotDo : std::runtime_error {
-    using std::runtime_error::runtime_error;
-};
-
-/// Where a command works and writes.
-struct Workplace {
-    Disk& disk;
-    std::ostream& err;
-};
 
 /// The outcome of a command: what goes to stdout or to `-o`, and the exit code.
 struct Outcome {
@@ -40,9 +29,6 @@ Outcome effort_command(const Options& options, Workplace& place);
 Outcome history_command(const Options& options, Workplace& place);
 Outcome compare_command(const Options& options, Workplace& place);
 Outcome report_command(const Options& options, Workplace& place);
-
-/// The root folder: the nearest one upwards with a portmap.toml, else that of the git work tree, else `directory`.
-std::string find_root(const Disk& disk, const std::string& directory);
 
 /// Throws CannotDo unless `format` is one of `known`.
 void require_format(const std::string& format, std::initializer_list<const char*> known);

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <future>
 
+#include "porttool/command/commands.h"
 #include "porttool/measure/measure.h"
 #include "porttool/read/map_file.h"
 #include "porttool/read/source_files.h"

@@ -7,6 +7,7 @@
 
 #include "porttool/command/check_command.h"
 #include "porttool/compare/constant_value.h"
+#include "porttool/match/match.h"
 #include "porttool/text/sink/terminal.h"
 #include "porttool/text/toml_string.h"
 

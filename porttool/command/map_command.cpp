@@ -1,11 +1,24 @@
 // SPDX-FileCopyrightText: 2026 The porttool authors
 // SPDX-License-Identifier: Apache-2.0
 #include "porttool/command/commands.h"
+#include "porttool/match/match.h"
 #include "porttool/report/map_report.h"
 #include "porttool/snapshot/project.h"
 #include "porttool/text/sink/terminal.h"
 
 namespace porttool {
+namespace {
+
+/// What the map has settled.
+Settled settled_by(const MapFile& map) {
+    Settled settled;
+    for (const MapPair& pair : map.pairs)
+        for (const std::string& target : pair.targets) settled.pairs.emplace_back(pair.source, target);
+    for (const MapIgnore& ignore : map.ignores) settled.ignored.push_back(ignore.id);
+    return settled;
+}
+
+}  // namespace
 
 Outcome map_command(const Options& options, Workplace& place) {
     require_format(options.format, {"text", "json"});

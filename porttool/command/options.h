@@ -5,21 +5,19 @@
 #include <string>
 #include <vector>
 
+#include "porttool/snapshot/project.h"
+
 namespace porttool {
 
 /// What the command line asked for.
-struct Options {
+struct Options : ProjectChoice {
     std::string command;  ///< "scan", "map", ...; empty if there is only something to print
-    std::string directory = ".";
-    std::string config;
     std::string format = "text";
     std::string output;
     std::string color = "auto";
     bool quiet = false;
     bool verbose = false;
-    std::vector<std::string> paths;   ///< scan's paths, or ids
-    std::vector<std::string> source;  ///< globs
-    std::vector<std::string> target;
+    std::vector<std::string> paths;  ///< scan's paths, or ids
     bool force = false;
     bool all = false;
     bool strict = false;

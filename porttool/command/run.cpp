@@ -28,19 +28,6 @@ const std::map<std::string, Command>& commands() {
 
 }  // namespace
 
-std::string find_root(const Disk& disk, const std::string& directory) {
-    std::error_code error;
-    std::string absolute = std::filesystem::absolute(directory, error).lexically_normal().generic_string();
-    if (absolute.size() > 1 && absolute.ends_with('/')) absolute.pop_back();
-    for (const char* mark : {"portmap.toml", ".git"}) {
-        for (std::filesystem::path at = absolute;; at = at.parent_path()) {
-            if (disk.exists(join_path(at.string(), mark))) return at.string();
-            if (at == at.parent_path()) break;
-        }
-    }
-    return absolute;
-}
-
 void require_format(const std::string& format, std::initializer_list<const char*> known) {
     std::string list;
     for (const char* name : known) {

@@ -16,17 +16,15 @@ size_t count_words(const std::string& text) {
 
 }  // namespace
 
-std::string CompareBudget::refusal(const JudgedPair& pair, const std::string& source_base,
+std::string CompareBudget::refusal(const UnitState& source, const UnitState& target, const std::string& source_base,
                                    const std::string& target_base) {
     const size_t before = count_words(source_base) + count_words(target_base);
-    const size_t longest =
-        std::max({pair.source->tokens, pair.target->tokens, count_words(source_base), count_words(target_base)});
+    const size_t longest = std::max({source.tokens, target.tokens, count_words(source_base), count_words(target_base)});
     if (longest > kMostWords)
         return "a text has " + std::to_string(longest) + " tokens, at most " + std::to_string(kMostWords) +
                " are compared";
-    const bool known_source = !compared_.insert(pair.source).second,
-               known_target = !compared_.insert(pair.target).second;
-    if (known_source || known_target) again_ += before + pair.source->tokens + pair.target->tokens;
+    const bool known_source = !compared_.insert(&source).second, known_target = !compared_.insert(&target).second;
+    if (known_source || known_target) again_ += before + source.tokens + target.tokens;
     if (again_ > kMostAgain) return "long units stand in too many pairs";
     return {};
 }

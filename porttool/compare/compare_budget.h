@@ -5,7 +5,7 @@
 #include <string>
 #include <unordered_set>
 
-#include "porttool/judge/judge.h"
+#include "porttool/normal/unit_state.h"
 
 namespace porttool {
 
@@ -14,7 +14,8 @@ namespace porttool {
 class CompareBudget {
 public:
     /// Why the edits of a pair are not to be compared; "" if they are. The texts are those before, "" if not known.
-    std::string refusal(const JudgedPair& pair, const std::string& source_base, const std::string& target_base);
+    std::string refusal(const UnitState& source, const UnitState& target, const std::string& source_base,
+                        const std::string& target_base);
 
 private:
     std::unordered_set<const UnitState*> compared_;

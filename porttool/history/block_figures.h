@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "porttool/history/blob_facts_source.h"
-#include "porttool/report/history_report.h"
+#include "porttool/history/history.h"
 
 namespace porttool {
 

@@ -8,15 +8,10 @@
 #include "porttool/history/block_figures.h"
 #include "porttool/read/lock_file.h"
 #include "porttool/read/lock_upgrade.h"
+#include "porttool/scan/scan.h"
 
 namespace porttool {
 namespace {
-
-/// Splits PATH:NAME.
-std::pair<std::string, std::string> split_id(const std::string& id) {
-    const size_t colon = id.find(':');
-    return {id.substr(0, colon), colon == std::string::npos ? std::string() : id.substr(colon + 1)};
-}
 
 struct PairPlan {
     PairId id;

@@ -4,8 +4,8 @@
 
 #include <string>
 
+#include "porttool/history/history.h"
 #include "porttool/read/blob_cache.h"
-#include "porttool/report/history_report.h"
 #include "porttool/snapshot/past.h"
 
 namespace porttool {

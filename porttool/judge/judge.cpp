@@ -272,7 +272,7 @@ private:
         if (!source_changed && !target_changed) return;
         const BaseTexts base{source_changed ? facts_.base_text(lock.source_prints.written) : std::string(),
                              target_changed ? facts_.base_text(lock.target_prints.written) : std::string()};
-        if (const std::string why = budget_.refusal(pair, base.source, base.target); !why.empty())
+        if (const std::string why = budget_.refusal(*pair.source, *pair.target, base.source, base.target); !why.empty())
             return report_unread(pair, source, target, why);
         const bool constants = pair.source->kind == UnitKind::Constant && pair.target->kind == UnitKind::Constant;
         const bool structs = pair.source->kind == UnitKind::Struct && pair.target->kind == UnitKind::Struct;

@@ -154,10 +154,10 @@ RecordedLock lock_of_today(const Project& project, const Disk& disk, ReadLock re
     return {std::move(upgrade.lock), "", std::move(upgrade.texts)};
 }
 
-std::unique_ptr<WriteGuard> guard_lock(const Options& options, Workplace& place) {
+std::unique_ptr<WriteGuard> guard_lock(const ProjectChoice& choice, Workplace& place) {
     Project project;
-    find_map(project, options, place.disk);
-    if (options.source.empty() && !place.disk.exists(project.map_path)) throw no_map(project);
+    find_map(project, choice, place.disk);
+    if (choice.source.empty() && !place.disk.exists(project.map_path)) throw no_map(project);
     TakenGuard taken = place.disk.guard(beside_map(project, "portmap.lock"));
     if (!taken.error.empty()) throw CannotDo(taken.error);
     return std::move(taken.guard);

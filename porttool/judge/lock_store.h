@@ -37,7 +37,7 @@ RecordedLock lock_of_today(const Project& project, const Disk& disk, ReadLock re
 
 /// Waits until no other porttool changes this project's lock. Taken before the lock is read, held until it is written.
 /// Throws CannotDo.
-std::unique_ptr<WriteGuard> guard_lock(const Options& options, Workplace& place);
+std::unique_ptr<WriteGuard> guard_lock(const ProjectChoice& choice, Workplace& place);
 
 /// What is written at once.
 struct NewRecord {

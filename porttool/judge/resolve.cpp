@@ -39,13 +39,6 @@ using Key = std::function<std::string(const UnitState&)>;
 
 }  // namespace
 
-std::pair<std::string, std::string> split_id(const std::string& id) {
-    size_t colon = id.find(':');
-    while (colon != std::string::npos && colon + 1 < id.size() && id[colon + 1] == ':') colon = id.find(':', colon + 2);
-    if (colon == std::string::npos) return {id, {}};
-    return {id.substr(0, colon), id.substr(colon + 1)};
-}
-
 Resolver::Resolver(const std::map<std::string, UnitState>& units, const std::vector<NamedUnit>& named,
                    const std::function<std::string(const std::string&)>& base_text)
     : units_(units), base_text_(base_text) {

@@ -6,15 +6,12 @@
 #include <map>
 #include <set>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "porttool/normal/unit_state.h"
+#include "porttool/scan/scan.h"
 
 namespace porttool {
-
-/// The file and the name of an id whose name is `Glass::Evaluate` or `main`.
-std::pair<std::string, std::string> split_id(const std::string& id);
 
 /// A unit that an id of the lock or the map leads to today.
 struct Resolved {

@@ -166,6 +166,13 @@ ScannedFile scan_text(std::string_view path, std::string_view text) {
 
 std::string unit_id(const ScannedFile& file, const Unit& unit) { return file.path + ":" + unit.name; }
 
+std::pair<std::string, std::string> split_id(const std::string& id) {
+    size_t colon = id.find(':');
+    while (colon != std::string::npos && colon + 1 < id.size() && id[colon + 1] == ':') colon = id.find(':', colon + 2);
+    if (colon == std::string::npos) return {id, {}};
+    return {id.substr(0, colon), id.substr(colon + 1)};
+}
+
 Unit whole_file_unit(const ScannedFile& file) {
     Unit unit;
     unit.kind = UnitKind::File;

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <string>
 #include <string_view>
+#include <utility>
 
 #include "porttool/scan/unit.h"
 
@@ -14,6 +16,9 @@ ScannedFile scan_text(std::string_view path, std::string_view text);
 
 /// The id of a unit: PATH:NAME.
 std::string unit_id(const ScannedFile& file, const Unit& unit);
+
+/// The file and the name of an id whose name is `Glass::Evaluate` or `main`.
+std::pair<std::string, std::string> split_id(const std::string& id);
 
 /// The unit that stands for a whole file, named `@file`.
 Unit whole_file_unit(const ScannedFile& file);

@@ -7,7 +7,6 @@
 
 #include "porttool/language/language.h"
 #include "porttool/read/source_files.h"
-#include "porttool/snapshot/project.h"
 #include "porttool/text/sink/terminal.h"
 
 namespace porttool {
@@ -37,13 +36,13 @@ bool SideGlobs::takes(const std::string& path) const {
     });
 }
 
-Past open_past(const Options& options, Workplace& place) {
+Past open_past(const ProjectChoice& choice, Workplace& place) {
     Past past;
     Project project;
-    find_map(project, options, place.disk);
+    find_map(project, choice, place.disk);
     past.root = project.root;
-    past.map_is_given = !options.config.empty();
-    past.map_name = past.map_is_given ? options.config : "portmap.toml";
+    past.map_is_given = !choice.config.empty();
+    past.map_name = past.map_is_given ? choice.config : "portmap.toml";
     const std::string& path = project.map_path;
     if (place.disk.exists(path)) {
         const FileText file = read_map_text(place.disk, past.root, path);
@@ -53,7 +52,7 @@ Past open_past(const Options& options, Workplace& place) {
         past.map_today = std::move(read.map);
         past.has_map_today = true;
     } else if (past.map_is_given) {
-        throw CannotDo("--config " + terminal_text(options.config) + ": no such file");
+        throw CannotDo("--config " + terminal_text(choice.config) + ": no such file");
     }
     past.git = std::make_unique<GitRepository>(past.root);
     if (!past.git->error().empty()) throw CannotDo(past.git->error());

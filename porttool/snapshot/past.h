@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "porttool/command/commands.h"
 #include "porttool/read/git_repository.h"
 #include "porttool/read/glob.h"
 #include "porttool/read/map_file.h"
+#include "porttool/snapshot/project.h"
 
 namespace porttool {
 
@@ -38,7 +38,7 @@ struct Past {
 };
 
 /// Opens the repository around `-C`. Throws CannotDo: no git repository, a map that cannot be read.
-Past open_past(const Options& options, Workplace& place);
+Past open_past(const ProjectChoice& choice, Workplace& place);
 
 /// A commit by the revision that an option gave. Throws CannotDo for an unknown one, with what is known instead.
 GitCommit find_commit(const Past& past, const std::string& option, const std::string& revision);

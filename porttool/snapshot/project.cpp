@@ -6,7 +6,6 @@
 #include <filesystem>
 #include <optional>
 
-#include "porttool/judge/resolve.h"
 #include "porttool/read/git.h"
 #include "porttool/read/glob.h"
 #include "porttool/scan/scan.h"
@@ -82,13 +81,26 @@ void require_target_root(const Project& project, const Disk& disk) {
 
 }  // namespace
 
-void find_map(Project& project, const Options& options, const Disk& disk) {
-    if (options.source.empty() != options.target.empty())
+std::string find_root(const Disk& disk, const std::string& directory) {
+    std::error_code error;
+    std::string absolute = std::filesystem::absolute(directory, error).lexically_normal().generic_string();
+    if (absolute.size() > 1 && absolute.ends_with('/')) absolute.pop_back();
+    for (const char* mark : {"portmap.toml", ".git"}) {
+        for (std::filesystem::path at = absolute;; at = at.parent_path()) {
+            if (disk.exists(join_path(at.string(), mark))) return at.string();
+            if (at == at.parent_path()) break;
+        }
+    }
+    return absolute;
+}
+
+void find_map(Project& project, const ProjectChoice& choice, const Disk& disk) {
+    if (choice.source.empty() != choice.target.empty())
         throw CannotDo("--source and --target go together; name both sides, or neither to use portmap.toml");
-    project.globs_given = !options.source.empty();
-    project.root = project.globs_given ? absolute(options.directory) : find_root(disk, options.directory);
-    project.map_path = options.config.empty() ? join_path(project.root, "portmap.toml")
-                                              : absolute(join_path(options.directory, options.config));
+    project.globs_given = !choice.source.empty();
+    project.root = project.globs_given ? absolute(choice.directory) : find_root(disk, choice.directory);
+    project.map_path = choice.config.empty() ? join_path(project.root, "portmap.toml")
+                                             : absolute(join_path(choice.directory, choice.config));
 }
 
 TreePath beside_map(const Project& project, const std::string& name, Links links) {
@@ -108,24 +120,23 @@ CannotDo no_map(const Project& project) {
                     " or above; write one with: porttool init --source GLOB --target GLOB");
 }
 
-Project open_project(const Options& options, Workplace& place, bool needs_map) {
+Project open_project(const ProjectChoice& choice, Workplace& place, bool needs_map) {
     Project project;
-    find_map(project, options, place.disk);
+    find_map(project, choice, place.disk);
     const bool there = place.disk.exists(project.map_path);
-    if (!options.config.empty() && !there)
-        throw CannotDo("--config " + terminal_text(options.config) + ": no such file");
-    if (there && (!project.globs_given || !options.config.empty())) {
+    if (!choice.config.empty() && !there) throw CannotDo("--config " + terminal_text(choice.config) + ": no such file");
+    if (there && (!project.globs_given || !choice.config.empty())) {
         const FileText file = read_map_text(place.disk, project.root, project.map_path);
         if (!file.error.empty()) throw CannotDo(terminal_text(project.map_path) + ": " + file.error);
         project.map_text = file.bytes;
-        ReadMap read = read_map(options.config.empty() ? "portmap.toml" : options.config, file.bytes);
+        ReadMap read = read_map(choice.config.empty() ? "portmap.toml" : choice.config, file.bytes);
         if (!read.error.empty()) throw CannotDo(read.error);
         project.map = std::move(read.map);
         project.has_map = true;
     }
     if (project.globs_given) {
-        project.map.source = options.source;
-        project.map.target = options.target;
+        project.map.source = choice.source;
+        project.map.target = choice.target;
     } else if (!project.has_map && needs_map) {
         throw no_map(project);
     }
@@ -204,14 +215,6 @@ std::string target_root(const Project& project) {
 bool is_elsewhere(const Project& project) {
     return !project.map.target_root.empty() && target_root(project) != project.root &&
            !below(project.root, target_root(project));
-}
-
-Settled settled_by(const MapFile& map) {
-    Settled settled;
-    for (const MapPair& pair : map.pairs)
-        for (const std::string& target : pair.targets) settled.pairs.emplace_back(pair.source, target);
-    for (const MapIgnore& ignore : map.ignores) settled.ignored.push_back(ignore.id);
-    return settled;
 }
 
 }  // namespace porttool

@@ -5,12 +5,21 @@
 #include <string>
 #include <vector>
 
-#include "porttool/command/commands.h"
-#include "porttool/match/match.h"
+#include "porttool/read/cannot_do.h"
 #include "porttool/read/map_file.h"
 #include "porttool/read/source_files.h"
+#include "porttool/read/workplace.h"
+#include "porttool/scan/unit.h"
 
 namespace porttool {
+
+/// What a user names of a project.
+struct ProjectChoice {
+    std::string directory = ".";      ///< where to look for it
+    std::string config;               ///< a map other than the nearest; may be empty
+    std::vector<std::string> source;  ///< globs; both sides, or neither
+    std::vector<std::string> target;
+};
 
 /// The two sides of a repository, read and scanned.
 struct Project {
@@ -24,8 +33,11 @@ struct Project {
     std::vector<SkippedFile> skipped;
 };
 
+/// The root folder: the nearest one upwards with a portmap.toml, else that of the git work tree, else `directory`.
+std::string find_root(const Disk& disk, const std::string& directory);
+
 /// Finds a project's root and where its map is or would be. Throws CannotDo.
-void find_map(Project& project, const Options& options, const Disk& disk);
+void find_map(Project& project, const ProjectChoice& choice, const Disk& disk);
 
 /// What to say where there is no map.
 CannotDo no_map(const Project& project);
@@ -36,9 +48,9 @@ TreePath beside_map(const Project& project, const std::string& name, Links links
 /// The text of a map. Where it lies beneath the root, whoever proposes a change may have written it, or made it a link.
 FileText read_map_text(const Disk& disk, const std::string& root, const std::string& path);
 
-/// Opens the project that the options name: its root and, if there is one, its map. With both globs given the root is
+/// Opens the project that was chosen: its root and, if there is one, its map. With both globs given the root is
 /// the folder itself and no map is needed. Throws CannotDo.
-Project open_project(const Options& options, Workplace& place, bool needs_map);
+Project open_project(const ProjectChoice& choice, Workplace& place, bool needs_map);
 
 /// Throws CannotDo for a glob of the map that leads out of its side's root, and for a target_root into `.git`.
 void require_sides_beneath(const Project& project, const Disk& disk);
@@ -54,8 +66,5 @@ void read_sides_from(Project& project, const Disk& disk, const std::string& targ
 
 /// The root of the target side, which may be another checkout.
 std::string target_root(const Project& project);
-
-/// What the map has settled.
-Settled settled_by(const MapFile& map);
 
 }  // namespace porttool

@@ -25,8 +25,8 @@ struct SpirvCheck::Side {
     std::optional<SpirvComparer> comparer;
 };
 
-SpirvCheck::SpirvCheck(const Project& project, const Options& options, const Disk& disk)
-    : project_(project), options_(options), disk_(disk) {
+SpirvCheck::SpirvCheck(const Project& project, bool staged, std::string base, const Disk& disk)
+    : project_(project), staged_(staged), base_(std::move(base)), disk_(disk) {
     if (!spirv_is_built_in())
         throw CannotDo(
             "--spirv: this porttool was built without glslang\nInstall glslang-dev, spirv-tools and spirv-headers, and "
@@ -43,7 +43,7 @@ SpirvCheck::Side& SpirvCheck::side(bool source) {
     side.root = source ? project_.root : target_root(project_);
     side.sources_only = !source && is_elsewhere(project_);
     std::vector<std::string> entries;
-    if (options_.staged && (source || project_.map.target_root.empty())) {
+    if (staged_ && (source || project_.map.target_root.empty())) {
         GitFiles staged = files_in_index(side.root, is_shader_text);
         if (!staged.error.empty()) throw CannotDo(staged.error);
         for (auto& [path, text] : staged.files) {
@@ -82,8 +82,7 @@ SpirvAnswer SpirvCheck::ask(Side& side, const ScannedFile& file, const Unit& uni
                             const std::vector<std::string>& before) {
     SpirvAnswer answer = side.comparer->compare_unit(file, unit, before);
     if (answer.obstacle.empty() || answer.entries.empty()) return answer;
-    if (!side.then)
-        side.then = files_at_base(side.root, options_.base.empty() ? "HEAD" : options_.base, is_shader_text);
+    if (!side.then) side.then = files_at_base(side.root, base_, is_shader_text);
     if (!side.then->error.empty()) {
         answer.obstacle += "; and there are no earlier files to compare as a whole: " +
                            side.then->error.substr(0, side.then->error.find('\n'));

@@ -20,8 +20,9 @@ namespace porttool {
 /// does not compile among today's files. Nothing is read before the first question.
 class SpirvCheck {
 public:
-    /// Throws CannotDo if porttool was built without glslang.
-    SpirvCheck(const Project& project, const Options& options, const Disk& disk);
+    /// `base`: the revision whose merge base with HEAD has the earlier files. Throws CannotDo if porttool was built
+    /// without glslang.
+    SpirvCheck(const Project& project, bool staged, std::string base, const Disk& disk);
     ~SpirvCheck();
 
     /// What to say of a function that compiles to the same code as its earlier text `before` (as in portmap.base/), or
@@ -37,7 +38,8 @@ private:
     SpirvAnswer ask(Side& side, const ScannedFile& file, const Unit& unit, const std::vector<std::string>& before);
 
     const Project& project_;
-    const Options& options_;
+    bool staged_;
+    std::string base_;
     const Disk& disk_;
     std::unique_ptr<Side> source_, target_;
     std::vector<std::string> obstacles_;
