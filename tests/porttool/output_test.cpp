@@ -205,33 +205,5 @@ TEST(Sizes, AFileAboveTheLimitIsSkippedWithTheReason) {
     EXPECT_NE(got["skipped"][0]["reason"].get<std::string>().find("16 MiB"), std::string::npos);
 }
 
-/// Folders of porttool/, lowest first: each may include itself and what stands before it.
-const std::vector<std::string> kFloors = {"text",  "scan",   "read",    "compare", "match",
-                                          "judge", "report", "command", "main"};
-
-TEST(Architecture, NoFolderIncludesOneAboveIt) {
-    const std::filesystem::path folder = std::filesystem::path(REPOSITORY) / "porttool";
-    const auto floor = [](const std::string& name) {
-        return std::find(kFloors.begin(), kFloors.end(), name) - kFloors.begin();
-    };
-    const std::string include = "#include \"porttool/";
-    size_t seen = 0;
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
-        const std::string extension = entry.path().extension().string();
-        if (extension != ".cpp" && extension != ".h") continue;
-        const std::string below = std::filesystem::relative(entry.path(), folder).generic_string();
-        const std::string own = below.substr(0, below.find_first_of("/."));
-        ASSERT_LT(floor(own), static_cast<long>(kFloors.size())) << below << ": give '" << own << "' its floor here";
-        std::ifstream stream(entry.path());
-        for (std::string line; std::getline(stream, line);) {
-            if (!line.starts_with(include)) continue;
-            ++seen;
-            const std::string included = line.substr(include.size());
-            EXPECT_LE(floor(included.substr(0, included.find_first_of("/."))), floor(own)) << below << ": " << line;
-        }
-    }
-    EXPECT_GT(seen, 100u);
-}
-
 }  // namespace
 }  // namespace porttool::testing
