@@ -89,8 +89,8 @@ void list_moved(const Judgement& judgement, std::vector<BroughtIn>& out) {
         for (const auto& [unit, id] :
              {std::pair(pair.source, pair.map_source), std::pair(pair.target, pair.map_target)})
             if (unit != nullptr && unit->file != split_id(id).first)
-                out.push_back(
-                    {"pair", unit->file, static_cast<int>(unit->start_line), id + " is followed to " + unit->id});
+                out.push_back({GatePart::Pair, unit->file, static_cast<int>(unit->start_line),
+                               id + " is followed to " + unit->id});
 }
 
 }  // namespace
@@ -170,8 +170,8 @@ std::string formatted(const Judgement& judgement, const Project& project, const 
 Outcome check_command(const Options& options, Workplace& place) {
     require_format(options.format, {"text", "json", "sarif", "junit", "github", "gitlab", "markdown"});
     const CheckedProject checked = check_project(options, place);
-    const std::string verdict = checked.judgement.verdict();
-    const bool fails = verdict == "drift" || (verdict == "review" && options.strict);
+    const GateResult result = checked.judgement.result();
+    const bool fails = result == GateResult::Drift || (result == GateResult::Review && options.strict);
     return {formatted(checked.judgement, checked.project, options), fails ? 1 : 0};
 }
 

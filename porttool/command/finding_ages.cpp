@@ -38,10 +38,12 @@ const LockedPair* locked(const LockFile& lock, const Finding& finding) {
 std::vector<Question> questions(const CheckedProject& checked) {
     std::vector<Question> out;
     for (const Finding& finding : checked.judgement.findings) {
-        const bool unported = finding.rule == "unported";
+        const bool unported = finding.rule == Rule::Unported;
         const LockedPair* pair = locked(checked.lock, finding);
-        if (!unported && (pair == nullptr || finding.change == "rename" || finding.change == "moved")) continue;
-        const bool of_target = finding.rule == "target-changed";
+        if (!unported &&
+            (pair == nullptr || finding.change == ChangeKind::Rename || finding.change == ChangeKind::Moved))
+            continue;
+        const bool of_target = finding.rule == Rule::TargetChanged;
         const auto& place = of_target ? finding.target : finding.source;
         if (!place || place->id.size() <= place->file.size() || (of_target && !finding.source)) continue;
         Question question{finding.fingerprint, place->file, place->id.substr(place->file.size() + 1), {}};

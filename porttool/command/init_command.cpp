@@ -54,8 +54,8 @@ void note_differences(LockFile& lock, const States& states, const Dialect& diale
         if (++differing <= kShown)
             place.err << "warning: " << terminal_text(pair.source) << " = " << terminal_text(pair.target) << ": "
                       << terminal_text(compared.says) << "\n";
-        lock.ledger.push_back({"accept", pair.source, pair.target, source.prints.written, target.prints.written, "",
-                               today(), "accepted at init: " + compared.says});
+        lock.ledger.push_back({Verdict::Accept, pair.source, pair.target, source.prints.written, target.prints.written,
+                               "", today(), "accepted at init: " + compared.says});
     }
     if (differing > kShown) place.err << "and " << differing - kShown << " more pairs that differ\n";
     if (differing > 0)

@@ -10,6 +10,7 @@
 
 #include "porttool/command/check_command.h"
 #include "porttool/judge/lock_index.h"
+#include "porttool/judge/rules.h"
 #include "porttool/text/sink/terminal.h"
 #include "porttool/text/suggest.h"
 
@@ -46,9 +47,9 @@ std::vector<const JudgedPair*> pairs_of(const CheckedProject& checked, const std
     }
     for (const Finding& finding : checked.judgement.findings) {
         names.push_back(finding.fingerprint);
-        if (finding.rule == "unported") names.push_back(finding.map_source);
+        if (finding.rule == Rule::Unported) names.push_back(finding.map_source);
     }
-    names.insert(names.end(), rule_names().begin(), rule_names().end());
+    names.insert(names.end(), kRuleNames.begin(), kRuleNames.end());
     std::string near = nearest(id, names);
     if (near.empty())
         for (const std::string& name : names)
@@ -81,7 +82,7 @@ void record(LockFile& lock, const std::vector<const JudgedPair*>& pairs, const s
             lock.pairs.push_back({pair->map_source, pair->map_target, source->prints, target->prints, "recorded", "",
                                   std::move(recorded.at({pair->map_source, pair->map_target}))});
         if (!reason.empty())
-            lock.ledger.push_back({"accept", pair->map_source, pair->map_target,
+            lock.ledger.push_back({Verdict::Accept, pair->map_source, pair->map_target,
                                    source != nullptr ? source->prints.written : "-",
                                    target != nullptr ? target->prints.written : "-", "", today(), reason});
     }
@@ -103,21 +104,20 @@ void forget(LockFile& lock, const std::string& source, const std::string& target
 }
 
 /// Settles a unit without a port: to ignore it makes it part of the baseline, with the reason.
-std::string settle_unported(const Options& options, CheckedProject& checked, const Finding& finding,
-                            const std::string& verdict) {
+std::string settle_unported(const Options& options, CheckedProject& checked, const Finding& finding, Verdict verdict) {
     const std::string& id = finding.map_source;
     const auto unit = checked.states.source.find(id);
-    const bool unported = finding.rule == "unported" || finding.rule == "deferral-expired";
+    const bool unported = finding.rule == Rule::Unported || finding.rule == Rule::DeferralExpired;
     if (!unported || unit == checked.states.source.end())
-        throw CannotDo(finding.fingerprint + ": a finding of '" + finding.rule + "' cannot be settled; " +
-                       terminal_text(finding.remedy));
+        throw CannotDo(finding.fingerprint + ": a finding of '" + std::string(rule_name(finding.rule)) +
+                       "' cannot be settled; " + terminal_text(finding.remedy));
     forget(checked.lock, id, "");
-    if (verdict == "ignore")
+    if (verdict == Verdict::Ignore)
         checked.lock.baseline.push_back({id, unit->second.prints, options.reason});
     else
         checked.lock.ledger.push_back(
             {verdict, id, "", unit->second.prints.written, "-", options.owner, options.until, options.reason});
-    return fmt::format("{} {}\n", verdict == "defer" ? "deferred" : "ignored", terminal_text(id));
+    return fmt::format("{} {}\n", verdict == Verdict::Defer ? "deferred" : "ignored", terminal_text(id));
 }
 
 /// Writes the lock without what holds for nothing any more.
@@ -128,7 +128,7 @@ void store(CheckedProject& checked, Disk& disk) {
     store_lock(checked.project, {checked.lock, checked.states, checked.texts, nullptr, clears}, disk);
 }
 
-Outcome settle(const Options& options, Workplace& place, const std::string& verdict) {
+Outcome settle(const Options& options, Workplace& place, Verdict verdict) {
     require_format(options.format, {"text"});
     const auto guard = guard_lock(options, place);
     CheckedProject checked = check_project(options, place);
@@ -144,7 +144,7 @@ Outcome settle(const Options& options, Workplace& place, const std::string& verd
                                            pair->source != nullptr ? pair->source->prints.written : "-",
                                            pair->target != nullptr ? pair->target->prints.written : "-", options.owner,
                                            options.until, options.reason});
-            out += fmt::format("{} {} = {}\n", verdict == "defer" ? "deferred" : "ignored",
+            out += fmt::format("{} {} = {}\n", verdict == Verdict::Defer ? "deferred" : "ignored",
                                terminal_text(pair->map_source), terminal_text(pair->map_target));
         }
     }
@@ -162,9 +162,10 @@ bool is_date(const std::string& text) {
 }
 
 void explain_finding(const Finding& finding, std::string& out) {
-    out += fmt::format("{} [{}]: {}\n", level_name(finding.level), finding.rule, terminal_text(finding.message));
-    if (!finding.verdict.empty())
-        out += fmt::format("  settled by '{}': {}\n", terminal_text(finding.verdict),
+    out += fmt::format("{} [{}]: {}\n", level_name(finding.level), rule_name(finding.rule),
+                       terminal_text(finding.message));
+    if (finding.verdict)
+        out += fmt::format("  settled by '{}': {}\n", verdict_name(*finding.verdict),
                            terminal_text(finding.verdict_reason));
     for (const std::string& detail : finding.details) out += "  " + terminal_line(detail) + "\n";
     out += "  " + terminal_line(finding.remedy) + "\n";
@@ -180,7 +181,7 @@ void explain_pair(const CheckedProject& checked, const JudgedPair& pair, std::st
     }
     if (!any) out += "in step\n";
     for (const LedgerEntry& entry : checked.lock.ledger)
-        if (entry.verdict == "accept" && entry.source == pair.map_source && entry.target == pair.map_target)
+        if (entry.verdict == Verdict::Accept && entry.source == pair.map_source && entry.target == pair.map_target)
             out += fmt::format("last accepted on {}: {}\n", terminal_text(entry.until), terminal_text(entry.reason));
 }
 
@@ -232,7 +233,7 @@ Outcome accept_command(const Options& options, Workplace& place) {
         }
         if (options.force)
             for (const Finding& finding : checked.judgement.findings)
-                if (finding.rule == "unported")
+                if (finding.rule == Rule::Unported)
                     checked.lock.baseline.push_back(
                         {finding.source->id, checked.states.source.at(finding.source->id).prints, options.reason});
     }
@@ -265,17 +266,17 @@ Outcome defer_command(const Options& options, Workplace& place) {
     if (options.until < today())
         throw CannotDo("--until " + terminal_text(options.until) + " is past: today is " + today() +
                        "; give the last day to wait");
-    return settle(options, place, "defer");
+    return settle(options, place, Verdict::Defer);
 }
 
-Outcome ignore_command(const Options& options, Workplace& place) { return settle(options, place, "ignore"); }
+Outcome ignore_command(const Options& options, Workplace& place) { return settle(options, place, Verdict::Ignore); }
 
 Outcome explain_command(const Options& options, Workplace& place) {
     require_format(options.format, {"text"});
     std::string out;
     for (const std::string& id : options.paths) {
-        if (const std::string help = rule_help(id); !help.empty()) {
-            out += id + "\n" + help + "\n";
+        if (const auto rule = rule_named(id)) {
+            out += id + "\n" + rule_help(*rule) + "\n";
             continue;
         }
         const CheckedProject checked = check_project(options, place);

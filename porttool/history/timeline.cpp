@@ -201,7 +201,7 @@ private:
 
     bool is_ignored(const PairId& id, const UnitFacts* source, const UnitFacts* target) const {
         return std::any_of(lock_.ledger.begin(), lock_.ledger.end(), [&](const LedgerEntry& entry) {
-            return entry.verdict == "ignore" && entry.source == id.first && entry.target == id.second &&
+            return entry.verdict == Verdict::Ignore && entry.source == id.first && entry.target == id.second &&
                    (source == nullptr || entry.source_print == source->prints.written) &&
                    (target == nullptr || entry.target_print == target->prints.written);
         });

@@ -49,6 +49,18 @@ private:
     std::map<decltype(Suppression::units), std::string> units_;
 };
 
+GatePart part_of(Verdict verdict) {
+    switch (verdict) {
+        case Verdict::Accept:
+            return GatePart::Accept;
+        case Verdict::Defer:
+            return GatePart::Defer;
+        case Verdict::Ignore:
+            break;
+    }
+    return GatePart::Ignore;
+}
+
 class Comparison {
 public:
     Comparison(const GateState& before, const GateState& now, std::string map_name)
@@ -58,7 +70,7 @@ public:
         Counted known(before_.suppressions);
         for (const PlacedSuppression& one : now_.suppressions)
             if (!known.take(one))
-                add("suppression", one.file, static_cast<int>(one.comment.line),
+                add(GatePart::Suppression, one.file, static_cast<int>(one.comment.line),
                     fmt::format("porttool: ignore({}) {}", one.comment.rule, one.comment.reason));
         compare_locks();
         compare_maps();
@@ -69,16 +81,16 @@ public:
     }
 
 private:
-    void add(const char* kind, const std::string& file, int line, const std::string& text) {
+    void add(GatePart kind, const std::string& file, int line, const std::string& text) {
         out_.push_back({kind, file, std::max(1, line), text});
     }
 
     void compare_locks() {
         constexpr const char* kLock = "portmap.lock";
-        if (!now_.has_lock && before_.has_lock) add("accept", kLock, 1, "the lock is gone");
+        if (!now_.has_lock && before_.has_lock) add(GatePart::Accept, kLock, 1, "the lock is gone");
         if (!now_.has_lock) return;
         if (!before_.has_lock)
-            return add("accept", kLock, 1,
+            return add(GatePart::Accept, kLock, 1,
                        fmt::format("the lock is new: {} pairs, {} units in the baseline, {} verdicts",
                                    now_.lock.pairs.size(), now_.lock.baseline.size(), now_.lock.ledger.size()));
         std::map<std::pair<std::string, std::string>, const LockedPair*> pairs;
@@ -91,7 +103,7 @@ private:
                                        ? std::tie(old->second->state, old->second->by) == std::tie(pair.state, pair.by)
                                        : pair.state == LockedPair().state;
             if (!same_texts || !same_word)
-                add("accept", kLock, pair.line,
+                add(GatePart::Accept, kLock, pair.line,
                     pair.source + " = " + pair.target +
                         (same_word ? "" : ", " + pair.state + (pair.by.empty() ? "" : " by " + pair.by)));
         }
@@ -100,18 +112,18 @@ private:
         for (const MapPair& pair : now_.map.pairs)
             for (const std::string& target : pair.targets)
                 if (pairs.contains({pair.source, target}) && !locked.contains({pair.source, target}))
-                    add("accept", kLock, 1, "no longer recorded: " + pair.source + " = " + target);
+                    add(GatePart::Accept, kLock, 1, "no longer recorded: " + pair.source + " = " + target);
         const auto units = [](const LockedUnit& u) { return std::tie(u.side, u.id, u.reason, u.prints.written); };
         const auto verdicts = [](const LedgerEntry& e) {
             return std::tie(e.verdict, e.source, e.target, e.source_print, e.target_print, e.owner, e.until, e.reason);
         };
         for (const LockedUnit* unit : new_ones(before_.lock.baseline, now_.lock.baseline, units))
             if (unit->side == "source")
-                add("ignore", kLock, unit->line, unit->id + (unit->reason.empty() ? "" : ": " + unit->reason));
+                add(GatePart::Ignore, kLock, unit->line, unit->id + (unit->reason.empty() ? "" : ": " + unit->reason));
         for (const LedgerEntry* entry : new_ones(before_.lock.ledger, now_.lock.ledger, verdicts))
-            add(entry->verdict.c_str(), kLock, entry->line,
+            add(part_of(entry->verdict), kLock, entry->line,
                 entry->source + (entry->target.empty() ? "" : " = " + entry->target) + ": " + entry->reason +
-                    (entry->verdict == "defer" ? " (" + entry->owner + ", until " + entry->until + ")" : ""));
+                    (entry->verdict == Verdict::Defer ? " (" + entry->owner + ", until " + entry->until + ")" : ""));
     }
 
     template <class T, class Key>
@@ -125,17 +137,18 @@ private:
     }
 
     void compare_maps() {
-        if (!before_.has_map) return add("sides", map_name_, 1, "the map is new: " + sides_text(now_.map));
+        if (!before_.has_map) return add(GatePart::Sides, map_name_, 1, "the map is new: " + sides_text(now_.map));
         compare_pairs();
         std::set<std::string> known;
         for (const MapIgnore& ignore : before_.map.ignores) known.insert(ignore.id);
         for (const MapIgnore& ignore : now_.map.ignores)
-            if (!known.contains(ignore.id)) add("ignore", map_name_, ignore.line, ignore.id + ": " + ignore.reason);
-        compare_tables("rule", "rules", before_.map.rules, now_.map.rules);
-        compare_tables("dialect", "dialect", {before_.map.dialect.begin(), before_.map.dialect.end()},
+            if (!known.contains(ignore.id))
+                add(GatePart::Ignore, map_name_, ignore.line, ignore.id + ": " + ignore.reason);
+        compare_tables(GatePart::Rule, "rules", rules_of(before_.map), rules_of(now_.map));
+        compare_tables(GatePart::Dialect, "dialect", {before_.map.dialect.begin(), before_.map.dialect.end()},
                        {now_.map.dialect.begin(), now_.map.dialect.end()});
-        compare_tables("sides", "sides", sides_of(before_.map), sides_of(now_.map));
-        compare_tables("rule", "spirv", shaders_of(before_.map), shaders_of(now_.map));
+        compare_tables(GatePart::Sides, "sides", sides_of(before_.map), sides_of(now_.map));
+        compare_tables(GatePart::Rule, "spirv", shaders_of(before_.map), shaders_of(now_.map));
     }
 
     void compare_pairs() {
@@ -145,14 +158,14 @@ private:
         for (const MapPair& pair : now_.map.pairs)
             for (const std::string& target : pair.targets)
                 if (gone.erase({pair.source, target}) == 0)
-                    add("pair", map_name_, pair.line, pair.source + " = " + target);
+                    add(GatePart::Pair, map_name_, pair.line, pair.source + " = " + target);
         for (const auto& [pair, line] : gone)
-            add("pair", map_name_, 1, "no longer: " + pair.first + " = " + pair.second);
+            add(GatePart::Pair, map_name_, 1, "no longer: " + pair.first + " = " + pair.second);
     }
 
     using Table = std::map<std::string, std::string>;
 
-    void compare_tables(const char* kind, const std::string& section, Table before, const Table& now) {
+    void compare_tables(GatePart kind, const std::string& section, Table before, const Table& now) {
         for (const auto& [key, value] : now) {
             const auto old = before.extract(key);
             if (!old.empty() && old.mapped() == value) continue;
@@ -173,6 +186,11 @@ private:
     static std::string sides_text(const MapFile& map) {
         std::string out;
         for (const auto& [key, value] : sides_of(map)) out += (out.empty() ? "" : "; ") + key + " = " + value;
+        return out;
+    }
+    static Table rules_of(const MapFile& map) {
+        Table out;
+        for (const auto& [rule, level] : map.rules) out.emplace(rule_name(rule), level_name(level));
         return out;
     }
     static Table shaders_of(const MapFile& map) {

@@ -12,6 +12,7 @@
 #include "porttool/judge/baseline_index.h"
 #include "porttool/judge/lock_index.h"
 #include "porttool/judge/resolve.h"
+#include "porttool/judge/rules.h"
 #include "porttool/judge/suppression_index.h"
 #include "porttool/language/hazards.h"
 #include "porttool/read/disk.h"
@@ -21,57 +22,9 @@
 namespace porttool {
 namespace {
 
-struct RuleRow {
-    const char* name;
-    Level level;
-    const char* help;
-};
-
-constexpr std::array<RuleRow, 12> kRules = {{
-    {"source-changed", Level::Error,
-     "The source changed since both sides were last in step, and its port did not.\n"
-     "Port the change; if it needs no port, run: porttool accept ID --reason TEXT"},
-    {"port-differs", Level::Error,
-     "Both sides changed, but the two edits are not the same after translation.\n"
-     "Bring the port in line; if it is right as it is, run: porttool accept ID --reason TEXT"},
-    {"target-changed", Level::Warning,
-     "The port changed and its source did not.\n"
-     "If the change belongs to the port alone, run: porttool accept ID; else carry it to the source"},
-    {"unported", Level::Error,
-     "A source unit has no counterpart and is not in the baseline.\n"
-     "Port it and add a [[pair]] to portmap.toml, or run: porttool ignore ID --reason TEXT"},
-    {"orphaned", Level::Warning,
-     "The source unit is gone and its port is still there.\n"
-     "Remove the port and its [[pair]], or name the new source in portmap.toml"},
-    {"dead-link", Level::Error,
-     "The map names a unit that never was, or whose port is gone.\n"
-     "Correct or remove the [[pair]] in portmap.toml"},
-    {"constant-differs", Level::Error,
-     "A paired constant changed and the two sides now have different values.\n"
-     "Give both the same value, or run: porttool accept ID --reason TEXT"},
-    {"layout-differs", Level::Error,
-     "A paired struct changed and the two sides now have different fields.\n"
-     "Give both the same fields in the same order, or run: porttool accept ID --reason TEXT"},
-    {"deferral-expired", Level::Error,
-     "A deferred finding is past its date.\nPort the change now, or defer it anew with an owner and a reason"},
-    {"unused-suppression", Level::Warning, "A suppression settles nothing any more.\nRemove it"},
-    {"unreadable", Level::Warning, "A file of the map could not be read.\nMake it readable, or take it out of [sides]"},
-    {"dialect-hazard", Level::Note,
-     "A built-in means different things on the two sides.\nGuard the argument on both sides"},
-}};
-
-const RuleRow& rule_row(const std::string& name) {
-    return *std::find_if(kRules.begin(), kRules.end(), [&](const RuleRow& row) { return name == row.name; });
-}
-
-std::string second_line(const char* help) {
-    const std::string text = help;
-    return text.substr(text.find('\n') + 1);
-}
-
 std::vector<std::string> words_of(const UnitState& unit) { return read_state_text(unit.text); }
 
-std::string change_name(Change change) { return change == Change::Constant ? "constant" : "semantic"; }
+ChangeKind kind_of(Change change) { return change == Change::Constant ? ChangeKind::Constant : ChangeKind::Semantic; }
 
 /// The changed sides' texts when they were last in step; "" where there is none.
 struct BaseTexts {
@@ -88,7 +41,7 @@ public:
           target_(facts.target, named_units(false), facts.base_text),
           suppressions_(facts.suppressions) {
         for (const LedgerEntry& entry : facts.lock.ledger)
-            if (entry.verdict != "accept") ledger_[{entry.source, entry.target}].push_back(&entry);
+            if (entry.verdict != Verdict::Accept) ledger_[{entry.source, entry.target}].push_back(&entry);
         for (const SkippedFile& file : facts.skipped) unread_.emplace(file.file, file.reason);
         find_ignored();
     }
@@ -100,7 +53,7 @@ public:
         find_unused_suppressions();
         find_idle_ignores();
         for (const SkippedFile& file : facts_.skipped) {
-            Finding& finding = add("unreadable", file.file, "");
+            Finding& finding = add(Rule::Unreadable, file.file, "");
             finding.source = Place{file.file + ":@file", file.file, 1, 1};
             finding.message = file.file + " " + file.reason;
         }
@@ -111,9 +64,9 @@ public:
     }
 
 private:
-    static std::tuple<std::string, uint32_t, std::string, std::string> key(const Finding& f) {
+    static std::tuple<std::string, uint32_t, std::string_view, std::string> key(const Finding& f) {
         const Place place = f.source ? *f.source : f.target.value_or(Place{});
-        return {place.file, place.line, f.rule, f.fingerprint};
+        return {place.file, place.line, rule_name(f.rule), f.fingerprint};
     }
 
     /// Findings that are alike in all but their place, as two idle comments in one file, are told apart by their order.
@@ -138,13 +91,9 @@ private:
         return out;
     }
 
-    Level level_of(const std::string& rule) const {
+    Level level_of(Rule rule) const {
         const auto set = facts_.map.rules.find(rule);
-        if (set == facts_.map.rules.end()) return rule_row(rule).level;
-        return set->second == "error"     ? Level::Error
-               : set->second == "warning" ? Level::Warning
-               : set->second == "note"    ? Level::Note
-                                          : Level::Off;
+        return set == facts_.map.rules.end() ? rule_row(rule).level : set->second;
     }
 
     /// An id as the argument of a command that a person pastes into a shell. What cannot be pasted, as a name with a
@@ -154,15 +103,15 @@ private:
         return can_be_pasted(id) && !is_list ? shell_quoted(id) : finding.fingerprint;
     }
 
-    Finding& add(const std::string& rule, const std::string& source, const std::string& target) {
+    Finding& add(Rule rule, const std::string& source, const std::string& target) {
         Finding finding;
         finding.rule = rule;
         finding.level = level_of(rule);
-        finding.remedy = second_line(rule_row(rule).help);
+        finding.remedy = rule_row(rule).remedy;
         const size_t id = finding.remedy.find("ID");
         finding.map_source = source;
         finding.map_target = target;
-        finding.fingerprint = fingerprint({{rule, 0}, {source, 0}, {target, 0}});
+        finding.fingerprint = fingerprint({{std::string(rule_name(rule)), 0}, {source, 0}, {target, 0}});
         if (id != std::string::npos && !source.empty()) finding.remedy.replace(id, 2, argument(source, finding));
         out_.findings.push_back(std::move(finding));
         return out_.findings.back();
@@ -173,8 +122,7 @@ private:
         return {unit.id, source ? unit.file : target_path(facts_.map, unit.file), unit.start_line, unit.end_line};
     }
 
-    Finding& add_for(const JudgedPair& pair, const std::string& rule, const std::string& change,
-                     const std::string& message) {
+    Finding& add_for(const JudgedPair& pair, Rule rule, std::optional<ChangeKind> change, const std::string& message) {
         Finding& finding = add(rule, pair.map_source, pair.map_target);
         if (pair.source != nullptr) finding.source = place_of(*pair.source, true);
         if (pair.target != nullptr) finding.target = place_of(*pair.target, false);
@@ -203,8 +151,8 @@ private:
         const UnitState& unit = source.elsewhere ? *source.unit : *target.unit;
         const std::string& old_id = source.elsewhere ? pair.map_source : pair.map_target;
         const bool same_file = old_id.substr(0, old_id.find(':')) == unit.file;
-        Finding& finding = add_for(pair, source.elsewhere ? "source-changed" : "target-changed",
-                                   same_file ? "rename" : "moved", old_id + " is now " + unit.id);
+        Finding& finding = add_for(pair, source.elsewhere ? Rule::SourceChanged : Rule::TargetChanged,
+                                   same_file ? ChangeKind::Rename : ChangeKind::Moved, old_id + " is now " + unit.id);
         finding.level = std::min(finding.level, Level::Note);
         finding.remedy = "Write the new id into portmap.toml and run: porttool accept " + argument(unit.id, finding);
     }
@@ -224,7 +172,7 @@ private:
         const std::string target = no_target ? unread_reason(target_path(facts_.map, pair.map_target)) : "";
         if (source.empty() && target.empty()) return false;
         Finding& finding =
-            add_for(pair, source.empty() ? "dead-link" : "source-changed", "",
+            add_for(pair, source.empty() ? Rule::DeadLink : Rule::SourceChanged, {},
                     source.empty() ? "the file of the port " + target : "the file of the source " + source);
         finding.remedy = "Make it readable; see the finding of 'unreadable' on that file";
         return true;
@@ -233,29 +181,30 @@ private:
     /// Adds what there is to find on one pair.
     void examine(JudgedPair& pair, const LockedPair* lock) {
         if (pair.target == nullptr && pair.source == nullptr) {
-            add_for(pair, lock != nullptr ? "orphaned" : "dead-link", "removed",
+            add_for(pair, lock != nullptr ? Rule::Orphaned : Rule::DeadLink, ChangeKind::Removed,
                     lock != nullptr
                         ? "both sides of this pair are gone: " + pair.map_source + " and " + pair.map_target
                         : "the map names two units that are not there: " + pair.map_source + " and " + pair.map_target);
             return;
         }
         if (pair.target == nullptr) {
-            add_for(pair, "dead-link", "removed",
+            add_for(pair, Rule::DeadLink, ChangeKind::Removed,
                     lock != nullptr ? "the port " + pair.map_target + " is gone"
                                     : "the map names a port that is not there: " + pair.map_target);
             return;
         }
         if (pair.source == nullptr) {
             if (lock != nullptr)
-                add_for(pair, "orphaned", "removed", pair.map_source + " is gone; its port is still there");
+                add_for(pair, Rule::Orphaned, ChangeKind::Removed,
+                        pair.map_source + " is gone; its port is still there");
             else
-                add_for(pair, "dead-link", "", "the map names a source unit that is not there: " + pair.map_source);
+                add_for(pair, Rule::DeadLink, {}, "the map names a source unit that is not there: " + pair.map_source);
             return;
         }
         if (lock == nullptr) {
             pair.changed = true;
             Finding& finding =
-                add_for(pair, "target-changed", "", "this pair is in the map, but was never recorded as in step");
+                add_for(pair, Rule::TargetChanged, {}, "this pair is in the map, but was never recorded as in step");
             finding.remedy = "Compare the two once, then run: porttool accept " +
                              argument(pair.map_source + "=" + pair.map_target, finding);
             return;
@@ -293,10 +242,10 @@ private:
     void report_unread(const JudgedPair& pair, Change source, Change target, const std::string& why) {
         const bool source_changed = source > Change::Cosmetic, both = source_changed && target > Change::Cosmetic;
         add_for(pair,
-                both             ? "port-differs"
-                : source_changed ? "source-changed"
-                                 : "target-changed",
-                change_name(std::max(source, target)),
+                both             ? Rule::PortDiffers
+                : source_changed ? Rule::SourceChanged
+                                 : Rule::TargetChanged,
+                kind_of(std::max(source, target)),
                 std::string(both             ? "both sides changed"
                             : source_changed ? "the source changed; its port did not"
                                              : "the port changed; its source did not") +
@@ -306,8 +255,11 @@ private:
     /// Built-ins that the source's edit brings in and that mean different things in different dialects.
     void note_hazards(const JudgedPair& pair, const Edit& edit) {
         for (const std::string& hazard : hazards_of(edit.gained, edit.lost))
-            add_for(pair, "dialect-hazard", "", hazard).fingerprint =
-                fingerprint({{"dialect-hazard", 0}, {pair.map_source, 0}, {pair.map_target, 0}, {hazard, 0}});
+            add_for(pair, Rule::DialectHazard, {}, hazard).fingerprint =
+                fingerprint({{std::string(rule_name(Rule::DialectHazard)), 0},
+                             {pair.map_source, 0},
+                             {pair.map_target, 0},
+                             {hazard, 0}});
     }
 
     /// False if that leaves it open: equal values settle edits of both sides; an edit of one side alone is one wherever
@@ -318,14 +270,14 @@ private:
             pair.equivalent = both;
             return both;
         }
-        add_for(pair, structs ? "layout-differs" : "constant-differs", change_name(change), values.says);
+        add_for(pair, structs ? Rule::LayoutDiffers : Rule::ConstantDiffers, kind_of(change), values.says);
         return true;
     }
 
     void report_one(JudgedPair& pair, const std::string& base, const Edit& edit, bool source, Change change) {
         const UnitState& unit = source ? *pair.source : *pair.target;
         Finding& finding =
-            add_for(pair, source ? "source-changed" : "target-changed", change_name(change),
+            add_for(pair, source ? Rule::SourceChanged : Rule::TargetChanged, kind_of(change),
                     source ? "the source changed; its port did not" : "the port changed; its source did not");
         if (base.empty()) {
             finding.message += "; the earlier text is not in portmap.base/, or not as recorded: restore it from git";
@@ -360,7 +312,7 @@ private:
 
     void compare_both(JudgedPair& pair, const BaseTexts& base, Change change) {
         if (base.source.empty() || base.target.empty()) {
-            add_for(pair, "port-differs", change_name(change),
+            add_for(pair, Rule::PortDiffers, kind_of(change),
                     "both sides changed, and the texts to compare the edits by are not in portmap.base/, or not as "
                     "recorded");
             return;
@@ -370,7 +322,7 @@ private:
                           words_of(*pair.target), dialect_, literals_of(pair));
         pair.equivalent = edits.equivalent;
         if (edits.equivalent) return;
-        Finding& finding = add_for(pair, "port-differs", change_name(change), edits.differences.front());
+        Finding& finding = add_for(pair, Rule::PortDiffers, kind_of(change), edits.differences.front());
         finding.details = edits.differences;
         if (finding.details.size() > 1)
             finding.message += " (and " + std::to_string(finding.details.size() - 1) + " more)";
@@ -383,33 +335,38 @@ private:
         const LedgerEntry* verdict = nullptr;
         for (const LedgerEntry* entry : entries_of(pair.map_source, pair.map_target)) {
             if (!needed) {
-                Finding& unused = add_for(pair, "unused-suppression", "",
-                                          "'" + entry->verdict + "' on this pair settles nothing: it is in step");
+                Finding& unused = add_for(pair, Rule::UnusedSuppression, {},
+                                          "'" + word_of(*entry) + "' on this pair settles nothing: it is in step");
                 unused.remedy = "Run: porttool accept " + argument(pair.map_source, unused);
-                return count(first, "");
+                return count(first, {});
             }
             if (!is_of_these_texts(*entry, pair.source, pair.target)) {
                 for (size_t i = first; i < out_.findings.size(); ++i)
-                    out_.findings[i].message += " (edited since '" + entry->verdict + "')";
+                    out_.findings[i].message += " (edited since '" + word_of(*entry) + "')";
                 continue;
             }
-            if (entry->verdict == "defer" && entry->until < facts_.today) {
-                add_for(pair, "deferral-expired", "", "the deferral of this pair has expired");
+            if (entry->verdict == Verdict::Defer && entry->until < facts_.today) {
+                add_for(pair, Rule::DeferralExpired, {}, "the deferral of this pair has expired");
                 continue;
             }
-            if (verdict == nullptr || entry->verdict == "ignore") verdict = entry;
+            if (verdict == nullptr || entry->verdict == Verdict::Ignore) verdict = entry;
         }
         for (size_t i = first; i < out_.findings.size() && verdict != nullptr; ++i) {
             out_.findings[i].verdict = verdict->verdict;
             out_.findings[i].verdict_reason = verdict->reason;
         }
-        count(first, verdict != nullptr ? verdict->verdict : suppress(first) ? "ignore" : "");
+        if (verdict != nullptr)
+            count(first, verdict->verdict);
+        else
+            count(first, suppress(first) ? std::optional(Verdict::Ignore) : std::nullopt);
     }
 
     /// The verdicts on a pair, or on a source unit without one (`target` empty). A record of an acceptance is none.
     const std::vector<const LedgerEntry*>& entries_of(const std::string& source, const std::string& target) {
         return ledger_[{source, target}];
     }
+
+    static std::string word_of(const LedgerEntry& entry) { return std::string(verdict_name(entry.verdict)); }
 
     /// A verdict holds for the texts that it was given for; a side that is gone says nothing.
     static bool is_of_these_texts(const LedgerEntry& entry, const UnitState* source, const UnitState* target) {
@@ -426,12 +383,12 @@ private:
             for (const std::optional<Place>* place : {&finding.source, &finding.target})
                 if (*place) settled = std::max(settled, suppressions_.use(finding.rule, **place));
             if (settled) {
-                finding.verdict = "ignore";
+                finding.verdict = Verdict::Ignore;
                 finding.verdict_reason = facts_.suppressions[*settled].comment.reason;
                 finding.settled_in_source = true;
             }
-            some = some || !finding.verdict.empty();
-            all = all && (!finding.verdict.empty() || finding.level <= Level::Note);
+            some = some || finding.verdict.has_value();
+            all = all && (finding.verdict || finding.level <= Level::Note);
         }
         return some && all;
     }
@@ -440,7 +397,7 @@ private:
         for (size_t k = 0; k < facts_.suppressions.size(); ++k) {
             if (suppressions_.is_used(k)) continue;
             const auto& [file, comment] = facts_.suppressions[k];
-            Finding& finding = add("unused-suppression", file + ":" + comment.rule, "");
+            Finding& finding = add(Rule::UnusedSuppression, file + ":" + comment.rule, "");
             finding.source = Place{file + ":@file", file, comment.line, comment.line};
             finding.message = "this comment ignores '" + comment.rule + "', of which there is no finding here";
             finding.remedy = "Remove the comment";
@@ -464,19 +421,19 @@ private:
         for (size_t i = 0; i < idle_ignores_.size(); ++i) {
             if (!idle_ignores_[i]) continue;
             const MapIgnore& ignore = facts_.map.ignores[i];
-            Finding& finding = add("unused-suppression", ignore.id, "");
+            Finding& finding = add(Rule::UnusedSuppression, ignore.id, "");
             finding.map_line = static_cast<uint32_t>(std::max(1, ignore.line));
             finding.message = "[[ignore]] of '" + ignore.id + "' matches no unit of either side";
             finding.remedy = "Remove it from portmap.toml, or correct its id: porttool scan lists the ids";
         }
     }
 
-    void count(size_t first, const std::string& verdict) {
+    void count(size_t first, std::optional<Verdict> verdict) {
         Level worst = Level::Off;
         for (size_t i = first; i < out_.findings.size(); ++i) worst = std::max(worst, out_.findings[i].level);
-        if (verdict == "defer")
+        if (verdict == Verdict::Defer)
             ++out_.summary.deferred;
-        else if (verdict == "ignore")
+        else if (verdict == Verdict::Ignore)
             ++out_.summary.ignored;
         else if (worst == Level::Error)
             ++out_.summary.drifted;
@@ -499,24 +456,24 @@ private:
     /// is a settled finding, for the reports that list those.
     void judge_unported(const UnitState& unit, const LockedUnit* baseline) {
         const size_t first = out_.findings.size();
-        Finding& finding = add("unported", unit.id, "");
+        Finding& finding = add(Rule::Unported, unit.id, "");
         finding.source = place_of(unit, true);
-        finding.change = "added";
+        finding.change = ChangeKind::Added;
         finding.message = std::string(unit_kind_name(unit.kind)) + " " + unit.name + " has no port";
         if (baseline != nullptr || ignored_.contains(unit.id)) {
             suppress(first);  // a comment there says the same and is not idle
             Finding& settled = out_.findings[first];
-            if (settled.verdict.empty() && baseline != nullptr && !baseline->reason.empty()) {
-                settled.verdict = "ignore";
+            if (!settled.verdict && baseline != nullptr && !baseline->reason.empty()) {
+                settled.verdict = Verdict::Ignore;
                 settled.verdict_reason = baseline->reason;
             }
-            if (settled.verdict.empty()) out_.findings.pop_back();
+            if (!settled.verdict) out_.findings.pop_back();
             return;
         }
         for (const LedgerEntry* entry : entries_of(unit.id, "")) {
             if (entry->source_print != unit.prints.written) continue;
             if (entry->until < facts_.today) {
-                Finding& expired = add("deferral-expired", unit.id, "");
+                Finding& expired = add(Rule::DeferralExpired, unit.id, "");
                 expired.source = place_of(unit, true);
                 expired.message = "the deferral of this unit has expired";
                 continue;
@@ -542,12 +499,12 @@ private:
 
 }  // namespace
 
-std::string Judgement::verdict() const {
+GateResult Judgement::result() const {
     Level worst = Level::Off;
     for (const Finding& finding : findings)
-        if (finding.verdict.empty()) worst = std::max(worst, finding.level);
-    if (worst == Level::Error) return "drift";
-    return worst == Level::Warning ? "review" : "in_step";
+        if (!finding.verdict) worst = std::max(worst, finding.level);
+    if (worst == Level::Error) return GateResult::Drift;
+    return worst == Level::Warning ? GateResult::Review : GateResult::InStep;
 }
 
 std::string target_path(const MapFile& map, const std::string& path) {
@@ -555,27 +512,5 @@ std::string target_path(const MapFile& map, const std::string& path) {
 }
 
 Judgement judge(const Case& facts) { return Judge(facts).run(); }
-
-std::string rule_help(const std::string& rule) {
-    for (const RuleRow& row : kRules)
-        if (rule == row.name) return row.help;
-    return {};
-}
-
-Level default_level(const std::string& rule) { return rule_row(rule).level; }
-
-std::string_view level_name(Level level) {
-    switch (level) {
-        case Level::Error:
-            return "error";
-        case Level::Warning:
-            return "warning";
-        case Level::Note:
-            return "note";
-        case Level::Off:
-            break;
-    }
-    return "off";
-}
 
 }  // namespace porttool

@@ -2,20 +2,27 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <functional>
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "porttool/compare/edits.h"
 #include "porttool/read/lock_file.h"
 #include "porttool/read/map_file.h"
+#include "porttool/read/rule.h"
 #include "porttool/read/source_files.h"
 
 namespace porttool {
 
-enum class Level : uint8_t { Off, Note, Warning, Error };
+/// What happened to the unit that a finding is about.
+enum class ChangeKind : uint8_t { Semantic, Constant, Rename, Moved, Added, Removed };
+inline constexpr std::array<std::string_view, 6> kChangeNames = {"semantic", "constant", "rename",
+                                                                 "moved",    "added",    "removed"};
+constexpr std::string_view change_name(ChangeKind change) { return kChangeNames.at(static_cast<size_t>(change)); }
 
 /// Where a finding points.
 struct Place {
@@ -25,14 +32,14 @@ struct Place {
 };
 
 struct Finding {
-    std::string rule;
+    Rule rule = Rule::SourceChanged;
     Level level = Level::Error;
-    std::string change;  ///< semantic, constant, rename, moved, added, removed, or empty
+    std::optional<ChangeKind> change;
     std::optional<Place> source, target;
     std::string message, remedy;
     std::string map_source, map_target;  ///< the ids of its pair in portmap.toml; the second empty outside pairs
     std::string fingerprint;  ///< stable: of the rule, the ids, and the subject where a rule finds several on one pair
-    std::string verdict;      ///< "defer" or "ignore" if the ledger settles it
+    std::optional<Verdict> verdict;  ///< the one that settles it: Defer or Ignore
     std::string verdict_reason;
     bool settled_in_source = false;    ///< by a comment, not by the ledger
     uint32_t map_line = 1;             ///< of its pair in portmap.toml
@@ -54,20 +61,33 @@ struct JudgedPair {
     bool equivalent = false;  ///< both sides changed alike
 };
 
+/// The part of the gate that a change touches, in the order of the names.
+enum class GatePart : uint8_t { Accept, Defer, Dialect, Ignore, Pair, Rule, Sides, Suppression };
+inline constexpr std::array<std::string_view, 8> kGatePartNames = {"accept", "defer", "dialect", "ignore",
+                                                                   "pair",   "rule",  "sides",   "suppression"};
+constexpr std::string_view gate_part_name(GatePart part) { return kGatePartNames.at(static_cast<size_t>(part)); }
+
 /// Something that a change does to the gate itself, for a reviewer to see.
 struct BroughtIn {
-    std::string kind;  ///< suppression, accept, defer, ignore, pair, rule, dialect or sides
+    GatePart kind = GatePart::Accept;
     std::string file;
     int line = 1;
     std::string text;
 };
+
+/// What the gate answers: nothing to act on, warnings alone, errors.
+enum class GateResult : uint8_t { InStep, Review, Drift };
+inline constexpr std::array<std::string_view, 3> kGateResultNames = {"in_step", "review", "drift"};
+constexpr std::string_view gate_result_name(GateResult result) {
+    return kGateResultNames.at(static_cast<size_t>(result));
+}
 
 struct Judgement {
     std::vector<Finding> findings;  ///< sorted by place
     Summary summary;
     std::vector<JudgedPair> pairs;
     std::vector<BroughtIn> brought_in;  ///< where a base was given
-    std::string verdict() const;        ///< in_step, review or drift
+    GateResult result() const;          ///< by the worst finding that nothing settles
 };
 
 /// A comment in the code that settles findings of one rule in its unit.
@@ -98,13 +118,5 @@ std::string target_path(const MapFile& map, const std::string& path);
 
 /// Holds today's units against the lock. Reads nothing but the case.
 Judgement judge(const Case& facts);
-
-/// What a rule means and how to resolve its findings, for `explain RULE`; "" for an unknown one.
-std::string rule_help(const std::string& rule);
-
-/// The level of a rule where [rules] says nothing.
-Level default_level(const std::string& rule);
-
-std::string_view level_name(Level level);
 
 }  // namespace porttool

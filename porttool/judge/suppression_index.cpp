@@ -18,11 +18,11 @@ SuppressionIndex::SuppressionIndex(const std::vector<PlacedSuppression>& suppres
                 for (const std::string& id : *units) by_unit_[id].push_back(groups_.size());
             groups_.push_back({file});
         }
-        groups_.back().by_rule[comment.rule].push_back(k);
+        if (const auto rule = rule_named(comment.rule)) groups_.back().by_rule[*rule].push_back(k);
     }
 }
 
-std::optional<size_t> SuppressionIndex::use(const std::string& rule, const Place& place) {
+std::optional<size_t> SuppressionIndex::use(Rule rule, const Place& place) {
     const bool whole_file = place.id.ends_with(":@file");
     const auto [known, fresh] = known_.try_emplace({rule, place.file, whole_file ? "" : place.id});
     if (!fresh) return known->second;
@@ -33,7 +33,7 @@ std::optional<size_t> SuppressionIndex::use(const std::string& rule, const Place
     return known->second;
 }
 
-void SuppressionIndex::use_group(const Group& group, const std::string& rule, std::optional<size_t>& last) {
+void SuppressionIndex::use_group(const Group& group, Rule rule, std::optional<size_t>& last) {
     const auto found = group.by_rule.find(rule);
     if (found == group.by_rule.end()) return;
     last = std::max(last.value_or(0), found->second.back());

@@ -21,7 +21,7 @@ public:
 
     /// The last comment for a rule at a place: one of its unit, or of its file where the place is a whole file. All of
     /// them count as used.
-    std::optional<size_t> use(const std::string& rule, const Place& place);
+    std::optional<size_t> use(Rule rule, const Place& place);
 
     bool is_used(size_t suppression) const { return used_[suppression]; }
 
@@ -29,14 +29,14 @@ private:
     /// The comments of one line: they belong to the same units.
     struct Group {
         std::string file;
-        std::map<std::string, std::vector<size_t>> by_rule = {};
+        std::map<Rule, std::vector<size_t>> by_rule = {};  ///< those that name another settle nothing
     };
 
-    void use_group(const Group& group, const std::string& rule, std::optional<size_t>& last);
+    void use_group(const Group& group, Rule rule, std::optional<size_t>& last);
 
     std::vector<Group> groups_;
     std::unordered_map<std::string, std::vector<size_t>> by_unit_, by_file_;
-    std::map<std::tuple<std::string, std::string, std::string>, std::optional<size_t>> known_;  ///< rule, file, id
+    std::map<std::tuple<Rule, std::string, std::string>, std::optional<size_t>> known_;  ///< file, id
     std::vector<bool> used_;
 };
 

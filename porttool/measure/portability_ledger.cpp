@@ -19,7 +19,7 @@ std::optional<std::chrono::sys_days> day_of(const std::string& date) {
 }
 
 const LedgerEntry* entry_of(const LockFile& lock, const Finding& finding) {
-    const std::string wanted = finding.verdict.empty() ? "defer" : finding.verdict;  // an expired one is open again
+    const Verdict wanted = finding.verdict.value_or(Verdict::Defer);  // an expired one is open again
     for (const LedgerEntry& entry : lock.ledger)
         if (entry.source == finding.map_source && entry.target == finding.map_target && entry.verdict == wanted)
             return &entry;
@@ -29,12 +29,12 @@ const LedgerEntry* entry_of(const LockFile& lock, const Finding& finding) {
 LedgerRow row_of(const Finding& finding, const LockFile& lock, const std::string& today) {
     LedgerRow row;
     row.finding = &finding;
-    row.status = finding.verdict.empty() ? "open" : finding.verdict == "defer" ? "deferred" : "ignored";
+    row.status = !finding.verdict ? "open" : finding.verdict == Verdict::Defer ? "deferred" : "ignored";
     row.reason = finding.verdict_reason;
     if (const LedgerEntry* entry = finding.settled_in_source ? nullptr : entry_of(lock, finding)) {
         row.owner = entry->owner;
         row.reason = entry->reason;
-        if (entry->verdict == "defer") {
+        if (entry->verdict == Verdict::Defer) {
             row.until = entry->until;
             row.days_left = days_between(today, entry->until);
         }
@@ -66,7 +66,7 @@ DriftLedger drift_ledger(const Judgement& judgement, const LockFile& lock, const
     std::stable_sort(ledger.rows.begin(), ledger.rows.end(),
                      [&](const LedgerRow& a, const LedgerRow& b) { return rank(a) < rank(b); });
     for (const LedgerEntry& entry : lock.ledger)
-        if (entry.verdict == "accept")
+        if (entry.verdict == Verdict::Accept)
             ledger.accepted.push_back(
                 {entry.source, entry.target, entry.until, entry.reason, days_between(entry.until, today)});
     return ledger;

@@ -81,8 +81,6 @@ bool is_date(const std::string& text) {
                       [](char c, char form) { return form == '-' ? c == '-' : c >= '0' && c <= '9'; });
 }
 
-bool is_verdict(const std::string& kind) { return kind == "accept" || kind == "defer" || kind == "ignore"; }
-
 /// What is wrong with one line's fields, thrown while they are read.
 struct Misread {
     std::string what;
@@ -113,10 +111,10 @@ std::string taken(MoreFields& more, const std::string& name, const std::string& 
     return node.empty() || node.mapped().empty() ? otherwise : node.mapped();
 }
 
-LedgerEntry ledger_entry(const Fields& f) {
-    LedgerEntry entry{f[0], decoded(f[1]), decoded(f[2]), print_of(f[3], true), print_of(f[4], true), f[5], f[6], f[7],
-                      {}};
-    if (!(is_date(entry.until) || (entry.until.empty() && entry.verdict != "defer")))
+LedgerEntry ledger_entry(Verdict verdict, const Fields& f) {
+    LedgerEntry entry{
+        verdict, decoded(f[1]), decoded(f[2]), print_of(f[3], true), print_of(f[4], true), f[5], f[6], f[7], {}};
+    if (!(is_date(entry.until) || (entry.until.empty() && entry.verdict != Verdict::Defer)))
         throw Misread{"'" + entry.until.substr(0, 60) + "' is no date as YYYY-MM-DD"};
     return entry;
 }
@@ -128,8 +126,8 @@ bool read_line_1(LockFile& lock, const Fields& f) {
     } else if (f[0] == "baseline" && (f.size() == 3 || f.size() == 4)) {
         lock.baseline.push_back(
             {decoded(f[1]), {print_of(f[2], false), "-", "-"}, f.size() == 4 ? f[3] : std::string()});
-    } else if (is_verdict(f[0]) && f.size() == 8) {
-        lock.ledger.push_back(ledger_entry(f));
+    } else if (const auto verdict = verdict_named(f[0]); verdict && f.size() == 8) {
+        lock.ledger.push_back(ledger_entry(*verdict, f));
     } else {
         return false;
     }
@@ -146,8 +144,8 @@ bool read_line_2(LockFile& lock, const Fields& f) {
         lock.pairs.push_back(std::move(pair));
     } else if (f[0] == "unit" && f.size() >= 7) {
         lock.baseline.push_back({decoded(f[2]), prints_of(f, 3, true), f[6], f[1], more_of(f, 7)});
-    } else if (is_verdict(f[0]) && f.size() >= 8) {
-        lock.ledger.push_back(ledger_entry(f));
+    } else if (const auto verdict = verdict_named(f[0]); verdict && f.size() >= 8) {
+        lock.ledger.push_back(ledger_entry(*verdict, f));
         lock.ledger.back().more = more_of(f, 8);
     } else {
         return false;
@@ -207,9 +205,9 @@ private:
         try {
             const bool known = lock_.version == 1 ? read_line_1(lock_, fields) : read_line_2(lock_, fields);
             if (!known) return unreadable(line);
-            (fields[0] == "pair"     ? lock_.pairs.back().line
-             : is_verdict(fields[0]) ? lock_.ledger.back().line
-                                     : lock_.baseline.back().line) = number_;
+            (fields[0] == "pair"        ? lock_.pairs.back().line
+             : verdict_named(fields[0]) ? lock_.ledger.back().line
+                                        : lock_.baseline.back().line) = number_;
             return {};
         } catch (const Misread& wrong) {
             return wrong.what + "\nRestore the line from git, or renew the lock with: porttool init --force";
@@ -319,9 +317,10 @@ std::string lock_text(const LockFile& lock) {
                       plain(unit.reason) + text_of(unit.more, {}));
     for (const LedgerEntry& entry : lock.ledger)
         lines.add(entry.source, entry.target,
-                  entry.verdict + "\t" + encoded(entry.source) + "\t" + encoded(entry.target) + "\t" +
-                      entry.source_print + "\t" + entry.target_print + "\t" + plain(entry.owner) + "\t" +
-                      plain(entry.until) + "\t" + plain(entry.reason) + text_of(entry.more, {}));
+                  std::string(verdict_name(entry.verdict)) + "\t" + encoded(entry.source) + "\t" +
+                      encoded(entry.target) + "\t" + entry.source_print + "\t" + entry.target_print + "\t" +
+                      plain(entry.owner) + "\t" + plain(entry.until) + "\t" + plain(entry.reason) +
+                      text_of(entry.more, {}));
     return fmt::format(
                "{}2\n{}{}\n# Written by porttool: what was in step, and what had no port. Edit with porttool accept, "
                "defer, ignore.\n# git merges it by itself: leave the lines that hold a number alone.\n",

@@ -2,10 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "porttool/text/enum_names.h"
 #include "porttool/text/fingerprint.h"
 
 namespace porttool {
@@ -38,9 +43,18 @@ struct LockedUnit {
     int line = 0;  ///< in the file that it was read from
 };
 
+/// What a person says of a finding: the pair is in step, is left as it is until a day, is left for good.
+enum class Verdict : uint8_t { Accept, Defer, Ignore };
+inline constexpr std::array<std::string_view, 3> kVerdictNames = {"accept", "defer", "ignore"};
+
+constexpr std::string_view verdict_name(Verdict verdict) { return kVerdictNames.at(static_cast<size_t>(verdict)); }
+constexpr std::optional<Verdict> verdict_named(std::string_view text) {
+    return value_named<Verdict>(kVerdictNames, text);
+}
+
 /// A verdict that a person gave on a pair, for the texts that it had then.
 struct LedgerEntry {
-    std::string verdict;  ///< "accept", "defer" or "ignore"
+    Verdict verdict = Verdict::Accept;
     std::string source, target;
     std::string source_print, target_print;  ///< "-" for a side that was not there, or whose text is not known any more
     std::string owner;

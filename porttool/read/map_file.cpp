@@ -199,13 +199,12 @@ private:
     }
 
     void read_rules(const toml::table& rules) {
-        only(rules, rule_names(), "[rules]");
-        const std::vector<std::string> levels = {"error", "warning", "note", "off"};
+        only(rules, {kRuleNames.begin(), kRuleNames.end()}, "[rules]");
         for (const auto& [key, node] : rules) {
-            const std::string level = text(rules, key.str());
-            if (std::find(levels.begin(), levels.end(), level) == levels.end())
-                fail(node.source(), "level '" + level + "': expected error, warning, note or off");
-            map_.rules[std::string(key.str())] = level;
+            const std::string name = text(rules, key.str());
+            const std::optional<Level> level = level_named(name);
+            if (!level) fail(node.source(), "level '" + name + "': expected error, warning, note or off");
+            map_.rules[*rule_named(key.str())] = *level;
         }
     }
 
@@ -299,13 +298,6 @@ ReadMap read_map(const std::string& path, const std::string& text) {
     } catch (const Misread& error) {
         return {{}, error.what()};
     }
-}
-
-const std::vector<std::string>& rule_names() {
-    static const std::vector<std::string> names = {
-        "source-changed",   "port-differs",   "target-changed",   "unported",           "orphaned",   "dead-link",
-        "constant-differs", "layout-differs", "deferral-expired", "unused-suppression", "unreadable", "dialect-hazard"};
-    return names;
 }
 
 }  // namespace porttool

@@ -10,6 +10,7 @@
 
 #include "metrics/portability/degree.h"
 #include "metrics/portability/reuse.h"
+#include "porttool/read/rule.h"
 
 namespace porttool {
 
@@ -56,7 +57,7 @@ struct MapFile {
     std::vector<MapPair> pairs;
     std::vector<MapIgnore> ignores;
     std::vector<MapBlock> blocks;
-    std::map<std::string, std::string> rules;
+    std::map<Rule, Level> rules;
     std::vector<std::pair<std::string, std::string>> dialect;
     MapShaders shaders;
     metrics::LineWeights weights;    ///< [cost]
@@ -74,8 +75,5 @@ struct ReadMap {
 
 /// Reads the text of a portmap.toml. Unknown keys are errors with the nearest known one.
 ReadMap read_map(const std::string& path, const std::string& text);
-
-/// The names of the rules that [rules] may set, and the levels that it may set them to.
-const std::vector<std::string>& rule_names();
 
 }  // namespace porttool

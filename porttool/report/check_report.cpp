@@ -20,7 +20,7 @@ ordered_json place_json(const std::optional<Place>& place) {
     return {{"id", place->id}, {"file", place->file}, {"line", place->line}, {"end_line", place->end_line}};
 }
 
-bool is_shown(const Finding& finding) { return finding.level != Level::Off && finding.verdict.empty(); }
+bool is_shown(const Finding& finding) { return finding.level != Level::Off && !finding.verdict; }
 
 const char* color_of(Level level) {
     return level == Level::Error ? "\x1b[31m" : level == Level::Warning ? "\x1b[33m" : "\x1b[36m";
@@ -32,7 +32,8 @@ std::string brought_in_table(const std::vector<BroughtIn>& brought_in) {
     std::string out = "What this change does to the gate itself:\n";
     for (size_t i = 0; i < std::min(brought_in.size(), kShown); ++i) {
         const BroughtIn& one = brought_in[i];
-        out += fmt::format("    {}:{}: {}: {}\n", terminal_line(one.file), one.line, one.kind, terminal_text(one.text));
+        out += fmt::format("    {}:{}: {}: {}\n", terminal_line(one.file), one.line, gate_part_name(one.kind),
+                           terminal_text(one.text));
     }
     if (brought_in.size() > kShown)
         out += fmt::format("    and {} more; --format json lists all\n", brought_in.size() - kShown);
@@ -46,9 +47,9 @@ std::string check_json(const Judgement& judgement) {
     ordered_json findings = ordered_json::array();
     for (const Finding& f : judgement.findings) {
         if (!is_shown(f)) continue;
-        ordered_json one = {{"rule", f.rule},
+        ordered_json one = {{"rule", rule_name(f.rule)},
                             {"level", level_name(f.level)},
-                            {"change", f.change.empty() ? ordered_json(nullptr) : ordered_json(f.change)},
+                            {"change", f.change ? ordered_json(change_name(*f.change)) : ordered_json(nullptr)},
                             {"source", place_json(f.source)},
                             {"target", place_json(f.target)},
                             {"message", f.message},
@@ -60,8 +61,9 @@ std::string check_json(const Judgement& judgement) {
     }
     ordered_json brought_in = ordered_json::array();
     for (const BroughtIn& one : judgement.brought_in)
-        brought_in.push_back({{"kind", one.kind}, {"file", one.file}, {"line", one.line}, {"text", one.text}});
-    const ordered_json out = {{"verdict", judgement.verdict()},
+        brought_in.push_back(
+            {{"kind", gate_part_name(one.kind)}, {"file", one.file}, {"line", one.line}, {"text", one.text}});
+    const ordered_json out = {{"verdict", gate_result_name(judgement.result())},
                               {"summary",
                                {{"pairs", s.pairs},
                                 {"in_step", s.in_step},
@@ -83,7 +85,7 @@ std::string check_table(const Judgement& judgement, bool color) {
         const std::string level = color ? fmt::format("{}{}\x1b[0m", color_of(f.level), level_name(f.level))
                                         : std::string(level_name(f.level));
         out += fmt::format("{}:{}: {}: {} [{}]\n", terminal_line(place.file), place.line, level,
-                           terminal_text(f.message), f.rule);
+                           terminal_text(f.message), rule_name(f.rule));
         if (f.source && f.target)
             out += fmt::format("    port: {}:{}\n", terminal_text(f.target->file), f.target->line);
         if (f.details.size() > 1)
@@ -94,7 +96,8 @@ std::string check_table(const Judgement& judgement, bool color) {
     const Summary& s = judgement.summary;
     out += fmt::format(
         "{}: {} pairs, {} in step, {} drifted, {} to review, {} deferred, {} ignored; {} source units without a port\n",
-        judgement.verdict(), s.pairs, s.in_step, s.drifted, s.review, s.deferred, s.ignored, s.unported);
+        gate_result_name(judgement.result()), s.pairs, s.in_step, s.drifted, s.review, s.deferred, s.ignored,
+        s.unported);
     return out;
 }
 

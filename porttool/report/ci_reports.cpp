@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "porttool/judge/rules.h"
 #include "porttool/text/sink/json.h"
 #include "porttool/text/sink/markdown.h"
 #include "porttool/text/sink/sarif.h"
@@ -19,7 +20,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-bool is_open(const Finding& f) { return f.level != Level::Off && f.verdict.empty(); }
+bool is_open(const Finding& f) { return f.level != Level::Off && !f.verdict; }
 
 std::string dumped(const ordered_json& json) { return json_text(json, 1) + "\n"; }
 
@@ -43,38 +44,36 @@ ordered_json sarif_location(const Place& place) {
             {"logicalLocations", ordered_json::array({{{"fullyQualifiedName", place.id}}})}};
 }
 
-ordered_json sarif_rule(const std::string& rule) {
-    const std::string help = rule_help(rule);
-    const size_t line = help.find('\n');
-    return {{"id", rule},
-            {"name", rule},
-            {"shortDescription", {{"text", help.substr(0, line)}}},
-            {"help", {{"text", help}, {"markdown", help.substr(0, line) + "\n\n" + help.substr(line + 1)}}},
-            {"defaultConfiguration", {{"level", level_name(default_level(rule))}}}};
+ordered_json sarif_rule(Rule rule) {
+    const RuleRow& row = rule_row(rule);
+    return {{"id", rule_name(rule)},
+            {"name", rule_name(rule)},
+            {"shortDescription", {{"text", row.meaning}}},
+            {"help", {{"text", rule_help(rule)}, {"markdown", fmt::format("{}\n\n{}", row.meaning, row.remedy)}}},
+            {"defaultConfiguration", {{"level", level_name(row.level)}}}};
 }
 
 }  // namespace
 
 std::string check_sarif(const Judgement& judgement, const std::string& folder) {
     ordered_json results = ordered_json::array(), rules = ordered_json::array();
-    const std::vector<std::string>& names = rule_names();  // all of them: a viewer shows what was looked for
-    for (const std::string& rule : names) rules.push_back(sarif_rule(rule));
+    for (size_t i = 0; i < kRuleNames.size(); ++i)  // all of them: a viewer shows what was looked for
+        rules.push_back(sarif_rule(static_cast<Rule>(i)));
     for (const Finding& f : judgement.findings) {
         if (f.level == Level::Off) continue;
-        ordered_json result = {
-            {"ruleId", f.rule},
-            {"ruleIndex", std::distance(names.begin(), std::find(names.begin(), names.end(), f.rule))},
-            {"level", level_name(f.level)},
-            {"message", {{"text", sarif_message(f.message) + "\n" + sarif_message(f.remedy)}}},
-            {"locations", ordered_json::array({sarif_location(shown_at(f, folder))})},
-            {"partialFingerprints", {{"porttool/v1", f.fingerprint}}}};
+        ordered_json result = {{"ruleId", rule_name(f.rule)},
+                               {"ruleIndex", static_cast<size_t>(f.rule)},
+                               {"level", level_name(f.level)},
+                               {"message", {{"text", sarif_message(f.message) + "\n" + sarif_message(f.remedy)}}},
+                               {"locations", ordered_json::array({sarif_location(shown_at(f, folder))})},
+                               {"partialFingerprints", {{"porttool/v1", f.fingerprint}}}};
         if (f.source && f.target) {
             ordered_json related = sarif_location(below(folder, *f.target));
             related["id"] = 1;
             related["message"] = {{"text", "the port"}};
             result["relatedLocations"] = ordered_json::array({related});
         }
-        if (!f.verdict.empty())
+        if (f.verdict)
             result["suppressions"] = ordered_json::array({{{"kind", f.settled_in_source ? "inSource" : "external"},
                                                            {"status", "accepted"},
                                                            {"justification", sarif_message(f.verdict_reason)}}});
@@ -98,11 +97,11 @@ std::string check_junit(const Judgement& judgement) {
         if (!is_open(f) || f.level == Level::Note) continue;
         ++tests;
         const Place place = shown_at(f);
-        cases += fmt::format("    <testcase classname=\"porttool.{}\" name=\"{}\" file=\"{}\">\n", xml_text(f.rule),
+        cases += fmt::format("    <testcase classname=\"porttool.{}\" name=\"{}\" file=\"{}\">\n", rule_name(f.rule),
                              xml_text(place.id), xml_text(place.file));
         if (f.level == Level::Error) {
             ++failures;
-            cases += fmt::format("      <failure type=\"{}\" message=\"{}\">{}:{}\n{}</failure>\n", xml_text(f.rule),
+            cases += fmt::format("      <failure type=\"{}\" message=\"{}\">{}:{}\n{}</failure>\n", rule_name(f.rule),
                                  xml_text(f.message), xml_text(place.file), place.line, xml_text(f.remedy));
         } else {
             cases += fmt::format("      <system-out>{}\n{}</system-out>\n", xml_text(f.message), xml_text(f.remedy));
@@ -126,12 +125,13 @@ std::string check_github(const Judgement& judgement, const std::string& folder) 
         const Place place = shown_at(f, folder);
         const char* command = f.level == Level::Error ? "error" : f.level == Level::Warning ? "warning" : "notice";
         out += fmt::format("::{} file={},line={},endLine={},title={}::{}\n", command, workflow_property(place.file),
-                           place.line, place.end_line, workflow_property("porttool " + f.rule),
+                           place.line, place.end_line, workflow_property(fmt::format("porttool {}", rule_name(f.rule))),
                            workflow_data(f.message) + kWorkflowLineBreak + workflow_data(f.remedy));
     }
     for (const BroughtIn& one : judgement.brought_in)
         out += fmt::format("::notice file={},line={},title={}::{}\n", workflow_property(folder + one.file), one.line,
-                           workflow_property("porttool brought in: " + one.kind), workflow_data(one.text));
+                           workflow_property(fmt::format("porttool brought in: {}", gate_part_name(one.kind))),
+                           workflow_data(one.text));
     return out;
 }
 
@@ -141,7 +141,7 @@ std::string check_gitlab(const Judgement& judgement, const std::string& folder) 
         if (!is_open(f)) continue;
         const Place place = shown_at(f, folder);
         out.push_back({{"description", markdown_sentence(f.message + ". " + f.remedy)},
-                       {"check_name", f.rule},
+                       {"check_name", rule_name(f.rule)},
                        {"fingerprint", f.fingerprint},
                        {"severity", f.level == Level::Error     ? "major"
                                     : f.level == Level::Warning ? "minor"
@@ -156,7 +156,8 @@ std::string check_markdown(const Judgement& judgement) {
     std::string out = fmt::format(
         "### porttool: {}\n\n{} pairs: {} in step, {} drifted, {} to review, {} deferred, {} ignored; {} source units "
         "without a port.\n",
-        judgement.verdict(), s.pairs, s.in_step, s.drifted, s.review, s.deferred, s.ignored, s.unported);
+        gate_result_name(judgement.result()), s.pairs, s.in_step, s.drifted, s.review, s.deferred, s.ignored,
+        s.unported);
     bool any = false;
     for (const Finding& f : judgement.findings) {
         if (!is_open(f)) continue;
@@ -166,13 +167,13 @@ std::string check_markdown(const Judgement& judgement) {
             return place ? markdown_text(place->file + ":" + std::to_string(place->line)) : std::string();
         };
         out += fmt::format("| {} | {} | {} | {} ({}) |\n", level_name(f.level), cell(f.source), cell(f.target),
-                           markdown_cell(f.message), f.rule);
+                           markdown_cell(f.message), rule_name(f.rule));
     }
     if (!judgement.brought_in.empty())
         out += "\nWhat this change does to the gate itself:\n\n| | where | what |\n| --- | --- | --- |\n";
     for (const BroughtIn& one : judgement.brought_in)
-        out += fmt::format("| {} | {} | {} |\n", one.kind, markdown_text(one.file + ":" + std::to_string(one.line)),
-                           markdown_text(one.text));
+        out += fmt::format("| {} | {} | {} |\n", gate_part_name(one.kind),
+                           markdown_text(one.file + ":" + std::to_string(one.line)), markdown_text(one.text));
     return out;
 }
 

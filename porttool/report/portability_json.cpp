@@ -128,9 +128,9 @@ ordered_json or_null(const std::optional<T>& value) {
 ordered_json ledger_row_json(const LedgerRow& row) {
     const Finding& f = *row.finding;
     return {{"status", row.status},
-            {"rule", f.rule},
+            {"rule", rule_name(f.rule)},
             {"level", level_name(f.level)},
-            {"change", text_or_null(f.change)},
+            {"change", f.change ? ordered_json(change_name(*f.change)) : ordered_json(nullptr)},
             {"source", place_json(f.source)},
             {"target", place_json(f.target)},
             {"pair", f.map_target.empty() ? f.map_source : f.map_source + "=" + f.map_target},
@@ -154,7 +154,8 @@ ordered_json summary_json(const Summary& s) {
 ordered_json drift_json(const WholeReport& whole) {
     ordered_json out = {{"verdict", nullptr}, {"summary", nullptr}};
     if (whole.is_recorded)
-        out = {{"verdict", whole.judgement.verdict()}, {"summary", summary_json(whole.judgement.summary)}};
+        out = {{"verdict", gate_result_name(whole.judgement.result())},
+               {"summary", summary_json(whole.judgement.summary)}};
     if (whole.base) {
         out["change"] = nullptr;
         if (whole.is_recorded && whole.base->drift) {

@@ -74,7 +74,7 @@ public:
                 reasons_.emplace(unit.id,
                                  unit.reason.empty() ? "had no port when the baseline was taken" : unit.reason);
         for (const Finding& finding : facts.judgement.findings)
-            if (finding.rule == "unported" && !finding.verdict.empty() && finding.source)
+            if (finding.rule == Rule::Unported && finding.verdict && finding.source)
                 reasons_.emplace(finding.source->id, finding.verdict_reason);
     }
 
@@ -98,8 +98,8 @@ std::string state_of(const std::vector<const Finding*>& findings) {
     bool open = findings.empty(), deferred = false;
     for (const Finding* finding : findings) {
         worst = std::max(worst, finding->level);
-        open = open || finding->verdict.empty();
-        deferred = deferred || finding->verdict == "defer";
+        open = open || !finding->verdict;
+        deferred = deferred || finding->verdict == Verdict::Defer;
     }
     if (!open) return deferred ? "deferred" : "ignored";
     return worst == Level::Error ? "drifted" : worst == Level::Warning ? "review" : "in_step";

@@ -42,9 +42,9 @@ constexpr const char* kNothingRecorded = "nothing recorded";
 
 std::string verdict_words(const WholeReport& whole) {
     if (!whole.is_recorded) return kNothingRecorded;
-    const std::string verdict = whole.judgement.verdict();
-    if (verdict == "drift") return "drifted";
-    return verdict == "review" ? "to review" : "in step";
+    const GateResult result = whole.judgement.result();
+    if (result == GateResult::Drift) return "drifted";
+    return result == GateResult::Review ? "to review" : "in step";
 }
 
 std::string summary_line(const WholeReport& whole) {
@@ -111,8 +111,8 @@ std::string open_findings(const WholeReport& whole) {
         const std::string note = row.until.empty() ? "" : " Deferred until " + row.until + " to " + row.owner + ".";
         out += fmt::format("| {} | {} | {} | {} ({}){} |\n", row.status == "open" ? level_name(f.level) : "deferred",
                            markdown_code(f.source ? f.source->id : f.map_source),
-                           markdown_code(f.target ? f.target->id : f.map_target), markdown_text(f.message), f.rule,
-                           markdown_text(note));
+                           markdown_code(f.target ? f.target->id : f.map_target), markdown_text(f.message),
+                           rule_name(f.rule), markdown_text(note));
     }
     return out;
 }

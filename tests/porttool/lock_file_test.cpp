@@ -25,7 +25,7 @@ LockFile sample() {
                   {"s/%09\t.cl:g", "t/\n.cpp:g", b, a, "verified", "accept 2026-11-22", {{"later", "a\tb=%"}}}};
     lock.baseline = {{"s/a.cl:h", {kPrint, "-", "-"}, "host only", "source", {}},
                      {"t/a.cpp:k", {kPrint, kOther, kOther}, "", "target:cpu", {{"seen", "1"}}}};
-    lock.ledger = {{"defer", "s/a.cl:f", "t/a.cpp:f", kPrint, "-", "me", "2030-01-01", "later", {}}};
+    lock.ledger = {{Verdict::Defer, "s/a.cl:f", "t/a.cpp:f", kPrint, "-", "me", "2030-01-01", "later", {}}};
     return lock;
 }
 

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "porttool/read/rule.h"
+
+namespace porttool {
+
+/// What a rule stands for.
+struct RuleRow {
+    Rule rule;
+    Level level;               ///< where [rules] says nothing
+    std::string_view meaning;  ///< of a finding of it
+    std::string_view remedy;   ///< `ID` in it becomes the id of the finding's source
+};
+
+const RuleRow& rule_row(Rule rule);
+
+/// Meaning and remedy, a line each.
+std::string rule_help(Rule rule);
+
+}  // namespace porttool
