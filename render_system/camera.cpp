@@ -59,4 +59,14 @@ ViewPyramid view_pyramid(const Camera& camera, uint32_t width, uint32_t height) 
     return view;
 }
 
+Screen screen_of(const ViewPyramid& view, uint32_t height) {
+    Screen screen;
+    screen.corner = view.top_left - view.eye;
+    screen.right = view.top_right - view.top_left;
+    screen.down = view.bottom_left - view.top_left;
+    const float distance = glm::length(screen.corner + 0.5f * (screen.right + screen.down));
+    screen.pixel_angle = glm::length(screen.down) / (static_cast<float>(height) * std::max(distance, 1.0e-30f));
+    return screen;
+}
+
 }  // namespace render_system

@@ -27,4 +27,14 @@ Camera look_at(const glm::vec3& position, const glm::vec3& target, const glm::ve
 /// blur it.
 ViewPyramid view_pyramid(const Camera& camera, uint32_t width, uint32_t height);
 
+/// A screen as camera rays are made from it.
+struct Screen {
+    glm::vec3 corner{0.0f};    ///< the top left one, seen from the eye
+    glm::vec3 right{0.0f};     ///< from there to the top right
+    glm::vec3 down{0.0f};      ///< from there to the bottom left
+    float pixel_angle = 0.0f;  ///< of one pixel in the middle, radians: how fast ray cones grow
+};
+
+Screen screen_of(const ViewPyramid& view, uint32_t height);
+
 }  // namespace render_system

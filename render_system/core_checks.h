@@ -24,9 +24,9 @@ Status validate_transform(const CoreTransform& transform);
 Status validate_lights(const CoreLights& lights);
 Status validate_sky(const CoreSky& sky);
 
-/// Keeps just enough of what a core was given to hold the next call against the contract. A core owns one, asks
-/// `check_*` first, does its work, and says `accept_*` once the call has succeeded. Nothing here changes in `check_*`,
-/// so a failed call leaves what was set before.
+/// Keeps just enough of what a core was given to hold the next call against the contract. CheckedCore owns one, asks
+/// `check_*` first, lets the core do its work, and says `accept_*` once that has succeeded. Nothing here changes in
+/// `check_*`, so a failed call leaves what was set before.
 class CoreContract {
 public:
     Status check_init() const;

@@ -5,11 +5,10 @@
 #include <algorithm>
 #include <chrono>
 #include <map>
-#include <new>
 #include <optional>
-#include <thread>
 
-#include "render_system/core_checks.h"
+#include "render_system/camera.h"
+#include "render_system/checked_core.h"
 #include "source_core/core_tuning.h"
 #include "source_core/device/kernel_files.h"
 #include "source_core/scene_store.h"
@@ -38,101 +37,79 @@ struct Gpu {
     SceneBuffers scene;
     std::optional<Wavefront> wavefront;
     std::map<std::string, KernelSet> kernels;  // by preamble
+    const KernelSet* kernels_in_use = nullptr;
 };
 
-class SourceCore final : public CoreAPI {
+class SourceCore final : public CheckedCore {
 public:
-    explicit SourceCore(const CoreTuning& tuning) : tuning_(tuning) {}
+    explicit SourceCore(const CoreTuning& tuning) : CheckedCore("source"), tuning_(tuning) {}
 
     CoreStats GetCoreStats() const override;
-    Status Init(const CoreOptions& options) override;
-    Status SetTarget(const CoreTarget& target) override;
-    Status Setting(const CoreSettings& settings) override;
-    Status SetTextures(std::span<const CoreTexture> textures) override;
-    Status SetMaterials(uint32_t first, std::span<const CoreMaterial> materials) override;
-    Status SetLights(const CoreLights& lights) override;
-    Status SetSkyData(const CoreSky& sky) override;
-    Status SetGeometry(uint32_t mesh, const CoreMesh& data) override;
-    Status SetInstance(uint32_t instance, uint32_t mesh, const CoreTransform& transform) override;
-    Status Render(const ViewPyramid& view, Convergence convergence, uint32_t samples) override;
-    void Shutdown() override;
 
 private:
-    template <class Work>
-    Status guarded(Work&& work);
-    Status open_device(const CoreOptions& options);
-    Status prepare();
+    Result<std::string> open() override;
+    void resize(uint32_t, uint32_t) override {}  // the wavefront follows in prepare
+    void set_textures(std::span<const CoreTexture> textures) override { scene_.set_textures(textures); }
+    void set_materials(uint32_t first, std::span<const CoreMaterial> materials) override {
+        scene_.set_materials(first, materials);
+    }
+    void set_lights(const CoreLights& lights) override { scene_.set_lights(lights); }
+    void set_sky(const CoreSky& sky) override { scene_.set_sky(sky); }
+    void set_mesh(uint32_t mesh, const CoreMesh& data) override { scene_.set_mesh(mesh, data); }
+    void set_instance(uint32_t instance, uint32_t mesh, const CoreTransform& transform) override {
+        scene_.set_instance(instance, mesh, transform);
+    }
+    Status prepare() override;
+    Status render(const ViewPyramid& view, uint32_t samples) override;
+    void close() override;
+    uint64_t host_bytes() const override { return 0; }  // what it holds is on the device
+
+    Status open_device();
     Status check_budget(uint64_t table_bytes);
     Status choose_table_access();
     Status upload();
     Status size_wavefront();
-    Result<const KernelSet*> find_kernels();
-    Status render_batches(const KernelSet& kernels, const Settings& settings, uint32_t samples);
+    Status find_kernels();
+    Status render_batches(const Settings& settings, uint32_t samples);
     Settings frame_settings(const ViewPyramid& view) const;
     WavefrontSize wavefront_size(uint64_t table_bytes) const;
     uint64_t all_table_bytes() const;
-    void restart();
 
     CoreTuning tuning_;
-    CoreContract contract_;
-    CoreOptions options_;
-    CoreTarget target_;
-    CoreSettings settings_;
-    CoreStats stats_;
     SceneStore scene_;
     std::map<std::string, std::string> kernel_files_;
     KernelVariant variant_;
     std::unique_ptr<Gpu> gpu_;
 };
 
-// A call that allocates, with bad_alloc turned into a status.
-template <class Work>
-Status SourceCore::guarded(Work&& work) {
-    try {
-        return work();
-    } catch (const std::bad_alloc&) {
-        return Status::out_of_memory("source core: the machine's memory is used up", stats_.memory_bytes, 0);
-    }
-}
-
 CoreStats SourceCore::GetCoreStats() const {
-    CoreStats stats = stats_;
+    CoreStats result = stats();
     if (gpu_) {
-        stats.memory_bytes = gpu_->budget->used();
-        stats.memory_allowed_bytes = gpu_->budget->limit();
-        stats.texel_bytes = scene_.rows(BINDING_TEXELS).size();
+        result.memory_bytes = gpu_->budget->used();
+        result.memory_allowed_bytes = gpu_->budget->limit();
+        result.texel_bytes = scene_.rows(BINDING_TEXELS).size();
     }
-    return stats;
+    return result;
 }
 
-Status SourceCore::Init(const CoreOptions& options) {
-    if (Status status = contract_.check_init(); !status.ok()) {
+Result<std::string> SourceCore::open() {
+    Result<std::map<std::string, std::string>> files = read_kernel_files(options().kernels_directory);
+    if (!files.ok()) {
+        return files.status;
+    }
+    kernel_files_ = std::move(*files);
+    Status status = open_device();
+    if (!status.ok()) {
+        gpu_.reset();
         return status;
     }
-    return guarded([&] {
-        Result<std::map<std::string, std::string>> files = read_kernel_files(options.kernels_directory);
-        if (!files.ok()) {
-            return files.status;
-        }
-        kernel_files_ = std::move(*files);
-        Status status = open_device(options);
-        if (!status.ok()) {
-            gpu_.reset();
-            return status;
-        }
-        options_ = options;
-        stats_.core = "source";
-        stats_.device = gpu_->device->name();
-        stats_.threads = options.threads > 0 ? options.threads : std::max(1u, std::thread::hardware_concurrency());
-        contract_.accept_init();
-        return Status::success();
-    });
+    return gpu_->device->name();
 }
 
-Status SourceCore::open_device(const CoreOptions& options) {
+Status SourceCore::open_device() {
     gpu_ = std::make_unique<Gpu>();
     const Validation checks = tuning_.assisted_validation ? Validation::assisted : Validation::host;
-    Result<Instance> instance = Instance::create(options.validate ? checks : Validation::none);
+    Result<Instance> instance = Instance::create(options().validate ? checks : Validation::none);
     if (!instance.ok()) {
         return instance.status;
     }
@@ -143,93 +120,8 @@ Status SourceCore::open_device(const CoreOptions& options) {
     }
     gpu_->device.emplace(std::move(*device));
     const uint64_t heap = gpu_->device->limits().local_heap_size;
-    gpu_->budget.emplace(options.memory_limit > 0 ? options.memory_limit : heap);
+    gpu_->budget.emplace(options().memory_limit > 0 ? options().memory_limit : heap);
     return gpu_->instance->validation_status();
-}
-
-Status SourceCore::SetTarget(const CoreTarget& target) {
-    if (Status status = contract_.check_target(target); !status.ok()) {
-        return status;
-    }
-    if (target.width != target_.width || target.height != target_.height) {
-        restart();
-    }
-    target_ = target;
-    contract_.accept_target();
-    return Status::success();
-}
-
-Status SourceCore::Setting(const CoreSettings& settings) {
-    if (Status status = contract_.check_settings(settings); !status.ok()) {
-        return status;
-    }
-    settings_ = settings;
-    return Status::success();
-}
-
-Status SourceCore::SetTextures(std::span<const CoreTexture> textures) {
-    if (Status status = contract_.check_textures(textures); !status.ok()) {
-        return status;
-    }
-    return guarded([&] {
-        scene_.set_textures(textures);
-        contract_.accept_textures(textures);
-        return Status::success();
-    });
-}
-
-Status SourceCore::SetMaterials(uint32_t first, std::span<const CoreMaterial> materials) {
-    if (Status status = contract_.check_materials(first, materials); !status.ok()) {
-        return status;
-    }
-    return guarded([&] {
-        scene_.set_materials(first, materials);
-        contract_.accept_materials(first, materials);
-        return Status::success();
-    });
-}
-
-Status SourceCore::SetLights(const CoreLights& lights) {
-    if (Status status = contract_.check_lights(lights); !status.ok()) {
-        return status;
-    }
-    return guarded([&] {
-        scene_.set_lights(lights);
-        contract_.accept_lights(lights);
-        return Status::success();
-    });
-}
-
-Status SourceCore::SetSkyData(const CoreSky& sky) {
-    if (Status status = contract_.check_sky(sky); !status.ok()) {
-        return status;
-    }
-    return guarded([&] {
-        scene_.set_sky(sky);
-        return Status::success();
-    });
-}
-
-Status SourceCore::SetGeometry(uint32_t mesh, const CoreMesh& data) {
-    if (Status status = contract_.check_geometry(mesh, data); !status.ok()) {
-        return status;
-    }
-    return guarded([&] {
-        scene_.set_mesh(mesh, data);
-        contract_.accept_geometry(mesh, data);
-        return Status::success();
-    });
-}
-
-Status SourceCore::SetInstance(uint32_t instance, uint32_t mesh, const CoreTransform& transform) {
-    if (Status status = contract_.check_instance(instance, mesh, transform); !status.ok()) {
-        return status;
-    }
-    return guarded([&] {
-        scene_.set_instance(instance, mesh, transform);
-        contract_.accept_instance(instance, mesh, transform);
-        return Status::success();
-    });
 }
 
 uint64_t SourceCore::all_table_bytes() const {
@@ -242,13 +134,13 @@ uint64_t SourceCore::all_table_bytes() const {
 
 // As many paths at once as there are pixels, up to the limit; fewer where that helps to fit the budget.
 WavefrontSize SourceCore::wavefront_size(uint64_t table_bytes) const {
-    const uint64_t pixels = uint64_t{target_.width} * target_.height;
+    const uint64_t pixels = uint64_t{target().width} * target().height;
     const uint64_t limits_batch =
         std::min<uint64_t>({tuning_.largest_batch, uint64_t{gpu_->device->limits().work_group_count} * WORK_GROUP_SIZE,
                             gpu_->device->limits().storage_buffer_range / 16});
     WavefrontSize size{pixels, static_cast<uint32_t>(std::min(pixels, limits_batch))};
     while (size.batch / 2 >= SMALLEST_BATCH &&
-           table_bytes + Wavefront::bytes(size, settings_.max_path_length) + 2 * Staging::PIECE >
+           table_bytes + Wavefront::bytes(size, settings().max_path_length) + 2 * Staging::PIECE >
                gpu_->budget->limit()) {
         size.batch = (size.batch / 2 + 15) / 16 * 16;
     }
@@ -257,7 +149,7 @@ WavefrontSize SourceCore::wavefront_size(uint64_t table_bytes) const {
 
 Status SourceCore::check_budget(uint64_t table_bytes) {
     const uint64_t needed =
-        table_bytes + 2 * Staging::PIECE + Wavefront::bytes(wavefront_size(table_bytes), settings_.max_path_length);
+        table_bytes + 2 * Staging::PIECE + Wavefront::bytes(wavefront_size(table_bytes), settings().max_path_length);
     if (needed > gpu_->budget->limit()) {
         return Status::out_of_memory("source core: the scene needs more device memory than allowed", needed,
                                      gpu_->budget->limit());
@@ -284,9 +176,8 @@ Status SourceCore::prepare() {
     if (!status.ok()) {
         return check_budget(scene_.likely_table_bytes());
     }
-    status = scene_.build(options_.threads);
-    stats_.build_ms = scene_.build_ms();
-    stats_.triangles = contract_.triangles();
+    status = scene_.build(options().threads);
+    stats().build_ms = scene_.build_ms();
     if (status.ok()) {
         status = check_budget(all_table_bytes());
     }
@@ -298,6 +189,9 @@ Status SourceCore::prepare() {
     }
     if (status.ok()) {
         status = size_wavefront();
+    }
+    if (status.ok()) {
+        status = find_kernels();
     }
     return status;
 }
@@ -326,7 +220,7 @@ Status SourceCore::upload() {
 Status SourceCore::size_wavefront() {
     const WavefrontSize size = wavefront_size(all_table_bytes());
     if (!gpu_->wavefront || gpu_->wavefront->size() != size) {
-        restart();  // the sums go with the buffers
+        drop_samples();  // the sums go with the buffers
         gpu_->wavefront.reset();
         Result<Wavefront> wavefront = Wavefront::create(*gpu_->device, *gpu_->budget, size);
         if (!wavefront.ok()) {
@@ -334,10 +228,10 @@ Status SourceCore::size_wavefront() {
         }
         gpu_->wavefront.emplace(std::move(*wavefront));
     }
-    return gpu_->wavefront->set_max_path_length(*gpu_->device, *gpu_->budget, settings_.max_path_length);
+    return gpu_->wavefront->set_max_path_length(*gpu_->device, *gpu_->budget, settings().max_path_length);
 }
 
-Result<const KernelSet*> SourceCore::find_kernels() {
+Status SourceCore::find_kernels() {
     const std::string key = variant_.preamble();
     auto found = gpu_->kernels.find(key);
     if (found == gpu_->kernels.end()) {
@@ -347,100 +241,70 @@ Result<const KernelSet*> SourceCore::find_kernels() {
         }
         found = gpu_->kernels.emplace(key, std::move(*made)).first;
     }
-    return &found->second;
-}
-
-void SourceCore::restart() {
-    CoreStats fresh;
-    fresh.core = stats_.core;
-    fresh.device = stats_.device;
-    fresh.threads = stats_.threads;
-    fresh.triangles = stats_.triangles;
-    fresh.build_ms = stats_.build_ms;
-    stats_ = fresh;
+    gpu_->kernels_in_use = &found->second;
+    return Status::success();
 }
 
 Settings SourceCore::frame_settings(const ViewPyramid& view) const {
-    const glm::vec3 corner = view.top_left - view.eye;
-    const glm::vec3 right = view.top_right - view.top_left;
-    const glm::vec3 down = view.bottom_left - view.top_left;
-    const float distance = glm::length(corner + 0.5f * (right + down));
-    const float pixel_angle = glm::length(down) / (static_cast<float>(target_.height) * std::max(distance, 1.0e-30f));
-    Settings settings{};
-    settings.eye = glm::vec4(view.eye, pixel_angle);
-    settings.screen = glm::vec4(corner, 0.0f);
-    settings.screen_right = glm::vec4(right, 0.0f);
-    settings.screen_down = glm::vec4(down, 0.0f);
-    settings.width = target_.width;
-    settings.height = target_.height;
-    settings.seed = settings_.seed;
-    settings.max_path_length = settings_.max_path_length;
-    settings.russian_roulette = settings_.russian_roulette ? 1u : 0u;
-    settings.next_event_estimation = settings_.next_event_estimation ? 1u : 0u;
-    scene_.describe(settings);
-    return settings;
+    const Screen screen = screen_of(view, target().height);
+    Settings frame{};
+    frame.eye = glm::vec4(view.eye, screen.pixel_angle);
+    frame.screen = glm::vec4(screen.corner, 0.0f);
+    frame.screen_right = glm::vec4(screen.right, 0.0f);
+    frame.screen_down = glm::vec4(screen.down, 0.0f);
+    frame.width = target().width;
+    frame.height = target().height;
+    frame.seed = settings().seed;
+    frame.max_path_length = settings().max_path_length;
+    frame.russian_roulette = settings().russian_roulette ? 1u : 0u;
+    frame.next_event_estimation = settings().next_event_estimation ? 1u : 0u;
+    scene_.describe(frame);
+    return frame;
 }
 
-Status SourceCore::render_batches(const KernelSet& kernels, const Settings& settings, uint32_t samples) {
+Status SourceCore::render_batches(const Settings& frame, uint32_t samples) {
+    const KernelSet& kernels = *gpu_->kernels_in_use;
     const WavefrontSize& size = gpu_->wavefront->size();
     WavefrontCounts counts;
     for (uint64_t first = 0; first < size.pixels; first += size.batch) {
         BatchPass batch;
         batch.first_pixel = static_cast<uint32_t>(first);
         batch.path_count = static_cast<uint32_t>(std::min<uint64_t>(size.batch, size.pixels - first));
-        batch.samples_before = static_cast<uint32_t>(stats_.samples);
-        batch.first_sample = settings_.first_sample + batch.samples_before;
+        batch.samples_before = static_cast<uint32_t>(stats().samples);
+        batch.first_sample = settings().first_sample + batch.samples_before;
         batch.samples = samples;
-        gpu_->wavefront->bind(*gpu_->device, kernels, variant_, gpu_->scene, settings, batch);
+        gpu_->wavefront->bind(*gpu_->device, kernels, variant_, gpu_->scene, frame, batch);
         Status status = gpu_->wavefront->run(*gpu_->device, kernels, batch, counts);
         if (status.ok()) {
             status = gpu_->staging->download(*gpu_->device, gpu_->wavefront->target(),
-                                             std::as_writable_bytes(target_.pixels.subspan(first, batch.path_count)));
+                                             std::as_writable_bytes(target().pixels.subspan(first, batch.path_count)));
         }
         if (!status.ok()) {
             return status;
         }
     }
-    stats_.samples += samples;
-    stats_.primary_rays += counts.primary_rays;
-    stats_.extension_rays += counts.extension_rays - counts.primary_rays;
-    stats_.shadow_rays += counts.shadow_rays;
+    stats().primary_rays += counts.primary_rays;
+    stats().extension_rays += counts.extension_rays - counts.primary_rays;
+    stats().shadow_rays += counts.shadow_rays;
     const auto time_of = [&counts](Kernel kernel) { return counts.kernel_ms[static_cast<uint32_t>(kernel)]; };
-    stats_.generate_ms += time_of(Kernel::generate) + time_of(Kernel::schedule);
-    stats_.extend_ms += time_of(Kernel::extend);
-    stats_.shade_ms += time_of(Kernel::shade);
-    stats_.connect_ms += time_of(Kernel::connect);
-    stats_.finalize_ms += time_of(Kernel::finalize);
+    stats().generate_ms += time_of(Kernel::generate) + time_of(Kernel::schedule);
+    stats().extend_ms += time_of(Kernel::extend);
+    stats().shade_ms += time_of(Kernel::shade);
+    stats().connect_ms += time_of(Kernel::connect);
+    stats().finalize_ms += time_of(Kernel::finalize);
     return Status::success();
 }
 
-Status SourceCore::Render(const ViewPyramid& view, Convergence convergence, uint32_t samples) {
-    if (Status status = contract_.check_render(view, samples); !status.ok()) {
-        return status;
-    }
-    return guarded([&] {
-        if (Status status = prepare(); !status.ok()) {
-            return status;
-        }
-        if (convergence == Convergence::Restart) {
-            restart();
-        }
-        const Result<const KernelSet*> kernels = find_kernels();
-        if (!kernels.ok()) {
-            return kernels.status;
-        }
-        const Clock::time_point start = Clock::now();
-        Status status = render_batches(**kernels, frame_settings(view), samples);
-        stats_.total_ms += milliseconds_since(start);
-        return status.ok() ? gpu_->instance->validation_status() : status;
-    });
+Status SourceCore::render(const ViewPyramid& view, uint32_t samples) {
+    const Clock::time_point start = Clock::now();
+    Status status = render_batches(frame_settings(view), samples);
+    stats().total_ms += milliseconds_since(start);
+    return status.ok() ? gpu_->instance->validation_status() : status;
 }
 
-void SourceCore::Shutdown() {
-    contract_.accept_shutdown();
+void SourceCore::close() {
     gpu_.reset();
     scene_ = {};
-    target_ = {};
 }
 
 }  // namespace

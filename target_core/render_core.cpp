@@ -7,12 +7,11 @@
 
 #include <algorithm>
 #include <chrono>
-#include <new>
 #include <optional>
 #include <thread>
 
-#include "render_system/core_checks.h"
-#include "render_system/scene_limits.h"
+#include "render_system/camera.h"
+#include "render_system/checked_core.h"
 #include "target_core/core_mesh.h"
 #include "target_core/core_tables.h"
 #include "target_core/device/embree_scene.h"
@@ -30,40 +29,33 @@ double milliseconds_since(std::chrono::steady_clock::time_point start) {
 
 vec4 to_row(const glm::vec3& v, float w = 0.0f) { return vec4(v.x, v.y, v.z, w); }
 
-class TargetCore final : public CoreAPI {
+class TargetCore final : public CheckedCore {
 public:
+    TargetCore() : CheckedCore("target", InstanceMatrices::invertible) {}
+
     CoreStats GetCoreStats() const override;
-    Status Init(const CoreOptions& options) override;
-    Status SetTarget(const CoreTarget& target) override;
-    Status Setting(const CoreSettings& settings) override;
-    Status SetTextures(std::span<const CoreTexture> textures) override;
-    Status SetMaterials(uint32_t first, std::span<const CoreMaterial> materials) override;
-    Status SetLights(const CoreLights& lights) override;
-    Status SetSkyData(const CoreSky& sky) override;
-    Status SetGeometry(uint32_t mesh, const CoreMesh& data) override;
-    Status SetInstance(uint32_t instance, uint32_t mesh, const CoreTransform& transform) override;
-    Status Render(const ViewPyramid& view, Convergence convergence, uint32_t samples) override;
-    void Shutdown() override;
 
 private:
-    /// A call that allocates, with bad_alloc turned into a status.
-    template <class Work>
-    Status guarded(Work&& work);
-    Status prepare();
-    void restart();
+    Result<std::string> open() override;
+    void resize(uint32_t width, uint32_t height) override { accumulator_.assign(size_t{width} * height, vec4(0.0f)); }
+    void set_textures(std::span<const CoreTexture> textures) override { pack_textures(textures, tables_); }
+    void set_materials(uint32_t first, std::span<const CoreMaterial> materials) override;
+    void set_lights(const CoreLights& lights) override;
+    void set_sky(const CoreSky& sky) override;
+    void set_mesh(uint32_t mesh, const CoreMesh& data) override;
+    void set_instance(uint32_t instance, uint32_t mesh, const CoreTransform& transform) override;
+    Status prepare() override;
+    Status render(const ViewPyramid& view, uint32_t samples) override;
+    void close() override;
+    uint64_t host_bytes() const override;
+
     Settings frame_settings(const ViewPyramid& view) const;
     Bindings bindings();
     /// The widest that this CPU runs; in exact mode the reference.
-    const KernelTable& kernels() const { return options_.exact ? one_lane_kernels : *runnable_kernels().tables[0]; }
+    const KernelTable& kernels() const { return options().exact ? one_lane_kernels : *runnable_kernels().tables[0]; }
     void measure_limit(const RayLog& log);
-    uint64_t memory_bytes() const;
 
-    CoreContract contract_;
-    CoreOptions options_;
     Workers workers_;
-    CoreTarget target_;
-    CoreSettings settings_;
-    CoreStats stats_;
     std::vector<CoreMaterial> materials_;
     SceneTables tables_;
     std::vector<float> opacities_;
@@ -84,145 +76,57 @@ private:
 };
 
 CoreStats TargetCore::GetCoreStats() const {
-    CoreStats stats = stats_;
-    stats.memory_bytes = memory_bytes();
-    stats.trace_build_ms = embree_.build_ms();
-    stats.trace_memory_bytes = embree_.memory_bytes() + meshes_.traced_bytes();
-    stats.texel_bytes = tables_.texels.size() * sizeof(tables_.texels[0]);
-    return stats;
+    CoreStats result = stats();
+    result.memory_bytes = host_bytes();
+    result.trace_build_ms = embree_.build_ms();
+    result.trace_memory_bytes = embree_.memory_bytes() + meshes_.traced_bytes();
+    result.texel_bytes = tables_.texels.size() * sizeof(tables_.texels[0]);
+    return result;
 }
 
-Status TargetCore::Init(const CoreOptions& options) {
-    if (Status status = contract_.check_init(); !status.ok()) {
-        return status;
-    }
-    uint32_t hardware = std::max(1u, std::thread::hardware_concurrency());
-    options_ = options;
-    options_.threads = options.threads > 0 ? options.threads : hardware;
-    parallelism_.emplace(tbb::global_control::max_allowed_parallelism, std::max(hardware, options_.threads));
-    arena_.emplace(static_cast<int>(options_.threads));
+Result<std::string> TargetCore::open() {
+    uint32_t threads = options().threads;
+    uint32_t most = std::max(std::thread::hardware_concurrency(), threads);
+    parallelism_.emplace(tbb::global_control::max_allowed_parallelism, most);
+    arena_.emplace(static_cast<int>(threads));
     std::string message;
     bool opened = false;
     // Inside the arena: elsewhere Embree limits TBB to the machine's threads, and TBB says so on stderr.
-    arena_->execute([&] { opened = embree_.open(options_.threads, message); });
+    arena_->execute([&] { opened = embree_.open(threads, message); });
     if (!opened) {
         return Status::error(StatusCode::no_device, "target core: " + message);
     }
-    stats_.core = "target";
-    stats_.device = std::string("CPU, Embree " RTC_VERSION_STRING ", ") + kernels().name;
-    stats_.threads = options_.threads;
-    contract_.accept_init();
-    return Status::success();
+    return std::string("CPU, Embree " RTC_VERSION_STRING ", ") + kernels().name;
 }
 
-template <class Work>
-Status TargetCore::guarded(Work&& work) {
-    try {
-        return work();
-    } catch (const std::bad_alloc&) {
-        return Status::out_of_memory("target core: the machine's memory is used up", memory_bytes(), 0);
-    }
+void TargetCore::set_materials(uint32_t first, std::span<const CoreMaterial> materials) {
+    materials_.resize(std::max(materials_.size(), first + materials.size()));
+    std::copy(materials.begin(), materials.end(), materials_.begin() + first);
+    materials_dirty_ = true;
 }
 
-Status TargetCore::SetTarget(const CoreTarget& target) {
-    if (Status status = contract_.check_target(target); !status.ok()) {
-        return status;
-    }
-    return guarded([&] {
-        if (target.width != target_.width || target.height != target_.height) {
-            accumulator_.assign(size_t{target.width} * target.height, vec4(0.0f));
-            restart();
-        }
-        target_ = target;
-        contract_.accept_target();
-        return Status::success();
-    });
+void TargetCore::set_lights(const CoreLights& lights) {
+    pack_lights(lights, tables_);
+    total_light_weight_ = lights.total_weight;
+    light_features_ = light_features(lights);
 }
 
-Status TargetCore::Setting(const CoreSettings& settings) {
-    if (Status status = contract_.check_settings(settings); !status.ok()) {
-        return status;
-    }
-    settings_ = settings;
-    return Status::success();
+void TargetCore::set_sky(const CoreSky& sky) {
+    pack_sky(sky, tables_);
+    sky_radiance_ = sky.radiance;
+    sky_width_ = sky.width;
+    sky_height_ = sky.height;
+    sky_light_probability_ = sky.light_probability;
 }
 
-Status TargetCore::SetTextures(std::span<const CoreTexture> textures) {
-    if (Status status = contract_.check_textures(textures); !status.ok()) {
-        return status;
-    }
-    return guarded([&] {
-        pack_textures(textures, tables_);
-        contract_.accept_textures(textures);
-        return Status::success();
-    });
+void TargetCore::set_mesh(uint32_t mesh, const CoreMesh& data) {
+    meshes_.set_mesh(mesh, data);
+    geometry_dirty_ = true;
 }
 
-Status TargetCore::SetMaterials(uint32_t first, std::span<const CoreMaterial> materials) {
-    if (Status status = contract_.check_materials(first, materials); !status.ok()) {
-        return status;
-    }
-    return guarded([&] {
-        materials_.resize(std::max(materials_.size(), first + materials.size()));
-        std::copy(materials.begin(), materials.end(), materials_.begin() + first);
-        materials_dirty_ = true;
-        contract_.accept_materials(first, materials);
-        return Status::success();
-    });
-}
-
-Status TargetCore::SetLights(const CoreLights& lights) {
-    if (Status status = contract_.check_lights(lights); !status.ok()) {
-        return status;
-    }
-    return guarded([&] {
-        pack_lights(lights, tables_);
-        total_light_weight_ = lights.total_weight;
-        light_features_ = light_features(lights);
-        contract_.accept_lights(lights);
-        return Status::success();
-    });
-}
-
-Status TargetCore::SetSkyData(const CoreSky& sky) {
-    if (Status status = contract_.check_sky(sky); !status.ok()) {
-        return status;
-    }
-    return guarded([&] {
-        pack_sky(sky, tables_);
-        sky_radiance_ = sky.radiance;
-        sky_width_ = sky.width;
-        sky_height_ = sky.height;
-        sky_light_probability_ = sky.light_probability;
-        return Status::success();
-    });
-}
-
-Status TargetCore::SetGeometry(uint32_t mesh, const CoreMesh& data) {
-    if (Status status = contract_.check_geometry(mesh, data); !status.ok()) {
-        return status;
-    }
-    return guarded([&] {
-        meshes_.set_mesh(mesh, data);
-        geometry_dirty_ = true;
-        contract_.accept_geometry(mesh, data);
-        return Status::success();
-    });
-}
-
-Status TargetCore::SetInstance(uint32_t instance, uint32_t mesh, const CoreTransform& transform) {
-    if (Status status = contract_.check_instance(instance, mesh, transform); !status.ok()) {
-        return status;
-    }
-    if (mesh != NONE && !is_invertible(transform)) {  // Embree takes rays into the mesh's space
-        return Status::error(StatusCode::invalid_argument, "instance: the matrix cannot be inverted");
-    }
-    return guarded([&] {
-        meshes_.set_instance(instance, mesh, transform);
-        geometry_dirty_ = true;
-        contract_.accept_instance(instance, mesh, transform);
-        return Status::success();
-    });
+void TargetCore::set_instance(uint32_t instance, uint32_t mesh, const CoreTransform& transform) {
+    meshes_.set_instance(instance, mesh, transform);
+    geometry_dirty_ = true;
 }
 
 // Builds what changed since the last Render.
@@ -236,12 +140,11 @@ Status TargetCore::prepare() {
         meshes_.place(materials_);
         std::string message;
         bool built = false;
-        arena_->execute([&] { built = embree_.build(meshes_.geometry(), options_.exact, message); });
+        arena_->execute([&] { built = embree_.build(meshes_.geometry(), options().exact, message); });
         if (!built) {
-            return Status::out_of_memory("target core: " + message, memory_bytes(), 0);
+            return Status::out_of_memory("target core: " + message, host_bytes(), 0);
         }
-        stats_.build_ms = milliseconds_since(start);
-        stats_.triangles = contract_.triangles();
+        stats().build_ms = milliseconds_since(start);
     }
     if (materials_dirty_ || geometry_dirty_) {
         opacities_.clear();
@@ -256,42 +159,28 @@ Status TargetCore::prepare() {
     return Status::success();
 }
 
-void TargetCore::restart() {
-    CoreStats fresh;
-    fresh.core = stats_.core;
-    fresh.device = stats_.device;
-    fresh.threads = stats_.threads;
-    fresh.triangles = stats_.triangles;
-    fresh.build_ms = stats_.build_ms;
-    stats_ = fresh;
-}
-
 Settings TargetCore::frame_settings(const ViewPyramid& view) const {
-    glm::vec3 corner = view.top_left - view.eye;
-    glm::vec3 right = view.top_right - view.top_left;
-    glm::vec3 down = view.bottom_left - view.top_left;
-    float distance = glm::length(corner + 0.5f * (right + down));
-    float pixel_angle = glm::length(down) / (static_cast<float>(target_.height) * std::max(distance, 1.0e-30f));
-    Settings settings{};
-    settings.eye = to_row(view.eye, pixel_angle);
-    settings.screen = to_row(corner);
-    settings.screen_right = to_row(right);
-    settings.screen_down = to_row(down);
-    settings.sky_radiance = to_row(sky_radiance_);
-    settings.scene_extent = vec4(0.0f);
-    settings.width = target_.width;
-    settings.height = target_.height;
-    settings.seed = settings_.seed;
-    settings.max_path_length = settings_.max_path_length;
-    settings.russian_roulette = settings_.russian_roulette ? 1u : 0u;
-    settings.next_event_estimation = settings_.next_event_estimation ? 1u : 0u;
-    settings.light_count = static_cast<uint>(tables_.light_table.size());
-    settings.features = features_;
-    settings.sky_width = sky_width_;
-    settings.sky_height = sky_height_;
-    settings.sky_light_probability = sky_light_probability_;
-    settings.light_weight_scale = total_light_weight_ > 0.0f ? 1.0f / total_light_weight_ : 0.0f;
-    return settings;
+    Screen screen = screen_of(view, target().height);
+    Settings frame{};
+    frame.eye = to_row(view.eye, screen.pixel_angle);
+    frame.screen = to_row(screen.corner);
+    frame.screen_right = to_row(screen.right);
+    frame.screen_down = to_row(screen.down);
+    frame.sky_radiance = to_row(sky_radiance_);
+    frame.scene_extent = vec4(0.0f);
+    frame.width = target().width;
+    frame.height = target().height;
+    frame.seed = settings().seed;
+    frame.max_path_length = settings().max_path_length;
+    frame.russian_roulette = settings().russian_roulette ? 1u : 0u;
+    frame.next_event_estimation = settings().next_event_estimation ? 1u : 0u;
+    frame.light_count = static_cast<uint>(tables_.light_table.size());
+    frame.features = features_;
+    frame.sky_width = sky_width_;
+    frame.sky_height = sky_height_;
+    frame.sky_light_probability = sky_light_probability_;
+    frame.light_weight_scale = total_light_weight_ > 0.0f ? 1.0f / total_light_weight_ : 0.0f;
+    return frame;
 }
 
 Bindings TargetCore::bindings() {
@@ -316,63 +205,50 @@ Bindings TargetCore::bindings() {
 }
 
 void TargetCore::measure_limit(const RayLog& log) {
-    arena_->execute([&] { stats_.trace_limit_ms += log.replay(embree_.device(), embree_.scene()); });
-    stats_.trace_limit_rays += log.count();
+    arena_->execute([&] { stats().trace_limit_ms += log.replay(embree_.device(), embree_.scene()); });
+    stats().trace_limit_rays += log.count();
 }
 
-Status TargetCore::Render(const ViewPyramid& view, Convergence convergence, uint32_t samples) {
-    if (Status status = contract_.check_render(view, samples); !status.ok()) {
-        return status;
+Status TargetCore::render(const ViewPyramid& view, uint32_t samples) {
+    auto start = std::chrono::steady_clock::now();
+    std::optional<RayLog> log;
+    if (settings().measure_trace_limit && !options().exact) {
+        log.emplace();
     }
-    return guarded([&] {
-        if (Status status = prepare(); !status.ok()) {
-            return status;
-        }
-        if (convergence == Convergence::Restart) {
-            restart();
-        }
-        auto start = std::chrono::steady_clock::now();
-        std::optional<RayLog> log;
-        if (settings_.measure_trace_limit && !options_.exact) {
-            log.emplace();
-        }
-        Frame frame;
-        frame.kernels = &kernels();
-        frame.bindings = bindings();
-        frame.settings = frame_settings(view);
-        frame.samples_in_sum = static_cast<uint>(stats_.samples);
-        frame.first_sample = settings_.first_sample + frame.samples_in_sum;
-        frame.sample_count = samples;
-        frame.pixels = target_.pixels;
-        FrameStats rendered;
-        arena_->execute([&] { rendered = render_frame(frame, workers_, log ? &*log : nullptr); });
-        double threads = stats_.threads;
-        stats_.samples += samples;
-        stats_.primary_rays += rendered.primary_rays;
-        stats_.extension_rays += rendered.extension_rays;
-        stats_.shadow_rays += rendered.shadow_rays;
-        stats_.generate_ms += rendered.generate_ms / threads;
-        stats_.extend_ms += rendered.extend_ms / threads;
-        stats_.shade_ms += rendered.shade_ms / threads;
-        stats_.connect_ms += rendered.connect_ms / threads;
-        stats_.finalize_ms += rendered.finalize_ms / threads;
-        stats_.total_ms += milliseconds_since(start);
-        if (log) {
-            measure_limit(*log);
-        }
-        return Status::success();
-    });
+    Frame frame;
+    frame.kernels = &kernels();
+    frame.bindings = bindings();
+    frame.settings = frame_settings(view);
+    frame.samples_in_sum = static_cast<uint>(stats().samples);
+    frame.first_sample = settings().first_sample + frame.samples_in_sum;
+    frame.sample_count = samples;
+    frame.pixels = target().pixels;
+    FrameStats rendered;
+    arena_->execute([&] { rendered = render_frame(frame, workers_, log ? &*log : nullptr); });
+    double threads = stats().threads;
+    stats().primary_rays += rendered.primary_rays;
+    stats().extension_rays += rendered.extension_rays;
+    stats().shadow_rays += rendered.shadow_rays;
+    stats().generate_ms += rendered.generate_ms / threads;
+    stats().extend_ms += rendered.extend_ms / threads;
+    stats().shade_ms += rendered.shade_ms / threads;
+    stats().connect_ms += rendered.connect_ms / threads;
+    stats().finalize_ms += rendered.finalize_ms / threads;
+    stats().total_ms += milliseconds_since(start);
+    if (log) {
+        measure_limit(*log);
+    }
+    return Status::success();
 }
 
-uint64_t TargetCore::memory_bytes() const {
+uint64_t TargetCore::host_bytes() const {
     auto bytes = [](const auto& rows) { return rows.capacity() * sizeof(rows[0]); };
     return meshes_.memory_bytes() + embree_.memory_bytes() + bytes(accumulator_) + bytes(tables_.materials) +
            bytes(tables_.texture_slots) + bytes(tables_.textures) + bytes(tables_.texels) + bytes(tables_.lights) +
            bytes(tables_.light_table) + bytes(tables_.sky_texels) + bytes(tables_.sky_table);
 }
 
-void TargetCore::Shutdown() {
-    contract_.accept_shutdown();
+void TargetCore::close() {
     embree_.close();
     meshes_ = {};
     tables_ = {};

@@ -1,0 +1,138 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "render_system/checked_core.h"
+
+#include <algorithm>
+#include <new>
+#include <thread>
+#include <utility>
+
+#include "render_system/scene_limits.h"
+
+namespace render_system {
+
+CheckedCore::CheckedCore(std::string id, InstanceMatrices matrices) : id_(std::move(id)), matrices_(matrices) {}
+
+// Does the work that the check allows, with bad_alloc turned into a status.
+template <class Work>
+Status CheckedCore::after(const Status& check, Work&& work) {
+    if (!check.ok()) return check;
+    try {
+        return work();
+    } catch (const std::bad_alloc&) {
+        return Status::out_of_memory(id_ + " core: the machine's memory is used up", host_bytes(), 0);
+    }
+}
+
+Status CheckedCore::Init(const CoreOptions& options) {
+    return after(contract_.check_init(), [&] {
+        options_ = options;
+        if (options_.threads == 0) options_.threads = std::max(1u, std::thread::hardware_concurrency());
+        const Result<std::string> device = open();
+        if (!device.ok()) return device.status;
+        stats_.core = id_;
+        stats_.device = *device;
+        stats_.threads = options_.threads;
+        contract_.accept_init();
+        return Status::success();
+    });
+}
+
+Status CheckedCore::SetTarget(const CoreTarget& target) {
+    return after(contract_.check_target(target), [&] {
+        if (target.width != target_.width || target.height != target_.height) {
+            resize(target.width, target.height);
+            drop_samples();
+        }
+        target_ = target;
+        contract_.accept_target();
+        return Status::success();
+    });
+}
+
+Status CheckedCore::Setting(const CoreSettings& settings) {
+    Status status = contract_.check_settings(settings);
+    if (status.ok()) settings_ = settings;
+    return status;
+}
+
+Status CheckedCore::SetTextures(std::span<const CoreTexture> textures) {
+    return after(contract_.check_textures(textures), [&] {
+        set_textures(textures);
+        contract_.accept_textures(textures);
+        return Status::success();
+    });
+}
+
+Status CheckedCore::SetMaterials(uint32_t first, std::span<const CoreMaterial> materials) {
+    return after(contract_.check_materials(first, materials), [&] {
+        set_materials(first, materials);
+        contract_.accept_materials(first, materials);
+        return Status::success();
+    });
+}
+
+Status CheckedCore::SetLights(const CoreLights& lights) {
+    return after(contract_.check_lights(lights), [&] {
+        set_lights(lights);
+        contract_.accept_lights(lights);
+        return Status::success();
+    });
+}
+
+Status CheckedCore::SetSkyData(const CoreSky& sky) {
+    return after(contract_.check_sky(sky), [&] {
+        set_sky(sky);
+        return Status::success();
+    });
+}
+
+Status CheckedCore::SetGeometry(uint32_t mesh, const CoreMesh& data) {
+    return after(contract_.check_geometry(mesh, data), [&] {
+        set_mesh(mesh, data);
+        contract_.accept_geometry(mesh, data);
+        return Status::success();
+    });
+}
+
+Status CheckedCore::SetInstance(uint32_t instance, uint32_t mesh, const CoreTransform& transform) {
+    Status check = contract_.check_instance(instance, mesh, transform);
+    if (check.ok() && matrices_ == InstanceMatrices::invertible && mesh != NONE && !is_invertible(transform)) {
+        check = Status::error(StatusCode::invalid_argument, "instance: the matrix cannot be inverted");
+    }
+    return after(check, [&] {
+        set_instance(instance, mesh, transform);
+        contract_.accept_instance(instance, mesh, transform);
+        return Status::success();
+    });
+}
+
+Status CheckedCore::Render(const ViewPyramid& view, Convergence convergence, uint32_t samples) {
+    return after(contract_.check_render(view, samples), [&] {
+        Status status = prepare();
+        if (!status.ok()) return status;
+        stats_.triangles = contract_.triangles();
+        if (convergence == Convergence::Restart) drop_samples();
+        status = render(view, samples);
+        if (status.ok()) stats_.samples += samples;
+        return status;
+    });
+}
+
+void CheckedCore::Shutdown() {
+    contract_.accept_shutdown();
+    close();
+    target_ = {};
+}
+
+void CheckedCore::drop_samples() {
+    CoreStats fresh;
+    fresh.core = stats_.core;
+    fresh.device = stats_.device;
+    fresh.threads = stats_.threads;
+    fresh.triangles = stats_.triangles;
+    fresh.build_ms = stats_.build_ms;
+    stats_ = fresh;
+}
+
+}  // namespace render_system

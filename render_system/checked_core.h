@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "render_system/core_checks.h"
+
+namespace render_system {
+
+/// What a core asks of the matrices of its instances beyond being finite.
+enum class InstanceMatrices {
+    any,         ///< a mesh may be flattened to nothing
+    invertible,  ///< rays are taken into the mesh's own space
+};
+
+/// CoreAPI with its contract kept: arguments, the order of calls and the limits of scene_limits.h are checked here, in
+/// one place and in the same words for all cores; a core derives from it and does the plain work. What reaches the
+/// work has been checked, and what it is given is remembered only once the work is done. Work that runs out of the
+/// machine's memory may throw std::bad_alloc: it becomes a status, and what was set before stays.
+class CheckedCore : public CoreAPI {
+public:
+    /// What has been counted so far; a core that holds memory or more figures adds them.
+    CoreStats GetCoreStats() const override { return stats_; }
+
+    Status Init(const CoreOptions& options) final;
+    Status SetTarget(const CoreTarget& target) final;
+    Status Setting(const CoreSettings& settings) final;
+    Status SetTextures(std::span<const CoreTexture> textures) final;
+    Status SetMaterials(uint32_t first, std::span<const CoreMaterial> materials) final;
+    Status SetLights(const CoreLights& lights) final;
+    Status SetSkyData(const CoreSky& sky) final;
+    Status SetGeometry(uint32_t mesh, const CoreMesh& data) final;
+    Status SetInstance(uint32_t instance, uint32_t mesh, const CoreTransform& transform) final;
+    Status Render(const ViewPyramid& view, Convergence convergence, uint32_t samples) final;
+    void Shutdown() final;
+
+protected:
+    /// `id` is the core's name in CoreStats and in messages.
+    explicit CheckedCore(std::string id, InstanceMatrices matrices = InstanceMatrices::any);
+
+    const CoreOptions& options() const { return options_; }  ///< `threads` is the number itself, never 0
+    const CoreTarget& target() const { return target_; }
+    const CoreSettings& settings() const { return settings_; }
+    CoreStats& stats() { return stats_; }
+    const CoreStats& stats() const { return stats_; }
+
+    /// Starts the counters and times anew, and with them the sum of samples.
+    void drop_samples();
+
+private:
+    /// Opens the device and answers its name; options() are set. Fails as Init may.
+    virtual Result<std::string> open() = 0;
+    /// Makes room for the samples of a target of another size, which follows as target().
+    virtual void resize(uint32_t width, uint32_t height) = 0;
+    virtual void set_textures(std::span<const CoreTexture> textures) = 0;
+    virtual void set_materials(uint32_t first, std::span<const CoreMaterial> materials) = 0;
+    virtual void set_lights(const CoreLights& lights) = 0;
+    virtual void set_sky(const CoreSky& sky) = 0;
+    virtual void set_mesh(uint32_t mesh, const CoreMesh& data) = 0;
+    virtual void set_instance(uint32_t instance, uint32_t mesh, const CoreTransform& transform) = 0;
+    /// Builds and uploads what was set since the last call. Fails as Render may.
+    virtual Status prepare() = 0;
+    /// Adds `samples` samples to the stats().samples there are, writes the mean to target() and counts rays and times.
+    virtual Status render(const ViewPyramid& view, uint32_t samples) = 0;
+    /// Gives everything back. May come before open() and a second time.
+    virtual void close() = 0;
+    /// Bytes of the machine's own memory that the core holds, for a message.
+    virtual uint64_t host_bytes() const = 0;
+
+    template <class Work>
+    Status after(const Status& check, Work&& work);
+
+    std::string id_;
+    InstanceMatrices matrices_;
+    CoreContract contract_;
+    CoreOptions options_;
+    CoreTarget target_;
+    CoreSettings settings_;
+    CoreStats stats_;
+};
+
+}  // namespace render_system
