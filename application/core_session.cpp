@@ -13,7 +13,6 @@ namespace {
 
 using render_system::Convergence;
 using render_system::CoreChoice;
-using render_system::CoreOptions;
 using render_system::CoreStats;
 using render_system::RenderSystem;
 using render_system::Result;
@@ -21,13 +20,6 @@ using render_system::Status;
 using render_system::StatusCode;
 
 constexpr double PORTION_MS = 250.0;  // between two moves of the bar
-
-CoreOptions core_options(const Options& options) {
-    return {.threads = options.threads,
-            .memory_limit = options.gpu_memory_limit,
-            .kernels_directory = options.kernels,
-            .exact = options.exact};
-}
 
 uint64_t rays(const CoreStats& stats) { return stats.primary_rays + stats.extension_rays + stats.shadow_rays; }
 
@@ -53,7 +45,8 @@ Result<CoreChoice> CoreSession::start(const std::vector<std::string>& ids, Pictu
         if (status.ok()) status = system.render(view_, Convergence::Restart, 1);
         return status;
     };
-    auto choice = choose_core(make_registry(), ids, core_options(options_), system_, first_sample);
+    auto choice = choose_core(make_registry(options_), ids, {.threads = options_.threads, .exact = options_.exact},
+                              system_, first_sample);
     if (choice.ok()) console_.detail("core " + choice->core + ": " + stats().device);
     return choice;
 }
@@ -62,10 +55,15 @@ Status CoreSession::render(Convergence convergence, uint32_t samples) {
     return system_.render(view_, convergence, samples);
 }
 
-Status CoreSession::measure_trace_limit(bool on) {
-    render_system::CoreSettings changed = settings();
-    changed.measure_trace_limit = on;
-    return system_.core().Setting(changed);
+target_core::EmbreeFigures CoreSession::embree_figures() {
+    const target_core::EmbreeProbe* probe = target_core::embree_probe(system_.core());
+    return probe ? probe->embree_figures() : target_core::EmbreeFigures();
+}
+
+bool CoreSession::measure_embree_limit() {
+    target_core::EmbreeProbe* probe = target_core::embree_probe(system_.core());
+    if (probe) probe->measure_embree_limit(true);
+    return probe != nullptr;
 }
 
 Status CoreSession::render_up_to(uint32_t samples) {

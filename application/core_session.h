@@ -11,6 +11,7 @@
 #include "application/scene_setup.h"
 #include "render_system/core_choice.h"
 #include "render_system/render_system.h"
+#include "target_core/render_core.h"
 
 namespace application {
 
@@ -30,10 +31,13 @@ public:
     /// `samples` samples more, or from the first again, in one call of the core.
     render_system::Status render(render_system::Convergence convergence, uint32_t samples);
 
-    /// The settings for the next Restart.
-    render_system::Status measure_trace_limit(bool on);
-
     render_system::CoreStats stats() { return system_.core().GetCoreStats(); }
+
+    /// Embree's part in it; zeros where the core is not the target core.
+    target_core::EmbreeFigures embree_figures();
+
+    /// From the next call of render on, Embree alone traces the same rays once more. False where the core has none.
+    bool measure_embree_limit();
 
 private:
     render_system::CoreSettings settings() const;

@@ -12,10 +12,12 @@
 
 namespace application {
 
-render_system::CoreRegistry make_registry() {
+render_system::CoreRegistry make_registry([[maybe_unused]] const Options& options) {
     render_system::CoreRegistry registry;
 #ifdef PORTTOOL_HAS_SOURCE_CORE
-    registry.add("source", source_core::create_core);
+    const source_core::SourceOptions source{.memory_limit = options.gpu_memory_limit,
+                                            .kernels_directory = options.kernels};
+    registry.add("source", [source] { return source_core::create_core(source); });
 #endif
 #ifdef PORTTOOL_HAS_TARGET_CORE
     registry.add("target", target_core::create_core);

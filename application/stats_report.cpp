@@ -36,9 +36,7 @@ FrameFigures figures(const CoreStats& stats) {
             .shade_ms = stats.shade_ms,
             .connect_ms = stats.connect_ms,
             .finalize_ms = stats.finalize_ms,
-            .total_ms = stats.total_ms,
-            .trace_limit_rays = static_cast<double>(stats.trace_limit_rays),
-            .trace_limit_ms = stats.trace_limit_ms};
+            .total_ms = stats.total_ms};
 }
 
 double median(std::vector<double> values) {
@@ -91,7 +89,8 @@ FrameFigures typical_frame(const std::vector<FrameFigures>& frames) {
     return typical;
 }
 
-Json bench_json(const Options& options, const CoreStats& stats, const FrameFigures& frame, uint64_t frames) {
+Json bench_json(const Options& options, const CoreStats& stats, const target_core::EmbreeFigures& embree,
+                const FrameFigures& frame, uint64_t frames) {
     const auto primary = std::llround(frame.primary_rays);
     const auto extension = std::llround(frame.extension_rays);
     const auto shadow = std::llround(frame.shadow_rays);
@@ -122,8 +121,8 @@ Json bench_json(const Options& options, const CoreStats& stats, const FrameFigur
         {"embree_limit_mrays_per_s",
          has_limit ? mega_per_second(frame.trace_limit_rays, frame.trace_limit_ms) : Json(nullptr)},
         {"embree_limit_ms", has_limit ? Json(frame.trace_limit_ms) : Json(nullptr)},
-        {"embree_build_ms", stats.trace_build_ms > 0.0 ? Json(stats.trace_build_ms) : Json(nullptr)},
-        {"embree_memory_bytes", stats.trace_memory_bytes > 0 ? Json(stats.trace_memory_bytes) : Json(nullptr)},
+        {"embree_build_ms", embree.build_ms > 0.0 ? Json(embree.build_ms) : Json(nullptr)},
+        {"embree_memory_bytes", embree.memory_bytes > 0 ? Json(embree.memory_bytes) : Json(nullptr)},
         {"texel_bytes", stats.texel_bytes},
         {"core_memory_bytes", stats.memory_bytes},
         {"peak_rss_bytes", peak_rss_bytes()},

@@ -9,6 +9,7 @@
 
 #include "application/options.h"
 #include "render_system/core_data.h"
+#include "target_core/render_core.h"
 
 // What a core counted and timed, as the JSON object of `bench` and `--stats`, and as text.
 
@@ -27,7 +28,7 @@ struct FrameFigures {
     double connect_ms = 0.0;
     double finalize_ms = 0.0;
     double total_ms = 0.0;
-    double trace_limit_rays = 0.0;  ///< 0: not measured
+    double trace_limit_rays = 0.0;  ///< by Embree alone; 0: not measured
     double trace_limit_ms = 0.0;
 };
 
@@ -40,9 +41,10 @@ FrameFigures frame_between(const render_system::CoreStats& before, const render_
 /// Means of the counts, medians of the times.
 FrameFigures typical_frame(const std::vector<FrameFigures>& frames);
 
-/// The bench object of the contract. `frames` is how many frames stand behind the figures.
-Json bench_json(const Options& options, const render_system::CoreStats& stats, const FrameFigures& frame,
-                uint64_t frames);
+/// The bench object of the contract. `frames` is how many frames stand behind the figures; zeros in `embree` become
+/// null.
+Json bench_json(const Options& options, const render_system::CoreStats& stats, const target_core::EmbreeFigures& embree,
+                const FrameFigures& frame, uint64_t frames);
 
 /// The bench object with what `--stats` adds.
 Json stats_json(Json bench, const Options& options, uint32_t spp, const std::string& core_reason);

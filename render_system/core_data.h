@@ -149,13 +149,10 @@ struct CoreTarget {
     std::span<glm::vec4> pixels;  ///< width * height; stays valid until the next SetTarget or Shutdown
 };
 
-/// What a core is created with; fixed for its life.
+/// What every core is opened with; fixed for its life. What one core alone can be told is for its own create_core.
 struct CoreOptions {
-    uint32_t threads = 0;           ///< host threads, 0: all; never changes the picture
-    uint64_t memory_limit = 0;      ///< bytes of device memory, 0: the device-local heap (source core only)
-    std::string kernels_directory;  ///< empty: the kernels built into the program
-    bool validate = false;          ///< run under the validation layers; messages fail the call (source core only)
-    bool exact = false;             ///< the checking mode: shared triangle test in both cores
+    uint32_t threads = 0;  ///< host threads, 0: all; never changes the picture
+    bool exact = false;    ///< the checking mode: all cores give the same bits, by one shared triangle test
 };
 
 /// What may change between two images.
@@ -164,8 +161,7 @@ struct CoreSettings {
     uint32_t max_path_length = 8;  ///< path segments from the eye, at least 1
     bool russian_roulette = true;  ///< from segment 4, survival clamp(max component of throughput, 0.05, 1)
     bool next_event_estimation = true;
-    uint32_t first_sample = 0;         ///< index of the first sample after a Restart: ranges can be rendered apart
-    bool measure_trace_limit = false;  ///< target core: trace the same rays again with nothing else, see CoreStats
+    uint32_t first_sample = 0;  ///< index of the first sample after a Restart: ranges can be rendered apart
 };
 
 /// Counters and times since the last Restart. Parts of the time are thread time divided by threads.
@@ -184,11 +180,7 @@ struct CoreStats {
     double shade_ms = 0.0;
     double connect_ms = 0.0;
     double finalize_ms = 0.0;
-    double total_ms = 0.0;        ///< wall time inside Render, without building and uploading
-    double trace_limit_ms = 0.0;  ///< measure_trace_limit: wall time of the same rays by Embree alone
-    uint64_t trace_limit_rays = 0;
-    double trace_build_ms = 0.0;        ///< of build_ms, the tracing library's own part; 0: the core has none
-    uint64_t trace_memory_bytes = 0;    ///< of memory_bytes, that library's tree with the vertices and indices it reads
+    double total_ms = 0.0;              ///< wall time inside Render, without building and uploading
     uint64_t texel_bytes = 0;           ///< of memory_bytes, the textures
     uint64_t memory_bytes = 0;          ///< held by the core (device memory for the source core)
     uint64_t memory_allowed_bytes = 0;  ///< the core's budget for that; 0: it has none

@@ -6,8 +6,8 @@
 #include <memory>
 #include <optional>
 
-#include "render_system/core_api.h"
 #include "source_core/device/kernel_set.h"
+#include "source_core/render_core.h"
 
 namespace source_core {
 
@@ -15,9 +15,9 @@ namespace source_core {
 struct CoreTuning {
     uint32_t largest_batch = 1u << 20;        ///< paths on their way at once
     std::optional<TableAccess> table_access;  ///< how all tables are reached, whatever their size
-    bool assisted_validation = true;          ///< CoreOptions::validate includes the GPU-assisted checks
+    bool assisted_validation = true;          ///< SourceOptions::validate includes the GPU-assisted checks
 };
 
-std::unique_ptr<render_system::CoreAPI> create_tuned_core(const CoreTuning& tuning);
+std::unique_ptr<render_system::CoreAPI> create_tuned_core(const CoreTuning& tuning, const SourceOptions& options = {});
 
 }  // namespace source_core

@@ -42,7 +42,8 @@ struct Gpu {
 
 class SourceCore final : public CheckedCore {
 public:
-    explicit SourceCore(const CoreTuning& tuning) : CheckedCore("source"), tuning_(tuning) {}
+    SourceCore(const CoreTuning& tuning, const SourceOptions& options)
+        : CheckedCore("source"), tuning_(tuning), source_options_(options) {}
 
     CoreStats GetCoreStats() const override;
 
@@ -76,6 +77,7 @@ private:
     uint64_t all_table_bytes() const;
 
     CoreTuning tuning_;
+    SourceOptions source_options_;
     SceneStore scene_;
     std::map<std::string, std::string> kernel_files_;
     KernelVariant variant_;
@@ -93,7 +95,7 @@ CoreStats SourceCore::GetCoreStats() const {
 }
 
 Result<std::string> SourceCore::open() {
-    Result<std::map<std::string, std::string>> files = read_kernel_files(options().kernels_directory);
+    Result<std::map<std::string, std::string>> files = read_kernel_files(source_options_.kernels_directory);
     if (!files.ok()) {
         return files.status;
     }
@@ -109,7 +111,7 @@ Result<std::string> SourceCore::open() {
 Status SourceCore::open_device() {
     gpu_ = std::make_unique<Gpu>();
     const Validation checks = tuning_.assisted_validation ? Validation::assisted : Validation::host;
-    Result<Instance> instance = Instance::create(options().validate ? checks : Validation::none);
+    Result<Instance> instance = Instance::create(source_options_.validate ? checks : Validation::none);
     if (!instance.ok()) {
         return instance.status;
     }
@@ -120,7 +122,7 @@ Status SourceCore::open_device() {
     }
     gpu_->device.emplace(std::move(*device));
     const uint64_t heap = gpu_->device->limits().local_heap_size;
-    gpu_->budget.emplace(options().memory_limit > 0 ? options().memory_limit : heap);
+    gpu_->budget.emplace(source_options_.memory_limit > 0 ? source_options_.memory_limit : heap);
     return gpu_->instance->validation_status();
 }
 
@@ -309,8 +311,10 @@ void SourceCore::close() {
 
 }  // namespace
 
-std::unique_ptr<CoreAPI> create_tuned_core(const CoreTuning& tuning) { return std::make_unique<SourceCore>(tuning); }
+std::unique_ptr<CoreAPI> create_tuned_core(const CoreTuning& tuning, const SourceOptions& options) {
+    return std::make_unique<SourceCore>(tuning, options);
+}
 
-std::unique_ptr<CoreAPI> create_core() { return create_tuned_core({}); }
+std::unique_ptr<CoreAPI> create_core(const SourceOptions& options) { return create_tuned_core({}, options); }
 
 }  // namespace source_core

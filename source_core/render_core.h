@@ -2,13 +2,23 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <memory>
+#include <string>
 
 #include "render_system/core_api.h"
 
 namespace source_core {
 
-/// The GPU path tracer: a wavefront of Vulkan compute kernels. The core opens its device in Init.
-std::unique_ptr<render_system::CoreAPI> create_core();
+/// What this core alone can be told.
+struct SourceOptions {
+    uint64_t memory_limit = 0;      ///< bytes of device memory, 0: the device-local heap
+    std::string kernels_directory;  ///< empty: the kernels built into the program
+    bool validate = false;          ///< run under the validation layers; messages fail the call
+};
+
+/// The GPU path tracer: a wavefront of Vulkan compute kernels. The core opens its device in Init, which also fails with
+/// not_found where the folder of kernels or a file in it is missing.
+std::unique_ptr<render_system::CoreAPI> create_core(const SourceOptions& options = {});
 
 }  // namespace source_core

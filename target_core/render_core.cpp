@@ -29,11 +29,13 @@ double milliseconds_since(std::chrono::steady_clock::time_point start) {
 
 vec4 to_row(const glm::vec3& v, float w = 0.0f) { return vec4(v.x, v.y, v.z, w); }
 
-class TargetCore final : public CheckedCore {
+class TargetCore final : public CheckedCore, public EmbreeProbe {
 public:
     TargetCore() : CheckedCore("target", InstanceMatrices::invertible) {}
 
     CoreStats GetCoreStats() const override;
+    EmbreeFigures embree_figures() const override;
+    void measure_embree_limit(bool on) override { measures_limit_ = on; }
 
 private:
     Result<std::string> open() override;
@@ -53,7 +55,6 @@ private:
     Bindings bindings();
     /// The widest that this CPU runs; in exact mode the reference.
     const KernelTable& kernels() const { return options().exact ? one_lane_kernels : *runnable_kernels().tables[0]; }
-    void measure_limit(const RayLog& log);
 
     Workers workers_;
     std::vector<CoreMaterial> materials_;
@@ -73,15 +74,20 @@ private:
     uint features_ = 0;
     bool geometry_dirty_ = true;
     bool materials_dirty_ = true;
+    bool measures_limit_ = false;
+    double limit_ms_ = 0.0;  // of the last Render
+    uint64_t limit_rays_ = 0;
 };
 
 CoreStats TargetCore::GetCoreStats() const {
     CoreStats result = stats();
     result.memory_bytes = host_bytes();
-    result.trace_build_ms = embree_.build_ms();
-    result.trace_memory_bytes = embree_.memory_bytes() + meshes_.traced_bytes();
     result.texel_bytes = tables_.texels.size() * sizeof(tables_.texels[0]);
     return result;
+}
+
+EmbreeFigures TargetCore::embree_figures() const {
+    return {embree_.build_ms(), embree_.memory_bytes() + meshes_.traced_bytes(), limit_ms_, limit_rays_};
 }
 
 Result<std::string> TargetCore::open() {
@@ -204,15 +210,10 @@ Bindings TargetCore::bindings() {
     return bindings;
 }
 
-void TargetCore::measure_limit(const RayLog& log) {
-    arena_->execute([&] { stats().trace_limit_ms += log.replay(embree_.device(), embree_.scene()); });
-    stats().trace_limit_rays += log.count();
-}
-
 Status TargetCore::render(const ViewPyramid& view, uint32_t samples) {
     auto start = std::chrono::steady_clock::now();
     std::optional<RayLog> log;
-    if (settings().measure_trace_limit && !options().exact) {
+    if (measures_limit_ && !options().exact) {
         log.emplace();
     }
     Frame frame;
@@ -235,8 +236,10 @@ Status TargetCore::render(const ViewPyramid& view, uint32_t samples) {
     stats().connect_ms += rendered.connect_ms / threads;
     stats().finalize_ms += rendered.finalize_ms / threads;
     stats().total_ms += milliseconds_since(start);
+    limit_ms_ = 0.0;
+    limit_rays_ = log ? log->count() : 0;
     if (log) {
-        measure_limit(*log);
+        arena_->execute([&] { limit_ms_ = log->replay(embree_.device(), embree_.scene()); });
     }
     return Status::success();
 }

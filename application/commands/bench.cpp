@@ -27,6 +27,9 @@ Result<std::vector<FrameFigures>> time_frames(CoreSession& session, uint32_t cou
         if (Status status = session.render(convergence, 1); !status.ok()) return status;
         const CoreStats after = session.stats();
         frames.push_back(frame_between(before, after));
+        const target_core::EmbreeFigures embree = session.embree_figures();
+        frames.back().trace_limit_rays = static_cast<double>(embree.limit_rays);
+        frames.back().trace_limit_ms = embree.limit_ms;
         before = after;
         bar.show(frame + 1, count, after.primary_rays + after.extension_rays + after.shadow_rays,
                  after.total_ms * 1e-3);
@@ -34,9 +37,10 @@ Result<std::vector<FrameFigures>> time_frames(CoreSession& session, uint32_t cou
     return frames;
 }
 
-/// Lets Embree alone trace the very same rays, in a pass of its own that leaves the other times as they are.
+/// Lets Embree, where the core has it, alone trace the very same rays, in a pass of its own that leaves the other times
+/// as they are.
 Status add_trace_limit(CoreSession& session, uint32_t count, Console& console, FrameFigures& frame) {
-    if (Status status = session.measure_trace_limit(true); !status.ok()) return status;
+    if (!session.measure_embree_limit()) return Status::success();
     const auto frames = time_frames(session, count, console, "Embree alone");
     if (!frames.ok()) return frames.status;
     const FrameFigures limit = typical_frame(*frames);
@@ -64,11 +68,10 @@ ExitCode run_bench(const Options& options, Console& console) {
     if (!frames.ok()) return fail(console, frames.status);
     const CoreStats stats = session.stats();
     FrameFigures frame = typical_frame(*frames);
-    if (choice->core == "target") {
-        if (Status status = add_trace_limit(session, count, console, frame); !status.ok()) return fail(console, status);
-    }
+    const target_core::EmbreeFigures embree = session.embree_figures();
+    if (Status status = add_trace_limit(session, count, console, frame); !status.ok()) return fail(console, status);
 
-    const Json bench = bench_json(options, stats, frame, count);
+    const Json bench = bench_json(options, stats, embree, frame, count);
     const Json extended = stats_json(bench, options, count, choice->reason);
     if (Status status = write_stats(options, extended); !status.ok()) return fail(console, status);
     return deliver(options, console, options.format == Format::json ? json_text(bench) : bench_text(bench));

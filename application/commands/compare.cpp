@@ -53,8 +53,8 @@ Result<CoreResult> render_on(const char* core, const Options& options, CoreSessi
         result.pictures.emplace(spp, picture);
     }
     const auto stats = session.stats();
-    result.stats = stats_json(bench_json(options, stats, mean_frame(stats), stats.samples), options, *counts.rbegin(),
-                              choice->reason);
+    const Json bench = bench_json(options, stats, session.embree_figures(), mean_frame(stats), stats.samples);
+    result.stats = stats_json(bench, options, *counts.rbegin(), choice->reason);
     return result;
 }
 

@@ -71,7 +71,7 @@ std::string info_text(const Json& cores) {
 }  // namespace
 
 ExitCode run_info(const Options& options, Console& console) {
-    const CoreRegistry registry = make_registry();
+    const CoreRegistry registry = make_registry(options);
     Json cores = Json::array();
     // Also the cores that were left out of this build: their absence is an answer too.
     for (const std::string id : {"source", "target"}) cores.push_back(describe_core(registry, id));

@@ -40,8 +40,8 @@ ExitCode run_render(const Options& options, Console& console) {
     if (Status status = session.render_up_to(options.spp.front()); !status.ok()) return fail(console, status);
 
     const CoreStats stats = session.stats();
-    const Json json = stats_json(bench_json(options, stats, mean_frame(stats), stats.samples), options,
-                                 options.spp.front(), choice->reason);
+    const Json bench = bench_json(options, stats, session.embree_figures(), mean_frame(stats), stats.samples);
+    const Json json = stats_json(bench, options, options.spp.front(), choice->reason);
     if (Status status = write_picture(picture, *kind, file); !status.ok()) return fail(console, status);
     if (Status status = write_stats(options, json); !status.ok()) return fail(console, status);
     const std::string text = render_text(options, file, stats);

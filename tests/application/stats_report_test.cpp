@@ -63,7 +63,7 @@ TEST(FrameFigures, TypicalTakesMediansOfTimesAndMeansOfCounts) {
 TEST(BenchJson, HasTheFieldsOfTheContract) {
     Options options;
     options.scene = "a.gltf";
-    const Json bench = bench_json(options, stats_after(4), mean_frame(stats_after(4)), 4);
+    const Json bench = bench_json(options, stats_after(4), {}, mean_frame(stats_after(4)), 4);
     EXPECT_THAT(keys(bench), ElementsAre("core", "device", "scene", "triangles", "threads", "roulette", "bvh_build_ms",
                                          "frames", "paths_per_s", "rays", "ms_per_frame", "mrays_per_s",
                                          "embree_limit_mrays_per_s", "embree_limit_ms", "embree_build_ms",
@@ -84,7 +84,7 @@ TEST(BenchJson, StatesTheEmbreeLimitWhereItWasMeasured) {
     FrameFigures frame = mean_frame(stats_after(4));
     frame.trace_limit_rays = 3500.0;
     frame.trace_limit_ms = 0.25;
-    const Json bench = bench_json(Options{}, stats_after(4), frame, 4);
+    const Json bench = bench_json(Options{}, stats_after(4), {}, frame, 4);
     EXPECT_DOUBLE_EQ(bench["embree_limit_mrays_per_s"].get<double>(), 14.0);
     EXPECT_DOUBLE_EQ(bench["embree_limit_ms"].get<double>(), 0.25);
     EXPECT_THAT(bench_text(bench), HasSubstr("14.00 Mrays/s in 0.25 ms on the very same rays"));
@@ -93,11 +93,10 @@ TEST(BenchJson, StatesTheEmbreeLimitWhereItWasMeasured) {
 TEST(BenchJson, StatesEmbreesShareOfBuildAndMemory) {
     CoreStats stats = stats_after(4);
     stats.build_ms = 12.0;
-    stats.trace_build_ms = 10.0;
     stats.memory_bytes = 32u << 20;
-    stats.trace_memory_bytes = 16u << 20;
     stats.texel_bytes = 8u << 20;
-    const Json bench = bench_json(Options{}, stats, mean_frame(stats), 4);
+    const target_core::EmbreeFigures embree{.build_ms = 10.0, .memory_bytes = 16u << 20};
+    const Json bench = bench_json(Options{}, stats, embree, mean_frame(stats), 4);
     EXPECT_DOUBLE_EQ(bench["embree_build_ms"].get<double>(), 10.0);
     EXPECT_EQ(bench["embree_memory_bytes"], 16u << 20);
     EXPECT_THAT(bench_text(bench), HasSubstr("BVH in 12.0 ms, 10.0 of them Embree's"));
@@ -105,7 +104,7 @@ TEST(BenchJson, StatesEmbreesShareOfBuildAndMemory) {
 }
 
 TEST(BenchJson, WithoutTimesHasNoRates) {
-    const Json bench = bench_json(Options{}, CoreStats{}, FrameFigures{}, 0);
+    const Json bench = bench_json(Options{}, CoreStats{}, {}, FrameFigures{}, 0);
     EXPECT_TRUE(bench["paths_per_s"].is_null());
     EXPECT_TRUE(bench["mrays_per_s"]["total"].is_null());
     EXPECT_THAT(bench_text(bench), Not(HasSubstr("Embree")));
@@ -115,7 +114,7 @@ TEST(StatsJson, AddsWhatWasAskedFor) {
     Options options;
     options.seed = 9;
     const Json stats =
-        stats_json(bench_json(options, stats_after(1), mean_frame(stats_after(1)), 1), options, 16, "why");
+        stats_json(bench_json(options, stats_after(1), {}, mean_frame(stats_after(1)), 1), options, 16, "why");
     EXPECT_EQ(stats["size"], Json::array({640, 360}));
     EXPECT_EQ(stats["spp"], 16);
     EXPECT_EQ(stats["seed"], 9);

@@ -160,7 +160,7 @@ TEST(SourceCore, AnEditShowsInTheNextPicture) {
 }
 
 TEST(SourceCore, MeshesOverTheBudgetAreRefusedBeforeATreeIsBuiltWithTheNeedOfThemAll) {
-    CoreOptions options;
+    source_core::SourceOptions options;
     options.memory_limit = 1 << 20;
     OPEN_CORE_OR_SKIP(core, options);
     std::mt19937 random(1);
@@ -183,7 +183,7 @@ TEST(SourceCore, MeshesOverTheBudgetAreRefusedBeforeATreeIsBuiltWithTheNeedOfThe
 }
 
 TEST(SourceCore, ASceneOverTheBudgetIsRefusedBeforeAnyUpload) {
-    CoreOptions options;
+    source_core::SourceOptions options;
     options.memory_limit = 12 << 20;  // meshes fit, with trees, staging and path state they do not
     OPEN_CORE_OR_SKIP(core, options);
     std::mt19937 random(1);
@@ -207,7 +207,7 @@ TEST(SourceCore, TheBudgetHoldsAndIsStated) {
     const auto expected = render(*probe, 200, 200, 1);
     const uint64_t used = probe->GetCoreStats().memory_bytes;
     EXPECT_GT(probe->GetCoreStats().memory_allowed_bytes, used);
-    CoreOptions options;
+    source_core::SourceOptions options;
     options.memory_limit = used - 1000000;  // smaller batches help
     OPEN_CORE_OR_SKIP(tight, options);
     ASSERT_TRUE(send_feature_scene(*tight).ok());
@@ -220,7 +220,7 @@ TEST(SourceCore, ABrokenKernelIsAnErrorWithFileAndLine) {
     TemporaryFolder folder;
     folder.write_kernels();
     folder.write("sky.glsl", "#ifndef SKY_GLSL\n#define SKY_GLSL\nfloat broken = nonsense;\n#endif\n");
-    CoreOptions options;
+    source_core::SourceOptions options;
     options.kernels_directory = folder.path();
     OPEN_CORE_OR_SKIP(core, options);
     std::vector<glm::vec4> pixels(4);
@@ -233,10 +233,10 @@ TEST(SourceCore, ABrokenKernelIsAnErrorWithFileAndLine) {
 }
 
 TEST(SourceCore, AMissingFolderOfKernelsIsNotFound) {
-    auto core = source_core::create_tuned_core({});
-    CoreOptions options;
+    source_core::SourceOptions options;
     options.kernels_directory = "/nonexistent/kernels";
-    const Status status = core->Init(options);
+    auto core = source_core::create_core(options);
+    const Status status = core->Init({});
     EXPECT_EQ(status.code, StatusCode::not_found);
     EXPECT_NE(status.message.find("/nonexistent/kernels"), std::string::npos);
 }
@@ -245,10 +245,10 @@ TEST(SourceCore, AMissingKernelIsNamed) {
     TemporaryFolder folder;
     folder.write_kernels();
     std::filesystem::remove(folder.path() / "shade.glsl");
-    auto core = source_core::create_tuned_core({});
-    CoreOptions options;
+    source_core::SourceOptions options;
     options.kernels_directory = folder.path();
-    const Status status = core->Init(options);
+    auto core = source_core::create_core(options);
+    const Status status = core->Init({});
     EXPECT_EQ(status.code, StatusCode::not_found);
     EXPECT_NE(status.message.find("shade.glsl"), std::string::npos);
 }

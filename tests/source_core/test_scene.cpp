@@ -157,9 +157,9 @@ ViewPyramid front_view() {
 
 const std::string& last_open_error() { return open_error; }
 
-std::unique_ptr<CoreAPI> open_core(const CoreOptions& options, const source_core::CoreTuning& tuning) {
-    auto core = source_core::create_tuned_core(tuning);
-    const Status status = core->Init(options);
+std::unique_ptr<CoreAPI> open_core(const source_core::SourceOptions& options, const source_core::CoreTuning& tuning) {
+    auto core = source_core::create_tuned_core(tuning, options);
+    const Status status = core->Init({});
     if (!status.ok()) {
         open_error = status.message;
         EXPECT_EQ(status.code, StatusCode::no_device) << status.message;

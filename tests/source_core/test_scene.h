@@ -54,7 +54,7 @@ render_system::Status send_feature_scene(render_system::CoreAPI& core);
 render_system::ViewPyramid front_view();
 
 /// A core through Init, or null with the reason printed as the test's skip message.
-std::unique_ptr<render_system::CoreAPI> open_core(const render_system::CoreOptions& options = {},
+std::unique_ptr<render_system::CoreAPI> open_core(const source_core::SourceOptions& options = {},
                                                   const source_core::CoreTuning& tuning = {});
 
 /// Renders and returns the pixels; fails the test on an error.

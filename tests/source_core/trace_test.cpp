@@ -202,7 +202,7 @@ protected:
 
     // Renders one pixel per ray and holds each against brute force.
     void expect_brute_force(TestScene& scene, const std::vector<TestRay>& rays) {
-        CoreOptions options;
+        source_core::SourceOptions options;
         options.kernels_directory = folder_.path();
         OPEN_CORE_OR_SKIP(core, options);
         const Status sent = scene.send(*core);
@@ -364,7 +364,7 @@ TEST_F(Trace, FarFromTheOriginNothingSlipsThrough) {
 
 TEST_F(Trace, AnEmptySceneIsMissed) {
     TestScene scene;
-    CoreOptions options;
+    source_core::SourceOptions options;
     options.kernels_directory = folder_.path();
     OPEN_CORE_OR_SKIP(core, options);
     ASSERT_TRUE(scene.send(*core).ok());

@@ -9,7 +9,7 @@ using namespace source_core_test;
 namespace {
 
 void expect_clean(const source_core::CoreTuning& tuning, bool all_features) {
-    CoreOptions options;
+    source_core::SourceOptions options;
     options.validate = true;
     OPEN_CORE_OR_SKIP(core, options, tuning);
     if (all_features) {
@@ -77,7 +77,7 @@ TEST(Validation, DISABLED_AllAccessesToStorageBuffersStayInside) {
 }
 
 TEST(Validation, ASceneOfNothingRunsClean) {
-    CoreOptions options;
+    source_core::SourceOptions options;
     options.validate = true;
     OPEN_CORE_OR_SKIP(core, options, host_checks());
     render(*core, 8, 8, 1);
@@ -90,7 +90,7 @@ TEST(Validation, AWriteOutsideABufferIsCaught) {
     folder.write("finalize.glsl",
                  "#ifndef FINALIZE_GLSL\n#define FINALIZE_GLSL\n#include \"path_state.glsl\"\n"
                  "void finalize_pixel(Uint job) { store_target(job + 64u, vec4(1.0f)); }\n#endif\n");
-    CoreOptions options;
+    source_core::SourceOptions options;
     options.validate = true;
     options.kernels_directory = folder.path();
     source_core::CoreTuning tuning;
