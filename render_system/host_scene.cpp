@@ -64,7 +64,7 @@ bool SceneChanges::any() const {
 }
 
 uint32_t HostScene::add_texture(HostTexture texture) {
-    texture_means_.push_back(mean_color(texture));
+    texture_means_.emplace_back();
     textures_.push_back(std::move(texture));
     changes_.textures = true;
     return static_cast<uint32_t>(textures_.size() - 1);
@@ -113,7 +113,7 @@ uint32_t HostScene::add_node(HostNode node) {
 }
 
 void HostScene::set_texture(uint32_t id, HostTexture texture) {
-    texture_means_[id] = mean_color(texture);
+    texture_means_[id].reset();
     textures_[id] = std::move(texture);
     changes_.textures = true;
     update_emission_weights(id);
@@ -231,10 +231,13 @@ void HostScene::mark_all_changed() {
     changes_.textures = changes_.lights = changes_.sky = true;
 }
 
-float HostScene::emission_weight(const CoreMaterial& material) const {
+float HostScene::emission_weight(const CoreMaterial& material) {
+    const float untextured = luminance(material.emission) * even_coverage(material);
     const uint32_t texture = material.emission_texture.texture;
-    const float mean = texture < texture_means_.size() ? luminance(texture_means_[texture]) : 1.0f;
-    return luminance(material.emission) * mean * even_coverage(material);
+    if (untextured == 0.0f || texture >= textures_.size()) return untextured;
+    std::optional<float>& mean = texture_means_[texture];
+    if (!mean) mean = luminance(mean_color(textures_[texture]));
+    return luminance(material.emission) * *mean * even_coverage(material);
 }
 
 void HostScene::update_emission_weights(uint32_t texture) {

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -163,13 +164,13 @@ public:
     void mark_all_changed();
 
 private:
-    float emission_weight(const CoreMaterial& material) const;
+    float emission_weight(const CoreMaterial& material);
     void describe_mesh(uint32_t id);
     void update_emission_weights(uint32_t texture);
     void place_subtree(uint32_t id);
 
     std::vector<HostTexture> textures_;
-    std::vector<glm::vec3> texture_means_;  // linear light, of level 0
+    std::vector<std::optional<float>> texture_means_;  // luminance of level 0, of those that light something
     std::vector<HostMaterial> materials_;
     std::vector<HostMesh> meshes_;
     std::vector<Box> mesh_boxes_;
