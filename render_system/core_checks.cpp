@@ -72,12 +72,9 @@ Status validate_table(std::span<const AliasEntry> table, const char* owner) {
 
 // The largest texture index that a material uses, plus one; 0 if it uses none.
 uint32_t last_texture(const CoreMaterial& m) {
-    const CoreTextureSlot* slots[] = {&m.base_color_texture,    &m.metallic_roughness_texture, &m.normal_texture,
-                                      &m.emission_texture,      &m.transmission_texture,       &m.specular_texture,
-                                      &m.specular_color_texture};
     uint32_t last = 0;
-    for (const CoreTextureSlot* slot : slots) {
-        if (slot->texture != NONE) last = std::max(last, slot->texture + 1);
+    for (const auto slot : kTextureSlots) {
+        if ((m.*slot).texture != NONE) last = std::max(last, (m.*slot).texture + 1);
     }
     return last;
 }

@@ -82,6 +82,14 @@ struct CoreMaterial {
     CoreTextureSlot specular_color_texture;      ///< RGB
 };
 
+/// Every texture slot of a material, each once: what goes for all of them goes through this list. Its order is that of
+/// the slots in the cores' rows (MATERIAL_SLOTS in layout.h).
+constexpr CoreTextureSlot CoreMaterial::*kTextureSlots[] = {
+    &CoreMaterial::base_color_texture,     &CoreMaterial::metallic_roughness_texture, &CoreMaterial::normal_texture,
+    &CoreMaterial::emission_texture,       &CoreMaterial::transmission_texture,       &CoreMaterial::specular_texture,
+    &CoreMaterial::specular_color_texture,
+};
+
 /// One triangle mesh. `triangles` holds three vertex indices and the material of each triangle in w.
 /// The other spans have one element per vertex, or none: normals must be there; the rest default to
 /// uv (0,0), tangent (none: normal maps are ignored) and colour white.

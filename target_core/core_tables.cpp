@@ -5,6 +5,7 @@
 
 #include <bit>
 #include <cmath>
+#include <iterator>
 
 namespace target_core {
 
@@ -30,6 +31,18 @@ vec4 pack_alias(const AliasEntry& entry) {
     return vec4(entry.threshold, as_float(entry.alias), entry.probability, 0.0f);
 }
 
+// What kernels need for a texture in each of kTextureSlots.
+constexpr uint kSlotFeatures[] = {
+    FEATURE_TEXTURES,                              // base_color
+    FEATURE_TEXTURES,                              // metallic_roughness
+    FEATURE_NORMAL_MAPS,                           // normal
+    FEATURE_TEXTURES | FEATURE_EMISSION_TEXTURES,  // emission
+    FEATURE_TEXTURES | FEATURE_SPECULAR_TEXTURES,  // transmission
+    FEATURE_TEXTURES | FEATURE_SPECULAR_TEXTURES,  // specular
+    FEATURE_TEXTURES | FEATURE_SPECULAR_TEXTURES,  // specular_color
+};
+static_assert(std::size(kSlotFeatures) == std::size(kTextureSlots));
+
 bool has_alpha_texture(const CoreMaterial& material) {
     return material.base_color_texture.texture != render_system::NONE;
 }
@@ -42,21 +55,19 @@ void pack_materials(std::span<const CoreMaterial> materials, SceneTables& tables
     for (const CoreMaterial& material : materials) {
         uint flags = (material.opaque ? MATERIAL_OPAQUE : 0u) | (material.double_sided ? MATERIAL_DOUBLE_SIDED : 0u) |
                      (material.thin_walled ? MATERIAL_THIN_WALLED : 0u);
-        std::vector<vec4>& slots = tables.texture_slots;
+        float slots[8] = {};
+        static_assert(std::size(kTextureSlots) <= std::size(slots));
+        for (uint i = 0; i < std::size(kTextureSlots); ++i) {
+            slots[i] = as_float(pack_slot(material.*kTextureSlots[i], tables.texture_slots));
+        }
         vec4 rows[MATERIAL_ROWS];
         rows[MATERIAL_BASE_COLOR] = row(material.base_color, material.alpha);
         rows[MATERIAL_SURFACE] = vec4(material.metallic, material.roughness, material.specular, material.transmission);
         rows[MATERIAL_EMISSION] = row(material.emission, material.emission_weight);
         rows[MATERIAL_SPECULAR] = row(material.specular_color, material.ior);
         rows[MATERIAL_ALPHA] = vec4(material.normal_scale, material.alpha_cutoff, as_float(flags), 0.0f);
-        rows[MATERIAL_SLOTS].x = as_float(pack_slot(material.base_color_texture, slots));
-        rows[MATERIAL_SLOTS].y = as_float(pack_slot(material.metallic_roughness_texture, slots));
-        rows[MATERIAL_SLOTS].z = as_float(pack_slot(material.normal_texture, slots));
-        rows[MATERIAL_SLOTS].w = as_float(pack_slot(material.emission_texture, slots));
-        rows[MATERIAL_MORE_SLOTS].x = as_float(pack_slot(material.transmission_texture, slots));
-        rows[MATERIAL_MORE_SLOTS].y = as_float(pack_slot(material.specular_texture, slots));
-        rows[MATERIAL_MORE_SLOTS].z = as_float(pack_slot(material.specular_color_texture, slots));
-        rows[MATERIAL_MORE_SLOTS].w = 0.0f;
+        rows[MATERIAL_SLOTS] = vec4(slots[0], slots[1], slots[2], slots[3]);
+        rows[MATERIAL_MORE_SLOTS] = vec4(slots[4], slots[5], slots[6], slots[7]);
         tables.materials.insert(tables.materials.end(), rows, rows + MATERIAL_ROWS);
     }
 }
@@ -66,11 +77,12 @@ void pack_textures(std::span<const CoreTexture> textures, SceneTables& tables) {
     tables.texels.clear();
     for (size_t i = 0; i < textures.size(); ++i) {
         const CoreTexture& texture = textures[i];
-        uint wraps = static_cast<uint>(texture.wrap_s) << 8 | static_cast<uint>(texture.wrap_t) << 16;
-        uint nearest = texture.nearest ? 1u << 24 : 0u;
+        uint wrap_s = static_cast<uint>(texture.wrap_s) << TEXTURE_WRAP_S_SHIFT;
+        uint wrap_t = static_cast<uint>(texture.wrap_t) << TEXTURE_WRAP_T_SHIFT;
+        uint nearest = (texture.nearest ? 1u : 0u) << TEXTURE_NEAREST_SHIFT;
         float texels_of_level_0 = static_cast<float>(texture.width) * static_cast<float>(texture.height);
         tables.textures[i] =
-            uvec4(static_cast<uint>(texture.format) | wraps | nearest, std::bit_cast<uint>(texels_of_level_0),
+            uvec4(static_cast<uint>(texture.format) | wrap_s | wrap_t | nearest, std::bit_cast<uint>(texels_of_level_0),
                   texture.levels, static_cast<uint>(tables.textures.size()));
         uint first = static_cast<uint>(tables.texels.size());
         for (uint level = 0; level < texture.levels; ++level) {
@@ -136,9 +148,9 @@ std::vector<uint> pack_tangents(const CoreMesh& mesh) {
             y = (1.0f - std::fabs(x)) * (y >= 0.0f ? 1.0f : -1.0f);
             x = folded_x;
         }
-        uint word_x = static_cast<uint>(std::lround((x * 0.5f + 0.5f) * 65535.0f));
-        uint word_y = static_cast<uint>(std::lround((y * 0.5f + 0.5f) * 32767.0f));
-        words[i] = word_x | word_y << 16 | (t.w < 0.0f ? 0x80000000u : 0u);
+        uint word_x = static_cast<uint>(std::lround((x * 0.5f + 0.5f) * static_cast<float>(TANGENT_X_MASK)));
+        uint word_y = static_cast<uint>(std::lround((y * 0.5f + 0.5f) * static_cast<float>(TANGENT_Y_MASK)));
+        words[i] = word_x | word_y << TANGENT_Y_SHIFT | (t.w < 0.0f ? 1u : 0u) << TANGENT_SIGN_SHIFT;
     }
     return words;
 }
@@ -172,14 +184,10 @@ float opacity_code(const CoreMaterial& material, bool mesh_has_colors) {
 uint material_features(std::span<const CoreMaterial> materials) {
     uint features = 0;
     auto raise = [&features](bool condition, uint bits) { features |= condition ? bits : 0u; };
-    auto has = [](const CoreTextureSlot& slot) { return slot.texture != render_system::NONE; };
     for (const CoreMaterial& material : materials) {
-        raise(has(material.base_color_texture) || has(material.metallic_roughness_texture), FEATURE_TEXTURES);
-        raise(has(material.normal_texture), FEATURE_NORMAL_MAPS);
-        raise(has(material.emission_texture), FEATURE_TEXTURES | FEATURE_EMISSION_TEXTURES);
-        raise(has(material.transmission_texture) || has(material.specular_texture) ||
-                  has(material.specular_color_texture),
-              FEATURE_TEXTURES | FEATURE_SPECULAR_TEXTURES);
+        for (uint i = 0; i < std::size(kTextureSlots); ++i) {
+            raise((material.*kTextureSlots[i]).texture != render_system::NONE, kSlotFeatures[i]);
+        }
         raise(material.transmission > 0.0f && !material.thin_walled, FEATURE_TRANSMISSION);
     }
     return features;

@@ -28,7 +28,8 @@ struct Attributes {
 };
 
 vec4 unpack_color(Uint bits) {
-    return vec4(unorm8(bits & 255u), unorm8((bits >> 8) & 255u), unorm8((bits >> 16) & 255u), unorm8(bits >> 24));
+    return vec4(unorm8(bits & RGBA8_MASK), unorm8((bits >> RGBA8_GREEN_SHIFT) & RGBA8_MASK),
+                unorm8((bits >> RGBA8_BLUE_SHIFT) & RGBA8_MASK), unorm8(bits >> RGBA8_ALPHA_SHIFT));
 }
 
 Float doubled_area(vec2 a, vec2 b, vec2 c) { return abs((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)); }
@@ -122,14 +123,14 @@ Surface make_surface(PathRay path_ray, Hit hit, TriangleVertices triangle) {
     return surface;
 }
 
-// Octahedral direction from 16 and 15 bits; the highest bit is the bitangent's sign: 0 for +1.
+// The octahedral direction, and the bitangent's sign in w.
 vec4 unpack_tangent(Uint bits) {
-    Float x = Float(bits & 65535u) * 3.05180438e-5f - 1.0f;
-    Float y = Float((bits >> 16) & 32767u) * 6.10370190e-5f - 1.0f;
+    Float x = Float(bits & TANGENT_X_MASK) * 3.05180438e-5f - 1.0f;
+    Float y = Float((bits >> TANGENT_Y_SHIFT) & TANGENT_Y_MASK) * 6.10370190e-5f - 1.0f;
     Float z = (1.0f - abs(x)) - abs(y);
     Float fold = max(-z, 0.0f);
     vec3 direction = vec3(x + select(x >= 0.0f, -fold, fold), y + select(y >= 0.0f, -fold, fold), z);
-    return vec4(normalized(direction), select((bits >> 31) != 0u, Float(-1.0f), Float(1.0f)));
+    return vec4(normalized(direction), select((bits >> TANGENT_SIGN_SHIFT) != 0u, Float(-1.0f), Float(1.0f)));
 }
 
 // The shading normal bent by a normal map, which lies in the frame of the interpolated tangent.

@@ -30,15 +30,18 @@ Float linear_from_srgb(Float c) {
 Float unorm8(Uint byte_value) { return Float(byte_value) * 0.00392156863f; }
 
 vec4 decode_texel(Uint bits, Uint format) {
-    vec4 color = vec4(unorm8(bits & 255u), unorm8((bits >> 8) & 255u), unorm8((bits >> 16) & 255u), unorm8(bits >> 24));
+    vec4 color = vec4(unorm8(bits & RGBA8_MASK), unorm8((bits >> RGBA8_GREEN_SHIFT) & RGBA8_MASK),
+                      unorm8((bits >> RGBA8_BLUE_SHIFT) & RGBA8_MASK), unorm8(bits >> RGBA8_ALPHA_SHIFT));
     if (any_lane(format == TEXEL_RGBA8_SRGB)) {
         vec4 curved = vec4(linear_from_srgb(color.x), linear_from_srgb(color.y), linear_from_srgb(color.z), color.w);
         color = select(format == TEXEL_RGBA8_SRGB, curved, color);
     }
     if (any_lane(format == TEXEL_RGB9E5)) {
-        Float scale = uintBitsToFloat(((bits >> 27) + 103u) << 23);
-        vec4 shared_exponent = vec4(Float(bits & 511u) * scale, Float((bits >> 9) & 511u) * scale,
-                                    Float((bits >> 18) & 511u) * scale, 1.0f);
+        Float scale =
+            uintBitsToFloat(((bits >> RGB9E5_EXPONENT_SHIFT) + RGB9E5_FLOAT_EXPONENT) << FLOAT_EXPONENT_SHIFT);
+        vec4 shared_exponent =
+            vec4(Float(bits & RGB9E5_MASK) * scale, Float((bits >> RGB9E5_GREEN_SHIFT) & RGB9E5_MASK) * scale,
+                 Float((bits >> RGB9E5_BLUE_SHIFT) & RGB9E5_MASK) * scale, 1.0f);
         color = select(format == TEXEL_RGB9E5, shared_exponent, color);
     }
     return color;
@@ -64,10 +67,10 @@ Uint wrap_texel(Int i, Int size, Uint wrap) {
 // One level with bilinear interpolation.
 vec4 sample_level(uvec4 header, Uint level, vec2 uv) {
     uvec4 size = fetch_textures(header.w + level);
-    Uint format = header.x & 255u;
-    Uint wrap_s = (header.x >> 8) & 255u;
-    Uint wrap_t = (header.x >> 16) & 255u;
-    Mask nearest = (header.x >> 24) != 0u;
+    Uint format = header.x & TEXTURE_FIELD_MASK;
+    Uint wrap_s = (header.x >> TEXTURE_WRAP_S_SHIFT) & TEXTURE_FIELD_MASK;
+    Uint wrap_t = (header.x >> TEXTURE_WRAP_T_SHIFT) & TEXTURE_FIELD_MASK;
+    Mask nearest = (header.x >> TEXTURE_NEAREST_SHIFT) != 0u;
     Float x = wrap_coordinate(uv.x, wrap_s) * Float(size.y) - 0.5f;
     Float y = wrap_coordinate(uv.y, wrap_t) * Float(size.z) - 0.5f;
     Float left = floor(x);

@@ -11,11 +11,11 @@
 #include "alpha.glsl"
 #include "intersect.glsl"
 
-const uint DONE = LEAF | 0x0fffffffu;            // at the bottom of the stack: an empty leaf
-const uint LEAVE_INSTANCE = LEAF | 0x0ffffffeu;  // on the stack, an empty leaf too: the instance's tree is done
-const float NO_HIT = 1.0e29f;                    // beyond every box but those of empty children
-const float MISSED = 2.0e30f;                    // beyond every distance
-const float PAD_SCALE = 4.76837158203125e-7f;    // 2^-21
+const uint DONE = LEAF | LEAF_FIRST_MASK;       // at the bottom of the stack: an empty leaf
+const uint LEAVE_INSTANCE = LEAF | MOST_SLOTS;  // on the stack, an empty leaf too: the instance's tree is done
+const float NO_HIT = 1.0e29f;                   // beyond every box but those of empty children
+const float MISSED = 2.0e30f;                   // beyond every distance
+const float PAD_SCALE = 4.76837158203125e-7f;   // 2^-21
 
 uint trace_stack[STACK_SIZE];
 

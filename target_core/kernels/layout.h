@@ -20,7 +20,17 @@ const uint VERTEX_ROWS = 2u;
 const uint VERTEX_NORMAL = 0u;  // normal.xyz, colour as rgba8 bits
 const uint VERTEX_UV = 1u;      // uv0.xy, uv1.xy
 
-// tangents: one word per vertex: octahedral tangent, 16 and 15 bits, the bitangent's sign in the highest bit.
+// rgba8, a colour or a texel in one word: red in the lowest byte.
+const uint RGBA8_MASK = 255u;
+const uint RGBA8_GREEN_SHIFT = 8u;
+const uint RGBA8_BLUE_SHIFT = 16u;
+const uint RGBA8_ALPHA_SHIFT = 24u;
+
+// tangents: one word per vertex: octahedral tangent, x in the lowest 16 bits, y in 15, then the bitangent's sign.
+const uint TANGENT_X_MASK = 65535u;
+const uint TANGENT_Y_SHIFT = 16u;
+const uint TANGENT_Y_MASK = 32767u;
+const uint TANGENT_SIGN_SHIFT = 31u;  // 1: the bitangent is turned round
 
 // instances: 4 rows per instance.
 const uint INSTANCE_ROWS = 4u;
@@ -28,7 +38,7 @@ const uint INSTANCE_TRANSFORM = 0u;  // 3 rows of the object-to-world matrix
 const uint INSTANCE_MESH = 3u;       // first mesh triangle, first vertex, flags (all as bits), determinant's sign
 const uint INSTANCE_HAS_TANGENTS = 1u;
 
-// materials: 7 rows per material.
+// materials: 7 rows per material. The slots are in the order of the render system's kTextureSlots.
 const uint MATERIAL_ROWS = 7u;
 const uint MATERIAL_BASE_COLOR = 0u;  // base_color.rgb, alpha
 const uint MATERIAL_SURFACE = 1u;     // metallic, roughness, specular, transmission
@@ -46,12 +56,22 @@ const uint SLOT_ROWS = 2u;
 const uint SLOT_U = 0u;  // row_u.xyz, texture as bits
 const uint SLOT_V = 1u;  // row_v.xyz, uv set as bits
 
-// textures: uvec4 rows: row i is the header of texture i: format (bits 0-7), wraps (s in bits 8-15, t in bits 16-23)
-// and nearest (bit 24); texels of level 0 as the bits of a float; levels; row of level 0. The rows of levels follow all
-// headers: first texel, width, height, unused.
+// textures: uvec4 rows: row i is the header of texture i: format (in the lowest bits), wraps and nearest in one word;
+// texels of level 0 as the bits of a float; levels; row of level 0. The rows of levels follow all headers: first texel,
+// width, height, unused.
+const uint TEXTURE_FIELD_MASK = 255u;  // of format and wraps
+const uint TEXTURE_WRAP_S_SHIFT = 8u;
+const uint TEXTURE_WRAP_T_SHIFT = 16u;
+const uint TEXTURE_NEAREST_SHIFT = 24u;
 const uint TEXEL_RGBA8 = 0u;
 const uint TEXEL_RGBA8_SRGB = 1u;
-const uint TEXEL_RGB9E5 = 2u;
+const uint TEXEL_RGB9E5 = 2u;  // red in the lowest bits
+const uint RGB9E5_MASK = 511u;
+const uint RGB9E5_GREEN_SHIFT = 9u;
+const uint RGB9E5_BLUE_SHIFT = 18u;
+const uint RGB9E5_EXPONENT_SHIFT = 27u;
+const uint RGB9E5_FLOAT_EXPONENT = 103u;  // added to the exponent, makes it the one of a float: 127 - 15 - 9
+const uint FLOAT_EXPONENT_SHIFT = 23u;
 const uint WRAP_REPEAT = 0u;
 const uint WRAP_MIRRORED_REPEAT = 1u;
 const uint WRAP_CLAMP_TO_EDGE = 2u;
