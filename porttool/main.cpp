@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <iostream>
 
-#include "porttool/command/commands.h"
+#include "porttool/command/run.h"
 
 int main(int argc, char** argv) try {
     porttool::RealDisk disk;

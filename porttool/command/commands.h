@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <ostream>
 #include <string>
 
+#include "porttool/command/declare.h"
 #include "porttool/command/options.h"
 #include "porttool/read/cannot_do.h"
 #include "porttool/read/workplace.h"
@@ -17,23 +17,36 @@ struct Outcome {
     int exit_code = 0;
 };
 
-Outcome scan_command(const Options& options, Workplace& place);
-Outcome map_command(const Options& options, Workplace& place);
-Outcome init_command(const Options& options, Workplace& place);
-Outcome check_command(const Options& options, Workplace& place);
-Outcome accept_command(const Options& options, Workplace& place);
-Outcome defer_command(const Options& options, Workplace& place);
-Outcome ignore_command(const Options& options, Workplace& place);
-Outcome explain_command(const Options& options, Workplace& place);
-Outcome effort_command(const Options& options, Workplace& place);
-Outcome history_command(const Options& options, Workplace& place);
-Outcome compare_command(const Options& options, Workplace& place);
-Outcome report_command(const Options& options, Workplace& place);
+// Each command stands in a file of its own: its options, and what carries it out.
+void declare_scan(Declare& declare, Options& options);
+Outcome run_scan(const Options& options, Workplace& place);
+void declare_map(Declare& declare, Options& options);
+Outcome run_map(const Options& options, Workplace& place);
+void declare_init(Declare& declare, Options& options);
+Outcome run_init(const Options& options, Workplace& place);
+void declare_check(Declare& declare, Options& options);
+Outcome run_check(const Options& options, Workplace& place);
+void declare_accept(Declare& declare, Options& options);
+Outcome run_accept(const Options& options, Workplace& place);
+void declare_defer(Declare& declare, Options& options);
+Outcome run_defer(const Options& options, Workplace& place);
+void declare_ignore(Declare& declare, Options& options);
+Outcome run_ignore(const Options& options, Workplace& place);
+void declare_compare(Declare& declare, Options& options);
+Outcome run_compare(const Options& options, Workplace& place);
+void declare_explain(Declare& declare, Options& options);
+Outcome run_explain(const Options& options, Workplace& place);
+void declare_effort(Declare& declare, Options& options);
+Outcome run_effort(const Options& options, Workplace& place);
+void declare_history(Declare& declare, Options& options);
+Outcome run_history(const Options& options, Workplace& place);
+void declare_report(Declare& declare, Options& options);
+Outcome run_report(const Options& options, Workplace& place);
+
+/// The globs of both sides, for the commands that do without a map.
+void declare_sides(Declare& declare, Options& options);
 
 /// Throws CannotDo unless `format` is one of `known`.
 void require_format(const std::string& format, std::initializer_list<const char*> known);
-
-/// Runs a command line: parses, runs, writes. Returns the exit code.
-int run_porttool(int argc, const char* const* argv, Disk& disk, std::ostream& out, std::ostream& err);
 
 }  // namespace porttool

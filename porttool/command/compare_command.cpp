@@ -1,135 +1,36 @@
 // SPDX-FileCopyrightText: 2026 The porttool authors
 // SPDX-License-Identifier: Apache-2.0
-#include <algorithm>
-#include <filesystem>
 #include <future>
 
 #include "porttool/command/commands.h"
 #include "porttool/measure/measure.h"
-#include "porttool/read/map_file.h"
-#include "porttool/read/source_files.h"
 #include "porttool/report/compare_report.h"
-#include "porttool/scan/scan.h"
-#include "porttool/snapshot/project.h"
-#include "porttool/text/sink/shell.h"
-#include "porttool/text/sink/terminal.h"
-#include "porttool/text/suggest.h"
+#include "porttool/snapshot/named_text.h"
 
 namespace porttool {
 namespace {
 
-std::string absolute(const std::string& path) {
-    std::error_code error;
-    return clean_path(std::filesystem::absolute(path, error).generic_string());
-}
-
-bool is_file(const Disk& disk, const std::string& path) { return disk.exists(path) && !disk.is_directory(path); }
-
-/// An argument taken apart: PATH or PATH:NAME.
-struct Named {
-    std::string path;  ///< absolute
-    std::string name;  ///< empty: the whole file
-};
-
-/// The part of an argument that is a file below `folder`: all of it, else the longest part before a colon. Nothing if
-/// there is none.
-std::optional<Named> find_file(const Disk& disk, const std::string& folder, const std::string& argument) {
-    for (size_t end = argument.size(); end != std::string::npos && end > 0; end = argument.rfind(':', end - 1)) {
-        const std::string path = absolute(join_path(folder, argument.substr(0, end)));
-        if (is_file(disk, path)) return Named{path, end < argument.size() ? argument.substr(end + 1) : std::string()};
-    }
-    return std::nullopt;
-}
-
-[[noreturn]] void refuse_argument(const Disk& disk, const std::string& folder, const std::string& argument) {
-    if (argument.empty()) throw CannotDo("compare: an empty name; name a file, or a unit as PATH:NAME");
-    if (disk.is_directory(absolute(join_path(folder, argument))))
-        throw CannotDo(terminal_text(argument) + " is a folder; name a file, or a unit as PATH:NAME");
-    throw CannotDo(terminal_text(argument) +
-                   ": no such file or unit; paths are relative to -C or to the root, units are PATH:NAME");
-}
-
-std::string leaf(const std::string& name) {
-    const size_t colons = name.rfind("::");
-    return colons == std::string::npos ? name : name.substr(colons + 2);
-}
-
-/// The unit most like a name: one with the same last part, else the one with the fewest letters changed.
-std::string nearest_unit(const ScannedFile& file, const std::string& name) {
-    std::vector<std::string> names, leaves;
-    for (const Unit& unit : file.units) {
-        if (leaf(unit.name) == leaf(name)) return unit.name;
-        names.push_back(unit.name);
-        leaves.push_back(leaf(unit.name));
-    }
-    if (const std::string near = nearest(name, names); !near.empty()) return near;
-    const std::string near = nearest(leaf(name), leaves);
-    const auto at = std::find(leaves.begin(), leaves.end(), near);
-    return near.empty() ? near : names[static_cast<size_t>(at - leaves.begin())];
-}
-
-[[noreturn]] void refuse_unit(const ScannedFile& file, const std::string& name) {
-    std::string text = terminal_text(file.path) + " has no unit '" + terminal_text(name) + "'";
-    if (const std::string near = nearest_unit(file, name); !near.empty())
-        text += "; did you mean '" + terminal_text(near) + "'?";
-    text += "\nporttool scan " + terminal_text(shell_word(file.path)) + " lists its " +
-            std::to_string(file.units.size()) + " units";
-    throw CannotDo(text);
-}
-
-/// One side of the comparison, read and scanned.
-struct ReadSide {
-    ScannedFile file;
-    std::optional<size_t> unit;  ///< an index into ScannedFile::units
-
-    Excerpt excerpt() const { return {&file, unit ? &file.units[*unit] : nullptr}; }
-    std::string id() const { return unit ? unit_id(file, file.units[*unit]) : file.path + ":@file"; }
-};
-
-ReadSide read_side(const Options& options, const Disk& disk, const std::string& root, const std::string& argument) {
-    std::optional<Named> named = find_file(disk, options.directory, argument);
-    if (!named) named = find_file(disk, root, argument);
-    if (!named) refuse_argument(disk, options.directory, argument);
-    std::vector<std::string> missing;
-    const SourceSet sources = read_paths(disk, root, {named->path}, missing);
-    if (!missing.empty()) throw CannotDo(terminal_text(argument) + ": no such file");
-    if (!sources.skipped.empty())
-        throw CannotDo(terminal_text(sources.skipped[0].file) + ": " + sources.skipped[0].reason);
-    ReadSide side{scan_text(sources.files[0].path, sources.files[0].text), std::nullopt};
-    if (named->name.empty() || named->name == "@file") return side;
-    for (size_t i = 0; i < side.file.units.size(); ++i)
-        if (side.file.units[i].name == named->name) side.unit = i;
-    if (!side.unit) refuse_unit(side.file, named->name);
-    return side;
-}
-
-/// The dialect table with the rows of the map, if there is one.
-Dialect read_dialect(const Options& options, const Disk& disk, const std::string& root) {
-    const std::string path = options.config.empty() ? join_path(root, "portmap.toml")
-                                                    : absolute(join_path(options.directory, options.config));
-    if (!disk.exists(path)) {
-        if (!options.config.empty()) throw CannotDo("--config " + terminal_text(options.config) + ": no such file");
-        return Dialect();
-    }
-    const FileText file = read_map_text(disk, root, path);
-    if (!file.error.empty()) throw CannotDo(terminal_text(path) + ": " + file.error);
-    const ReadMap read = read_map(options.config.empty() ? "portmap.toml" : options.config, file.bytes);
-    if (!read.error.empty()) throw CannotDo(read.error);
-    return Dialect(read.map.dialect);
-}
+Excerpt excerpt_of(const NamedText& text) { return {&text.file, text.unit ? &text.file.units[*text.unit] : nullptr}; }
 
 }  // namespace
 
-Outcome compare_command(const Options& options, Workplace& place) {
+void declare_compare(Declare& declare, Options& options) {
+    declare.texts("side", options.paths, "A B", "Two files, or units as PATH:NAME").required().exactly(2);
+}
+
+Outcome run_compare(const Options& options, Workplace& place) {
     require_format(options.format, {"text", "json"});
-    const std::string root = find_root(place.disk, options.directory);
-    const Dialect dialect = read_dialect(options, place.disk, root);
-    std::future<ReadSide> other =
-        std::async(std::launch::async, [&] { return read_side(options, place.disk, root, options.paths.at(1)); });
-    const ReadSide a = read_side(options, place.disk, root, options.paths.at(0));
-    const ReadSide b = other.get();
+    Project project;
+    find_map(project, options, place.disk);
+    load_map(project, options, place);
+    const Dialect dialect(project.map.dialect);
+    const auto read = [&](size_t side) {
+        return read_named_text(place.disk, options.directory, project.root, options.paths.at(side));
+    };
+    std::future<NamedText> other = std::async(std::launch::async, read, 1);
+    const NamedText a = read(0), b = other.get();
     CompareReport report{a.id(), b.id(), a.file.path, b.file.path, {}, {}};
-    report.similarity = measure({a.excerpt()}, {b.excerpt()}, dialect, report.parameters);
+    report.similarity = measure({excerpt_of(a)}, {excerpt_of(b)}, dialect, report.parameters);
     return {options.format == "json" ? compare_json(report) : compare_table(report), 0};
 }
 

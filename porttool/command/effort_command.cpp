@@ -94,7 +94,12 @@ void add_ledger(const Past& past, const std::vector<MapEffort>& ledger, EffortRe
 
 }  // namespace
 
-Outcome effort_command(const Options& options, Workplace& place) {
+void declare_effort(Declare& declare, Options& options) {
+    declare.text("--from", options.from, "REV", "The commit before the change").required();
+    declare.text("--to", options.to, "REV", "The commit that ends it (HEAD)");
+}
+
+Outcome run_effort(const Options& options, Workplace& place) {
     require_format(options.format, {"text", "json", "csv", "toml"});
     const Past past = open_past(options, place);
     EffortReport report;

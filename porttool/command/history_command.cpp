@@ -3,9 +3,9 @@
 #include "porttool/command/commands.h"
 #include "porttool/history/timeline.h"
 #include "porttool/read/blob_cache.h"
-#include "porttool/report/figures.h"
 #include "porttool/report/history_report.h"
 #include "porttool/snapshot/past.h"
+#include "porttool/text/date.h"
 #include "porttool/text/sink/terminal.h"
 
 namespace porttool {
@@ -22,7 +22,12 @@ std::string formatted(const History& history, const std::string& format) {
 
 }  // namespace
 
-Outcome history_command(const Options& options, Workplace& place) {
+void declare_history(Declare& declare, Options& options) {
+    declare.text("--since", options.since, "REV", "Show only what came after this commit");
+    declare.flag("--no-cache", options.no_cache, "Neither use nor keep what was measured before");
+}
+
+Outcome run_history(const Options& options, Workplace& place) {
     require_format(options.format, {"text", "html", "json", "csv"});
     const Past past = open_past(options, place);
     const std::string path = join_path(past.git->own_folder(), "porttool/history.cache");

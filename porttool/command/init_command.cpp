@@ -3,11 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <set>
 
-#include "porttool/command/check_command.h"
-#include "porttool/compare/constant_value.h"
+#include "porttool/command/commands.h"
+#include "porttool/judge/first_record.h"
 #include "porttool/match/match.h"
+#include "porttool/read/clock.h"
+#include "porttool/snapshot/snapshot.h"
 #include "porttool/text/sink/terminal.h"
 #include "porttool/text/toml_string.h"
 
@@ -31,34 +32,13 @@ std::string map_text(const Project& project, const Matching& matching) {
     return out;
 }
 
-LockFile first_lock(const Matching& matching, const States& states) {
-    LockFile lock;
-    for (const MatchedPair& pair : matching.pairs)
-        lock.pairs.push_back(
-            {pair.source, pair.target, states.source.at(pair.source).prints, states.target.at(pair.target).prints});
-    for (const std::string& id : matching.unmapped_source) lock.baseline.push_back({id, states.source.at(id).prints});
-    return lock;
-}
-
-/// A lock's first pairs are in step by definition. Those whose constants or fields certainly differ are told, and the
-/// ledger keeps that they were taken over as they are.
-void note_differences(LockFile& lock, const States& states, const Dialect& dialect, Workplace& place) {
+/// Says which of the pairs that are now recorded as in step certainly differ.
+void tell_differences(const std::vector<std::string>& differences, Workplace& place) {
     constexpr size_t kShown = 20;
-    size_t differing = 0;
-    for (const LockedPair& pair : lock.pairs) {
-        const UnitState &source = states.source.at(pair.source), &target = states.target.at(pair.target);
-        const bool values = source.kind == UnitKind::Constant || source.kind == UnitKind::Struct;
-        if (!values || source.kind != target.kind) continue;
-        const ComparedValues compared = compare_values_of(source, target, dialect);
-        if (compared.same || !compared.certain) continue;
-        if (++differing <= kShown)
-            place.err << "warning: " << terminal_text(pair.source) << " = " << terminal_text(pair.target) << ": "
-                      << terminal_text(compared.says) << "\n";
-        lock.ledger.push_back({Verdict::Accept, pair.source, pair.target, source.prints.written, target.prints.written,
-                               "", today(), "accepted at init: " + compared.says});
-    }
-    if (differing > kShown) place.err << "and " << differing - kShown << " more pairs that differ\n";
-    if (differing > 0)
+    for (size_t i = 0; i < std::min(differences.size(), kShown); ++i)
+        place.err << "warning: " << terminal_text(differences[i]) << "\n";
+    if (differences.size() > kShown) place.err << "and " << differences.size() - kShown << " more pairs that differ\n";
+    if (!differences.empty())
         place.err << "These are recorded as they are, with the reason 'accepted at init'; correct them now if they "
                      "should agree\n";
 }
@@ -87,31 +67,24 @@ Outcome record_map(const Options& options, Workplace& place) {
     if (!options.force && place.disk.exists(lock_path(project)))
         throw CannotDo(terminal_text(lock_path(project)) +
                        " is there already; replace it with --force, or run: porttool accept");
-    read_sides(project, place);
-    const States states = read_states(project);
-    LockFile lock;
-    std::set<std::string> mapped;
-    for (const MapPair& pair : project.map.pairs) {
-        mapped.insert(pair.source);
-        for (const std::string& target : pair.targets) {
-            const auto left = states.source.find(pair.source), right = states.target.find(target);
-            if (left != states.source.end() && right != states.target.end())
-                lock.pairs.push_back({pair.source, target, left->second.prints, right->second.prints});
-        }
-    }
-    for (const auto& [id, state] : states.source)
-        if (!mapped.contains(id)) lock.baseline.push_back({id, state.prints});
-    note_differences(lock, states, Dialect(project.map.dialect), place);
-    store_lock(project, {lock, states, {}, nullptr, true}, place.disk);
+    const Snapshot now = read_snapshot(std::move(project), {}, place.disk);
+    LockFile lock = first_lock(now.project.map, now.states);
+    tell_differences(accept_differences(lock, now.states, Dialect(now.project.map.dialect), today()), place);
+    store_lock(now.project, {lock, now.states, {}, nullptr, true}, place.disk);
     return {fmt::format("{} pairs of {} recorded as in step, {} source units without a port as the baseline.\n"
                         "Next: porttool check\n",
-                        lock.pairs.size(), terminal_text(project.map_path), lock.baseline.size()),
+                        lock.pairs.size(), terminal_text(now.project.map_path), lock.baseline.size()),
             0};
 }
 
 }  // namespace
 
-Outcome init_command(const Options& options, Workplace& place) {
+void declare_init(Declare& declare, Options& options) {
+    declare_sides(declare, options);
+    declare.flag("--force", options.force, "Replace what is there");
+}
+
+Outcome run_init(const Options& options, Workplace& place) {
     require_format(options.format, {"text"});
     if (options.source.empty() && options.target.empty()) {
         const std::string map = options.config.empty()
@@ -132,16 +105,15 @@ Outcome init_command(const Options& options, Workplace& place) {
         if (!options.force && place.disk.exists(path))
             throw CannotDo(terminal_text(path) +
                            " is there already; replace it with --force, or edit it and run: porttool check");
-    read_sides(project, place);
-    for (const SkippedFile& file : project.skipped)
+    const Snapshot now = read_snapshot(std::move(project), {}, place.disk);
+    for (const SkippedFile& file : now.project.skipped)
         place.err << "skipped " << terminal_text(file.file) << ": " << terminal_text(file.reason) << "\n";
-    const Matching matching = match_units(project.source, project.target, {}, Dialect());
-    const States states = read_states(project);
-    LockFile lock = first_lock(matching, states);
-    note_differences(lock, states, Dialect(), place);
-    const std::string map = map_text(project, matching);
-    store_lock(project, {lock, states, {}, &map, true}, place.disk);
-    return {summary(matching, project), 0};
+    const Matching matching = match_units(now.project.source, now.project.target, {}, Dialect());
+    LockFile lock = first_lock(matching, now.states);
+    tell_differences(accept_differences(lock, now.states, Dialect(), today()), place);
+    const std::string map = map_text(now.project, matching);
+    store_lock(now.project, {lock, now.states, {}, &map, true}, place.disk);
+    return {summary(matching, now.project), 0};
 }
 
 }  // namespace porttool

@@ -3,7 +3,7 @@
 #include "porttool/command/commands.h"
 #include "porttool/match/match.h"
 #include "porttool/report/map_report.h"
-#include "porttool/snapshot/project.h"
+#include "porttool/snapshot/snapshot.h"
 #include "porttool/text/sink/terminal.h"
 
 namespace porttool {
@@ -20,10 +20,11 @@ Settled settled_by(const MapFile& map) {
 
 }  // namespace
 
-Outcome map_command(const Options& options, Workplace& place) {
+void declare_map(Declare& declare, Options& options) { declare_sides(declare, options); }
+
+Outcome run_map(const Options& options, Workplace& place) {
     require_format(options.format, {"text", "json"});
-    Project project = open_project(options, place, true);
-    read_sides(project, place);
+    const Project project = read_snapshot(open_project(options, place, true), {}, place.disk, Depth::Scanned).project;
     for (const SkippedFile& file : project.skipped)
         place.err << "skipped " << terminal_text(file.file) << ": " << terminal_text(file.reason) << "\n";
     const Matching matching =

@@ -5,12 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "porttool/snapshot/project.h"
+#include "porttool/judge/check_project.h"
 
 namespace porttool {
 
 /// What the command line asked for.
-struct Options : ProjectChoice {
+struct Options : CheckChoice {
     std::string command;  ///< "scan", "map", ...; empty if there is only something to print
     std::string format = "text";
     std::string output;
@@ -22,13 +22,10 @@ struct Options : ProjectChoice {
     bool all = false;
     bool strict = false;
     std::string owner, until, reason;
-    std::string base;                     ///< a revision
     std::vector<std::string> bench;       ///< report's bench files, FILE or FILE=MRAYS each
     std::vector<std::string> fail_under;  ///< report's bars, BLOCK=PERCENT each
-    bool staged = false;
-    bool trusted_map = false;       ///< check --base: map and lock from the base
-    std::string from, to = "HEAD";  ///< effort's revisions
-    std::string since;              ///< history's
+    std::string from, to = "HEAD";        ///< effort's revisions
+    std::string since;                    ///< history's
     bool no_cache = false;
     bool spirv = false;  ///< ask glslang whether an edit reaches the compiled code
 };

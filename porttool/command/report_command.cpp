@@ -7,9 +7,10 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "porttool/command/check_command.h"
-#include "porttool/command/finding_ages.h"
-#include "porttool/judge/past_project.h"
+#include "porttool/command/commands.h"
+#include "porttool/judge/check_project.h"
+#include "porttool/measure/finding_ages.h"
+#include "porttool/read/clock.h"
 #include "porttool/report/portability_page.h"
 #include "porttool/report/portability_text.h"
 #include "porttool/text/sink/json.h"
@@ -94,23 +95,6 @@ PlatformSpeed read_bench(const std::string& text, const Options& options, const 
     return speed.platform;
 }
 
-/// A project without a lock: everything but when its pairs were in step. Nothing is judged.
-CheckedProject unrecorded_project(const Options& options, Workplace& place) {
-    CheckedProject out;
-    out.project = open_project(options, place, true);
-    read_sides(out.project, place);
-    out.states = read_states(out.project);
-    const auto no_text = [](const std::string&) { return std::string(); };
-    out.judgement =
-        judge({out.project.map, out.lock, out.states.source, out.states.target, out.project.skipped, no_text, today()});
-    out.judgement.findings.clear();
-    return out;
-}
-
-bool has_lock(const Options& options, Workplace& place) {
-    return place.disk.exists(lock_path(open_project(options, place, true)));
-}
-
 SideTexts read_texts(const Project& project, const Disk& disk) {
     SideTexts texts;
     const auto read = [&](size_t side, const std::vector<ScannedFile>& files, const std::string& root) {
@@ -137,29 +121,39 @@ std::string formatted(const WholeReport& whole, const Options& options, const Pr
 
 }  // namespace
 
-Outcome report_command(const Options& options, Workplace& place) {
+void declare_report(Declare& declare, Options& options) {
+    declare.text("--base", options.base, "REV", "Show each figure with its change against merge-base(REV, HEAD)")
+        .some_revision();
+    declare.texts("--bench", options.bench, "FILE[=MRAYS]", "Speed of one platform, for performance portability")
+        .one_at_a_time();
+    declare
+        .texts("--fail-under", options.fail_under, "BLOCK=PERCENT",
+               "Exit 1 if a block's target shares less, in Moss percent")
+        .one_at_a_time();
+}
+
+Outcome run_report(const Options& options, Workplace& place) {
     require_format(options.format, {"text", "html", "markdown", "json", "csv"});
     std::vector<Bar> bars;
     for (const std::string& text : options.fail_under) bars.push_back(read_bar(text));
     Options against_lock = options;
     against_lock.base.clear();
-    const bool recorded = has_lock(against_lock, place);
-    const CheckedProject checked =
-        recorded ? check_project(against_lock, place) : unrecorded_project(against_lock, place);
+    against_lock.lock_is_optional = true;
+    const CheckedProject checked = check_project(against_lock, place);
     PortabilityReport report = report_of(checked.project, checked.lock, checked.judgement, true);
-    if (!recorded)
+    if (!checked.recorded)
         for (RowReport& row : report.rows) row.state.clear();
     const std::string low = below_bars(report, bars);
     const std::string date = today();
-    WholeReport whole{checked.project.map, report, checked.judgement, {}, date, {}, {}, recorded};
+    WholeReport whole{checked.project.map, report, checked.judgement, {}, date, {}, {}, checked.recorded};
     for (const std::string& text : options.bench)
         whole.performance.platforms.push_back(read_bench(text, options, place.disk));
     whole.ledger = drift_ledger(checked.judgement, checked.lock, finding_ages(checked, date), date);
-    PastProject past;
+    CheckedProject past;
     if (!options.base.empty()) {
-        read_past(past, checked.project, options.base, date);
-        whole.base = BaseReport{options.base, report_of(past.project, past.lock.lock, past.judgement, false), {}};
-        if (past.is_recorded) whole.base->drift = past.judgement.summary;
+        past = past_project(checked.project, options.base, place.disk);
+        whole.base = BaseReport{options.base, report_of(past.project, past.lock, past.judgement, false), {}};
+        if (past.recorded) whole.base->drift = past.judgement.summary;
     }
     Outcome outcome{formatted(whole, options, checked.project, place.disk), low.empty() ? 0 : 1};
     place.err << low;

@@ -1,32 +1,18 @@
 // SPDX-FileCopyrightText: 2026 The porttool authors
 // SPDX-License-Identifier: Apache-2.0
+#include "porttool/command/run.h"
+
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
-#include <map>
 #include <new>
 
-#include "porttool/command/commands.h"
+#include "porttool/command/command_table.h"
 #include "porttool/read/glob.h"
 #include "porttool/text/sink/terminal.h"
 #include "porttool/text/utf8.h"
 
 namespace porttool {
-namespace {
-
-using Command = Outcome (*)(const Options&, Workplace&);
-
-const std::map<std::string, Command>& commands() {
-    static const std::map<std::string, Command> table = {
-        {"scan", scan_command},       {"map", map_command},         {"init", init_command},
-        {"check", check_command},     {"accept", accept_command},   {"defer", defer_command},
-        {"ignore", ignore_command},   {"explain", explain_command}, {"effort", effort_command},
-        {"history", history_command}, {"compare", compare_command}, {"report", report_command},
-    };
-    return table;
-}
-
-}  // namespace
 
 void require_format(const std::string& format, std::initializer_list<const char*> known) {
     std::string list;
@@ -65,7 +51,7 @@ int run_command(const Options& options, Disk& disk, std::ostream& out, std::ostr
     const bool to_file = !options.output.empty();
     const std::string path = to_file ? output_path(options, disk) : std::string();
     Workplace place{disk, err};
-    const Outcome outcome = commands().at(options.command)(options, place);
+    const Outcome outcome = find_command(options.command)->run(options, place);
     const std::string text = as_utf8(outcome.text);  // a source in Latin-1 must not break the format
     if (!to_file)
         print(out, text);

@@ -4,13 +4,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <map>
 #include <set>
 
-#include "porttool/command/check_command.h"
+#include "porttool/command/commands.h"
 #include "porttool/judge/lock_index.h"
 #include "porttool/judge/rules.h"
+#include "porttool/read/clock.h"
+#include "porttool/read/lock_lines.h"
+#include "porttool/snapshot/lock_store.h"
+#include "porttool/text/date.h"
 #include "porttool/text/sink/terminal.h"
 #include "porttool/text/suggest.h"
 
@@ -152,15 +155,6 @@ Outcome settle(const Options& options, Workplace& place, Verdict verdict) {
     return {out, 0};
 }
 
-/// A day of the calendar as YYYY-MM-DD.
-bool is_date(const std::string& text) {
-    int year = 0;
-    unsigned month = 0, day = 0;
-    char rest = 0;
-    if (text.size() != 10 || std::sscanf(text.c_str(), "%4d-%2u-%2u%c", &year, &month, &day, &rest) != 3) return false;
-    return std::chrono::year_month_day(std::chrono::year(year), std::chrono::month(month), std::chrono::day(day)).ok();
-}
-
 void explain_finding(const Finding& finding, std::string& out) {
     out += fmt::format("{} [{}]: {}\n", level_name(finding.level), rule_name(finding.rule),
                        terminal_text(finding.message));
@@ -186,17 +180,12 @@ void explain_pair(const CheckedProject& checked, const JudgedPair& pair, std::st
 }
 
 /// Both edits, side by side: what each side lost and gained since the two were in step.
-void explain_edits(const CheckedProject& checked, const JudgedPair& pair, const Disk& disk, std::string& out) {
-    const auto lock = std::find_if(checked.lock.pairs.begin(), checked.lock.pairs.end(), [&](const LockedPair& p) {
-        return p.source == pair.map_source && p.target == pair.map_target;
-    });
-    if (lock == checked.lock.pairs.end() || pair.source == nullptr || pair.target == nullptr) return;
+void explain_edits(const CheckedProject& checked, const JudgedPair& pair, std::string& out) {
+    const LockedPair* lock = LinesByPair(checked.lock).find(pair.map_source, pair.map_target);
+    if (lock == nullptr || pair.source == nullptr || pair.target == nullptr) return;
     auto rows = [&](const UnitState& unit, const std::string& print) {
         std::vector<std::string> lines;
-        const auto known = checked.texts.find(print);
-        const std::string before =
-            known != checked.texts.end() ? known->second : base_text(checked.project, disk, print);
-        const Edit edit = edit_of(read_state_text(before), read_state_text(unit.text));
+        const Edit edit = edit_of(read_state_text(text_behind(checked, print)), read_state_text(unit.text));
         for (const std::string& statement : edit.lost) lines.push_back("- " + terminal_text(statement));
         for (const std::string& statement : edit.gained) lines.push_back("+ " + terminal_text(statement));
         return lines;
@@ -214,7 +203,14 @@ void explain_edits(const CheckedProject& checked, const JudgedPair& pair, const 
 
 }  // namespace
 
-Outcome accept_command(const Options& options, Workplace& place) {
+void declare_accept(Declare& declare, Options& options) {
+    declare.texts("id", options.paths, "ID", "Ids, SOURCE=TARGET, or fingerprints of findings");
+    declare.flag("--all", options.all, "Every pair whose two edits are equivalent");
+    declare.flag("--force", options.force, "With --all: every pair");
+    declare.text("--reason", options.reason, "TEXT", "Why");
+}
+
+Outcome run_accept(const Options& options, Workplace& place) {
     require_format(options.format, {"text"});
     if (options.all == !options.paths.empty())
         throw CannotDo("accept needs ids, or --all for every pair whose two edits are equivalent");
@@ -260,7 +256,14 @@ Outcome accept_command(const Options& options, Workplace& place) {
     return {out, left.empty() ? 0 : 1};
 }
 
-Outcome defer_command(const Options& options, Workplace& place) {
+void declare_defer(Declare& declare, Options& options) {
+    declare.texts("id", options.paths, "ID", "Id, SOURCE=TARGET, or fingerprint").required();
+    declare.text("--owner", options.owner, "NAME", "Who will port it").required();
+    declare.text("--until", options.until, "DATE", "YYYY-MM-DD").required();
+    declare.text("--reason", options.reason, "TEXT", "Why not now").required();
+}
+
+Outcome run_defer(const Options& options, Workplace& place) {
     if (!is_date(options.until))
         throw CannotDo("--until " + terminal_text(options.until) + ": expected a date as YYYY-MM-DD");
     if (options.until < today())
@@ -269,9 +272,18 @@ Outcome defer_command(const Options& options, Workplace& place) {
     return settle(options, place, Verdict::Defer);
 }
 
-Outcome ignore_command(const Options& options, Workplace& place) { return settle(options, place, Verdict::Ignore); }
+void declare_ignore(Declare& declare, Options& options) {
+    declare.texts("id", options.paths, "ID", "Id, SOURCE=TARGET, or fingerprint").required();
+    declare.text("--reason", options.reason, "TEXT", "Why").required();
+}
 
-Outcome explain_command(const Options& options, Workplace& place) {
+Outcome run_ignore(const Options& options, Workplace& place) { return settle(options, place, Verdict::Ignore); }
+
+void declare_explain(Declare& declare, Options& options) {
+    declare.texts("id", options.paths, "ID|RULE", "Id, SOURCE=TARGET, fingerprint or rule").required();
+}
+
+Outcome run_explain(const Options& options, Workplace& place) {
     require_format(options.format, {"text"});
     std::string out;
     for (const std::string& id : options.paths) {
@@ -290,7 +302,7 @@ Outcome explain_command(const Options& options, Workplace& place) {
         }
         for (const JudgedPair* pair : pairs) {
             explain_pair(checked, *pair, out);
-            explain_edits(checked, *pair, place.disk, out);
+            explain_edits(checked, *pair, out);
         }
     }
     return {out, 0};

@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <tuple>
 
+#include "porttool/read/lock_lines.h"
+
 namespace porttool {
 namespace {
 
@@ -93,15 +95,13 @@ private:
             return add(GatePart::Accept, kLock, 1,
                        fmt::format("the lock is new: {} pairs, {} units in the baseline, {} verdicts",
                                    now_.lock.pairs.size(), now_.lock.baseline.size(), now_.lock.ledger.size()));
-        std::map<std::pair<std::string, std::string>, const LockedPair*> pairs;
-        for (const LockedPair& pair : before_.lock.pairs) pairs[{pair.source, pair.target}] = &pair;
+        const LinesByPair lines(before_.lock);
         for (const LockedPair& pair : now_.lock.pairs) {
-            const auto old = pairs.find({pair.source, pair.target});
-            const bool same_texts = old != pairs.end() && old->second->source_prints == pair.source_prints &&
-                                    old->second->target_prints == pair.target_prints;
-            const bool same_word = same_texts
-                                       ? std::tie(old->second->state, old->second->by) == std::tie(pair.state, pair.by)
-                                       : pair.state == LockedPair().state;
+            const LockedPair* old = lines.find(pair.source, pair.target);
+            const bool same_texts =
+                old != nullptr && old->source_prints == pair.source_prints && old->target_prints == pair.target_prints;
+            const bool same_word = same_texts ? std::tie(old->state, old->by) == std::tie(pair.state, pair.by)
+                                              : pair.state == LockedPair().state;
             if (!same_texts || !same_word)
                 add(GatePart::Accept, kLock, pair.line,
                     pair.source + " = " + pair.target +
@@ -111,7 +111,7 @@ private:
         for (const LockedPair& pair : now_.lock.pairs) locked.insert({pair.source, pair.target});
         for (const MapPair& pair : now_.map.pairs)
             for (const std::string& target : pair.targets)
-                if (pairs.contains({pair.source, target}) && !locked.contains({pair.source, target}))
+                if (lines.find(pair.source, target) != nullptr && !locked.contains({pair.source, target}))
                     add(GatePart::Accept, kLock, 1, "no longer recorded: " + pair.source + " = " + target);
         const auto units = [](const LockedUnit& u) { return std::tie(u.side, u.id, u.reason, u.prints.written); };
         const auto verdicts = [](const LedgerEntry& e) {

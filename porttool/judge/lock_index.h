@@ -9,6 +9,7 @@
 
 #include "porttool/normal/unit_state.h"
 #include "porttool/read/lock_file.h"
+#include "porttool/read/lock_lines.h"
 #include "porttool/read/map_file.h"
 #include "porttool/read/source_files.h"
 
@@ -34,7 +35,7 @@ private:
 
     const Units& source_;
     const Units& target_;
-    std::map<Two, const LockedPair*> by_ids_;
+    LinesByPair lines_;
     std::map<Two, const LockedPair*> left_over_;  ///< by the prints of both texts
 };
 

@@ -3,20 +3,11 @@
 #include "porttool/measure/portability_ledger.h"
 
 #include <algorithm>
-#include <chrono>
-#include <cstdio>
+
+#include "porttool/text/date.h"
 
 namespace porttool {
 namespace {
-
-std::optional<std::chrono::sys_days> day_of(const std::string& date) {
-    int year = 0;
-    unsigned month = 0, day = 0;
-    if (std::sscanf(date.c_str(), "%4d-%2u-%2u", &year, &month, &day) != 3) return std::nullopt;
-    const std::chrono::year_month_day ymd{std::chrono::year(year), std::chrono::month(month), std::chrono::day(day)};
-    if (!ymd.ok()) return std::nullopt;
-    return std::chrono::sys_days(ymd);
-}
 
 const LedgerEntry* entry_of(const LockFile& lock, const Finding& finding) {
     const Verdict wanted = finding.verdict.value_or(Verdict::Defer);  // an expired one is open again
@@ -43,12 +34,6 @@ LedgerRow row_of(const Finding& finding, const LockFile& lock, const std::string
 }
 
 }  // namespace
-
-std::optional<int> days_between(const std::string& from, const std::string& to) {
-    const auto first = day_of(from), last = day_of(to);
-    if (!first || !last) return std::nullopt;
-    return static_cast<int>((*last - *first).count());
-}
 
 DriftLedger drift_ledger(const Judgement& judgement, const LockFile& lock, const std::map<std::string, Age>& ages,
                          const std::string& today) {

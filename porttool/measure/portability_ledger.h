@@ -42,7 +42,4 @@ struct Age {
 DriftLedger drift_ledger(const Judgement& judgement, const LockFile& lock, const std::map<std::string, Age>& ages,
                          const std::string& today);
 
-/// Days from one YYYY-MM-DD to another; none if either is no date.
-std::optional<int> days_between(const std::string& from, const std::string& to);
-
 }  // namespace porttool

@@ -22,6 +22,7 @@
 #include <vector>
 
 #include "porttool/read/glob.h"
+#include "porttool/read/refusals.h"
 
 namespace porttool {
 namespace {
@@ -34,18 +35,16 @@ std::deque<std::string> components_of(std::string_view path) {
     return {names.begin(), names.end()};
 }
 
-std::string reason_of(int code) { return std::string("cannot be read: ") + std::strerror(code); }
-
 /// Why a path is refused, or "" if it is not; then `code` is 0.
 struct Refusal {
     std::string text;
     int code = 0;
 };
 
-Refusal out_of(const std::string& root) { return {"leads out of " + root + ", and is not followed", EXDEV}; }
+Refusal out_of(const std::string& root) { return {leads_out(root), EXDEV}; }
 Refusal in_git() { return {"lies in .git, which is never read", EXDEV}; }
 Refusal is_link() { return {"is a link, or lies behind one, which is not followed here", ELOOP}; }
-Refusal failed(int code) { return {reason_of(code), code}; }
+Refusal failed(int code) { return {cannot_be_read(code), code}; }
 
 /// Goes from the root to a path by single steps, none of which follows a link by itself.
 class Steps {
@@ -138,11 +137,6 @@ Descriptor open_by_kernel([[maybe_unused]] int root, [[maybe_unused]] const Tree
 #endif
 }
 
-bool names_git_folder(const std::string& path) {
-    const auto parts = components_of(path);
-    return std::any_of(parts.begin(), parts.end(), is_git_folder);
-}
-
 }  // namespace
 
 bool is_git_folder(std::string_view name) {
@@ -150,6 +144,15 @@ bool is_git_folder(std::string_view name) {
     return std::equal(name.begin(), name.end(), kName.begin(), kName.end(),
                       [](char a, char b) { return (a >= 'A' && a <= 'Z' ? a + 32 : a) == b; });
 }
+
+bool names_git_folder(std::string_view path) {
+    const auto parts = components_of(path);
+    return std::any_of(parts.begin(), parts.end(), is_git_folder);
+}
+
+std::string leads_out(const std::string& root) { return "leads out of " + root + ", and is not followed"; }
+
+std::string cannot_be_read(int code) { return std::string("cannot be read: ") + std::strerror(code); }
 
 Descriptor& Descriptor::operator=(Descriptor&& other) noexcept {
     std::swap(number_, other.number_);
@@ -164,12 +167,12 @@ int Descriptor::release() { return std::exchange(number_, -1); }
 
 OpenedBeneath open_beneath(const TreePath& at, int flags, OpenBy first) {
     Descriptor root = open_root(at.root);
-    if (!root.valid()) return {Descriptor(), reason_of(errno), errno};
+    if (!root.valid()) return {Descriptor(), cannot_be_read(errno), errno};
     if (names_git_folder(at.path)) return {Descriptor(), in_git().text, in_git().code};
     if (first == OpenBy::Kernel) {
         Descriptor file = open_by_kernel(root.get(), at, flags);
         if (file.valid()) return {std::move(file), "", 0};
-        if (errno == ENOENT || errno == EACCES || errno == ENOTDIR) return {Descriptor(), reason_of(errno), errno};
+        if (errno == ENOENT || errno == EACCES || errno == ENOTDIR) return {Descriptor(), cannot_be_read(errno), errno};
     }
     Steps steps(at, std::move(root));
     if (const Refusal refusal = steps.go(); refusal.code != 0) return {Descriptor(), refusal.text, refusal.code};
@@ -181,7 +184,7 @@ OpenedBeneath open_beneath(const TreePath& at, int flags, OpenBy first) {
 
 FolderBeneath folder_beneath(const TreePath& at) {
     Descriptor root = open_root(at.root);
-    if (!root.valid()) return {Descriptor(), "", reason_of(errno), errno};
+    if (!root.valid()) return {Descriptor(), "", cannot_be_read(errno), errno};
     Steps steps(at, std::move(root));
     if (const Refusal refusal = steps.go(); refusal.code != 0) return {Descriptor(), "", refusal.text, refusal.code};
     return {steps.take_folder(), steps.name(), "", 0};

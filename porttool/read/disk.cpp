@@ -12,14 +12,13 @@
 #include <cstring>
 #include <filesystem>
 
+#include "porttool/read/refusals.h"
 #include "porttool/read/replace_file.h"
 #include "porttool/read/write_guard.h"
 
 namespace porttool {
 namespace fs = std::filesystem;
 namespace {
-
-std::string cannot_be_read(int code) { return std::string("cannot be read: ") + std::strerror(code); }
 
 /// Reads an open file, if it is one.
 FileText read_open(const Descriptor& file, uint64_t limit) {
@@ -126,6 +125,11 @@ TreePath place_of_path(const std::string& root, const std::string& path) {
     if (!clean.starts_with('/') && clean != ".." && !clean.starts_with("../")) return {root, path};
     const size_t slash = clean.find_last_of('/');
     return {join_path(root, clean.substr(0, slash + 1)), clean.substr(slash + 1)};
+}
+
+std::string absolute_path(const std::string& path) {
+    std::error_code error;
+    return clean_path(fs::absolute(path, error).generic_string());
 }
 
 std::string clean_path(const std::string& path) {

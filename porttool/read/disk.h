@@ -110,6 +110,9 @@ std::string join_path(const std::string& folder, const std::string& name);
 /// A path as seen from a root, which it may lie out of: then beneath its own folder. For what the user named.
 TreePath place_of_path(const std::string& root, const std::string& path);
 
+/// A path of the user's as seen from the root of the file system, cleaned.
+std::string absolute_path(const std::string& path);
+
 /// Without `.`, `..` and double slashes as far as the text alone tells.
 std::string clean_path(const std::string& path);
 

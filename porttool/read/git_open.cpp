@@ -14,6 +14,12 @@ std::string git_last_error() {
     return error != nullptr && error->message != nullptr ? terminal_text(error->message) : "no reason given";
 }
 
+std::optional<git_oid> git_oid_of(const std::string& text) {
+    git_oid id{};
+    if (text.size() != GIT_OID_HEXSZ || git_oid_fromstr(&id, text.c_str()) != 0) return std::nullopt;
+    return id;
+}
+
 namespace {
 
 /// The nearest `.git` upwards, which no commit can bring along; "" if there is none. A folder that only looks like a

@@ -6,7 +6,10 @@
 #include <git2.h>
 
 #include <memory>
+#include <optional>
 #include <string>
+
+#include "porttool/read/git_repository.h"
 
 namespace porttool {
 
@@ -27,6 +30,14 @@ struct OpenedGit {
     std::string prefix;  ///< "sub/folder/" or ""
     std::string error;   ///< empty, or why not, with `remedy` and the git command that helps
 };
+
+struct GitRepository::Handle {
+    OpenedGit opened;
+    git_repository* repository() const { return opened.repository.get(); }
+};
+
+/// The id that 40 hexadecimal digits name.
+std::optional<git_oid> git_oid_of(const std::string& digits);
 
 /// The repository of a `.git` entry (a folder, or the file of a submodule or a linked work tree), or nullptr.
 git_repository* open_work_tree(const std::string& git_entry);

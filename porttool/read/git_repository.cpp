@@ -21,14 +21,8 @@ std::string text_of(const git_oid& id) {
     return text;
 }
 
-std::optional<git_oid> oid_of(const std::string& text) {
-    git_oid id{};
-    if (text.size() != GIT_OID_HEXSZ || git_oid_fromstr(&id, text.c_str()) != 0) return std::nullopt;
-    return id;
-}
-
 Commit lookup(git_repository* repository, const std::string& text) {
-    const auto id = oid_of(text);
+    const auto id = git_oid_of(text);
     git_commit* commit = nullptr;
     if (!id || git_commit_lookup(&commit, repository, &*id) != 0) return nullptr;
     return Commit(commit);
@@ -52,13 +46,8 @@ bool is_file(const git_diff_file& file) {
 
 }  // namespace
 
-struct GitRepository::Handle {
-    OpenedGit opened;
-    git_repository* repository() const { return opened.repository.get(); }
-};
-
-GitRepository::GitRepository(const std::string& root)
-    : handle_(std::make_unique<Handle>(Handle{open_git(root, "This command reads commits; see why with")})) {
+GitRepository::GitRepository(const std::string& root, const std::string& remedy)
+    : handle_(std::make_unique<Handle>(Handle{open_git(root, remedy)})) {
     error_ = handle_->opened.error;
 }
 
@@ -67,6 +56,8 @@ GitRepository::~GitRepository() = default;
 bool GitRepository::is_shallow() const { return git_repository_is_shallow(handle_->repository()) == 1; }
 
 std::string GitRepository::own_folder() const { return git_repository_commondir(handle_->repository()); }
+
+const std::string& GitRepository::folder() const { return handle_->opened.prefix; }
 
 std::optional<GitCommit> GitRepository::commit(const std::string& revision) const {
     git_object* found = nullptr;
@@ -78,13 +69,13 @@ std::optional<GitCommit> GitRepository::commit(const std::string& revision) cons
 }
 
 bool GitRepository::is_ancestor(const std::string& older, const std::string& newer) const {
-    const auto old_id = oid_of(older), new_id = oid_of(newer);
+    const auto old_id = git_oid_of(older), new_id = git_oid_of(newer);
     if (!old_id || !new_id) return false;
     return older == newer || git_graph_descendant_of(handle_->repository(), &*new_id, &*old_id) == 1;
 }
 
 size_t GitRepository::commits_between(const std::string& older, const std::string& newer) const {
-    const auto old_id = oid_of(older), new_id = oid_of(newer);
+    const auto old_id = git_oid_of(older), new_id = git_oid_of(newer);
     size_t ahead = 0, behind = 0;
     if (old_id && new_id) git_graph_ahead_behind(&ahead, &behind, handle_->repository(), &*new_id, &*old_id);
     return ahead;
@@ -133,7 +124,7 @@ std::vector<GitChange> GitRepository::changes(const std::string& older, const st
 }
 
 std::optional<std::string> GitRepository::find_blob(const std::string& text) const {
-    const auto id = oid_of(text);
+    const auto id = git_oid_of(text);
     git_blob* blob = nullptr;
     if (!id || git_blob_lookup(&blob, handle_->repository(), &*id) != 0) return std::nullopt;
     const Blob owner(blob);

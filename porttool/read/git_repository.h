@@ -3,15 +3,24 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
-#include "porttool/read/git.h"
-
 namespace porttool {
+
+/// Files as git has them, by their path relative to the root that was asked for; or why there are none, with a remedy.
+struct GitFiles {
+    std::map<std::string, std::string> files;
+    std::string error;
+};
+
+/// Whether a path is wanted; others are not read.
+using WantsFile = std::function<bool(const std::string& path)>;
 
 struct GitCommit {
     std::string id;    ///< 40 hexadecimal digits
@@ -31,10 +40,15 @@ struct GitChain {
     bool cut = false;  ///< older ones exist, but not here: a shallow clone
 };
 
-/// A git repository, opened for reading commits and blobs below a folder of a work tree. Writes nothing.
+/// What a user can do where there is no repository: the start of a sentence that a git command ends.
+inline constexpr const char* kReadsCommits = "This command reads commits; see why with";
+inline constexpr const char* kChecksWithGit = "Check without --base and --staged, or try";
+
+/// A git repository, opened for reading what lies below a folder of a work tree (or of a submodule, or a linked one),
+/// its root: commits, their files, and the index. Paths are relative to the root. Writes nothing.
 class GitRepository {
 public:
-    explicit GitRepository(const std::string& root);
+    explicit GitRepository(const std::string& root, const std::string& remedy = kReadsCommits);
     ~GitRepository();
     GitRepository(const GitRepository&) = delete;
     GitRepository& operator=(const GitRepository&) = delete;
@@ -44,6 +58,9 @@ public:
     bool is_shallow() const;
     /// The repository's own folder (`.git`, that of the main work tree): what is kept there is no part of any commit.
     std::string own_folder() const;
+
+    /// Where the root lies in its repository: "sub/folder/", or "" for its root and outside of any repository.
+    const std::string& folder() const;
 
     /// The commit that a revision names, if it is here.
     std::optional<GitCommit> commit(const std::string& revision) const;
@@ -56,6 +73,14 @@ public:
     /// What changed from one commit to another, in wanted paths; from nothing if `older` is empty. Symbolic links and
     /// submodules are no files. Sorted by path.
     std::vector<GitChange> changes(const std::string& older, const std::string& newer, const WantsFile& wants) const;
+    /// The files of a commit; links are followed within it, and submodules that are checked out.
+    GitFiles files_at(const std::string& commit, const WantsFile& wants) const;
+    /// The same at merge-base(revision, HEAD).
+    GitFiles files_at_base(const std::string& revision, const WantsFile& wants) const;
+    /// The files of the index, or of the one that git gave the hook that we run in.
+    GitFiles files_in_index(const WantsFile& wants) const;
+    /// The wanted files that the index names; none outside of any repository.
+    std::set<std::string> tracked_files(const WantsFile& wants) const;
     /// The content of a blob; none if it is not here, as in a partial clone.
     std::optional<std::string> find_blob(const std::string& id) const;
     /// The same, empty if it is not here.

@@ -22,6 +22,8 @@
 #include <string_view>
 #include <utility>
 
+#include "porttool/text/date.h"
+
 namespace porttool {
 namespace {
 
@@ -68,19 +70,6 @@ std::string decoded(const std::string& field) {
     return out;
 }
 
-bool is_hexadecimal(std::string_view text, size_t digits) {
-    return text.size() == digits && std::all_of(text.begin(), text.end(), [](char c) {
-               return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f');
-           });
-}
-
-/// The form of a date; that it is a day of the calendar was seen to when it was given.
-bool is_date(const std::string& text) {
-    constexpr std::string_view kForm = "0000-00-00";
-    return std::equal(text.begin(), text.end(), kForm.begin(), kForm.end(),
-                      [](char c, char form) { return form == '-' ? c == '-' : c >= '0' && c <= '9'; });
-}
-
 /// What is wrong with one line's fields, thrown while they are read.
 struct Misread {
     std::string what;
@@ -114,7 +103,7 @@ std::string taken(MoreFields& more, const std::string& name, const std::string& 
 LedgerEntry ledger_entry(Verdict verdict, const Fields& f) {
     LedgerEntry entry{
         verdict, decoded(f[1]), decoded(f[2]), print_of(f[3], true), print_of(f[4], true), f[5], f[6], f[7], {}};
-    if (!(is_date(entry.until) || (entry.until.empty() && entry.verdict != Verdict::Defer)))
+    if (!(has_form_of_date(entry.until) || (entry.until.empty() && entry.verdict != Verdict::Defer)))
         throw Misread{"'" + entry.until.substr(0, 60) + "' is no date as YYYY-MM-DD"};
     return entry;
 }

@@ -1,6 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The porttool authors
 // SPDX-License-Identifier: Apache-2.0
+#include <cerrno>
+
 #include "porttool/read/disk.h"
+#include "porttool/read/refusals.h"
 
 namespace porttool {
 namespace {
@@ -9,7 +12,7 @@ namespace {
 std::string name_of(const TreePath& at) {
     const std::string path = clean_path(at.path);
     if (path.starts_with('/') || path == ".." || path.starts_with("../")) return {};
-    if (("/" + path + "/").find("/.git/") != std::string::npos) return {};
+    if (names_git_folder(path)) return {};
     return join_path(at.root, path);
 }
 
@@ -18,20 +21,20 @@ std::string name_of(const TreePath& at) {
 FileText MemoryDisk::read(const std::string& path, uint64_t limit) const {
     if (const auto bad = errors.find(path); bad != errors.end()) return {"", bad->second};
     const auto file = files.find(path);
-    if (file == files.end()) return {"", "cannot be read: No such file or directory"};
+    if (file == files.end()) return {"", cannot_be_read(ENOENT)};
     if (file->second.size() > limit) return {"", too_large(file->second.size(), limit)};
     return {file->second, ""};
 }
 
 FileText MemoryDisk::read(const TreePath& path, uint64_t limit) const {
     const std::string name = name_of(path);
-    return name.empty() ? FileText{"", "leads out of " + path.root + ", and is not followed"} : read(name, limit);
+    return name.empty() ? FileText{"", leads_out(path.root)} : read(name, limit);
 }
 
 FolderList MemoryDisk::list(const TreePath& path) const {
     const std::string name = name_of(path);
-    if (name.empty()) return {{}, "leads out of " + path.root + ", and is not followed", true};
-    if (!is_directory(name)) return {{}, "cannot be read: Not a directory"};
+    if (name.empty()) return {{}, leads_out(path.root), true};
+    if (!is_directory(name)) return {{}, cannot_be_read(ENOTDIR)};
     const std::string prefix = name == "." ? "" : name + "/";
     std::map<std::string, bool> found;
     auto add = [&](const std::string& file) {
@@ -69,7 +72,7 @@ std::string MemoryDisk::write(const std::string& path, const std::string& bytes)
 
 std::string MemoryDisk::write(const TreePath& path, const std::string& bytes) {
     const std::string name = name_of(path);
-    return name.empty() ? "leads out of " + path.root + ", and is not followed" : write(name, bytes);
+    return name.empty() ? leads_out(path.root) : write(name, bytes);
 }
 
 std::string MemoryDisk::remove(const TreePath& path) {

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <ostream>
+#include <set>
+#include <string>
 
 #include "porttool/read/disk.h"
 
@@ -12,6 +14,12 @@ namespace porttool {
 struct Workplace {
     Disk& disk;
     std::ostream& err;
+    std::set<std::string> said = {};
+
+    /// Says it unless it was said before, as a map may be read twice.
+    void say_once(const std::string& text) {
+        if (said.insert(text).second) err << text;
+    }
 };
 
 }  // namespace porttool

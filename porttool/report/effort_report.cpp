@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "porttool/report/figures.h"
+#include "porttool/text/date.h"
 #include "porttool/text/sink/csv.h"
 #include "porttool/text/sink/json.h"
 #include "porttool/text/sink/terminal.h"

@@ -39,13 +39,4 @@ std::string figure_text(const std::optional<metrics::Figure>& figure) {
     return text(figure->value) + " (" + text(figure->low) + " to " + text(figure->high) + ")";
 }
 
-std::string day_of(int64_t time) {
-    const auto seconds = static_cast<std::time_t>(time);
-    std::tm date{};
-    if (gmtime_r(&seconds, &date) == nullptr) return "-";
-    std::array<char, 32> text{};
-    std::strftime(text.data(), text.size(), "%Y-%m-%d", &date);
-    return text.data();
-}
-
 }  // namespace porttool

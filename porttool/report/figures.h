@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cstdint>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -22,8 +21,5 @@ std::string bounded_text(double value, double most, int digits);
 
 /// "0.73 (0.60 to 0.81)", or "-".
 std::string figure_text(const std::optional<metrics::Figure>& figure);
-
-/// YYYY-MM-DD of seconds since 1970.
-std::string day_of(int64_t time);
 
 }  // namespace porttool

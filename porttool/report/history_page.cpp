@@ -8,6 +8,7 @@
 
 #include "porttool/report/figures.h"
 #include "porttool/report/history_report.h"
+#include "porttool/text/date.h"
 #include "porttool/text/sink/html.h"
 
 namespace porttool {

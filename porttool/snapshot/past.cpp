@@ -43,17 +43,9 @@ Past open_past(const ProjectChoice& choice, Workplace& place) {
     past.root = project.root;
     past.map_is_given = !choice.config.empty();
     past.map_name = past.map_is_given ? choice.config : "portmap.toml";
-    const std::string& path = project.map_path;
-    if (place.disk.exists(path)) {
-        const FileText file = read_map_text(place.disk, past.root, path);
-        if (!file.error.empty()) throw CannotDo(terminal_text(path) + ": " + file.error);
-        ReadMap read = read_map(past.map_name, file.bytes);
-        if (!read.error.empty()) throw CannotDo(read.error);
-        past.map_today = std::move(read.map);
-        past.has_map_today = true;
-    } else if (past.map_is_given) {
-        throw CannotDo("--config " + terminal_text(choice.config) + ": no such file");
-    }
+    load_map(project, choice, place);
+    past.has_map_today = project.has_map;
+    past.map_today = std::move(project.map);
     past.git = std::make_unique<GitRepository>(past.root);
     if (!past.git->error().empty()) throw CannotDo(past.git->error());
     return past;

@@ -6,39 +6,11 @@
 #include <filesystem>
 #include <optional>
 
-#include "porttool/read/git.h"
-#include "porttool/read/glob.h"
-#include "porttool/scan/scan.h"
+#include "porttool/read/refusals.h"
 #include "porttool/text/sink/terminal.h"
 
 namespace porttool {
 namespace {
-
-std::string absolute(const std::string& path) {
-    std::error_code error;
-    return clean_path(std::filesystem::absolute(path, error).generic_string());
-}
-
-std::vector<ScannedFile> scan_all(const SourceSet& set) {
-    std::vector<ScannedFile> files;
-    files.reserve(set.files.size());
-    for (const SourceText& source : set.files) files.push_back(scan_text(source.path, source.text));
-    return files;
-}
-
-/// A bracket that is never closed stands for itself, as in a shell, which is rarely what was meant.
-std::string bracket_hint(const std::string& glob) {
-    for (const auto& [open, close] : {std::pair('[', ']'), std::pair('{', '}')})
-        if (std::count(glob.begin(), glob.end(), open) > std::count(glob.begin(), glob.end(), close))
-            return std::string("; its '") + open + "' is never closed";
-    return "; globs are relative to the root, ** crosses folders";
-}
-
-void require_matches(const std::vector<std::string>& unmatched, const char* side) {
-    if (unmatched.empty()) return;
-    throw CannotDo(std::string(side) + " glob '" + terminal_text(unmatched.front()) + "' matches no file that is read" +
-                   bracket_hint(unmatched.front()));
-}
 
 /// `path` as seen from `root`, if it lies there.
 std::optional<std::string> below(const std::string& root, const std::string& path) {
@@ -56,15 +28,10 @@ void require_beneath(const std::vector<std::string>& globs, const std::string& r
                            "[sides] target_root");
 }
 
-/// True for a path with `.git` in it, where a checkout keeps its credentials.
+/// True for a path with `.git` in it, where a checkout keeps its credentials, or behind it.
 bool passes_git_folder(const std::string& path) {
     std::error_code error;
-    for (const std::filesystem::path& spelling :
-         {std::filesystem::path(path), std::filesystem::weakly_canonical(path, error)})
-        if (std::any_of(spelling.begin(), spelling.end(),
-                        [](const auto& name) { return is_git_folder(name.string()); }))
-            return true;
-    return false;
+    return names_git_folder(path) || names_git_folder(std::filesystem::weakly_canonical(path, error).generic_string());
 }
 
 /// The one declared way out is for another checkout: one beneath the root leads nowhere else, and none into `.git`.
@@ -82,25 +49,24 @@ void require_target_root(const Project& project, const Disk& disk) {
 }  // namespace
 
 std::string find_root(const Disk& disk, const std::string& directory) {
-    std::error_code error;
-    std::string absolute = std::filesystem::absolute(directory, error).lexically_normal().generic_string();
-    if (absolute.size() > 1 && absolute.ends_with('/')) absolute.pop_back();
+    const std::string start = absolute_path(directory);
     for (const char* mark : {"portmap.toml", ".git"}) {
-        for (std::filesystem::path at = absolute;; at = at.parent_path()) {
+        for (std::filesystem::path at = start;; at = at.parent_path()) {
             if (disk.exists(join_path(at.string(), mark))) return at.string();
             if (at == at.parent_path()) break;
         }
     }
-    return absolute;
+    return start;
 }
 
 void find_map(Project& project, const ProjectChoice& choice, const Disk& disk) {
     if (choice.source.empty() != choice.target.empty())
         throw CannotDo("--source and --target go together; name both sides, or neither to use portmap.toml");
     project.globs_given = !choice.source.empty();
-    project.root = project.globs_given ? absolute(choice.directory) : find_root(disk, choice.directory);
+    project.root = project.globs_given ? absolute_path(choice.directory) : find_root(disk, choice.directory);
     project.map_path = choice.config.empty() ? join_path(project.root, "portmap.toml")
-                                             : absolute(join_path(choice.directory, choice.config));
+                                             : absolute_path(join_path(choice.directory, choice.config));
+    if (!choice.config.empty()) project.map_name = choice.config;
 }
 
 TreePath beside_map(const Project& project, const std::string& name, Links links) {
@@ -120,20 +86,30 @@ CannotDo no_map(const Project& project) {
                     " or above; write one with: porttool init --source GLOB --target GLOB");
 }
 
+void load_map(Project& project, const ProjectChoice& choice, Workplace& place) {
+    const bool there = place.disk.exists(project.map_path);
+    if (!choice.config.empty() && !there) throw CannotDo("--config " + terminal_text(choice.config) + ": no such file");
+    if (!there) return;
+    const FileText file = read_map_text(place.disk, project.root, project.map_path);
+    if (!file.error.empty()) throw CannotDo(terminal_text(project.map_path) + ": " + file.error);
+    use_map(project, project.map_name, file.bytes, place);
+}
+
+void use_map(Project& project, const std::string& name, const std::string& text, Workplace& place) {
+    ReadMap read = read_map(name, text);
+    if (!read.error.empty()) throw CannotDo(read.error);
+    project.map = std::move(read.map);
+    project.map_text = text;
+    project.has_map = true;
+    if (project.map.reference == "target")
+        place.say_once("warning: " + terminal_text(project.map_name) +
+                       ": reference = \"target\" has no effect yet; changes are judged as with \"source\"\n");
+}
+
 Project open_project(const ProjectChoice& choice, Workplace& place, bool needs_map) {
     Project project;
     find_map(project, choice, place.disk);
-    const bool there = place.disk.exists(project.map_path);
-    if (!choice.config.empty() && !there) throw CannotDo("--config " + terminal_text(choice.config) + ": no such file");
-    if (there && (!project.globs_given || !choice.config.empty())) {
-        const FileText file = read_map_text(place.disk, project.root, project.map_path);
-        if (!file.error.empty()) throw CannotDo(terminal_text(project.map_path) + ": " + file.error);
-        project.map_text = file.bytes;
-        ReadMap read = read_map(choice.config.empty() ? "portmap.toml" : choice.config, file.bytes);
-        if (!read.error.empty()) throw CannotDo(read.error);
-        project.map = std::move(read.map);
-        project.has_map = true;
-    }
+    if (!project.globs_given || !choice.config.empty()) load_map(project, choice, place);
     if (project.globs_given) {
         project.map.source = choice.source;
         project.map.target = choice.target;
@@ -155,56 +131,6 @@ void require_sides_beneath(const Project& project, const Disk& disk) {
     require_beneath(project.map.source, project.root, "source");
     require_beneath(project.map.target, target_root(project), "target");
     require_target_root(project, disk);
-}
-
-namespace {
-
-/// The files of one side that the map's pairs name.
-std::set<std::string> named_files(const MapFile& map, bool source) {
-    std::set<std::string> out;
-    for (const MapPair& pair : map.pairs) {
-        if (source) out.insert(split_id(pair.source).first);
-        for (const std::string& target : pair.targets)
-            if (!source) out.insert(split_id(target).first);
-    }
-    return out;
-}
-
-SourceSet read_side(const Project& project, const Disk& disk, bool source, std::vector<std::string>& unmatched) {
-    const std::string root = source ? project.root : target_root(project);
-    const std::vector<std::string>& globs = source ? project.map.source : project.map.target;
-    const auto tracked = [&] {
-        return tracked_files(root, [patterns = std::vector<Glob>(globs.begin(), globs.end())](const std::string& path) {
-            return std::any_of(patterns.begin(), patterns.end(), [&](const Glob& glob) { return glob.matches(path); });
-        });
-    };
-    return read_globs(disk, root, globs, unmatched,
-                      {project.globs_given ? Reach::Anywhere : Reach::Beneath, !source && is_elsewhere(project),
-                       named_files(project.map, source), tracked});
-}
-
-}  // namespace
-
-void read_sides(Project& project, Workplace& place) {
-    std::vector<std::string> unmatched;
-    const SourceSet source = read_side(project, place.disk, true, unmatched);
-    require_matches(unmatched, "source");
-    const SourceSet target = read_side(project, place.disk, false, unmatched);
-    require_matches(unmatched, "target");
-    project.source = scan_all(source);
-    project.target = scan_all(target);
-    project.skipped = source.skipped;
-    for (const SkippedFile& file : target.skipped)
-        project.skipped.push_back(
-            {project.map.target_root.empty() ? file.file : clean_path(join_path(project.map.target_root, file.file)),
-             file.reason});
-}
-
-void read_sides_from(Project& project, const Disk& disk, const std::string& target_root) {
-    std::vector<std::string> unmatched;
-    project.source = scan_all(read_globs(disk, project.root, project.map.source, unmatched));
-    project.target = scan_all(read_globs(disk, target_root, project.map.target, unmatched));
-    project.skipped.clear();
 }
 
 std::string target_root(const Project& project) {

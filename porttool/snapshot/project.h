@@ -24,7 +24,8 @@ struct ProjectChoice {
 /// The two sides of a repository, read and scanned.
 struct Project {
     std::string root;
-    std::string map_path;  ///< where portmap.toml is or would be
+    std::string map_path;                   ///< where portmap.toml is or would be
+    std::string map_name = "portmap.toml";  ///< as messages name it
     bool has_map = false;
     bool globs_given = false;  ///< on the command line
     std::string map_text;
@@ -48,6 +49,9 @@ TreePath beside_map(const Project& project, const std::string& name, Links links
 /// The text of a map. Where it lies beneath the root, whoever proposes a change may have written it, or made it a link.
 FileText read_map_text(const Disk& disk, const std::string& root, const std::string& path);
 
+/// Reads the map that was found, if it is there. Throws CannotDo.
+void load_map(Project& project, const ProjectChoice& choice, Workplace& place);
+
 /// Opens the project that was chosen: its root and, if there is one, its map. With both globs given the root is
 /// the folder itself and no map is needed. Throws CannotDo.
 Project open_project(const ProjectChoice& choice, Workplace& place, bool needs_map);
@@ -58,11 +62,8 @@ void require_sides_beneath(const Project& project, const Disk& disk);
 /// True where the map has chosen the target's root outside of the project: only sources are read there.
 bool is_elsewhere(const Project& project);
 
-/// Reads and scans both sides. Throws CannotDo for globs that match nothing.
-void read_sides(Project& project, Workplace& place);
-
-/// The same from another disk, without complaint about globs that match nothing there.
-void read_sides_from(Project& project, const Disk& disk, const std::string& target_root);
+/// Takes this text for the project's map. `name`: of the map, for messages. Throws CannotDo.
+void use_map(Project& project, const std::string& name, const std::string& text, Workplace& place);
 
 /// The root of the target side, which may be another checkout.
 std::string target_root(const Project& project);

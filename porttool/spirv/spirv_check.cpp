@@ -44,7 +44,7 @@ SpirvCheck::Side& SpirvCheck::side(bool source) {
     side.sources_only = !source && is_elsewhere(project_);
     std::vector<std::string> entries;
     if (staged_ && (source || project_.map.target_root.empty())) {
-        GitFiles staged = files_in_index(side.root, is_shader_text);
+        GitFiles staged = GitRepository(side.root, kChecksWithGit).files_in_index(is_shader_text);
         if (!staged.error.empty()) throw CannotDo(staged.error);
         for (auto& [path, text] : staged.files) {
             if (stage_of_path(path)) entries.push_back(path);
@@ -82,7 +82,7 @@ SpirvAnswer SpirvCheck::ask(Side& side, const ScannedFile& file, const Unit& uni
                             const std::vector<std::string>& before) {
     SpirvAnswer answer = side.comparer->compare_unit(file, unit, before);
     if (answer.obstacle.empty() || answer.entries.empty()) return answer;
-    if (!side.then) side.then = files_at_base(side.root, base_, is_shader_text);
+    if (!side.then) side.then = GitRepository(side.root, kChecksWithGit).files_at_base(base_, is_shader_text);
     if (!side.then->error.empty()) {
         answer.obstacle += "; and there are no earlier files to compare as a whole: " +
                            side.then->error.substr(0, side.then->error.find('\n'));

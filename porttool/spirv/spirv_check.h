@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "porttool/normal/unit_state.h"
-#include "porttool/read/git.h"
+#include "porttool/read/git_repository.h"
 #include "porttool/snapshot/project.h"
 #include "porttool/spirv/same_spirv.h"
 

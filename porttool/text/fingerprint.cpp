@@ -74,11 +74,13 @@ std::string Fingerprinter::digits() const {
     return hexadecimal(copy.finish(0));
 }
 
-bool is_fingerprint(std::string_view text) {
-    return text.size() == kDigits && std::all_of(text.begin(), text.end(), [](char c) {
+bool is_hexadecimal(std::string_view text, size_t digits) {
+    return text.size() == digits && std::all_of(text.begin(), text.end(), [](char c) {
                return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f');
            });
 }
+
+bool is_fingerprint(std::string_view text) { return is_hexadecimal(text, kDigits); }
 
 std::string fingerprint_of_version_1(const std::vector<std::string>& words) {
     uint64_t hash = 0;

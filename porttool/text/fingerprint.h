@@ -59,6 +59,9 @@ private:
     SipHash hash_;
 };
 
+/// True for so many hexadecimal digits, small ones.
+bool is_hexadecimal(std::string_view text, size_t digits);
+
 /// True for what Fingerprinter::digits() can give: 16 small hexadecimal digits.
 bool is_fingerprint(std::string_view text);
 

@@ -63,6 +63,71 @@ TEST(Command, WhatCannotBeDoneIsExitCodeTwoWithEmptyStdout) {
     EXPECT_NE(run(disk, {"scna", "a"}).err.find("did you mean 'scan'"), std::string::npos);
 }
 
+TEST(Command, AnUnknownSubcommandIsToldInOneLine) {
+    MemoryDisk disk;
+    const std::string known =
+        "scan, map, init, check, accept, defer, ignore, compare, explain, effort, history, report";
+    for (const auto& [arguments, says] : std::vector<std::pair<std::vector<std::string>, std::string>>{
+             {{"chekc"}, "unknown command 'chekc'; did you mean 'check'?"},
+             {{"chekc", "--strict"}, "unknown command 'chekc'; did you mean 'check'?"},
+             {{"-C", "/reprot", "hsitory"}, "unknown command 'hsitory'; did you mean 'history'?"},
+             {{"--format", "check", "inti"}, "unknown command 'inti'; did you mean 'init'?"},
+             {{"accpet", "--help"}, "unknown command 'accpet'; did you mean 'accept'?"},
+             {{"frobnicate"}, "unknown command 'frobnicate'; there are " + known}}) {
+        const CommandRun got = run(disk, arguments);
+        EXPECT_EQ(got.exit_code, 2);
+        EXPECT_EQ(got.out, "");
+        EXPECT_EQ(got.err, "porttool: " + says + "\n");
+    }
+}
+
+TEST(Command, AnUnknownOptionIsToldWithTheNearestOfItsCommand) {
+    MemoryDisk disk;
+    for (const auto& [arguments, near] : std::vector<std::pair<std::vector<std::string>, std::string>>{
+             {{"check", "--strcit"}, "--strict"},
+             {{"check", "--bsae=main"}, "--base"},
+             {{"check", "--fromat", "json"}, "--format"},
+             {{"report", "--fail-udner", "BSDF=90"}, "--fail-under"},
+             {{"map", "--frobnicate"}, ""},
+             {{"map", "--strict"}, ""}}) {  // another command's
+        const CommandRun got = run(disk, arguments);
+        EXPECT_EQ(got.exit_code, 2);
+        EXPECT_EQ(got.out, "");
+        if (near.empty())
+            EXPECT_EQ(got.err.find("did you mean"), std::string::npos) << got.err;
+        else
+            EXPECT_NE(got.err.find(arguments[1] + "; did you mean '" + near + "'?\n"), std::string::npos) << got.err;
+    }
+}
+
+TEST(Command, AReferenceThatIsTheTargetIsWarnedOfOnce) {
+    const std::string pair = "[[pair]]\nsource = \"src/k.cu:f\"\ntarget = \"port/k.comp:f\"\n";
+    const std::string sides = "version = 1\n[sides]\nsource = [\"src/*\"]\ntarget = [\"port/*\"]\n";
+    const std::string warning =
+        "warning: portmap.toml: reference = \"target\" has no effect yet; changes are judged as with \"source\"\n";
+    const std::string text = "int f(int a) { return a * 3; }\n";
+    for (const auto& [line, says] : std::vector<std::pair<std::string, std::string>>{
+             {"", ""}, {"reference = \"source\"\n", ""}, {"reference = \"target\"\n", warning}}) {
+        MemoryDisk disk;
+        disk.files = {{"/r/portmap.toml", sides + line + pair}, {"/r/src/k.cu", text}, {"/r/port/k.comp", text}};
+        EXPECT_EQ(run(disk, {"-C", "/r", "init"}).err, says);
+        for (const auto& arguments : std::vector<std::vector<std::string>>{{"map"},
+                                                                           {"check"},
+                                                                           {"explain", "src/k.cu:f", "port/k.comp:f"},
+                                                                           {"report"},
+                                                                           {"compare", "src/k.cu", "port/k.comp"},
+                                                                           {"accept", "src/k.cu:f"}}) {
+            std::vector<std::string> all = {"-C", "/r"};
+            all.insert(all.end(), arguments.begin(), arguments.end());
+            const CommandRun got = run(disk, all);
+            EXPECT_EQ(got.exit_code, 0) << arguments[0] << got.err;
+            EXPECT_EQ(got.err, says) << arguments[0];
+            EXPECT_EQ(got.out.find("reference"), std::string::npos) << arguments[0];
+        }
+        EXPECT_EQ(run(disk, {"-C", "/r", "scan", "src"}).err, "");  // reads no map
+    }
+}
+
 TEST(Command, HelpAndVersionAreExitCodeZero) {
     MemoryDisk disk;
     for (const auto& arguments :

@@ -6,7 +6,7 @@
 #include <exception>
 #include <sstream>
 
-#include "porttool/command/commands.h"
+#include "porttool/command/run.h"
 #include "porttool/compare/edits.h"
 #include "porttool/match/match.h"
 #include "porttool/measure/measure.h"

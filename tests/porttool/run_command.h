@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "porttool/command/commands.h"
+#include "porttool/command/run.h"
 
 namespace porttool::testing {
 

@@ -1,12 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The porttool authors
 // SPDX-License-Identifier: Apache-2.0
-#include "porttool/judge/lock_store.h"
+#include "porttool/snapshot/lock_store.h"
 
 #include <optional>
 #include <set>
 
 #include "porttool/read/lock_upgrade.h"
-#include "porttool/scan/scan.h"
 #include "porttool/text/sink/terminal.h"
 
 namespace porttool {
@@ -39,21 +38,6 @@ std::string read_base(const Project& project, const Disk& disk, const std::strin
     FileText file = disk.read(base_file(project, print), kLargestFile);
     std::erase(file.bytes, '\r');
     return file.error.empty() ? std::move(file.bytes) : std::string();
-}
-
-void add_states(std::map<std::string, UnitState>& states, const std::vector<ScannedFile>& files,
-                const std::set<std::string>& named) {
-    for (const ScannedFile& file : files) {
-        for (const Unit& unit : file.units) {
-            UnitState state = unit_state(file, unit);
-            states.emplace(state.id, std::move(state));
-        }
-        const Unit whole = whole_file_unit(file);
-        if (file.units.empty() || named.contains(unit_id(file, whole))) {
-            UnitState state = unit_state(file, whole);
-            states.emplace(state.id, std::move(state));
-        }
-    }
 }
 
 /// Files that are all written, or are all as they were.
@@ -115,18 +99,6 @@ std::map<std::string, const std::string*> texts_behind(const std::set<std::strin
 }
 
 }  // namespace
-
-States read_states(const Project& project) {
-    std::set<std::string> named;
-    for (const MapPair& pair : project.map.pairs) {
-        named.insert(pair.source);
-        named.insert(pair.targets.begin(), pair.targets.end());
-    }
-    States states;
-    add_states(states.source, project.source, named);
-    add_states(states.target, project.target, named);
-    return states;
-}
 
 std::string lock_path(const Project& project) { return folder_of_map(project) + "portmap.lock"; }
 

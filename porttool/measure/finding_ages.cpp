@@ -1,13 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The porttool authors
 // SPDX-License-Identifier: Apache-2.0
-#include "porttool/command/finding_ages.h"
+#include "porttool/measure/finding_ages.h"
 
 #include <algorithm>
 #include <vector>
 
 #include "porttool/read/git_repository.h"
-#include "porttool/report/figures.h"
+#include "porttool/read/lock_lines.h"
 #include "porttool/scan/scan.h"
+#include "porttool/text/date.h"
 
 namespace porttool {
 namespace {
@@ -28,18 +29,12 @@ bool holds(const Question& question, const ScannedFile& file) {
     return false;
 }
 
-const LockedPair* locked(const LockFile& lock, const Finding& finding) {
-    const auto found = std::find_if(lock.pairs.begin(), lock.pairs.end(), [&](const LockedPair& pair) {
-        return pair.source == finding.map_source && pair.target == finding.map_target;
-    });
-    return found == lock.pairs.end() ? nullptr : &*found;
-}
-
 std::vector<Question> questions(const CheckedProject& checked) {
     std::vector<Question> out;
+    const LinesByPair lines(checked.lock);
     for (const Finding& finding : checked.judgement.findings) {
         const bool unported = finding.rule == Rule::Unported;
-        const LockedPair* pair = locked(checked.lock, finding);
+        const LockedPair* pair = lines.find(finding.map_source, finding.map_target);
         if (!unported &&
             (pair == nullptr || finding.change == ChangeKind::Rename || finding.change == ChangeKind::Moved))
             continue;

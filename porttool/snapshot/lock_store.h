@@ -6,19 +6,10 @@
 #include <memory>
 #include <string>
 
-#include "porttool/normal/unit_state.h"
 #include "porttool/read/lock_file.h"
-#include "porttool/snapshot/project.h"
+#include "porttool/snapshot/states.h"
 
 namespace porttool {
-
-/// The units of both sides by id, as they stand now.
-struct States {
-    std::map<std::string, UnitState> source, target;
-};
-
-/// Reads the states of all units, and of whole files that the map names (`PATH:@file`).
-States read_states(const Project& project);
 
 std::string lock_path(const Project& project);
 

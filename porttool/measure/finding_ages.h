@@ -5,7 +5,7 @@
 #include <map>
 #include <string>
 
-#include "porttool/command/check_command.h"
+#include "porttool/judge/check_project.h"
 #include "porttool/measure/portability_ledger.h"
 
 namespace porttool {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The porttool authors
 // SPDX-License-Identifier: Apache-2.0
-#include "porttool/read/git.h"
+// The files of a commit and of the index.
 
 #include <cstdlib>
 #include <filesystem>
@@ -21,8 +21,6 @@ using Blob = GitOwned<git_blob, git_blob_free>;
 using TreeEntry = GitOwned<git_tree_entry, git_tree_entry_free>;
 using Submodule = GitOwned<git_repository, git_repository_free>;
 
-OpenedGit open(const std::string& root) { return open_git(root, "Check without --base and --staged, or try"); }
-
 /// Where the files of one repository go.
 struct Walk {
     GitFiles& out;
@@ -30,7 +28,8 @@ struct Walk {
     std::string prefix;  ///< the folder of the repository that is read, "sub/folder/" or ""
     std::string before;  ///< what stands before its paths in `out`: the place of a submodule
     const WantsFile& wants;
-    const git_tree* tree = nullptr;  ///< while one is read
+    std::string commit = "the merge base";  ///< as messages call it
+    const git_tree* tree = nullptr;         ///< while one is read
 
     /// The path that a file has in `out`.
     std::string name_of(const std::string& path) const { return before + path.substr(prefix.size()); }
@@ -111,7 +110,7 @@ bool read_tree(const Walk& walk, const git_oid& commit_id) {
     git_commit* commit = nullptr;
     git_tree* tree = nullptr;
     if (git_commit_lookup(&commit, walk.repository, &commit_id) != 0) {
-        walk.out.error = (walk.before.empty() ? "the merge base" : "the submodule " + terminal_text(walk.before)) +
+        walk.out.error = (walk.before.empty() ? walk.commit : "the submodule " + terminal_text(walk.before)) +
                          " cannot be read: " + git_last_error() + "\nFetch it: " +
                          (walk.before.empty() ? "git fetch"
                                               : "git submodule update --init; or git -C " +
@@ -120,7 +119,7 @@ bool read_tree(const Walk& walk, const git_oid& commit_id) {
     }
     const Commit commit_owner(commit);
     if (git_commit_tree(&tree, commit) != 0) {
-        walk.out.error = "the merge base cannot be read: " + git_last_error() + "\nLook into it with: git fsck";
+        walk.out.error = walk.commit + " cannot be read: " + git_last_error() + "\nLook into it with: git fsck";
         return false;
     }
     const Tree tree_owner(tree);
@@ -128,7 +127,7 @@ bool read_tree(const Walk& walk, const git_oid& commit_id) {
     payload.tree = tree;
     const int result = git_tree_walk(tree, GIT_TREEWALK_PRE, visit_entry, &payload);
     if (result != 0 && walk.out.error.empty())
-        walk.out.error = "the merge base cannot be read: " + git_last_error() + "\nLook into it with: git fsck";
+        walk.out.error = walk.commit + " cannot be read: " + git_last_error() + "\nLook into it with: git fsck";
     return walk.out.error.empty();
 }
 
@@ -142,13 +141,18 @@ std::string fetch_command(const std::string& revision) {
 
 }  // namespace
 
-std::string folder_in_repository(const std::string& root) { return open_git(root, "").prefix; }
-
-GitFiles files_at_base(const std::string& root, const std::string& revision, const WantsFile& wants) {
+GitFiles GitRepository::files_at(const std::string& commit, const WantsFile& wants) const {
+    if (!error_.empty()) return {{}, error_};
     GitFiles out;
-    const OpenedGit opened = open(root);
-    if (!opened.error.empty()) return {{}, opened.error};
-    git_repository* repository = opened.repository.get();
+    const auto id = git_oid_of(commit);
+    if (id) read_tree({out, handle_->repository(), folder(), "", wants, commit}, *id);
+    return out;
+}
+
+GitFiles GitRepository::files_at_base(const std::string& revision, const WantsFile& wants) const {
+    if (!error_.empty()) return {{}, error_};
+    GitFiles out;
+    git_repository* repository = handle_->repository();
     git_oid head{}, merge_base{};
     if (git_reference_name_to_id(&head, repository, "HEAD") != 0)
         return {{}, "HEAD names no commit yet; commit once, or check without --base"};
@@ -163,7 +167,7 @@ GitFiles files_at_base(const std::string& root, const std::string& revision, con
                 "--base " + terminal_text(revision) +
                     ": no common ancestor with HEAD is here, as in a shallow clone\nFetch the history: git fetch "
                     "--unshallow (in CI: fetch-depth: 0)"};
-    read_tree({out, repository, opened.prefix, "", wants}, merge_base);
+    read_tree({out, repository, folder(), "", wants}, merge_base);
     return out;
 }
 
@@ -187,36 +191,34 @@ std::string index_of_hook(git_repository* repository) {
 
 }  // namespace
 
-std::set<std::string> tracked_files(const std::string& root, const WantsFile& wants) {
+std::set<std::string> GitRepository::tracked_files(const WantsFile& wants) const {
     std::set<std::string> out;
-    const OpenedGit opened = open(root);
     git_index* index = nullptr;
-    if (!opened.error.empty() || git_repository_index(&index, opened.repository.get()) != 0) return out;
+    if (!error_.empty() || git_repository_index(&index, handle_->repository()) != 0) return out;
     const Index owner(index);
     for (size_t i = 0; i < git_index_entrycount(index); ++i) {
         const std::string_view path = git_index_get_byindex(index, i)->path;
-        if (!path.starts_with(opened.prefix)) continue;
-        std::string below(path.substr(opened.prefix.size()));
+        if (!path.starts_with(folder())) continue;
+        std::string below(path.substr(folder().size()));
         if (wants(below)) out.insert(std::move(below));
     }
     return out;
 }
 
-GitFiles files_in_index(const std::string& root, const WantsFile& wants) {
+GitFiles GitRepository::files_in_index(const WantsFile& wants) const {
+    if (!error_.empty()) return {{}, error_};
     GitFiles out;
-    const OpenedGit opened = open(root);
-    if (!opened.error.empty()) return {{}, opened.error};
     git_index* index = nullptr;
-    const std::string of_hook = index_of_hook(opened.repository.get());
-    if ((of_hook.empty() ? git_repository_index(&index, opened.repository.get())
+    const std::string of_hook = index_of_hook(handle_->repository());
+    if ((of_hook.empty() ? git_repository_index(&index, handle_->repository())
                          : git_index_open(&index, of_hook.c_str())) != 0)
         return {{}, "the index cannot be read: " + git_last_error() + "\nLook into it with: git status"};
     const Index owner(index);
-    const Walk walk{out, opened.repository.get(), opened.prefix, "", wants};
+    const Walk walk{out, handle_->repository(), folder(), "", wants};
     for (size_t i = 0; i < git_index_entrycount(index) && out.error.empty(); ++i) {
         const git_index_entry* entry = git_index_get_byindex(index, i);
         const std::string path = entry->path;
-        if (!path.starts_with(opened.prefix)) continue;
+        if (!path.starts_with(folder())) continue;
         if (entry->mode == GIT_FILEMODE_COMMIT) {
             read_submodule(walk, entry->id, path);
         } else if (walk.wants(walk.name_of(path))) {

@@ -1,0 +1,168 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/judge/check_project.h"
+
+#include "porttool/judge/base_lock.h"
+#include "porttool/judge/brought_in.h"
+#include "porttool/read/clock.h"
+#include "porttool/scan/scan.h"
+#include "porttool/snapshot/lock_store.h"
+#include "porttool/text/sink/terminal.h"
+
+namespace porttool {
+namespace {
+
+/// The comments of both sides that settle findings.
+std::vector<PlacedSuppression> placed_suppressions(const Project& project) {
+    std::vector<PlacedSuppression> suppressions;
+    for (const auto* side : {&project.source, &project.target})
+        for (const ScannedFile& file : *side)
+            for (const Suppression& comment : file.lexed.suppressions)
+                suppressions.push_back(
+                    {side == &project.source ? file.path : target_path(project.map, file.path), comment});
+    return suppressions;
+}
+
+/// Puts the map that is staged, if there is one, in the place of today's.
+void take_staged_map(Project& project, Workplace& place) {
+    const FileText text = map_text_at(project, {Moment::Kind::Index}, place.disk);
+    if (!text.error.empty()) return;
+    use_map(project, "portmap.toml (staged)", text.bytes, place);
+    require_sides_beneath(project, place.disk);
+}
+
+/// Puts the map of the merge base in the place of today's.
+void take_map_of_base(Project& project, const std::string& revision, Workplace& place) {
+    const std::string path = map_in_commits(project);
+    if (path.empty()) return;
+    const FileText text = map_text_at(project, {Moment::Kind::MergeBase, revision}, place.disk);
+    if (!text.error.empty())
+        throw CannotDo("--trusted-map: there is no " + terminal_text(path) + " at the merge base of " +
+                       terminal_text(revision) +
+                       "\nMerge a first map into that branch; until then check without --trusted-map");
+    use_map(project, path + " at " + revision, text.bytes, place);
+    require_sides_beneath(project, place.disk);
+}
+
+/// With --base the lock only adds what was accepted since: one that cannot be read is left out.
+RecordedLock lock_if_readable(const CheckedProject& checked, std::ostream& err) {
+    if (!checked.recorded) return {};
+    try {
+        return load_lock(checked.project, checked.disk(), checked.states);
+    } catch (const CannotDo& problem) {
+        err << "warning: " << problem.what() << "\nWithout it, what was accepted since the base is not known\n";
+        return {};
+    }
+}
+
+/// Takes the state at the merge base for what was in step. Returns what the change itself does to the gate.
+std::vector<BroughtIn> hold_against_base(CheckedProject& checked, const CheckChoice& choice, const MapFile& map_today,
+                                         Workplace& place) {
+    Snapshot base = read_snapshot(without_files(checked.project), {Moment::Kind::MergeBase, choice.base}, place.disk);
+    if (!base.note.empty()) place.err << base.note << "\n";
+    RecordedLock now = lock_if_readable(checked, place.err);
+    const BaseRecord then = base_record(base, now, checked.states, place.err);
+    const LockFile& in_force = choice.trusted_map ? then.lock.lock : now.lock;
+    BaseLock in_step = base_lock(base, then.lock.lock, in_force, checked.states);
+    const std::vector<PlacedSuppression> known = placed_suppressions(base.project);
+    const GateState before{then.has_map, then.map, then.has_lock, then.lock.lock, known};
+    const GateState today{true, map_today, checked.recorded, now.lock, checked.suppressions};
+    std::vector<BroughtIn> brought = brought_in(before, today, checked.project.map_name);
+    if (choice.trusted_map) checked.suppressions = known_before(checked.suppressions, known);
+    checked.lock = std::move(in_step.lock);
+    checked.texts = std::move(in_step.texts);
+    checked.texts.merge(now.texts);
+    return brought;
+}
+
+/// Judges what was read.
+void judge_it(CheckedProject& checked, const std::string& date, const std::vector<SkippedFile>& skipped,
+              const SameCode& same_code = {}) {
+    const auto text_of = [&](const std::string& print) { return text_behind(checked, print); };
+    checked.judgement = judge({checked.project.map, checked.lock, checked.states.source, checked.states.target, skipped,
+                               text_of, date, checked.suppressions, same_code});
+}
+
+/// Without them the gate still tells that a text was edited, not how, and takes no two edits for the same.
+void note_missing_texts(const Project& project, const Disk& disk, const LockFile& lock, Workplace& place) {
+    const size_t missing = lock.version == 1 ? 0 : missing_texts(project, disk, lock);
+    if (missing > 0)
+        place.err
+            << "warning: " << missing
+            << " texts are missing in portmap.base/; restore it from git, or, while their pairs are in step, run: "
+               "porttool accept --all\n";
+}
+
+/// A unit that was followed to where its text stands now is watched there, and no longer where it was.
+void list_moved(const Judgement& judgement, std::vector<BroughtIn>& out) {
+    for (const JudgedPair& pair : judgement.pairs)
+        for (const auto& [unit, id] :
+             {std::pair(pair.source, pair.map_source), std::pair(pair.target, pair.map_target)})
+            if (unit != nullptr && unit->file != split_id(id).first)
+                out.push_back({GatePart::Pair, unit->file, static_cast<int>(unit->start_line),
+                               id + " is followed to " + unit->id});
+}
+
+}  // namespace
+
+std::string text_behind(const CheckedProject& checked, const std::string& print) {
+    const auto found = checked.texts.find(print);
+    return found == checked.texts.end() ? base_text(checked.project, checked.disk(), print) : found->second;
+}
+
+CheckedProject check_project(const CheckChoice& choice, Workplace& place, const SameCodeIn& same_code_in) {
+    if (choice.trusted_map && choice.base.empty())
+        throw CannotDo("--trusted-map takes map and lock from the merge base; name it with --base REV");
+    Project project = open_project(choice, place, true);
+    if (choice.staged) take_staged_map(project, place);
+    const MapFile map_today = project.map;
+    if (choice.trusted_map) take_map_of_base(project, choice.base, place);
+    const Moment now{choice.staged ? Moment::Kind::Index : Moment::Kind::WorkTree};
+    CheckedProject checked{read_snapshot(std::move(project), now, place.disk)};
+    checked.recorded = checked.disk().exists(lock_path(checked.project));
+    checked.suppressions = placed_suppressions(checked.project);
+    std::vector<BroughtIn> brought;
+    if (!choice.base.empty()) {
+        brought = hold_against_base(checked, choice, map_today, place);
+    } else if (checked.recorded || !choice.lock_is_optional) {
+        RecordedLock recorded = load_lock(checked.project, checked.disk(), checked.states);
+        checked.lock = std::move(recorded.lock);
+        checked.texts = std::move(recorded.texts);
+        note_missing_texts(checked.project, checked.disk(), checked.lock, place);
+    }
+    judge_it(checked, today(), checked.project.skipped, same_code_in ? same_code_in(checked.project) : SameCode());
+    if (!choice.base.empty()) list_moved(checked.judgement, brought);
+    if (choice.base.empty() && !checked.recorded) checked.judgement.findings.clear();
+    checked.judgement.brought_in = std::move(brought);
+    return checked;
+}
+
+CheckedProject past_project(const Project& today, const std::string& revision, const Disk& on_disk) {
+    if (!today.map.target_root.empty())
+        throw CannotDo("--base " + terminal_text(revision) +
+                       ": the target side lies in another checkout ([sides] target_root), whose history is not read\n"
+                       "Report without --base");
+    const Moment then{Moment::Kind::MergeBase, revision};
+    Project project = without_files(today);
+    if (const FileText text = map_text_at(project, then, on_disk); text.error.empty()) {
+        ReadMap read = read_map(project.map_name, text.bytes);
+        if (read.error.empty()) {  // else it has an older form: today's pairs are the best guess
+            project.map.pairs = std::move(read.map.pairs);
+            project.map.ignores = std::move(read.map.ignores);
+            project.map.rules = std::move(read.map.rules);
+        }
+    }
+    CheckedProject past{read_snapshot(std::move(project), then, on_disk)};
+    past.suppressions = placed_suppressions(past.project);
+    past.recorded = past.git.exists(lock_path(past.project));
+    if (past.recorded) {
+        read_base_texts(past);
+        RecordedLock recorded = load_lock(past.project, past.git, past.states);
+        past.lock = std::move(recorded.lock);
+        past.texts = std::move(recorded.texts);
+    }
+    judge_it(past, porttool::today(), {});  // what could not be read then is no finding
+    return past;
+}
+
+}  // namespace porttool

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "porttool/judge/judge.h"
+#include "porttool/snapshot/snapshot.h"
+
+namespace porttool {
+
+/// What the judgement of a project rests on, as a user asks for it.
+struct CheckChoice : ProjectChoice {
+    std::string base;          ///< a revision: its merge base with HEAD stands in for the lock
+    bool staged = false;       ///< the index in place of the work tree
+    bool trusted_map = false;  ///< with `base`: map and lock from there
+    /// A project without a lock is read, too: all but when its pairs were in step, so there are no findings.
+    bool lock_is_optional = false;
+};
+
+/// A snapshot with everything that its judgement rests on. The judgement points into the states: keep them together.
+struct CheckedProject : Snapshot {
+    bool recorded = false;  ///< there was a lock
+    LockFile lock = {};
+    std::map<std::string, std::string> texts =
+        {};  ///< by print: those behind the lock that portmap.base/ does not have
+    std::vector<PlacedSuppression> suppressions = {};
+    Judgement judgement = {};
+};
+
+/// The text behind a print of the lock, or "".
+std::string text_behind(const CheckedProject& checked, const std::string& print);
+
+/// What can tell that an edited function compiles to the same code; asked for once the project is read.
+using SameCodeIn = std::function<SameCode(const Project& project)>;
+
+/// Reads, scans and judges. Throws CannotDo.
+CheckedProject check_project(const CheckChoice& choice, Workplace& place, const SameCodeIn& same_code_in = {});
+
+/// A project as it was at merge-base(REV, HEAD), under today's sides, blocks and dialect, so that figures compare, but
+/// with the pairs that its own map named. Throws CannotDo.
+CheckedProject past_project(const Project& today, const std::string& revision, const Disk& on_disk);
+
+}  // namespace porttool

@@ -1,0 +1,226 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/snapshot/snapshot.h"
+
+#include <algorithm>
+#include <set>
+
+#include "porttool/read/git_repository.h"
+#include "porttool/scan/scan.h"
+#include "porttool/snapshot/lock_store.h"
+#include "porttool/text/sink/terminal.h"
+
+namespace porttool {
+namespace {
+
+std::vector<ScannedFile> scan_all(const SourceSet& set) {
+    std::vector<ScannedFile> files;
+    files.reserve(set.files.size());
+    for (const SourceText& source : set.files) files.push_back(scan_text(source.path, source.text));
+    return files;
+}
+
+/// A bracket that is never closed stands for itself, as in a shell, which is rarely what was meant.
+std::string bracket_hint(const std::string& glob) {
+    for (const auto& [open, close] : {std::pair('[', ']'), std::pair('{', '}')})
+        if (std::count(glob.begin(), glob.end(), open) > std::count(glob.begin(), glob.end(), close))
+            return std::string("; its '") + open + "' is never closed";
+    return "; globs are relative to the root, ** crosses folders";
+}
+
+void require_matches(const std::vector<std::string>& unmatched, const char* side) {
+    if (unmatched.empty()) return;
+    throw CannotDo(std::string(side) + " glob '" + terminal_text(unmatched.front()) + "' matches no file that is read" +
+                   bracket_hint(unmatched.front()));
+}
+
+const std::vector<std::string>& globs_of(const MapFile& map, Side side) {
+    return side == Side::Source ? map.source : map.target;
+}
+
+std::string root_of(const Project& project, Side side) {
+    return side == Side::Source ? project.root : target_root(project);
+}
+
+const char* name_of(Side side) { return side == Side::Source ? "source" : "target"; }
+
+/// Wants what globs name.
+WantsFile wanted(const std::vector<std::string>& globs) {
+    return [compiled = std::vector<Glob>(globs.begin(), globs.end())](const std::string& path) {
+        return std::any_of(compiled.begin(), compiled.end(), [&](const Glob& glob) { return glob.matches(path); });
+    };
+}
+
+/// The files of one side that the map's pairs name.
+std::set<std::string> named_files(const MapFile& map, Side side) {
+    std::set<std::string> out;
+    for (const MapPair& pair : map.pairs) {
+        if (side == Side::Source) out.insert(split_id(pair.source).first);
+        for (const std::string& target : pair.targets)
+            if (side == Side::Target) out.insert(split_id(target).first);
+    }
+    return out;
+}
+
+/// One side as it stands in the work tree.
+SourceSet read_side(const Project& project, const Disk& disk, Side side) {
+    const std::string root = root_of(project, side);
+    const std::vector<std::string>& globs = globs_of(project.map, side);
+    const auto tracked = [&] { return GitRepository(root).tracked_files(wanted(globs)); };
+    std::vector<std::string> unmatched;
+    SourceSet out =
+        read_globs(disk, root, globs, unmatched,
+                   {project.globs_given ? Reach::Anywhere : Reach::Beneath,
+                    side == Side::Target && is_elsewhere(project), named_files(project.map, side), tracked});
+    require_matches(unmatched, name_of(side));
+    return out;
+}
+
+void read_work_tree(Project& project, const Disk& disk) {
+    const SourceSet source = read_side(project, disk, Side::Source), target = read_side(project, disk, Side::Target);
+    project.source = scan_all(source);
+    project.target = scan_all(target);
+    project.skipped = source.skipped;
+    for (const SkippedFile& file : target.skipped)
+        project.skipped.push_back(
+            {project.map.target_root.empty() ? file.file : clean_path(join_path(project.map.target_root, file.file)),
+             file.reason});
+}
+
+/// Where the map, its lock and the texts of that stand in the commits of a project, as seen from its root.
+struct RecordPaths {
+    std::string map, lock, texts;
+    bool in_commits = false;  ///< false: the map is the user's own, elsewhere
+
+    explicit RecordPaths(const Project& project) {
+        const TreePath place = beside_map(project, project.map_path.substr(project.map_path.find_last_of('/') + 1));
+        map = place.path;
+        lock = beside_map(project, "portmap.lock").path;
+        texts = beside_map(project, "portmap.base").path + "/";
+        in_commits = place.root == project.root;
+    }
+};
+
+/// Asks git for files of a moment.
+GitFiles ask_git(const std::string& root, const Moment& at, const WantsFile& wants) {
+    const GitRepository git(root, kChecksWithGit);
+    if (at.kind == Moment::Kind::Index) return git.files_in_index(wants);
+    return at.kind == Moment::Kind::MergeBase ? git.files_at_base(at.revision, wants)
+                                              : git.files_at(at.revision, wants);
+}
+
+void add_files(MemoryDisk& disk, const std::string& root, GitFiles files) {
+    if (!files.error.empty()) throw CannotDo(files.error);
+    for (auto& [path, bytes] : files.files) disk.files[join_path(root, path)] = std::move(bytes);
+}
+
+/// The target side of another checkout: where it knows no such revision, its own last commit is what it was in step as.
+void add_other_checkout(Snapshot& snapshot) {
+    const std::string root = target_root(snapshot.project);
+    const WantsFile wants = wanted(snapshot.project.map.target);
+    GitFiles files = ask_git(root, snapshot.at, wants);
+    if (snapshot.at.kind == Moment::Kind::MergeBase) {
+        if (!files.error.empty()) {
+            files = ask_git(root, {Moment::Kind::MergeBase, "HEAD"}, wants);
+            snapshot.note = "--base " + terminal_text(snapshot.at.revision) + " names nothing in " +
+                            terminal_text(root) + "; its HEAD is taken for the port as it was";
+        }
+        if (!files.error.empty()) throw CannotDo("target_root: " + files.error);
+    }
+    add_files(snapshot.git, root, std::move(files));
+}
+
+/// What git has of both sides, the map and the lock; of an index also the texts behind that.
+void fetch(Snapshot& snapshot) {
+    const Project& project = snapshot.project;
+    std::vector<std::string> globs = project.map.source;
+    if (project.map.target_root.empty())
+        globs.insert(globs.end(), project.map.target.begin(), project.map.target.end());
+    const RecordPaths record(project);
+    const bool texts = snapshot.at.kind == Moment::Kind::Index;
+    const auto wants = [&, of_sides = wanted(globs)](const std::string& path) {
+        if (of_sides(path)) return true;
+        return record.in_commits &&
+               (path == record.map || path == record.lock || (texts && path.starts_with(record.texts)));
+    };
+    add_files(snapshot.git, project.root, ask_git(project.root, snapshot.at, wants));
+    if (!project.map.target_root.empty()) add_other_checkout(snapshot);
+}
+
+/// Scans what git has; globs that match nothing there are no mistake.
+void read_from_git(Snapshot& snapshot) {
+    fetch(snapshot);
+    Project& project = snapshot.project;
+    project.skipped.clear();
+    for (const Side side : kBothSides) {
+        std::vector<std::string> unmatched;
+        const SourceSet files =
+            read_globs(snapshot.git, root_of(project, side), globs_of(project.map, side), unmatched);
+        (side == Side::Source ? project.source : project.target) = scan_all(files);
+        project.skipped.insert(project.skipped.end(), files.skipped.begin(), files.skipped.end());
+        if (snapshot.at.kind == Moment::Kind::Index && files.files.empty())
+            throw CannotDo(std::string("--staged: the index holds no file of the ") + name_of(side) +
+                           " side\nStage them with: git add; or check without --staged");
+    }
+}
+
+}  // namespace
+
+const Disk& Snapshot::disk() const {
+    const bool of_work_tree =
+        at.kind == Moment::Kind::WorkTree || (at.kind == Moment::Kind::Index && !git.exists(lock_path(project)));
+    return of_work_tree ? *on_disk : git;
+}
+
+Project without_files(const Project& project) {
+    Project out;
+    out.root = project.root;
+    out.map_path = project.map_path;
+    out.map_name = project.map_name;
+    out.has_map = project.has_map;
+    out.globs_given = project.globs_given;
+    out.map_text = project.map_text;
+    out.map = project.map;
+    return out;
+}
+
+std::string map_in_commits(const Project& project) {
+    const RecordPaths record(project);
+    return record.in_commits ? record.map : std::string();
+}
+
+FileText map_text_at(const Project& project, const Moment& at, const Disk& on_disk) {
+    const RecordPaths record(project);
+    if (at.kind == Moment::Kind::WorkTree) return read_map_text(on_disk, project.root, project.map_path);
+    if (!record.in_commits) return {"", "is in no commit"};
+    MemoryDisk git;
+    add_files(git, project.root,
+              ask_git(project.root, at, [&](const std::string& path) { return path == record.map; }));
+    return git.read(TreePath{project.root, record.map}, kLargestFile);
+}
+
+FileText map_text_of(const Snapshot& snapshot) {
+    const RecordPaths record(snapshot.project);
+    if (!record.in_commits) return {"", "is in no commit"};
+    return snapshot.git.read(TreePath{snapshot.project.root, record.map}, kLargestFile);
+}
+
+Snapshot read_snapshot(Project project, const Moment& at, const Disk& on_disk, Depth depth) {
+    Snapshot out{std::move(project), {}, at, "", {}, &on_disk};
+    if (at.kind == Moment::Kind::WorkTree)
+        read_work_tree(out.project, on_disk);
+    else
+        read_from_git(out);
+    if (depth == Depth::Normal) out.states = read_states(out.project);
+    return out;
+}
+
+void read_base_texts(Snapshot& snapshot) {
+    const RecordPaths record(snapshot.project);
+    if (!record.in_commits) return;
+    add_files(snapshot.git, snapshot.project.root,
+              ask_git(snapshot.project.root, snapshot.at,
+                      [&](const std::string& path) { return path.starts_with(record.texts); }));
+}
+
+}  // namespace porttool

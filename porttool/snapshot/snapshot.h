@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "porttool/snapshot/states.h"
+
+namespace porttool {
+
+/// Where a project is looked at.
+struct Moment {
+    enum class Kind : uint8_t { WorkTree, Index, MergeBase, Commit };
+    Kind kind = Kind::WorkTree;
+    std::string revision = {};  ///< MergeBase: whose merge base with HEAD is meant; Commit: its id
+};
+
+/// How far a project is read: the normal form of all units takes longer than to scan them.
+enum class Depth : uint8_t { Scanned, Normal };
+
+/// The project in a work tree, in the index or in a commit: both sides, scanned, with the states of their units. The
+/// map, the lock and the texts that stand there are in `disk()`.
+struct Snapshot {
+    Project project;  ///< with the map that its sides were read under
+    States states;
+    Moment at;
+    std::string note;               ///< what a user should know of it, or ""
+    MemoryDisk git;                 ///< what git gave of it; empty for a work tree
+    const Disk* on_disk = nullptr;  ///< of the work tree; not ours
+
+    /// What its lock stands on. An index without a lock goes with that of the work tree.
+    const Disk& disk() const;
+};
+
+/// Where a project is, with its map, and none of its files.
+Project without_files(const Project& project);
+
+/// Where the map stands in the commits of a project, as seen from its root; "" if it is the user's own, elsewhere.
+std::string map_in_commits(const Project& project);
+
+/// The map as it stands at a moment. What git does not have is an error as of a disk; so is the user's own map
+/// elsewhere. Throws CannotDo.
+FileText map_text_at(const Project& project, const Moment& at, const Disk& on_disk);
+
+/// The map as it stands in a snapshot of a commit or an index, or why there is none.
+FileText map_text_of(const Snapshot& snapshot);
+
+/// The ONE way to read a project. Both sides are read under its map as it is in `project`, whose files are read anew.
+/// In a work tree each glob must match something, in an index each side. Of another checkout git is asked for the same
+/// revision, or for its HEAD. Throws CannotDo.
+Snapshot read_snapshot(Project project, const Moment& at, const Disk& on_disk, Depth depth = Depth::Normal);
+
+/// Adds to a snapshot of a commit the texts behind its lock, which are many and mostly not needed. Throws CannotDo.
+void read_base_texts(Snapshot& snapshot);
+
+}  // namespace porttool

@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "porttool/normal/unit_state.h"
+#include "porttool/scan/side.h"
+#include "porttool/snapshot/project.h"
+
+namespace porttool {
+
+/// The units of both sides by id.
+using States = BySide<std::map<std::string, UnitState>>;
+
+/// The states of all units, and of whole files that the map names (`PATH:@file`).
+States read_states(const Project& project);
+
+}  // namespace porttool
