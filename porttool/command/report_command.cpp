@@ -63,7 +63,7 @@ const BlockReport& block_of(const PortabilityReport& report, const Bar& bar) {
 std::string below_bars(const PortabilityReport& report, const std::vector<Bar>& bars) {
     std::string out;
     for (const Bar& bar : bars) {
-        const std::optional<double> percent = block_of(report, bar).measures[1].moss_percent;
+        const std::optional<double> percent = block_of(report, bar).found.target.measure.moss_percent;
         if (!percent)
             throw CannotDo("--fail-under " + terminal_text(bar.block) +
                            ": the block is too short to be measured; choose a larger one, or leave the bar out");
@@ -97,19 +97,20 @@ PlatformSpeed read_bench(const std::string& text, const Options& options, const 
 
 SideTexts read_texts(const Project& project, const Disk& disk) {
     SideTexts texts;
-    const auto read = [&](size_t side, const std::vector<ScannedFile>& files, const std::string& root) {
+    const auto read = [&](Side side, const std::vector<ScannedFile>& files, const std::string& root) {
         for (const ScannedFile& file : files)
             texts[side][file.path] = disk.read(place_of_path(root, file.path), kLargestFile).bytes;
     };
-    read(0, project.source, project.root);
-    read(1, project.target, target_root(project));
+    read(Side::Source, project.source, project.root);
+    read(Side::Target, project.target, target_root(project));
     return texts;
 }
 
 PortabilityReport report_of(const Project& project, const LockFile& lock, const Judgement& judgement, bool strict) {
-    const BlockTexts blocks = find_blocks(project.map, project.source, project.target, judgement);
+    const PortabilityCase facts{project.map, lock, project.source, project.target, judgement};
+    const Blocks blocks = blocks_of(facts);
     if (strict && !blocks.error.empty()) throw CannotDo(blocks.error);
-    return portability_report({project.map, lock, project.source, project.target, judgement, blocks});
+    return portability_report(facts, blocks);
 }
 
 std::string formatted(const WholeReport& whole, const Options& options, const Project& project, const Disk& disk) {

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "porttool/compare/edits.h"
+#include "porttool/measure/code_lines.h"
 #include "porttool/normal/statements.h"
 #include "porttool/scan/scan.h"
 
@@ -16,13 +17,6 @@ namespace {
 
 UnitFacts unit_facts(const ScannedFile& file, const Unit& unit, const Excerpt& excerpt) {
     return {unit.name, unit.kind, static_cast<uint32_t>(code_lines(excerpt).size()), unit_state(file, unit).prints};
-}
-
-std::vector<bool> flags(const std::vector<std::vector<CodeLine>>& lines) {
-    std::vector<bool> out;
-    for (const auto& excerpt : lines)
-        for (const CodeLine& line : excerpt) out.push_back(line.shared);
-    return out;
 }
 
 std::vector<std::string> split_lines(const std::string& text) {
@@ -84,51 +78,6 @@ double overlap(const std::vector<std::string>& a, const std::vector<std::string>
     return 2.0 * static_cast<double>(both.size()) / static_cast<double>(a.size() + b.size());
 }
 
-std::string percent_text(const std::optional<double>& percent) { return percent ? fmt::format("{}", *percent) : "-"; }
-
-std::optional<double> read_percent(const std::string& text) {
-    if (text == "-") return std::nullopt;
-    return std::strtod(text.c_str(), nullptr);
-}
-
-/// Four lines a hexadecimal digit, the first in the lowest bit.
-std::string flags_text(const std::vector<bool>& flags) {
-    std::string out = ".";
-    for (size_t i = 0; i < flags.size(); i += 4) {
-        unsigned digit = 0;
-        for (size_t k = 0; k < 4 && i + k < flags.size(); ++k) digit |= (flags[i + k] ? 1u : 0u) << k;
-        out += "0123456789abcdef"[digit];
-    }
-    return out;
-}
-
-std::vector<bool> read_flags(const std::string& text, size_t count) {
-    std::vector<bool> out(count);
-    for (size_t i = 0; i < count && 1 + i / 4 < text.size(); ++i) {
-        const char c = text[1 + i / 4];
-        const unsigned digit = static_cast<unsigned>(c <= '9' ? c - '0' : c - 'a' + 10);
-        out[i] = (digit >> (i % 4) & 1u) != 0;
-    }
-    return out;
-}
-
-std::string side_line(const PieceSide& side) {
-    const SideMeasure& m = side.measure;
-    return fmt::format("{} {} {} {} {} {}", m.lines, m.tokens, percent_text(m.moss_percent),
-                       percent_text(m.moss_percent_blind), percent_text(m.moss_percent_raw), flags_text(side.shared));
-}
-
-bool read_side(std::istringstream& stream, PieceSide& side) {
-    std::string moss, blind, raw, shared;
-    if (!(stream >> side.measure.lines >> side.measure.tokens >> moss >> blind >> raw >> shared)) return false;
-    side.measure.moss_percent = read_percent(moss);
-    side.measure.moss_percent_blind = read_percent(blind);
-    side.measure.moss_percent_raw = read_percent(raw);
-    side.shared = read_flags(shared, side.measure.lines);
-    side.measure.shared_lines = static_cast<uint32_t>(std::count(side.shared.begin(), side.shared.end(), true));
-    return true;
-}
-
 constexpr char kBetweenUnits = '\x1e';
 
 /// Names come from foreign files: what separates entries is no part of them.
@@ -151,14 +100,7 @@ BlobFacts blob_facts(const ScannedFile& file) {
     for (const Unit& unit : file.units) facts.units.push_back(unit_facts(file, unit, {&file, &unit}));
     facts.units.push_back(unit_facts(file, whole_file_unit(file), {&file, nullptr}));
     facts.lines = facts.units.back().lines;
-    for (const std::vector<uint32_t>& run : code_runs({&file, nullptr}))
-        facts.tokens += static_cast<uint32_t>(run.size());
     return facts;
-}
-
-PieceMeasure measure_pieces(const Passage& source, const Passage& target, const Dialect& dialect) {
-    const Similarity similarity = measure_shares(source, target, dialect);
-    return {{similarity.a, flags(similarity.a_lines)}, {similarity.b, flags(similarity.b_lines)}};
 }
 
 EditFacts edit_facts(const EditTexts& texts, ByValue by_value, const Dialect& dialect) {
@@ -181,7 +123,7 @@ EditFacts edit_facts(const EditTexts& texts, ByValue by_value, const Dialect& di
 }
 
 std::string facts_line(const BlobFacts& facts) {
-    std::string out = fmt::format("{} {}", facts.lines, facts.tokens);
+    std::string out = std::to_string(facts.lines);
     for (const UnitFacts& unit : facts.units)
         out += fmt::format("{}{} {} {} {} {} {}", kBetweenUnits, static_cast<int>(unit.kind), unit.lines,
                            unit.prints.written, unit.prints.renamed, unit.prints.blanked, plain_name(unit.name));
@@ -191,7 +133,7 @@ std::string facts_line(const BlobFacts& facts) {
 std::optional<BlobFacts> read_blob_facts(const std::string& line) {
     BlobFacts facts;
     std::istringstream head(line.substr(0, line.find(kBetweenUnits)));
-    if (!(head >> facts.lines >> facts.tokens)) return std::nullopt;
+    if (!(head >> facts.lines)) return std::nullopt;
     for (size_t at = line.find(kBetweenUnits); at != std::string::npos;) {
         const size_t end = line.find(kBetweenUnits, at + 1);
         std::istringstream stream(line.substr(at + 1, end == std::string::npos ? end : end - at - 1));
@@ -207,17 +149,6 @@ std::optional<BlobFacts> read_blob_facts(const std::string& line) {
         at = end;
     }
     return facts;
-}
-
-std::string facts_line(const PieceMeasure& measure) {
-    return side_line(measure.source) + " " + side_line(measure.target);
-}
-
-std::optional<PieceMeasure> read_piece_measure(const std::string& line) {
-    PieceMeasure measure;
-    std::istringstream stream(line);
-    if (!read_side(stream, measure.source) || !read_side(stream, measure.target)) return std::nullopt;
-    return measure;
 }
 
 std::string facts_line(const EditFacts& facts) {

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "porttool/measure/measure.h"
+#include "porttool/language/dialect.h"
 #include "porttool/normal/unit_state.h"
 
 namespace porttool {
@@ -22,26 +22,13 @@ struct UnitFacts {
 
 /// What history keeps of one version of a file: its units in order of appearance, then the file as a whole, `@file`.
 struct BlobFacts {
-    uint32_t lines = 0;   ///< of code
-    uint32_t tokens = 0;  ///< of code, as written
+    uint32_t lines = 0;  ///< of code
     std::vector<UnitFacts> units;
 
     const UnitFacts* find(std::string_view name) const;
 };
 
 BlobFacts blob_facts(const ScannedFile& file);
-
-/// One side of a measure of two pieces of text: the figures, and each line of code in order, shared or not.
-struct PieceSide {
-    SideMeasure measure;
-    std::vector<bool> shared;
-};
-
-struct PieceMeasure {
-    PieceSide source, target;
-};
-
-PieceMeasure measure_pieces(const Passage& source, const Passage& target, const Dialect& dialect);
 
 /// What the edits of the two sides of a pair are worth, to tell whether the port followed.
 struct EditFacts {
@@ -60,8 +47,6 @@ EditFacts edit_facts(const EditTexts& texts, ByValue by_value, const Dialect& di
 /// One line of text for a cache, and back; nothing if the text has not that form.
 std::string facts_line(const BlobFacts& facts);
 std::optional<BlobFacts> read_blob_facts(const std::string& line);
-std::string facts_line(const PieceMeasure& measure);
-std::optional<PieceMeasure> read_piece_measure(const std::string& line);
 std::string facts_line(const EditFacts& facts);
 std::optional<EditFacts> read_edit_facts(const std::string& line);
 

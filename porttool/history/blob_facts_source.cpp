@@ -10,33 +10,18 @@
 namespace porttool {
 namespace {
 
-/// What a path adds to a content: its dialect is told by the suffix.
-std::string version_key(const FileVersion& file) {
-    const size_t name = file.path.find_last_of('/') + 1;
-    const size_t dot = file.path.find('.', name);
-    return file.blob + (dot == std::string::npos ? std::string() : file.path.substr(dot));
-}
-
-std::string joined(const std::vector<std::string>& units) {
-    std::string text;
-    for (const std::string& unit : units) text += unit + "\n";
-    return text;
-}
-
-Passage passage_of(const ScannedFile& file, const std::vector<std::string>& units) {
-    if (units.empty()) return {{&file, nullptr}};
-    Passage passage;
-    for (const Unit& unit : file.units)
-        if (std::find(units.begin(), units.end(), unit.name) != units.end()) passage.push_back({&file, &unit});
-    return passage;
-}
-
 ByValue by_value(const UnitFacts& source, const UnitFacts& target) {
     if (source.kind == UnitKind::Constant && target.kind == UnitKind::Constant) return ByValue::Constant;
     return source.kind == UnitKind::Struct && target.kind == UnitKind::Struct ? ByValue::Struct : ByValue::No;
 }
 
 }  // namespace
+
+std::string version_key(const FileVersion& file) {
+    const size_t name = file.path.find_last_of('/') + 1;
+    const size_t dot = file.path.find('.', name);
+    return file.blob + (dot == std::string::npos ? std::string() : file.path.substr(dot));
+}
 
 void BlobFactsSource::use_dialect(const std::vector<std::pair<std::string, std::string>>& rows) {
     dialect_ = Dialect(rows);
@@ -68,20 +53,6 @@ const BlobFacts& BlobFactsSource::facts(const FileVersion& file) {
     }
     for (const UnitFacts& unit : facts->units) places_.emplace(unit.prints.written, UnitPlace{file, unit.name});
     return facts_.emplace(version, std::move(*facts)).first->second;
-}
-
-const PieceMeasure& BlobFactsSource::measure(const Piece& source, const Piece& target) {
-    const std::string key = BlobCache::key({"measure", version_key(source.file), joined(source.units),
-                                            version_key(target.file), joined(target.units), dialect_key_});
-    if (const auto known = measures_.find(key); known != measures_.end()) return known->second;
-    std::optional<PieceMeasure> measure;
-    if (const std::string* line = cache_.find(key)) measure = read_piece_measure(*line);
-    if (!measure) {
-        measure = measure_pieces(passage_of(scanned(source.file), source.units),
-                                 passage_of(scanned(target.file), target.units), dialect_);
-        cache_.put(key, facts_line(*measure));
-    }
-    return measures_.emplace(key, std::move(*measure)).first->second;
 }
 
 std::string BlobFactsSource::text_at(const UnitPlace& place) const {

@@ -18,23 +18,22 @@ struct FileVersion {
     std::string blob;
 };
 
-/// Gives what is known of versions of files: from memory, from the cache, or by scanning and measuring, in that order.
+/// The same for the same content, read in the same dialect, which the suffix tells.
+std::string version_key(const FileVersion& file);
+
+/// Gives what is known of versions of files: from memory, from the cache, or by scanning, in that order.
 class BlobFactsSource {
 public:
     BlobFactsSource(const Past& past, BlobCache& cache) : past_(past), cache_(cache) {}
 
-    /// The vocabulary that measures and edits are told in from now on.
+    /// The vocabulary that edits are told in from now on.
     void use_dialect(const std::vector<std::pair<std::string, std::string>>& rows);
 
     /// Facts of a file; those of one that cannot be scanned (binary) are all zero.
     const BlobFacts& facts(const FileVersion& file);
 
-    /// A file, or the units of it that are named; all of it if none is.
-    struct Piece {
-        FileVersion file;
-        std::vector<std::string> units;
-    };
-    const PieceMeasure& measure(const Piece& source, const Piece& target);
+    /// A file as a whole, for as long as no other version of it is asked for.
+    const ScannedFile& scanned(const FileVersion& file);
 
     /// Compares edits by the prints of the four texts. `base_blob` gives the blob of portmap.base/PRINT, or "".
     using BaseBlob = std::function<std::string(const std::string& print)>;
@@ -48,7 +47,6 @@ private:
     };
 
     ScannedFile scan(const FileVersion& file) const;
-    const ScannedFile& scanned(const FileVersion& file);
     const std::string& text_of(const std::string& print, const BaseBlob& base_blob);
     std::string text_at(const UnitPlace& place) const;
 
@@ -57,7 +55,6 @@ private:
     Dialect dialect_;
     std::string dialect_key_;
     std::unordered_map<std::string, BlobFacts> facts_;
-    std::unordered_map<std::string, PieceMeasure> measures_;
     std::unordered_map<std::string, UnitPlace> places_;                   ///< where a text with this print stands
     std::unordered_map<std::string, std::string> texts_;                  ///< by print, those that were asked for
     std::map<std::string, std::pair<std::string, ScannedFile>> scanned_;  ///< by path, the version scanned last

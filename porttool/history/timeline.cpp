@@ -5,13 +5,15 @@
 #include <algorithm>
 #include <set>
 
-#include "porttool/history/block_figures.h"
+#include "porttool/history/block_replay.h"
 #include "porttool/read/lock_file.h"
 #include "porttool/read/lock_upgrade.h"
 #include "porttool/scan/scan.h"
 
 namespace porttool {
 namespace {
+
+using Paths = std::set<std::string>;
 
 struct PairPlan {
     PairId id;
@@ -24,6 +26,7 @@ public:
         : past_(past),
           place_(place),
           blobs_(past, cache),
+          measurer_(cache),
           drift_([this](const Fingerprints& source_before, const UnitFacts& source_now,
                         const Fingerprints& target_before, const UnitFacts& target_now) {
               return blobs_.edits(
@@ -55,17 +58,16 @@ public:
             collect_pairs();
         }
         update_files(touched);
-        if (new_map || files_came_or_went) figures_.plan(file_pairs());
-        figures_.touch(touched);
         update_drift(new_map, touched, commit.time);
+        plan_blocks(new_map || files_came_or_went || (blocks_.follow_units() && !touched.empty()));
         return true;
     }
 
     HistoryPoint point(const GitCommit& commit) {
         HistoryPoint out;
         out.commit = commit;
-        out.blocks = figures_.blocks();
-        out.totals = figures_.totals();
+        out.blocks = blocks_.blocks();
+        out.totals = blocks_.totals();
         out.pairs = there_.size();
         out.open_pairs = drift_.open_count();
         out.debt = drift_.debt(commit.time);
@@ -73,6 +75,7 @@ public:
     }
 
     bool has_map() const { return has_map_; }
+    const MapFile& map() const { return map_; }
     double debt(int64_t time) const { return drift_.debt(time); }
     std::vector<OpenPair> open() const { return drift_.open(); }
 
@@ -82,7 +85,7 @@ private:
         return found == tree_.end() ? std::string() : found->second;
     }
 
-    bool side_of(const std::string& path) const { return globs_[0].takes(path) || globs_[1].takes(path); }
+    bool side_of(const std::string& path) const { return globs_.source.takes(path) || globs_.target.takes(path); }
 
     void use_map(MapFile map, const std::string& name) {
         require_sides(map, name);
@@ -90,6 +93,7 @@ private:
         has_map_ = true;
         globs_ = {SideGlobs(map_.source), SideGlobs(map_.target)};
         blobs_.use_dialect(map_.dialect);
+        measurer_.use_dialect(map_.dialect);
     }
 
     /// Reads the commit's own map if it is another than before; true if the map changed.
@@ -154,7 +158,7 @@ private:
 
     /// The files of both sides, after the map changed.
     void collect_files() {
-        for (size_t side = 0; side < 2; ++side) {
+        for (const Side side : kBothSides) {
             files_[side].clear();
             for (const auto& [path, blob] : tree_)
                 if (globs_[side].takes(path)) files_[side][path] = blob;
@@ -163,7 +167,7 @@ private:
 
     void update_files(const Paths& touched) {
         for (const std::string& path : touched)
-            for (size_t side = 0; side < 2; ++side) {
+            for (const Side side : kBothSides) {
                 files_[side].erase(path);
                 const std::string blob = blob_at(path);
                 if (!blob.empty() && globs_[side].takes(path)) files_[side][path] = blob;
@@ -186,15 +190,17 @@ private:
         }
     }
 
-    FilePairs file_pairs() const {
-        FilePairs out;
+    /// Finds out what blocks take, where that may have changed.
+    void plan_blocks(bool changed) {
+        FilePairs pairs;
         for (const PairPlan& pair : pairs_)
-            if (files_[0].contains(pair.source_path) && files_[1].contains(pair.target_path))
-                out.emplace(pair.source_path, pair.target_path);
-        return out;
+            if (there_.contains(pair.id)) pairs.emplace(pair.source_path, pair.target_path);
+        if (!changed && pairs == file_pairs_) return;
+        file_pairs_ = std::move(pairs);
+        blocks_.plan(file_pairs_);
     }
 
-    const UnitFacts* unit_of(size_t side, const std::string& id) {
+    const UnitFacts* unit_of(Side side, const std::string& id) {
         const auto [path, name] = split_id(id);
         return files_[side].contains(path) ? blobs_.facts({path, files_[side].at(path)}).find(name) : nullptr;
     }
@@ -216,8 +222,8 @@ private:
 
     void update_pair(const PairId& id, int64_t time) {
         PairNow now;
-        now.source = unit_of(0, id.first);
-        now.target = unit_of(1, id.second);
+        now.source = unit_of(Side::Source, id.first);
+        now.target = unit_of(Side::Target, id.second);
         const auto locked = locked_.find(id);
         if (locked != locked_.end()) {
             now.locked_source = &locked->second->source_prints;
@@ -234,18 +240,20 @@ private:
     const Past& past_;
     Workplace& place_;
     BlobFactsSource blobs_;
+    PassageMeasurer measurer_;
     DriftReplay drift_;
     std::map<std::string, std::string> tree_;  ///< all files of the commit: path to blob
     bool has_map_ = false, fresh_ = true;
     MapFile map_;
     std::string map_blob_, lock_blob_;
-    std::array<SideGlobs, 2> globs_ = {SideGlobs({}), SideGlobs({})};
+    BySide<SideGlobs> globs_ = {SideGlobs({}), SideGlobs({})};
     LockFile lock_;
     std::map<std::string, std::string> renewed_;  ///< by today's print, the blob with a text that an older lock names
     std::map<PairId, const LockedPair*> locked_;
     std::set<PairId> relocked_;  ///< by this commit
-    SideFiles files_;
-    BlockFigures figures_{blobs_, map_, files_};
+    SideBlobs files_;
+    BlockReplay blocks_{blobs_, measurer_, map_, files_};
+    FilePairs file_pairs_;  ///< as the blocks were planned with
     std::vector<PairPlan> pairs_;
     std::set<PairId> there_;  ///< those of which both sides are there
 };
@@ -294,6 +302,7 @@ History history_of(const Past& past, const std::string& since, BlobCache& cache,
             "there is no portmap.toml in the work tree or in any commit of this history\nWrite one with: "
             "porttool init --source GLOB --target GLOB");
     history.open = timeline.open();
+    history.map = timeline.map();
     return history;
 }
 

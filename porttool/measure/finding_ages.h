@@ -6,7 +6,7 @@
 #include <string>
 
 #include "porttool/judge/check_project.h"
-#include "porttool/measure/portability_ledger.h"
+#include "porttool/measure/ledger.h"
 
 namespace porttool {
 

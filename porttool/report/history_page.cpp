@@ -154,17 +154,18 @@ std::string figure_of(const Chart& chart, const History& history) {
 
 /// The largest blocks of the newest commit.
 std::vector<std::string> chosen_blocks(const HistoryPoint& newest) {
-    std::vector<const BlockPoint*> blocks;
-    for (const BlockPoint& block : newest.blocks) blocks.push_back(&block);
-    std::stable_sort(blocks.begin(), blocks.end(),
-                     [](const BlockPoint* a, const BlockPoint* b) { return a->sides[1].lines > b->sides[1].lines; });
+    std::vector<const MeasuredBlock*> blocks;
+    for (const MeasuredBlock& block : newest.blocks) blocks.push_back(&block);
+    std::stable_sort(blocks.begin(), blocks.end(), [](const MeasuredBlock* a, const MeasuredBlock* b) {
+        return a->found.target.measure.lines > b->found.target.measure.lines;
+    });
     std::vector<std::string> names;
-    for (const BlockPoint* block : blocks)
+    for (const MeasuredBlock* block : blocks)
         if (names.size() < kMostLines) names.push_back(block->name);
     return names;
 }
 
-using Value = std::optional<double> (*)(const BlockPoint&);
+using Value = std::optional<double> (*)(const MeasuredBlock&);
 
 std::vector<Series> block_series(const History& history, Value value) {
     constexpr std::array<const char*, kMostLines + 1> kDashes = {"none",     "none", "7 3", "2 3",
@@ -177,7 +178,7 @@ std::vector<Series> block_series(const History& history, Value value) {
         out[0].values.push_back(value(point.totals));
         for (size_t i = 1; i < out.size(); ++i) {
             const auto block = std::find_if(point.blocks.begin(), point.blocks.end(),
-                                            [&](const BlockPoint& one) { return one.name == out[i].name; });
+                                            [&](const MeasuredBlock& one) { return one.name == out[i].name; });
             out[i].values.push_back(block == point.blocks.end() ? std::nullopt : value(*block));
         }
     }
@@ -194,7 +195,7 @@ double round_up(double value) {
 }
 
 Chart degree_chart(const History& history) {
-    const auto degree = [](const BlockPoint& block) -> std::optional<double> {
+    const auto degree = [](const MeasuredBlock& block) -> std::optional<double> {
         return block.degree ? std::optional<double>(block.degree->value) : std::nullopt;
     };
     Chart chart{
@@ -217,7 +218,7 @@ Chart similarity_chart(const History& history) {
             0,
             100,
             " %",
-            block_series(history, [](const BlockPoint& block) { return block.sides[1].moss_percent; })};
+            block_series(history, [](const MeasuredBlock& block) { return block.found.target.measure.moss_percent; })};
 }
 
 Chart debt_chart(const History& history) {
@@ -247,17 +248,19 @@ std::string table_of_blocks(const HistoryPoint& newest) {
         "<th scope=\"col\">source lines</th><th scope=\"col\">shared</th><th scope=\"col\">port lines</th>"
         "<th scope=\"col\">shared</th><th scope=\"col\">Moss % of the port</th><th scope=\"col\">degree of "
         "portability</th></tr></thead><tbody>\n";
-    const auto shared = [](const BlockPoint& block, size_t side) {
-        return block.too_short ? std::string("too short") : std::to_string(block.sides[side].shared_lines);
+    const auto shared = [](const MeasuredBlock& block, Side side) {
+        return block.is_too_short() ? std::string("too short") : std::to_string(block.found[side].measure.shared_lines);
     };
-    const auto row = [&](const BlockPoint& block, const std::string& name) {
-        out +=
-            fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
-                        html_text(name), block.sides[0].lines, shared(block, 0), block.sides[1].lines, shared(block, 1),
-                        block.sides[1].moss_percent ? bounded_text(*block.sides[1].moss_percent, 100, 1) : "-",
-                        figure_text(block.degree));
+    const auto row = [&](const MeasuredBlock& block, const std::string& name) {
+        out += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
+                           html_text(name), block.found.source.measure.lines, shared(block, Side::Source),
+                           block.found.target.measure.lines, shared(block, Side::Target),
+                           block.found.target.measure.moss_percent
+                               ? bounded_text(*block.found.target.measure.moss_percent, 100, 1)
+                               : "-",
+                           figure_text(block.degree));
     };
-    for (const BlockPoint& block : newest.blocks) row(block, block.name);
+    for (const MeasuredBlock& block : newest.blocks) row(block, block.name);
     row(newest.totals, "all");
     return out + "</tbody></table></div>\n";
 }

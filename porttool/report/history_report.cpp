@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "porttool/report/figures.h"
+#include "porttool/report/portability_json.h"
 #include "porttool/text/date.h"
 #include "porttool/text/sink/csv.h"
 #include "porttool/text/sink/json.h"
@@ -20,35 +21,30 @@ using nlohmann::ordered_json;
 constexpr size_t kShortId = 10;
 constexpr double kSecondsOfDay = 86400;
 
-ordered_json block_json(const BlockPoint& block) {
-    return {{"name", block.name},
-            {"source_lines", block.sides[0].lines},
-            {"target_lines", block.sides[1].lines},
-            {"shared_source", block.too_short ? ordered_json(nullptr) : ordered_json(block.sides[0].shared_lines)},
-            {"shared_target", block.too_short ? ordered_json(nullptr) : ordered_json(block.sides[1].shared_lines)},
-            {"moss_percent_source", number_json(block.sides[0].moss_percent)},
-            {"moss_percent_target", number_json(block.sides[1].moss_percent)},
-            {"degree_of_portability", block.degree ? ordered_json{{"loc", number_json(block.degree->value)},
-                                                                  {"low", number_json(block.degree->low)},
-                                                                  {"high", number_json(block.degree->high)},
-                                                                  {"model", block.degree->model}}
-                                                   : ordered_json(nullptr)}};
+/// A block as in a report; of what its lines are only the newest commit's says something.
+ordered_json block_json(const MeasuredBlock& block, const BlockReport* full) {
+    ordered_json out = measured_block_json(block);
+    out["decomposition"] = nullptr;
+    out["lines"] = nullptr;
+    if (full != nullptr) add_details(out, *full);
+    return out;
 }
 
 std::string csv_number(const std::optional<double>& value) { return value ? fmt::format("{:.6g}", *value) : ""; }
 
-std::string shared_text(const BlockPoint& block, size_t side, const char* too_short) {
-    return block.too_short ? too_short : std::to_string(block.sides[side].shared_lines);
+std::string shared_text(const MeasuredBlock& block, Side side, const char* too_short) {
+    return block.is_too_short() ? too_short : std::to_string(block.found[side].measure.shared_lines);
 }
 
-std::string csv_line(const HistoryPoint& point, const BlockPoint& block, const std::string& drift) {
+std::string csv_line(const HistoryPoint& point, const MeasuredBlock& block, const std::string& drift) {
     const auto degree = [&](double metrics::Figure::*part) {
         return block.degree ? csv_number((*block.degree).*part) : std::string();
     };
     return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{}\n", point.commit.id, day_of(point.commit.time),
-                       csv_field(block.name), block.sides[0].lines, block.sides[1].lines, shared_text(block, 0, ""),
-                       shared_text(block, 1, ""), csv_number(block.sides[0].moss_percent),
-                       csv_number(block.sides[1].moss_percent), degree(&metrics::Figure::value),
+                       csv_field(block.name), block.found.source.measure.lines, block.found.target.measure.lines,
+                       shared_text(block, Side::Source, ""), shared_text(block, Side::Target, ""),
+                       csv_number(block.found.source.measure.moss_percent),
+                       csv_number(block.found.target.measure.moss_percent), degree(&metrics::Figure::value),
                        degree(&metrics::Figure::low), degree(&metrics::Figure::high), drift);
 }
 
@@ -61,16 +57,16 @@ std::string percent_text(const std::optional<double>& percent) {
 std::string history_json(const History& history) {
     ordered_json commits = ordered_json::array();
     for (const HistoryPoint& point : history.points) {
+        const bool is_full = &point == &history.points.back() && history.newest.size() == point.blocks.size() + 1;
+        const auto full = [&](size_t i) { return is_full ? &history.newest[i] : nullptr; };
         ordered_json blocks = ordered_json::array();
-        for (const BlockPoint& block : point.blocks) blocks.push_back(block_json(block));
-        ordered_json totals = block_json(point.totals);
-        totals.erase("name");
+        for (const MeasuredBlock& block : point.blocks) blocks.push_back(block_json(block, full(blocks.size())));
         commits.push_back({{"id", point.commit.id},
                            {"date", day_of(point.commit.time)},
                            {"time_s", point.commit.time},
                            {"subject", point.commit.subject},
                            {"blocks", std::move(blocks)},
-                           {"totals", std::move(totals)},
+                           {"totals", block_json(point.totals, full(point.blocks.size()))},
                            {"drift",
                             {{"pairs", point.pairs},
                              {"open_pairs", point.open_pairs},
@@ -99,8 +95,8 @@ std::string history_csv(const History& history) {
         "commit,date,block,source_lines,target_lines,shared_source,shared_target,moss_percent_source,"
         "moss_percent_target,degree_of_portability,low,high,open_pairs,debt_line_days\n";
     for (const HistoryPoint& point : history.points) {
-        for (const BlockPoint& block : point.blocks) out += csv_line(point, block, ",");
-        BlockPoint totals = point.totals;
+        for (const MeasuredBlock& block : point.blocks) out += csv_line(point, block, ",");
+        MeasuredBlock totals = point.totals;
         totals.name = "*";
         out += csv_line(point, totals, fmt::format("{},{:.6g}", point.open_pairs, point.debt));
     }
@@ -118,18 +114,18 @@ std::string history_table(const History& history) {
     if (first > 0) out += fmt::format("({} older ones: --format csv, json or html)\n", first);
     for (size_t i = first; i < history.points.size(); ++i) {
         const HistoryPoint& point = history.points[i];
-        const SideMeasure& port = point.totals.sides[1];
+        const SideMeasure& port = point.totals.found.target.measure;
         out += fmt::format("{}  {}  {:>6}/{:<7} {:>6}  {:<21}  {:>4} of {:<4} {:>16.1f}\n", day_of(point.commit.time),
-                           point.commit.id.substr(0, kShortId), shared_text(point.totals, 1, "-"), port.lines,
-                           percent_text(port.moss_percent), figure_text(point.totals.degree), point.open_pairs,
-                           point.pairs, point.debt);
+                           point.commit.id.substr(0, kShortId), shared_text(point.totals, Side::Target, "-"),
+                           port.lines, percent_text(port.moss_percent), figure_text(point.totals.degree),
+                           point.open_pairs, point.pairs, point.debt);
     }
     const HistoryPoint& newest = history.points.back();
     out += "blocks at the newest commit:\n";
-    for (const BlockPoint& block : newest.blocks)
-        out += fmt::format("  {:>6}/{:<7} {:>6}  {:<21}  {}\n", shared_text(block, 1, "-"), block.sides[1].lines,
-                           percent_text(block.sides[1].moss_percent), figure_text(block.degree),
-                           terminal_text(block.name));
+    for (const MeasuredBlock& block : newest.blocks)
+        out += fmt::format("  {:>6}/{:<7} {:>6}  {:<21}  {}\n", shared_text(block, Side::Target, "-"),
+                           block.found.target.measure.lines, percent_text(block.found.target.measure.moss_percent),
+                           figure_text(block.degree), terminal_text(block.name));
     for (const OpenPair& pair : history.open)
         out += fmt::format("open since {}: {}  =  {}, {} lines, {:.1f} line-days\n", day_of(pair.since),
                            terminal_text(pair.id.first), terminal_text(pair.id.second), pair.lines,

@@ -12,7 +12,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr std::array<const char*, 2> kSides = {"source", "target"};
+const BySide<std::string> kSides = {"source", "target"};
 
 ordered_json text_or_null(const std::string& text) { return text.empty() ? ordered_json(nullptr) : ordered_json(text); }
 
@@ -22,13 +22,10 @@ ordered_json spans_json(const std::vector<LineSpan>& spans) {
     return out;
 }
 
-void add_measures(ordered_json& out, const std::array<SideMeasure, 2>& measures) {
-    for (const size_t side : {0, 1}) {
-        const std::string end = std::string("_") + kSides[side];
-        out["moss_percent" + end] = number_json(measures[side].moss_percent);
-        out["moss_percent_blind" + end] = number_json(measures[side].moss_percent_blind);
-        out["moss_percent_raw" + end] = number_json(measures[side].moss_percent_raw);
-    }
+void add_percents(ordered_json& out, Side side, const SideMeasure& measure) {
+    out["moss_percent_" + kSides[side]] = number_json(measure.moss_percent);
+    out["moss_percent_blind_" + kSides[side]] = number_json(measure.moss_percent_blind);
+    out["moss_percent_raw_" + kSides[side]] = number_json(measure.moss_percent_raw);
 }
 
 ordered_json parts_json(const LineParts& parts) {
@@ -52,28 +49,16 @@ ordered_json count_json(const std::optional<double>& change) {
 
 ordered_json change_json(const BlockChange& change) {
     ordered_json out;
-    for (const size_t side : {0, 1}) out[kSides[side] + std::string("_lines")] = count_json(change.lines[side]);
-    for (const size_t side : {0, 1}) out[std::string("shared_") + kSides[side]] = count_json(change.shared[side]);
-    for (const size_t side : {0, 1}) out[std::string("moss_percent_") + kSides[side]] = number_json(change.moss[side]);
-    out["degree_of_portability"] = number_json(change.portability);
+    for (const Side side : kBothSides) out[kSides[side] + "_lines"] = count_json(change.lines[side]);
+    for (const Side side : kBothSides) out["shared_" + kSides[side]] = count_json(change.shared[side]);
+    for (const Side side : kBothSides) out["moss_percent_" + kSides[side]] = number_json(change.moss[side]);
+    out["degree_of_portability"] = number_json(change.degree);
     return out;
 }
 
-ordered_json shared_json(const BlockReport& block, size_t side) {
-    return is_too_short(block) ? ordered_json(nullptr) : ordered_json(block.measures[side].shared_lines);
-}
-
 ordered_json block_json(const BlockReport& block, const BlockReport* then, bool with_change) {
-    ordered_json out;
-    if (!block.name.empty()) out["name"] = block.name;
-    out["source_lines"] = block.measures[0].lines;
-    out["target_lines"] = block.measures[1].lines;
-    out["shared_source"] = shared_json(block, 0);
-    out["shared_target"] = shared_json(block, 1);
-    add_measures(out, block.measures);
-    out["degree_of_portability"] = figure_json(block.portability);
-    out["decomposition"] = {{"source", parts_json(block.parts[0])}, {"target", parts_json(block.parts[1])}};
-    out["lines"] = {{"source", lines_json(block.lines[0])}, {"target", lines_json(block.lines[1])}};
+    ordered_json out = measured_block_json(block);
+    add_details(out, block);
     if (with_change) out["change"] = then != nullptr ? change_json(change_of(block, *then)) : ordered_json(nullptr);
     return out;
 }
@@ -96,21 +81,21 @@ ordered_json row_json(const RowReport& row, const std::vector<BlockReport>& bloc
                         {"share", share_name(row.share)},
                         {"state", text_or_null(row.state)},
                         {"reason", text_or_null(row.reason)},
-                        {"source", side_json(row.sides[0])},
-                        {"target", side_json(row.sides[1])}};
-    if (row.sides[0] && row.sides[1]) {
-        add_measures(out, row.measures);
+                        {"source", side_json(row.sides.source)},
+                        {"target", side_json(row.sides.target)}};
+    if (row.sides.source && row.sides.target) {
+        for (const Side side : kBothSides) add_percents(out, side, row.measures[side]);
         out["likeness"] = number_json(row.likeness);
     }
-    const RowSide& first = row.sides[0] ? *row.sides[0] : *row.sides[1];
-    out["block"] = first.block < 0 ? ordered_json(nullptr) : ordered_json(blocks[first.block].name);
+    const int block = row.first().block;
+    out["block"] = block < 0 ? ordered_json(nullptr) : ordered_json(blocks[block].name);
     out["blocks"] = ordered_json::array();
     for (size_t i = 0; i < blocks.size(); ++i) {
         const auto in = [&](const std::optional<RowSide>& side) {
             return side &&
                    std::find(side->blocks.begin(), side->blocks.end(), static_cast<int>(i)) != side->blocks.end();
         };
-        if (in(row.sides[0]) || in(row.sides[1])) out["blocks"].push_back(blocks[i].name);
+        if (in(row.sides.source) || in(row.sides.target)) out["blocks"].push_back(blocks[i].name);
     }
     return out;
 }
@@ -181,19 +166,29 @@ ordered_json drift_json(const WholeReport& whole) {
 
 ordered_json own_blocks_json(const PortabilityReport& report) {
     ordered_json out = ordered_json::array();
-    const auto add = [&](const ordered_json& name, const std::array<std::pair<size_t, size_t>, 2>& alone, bool known) {
-        const auto shared = [&](size_t side) {
-            return known ? ordered_json(alone[side].second) : ordered_json(nullptr);
-        };
+    const auto add = [&](const ordered_json& name, const BySide<LineCount>& alone, bool known) {
+        const auto shared = [&](Side side) { return known ? ordered_json(alone[side].shared) : ordered_json(nullptr); };
         out.push_back({{"name", name},
-                       {"source_lines", alone[0].first},
-                       {"source_shared", shared(0)},
-                       {"target_lines", alone[1].first},
-                       {"target_shared", shared(1)}});
+                       {"source_lines", alone.source.lines},
+                       {"source_shared", shared(Side::Source)},
+                       {"target_lines", alone.target.lines},
+                       {"target_shared", shared(Side::Target)}});
     };
-    for (const BlockReport& block : report.blocks) add(block.name, block.alone, !is_too_short(block));
-    add(nullptr, report.in_no_block, !is_too_short(report.totals));
+    for (const BlockReport& block : report.blocks) add(block.name, block.alone, !block.is_too_short());
+    add(nullptr, report.in_no_block, !report.totals.is_too_short());
     return out;
+}
+
+/// Null without platforms.
+ordered_json performance_json(const Performance& performance) {
+    if (performance.platforms.empty()) return nullptr;
+    ordered_json platforms = ordered_json::array();
+    for (const PlatformSpeed& platform : performance.platforms)
+        platforms.push_back({{"name", platform.name},
+                             {"achieved_mrays_per_s", platform.achieved},
+                             {"limit_mrays_per_s", or_null(platform.limit)},
+                             {"efficiency", or_null(platform.efficiency())}});
+    return {{"platforms", platforms}, {"performance_portability", or_null(performance.portability())}};
 }
 
 std::optional<double> difference(const std::optional<double>& now, const std::optional<double>& then) {
@@ -203,16 +198,40 @@ std::optional<double> difference(const std::optional<double>& now, const std::op
 
 }  // namespace
 
+ordered_json measured_block_json(const MeasuredBlock& block) {
+    const SideMeasure &source = block.found.source.measure, &target = block.found.target.measure;
+    const auto shared = [&](const SideMeasure& side) {
+        return block.is_too_short() ? ordered_json(nullptr) : ordered_json(side.shared_lines);
+    };
+    ordered_json out;
+    if (!block.name.empty()) out["name"] = block.name;
+    out["source_lines"] = source.lines;
+    out["target_lines"] = target.lines;
+    out["shared_source"] = shared(source);
+    out["shared_target"] = shared(target);
+    add_percents(out, Side::Source, source);
+    add_percents(out, Side::Target, target);
+    out["degree_of_portability"] = figure_json(block.degree);
+    return out;
+}
+
+void add_details(ordered_json& out, const BlockReport& block) {
+    for (const Side side : kBothSides) {
+        out["decomposition"][kSides[side]] = parts_json(block.parts[side]);
+        out["lines"][kSides[side]] = lines_json(block.lines[side]);
+    }
+}
+
 BlockChange change_of(const BlockReport& now, const BlockReport& then) {
     BlockChange change;
-    for (const size_t side : {0, 1}) {
-        const SideMeasure &a = now.measures[side], &b = then.measures[side];
+    for (const Side side : kBothSides) {
+        const SideMeasure &a = now.found[side].measure, &b = then.found[side].measure;
         change.lines[side] = static_cast<double>(a.lines) - b.lines;
-        if (!is_too_short(now) && !is_too_short(then))
+        if (!now.is_too_short() && !then.is_too_short())
             change.shared[side] = static_cast<double>(a.shared_lines) - b.shared_lines;
         change.moss[side] = difference(a.moss_percent, b.moss_percent);
     }
-    if (now.portability && then.portability) change.portability = now.portability->value - then.portability->value;
+    if (now.degree && then.degree) change.degree = now.degree->value - then.degree->value;
     return change;
 }
 

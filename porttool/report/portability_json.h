@@ -6,9 +6,9 @@
 #include <optional>
 #include <string>
 
-#include "porttool/measure/portability_ledger.h"
-#include "porttool/report/performance.h"
-#include "porttool/report/portability_model.h"
+#include "porttool/measure/ledger.h"
+#include "porttool/measure/performance.h"
+#include "porttool/measure/portability.h"
 
 namespace porttool {
 
@@ -33,13 +33,19 @@ struct WholeReport {
 
 /// How the figures of a block changed; those that one of the two has not stay absent.
 struct BlockChange {
-    std::array<std::optional<double>, 2> lines, shared, moss;
-    std::optional<double> portability;
+    BySide<std::optional<double>> lines, shared, moss;
+    std::optional<double> degree;
 };
 BlockChange change_of(const BlockReport& now, const BlockReport& then);
 
 /// The block of that name, or nullptr.
 const BlockReport* find_block(const std::vector<BlockReport>& blocks, const std::string& name);
+
+/// The figures of a block, which history has as well: its name, lines, shared lines, percentages and degree.
+nlohmann::ordered_json measured_block_json(const MeasuredBlock& block);
+
+/// The parts of a block by what its lines are, and the lines of each file that were counted.
+void add_details(nlohmann::ordered_json& out, const BlockReport& block);
 
 /// As the contract has it, with every figure's lines.
 nlohmann::ordered_json portability_json(const WholeReport& whole);

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "porttool/measure/alignment.h"
 #include "porttool/text/sink/json.h"
 #include "porttool/text/utf8.h"
 
@@ -62,23 +63,14 @@ std::string_view line_at(const TextLines& texts, const std::string& file, uint32
 }
 
 /// source line, target line (0: none), and where something differs the marks of both.
-ordered_json rows_json(const RowReport& row, const std::array<TextLines, 2>& texts, const Dialect& dialect) {
-    std::array<Unit, 2> whole;
-    std::array<UnitPlace, 2> places;
-    for (const size_t side : {0, 1}) {
-        places[side] = row.sides[side]->place;
-        if (places[side].unit != nullptr) continue;
-        whole[side].kind = UnitKind::File;
-        whole[side].start_line = row.sides[side]->span.first;
-        whole[side].end_line = row.sides[side]->span.last;
-        places[side].unit = &whole[side];
-    }
+ordered_json rows_json(const RowSide& source, const RowSide& target, const BySide<TextLines>& texts,
+                       const Dialect& dialect) {
     ordered_json out = ordered_json::array();
-    for (const AlignedRow& aligned : align_units(places[0], places[1], dialect)) {
+    for (const AlignedRow& aligned : align_units(source.excerpt, target.excerpt, dialect)) {
         ordered_json one = {aligned.source_line, aligned.target_line};
         if (!aligned.source_marks.empty() || !aligned.target_marks.empty()) {
-            one.push_back(marks_json(aligned.source_marks, line_at(texts[0], row.sides[0]->file, aligned.source_line)));
-            one.push_back(marks_json(aligned.target_marks, line_at(texts[1], row.sides[1]->file, aligned.target_line)));
+            one.push_back(marks_json(aligned.source_marks, line_at(texts.source, source.file, aligned.source_line)));
+            one.push_back(marks_json(aligned.target_marks, line_at(texts.target, target.file, aligned.target_line)));
         }
         out.push_back(std::move(one));
     }
@@ -87,17 +79,18 @@ ordered_json rows_json(const RowReport& row, const std::array<TextLines, 2>& tex
 
 ordered_json page_data(const WholeReport& whole, const SideTexts& texts) {
     ordered_json data = portability_json(whole);
-    const std::array<TextLines, 2> lines = {split(texts[0]), split(texts[1])};
+    const BySide<TextLines> lines = {split(texts.source), split(texts.target)};
     const Dialect dialect(whole.map.dialect);
     for (size_t i = 0; i < whole.report.rows.size(); ++i) {
         const RowReport& row = whole.report.rows[i];
-        if (row.sides[0] && row.sides[1]) data["units"][i]["rows"] = rows_json(row, lines, dialect);
+        if (row.sides.source && row.sides.target)
+            data["units"][i]["rows"] = rows_json(*row.sides.source, *row.sides.target, lines, dialect);
     }
     data["texts"] = ordered_json::object();
-    for (const size_t side : {0, 1}) {
+    for (const Side side : kBothSides) {
         ordered_json files = ordered_json::object();
         for (const auto& [path, bytes] : texts[side]) files[path] = page_text(bytes);
-        data["texts"][side == 0 ? "source" : "target"] = std::move(files);
+        data["texts"][side == Side::Source ? "source" : "target"] = std::move(files);
     }
     return data;
 }

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
 #include <map>
 #include <string>
 
@@ -11,7 +10,7 @@
 namespace porttool {
 
 /// The texts of both sides' files, by path.
-using SideTexts = std::array<std::map<std::string, std::string>, 2>;
+using SideTexts = BySide<std::map<std::string, std::string>>;
 
 /// The report as one HTML file that loads nothing: the parts in porttool/report/page, with the JSON report, the texts
 /// and their alignment as data in it.

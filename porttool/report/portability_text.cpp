@@ -18,16 +18,16 @@ namespace {
 constexpr const char* kTooShort = "too short";
 
 /// A side without lines has no share to speak of, nor has one whose counterpart is empty.
-std::string moss_text(const BlockReport& block, size_t side) {
-    const SideMeasure& measure = block.measures[side];
+std::string moss_text(const BlockReport& block, Side side) {
+    const SideMeasure& measure = block.found[side].measure;
     if (measure.moss_percent) return bounded_text(*measure.moss_percent, 100, 1) + " %";
     if (measure.lines == 0) return "-";
-    if (block.measures[1 - side].lines == 0) return side == 0 ? "no target" : "no source";
+    if (block.found[other(side)].measure.lines == 0) return side == Side::Source ? "no target" : "no source";
     return kTooShort;
 }
 
-std::string shared_text(const BlockReport& block, size_t side, const char* unknown) {
-    return is_too_short(block) ? unknown : std::to_string(block.measures[side].shared_lines);
+std::string shared_text(const BlockReport& block, Side side, const char* unknown) {
+    return block.is_too_short() ? unknown : std::to_string(block.found[side].measure.shared_lines);
 }
 
 /// " ▲ +3" or " ▼ -3"; nothing where nothing changed or nothing is known.
@@ -80,13 +80,13 @@ std::string block_rows(const WholeReport& whole) {
     for (const Shown& shown : shown_blocks(whole)) {
         const BlockChange change = shown.change.value_or(BlockChange());
         out += "| " + markdown_text(shown.name) + " |";
-        for (const size_t side : {0, 1}) {
-            const SideMeasure& measure = shown.block->measures[side];
+        for (const Side side : kBothSides) {
+            const SideMeasure& measure = shown.block->found[side].measure;
             out += fmt::format(" {}{} | {}{} | {}{} |", measure.lines, arrow(change.lines[side], 0),
                                shared_text(*shown.block, side, "-"), arrow(change.shared[side], 0),
                                moss_text(*shown.block, side), arrow(change.moss[side], 1));
         }
-        out += fmt::format(" {}{} |\n", figure_text(shown.block->portability), arrow(change.portability, 2));
+        out += fmt::format(" {}{} |\n", figure_text(shown.block->degree), arrow(change.degree, 2));
     }
     return out;
 }
@@ -94,10 +94,10 @@ std::string block_rows(const WholeReport& whole) {
 std::string part_rows(const PortabilityReport& report) {
     std::string out =
         "| | twin | rewritten | one-sided | unmatched | all |\n| --- | ---: | ---: | ---: | ---: | ---: |\n";
-    for (const size_t side : {0, 1}) {
+    for (const Side side : kBothSides) {
         const LineParts& parts = report.totals.parts[side];
-        out += fmt::format("| {} | {} | {} | {} | {} | {} |\n", side == 0 ? "source lines" : "target lines", parts.twin,
-                           parts.rewritten, parts.one_sided, parts.unmatched, parts.total());
+        out += fmt::format("| {} | {} | {} | {} | {} | {} |\n", side == Side::Source ? "source lines" : "target lines",
+                           parts.twin, parts.rewritten, parts.one_sided, parts.unmatched, parts.total());
     }
     return out;
 }
@@ -130,12 +130,13 @@ std::string lines_text(size_t lines) { return std::to_string(lines) + (lines == 
 std::string where_to_look(const PortabilityReport& report) {
     std::vector<std::string> rewritten, unmatched, outside;
     for (const RowReport& row : report.rows) {
-        const RowSide& side = row.sides[0] ? *row.sides[0] : *row.sides[1];
+        const RowSide& side = row.first();
         if (row.share == Share::Rewritten)
-            rewritten.push_back(fmt::format("{} and {}: {}", markdown_code(side.id), markdown_code(row.sides[1]->id),
+            rewritten.push_back(fmt::format("{} and {}: {}", markdown_code(side.id),
+                                            markdown_code(row.sides.target->id),
                                             row.likeness ? fmt::format("{:.0f} %", *row.likeness) : kTooShort));
         if (row.share != Share::Unmatched || side.lines == 0) continue;
-        const bool is_unit = side.place.unit != nullptr;
+        const bool is_unit = side.excerpt.unit != nullptr;
         (is_unit ? unmatched : outside)
             .push_back(fmt::format("{}: {}", markdown_code(is_unit ? side.id : side.file), lines_text(side.lines)));
     }
@@ -150,8 +151,27 @@ void add_change_fields(std::string& out, const std::optional<BlockChange>& chang
     const auto count = [](const std::optional<double>& value) {
         return value ? fmt::format("{:.0f}", *value) : std::string();
     };
-    out += fmt::format(",{},{},{},{},{},{},{}", count(c.lines[0]), count(c.lines[1]), count(c.shared[0]),
-                       count(c.shared[1]), number(c.moss[0]), number(c.moss[1]), number(c.portability));
+    out += fmt::format(",{},{},{},{},{},{},{}", count(c.lines.source), count(c.lines.target), count(c.shared.source),
+                       count(c.shared.target), number(c.moss.source), number(c.moss.target), number(c.degree));
+}
+
+std::string rate_text(const std::optional<double>& rate) {
+    return rate ? fmt::format("{:.2f}", *rate) : std::string("not known");
+}
+
+/// A table in Markdown with the harmonic mean below, or nothing without platforms.
+std::string performance_markdown(const Performance& performance) {
+    if (performance.platforms.empty()) return {};
+    std::string out = "\n| platform | Mrays/s | of at most | efficiency |\n| --- | ---: | ---: | ---: |\n";
+    for (const PlatformSpeed& platform : performance.platforms) {
+        const std::optional<double> efficiency = platform.efficiency();
+        out += fmt::format("| {} | {:.2f} | {} | {} |\n", markdown_text(platform.name), platform.achieved,
+                           rate_text(platform.limit), efficiency ? fmt::format("{:.2f}", *efficiency) : "not known");
+    }
+    const std::optional<double> portability = performance.portability();
+    return out + "\nPerformance portability (harmonic mean of the efficiencies): " +
+           (portability ? fmt::format("{:.2f}", *portability) : "not known; name each limit, --bench FILE=MRAYS") +
+           ".\n";
 }
 
 }  // namespace
@@ -164,27 +184,27 @@ std::string portability_table(const WholeReport& whole) {
     out += fmt::format("{:<{}}  {:>12} {:>7} {:>9}  {:>12} {:>7} {:>9}  {}\n", "block", width, "source lines", "shared",
                        "Moss", "target lines", "shared", "Moss", "degree of portability");
     for (const Shown& shown : blocks) {
-        const SideMeasure &a = shown.block->measures[0], &b = shown.block->measures[1];
+        const SideMeasure &a = shown.block->found.source.measure, &b = shown.block->found.target.measure;
         out += fmt::format("{:<{}}  {:>12} {:>7} {:>9}  {:>12} {:>7} {:>9}  {}\n", terminal_line(shown.name), width,
-                           a.lines, shared_text(*shown.block, 0, "-"), moss_text(*shown.block, 0), b.lines,
-                           shared_text(*shown.block, 1, "-"), moss_text(*shown.block, 1),
-                           figure_text(shown.block->portability));
+                           a.lines, shared_text(*shown.block, Side::Source, "-"), moss_text(*shown.block, Side::Source),
+                           b.lines, shared_text(*shown.block, Side::Target, "-"), moss_text(*shown.block, Side::Target),
+                           figure_text(shown.block->degree));
         if (!shown.change) continue;
         const BlockChange& c = *shown.change;
-        const std::string changes = arrow(c.lines[0], 0) + arrow(c.shared[0], 0) + arrow(c.moss[0], 1) +
-                                    arrow(c.lines[1], 0) + arrow(c.shared[1], 0) + arrow(c.moss[1], 1) +
-                                    arrow(c.portability, 2);
+        const std::string changes = arrow(c.lines.source, 0) + arrow(c.shared.source, 0) + arrow(c.moss.source, 1) +
+                                    arrow(c.lines.target, 0) + arrow(c.shared.target, 0) + arrow(c.moss.target, 1) +
+                                    arrow(c.degree, 2);
         if (changes.empty()) continue;
-        out += fmt::format("{:<{}}  {:>12} {:>7} {:>9}  {:>12} {:>7} {:>9}  {}\n", "", width, arrow(c.lines[0], 0),
-                           arrow(c.shared[0], 0), arrow(c.moss[0], 1), arrow(c.lines[1], 0), arrow(c.shared[1], 0),
-                           arrow(c.moss[1], 1), arrow(c.portability, 2));
+        out += fmt::format("{:<{}}  {:>12} {:>7} {:>9}  {:>12} {:>7} {:>9}  {}\n", "", width, arrow(c.lines.source, 0),
+                           arrow(c.shared.source, 0), arrow(c.moss.source, 1), arrow(c.lines.target, 0),
+                           arrow(c.shared.target, 0), arrow(c.moss.target, 1), arrow(c.degree, 2));
     }
     if (!whole.performance.platforms.empty()) out += performance_markdown(whole.performance);
-    for (const size_t side : {0, 1}) {
+    for (const Side side : kBothSides) {
         const LineParts& parts = whole.report.totals.parts[side];
         out += fmt::format("{}{}: {} lines = {} twin + {} rewritten + {} one-sided + {} unmatched\n",
-                           side == 0 ? "\n" : "", side == 0 ? "source" : "target", parts.total(), parts.twin,
-                           parts.rewritten, parts.one_sided, parts.unmatched);
+                           side == Side::Source ? "\n" : "", side == Side::Source ? "source" : "target", parts.total(),
+                           parts.twin, parts.rewritten, parts.one_sided, parts.unmatched);
     }
     return out;
 }
@@ -212,12 +232,12 @@ std::string portability_csv(const WholeReport& whole) {
             "moss_percent_source_change,moss_percent_target_change,degree_of_portability_change";
     out += "\r\n";
     for (const BlockReport& block : whole.report.blocks) {
-        const SideMeasure &a = block.measures[0], &b = block.measures[1];
+        const SideMeasure &a = block.found.source.measure, &b = block.found.target.measure;
         out += fmt::format("{},{},{},{},{},{},{},{},{},{},{}", csv_field(block.name), a.lines, b.lines,
-                           shared_text(block, 0, ""), shared_text(block, 1, ""), number(a.moss_percent),
-                           number(b.moss_percent), number(a.moss_percent_blind), number(b.moss_percent_blind),
-                           number(a.moss_percent_raw), number(b.moss_percent_raw));
-        if (const auto& dp = block.portability)
+                           shared_text(block, Side::Source, ""), shared_text(block, Side::Target, ""),
+                           number(a.moss_percent), number(b.moss_percent), number(a.moss_percent_blind),
+                           number(b.moss_percent_blind), number(a.moss_percent_raw), number(b.moss_percent_raw));
+        if (const auto& dp = block.degree)
             out += fmt::format(",{:.4f},{:.4f},{:.4f},{}", dp->value, dp->low, dp->high, csv_field(dp->model));
         else
             out += ",,,,";

@@ -4,6 +4,7 @@
 #include <fstream>
 
 #include "porttool/history/blob_facts.h"
+#include "porttool/measure/passage_measure.h"
 #include "porttool/read/blob_cache.h"
 #include "tests/porttool/temporary_repository.h"
 
@@ -481,13 +482,13 @@ TEST(BlobFacts, SurviveTheCache) {
     EXPECT_EQ(facts_line(*read), facts_line(facts));
     EXPECT_EQ(read->units[1].prints, facts.units[1].prints);
     EXPECT_FALSE(read_blob_facts("what"));
-    const PieceMeasure measure = measure_pieces({{&file, nullptr}}, {{&other, nullptr}}, Dialect());
-    const auto again = read_piece_measure(facts_line(measure));
+    const PassageMeasure measure = measure_passages({{&file, nullptr}}, {{&other, nullptr}}, Dialect());
+    const auto again = read_passage_measure(facts_line(measure));
     ASSERT_TRUE(again);
     EXPECT_EQ(again->source.shared, measure.source.shared);
     EXPECT_EQ(again->source.shared, (std::vector<bool>{false, false, false, false, true, true, true, true}));
     EXPECT_EQ(again->target.measure.moss_percent, 100.0);
-    EXPECT_FALSE(read_piece_measure("1 2 3"));
+    EXPECT_FALSE(read_passage_measure("1 2 3"));
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 #include <random>
 #include <set>
 
-#include "porttool/measure/portability_alignment.h"
+#include "porttool/measure/alignment.h"
 #include "porttool/report/portability_page.h"
 #include "tests/porttool/fixtures.h"
 #include "tests/porttool/run_command.h"

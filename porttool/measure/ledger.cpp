@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The porttool authors
 // SPDX-License-Identifier: Apache-2.0
-#include "porttool/measure/portability_ledger.h"
+#include "porttool/measure/ledger.h"
 
 #include <algorithm>
 

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -32,12 +31,5 @@ struct ReadSpeed {
 
 /// Reads the text of a bench file. `limit` overrules the file's own.
 ReadSpeed read_speed(const std::string& path, const std::string& text, std::optional<double> limit);
-
-/// {"platforms": [{"name", "achieved_mrays_per_s", "limit_mrays_per_s", "efficiency"}], "performance_portability"}, or
-/// null without platforms.
-nlohmann::ordered_json performance_json(const Performance& performance);
-
-/// A table in Markdown with the harmonic mean below, or nothing without platforms.
-std::string performance_markdown(const Performance& performance);
 
 }  // namespace porttool

@@ -1,8 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The porttool authors
 // SPDX-License-Identifier: Apache-2.0
-#include "porttool/measure/portability_accounting.h"
-
-#include "porttool/measure/code_lines.h"
+#include "porttool/measure/accounting.h"
 
 namespace porttool {
 
@@ -28,11 +26,11 @@ void LineParts::add(Share share, size_t lines) {
     part += lines;
 }
 
-std::vector<Piece> pieces_of(const ScannedFile& file) {
-    std::vector<Piece> pieces;
-    for (const Unit& unit : file.units) pieces.push_back({&file, &unit, {}});
-    pieces.push_back({&file, nullptr, {}});
-    const size_t outside = pieces.size() - 1;
+std::vector<UnitCode> code_by_unit(const ScannedFile& file) {
+    std::vector<UnitCode> code;
+    for (const Unit& unit : file.units) code.push_back({{&file, &unit}, {}});
+    code.push_back({{&file, nullptr}, {}});
+    const size_t outside = code.size() - 1;
     std::vector<size_t> open;  // units nest; those that hold the token in hand
     size_t next = 0;
     uint32_t last_line = 0;
@@ -43,11 +41,11 @@ std::vector<Piece> pieces_of(const ScannedFile& file) {
             const uint32_t line = file.lexed.tokens[token].line;
             if (line == last_line) continue;
             last_line = line;
-            pieces[open.empty() ? outside : open.back()].lines.push_back(line);
+            code[open.empty() ? outside : open.back()].lines.push_back(line);
         }
     }
-    if (pieces.back().lines.empty()) pieces.pop_back();
-    return pieces;
+    if (code.back().lines.empty()) code.pop_back();
+    return code;
 }
 
 std::vector<LineSpan> spans_of(const std::vector<uint32_t>& lines) {

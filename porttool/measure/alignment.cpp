@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The porttool authors
 // SPDX-License-Identifier: Apache-2.0
-#include "porttool/measure/portability_alignment.h"
+#include "porttool/measure/alignment.h"
 
 #include <algorithm>
 #include <unordered_map>
@@ -35,20 +35,21 @@ std::string common_word(std::string_view written, const Dialect& dialect) {
     return is_number(written) ? number_value(written) : std::string(written);
 }
 
-/// The lines of a unit with their words. Comments have no words: a line of them is equal to any other such line.
-Lines lines_of(const UnitPlace& place, const Dialect& dialect) {
-    const ScannedFile& file = *place.file;
-    const Unit& unit = *place.unit;
-    const uint32_t last = std::max(unit.start_line, std::min<uint32_t>(unit.end_line, file.lexed.line_count));
-    Lines lines(last - unit.start_line + 1);
-    for (size_t i = 0; i < lines.size(); ++i) lines[i].number = unit.start_line + static_cast<uint32_t>(i);
+/// The lines of an excerpt with their words. Comments have no words: a line of them is equal to any other such line.
+Lines lines_of(const Excerpt& excerpt, const Dialect& dialect) {
+    const ScannedFile& file = *excerpt.file;
+    const uint32_t start = excerpt.unit != nullptr ? excerpt.unit->start_line : 1,
+                   end = excerpt.unit != nullptr ? excerpt.unit->end_line : file.lexed.line_count,
+                   last = std::max(start, std::min(end, file.lexed.line_count));
+    Lines lines(last - start + 1);
+    for (size_t i = 0; i < lines.size(); ++i) lines[i].number = start + static_cast<uint32_t>(i);
     const auto& tokens = file.lexed.tokens;
     const auto before = [](const Token& token, uint32_t line) { return token.line < line; };
-    auto token = std::lower_bound(tokens.begin(), tokens.end(), unit.start_line, before);
+    auto token = std::lower_bound(tokens.begin(), tokens.end(), start, before);
     for (; token != tokens.end() && token->line <= last; ++token) {
         const std::string_view written = file.lexed.view(*token);
-        const bool own_name = token - tokens.begin() == unit.name_token && unit.kind != UnitKind::File;
-        Line& line = lines[token->line - unit.start_line];
+        const bool own_name = excerpt.unit != nullptr && token - tokens.begin() == excerpt.unit->name_token;
+        Line& line = lines[token->line - start];
         line.words.push_back({own_name ? "@" : common_word(written, dialect), written, file.lexed.column(*token) - 1});
     }
     for (Line& line : lines) {
@@ -200,7 +201,7 @@ AlignedRow row_of(const Line& source, const Line& target) {
 
 }  // namespace
 
-std::vector<AlignedRow> align_units(const UnitPlace& source, const UnitPlace& target, const Dialect& dialect) {
+std::vector<AlignedRow> align_units(const Excerpt& source, const Excerpt& target, const Dialect& dialect) {
     const Lines left = lines_of(source, dialect), right = lines_of(target, dialect);
     std::vector<Match> matches = filled(left, right, anchors(left, right), match_equal);
     matches = filled(left, right, matches, match_alike);

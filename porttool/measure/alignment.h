@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "porttool/language/dialect.h"
-#include "porttool/scan/unit.h"
+#include "porttool/measure/code_lines.h"
 
 namespace porttool {
 
@@ -23,15 +23,9 @@ struct AlignedRow {
     std::vector<Mark> source_marks, target_marks;
 };
 
-/// A unit in its file.
-struct UnitPlace {
-    const ScannedFile* file = nullptr;
-    const Unit* unit = nullptr;
-};
-
-/// Lays the lines of two units side by side, in order, each line once: first lines that are equal once translated,
+/// Lays the lines of two excerpts side by side, in order, each line once: first lines that are equal once translated,
 /// then, between them, lines that are alike. What differs within a row is marked. Takes roughly linear time for texts
 /// that resemble each other; very long stretches without a common line are laid side by side in order.
-std::vector<AlignedRow> align_units(const UnitPlace& source, const UnitPlace& target, const Dialect& dialect);
+std::vector<AlignedRow> align_units(const Excerpt& source, const Excerpt& target, const Dialect& dialect);
 
 }  // namespace porttool

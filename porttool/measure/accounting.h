@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "porttool/scan/unit.h"
+#include "porttool/measure/code_lines.h"
 
 namespace porttool {
 
@@ -31,15 +31,14 @@ struct LineParts {
 };
 
 /// The code of a file that belongs together: a unit without what lies in its holes, or what lies outside all units.
-struct Piece {
-    const ScannedFile* file = nullptr;
-    const Unit* unit = nullptr;  ///< nullptr: outside units
+struct UnitCode {
+    Excerpt excerpt;  ///< without a unit: what lies outside of all
     std::vector<uint32_t> lines;
 };
 
 /// Splits the lines of code of a file among its units: a line belongs to the unit that its first token belongs to.
-/// Every line of code is in exactly one piece; the piece outside units comes last, and is left out where it is empty.
-std::vector<Piece> pieces_of(const ScannedFile& file);
+/// Every line of code belongs to one; those outside units come last, and are left out where there are none.
+std::vector<UnitCode> code_by_unit(const ScannedFile& file);
 
 /// Ascending lines as spans.
 std::vector<LineSpan> spans_of(const std::vector<uint32_t>& lines);
