@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The porttool authors
 # SPDX-License-Identifier: Apache-2.0
-# Writes the parts of the report's page as C++: cmake -DOUTPUT=FILE -DPAGE=FILE -DSTYLE=FILE -DSCRIPTS=FILE|FILE -P this
+# Writes the files of porttool/report/page as C++: cmake -DOUTPUT=FILE -DPAGES=FILE|FILE -DSCRIPTS=FILE|FILE -P this
+string(REPLACE "|" ";" PAGES "${PAGES}")
 string(REPLACE "|" ";" SCRIPTS "${SCRIPTS}")
 
 # A compiler may limit a string literal to 64 KiB: long texts become several that stand side by side.
@@ -16,23 +17,26 @@ function(as_literals text out)
     set(${out} "${literals}" PARENT_SCOPE)
 endfunction()
 
-file(READ "${PAGE}" page)
-file(READ "${STYLE}" style)
+set(entries "")
+foreach(file IN LISTS PAGES)
+    file(READ "${file}" text)
+    as_literals("${text}" text)
+    get_filename_component(name "${file}" NAME)
+    string(APPEND entries "    if (name == \"${name}\") return ${text};\n")
+endforeach()
 set(script "")
 foreach(file IN LISTS SCRIPTS)
     file(READ "${file}" text)
     string(APPEND script "${text}\n")
 endforeach()
-as_literals("${page}" page)
-as_literals("${style}" style)
 as_literals("${script}" script)
 file(WRITE "${OUTPUT}" "// Made by cmake/embed_page.cmake.
-#include \"porttool/report/portability_page.h\"
+#include \"porttool/report/page.h\"
 
 namespace porttool {
 
-PageParts page_parts() {
-    return {${page},${style},${script}};
+std::string_view page_file(std::string_view name) {
+${entries}    return name == \"script.js\" ? std::string_view(${script}) : std::string_view();
 }
 
 }  // namespace porttool

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "porttool/measure/alignment.h"
+#include "porttool/report/page.h"
 #include "porttool/text/sink/json.h"
 #include "porttool/text/utf8.h"
 
@@ -95,27 +96,6 @@ ordered_json page_data(const WholeReport& whole, const SideTexts& texts) {
     return data;
 }
 
-/// Replaces each @NAME@ of the template once, in one pass: what is put in is never looked at again.
-std::string filled(std::string_view page, const std::map<std::string_view, std::string_view>& values) {
-    std::string out;
-    while (!page.empty()) {
-        size_t at = page.size();
-        const std::pair<const std::string_view, std::string_view>* next = nullptr;
-        for (const auto& value : values) {
-            const size_t found = page.find(value.first);
-            if (found < at) {
-                at = found;
-                next = &value;
-            }
-        }
-        out += page.substr(0, at);
-        if (next == nullptr) break;
-        out += next->second;
-        page.remove_prefix(at + next->first.size());
-    }
-    return out;
-}
-
 }  // namespace
 
 std::string page_text(std::string_view bytes) {
@@ -129,8 +109,9 @@ std::string page_text(std::string_view bytes) {
 
 std::string portability_html(const WholeReport& whole, const SideTexts& texts) {
     const std::string data = json_in_script(page_data(whole, texts));
-    const PageParts parts = page_parts();
-    return filled(parts.page, {{"@STYLE@", parts.style}, {"@DATA@", data}, {"@SCRIPT@", parts.script}});
+    return filled_page(
+        "portability.html",
+        {{"@STYLE@", page_file("portability.css")}, {"@DATA@", data}, {"@SCRIPT@", page_file("script.js")}});
 }
 
 }  // namespace porttool

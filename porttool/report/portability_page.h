@@ -16,12 +16,6 @@ using SideTexts = BySide<std::map<std::string, std::string>>;
 /// and their alignment as data in it.
 std::string portability_html(const WholeReport& whole, const SideTexts& texts);
 
-/// The parts in porttool/report/page, embedded by the build.
-struct PageParts {
-    std::string_view page, style, script;
-};
-PageParts page_parts();
-
 /// A text with line feeds alone, without byte order mark, in UTF-8: a byte that is none becomes U+FFFD.
 std::string page_text(std::string_view bytes);
 
