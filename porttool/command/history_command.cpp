@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The porttool authors
 // SPDX-License-Identifier: Apache-2.0
-#include "porttool/command/check_command.h"
 #include "porttool/command/commands.h"
 #include "porttool/history/newest_blocks.h"
 #include "porttool/history/timeline.h"
@@ -38,7 +37,7 @@ Outcome run_history(const Options& options, Workplace& place) {
         if (const FileText file = place.disk.read(path, kLargestCache); file.error.empty())
             cache = BlobCache(file.bytes);
     History history = history_of(past, options.since, cache, place);
-    if (options.format == "json") history.newest = newest_blocks(past, history, today());
+    if (options.format == "json") history.newest = newest_blocks(past, history, place.disk);
     if (!options.no_cache && cache.changed())
         if (const std::string failure = place.disk.write(path, cache.file(kLargestCache / 2));
             !failure.empty() && options.verbose)

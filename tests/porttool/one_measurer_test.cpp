@@ -31,7 +31,8 @@ protected:
         const auto alike = [&](nlohmann::json expected, const nlohmann::json& block) {
             for (const auto& [key, value] : expected.items()) {
                 ASSERT_TRUE(block.contains(key)) << key;
-                if (newest || (key != "decomposition" && key != "lines")) EXPECT_EQ(block[key], value) << key;
+                if (!newest && (key == "decomposition" || key == "lines")) continue;
+                EXPECT_EQ(block[key], value) << key;
             }
         };
         ASSERT_EQ(report["blocks"].size(), commit["blocks"].size());
