@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "porttool/language/words.h"
+
 namespace porttool {
 namespace {
 
@@ -142,9 +144,7 @@ Words with_one_word_types(const Words& tokens) {
             is_short |= token == "short";
             is_char |= token == "char";
             longs += token == "long" ? 1 : 0;
-            if (token != "unsigned" && token != "signed" && token != "short" && token != "char" && token != "long" &&
-                token != "int")
-                break;
+            if (!word_is(token, kTypePart)) break;
         }
         const bool is_double = end < tokens.size() && tokens[end] == "double";
         if (end == i) end = i + 1;

@@ -2,10 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "porttool/compare/meaning.h"
 
-#include <algorithm>
-#include <array>
-
 #include "porttool/compare/casts.h"
+#include "porttool/language/words.h"
 #include "porttool/normal/normal_form.h"
 #include "porttool/normal/statements.h"
 
@@ -24,19 +22,9 @@ bool is_number(const std::string& token) {
     return !token.empty() && (digit(token[0]) || (token[0] == '.' && token.size() > 1 && digit(token[1])));
 }
 
-template <size_t N>
-bool contains(const std::array<std::string_view, N>& words, std::string_view word) {
-    return std::find(words.begin(), words.end(), word) != words.end();
-}
-
 /// Qualifiers that are keywords or reserved names wherever they occur. The others (`in`, `buffer`, `local`) are
 /// variables elsewhere, and qualifiers only before another word.
-bool is_reserved(std::string_view word) {
-    constexpr std::array<std::string_view, 17> kKeywords = {
-        "const",    "constexpr", "volatile", "static",   "inline",  "extern",        "restrict", "register", "mutable",
-        "typename", "template",  "noexcept", "override", "virtual", "SYCL_EXTERNAL", "this",     "nodiscard"};
-    return word.starts_with("__") || contains(kKeywords, word);
-}
+bool is_reserved(std::string_view word) { return word.starts_with("__") || word_is(word, kReserved); }
 
 bool is_qualifier(const Words& tokens, size_t i) {
     if (is_reserved(tokens[i])) return true;
@@ -49,14 +37,10 @@ bool is_qualifier(const Words& tokens, size_t i) {
 /// What `static` and the like say about a variable: where it lives. "" if the statement declares none with storage of
 /// its own: a pointer's address space has no counterpart elsewhere, and a static constant is a constant.
 std::string storage_of(const Words& tokens) {
-    constexpr std::array<std::string_view, 6> kShared = {"__shared__", "shared", "groupshared",
-                                                         "__local",    "local",  "threadgroup"};
-    constexpr std::array<std::string_view, 5> kConstant = {"const", "constexpr", "__constant__", "__constant",
-                                                           "constant"};
     std::string storage;
     for (size_t i = 0; i + 1 < tokens.size() && is_word(tokens[i]); ++i) {
-        if (contains(kConstant, tokens[i])) return "";
-        if (contains(kShared, tokens[i]) && is_word(tokens[i + 1])) storage = "shared";
+        if (word_is(tokens[i], kConstantStorage)) return "";
+        if (word_is(tokens[i], kSharedStorage) && is_word(tokens[i + 1])) storage = "shared";
         if (tokens[i] == "static" && storage.empty()) storage = "static";
     }
     for (const std::string& token : tokens) {

@@ -8,12 +8,9 @@
 #include <vector>
 
 #include "porttool/language/dialect.h"
+#include "porttool/language/language.h"
 
 namespace porttool {
-
-/// Shading: one side at least is a language in which `1.0` is a float and `abs` is for floats too (GLSL, HLSL, ...), so
-/// that no suffix tells one number or function from another. C: both sides are of C's family.
-enum class Literals : uint8_t { Shading, C };
 
 /// The texts of a pair when it was last in step, and now, as tokens in normal form.
 struct PairTexts {
@@ -26,6 +23,7 @@ class Meaning {
 public:
     enum Side : uint8_t { Source, Target };
 
+    /// `literals`: Shading if one side at least is of that kind.
     Meaning(const PairTexts& texts, const Dialect& dialect, Literals literals);
 
     /// A statement's words. `in_body`: not the function's head, so that storage (`static`, group-shared memory) counts.

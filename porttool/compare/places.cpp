@@ -3,7 +3,8 @@
 #include "porttool/compare/places.h"
 
 #include <algorithm>
-#include <array>
+
+#include "porttool/language/words.h"
 
 namespace porttool {
 namespace {
@@ -16,13 +17,12 @@ std::vector<std::string> keys(const std::vector<Statement>& statements) {
 
 /// What two statements are laid beside each other by: the words, or for a closing brace what it closes.
 std::vector<std::string> anchor_keys(const std::vector<Statement>& statements) {
-    constexpr std::array<std::string_view, 6> kHeads = {"if", "else", "for", "while", "do", "switch"};
     std::vector<std::string> out;
     for (const Statement& statement : statements) {
         out.push_back(statement.key);
         if (!statement.is_brace() || statement.head == Statement::kNoHead) continue;
         const std::vector<std::string>& head = statements[statement.head].common;
-        if (!head.empty() && std::find(kHeads.begin(), kHeads.end(), head[0]) != kHeads.end()) out.back() += head[0];
+        if (!head.empty() && word_is(head[0], kBlockHead)) out.back() += head[0];
     }
     return out;
 }

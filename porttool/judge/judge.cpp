@@ -303,9 +303,7 @@ private:
     /// Whether a number's suffix tells its type on both sides.
     static Literals literals_of(const JudgedPair& pair) {
         const auto shading = [](const UnitState& unit) {
-            const Language language = language_of_path(unit.file);
-            return language == Language::Glsl || language == Language::Hlsl || language == Language::Metal ||
-                   language == Language::Slang || language == Language::Ispc;
+            return traits_of(language_of_path(unit.file)).literals == Literals::Shading;
         };
         return shading(*pair.source) || shading(*pair.target) ? Literals::Shading : Literals::C;
     }

@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <array>
 
+#include "porttool/language/word_list.h"
+#include "porttool/language/words.h"
+
 namespace porttool {
 namespace {
 
@@ -128,39 +131,22 @@ constexpr std::array kAlike = {
 
 /// The name under which units are paired.
 std::string_view paired_name(std::string_view name) {
+    std::string_view paired = name;
     for (const DialectRow& row : kAlike)
-        for (size_t at = 0; at < row.equivalents.size();) {
-            const size_t end = std::min(row.equivalents.find(' ', at), row.equivalents.size());
-            if (row.equivalents.substr(at, end - at) == name) return row.name;
-            at = end + 1;
-        }
-    return name;
+        for_each_word(row.equivalents, [&](std::string_view word) {
+            if (word == name) paired = row.name;
+        });
+    return paired;
 }
-
-// Words without counterpart: dropped before anything is compared.
-constexpr std::string_view kDropped =
-    "const constexpr volatile static inline extern restrict __restrict __restrict__ register mutable typename template "
-    "__device__ __host__ __global__ __forceinline__ __forceinline __inline__ __inline __noinline__ __shared__ "
-    "__constant__ "
-    "__launch_bounds__ __kernel kernel __global global __local local __private __constant constant device threadgroup "
-    "thread "
-    "shared in out inout uniform varying buffer highp mediump lowp precise readonly writeonly coherent layout flat "
-    "OPENCL_FORCE_INLINE OPENCL_FORCE_NOT_INLINE LH2_DEVFUNC FUNC ccl_device ccl_device_inline SYCL_EXTERNAL dpct sycl "
-    "std glm "
-    "export task noexcept override virtual final this nodiscard maybe_unused";
 
 }  // namespace
 
 Dialect::Dialect(const std::vector<std::pair<std::string, std::string>>& rows) {
     auto add = [&](std::string_view words, std::string_view name) {
-        while (!words.empty()) {
-            const size_t end = std::min(words.find(' '), words.size());
-            if (end > 0) {
-                meanings_.emplace(words.substr(0, end), name);
-                names_.emplace(words.substr(0, end), paired_name(name));
-            }
-            words.remove_prefix(std::min(end + 1, words.size()));
-        }
+        for_each_word(words, [&](std::string_view word) {
+            meanings_.emplace(word, name);
+            names_.emplace(word, paired_name(name));
+        });
     };
     auto add_table = [&](const auto& table) {
         for (const DialectRow& row : table) {
@@ -179,12 +165,11 @@ Dialect::Dialect(const std::vector<std::pair<std::string, std::string>>& rows) {
     add("Round2Int", "Round2Int");
     add("Ceil2Int", "Ceil2Int");
     add("FLT_MAX", "FLT_MAX");
-    add(kDropped, "");
+    for (const std::string_view word : words_with(kDropped)) add(word, "");
 }
 
 bool Dialect::is_number_type(std::string_view name) const {
-    constexpr std::array<std::string_view, 5> kOthers = {"double", "char", "short", "long", "int8"};
-    return std::find(kOthers.begin(), kOthers.end(), name) != kOthers.end() ||
+    return word_is(name, kNumberType) ||
            std::any_of(kTypes.begin(), kTypes.end(), [&](const DialectRow& row) { return row.name == name; });
 }
 

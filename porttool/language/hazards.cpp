@@ -6,6 +6,8 @@
 #include <array>
 #include <string_view>
 
+#include "porttool/language/word_list.h"
+
 namespace porttool {
 namespace {
 
@@ -48,13 +50,10 @@ std::vector<std::string> hazards_of(const std::vector<std::string>& gained, cons
     std::vector<std::string> out;
     for (const HazardRow& row : kHazards) {
         bool now = false, before = false;
-        std::string_view words = row.calls;
-        while (!words.empty()) {
-            const size_t end = std::min(words.find(' '), words.size());
-            now = now || calls(gained, words.substr(0, end));
-            before = before || calls(lost, words.substr(0, end));
-            words.remove_prefix(std::min(end + 1, words.size()));
-        }
+        for_each_word(row.calls, [&](std::string_view word) {
+            now = now || calls(gained, word);
+            before = before || calls(lost, word);
+        });
         if (now && !before) out.emplace_back(row.says);
     }
     return out;

@@ -6,36 +6,52 @@
 #include <array>
 #include <string>
 
+#include "porttool/language/word_list.h"
+
 namespace porttool {
 namespace {
 
-struct SuffixRow {
-    std::string_view suffix;
-    Language language;
+constexpr auto kShading = Literals::Shading;
+constexpr auto kAfterLayout = InterfaceBlocks::AfterLayout, kAnyBlock = InterfaceBlocks::Any;
+
+// One row a language, in the order of the enumeration.
+constexpr std::array kLanguages = {
+    LanguageTraits{.language = Language::C, .name = "c", .suffixes = ".c", .parameters_before_body = true},
+    LanguageTraits{.language = Language::Cpp,
+                   .name = "cpp",
+                   .suffixes = ".h .hh .hpp .hxx .h++ .cpp .cc .cxx .c++ .inl .ipp .tpp .ixx .cppm .impl",
+                   .blocks = kAfterLayout},
+    LanguageTraits{.language = Language::Cuda, .name = "cuda", .suffixes = ".cu .cuh"},
+    LanguageTraits{.language = Language::Hip, .name = "hip", .suffixes = ".hip.cpp .hip.h .hip"},
+    LanguageTraits{.language = Language::Sycl, .name = "sycl", .suffixes = ".dp.cpp .dp.hpp .sycl"},
+    LanguageTraits{.language = Language::OpenCl, .name = "opencl", .suffixes = ".cl .clh .ocl"},
+    LanguageTraits{.language = Language::Glsl,
+                   .name = "glsl",
+                   .suffixes = ".glsl .comp .vert .frag .geom .tesc .tese .rgen .rchit .rmiss .rahit .rint .rcall "
+                               ".mesh .task .vs .fs .glslh .vsh .fsh .gsh",
+                   .literals = kShading,
+                   .blocks = kAnyBlock,
+                   .entry_point = "main"},
+    LanguageTraits{.language = Language::Hlsl,
+                   .name = "hlsl",
+                   .suffixes = ".hlsl .hlsli .fx .fxh .usf .ush",
+                   .literals = kShading},
+    LanguageTraits{.language = Language::Metal, .name = "metal", .suffixes = ".metal", .literals = kShading},
+    LanguageTraits{.language = Language::Slang,
+                   .name = "slang",
+                   .suffixes = ".slang .slangh",
+                   .literals = kShading,
+                   .blocks = kAfterLayout},
+    LanguageTraits{.language = Language::Ispc, .name = "ispc", .suffixes = ".ispc .isph", .literals = kShading},
+    LanguageTraits{.language = Language::Unknown, .name = "unknown", .blocks = kAfterLayout},
 };
 
-constexpr std::array kSuffixes = {
-    SuffixRow{".dp.cpp", Language::Sycl}, SuffixRow{".dp.hpp", Language::Sycl},  SuffixRow{".sycl", Language::Sycl},
-    SuffixRow{".hip.cpp", Language::Hip}, SuffixRow{".hip.h", Language::Hip},    SuffixRow{".hip", Language::Hip},
-    SuffixRow{".cu", Language::Cuda},     SuffixRow{".cuh", Language::Cuda},     SuffixRow{".cl", Language::OpenCl},
-    SuffixRow{".clh", Language::OpenCl},  SuffixRow{".ocl", Language::OpenCl},   SuffixRow{".glsl", Language::Glsl},
-    SuffixRow{".comp", Language::Glsl},   SuffixRow{".vert", Language::Glsl},    SuffixRow{".frag", Language::Glsl},
-    SuffixRow{".geom", Language::Glsl},   SuffixRow{".tesc", Language::Glsl},    SuffixRow{".tese", Language::Glsl},
-    SuffixRow{".rgen", Language::Glsl},   SuffixRow{".rchit", Language::Glsl},   SuffixRow{".rmiss", Language::Glsl},
-    SuffixRow{".rahit", Language::Glsl},  SuffixRow{".rint", Language::Glsl},    SuffixRow{".rcall", Language::Glsl},
-    SuffixRow{".mesh", Language::Glsl},   SuffixRow{".task", Language::Glsl},    SuffixRow{".vs", Language::Glsl},
-    SuffixRow{".fs", Language::Glsl},     SuffixRow{".glslh", Language::Glsl},   SuffixRow{".vsh", Language::Glsl},
-    SuffixRow{".fsh", Language::Glsl},    SuffixRow{".gsh", Language::Glsl},     SuffixRow{".hlsl", Language::Hlsl},
-    SuffixRow{".hlsli", Language::Hlsl},  SuffixRow{".fx", Language::Hlsl},      SuffixRow{".fxh", Language::Hlsl},
-    SuffixRow{".usf", Language::Hlsl},    SuffixRow{".ush", Language::Hlsl},     SuffixRow{".metal", Language::Metal},
-    SuffixRow{".slang", Language::Slang}, SuffixRow{".slangh", Language::Slang}, SuffixRow{".ispc", Language::Ispc},
-    SuffixRow{".isph", Language::Ispc},   SuffixRow{".c", Language::C},          SuffixRow{".h", Language::Cpp},
-    SuffixRow{".hh", Language::Cpp},      SuffixRow{".hpp", Language::Cpp},      SuffixRow{".hxx", Language::Cpp},
-    SuffixRow{".h++", Language::Cpp},     SuffixRow{".cpp", Language::Cpp},      SuffixRow{".cc", Language::Cpp},
-    SuffixRow{".cxx", Language::Cpp},     SuffixRow{".c++", Language::Cpp},      SuffixRow{".inl", Language::Cpp},
-    SuffixRow{".ipp", Language::Cpp},     SuffixRow{".tpp", Language::Cpp},      SuffixRow{".ixx", Language::Cpp},
-    SuffixRow{".cppm", Language::Cpp},    SuffixRow{".impl", Language::Cpp},
-};
+constexpr bool stands_in_order() {
+    for (size_t i = 0; i < kLanguages.size(); ++i)
+        if (static_cast<size_t>(kLanguages[i].language) != i) return false;
+    return kLanguages.size() == static_cast<size_t>(Language::Unknown) + 1;
+}
+static_assert(stands_in_order());
 
 bool contains_any(std::string_view text, std::initializer_list<std::string_view> words) {
     return std::any_of(words.begin(), words.end(),
@@ -44,42 +60,20 @@ bool contains_any(std::string_view text, std::initializer_list<std::string_view>
 
 }  // namespace
 
-std::string_view language_name(Language language) {
-    switch (language) {
-        case Language::C:
-            return "c";
-        case Language::Cpp:
-            return "cpp";
-        case Language::Cuda:
-            return "cuda";
-        case Language::Hip:
-            return "hip";
-        case Language::Sycl:
-            return "sycl";
-        case Language::OpenCl:
-            return "opencl";
-        case Language::Glsl:
-            return "glsl";
-        case Language::Hlsl:
-            return "hlsl";
-        case Language::Metal:
-            return "metal";
-        case Language::Slang:
-            return "slang";
-        case Language::Ispc:
-            return "ispc";
-        case Language::Unknown:
-            break;
-    }
-    return "unknown";
-}
+const LanguageTraits& traits_of(Language language) { return kLanguages[static_cast<size_t>(language)]; }
 
 Language language_of_path(std::string_view path) {
     std::string lower(path.substr(path.find_last_of('/') + 1));
     std::transform(lower.begin(), lower.end(), lower.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? c + 32 : c; });
-    for (const auto& row : kSuffixes)  // the longer suffixes stand first
-        if (lower.ends_with(row.suffix)) return row.language;
-    return Language::Unknown;
+    Language found = Language::Unknown;
+    size_t longest = 0;
+    for (const LanguageTraits& row : kLanguages)
+        for_each_word(row.suffixes, [&](std::string_view suffix) {
+            if (suffix.size() <= longest || !lower.ends_with(suffix)) return;
+            longest = suffix.size();
+            found = row.language;
+        });
+    return found;
 }
 
 Language language_of_text(Language by_path, std::string_view path, std::string_view text) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <unordered_map>
 
+#include "porttool/language/words.h"
 #include "porttool/match/words.h"
 #include "porttool/normal/normal_form.h"
 
@@ -194,19 +195,13 @@ private:
             shape_.push_back(hash_text(*common));
             return;
         }
-        if (is_keyword(text)) {
+        if (word_is(text, kShapeWord)) {
             shape_.push_back(hash_text(text));
             return;
         }
         if (call) count_words(kCalls, text, 1);
         count_words(kBody, text, 1);
         shape_.push_back(call ? 3 : 2);
-    }
-
-    static bool is_keyword(std::string_view text) {
-        return text == "if" || text == "else" || text == "for" || text == "while" || text == "do" || text == "return" ||
-               text == "switch" || text == "case" || text == "break" || text == "continue" || text == "default" ||
-               text == "true" || text == "false" || text == "struct";
     }
 
     void read_shape() {

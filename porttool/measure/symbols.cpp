@@ -3,27 +3,15 @@
 #include "porttool/measure/symbols.h"
 
 #include <algorithm>
-#include <array>
 
 #include "metrics/code/winnowing.h"
+#include "porttool/language/words.h"
 #include "porttool/normal/normal_form.h"
 
 namespace porttool {
 namespace {
 
 constexpr uint32_t kAnyName = 0;
-
-/// Words that structure a text in every dialect and are nobody's name.
-bool is_keyword(std::string_view word) {
-    constexpr std::array<std::string_view, 52> kKeywords = {
-        "auto",     "break",    "case",      "catch",  "char",    "class",    "continue",     "default",   "define",
-        "defined",  "delete",   "discard",   "do",     "double",  "elif",     "else",         "endif",     "enum",
-        "explicit", "false",    "for",       "friend", "goto",    "if",       "ifdef",        "ifndef",    "import",
-        "long",     "module",   "namespace", "new",    "nullptr", "operator", "private",      "protected", "public",
-        "return",   "short",    "sizeof",    "struct", "switch",  "throw",    "true",         "try",       "typedef",
-        "union",    "unmasked", "using",     "void",   "while",   "foreach",  "static_assert"};
-    return std::find(kKeywords.begin(), kKeywords.end(), word) != kKeywords.end();
-}
 
 }  // namespace
 
@@ -97,7 +85,7 @@ uint32_t SymbolTable::word(std::string_view text, TokenKind kind) {
         word.dialect = known->empty() ? kNothing : number(*known);
     else
         word.dialect = kind == TokenKind::Number ? number(number_value(text)) : word.raw;
-    const bool folds = word.name && known == nullptr && !is_keyword(text);
+    const bool folds = word.name && known == nullptr && !word_is(text, kKeyword);
     word.blind = folds ? kAnyName : word.dialect;
     words_.push_back(word);
     return place->second;

@@ -3,9 +3,10 @@
 #include "porttool/normal/locals.h"
 
 #include <algorithm>
-#include <array>
 #include <initializer_list>
 #include <unordered_set>
+
+#include "porttool/language/words.h"
 
 namespace porttool {
 namespace {
@@ -17,59 +18,6 @@ bool is_word(std::string_view text) {
 
 bool is_one_of(std::string_view text, std::initializer_list<std::string_view> words) {
     return std::find(words.begin(), words.end(), text) != words.end();
-}
-
-/// Words that are neither a type nor a declared name.
-bool is_no_type(std::string_view text) {
-    return is_one_of(text,
-                     {"return",    "else",      "delete",   "goto",     "case",    "using",    "throw",  "new",
-                      "do",        "break",     "continue", "default",  "sizeof",  "typedef",  "if",     "while",
-                      "for",       "switch",    "try",      "catch",    "alignof", "operator", "not",    "and",
-                      "or",        "xor",       "compl",    "bitand",   "bitor",   "not_eq",   "and_eq", "or_eq",
-                      "xor_eq",    "co_return", "co_await", "co_yield", "typeid",  "noexcept", "this",   "template",
-                      "namespace", "extern",    "friend",   "asm",      "true",    "false",    "nullptr"});
-}
-
-/// Keywords that may stand in a declaration before its type or behind it.
-bool is_qualifier(std::string_view text) {
-    return is_one_of(text, {"const",     "constexpr",    "volatile",   "static",       "register",   "mutable",
-                            "inline",    "thread_local", "constinit",  "restrict",     "__restrict", "__restrict__",
-                            "typename",  "__device__",   "__shared__", "__constant__", "__global",   "__local",
-                            "__private", "__constant",   "highp",      "mediump",      "lowp",       "precise"});
-}
-
-/// Words that qualify a type in one dialect and may name something in another.
-bool is_soft_qualifier(std::string_view text) {
-    return is_one_of(text, {"shared", "local", "global", "device", "thread", "threadgroup", "constant", "groupshared",
-                            "uniform", "varying", "in", "out", "inout", "export", "unmasked", "flat", "nointerpolation",
-                            "row_major", "column_major"});
-}
-
-bool names_record(std::string_view text) { return is_one_of(text, {"struct", "class", "union", "enum"}); }
-
-bool names_type_of(std::string_view text) { return is_one_of(text, {"decltype", "typeof", "__typeof__"}); }
-
-bool takes_group(std::string_view text) {
-    return is_one_of(text, {"alignas", "_Alignas", "__attribute__", "__declspec", "__align__", "layout"});
-}
-
-/// Types of every dialect: keywords, and vectors and matrices of them.
-bool is_type_word(std::string_view text) {
-    if (is_one_of(text, {"void",      "auto",     "bool",    "char",    "short",    "int",      "long",      "float",
-                         "double",    "unsigned", "signed",  "half",    "uint",     "uchar",    "ushort",    "ulong",
-                         "size_t",    "wchar_t",  "_Bool",   "char8_t", "char16_t", "char32_t", "ptrdiff_t", "int8_t",
-                         "int16_t",   "int32_t",  "int64_t", "uint8_t", "uint16_t", "uint32_t", "uint64_t",  "intptr_t",
-                         "uintptr_t", "int8",     "int16",   "int64",   "uint8",    "uint16",   "uint32",    "uint64",
-                         "Vec2f",     "Vec3f",    "Vec4f",   "Vec3fa",  "Vec3ff",   "Vector3f", "sampler2D"}))
-        return true;
-    size_t end = text.size();
-    const auto digit = [&](size_t i) { return text[i] >= '2' && text[i] <= '4'; };
-    if (end > 3 && digit(end - 1) && text[end - 2] == 'x' && digit(end - 3)) end -= 2;
-    if (end < 2 || !digit(end - 1)) return false;
-    return is_one_of(
-        text.substr(0, end - 1),
-        {"vec",    "ivec", "uvec", "bvec", "dvec",  "mat",      "dmat",      "bool",  "char",   "uchar", "short",
-         "ushort", "int",  "uint", "long", "ulong", "longlong", "ulonglong", "float", "double", "half",  "f16vec"});
 }
 
 bool is_shouted(std::string_view text) {
@@ -131,7 +79,7 @@ private:
     bool may_be_declared(size_t i) const {
         const std::string_view text = word(i);
         const bool type = is_type_word(text) && text != "half";  // half of something, where there is no such type
-        return is_name(i) && !is_no_type(text) && !is_qualifier(text) && !type && !names_record(text);
+        return is_name(i) && !type && !word_is(text, kNoType | kQualifier | kRecord);
     }
 
     void declare(size_t i) {
@@ -173,7 +121,7 @@ private:
             if (depth <= 0) return depth == 0 ? at + 1 : i;
             const bool fits = is_name(at) || lexed_.tokens[tokens_[at]].kind == TokenKind::Number ||
                               is_one_of(text, {"<", ">", ">>", ",", "::", "*", "&", "...", "[", "]", "(", ")"});
-            if (!fits || is_no_type(text)) return i;
+            if (!fits || word_is(text, kNoType)) return i;
         }
         return i;
     }
@@ -206,7 +154,7 @@ private:
                 closed = true;
                 i = std::min(behind_group(i), end) - 1;
             } else if (text == "(" || text == "{") {
-                if (!closed && last < end && names_type_of(word(last))) typed = true;
+                if (!closed && last < end && word_is(word(last), kTypeOfValue)) typed = true;
                 if (!closed) last = end;
                 i = std::min(behind_group(i), end) - 1;
             } else if (text == "<" && !closed) {
@@ -226,15 +174,15 @@ private:
 
     void read_parameter_word(size_t i, bool& typed, size_t& last, size_t& type, size_t end) const {
         const std::string_view text = word(i);
-        if (is_qualifier(text) || names_record(text)) return;
+        if (word_is(text, kQualifier | kRecord)) return;
         if (last < end) {
-            typed = typed || !is_soft_qualifier(word(last));
+            typed = typed || !word_is(word(last), kSoftQualifier);
             type = last;
         }
         last = end;
         if (is_type_word(text))
             typed = true;
-        else if (!is_no_type(text))
+        else if (!word_is(text, kNoType))
             last = i;
     }
 
@@ -243,37 +191,37 @@ private:
     /// Reads the type that a declaration at `at` would have, and goes behind it; false if there is none.
     bool read_type(size_t& at, Type& type) const {
         for (;; ++at) {
-            if (is_qualifier(word(at)))
+            if (word_is(word(at), kQualifier))
                 type.certain = true;
-            else if (takes_group(word(at)) && word(at + 1) == "(")
+            else if (word_is(word(at), kGroupedQualifier) && word(at + 1) == "(")
                 at = behind_group(at + 1) - 1;
             else if (word(at) == "[" && word(at + 1) == "[")
                 at = behind_group(at) - 1;
-            else if (!is_soft_qualifier(word(at)) || !is_name(at + 1))
+            else if (!word_is(word(at), kSoftQualifier) || !is_name(at + 1))
                 break;
         }
-        if (names_record(word(at))) {
+        if (word_is(word(at), kRecord)) {
             type.certain = true;
             ++at;
         }
-        if (names_type_of(word(at)) && word(at + 1) == "(") {
+        if (word_is(word(at), kTypeOfValue) && word(at + 1) == "(") {
             type.certain = true;
             at = behind_group(at + 1);
         } else if (is_type_word(word(at))) {
             type.certain = true;
             type.deduced = word(at) == "auto";
             type.name = word(at++);
-            while (is_one_of(word(at), {"unsigned", "signed", "long", "short", "int", "char", "double"})) ++at;
+            while (word_is(word(at), kTypePart) || word(at) == "double") ++at;
         } else if (!read_named_type(at, type)) {
             return false;
         }
-        for (; is_qualifier(word(at)); ++at) type.certain = true;
+        for (; word_is(word(at), kQualifier); ++at) type.certain = true;
         return true;
     }
 
     bool read_named_type(size_t& at, Type& type) const {
         if (word(at) == "::") ++at;
-        while (is_name(at) && !is_no_type(word(at))) {
+        while (is_name(at) && !word_is(word(at), kNoType)) {
             type.name = word(at++);
             if (word(at) == "<") {
                 const size_t behind = behind_arguments(at);
@@ -293,7 +241,8 @@ private:
         Type type;
         if (!read_type(at, type)) return false;
         size_t marks = 0;
-        for (; is_one_of(word(at), {"*", "&", "&&", "^"}) || (marks > 0 && is_qualifier(word(at))); ++at) ++marks;
+        for (; is_one_of(word(at), {"*", "&", "&&", "^"}) || (marks > 0 && word_is(word(at), kQualifier)); ++at)
+            ++marks;
         if (type.deduced && word(at) == "[") return read_bindings(at);
         if (type.certain && word(at) == "(" && is_one_of(word(at + 1), {"*", "&"}) && word(at + 3) == ")" &&
             word(at + 4) == "(" && may_be_declared(at + 2)) {
@@ -342,7 +291,7 @@ private:
 
     /// `int a = 1, b, c[2];`: a comma at the depth of a declaration goes on with it while names follow.
     bool declare_next(size_t name) {
-        while (is_one_of(word(name), {"*", "&", "&&"}) || is_qualifier(word(name))) ++name;
+        while (is_one_of(word(name), {"*", "&", "&&"}) || word_is(word(name), kQualifier)) ++name;
         if (!may_be_declared(name) || !is_one_of(word(name + 1), {"=", ",", ";", "[", "(", "{"})) return false;
         declare(name);
         return true;
@@ -388,8 +337,8 @@ private:
 
     Place place_of_head(size_t i) const {
         const std::string_view before = i > 0 ? word(i - (word(i - 1) == "constexpr" && i > 1 ? 2 : 1)) : "";
-        if (before == "for" || before == "cfor") return Place::For;
-        if (is_one_of(before, {"if", "while", "switch", "cif", "cwhile"})) return Place::Condition;
+        if (word_is(before, kLoopHead)) return Place::For;
+        if (word_is(before, kConditionHead)) return Place::Condition;
         return before == "catch" ? Place::Handler : Place::Other;
     }
 
@@ -401,7 +350,7 @@ private:
         if (lambda_bodies_.contains(i)) return Place::Block;
         if (group.place == Place::Other || group.place == Place::For || group.place == Place::Condition)
             return Place::Other;
-        if (names_record(word(group.first))) return Place::Record;
+        if (word_is(word(group.first), kRecord)) return Place::Record;
         if (is_one_of(before, {")", ";", "{", "}", ":", "else", "do", "try"})) return Place::Block;
         return Place::Other;
     }
@@ -439,12 +388,6 @@ private:
     size_t arguments_end_ = 0;  ///< behind the template arguments in an initializer
 };
 
-/// What is declared in these parentheses holds for the block behind them: loops, conditions, a lambda.
-bool has_own_scope(std::string_view before) {
-    constexpr std::array<std::string_view, 6> kHeads = {"for", "if", "while", "switch", "catch", "]"};
-    return std::find(kHeads.begin(), kHeads.end(), before) != kHeads.end();
-}
-
 }  // namespace
 
 std::vector<uint32_t> declaring_tokens(const LexedText& lexed, TokenRange parameters, TokenRange body) {
@@ -460,7 +403,7 @@ std::string_view LocalNumbers::next(std::string_view text, uint32_t token) {
     if (text == ")") head_closes_ = true;
     if (text == "}") close(false);
     member_ = text == "." || text == "->" || text == "::";
-    scoped_ = has_own_scope(text);
+    scoped_ = text == "]" || word_is(text, kOwnScope);  // behind `]` a lambda's parameters
     return out;
 }
 

@@ -7,6 +7,8 @@
 #include <charconv>
 #include <cstdio>
 
+#include "porttool/language/words.h"
+
 namespace porttool {
 namespace {
 
@@ -99,8 +101,7 @@ private:
         if (text == "}" || at_ >= tokens_.size()) return;
         if (depth > kDeepest) return simple();
         if (text == "{") return block(depth + 1);
-        constexpr std::array<std::string_view, 7> kHeads = {"if", "for", "while", "cif", "cfor", "cwhile", "foreach"};
-        if (std::find(kHeads.begin(), kHeads.end(), text) != kHeads.end()) {
+        if (word_is(text, kControls)) {
             emit();
             if (word() == "constexpr") emit();
             if (word() != "(") return simple();

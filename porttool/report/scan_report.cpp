@@ -37,7 +37,7 @@ void add_file(ScanReport& report, const ScannedFile& file) {
         Fingerprinter print;
         write_normal_form(file, unit, [&](std::string_view text, uint32_t) { print.add(text); });
         report.units.push_back({unit_id(file, unit), file.path, unit.name, std::string(unit_kind_name(unit.kind)),
-                                std::string(language_name(file.language)), print.digits(), unit.start_line,
+                                std::string(traits_of(file.language).name), print.digits(), unit.start_line,
                                 unit.end_line});
     };
     for (const Unit& unit : file.units) add(unit);

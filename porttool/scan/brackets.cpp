@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "porttool/scan/brackets.h"
 
-#include <algorithm>
-#include <array>
 #include <string_view>
+
+#include "porttool/language/words.h"
 
 namespace porttool {
 namespace {
@@ -70,9 +70,7 @@ private:
         if (i + 1 >= out_.tokens.size() || open_braces_ < 2 || open_.front().indent != 1) return false;
         const Token& next = lexed_.tokens[out_.tokens[i + 1]];
         if (lexed_.column(next) != 1 || next.kind != TokenKind::Identifier) return false;
-        constexpr std::array<std::string_view, 11> kGoesOn = {"else", "while", "catch",  "case",  "default", "if",
-                                                              "for",  "do",    "return", "break", "switch"};
-        return std::find(kGoesOn.begin(), kGoesOn.end(), lexed_.view(next)) == kGoesOn.end();
+        return !word_is(lexed_.view(next), kGoesOn);
     }
 
     /// If an open block is indented like this brace, drops those above it, which should have closed before.

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "porttool/scan/constants.h"
 
-#include <algorithm>
-#include <array>
+#include "porttool/language/words.h"
 
 namespace porttool {
 namespace {
@@ -30,21 +29,8 @@ private:
         return close != kNoMatch && close > at && close < end_ ? close + 1 : at + 1;
     }
 
-    bool is_const_word(std::string_view text) const {
-        if (text == "const" || text == "constexpr" || text == "constinit" || text == "__constant__" ||
-            text == "__constant" || text == "consteval")
-            return true;
-        return text == "constant" && (context_.language == Language::OpenCl || context_.language == Language::Metal);
-    }
-
-    static bool starts_no_constant(std::string_view text) {
-        constexpr std::array<std::string_view, 9> kWords = {
-            "using", "typedef", "friend", "return", "namespace", "goto", "concept", "static_assert", "extern template"};
-        return std::find(kWords.begin(), kWords.end(), text) != kWords.end();
-    }
-
     bool first_declarator() {
-        if (starts_no_constant(word(first_))) return false;
+        if (word_is(word(first_), kNoConstant)) return false;
         bool is_const = false;
         uint32_t name = kNoMatch;
         uint32_t at = first_;
@@ -52,14 +38,16 @@ private:
             const std::string_view text = word(at);
             if ((text == "template" || text == "<") && at + 1 < end_) {
                 const uint32_t open = text == "<" ? at : at + 1;
-                const uint32_t behind = word(open) == "<" ? skip_angles(context_, open, end_) : kNoMatch;
+                const uint32_t behind = word(open) == "<" ? context_.angles.skip(open, end_) : kNoMatch;
                 at = behind == kNoMatch ? at + 1 : behind;
                 continue;
             }
             // `virtual const X f() const = 0` declares a function
-            if (text == "(" && (at == first_ || !takes_attribute_arguments(word(at - 1)))) return false;
-            is_const = is_const || is_const_word(text);
-            if (is_name(at) && !is_const_word(text)) name = at;
+            if (text == "(" && (at == first_ || !word_is(word(at - 1), kTakesArguments))) return false;
+            if ((roles_of(text, context_.language) & kConstant) != 0)
+                is_const = true;
+            else if (is_name(at))
+                name = at;
             at = next(at);
         }
         if (!is_const || name == kNoMatch || at >= end_) return false;

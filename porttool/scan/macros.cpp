@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "porttool/language/words.h"
+
 namespace porttool {
 namespace {
 
@@ -14,6 +16,25 @@ bool is_function_like(const LexedText& lexed, uint32_t name) {
     const Token& token = lexed.tokens[name];
     const Token& next = lexed.tokens[name + 1];
     return lexed.view(next) == "(" && next.offset == token.offset + token.length;
+}
+
+bool is_word_character(char c) {
+    return c == '_' || (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+}
+
+/// The function's name in an expanded macro: the word before the first parenthesis, or the only word.
+MadeHead head_in(const std::vector<std::string>& words, bool whole_head) {
+    MadeHead head;
+    for (size_t i = 0; i < words.size(); ++i) {
+        head.kernel = head.kernel || word_is(words[i], kKernelMacro);
+        if (i > 0 && words[i] == "(" && !word_is(words[i - 1], kTakesArguments)) {
+            head.name = words[i - 1];
+            return head;
+        }
+    }
+    if (!whole_head && words.size() == 1) head.name = words[0];
+    if (whole_head && words.size() == 2 && word_is(words[0], kOpensType)) head.name = words[1];
+    return head;
 }
 
 }  // namespace
@@ -60,6 +81,35 @@ std::vector<std::string> expand(const Macro& macro, const std::vector<std::strin
         paste = false;
     }
     return out;
+}
+
+bool defines_something(const MacroTable& macros, std::string_view macro) {
+    const auto known = macros.find(macro);
+    if (known == macros.end()) return false;
+    const auto& words = known->second.replacement;
+    return std::find(words.begin(), words.end(), "{") != words.end() || (!words.empty() && words.back() == ";");
+}
+
+bool opens_type(const MacroTable& macros, std::string_view macro) {
+    const auto known = macros.find(macro);
+    if (known == macros.end()) return false;
+    const auto& words = known->second.replacement;
+    return !words.empty() && word_is(words.front(), kOpensType) &&
+           std::find(words.begin(), words.end(), "(") == words.end();
+}
+
+MadeHead head_made_by(const MacroTable& macros, std::string_view macro, const std::vector<std::string>& arguments,
+                      bool whole_head) {
+    MadeHead head;
+    if (const auto known = macros.find(macro); known != macros.end())
+        head = head_in(expand(known->second, arguments), whole_head);
+    if (!head.name.empty()) return head;
+    for (std::string text : arguments) {
+        std::erase_if(text, [](char c) { return !is_word_character(c); });
+        if (!text.empty()) head.name += (head.name.empty() ? "" : "_") + text;
+    }
+    if (head.name.empty()) head.name = macro;
+    return head;
 }
 
 }  // namespace porttool

@@ -25,4 +25,21 @@ MacroTable read_macros(const LexedText& lexed);
 /// The replacement of `macro` with `arguments` put in and `##` carried out, token by token. One level only.
 std::vector<std::string> expand(const Macro& macro, const std::vector<std::string>& arguments);
 
+/// True if the macro defines something by itself: the lines after it are no part of it.
+bool defines_something(const MacroTable& macros, std::string_view macro);
+
+/// True for `#define STRUCT(NAME) struct NAME`.
+bool opens_type(const MacroTable& macros, std::string_view macro);
+
+/// What a macro with its arguments makes of the head of a function or type.
+struct MadeHead {
+    std::string name;
+    bool kernel = false;  ///< the macro says so
+};
+
+/// By the macro's definition if the file has it, else the name is made of the arguments: `KERNEL(shade)(int a) {`.
+/// `whole_head`: nothing else stands in the head, as in `KERNEL(shade, int a) {`.
+MadeHead head_made_by(const MacroTable& macros, std::string_view macro, const std::vector<std::string>& arguments,
+                      bool whole_head);
+
 }  // namespace porttool

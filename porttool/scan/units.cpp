@@ -3,8 +3,8 @@
 #include "porttool/scan/units.h"
 
 #include <algorithm>
-#include <array>
 
+#include "porttool/language/words.h"
 #include "porttool/scan/constants.h"
 #include "porttool/scan/head.h"
 
@@ -17,6 +17,7 @@ public:
         : lexed_(lexed),
           structure_(structure),
           macros_(read_macros(lexed)),
+          angles_(lexed, structure),
           context_{lexed, structure, language, macros_, angles_} {}
 
     UnitList run() {
@@ -51,7 +52,7 @@ private:
         const Token& current = lexed_.tokens[token(at_)];
         if (current.kind != TokenKind::Punctuator || current.length != 1) {
             if (current.kind == TokenKind::Identifier && word(at_) == "template" && word(at_ + 1) == "<") {
-                const uint32_t behind = skip_angles(context_, at_ + 1, std::min(scopes_.back().close, at_ + 1024));
+                const uint32_t behind = angles_.skip(at_ + 1, std::min(scopes_.back().close, at_ + 1024));
                 if (behind != kNoMatch) at_ = behind - 1;
             }
             ++at_;
@@ -101,11 +102,8 @@ private:
     }
 
     void read_colon() {
-        constexpr std::array<std::string_view, 8> kLabels = {"public", "private",   "protected", "signals",
-                                                             "slots",  "Q_SIGNALS", "Q_SLOTS",   "default"};
         const std::string_view before = at_ > start_ ? word(at_ - 1) : "";
-        if (scopes_.back().is_class && std::find(kLabels.begin(), kLabels.end(), before) != kLabels.end())
-            return next_statement(at_ + 1);
+        if (scopes_.back().is_class && word_is(before, kLabel)) return next_statement(at_ + 1);
         if (before == ")" || (at_ >= start_ + 2 && word(at_ - 2) == ")")) initialiser_list_ = true;
         ++at_;
     }
@@ -121,14 +119,14 @@ private:
 
     /// C before prototypes: `int add(a, b) int a; int b; {`. The head goes on behind the semicolon.
     bool declares_old_parameters() const {
-        if (context_.language != Language::C || assigned_ || at_ >= end_) return false;
+        if (!traits_of(context_.language).parameters_before_body || assigned_ || at_ >= end_) return false;
         for (uint32_t at = start_; at + 2 < at_; ++at) {
             if (word(at) == "typedef") return false;
             if (word(at) != "(" || structure_.match[at] == kNoMatch) continue;
             const uint32_t behind = structure_.match[at] + 1;
-            if (at == start_ || takes_attribute_arguments(word(at - 1))) return false;
+            if (at == start_ || word_is(word(at - 1), kTakesArguments)) return false;
             return behind + 1 < at_ && lexed_.tokens[token(behind)].kind == TokenKind::Identifier &&
-                   !takes_attribute_arguments(word(behind)) && word(behind + 1) != "(";
+                   !word_is(word(behind), kTakesArguments) && word(behind + 1) != "(";
         }
         return false;
     }
@@ -235,7 +233,7 @@ private:
     /// The name that follows the closing brace: `typedef struct { ... } Ray;`
     std::string trailing_name(uint32_t close) const {
         uint32_t at = close + 1;
-        while (at < end_ && (word(at) == "*" || takes_attribute_arguments(word(at)) || word(at) == "(")) {
+        while (at < end_ && (word(at) == "*" || word_is(word(at), kTakesArguments) || word(at) == "(")) {
             at = word(at) == "(" && structure_.match[at] != kNoMatch ? structure_.match[at] + 1 : at + 1;
         }
         if (at >= end_ || lexed_.tokens[token(at)].kind != TokenKind::Identifier) return {};
