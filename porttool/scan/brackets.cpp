@@ -63,7 +63,7 @@ private:
         pair(i);
     }
 
-    /// A brace in the first column that closes an indented block, with a declaration behind it in the first column: the
+    /// A brace in the first column that closes an indented block, with a declaration after it in the first column: the
     /// block lost its own brace, even if another one too many makes the sum right.
     bool seems_lost(uint32_t i, const Token& brace) const {
         if (lexed_.column(brace) != 1 || (brace.flags & kStartsLine) == 0 || open_.back().indent == 1) return false;

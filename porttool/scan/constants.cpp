@@ -38,8 +38,8 @@ private:
             const std::string_view text = word(at);
             if ((text == "template" || text == "<") && at + 1 < end_) {
                 const uint32_t open = text == "<" ? at : at + 1;
-                const uint32_t behind = word(open) == "<" ? context_.angles.skip(open, end_) : kNoMatch;
-                at = behind == kNoMatch ? at + 1 : behind;
+                const uint32_t after = word(open) == "<" ? context_.angles.skip(open, end_) : kNoMatch;
+                at = after == kNoMatch ? at + 1 : after;
                 continue;
             }
             // `virtual const X f() const = 0` declares a function
@@ -60,9 +60,9 @@ private:
         constexpr size_t kMost = 64;
         for (uint32_t at = at_; at + 2 < end_ && out_.size() < kMost; at = next(at)) {
             if (word(at) != "," || !is_name(at + 1)) continue;
-            uint32_t behind = at + 2;
-            while (behind < end_ && word(behind) == "[") behind = next(behind);
-            if (behind >= end_ || (word(behind) != "=" && word(behind) != "{")) continue;
+            uint32_t after = at + 2;
+            while (after < end_ && word(after) == "[") after = next(after);
+            if (after >= end_ || (word(after) != "=" && word(after) != "{")) continue;
             out_.back().end = at;
             out_.push_back({std::string(word(at + 1)), at + 1, at + 1, end_});
         }
@@ -98,9 +98,7 @@ std::vector<Unit> find_macro_units(const LexedText& lexed) {
         const uint32_t name = directive.first_token + 2;
         if (directive.kind != DirectiveKind::Define || directive.end_token <= name + 1) continue;
         if ((lexed.tokens[name].flags & kDead) != 0) continue;
-        const Token& behind = lexed.tokens[name + 1];
-        const bool function_like =
-            lexed.view(behind) == "(" && behind.offset == lexed.tokens[name].offset + lexed.tokens[name].length;
+        const bool function_like = is_function_like(lexed, name);
         uint32_t value = name + 1;
         if (function_like)
             while (value < directive.end_token && lexed.view(value++) != ")") {

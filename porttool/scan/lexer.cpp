@@ -6,6 +6,8 @@
 #include <array>
 #include <optional>
 
+#include "porttool/scan/suppressions.h"
+
 namespace porttool {
 namespace {
 
@@ -124,7 +126,7 @@ private:
 
     void comment(size_t end) {
         const uint32_t first = line_;
-        read_suppressions(text_.substr(at_, end - at_));
+        read_suppressions(text_.substr(at_, end - at_), line_, out_.suppressions);
         const bool fresh = line_is_fresh_;
         while (const size_t doubtful = doubtful_splice(end)) {
             advance(doubtful - 1);
@@ -135,8 +137,8 @@ private:
         out_.comments.push_back({first, line_});
     }
 
-    /// Behind a sign in the comment up to `end` with which some compilers join two lines and others do not: a backslash
-    /// with blanks behind it, or its trigraph. What is code to the one is a comment to the other; such a sign is a
+    /// After a sign in the comment up to `end` with which some compilers join two lines and others do not: a backslash
+    /// with blanks after it, or its trigraph. What is code to the one is a comment to the other; such a sign is a
     /// token, so that nobody can hide an edit behind it. 0 if there is none.
     size_t doubtful_splice(size_t end) const {
         for (size_t at = at_; at < end; ++at) {
@@ -147,29 +149,6 @@ private:
             if (next < text_.size() && text_[next] == '\n') return at + 1;
         }
         return 0;
-    }
-
-    /// `porttool: ignore(RULE) reason`, also several in one comment. A rule or a reason that goes on without end is
-    /// cut: in a comment of nothing else each would hold all that follow.
-    void read_suppressions(std::string_view comment) {
-        constexpr std::string_view kMark = "porttool: ignore(";
-        constexpr size_t kLongestRule = 128, kLongestReason = 1024;
-        uint32_t line = line_;
-        size_t counted = 0;
-        for (size_t at = comment.find(kMark); at != std::string_view::npos; at = comment.find(kMark, at + 1)) {
-            const std::string_view rule = comment.substr(at + kMark.size(), kLongestRule);
-            const size_t close = rule.find(')');
-            if (close == std::string_view::npos) continue;
-            std::string_view reason = comment.substr(at + kMark.size() + close + 1, kLongestReason);
-            reason = reason.substr(0, reason.find('\n'));
-            if (const size_t end = reason.find("*/"); end != std::string_view::npos) reason = reason.substr(0, end);
-            while (!reason.empty() && reason.front() == ' ') reason.remove_prefix(1);
-            while (!reason.empty() && reason.back() == ' ') reason.remove_suffix(1);
-            line += static_cast<uint32_t>(std::count(comment.begin() + static_cast<std::ptrdiff_t>(counted),
-                                                     comment.begin() + static_cast<std::ptrdiff_t>(at), '\n'));
-            counted = at;
-            out_.suppressions.push_back({std::string(rule.substr(0, close)), std::string(reason), line});
-        }
     }
 
     void token() {

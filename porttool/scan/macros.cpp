@@ -11,13 +11,6 @@ namespace {
 
 constexpr size_t kLongestReplacement = 256;  // tokens; longer macros build code, not names
 
-/// True if `(` follows the name without a blank, as a parameter list must.
-bool is_function_like(const LexedText& lexed, uint32_t name) {
-    const Token& token = lexed.tokens[name];
-    const Token& next = lexed.tokens[name + 1];
-    return lexed.view(next) == "(" && next.offset == token.offset + token.length;
-}
-
 bool is_word_character(char c) {
     return c == '_' || (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 }
@@ -38,6 +31,12 @@ MadeHead head_in(const std::vector<std::string>& words, bool whole_head) {
 }
 
 }  // namespace
+
+bool is_function_like(const LexedText& lexed, uint32_t name) {
+    const Token& token = lexed.tokens[name];
+    const Token& next = lexed.tokens[name + 1];
+    return lexed.view(next) == "(" && next.offset == token.offset + token.length;
+}
 
 MacroTable read_macros(const LexedText& lexed) {
     MacroTable table;

@@ -11,6 +11,9 @@
 
 namespace porttool {
 
+/// True for `#define NAME(`: the parameter list follows the name, the token `name`, without a blank.
+bool is_function_like(const LexedText& lexed, uint32_t name);
+
 /// A function-like macro of the file, for names that are built by macros.
 struct Macro {
     std::vector<std::string> parameters;

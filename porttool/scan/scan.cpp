@@ -45,7 +45,7 @@ void number_names(std::vector<Unit>& units) {
     }
 }
 
-/// What no person wrote as a name is cut, with a number made of the whole behind it: names stand in many places.
+/// What no person wrote as a name is cut, with a number made of the whole after it: names stand in many places.
 std::string shortened(std::string name) {
     constexpr size_t kLongest = 1024, kKept = 512;
     if (name.size() <= kLongest) return name;

@@ -27,7 +27,7 @@ public:
     /// The units that a comment on `line` belongs to; `line` never falls from call to call.
     std::vector<uint32_t> owners(uint32_t line) {
         if (const auto [first, end] = tokens_on(line); first < end) return owners_of_tokens(first, end);
-        const uint32_t next = line_behind_comments(line);
+        const uint32_t next = line_after_comments(line);
         const auto less = [&](uint32_t unit, uint32_t at) { return start_of(unit) < at; };
         std::vector<uint32_t> out;
         for (auto at = std::lower_bound(by_start_.begin(), by_start_.end(), next, less);
@@ -64,22 +64,20 @@ private:
             --change[std::min<size_t>(comment.last, file_.lines.size()) + 1];
         }
         // From the last line up, so that each line knows where the comments that it begins end.
-        behind_.assign(file_.lines.size() + 2, 0);
+        after_.assign(file_.lines.size() + 2, 0);
         std::vector<bool> commented(file_.lines.size() + 2, false);
         int32_t depth = 0;
         for (size_t line = 1; line <= file_.lines.size(); ++line) commented[line] = (depth += change[line]) > 0;
-        behind_.back() = static_cast<uint32_t>(file_.lines.size()) + 1;
+        after_.back() = static_cast<uint32_t>(file_.lines.size()) + 1;
         std::vector<bool> coded(file_.lines.size() + 2, false);
         for (const Token& token : file_.lexed.tokens)
             if (token.line < coded.size()) coded[token.line] = true;
         for (size_t line = file_.lines.size(); line >= 1; --line)
-            behind_[line] = commented[line] && !coded[line] ? behind_[line + 1] : static_cast<uint32_t>(line);
+            after_[line] = commented[line] && !coded[line] ? after_[line + 1] : static_cast<uint32_t>(line);
     }
 
-    /// The first line behind `line` that is no comment.
-    uint32_t line_behind_comments(uint32_t line) const {
-        return behind_[std::min<size_t>(line + 1, behind_.size() - 1)];
-    }
+    /// The first line after `line` that is no comment.
+    uint32_t line_after_comments(uint32_t line) const { return after_[std::min<size_t>(line + 1, after_.size() - 1)]; }
 
     TokenRange tokens_on(uint32_t line) const {
         const std::vector<Token>& tokens = file_.lexed.tokens;
@@ -109,12 +107,32 @@ private:
     const ScannedFile& file_;
     std::vector<uint32_t> owner_of_;    ///< of each token, the unit
     std::vector<uint32_t> by_start_;    ///< units by their first line
-    std::vector<uint32_t> behind_;      ///< of each line, itself or the first behind the comments that begin there
+    std::vector<uint32_t> after_;       ///< of each line, itself or the first after the comments that begin there
     std::priority_queue<size_t> open_;  ///< places in by_start_ of units that may be around the line
     size_t next_ = 0;
 };
 
 }  // namespace
+
+void read_suppressions(std::string_view comment, uint32_t line, std::vector<Suppression>& out) {
+    constexpr std::string_view kMark = "porttool: ignore(";
+    constexpr size_t kLongestRule = 128, kLongestReason = 1024;
+    size_t counted = 0;
+    for (size_t at = comment.find(kMark); at != std::string_view::npos; at = comment.find(kMark, at + 1)) {
+        const std::string_view rule = comment.substr(at + kMark.size(), kLongestRule);
+        const size_t close = rule.find(')');
+        if (close == std::string_view::npos) continue;
+        std::string_view reason = comment.substr(at + kMark.size() + close + 1, kLongestReason);
+        reason = reason.substr(0, reason.find('\n'));
+        if (const size_t end = reason.find("*/"); end != std::string_view::npos) reason = reason.substr(0, end);
+        while (!reason.empty() && reason.front() == ' ') reason.remove_prefix(1);
+        while (!reason.empty() && reason.back() == ' ') reason.remove_suffix(1);
+        const std::string_view before = comment.substr(counted, at - counted);
+        line += static_cast<uint32_t>(std::count(before.begin(), before.end(), '\n'));
+        counted = at;
+        out.push_back({std::string(rule.substr(0, close)), std::string(reason), line});
+    }
+}
 
 void attach_suppressions(ScannedFile& file) {
     if (file.lexed.suppressions.empty()) return;

@@ -52,8 +52,8 @@ private:
         const Token& current = lexed_.tokens[token(at_)];
         if (current.kind != TokenKind::Punctuator || current.length != 1) {
             if (current.kind == TokenKind::Identifier && word(at_) == "template" && word(at_ + 1) == "<") {
-                const uint32_t behind = angles_.skip(at_ + 1, std::min(scopes_.back().close, at_ + 1024));
-                if (behind != kNoMatch) at_ = behind - 1;
+                const uint32_t after = angles_.skip(at_ + 1, std::min(scopes_.back().close, at_ + 1024));
+                if (after != kNoMatch) at_ = after - 1;
             }
             ++at_;
             return;
@@ -117,16 +117,16 @@ private:
         next_statement(at_ + 1);
     }
 
-    /// C before prototypes: `int add(a, b) int a; int b; {`. The head goes on behind the semicolon.
+    /// C before prototypes: `int add(a, b) int a; int b; {`. The head goes on after the semicolon.
     bool declares_old_parameters() const {
         if (!traits_of(context_.language).parameters_before_body || assigned_ || at_ >= end_) return false;
         for (uint32_t at = start_; at + 2 < at_; ++at) {
             if (word(at) == "typedef") return false;
             if (word(at) != "(" || structure_.match[at] == kNoMatch) continue;
-            const uint32_t behind = structure_.match[at] + 1;
+            const uint32_t after = structure_.match[at] + 1;
             if (at == start_ || word_is(word(at - 1), kTakesArguments)) return false;
-            return behind + 1 < at_ && lexed_.tokens[token(behind)].kind == TokenKind::Identifier &&
-                   !word_is(word(behind), kTakesArguments) && word(behind + 1) != "(";
+            return after + 1 < at_ && lexed_.tokens[token(after)].kind == TokenKind::Identifier &&
+                   !word_is(word(after), kTakesArguments) && word(after + 1) != "(";
         }
         return false;
     }
@@ -172,8 +172,8 @@ private:
         }
         context_.in_class = scopes_.back().is_class;
         const Head head = read_head(context_, start_, at_);
-        const std::string_view behind = word(close + 1);
-        if (head.kind == HeadKind::Function && initialiser_list_ && (behind == "," || behind == "{") &&
+        const std::string_view after = word(close + 1);
+        if (head.kind == HeadKind::Function && initialiser_list_ && (after == "," || after == "{") &&
             word(at_ - 1) != ")") {
             at_ = close + 1;  // a member's initialiser: y{b}
             return;
@@ -196,14 +196,14 @@ private:
                 add_function(head, close);
                 break;
             case HeadKind::Unknown:
-                skip_block(close, behind);
+                skip_block(close, after);
                 break;
         }
     }
 
     /// `int x{1};` goes on to its semicolon; any other block is stepped over.
-    void skip_block(uint32_t close, std::string_view behind) {
-        if (at_ > start_ && (behind == ";" || behind == ",")) {
+    void skip_block(uint32_t close, std::string_view after) {
+        if (at_ > start_ && (after == ";" || after == ",")) {
             variable_ = true;
             at_ = close + 1;
             return;
@@ -299,7 +299,7 @@ private:
     std::string prefix_;             ///< "A::B::", of the scope at hand
     size_t prefixes_ = 0;            ///< bytes of all names that are scopes
     bool assigned_ = false;          ///< the statement has an initialiser
-    bool initialiser_list_ = false;  ///< ... a colon behind a parameter list
+    bool initialiser_list_ = false;  ///< ... a colon after a parameter list
     bool variable_ = false;          ///< ... a braced initialiser
 };
 
