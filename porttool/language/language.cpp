@@ -43,6 +43,7 @@ constexpr std::array kLanguages = {
                    .literals = kShading,
                    .blocks = kAfterLayout},
     LanguageTraits{.language = Language::Ispc, .name = "ispc", .suffixes = ".ispc .isph", .literals = kShading},
+    LanguageTraits{.language = Language::Osl, .name = "osl", .suffixes = ".osl", .literals = kShading},
     LanguageTraits{.language = Language::Unknown, .name = "unknown", .blocks = kAfterLayout},
 };
 

@@ -8,7 +8,7 @@
 namespace porttool {
 
 /// The dialects that the scanner tells apart. Each has a row in language.cpp, and words of its own in words.cpp.
-enum class Language : uint8_t { C, Cpp, Cuda, Hip, Sycl, OpenCl, Glsl, Hlsl, Metal, Slang, Ispc, Unknown };
+enum class Language : uint8_t { C, Cpp, Cuda, Hip, Sycl, OpenCl, Glsl, Hlsl, Metal, Slang, Ispc, Osl, Unknown };
 
 /// Shading: `1.0` is a float and `abs` is for floats too (GLSL, HLSL, ...), so that no suffix tells one number or
 /// function from another. C: as in C's family.

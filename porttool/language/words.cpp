@@ -138,6 +138,7 @@ constexpr std::array kRows = {
     WordRow{"vertex fragment", kKernel, in(Language::Metal)},
     WordRow{"task", kDropped},
     WordRow{"task export", kKernel, in(Language::Ispc)},
+    WordRow{"shader surface displacement volume light", kKernel, in(Language::Osl)},
 
     // What has no counterpart.
     WordRow{"__host__ __forceinline__ __forceinline __inline__ __inline __noinline__ readonly writeonly coherent "
