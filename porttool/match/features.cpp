@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <unordered_map>
+#include <utility>
 
 #include "porttool/language/words.h"
 #include "porttool/match/words.h"
@@ -34,10 +35,37 @@ std::string_view stage_word(std::string_view path) {
     return {};
 }
 
+/// How often the unit being read has each term.
+class Counts {
+public:
+    void add(Family family, uint32_t id, float amount) {
+        if (id >= amounts_.size()) amounts_.resize(std::max<size_t>(id + 1, 2 * amounts_.size()));
+        if (amounts_[id] == 0) ids_[family].push_back(id);
+        amounts_[id] += amount;
+    }
+
+    const std::vector<uint32_t>& ids(Family family) const { return ids_[family]; }
+
+    /// Hands a family's counts out and forgets them.
+    Bag take(size_t family) {
+        std::vector<uint32_t>& ids = ids_[family];
+        std::sort(ids.begin(), ids.end());
+        Bag bag;
+        bag.reserve(ids.size());
+        for (const uint32_t id : ids) bag.push_back({id, std::exchange(amounts_[id], 0.0f)});
+        ids.clear();
+        return bag;
+    }
+
+private:
+    std::vector<float> amounts_;  ///< by term id; all zero between units
+    std::array<std::vector<uint32_t>, kFamilies> ids_;
+};
+
 class FeatureReader {
 public:
-    FeatureReader(const ScannedFile& file, const Dialect& dialect, TermNumbers& terms)
-        : file_(file), dialect_(dialect), terms_(terms) {}
+    FeatureReader(const ScannedFile& file, const Dialect& dialect, TermNumbers& terms, Counts& counts)
+        : file_(file), dialect_(dialect), terms_(terms), counts_(counts) {}
 
     UnitFeatures read(const Unit& unit) {
         UnitFeatures features;
@@ -47,23 +75,13 @@ public:
         read_place();
         read_parameters(unit, features);
         read_body(unit, features);
-        for (size_t family = 0; family < kFamilies; ++family) {
-            Bag& bag = features.bags[family];
-            bag.reserve(counts_[family].size());
-            for (const auto& [id, count] : counts_[family]) bag.push_back({id, count});
-            std::sort(bag.begin(), bag.end(), [](const Term& a, const Term& b) { return a.id < b.id; });
-            constexpr size_t kFew = 1024;  // to clear a large table takes as long as it is large
-            if (counts_[family].bucket_count() > kFew)
-                counts_[family] = {};
-            else
-                counts_[family].clear();
-        }
+        for (size_t family = 0; family < kFamilies; ++family) features.bags[family] = counts_.take(family);
         return features;
     }
 
 private:
     void count(Family family, std::string_view text, float amount = 1) {
-        counts_[family][terms_.id(family, text)] += amount;
+        counts_.add(family, terms_.id(family, text), amount);
     }
 
     void count_words(Family family, std::string_view name, float amount) {
@@ -107,7 +125,7 @@ private:
             count_words(kPlace, stage, 1);
             features.name_words = {terms_.id(kName, split_words(stage).front())};
         } else {
-            for (const auto& [id, amount] : counts_[kName]) features.name_words.push_back(id);
+            features.name_words = counts_.ids(kName);
             std::sort(features.name_words.begin(), features.name_words.end());
         }
         features.all_words = name_ids({shown, stage});
@@ -209,8 +227,7 @@ private:
         for (size_t i = 0; i + kLength <= shape_.size(); ++i) {
             uint64_t hash = 0;
             for (size_t k = 0; k < kLength; ++k) hash = hash * 0x9E3779B97F4A7C15ull + shape_[i + k];
-            const std::string_view bytes(reinterpret_cast<const char*>(&hash), sizeof hash);
-            count(kShape, bytes);
+            counts_.add(kShape, terms_.shape_id(hash), 1);
         }
     }
 
@@ -230,7 +247,7 @@ private:
     const ScannedFile& file_;
     const Dialect& dialect_;
     TermNumbers& terms_;
-    std::array<std::unordered_map<uint32_t, float>, kFamilies> counts_;
+    Counts& counts_;
     std::vector<uint64_t> shape_;
 };
 
@@ -254,16 +271,23 @@ void drop_common_words(std::vector<UnitFeatures>& units) {
 uint32_t TermNumbers::id(Family family, std::string_view text) {
     key_.assign(1, static_cast<char>(family));
     key_.append(text);
-    const auto [found, added] = ids_.emplace(key_, static_cast<uint32_t>(ids_.size()));
+    const auto [found, added] = ids_.try_emplace(key_, static_cast<uint32_t>(texts_.size()));
     if (added) texts_.push_back(&found->first);
     return found->second;
+}
+
+uint32_t TermNumbers::shape_id(uint64_t hash) {
+    const uint32_t id = shapes_.number(hash, static_cast<uint32_t>(texts_.size()));
+    if (id == texts_.size()) texts_.push_back(nullptr);
+    return id;
 }
 
 std::vector<UnitFeatures> read_features(const std::vector<ScannedFile>& files, const Dialect& dialect,
                                         TermNumbers& terms) {
     std::vector<UnitFeatures> all;
+    Counts counts;
     for (size_t f = 0; f < files.size(); ++f) {
-        FeatureReader reader(files[f], dialect, terms);
+        FeatureReader reader(files[f], dialect, terms, counts);
         for (size_t u = 0; u < files[f].units.size(); ++u) {
             all.push_back(reader.read(files[f].units[u]));
             all.back().file = static_cast<uint32_t>(f);

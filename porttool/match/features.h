@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "porttool/language/dialect.h"
+#include "porttool/match/key_numbers.h"
 #include "porttool/scan/unit.h"
 
 namespace porttool {
@@ -52,12 +53,15 @@ struct UnitFeatures {
 class TermNumbers {
 public:
     uint32_t id(Family family, std::string_view text);
-    size_t size() const { return ids_.size(); }
+    /// A run of tokens, by its hash.
+    uint32_t shape_id(uint64_t hash);
+    size_t size() const { return texts_.size(); }
     std::string_view text(uint32_t id) const { return std::string_view(*texts_[id]).substr(1); }
 
 private:
-    std::unordered_map<std::string, uint32_t> ids_;
-    std::vector<const std::string*> texts_;  ///< the keys of ids_ by id, each after a byte for the family
+    std::unordered_map<std::string, uint32_t> ids_;  ///< of words, each after a byte for the family
+    KeyNumbers shapes_;
+    std::vector<const std::string*> texts_;  ///< the keys of ids_ by id; none for a shape
     std::string key_;
 };
 

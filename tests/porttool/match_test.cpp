@@ -7,7 +7,9 @@
 
 #include <algorithm>
 #include <chrono>
+#include <map>
 
+#include "porttool/match/key_numbers.h"
 #include "porttool/match/words.h"
 #include "porttool/scan/scan.h"
 #include "tests/porttool/fixtures.h"
@@ -36,6 +38,19 @@ TEST(Words, NamesAreSplitAndFolded) {
     EXPECT_EQ(split_words("dequantize_q4_0").front(), split_words("dequantQ4").front());
     EXPECT_EQ(fold("kMaxDepth"), fold("MAX_DEPTH"));
     EXPECT_EQ(file_stem("a/.cuda.cu"), "cuda");
+}
+
+TEST(Words, KeysAreNumberedInTheOrderInWhichTheyCome) {
+    KeyNumbers numbers;
+    std::vector<uint64_t> keys;
+    for (uint64_t i = 0; i < 5000; ++i)
+        for (const uint64_t step : {uint64_t{1}, uint64_t{1} << 32, ~uint64_t{0} / 5000}) keys.push_back(i * step);
+    std::map<uint64_t, uint32_t> expected;
+    for (int round = 0; round < 2; ++round)
+        for (const uint64_t key : keys) {
+            const auto next = static_cast<uint32_t>(expected.size());
+            EXPECT_EQ(numbers.number(key, next), expected.try_emplace(key, next).first->second) << key;
+        }
 }
 
 TEST(Match, AMethodIsTheFunctionOfItsFullName) {
