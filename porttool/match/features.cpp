@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <unordered_map>
 #include <utility>
 
@@ -285,6 +286,8 @@ uint32_t TermNumbers::shape_id(uint64_t hash) {
 std::vector<UnitFeatures> read_features(const std::vector<ScannedFile>& files, const Dialect& dialect,
                                         TermNumbers& terms) {
     std::vector<UnitFeatures> all;
+    all.reserve(std::accumulate(files.begin(), files.end(), size_t{0},
+                                [](size_t count, const ScannedFile& file) { return count + file.units.size(); }));
     Counts counts;
     for (size_t f = 0; f < files.size(); ++f) {
         FeatureReader reader(files[f], dialect, terms, counts);

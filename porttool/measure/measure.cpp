@@ -238,6 +238,17 @@ Similarity measure_shares(const Passage& a, const Passage& b, const Dialect& dia
     return measure_linear(a, b, dialect, parameters, shares);
 }
 
+std::vector<uint32_t> half_shared_lines(const Passage& a, const Passage& b, const Dialect& dialect) {
+    SymbolTable table(dialect);
+    const Sides sides{table.place(a), table.place(b)};
+    const Shares shares = find_shares(table, sides, Vocabulary::Dialect, {});
+    std::vector<uint32_t> out;
+    for (const std::vector<CodeLine>& excerpt : lines_of(b, sides.b, shares.b, shares.covered_b))
+        for (const CodeLine& line : excerpt)
+            if (line.shared) out.push_back(line.line);
+    return out;
+}
+
 Similarity measure(const Passage& a, const Passage& b, const Dialect& dialect, const WinnowingParameters& parameters) {
     Shares shares;
     Similarity out = measure_linear(a, b, dialect, parameters, shares);

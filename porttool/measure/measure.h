@@ -62,6 +62,10 @@ struct Similarity {
 Similarity measure_shares(const Passage& a, const Passage& b, const Dialect& dialect,
                           const metrics::WinnowingParameters& parameters = {});
 
+/// The lines of `b`, ascending, at least half of whose tokens lie in matches with `a`: the shared ones of
+/// measure_shares, for a `b` of one excerpt, without its figures.
+std::vector<uint32_t> half_shared_lines(const Passage& a, const Passage& b, const Dialect& dialect);
+
 /// All figures; those whose cost grows faster than the text are left out, with the reason, where it is too long.
 Similarity measure(const Passage& a, const Passage& b, const Dialect& dialect,
                    const metrics::WinnowingParameters& parameters = {});

@@ -3,6 +3,7 @@
 #include "porttool/normal/statements.h"
 
 #include <algorithm>
+#include <type_traits>
 #include <unordered_map>
 
 #include "porttool/normal/normal_form.h"
@@ -121,7 +122,8 @@ struct Middle {
     size_t head = 0, tail = 0, rows = 0, columns = 0;
 };
 
-Middle middle_of(const std::vector<std::string>& before, const std::vector<std::string>& now) {
+template <class Text>
+Middle middle_of(const std::vector<Text>& before, const std::vector<Text>& now) {
     Middle out;
     const size_t least = std::min(before.size(), now.size());
     while (out.head < least && before[out.head] == now[out.head]) ++out.head;
@@ -136,9 +138,10 @@ Middle middle_of(const std::vector<std::string>& before, const std::vector<std::
 /// part in the table, so that its size is that of what they share.
 class Aligner {
 public:
-    Aligner(const std::vector<std::string>& before, const std::vector<std::string>& now, const Middle& middle)
-        : head_(middle.head) {
-        std::unordered_map<std::string_view, Found> words;
+    template <class Text>
+    Aligner(const std::vector<Text>& before, const std::vector<Text>& now, const Middle& middle) : head_(middle.head) {
+        using Key = std::conditional_t<std::is_same_v<Text, std::string>, std::string_view, Text>;
+        std::unordered_map<Key, Found> words;
         for (size_t i = 0; i < middle.rows; ++i) {
             Found& found = words.try_emplace(before[head_ + i], Found{words.size(), false}).first->second;
             rows_.push_back({found.number, false});
@@ -234,15 +237,24 @@ private:
     size_t reach_ = 0, width_ = 0;  ///< how far left of the diagonal a row begins, and its length
 };
 
-}  // namespace
-
-std::vector<DiffStep> diff(const std::vector<std::string>& before, const std::vector<std::string>& now) {
+template <class Text>
+std::vector<DiffStep> diff_of(const std::vector<Text>& before, const std::vector<Text>& now) {
     const Middle middle = middle_of(before, now);
     std::vector<DiffStep> steps;
     for (size_t i = 0; i < middle.head; ++i) steps.push_back({DiffStep::Keep, i, i});
     if (middle.rows > 0 || middle.columns > 0) Aligner(before, now, middle).run(steps);
     for (size_t t = middle.tail; t > 0; --t) steps.push_back({DiffStep::Keep, before.size() - t, now.size() - t});
     return steps;
+}
+
+}  // namespace
+
+std::vector<DiffStep> diff(const std::vector<std::string>& before, const std::vector<std::string>& now) {
+    return diff_of(before, now);
+}
+
+std::vector<DiffStep> diff(const std::vector<uint32_t>& before, const std::vector<uint32_t>& now) {
+    return diff_of(before, now);
 }
 
 }  // namespace porttool

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
@@ -47,5 +48,8 @@ struct DiffStep {
 /// The longest common subsequence of two lists of texts as steps. Very long lists are compared only between their equal
 /// ends, as one replacement.
 std::vector<DiffStep> diff(const std::vector<std::string>& before, const std::vector<std::string>& now);
+
+/// The same of texts that are known by numbers.
+std::vector<DiffStep> diff(const std::vector<uint32_t>& before, const std::vector<uint32_t>& now);
 
 }  // namespace porttool

@@ -100,7 +100,7 @@ std::optional<metrics::Figure> degree_of_edit(const PortedEdit& edit, const metr
     return metrics::degree_from_lines(edit.carried, weights);
 }
 
-std::string effort_table(const EffortReport& report) {
+std::string effort_table(const RangeEffort& report) {
     const PortEffort& effort = report.effort;
     std::string out =
         fmt::format("{}..{}: {} commits, {} to {}\n", report.from.id.substr(0, kShortId),
@@ -134,7 +134,7 @@ std::string effort_table(const EffortReport& report) {
     return out;
 }
 
-std::string effort_json(const EffortReport& report) {
+std::string effort_json(const RangeEffort& report) {
     const PortEffort& effort = report.effort;
     ordered_json pairs = ordered_json::array();
     for (const PairEffort& pair : effort.pairs) {
@@ -162,7 +162,7 @@ std::string effort_json(const EffortReport& report) {
     return json_text(out, 1) + "\n";
 }
 
-std::string effort_csv(const EffortReport& report) {
+std::string effort_csv(const RangeEffort& report) {
     std::string out =
         "kind,source,target,source_added,source_removed,target_added,target_removed,novel_lines,carried_over,"
         "edit_similarity,degree_of_portability_lines,low,high\n";
@@ -175,7 +175,7 @@ std::string effort_csv(const EffortReport& report) {
     return out + csv_line("total", "", "", report.effort.totals, report.weights);
 }
 
-std::string effort_toml(const EffortReport& report) {
+std::string effort_toml(const RangeEffort& report) {
     const PortedEdit& totals = report.effort.totals;
     return fmt::format(
         "[[effort]]\nwhat = {}\nfrom = \"{}\"\nto = \"{}\"\nlines = {}\nnovel = {}\n"

@@ -1,6 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The porttool authors
 // SPDX-License-Identifier: Apache-2.0
 // porttool effort: what porting a range of commits cost, with figures counted by hand.
+#include <map>
+#include <random>
+#include <set>
+
+#include "porttool/effort/word_numbers.h"
+#include "porttool/normal/normal_form.h"
+#include "porttool/normal/statements.h"
 #include "tests/porttool/temporary_repository.h"
 
 namespace porttool::testing {
@@ -97,6 +104,54 @@ TEST_F(Effort, CommentsAndBlanksAreNoLines) {
     EXPECT_EQ(report["totals"]["source_added"], 0);
     EXPECT_EQ(report["pairs"].size(), 0u);
     EXPECT_NE(porttool({"effort", "--from", "HEAD~1"}).out.find("no line of code changed"), std::string::npos);
+}
+
+TEST_F(Effort, TheWordsOfAVeryLongLineAllCount) {
+    const auto line = [](const std::string& last) {
+        std::string text = "  c = c";
+        for (int i = 0; i < 50'000; ++i) text += " + a";
+        for (int i = 0; i < 10'000; ++i) text += " + " + last;
+        return text + ";\n  return";
+    };
+    write("src/k.cu", replaced(kSource, "  return", line("y")));
+    write("port/k.comp", replaced(kTarget, "  return", line("z")));
+    commit("Long", 2);
+    const nlohmann::json report = json({"effort", "--from", "HEAD~1"});
+    constexpr double kWords = 3 + 2 * 60'000, kCommon = kWords - 10'000;
+    EXPECT_NEAR(report["totals"]["edit_similarity"].get<double>(), kCommon / kWords, 1e-6);
+}
+
+TEST(EffortWords, AreThoseOfStatementsInTheCommonVocabulary) {
+    const std::vector<std::string> words = {
+        "a", "Aa_", "vec3", "float3", "1.0f", "0x10", "::",         "::", "(", ")", "{",
+        "}", ";",   "if",   "for",    "+",    ".5",   "__device__", "n",  "%", ","};
+    const Dialect dialect;
+    WordNumbers numbers(dialect);
+    SequenceNumbers texts;
+    std::map<std::vector<std::string>, uint32_t> expected;
+    std::mt19937 random(1);
+    for (int round = 0; round < 3000; ++round) {
+        std::vector<std::string> tokens(random() % 12);
+        Words text, common;
+        for (std::string& token : tokens) {
+            const std::string& written = words[random() % words.size()];
+            const bool number = written[0] == '.' || (written[0] >= '0' && written[0] <= '9');
+            token = number ? normal_number(written) : written;
+            text.push_back(numbers.word(written, number ? TokenKind::Number : TokenKind::Identifier));
+        }
+        std::vector<std::string> said;
+        for (const Statement& statement : split_statements(tokens, dialect))
+            said.insert(said.end(), statement.common.begin(), statement.common.end());
+        numbers.append_common(text, common);
+        EXPECT_EQ(common.size(), said.size());
+        const uint32_t number = texts.number(common);
+        EXPECT_EQ(number == 0, said.empty());
+        if (!said.empty()) {
+            EXPECT_EQ(expected.try_emplace(said, number).first->second, number);
+        }
+    }
+    std::set<uint32_t> distinct;
+    for (const auto& [said, number] : expected) EXPECT_TRUE(distinct.insert(number).second);
 }
 
 TEST_F(Effort, CodeOutsidePairsIsCountedOnce) {

@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/effort/ledger.h"
+
+#include <map>
+
+#include "metrics/portability/port_fit.h"
+
+namespace porttool {
+namespace {
+
+bool names(const Past& past, const std::string& revision, const GitCommit& commit) {
+    if (revision.empty()) return false;
+    const auto found = past.git->commit(revision);
+    return found && found->id == commit.id;
+}
+
+/// Degrees of portability from the hours of port and redevelopment: of this change, of all entries and by block.
+void add_degrees(const Past& past, const std::vector<MapEffort>& ledger, RangeEffort& range) {
+    std::vector<metrics::RecordedCost> all, own;
+    std::map<std::string, std::vector<metrics::RecordedCost>> blocks;
+    for (const MapEffort& entry : ledger) {
+        if (!entry.port || !entry.redevelopment) continue;
+        all.push_back({*entry.port, *entry.redevelopment, entry.uncertainty});
+        if (!entry.block.empty()) blocks[entry.block].push_back(all.back());
+        if (names(past, entry.from, range.from) && names(past, entry.to, range.to)) own.push_back(all.back());
+    }
+    if (const auto degree = metrics::degree_from_hours(own))
+        range.degrees.push_back(*degree);
+    else
+        range.missing.emplace_back(
+            "hours: no [[effort]] in portmap.toml has these two commits with hours of port and "
+            "redevelopment; porttool effort --format toml writes its lines");
+    range.ledger_degree = metrics::degree_from_hours(all);
+    for (const auto& [block, records] : blocks)
+        if (const auto degree = metrics::degree_from_hours(records)) range.ledger_blocks.emplace_back(block, *degree);
+}
+
+/// The hours of this port as the recorded ones predict them, and the degree that follows.
+void add_prediction(const std::vector<MapEffort>& ledger, RangeEffort& range) {
+    std::vector<metrics::RecordedPort> ports;
+    double anew_hours = 0, anew_lines = 0;
+    for (const MapEffort& entry : ledger) {
+        if (entry.port && entry.lines && entry.novel)
+            ports.push_back({*entry.novel, *entry.lines - *entry.novel, entry.port->total()});
+        if (entry.redevelopment && entry.lines) {
+            anew_hours += entry.redevelopment->total();
+            anew_lines += *entry.lines;
+        }
+    }
+    const metrics::PortFit fit = metrics::fit_ports(ports);
+    if (!fit.fit) {
+        range.missing.push_back("Hakuta and Ohminami: " + fit.refusal);
+        return;
+    }
+    const PortedEdit& totals = range.effort.totals;
+    range.hours = metrics::predicted_hours(fit, static_cast<double>(totals.novel()), totals.carried.shared);
+    const double rate = anew_lines > 0 ? anew_hours / anew_lines : 0;
+    if (const auto degree = metrics::degree_from_prediction(*range.hours, rate * totals.carried.lines))
+        range.degrees.push_back(*degree);
+}
+
+}  // namespace
+
+void add_ledger(const Past& past, const std::vector<MapEffort>& ledger, RangeEffort& range) {
+    add_degrees(past, ledger, range);
+    add_prediction(ledger, range);
+}
+
+}  // namespace porttool

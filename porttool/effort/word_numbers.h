@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "porttool/language/dialect.h"
+#include "porttool/scan/token.h"
+
+namespace porttool {
+
+/// Words as numbers, in the order in which they come.
+using Words = std::vector<uint32_t>;
+
+/// A number for each sequence of words, the same for the same sequence; 0 for the empty one.
+class SequenceNumbers {
+public:
+    uint32_t number(std::span<const uint32_t> words);
+
+private:
+    std::unordered_map<std::string, uint32_t> numbers_;
+    std::string key_;
+};
+
+/// The words of a change as numbers: a word costs four bytes wherever it stands, and words and lines are compared by
+/// number. The texts must outlive it.
+class WordNumbers {
+public:
+    explicit WordNumbers(const Dialect& dialect) : dialect_(dialect) {}
+
+    /// The number of a token as it is written, numbers in one spelling.
+    uint32_t word(std::string_view text, TokenKind kind);
+
+    /// Appends what a text says in the common vocabulary, as split_statements() has it: without semicolons and opening
+    /// braces, scopes and what has no counterpart elsewhere.
+    void append_common(std::span<const uint32_t> text, Words& out) const;
+
+    /// The common word `}`: where a block ends says little about what a text says.
+    uint32_t closing_brace();
+
+private:
+    enum class Mark : uint8_t { None, OpenParen, CloseParen, Semicolon, OpenBrace, CloseBrace, Scope };
+    struct Word {
+        uint32_t common = kNone;  ///< kNone: no counterpart
+        Mark mark = Mark::None;
+        bool is_name = false;
+    };
+    static constexpr uint32_t kNone = 0xFFFFFFFFu;
+
+    static Mark mark_of(std::string_view text);
+    uint32_t common(const std::string& text);
+
+    const Dialect& dialect_;
+    std::unordered_map<std::string_view, uint32_t> as_written_;  ///< tokens, as indices into words_
+    std::unordered_map<std::string, uint32_t> in_one_spelling_;
+    std::unordered_map<std::string, uint32_t> common_;
+    std::vector<Word> words_;
+};
+
+}  // namespace porttool
