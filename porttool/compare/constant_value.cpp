@@ -374,9 +374,8 @@ std::string evaluate_constant(const std::vector<std::string>& tokens, const Dial
     return value ? value->text() : std::string();
 }
 
-ComparedValues compare_values_of(const UnitState& source, const UnitState& target, const Dialect& dialect) {
-    const Words left = read_state_text(source.text), right = read_state_text(target.text);
-    if (source.kind == UnitKind::Struct) return compare_structs(left, right, dialect);
+ComparedValues compare_values(UnitKind kind, const Words& left, const Words& right, const Dialect& dialect) {
+    if (kind == UnitKind::Struct) return compare_structs(left, right, dialect);
     const auto value_of = [&](const Words& tokens) {
         Words words = value_words(tokens);
         const Type type = declared_type(tokens, dialect);

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "porttool/language/dialect.h"
-#include "porttool/normal/unit_state.h"
+#include "porttool/scan/unit.h"
 
 namespace porttool {
 
@@ -17,8 +17,9 @@ struct ComparedValues {
     std::string says;      ///< what each side has, as written; for a message
 };
 
-/// Compares two units of the same kind, constant or struct.
-ComparedValues compare_values_of(const UnitState& source, const UnitState& target, const Dialect& dialect);
+/// Compares two units of the same kind, constant or struct, by their tokens in normal form.
+ComparedValues compare_values(UnitKind kind, const std::vector<std::string>& source,
+                              const std::vector<std::string>& target, const Dialect& dialect);
 
 /// The value of a constant expression in tokens of normal form, in a spelling that is the same for all that write it:
 /// integers and reals with + - * / % << >> & | ^ ~, parentheses, casts and constructors of built-in types, and lists in

@@ -189,8 +189,6 @@ EditComparison compare_as_named(const PairTexts& texts, const Dialect& dialect, 
     const StatementEdit source = statement_edit(texts.source_before, texts.source_now, translator(Meaning::Source));
     const StatementEdit target = statement_edit(texts.target_before, texts.target_now, translator(Meaning::Target));
     EditComparison out;
-    out.source = shown(source);
-    out.target = shown(target);
     const bool same_counts = source.gained.size() == target.gained.size() && source.lost.size() == target.lost.size();
     const bool same_statements = chosen_keys(source.now, source.gained) == chosen_keys(target.now, target.gained) &&
                                  chosen_keys(source.before, source.lost) == chosen_keys(target.before, target.lost);
@@ -217,19 +215,15 @@ Edit edit_of(const std::vector<std::string>& before, const std::vector<std::stri
     return shown(statement_edit(before, now, as_written));
 }
 
-EditComparison compare_edits(const std::vector<std::string>& source_before, const std::vector<std::string>& source_now,
-                             const std::vector<std::string>& target_before, const std::vector<std::string>& target_now,
-                             const Dialect& dialect, Literals literals) {
-    EditComparison out = compare_as_named({source_before, source_now, target_before, target_now}, dialect, literals);
+EditComparison compare_edits(const PairTexts& texts, const Dialect& dialect, Literals literals) {
+    EditComparison out = compare_as_named(texts, dialect, literals);
     if (out.equivalent) return out;
-    const auto source = with_old_names(source_before, source_now, dialect);
-    const auto target = with_new_names_of_source(source_before, source, target_before,
-                                                 with_old_names(target_before, target_now, dialect), dialect);
-    if (source == source_now && target == target_now) return out;
-    EditComparison renamed = compare_as_named({source_before, source, target_before, target}, dialect, literals);
-    out.equivalent = renamed.equivalent;
-    out.differences = std::move(renamed.differences);
-    return out;
+    const auto source = with_old_names(texts.source_before, texts.source_now, dialect);
+    const auto target =
+        with_new_names_of_source(texts.source_before, source, texts.target_before,
+                                 with_old_names(texts.target_before, texts.target_now, dialect), dialect);
+    if (source == texts.source_now && target == texts.target_now) return out;
+    return compare_as_named({texts.source_before, source, texts.target_before, target}, dialect, literals);
 }
 
 std::string value_in_common_words(const std::vector<std::string>& tokens, const Dialect& dialect, bool is_struct) {

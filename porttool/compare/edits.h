@@ -25,7 +25,6 @@ struct Edit {
 /// Two edits of one pair held against each other after translation into one vocabulary.
 struct EditComparison {
     bool equivalent = false;
-    Edit source, target;                   ///< what each side did
     std::vector<std::string> differences;  ///< sentences: what is missing on which side
 };
 
@@ -33,9 +32,7 @@ struct EditComparison {
 /// may have been renamed on either side, and those that are new may have another name on each. Edits are equivalent if
 /// they lost and gained the same statements, or the same words in statements that stand for each other, in the same
 /// places: blocks and neighbours count.
-EditComparison compare_edits(const std::vector<std::string>& source_before, const std::vector<std::string>& source_now,
-                             const std::vector<std::string>& target_before, const std::vector<std::string>& target_now,
-                             const Dialect& dialect, Literals literals = Literals::Shading);
+EditComparison compare_edits(const PairTexts& texts, const Dialect& dialect, Literals literals);
 
 /// What changed between two texts.
 Edit edit_of(const std::vector<std::string>& before, const std::vector<std::string>& now);

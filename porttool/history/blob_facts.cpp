@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <sstream>
 
-#include "porttool/compare/edits.h"
 #include "porttool/measure/code_lines.h"
 #include "porttool/normal/statements.h"
 #include "porttool/scan/scan.h"
@@ -103,22 +102,17 @@ BlobFacts blob_facts(const ScannedFile& file) {
     return facts;
 }
 
-EditFacts edit_facts(const EditTexts& texts, ByValue by_value, const Dialect& dialect) {
+EditFacts edit_facts(const BySide<PairedUnit>& pair, const Dialect& dialect, CompareBudget& budget) {
+    const PairComparison found = compare_pair(pair, dialect, budget);
+    const SideEdit source = side_edit(pair.source.before, pair.source.now, dialect),
+                   target = side_edit(pair.target.before, pair.target.now, dialect);
     EditFacts facts;
-    const SideEdit source = side_edit(texts.source_before, texts.source_now, dialect),
-                   target = side_edit(texts.target_before, texts.target_now, dialect);
+    facts.in_step = found.standing == Standing::InStep || found.standing == Standing::Equivalent;
+    facts.similarity = overlap(source.changed, target.changed);
     facts.source_size = source.size;
     facts.target_size = target.size;
-    facts.similarity = overlap(source.changed, target.changed);
-    const std::vector<std::string> source_now = read_state_text(texts.source_now),
-                                   target_now = read_state_text(texts.target_now);
-    if (by_value != ByValue::No)
-        facts.equivalent = value_in_common_words(source_now, dialect, by_value == ByValue::Struct) ==
-                           value_in_common_words(target_now, dialect, by_value == ByValue::Struct);
-    else if (source.size > 0 && target.size > 0)
-        facts.equivalent = compare_edits(read_state_text(texts.source_before), source_now,
-                                         read_state_text(texts.target_before), target_now, dialect)
-                               .equivalent;
+    facts.size = found.size;
+    facts.refused = !found.not_compared.empty();
     return facts;
 }
 
@@ -152,13 +146,15 @@ std::optional<BlobFacts> read_blob_facts(const std::string& line) {
 }
 
 std::string facts_line(const EditFacts& facts) {
-    return fmt::format("{} {} {} {}", facts.equivalent ? 1 : 0, facts.similarity, facts.source_size, facts.target_size);
+    return fmt::format("{} {} {} {} {} {}", facts.in_step ? 1 : 0, facts.similarity, facts.source_size,
+                       facts.target_size, facts.size.longest, facts.size.sum);
 }
 
 std::optional<EditFacts> read_edit_facts(const std::string& line) {
     EditFacts facts;
     std::istringstream stream(line);
-    if (!(stream >> facts.equivalent >> facts.similarity >> facts.source_size >> facts.target_size))
+    if (!(stream >> facts.in_step >> facts.similarity >> facts.source_size >> facts.target_size >> facts.size.longest >>
+          facts.size.sum))
         return std::nullopt;
     return facts;
 }

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "porttool/compare/compare_pair.h"
 #include "porttool/language/dialect.h"
 #include "porttool/normal/unit_state.h"
 
@@ -32,17 +33,15 @@ BlobFacts blob_facts(const ScannedFile& file);
 
 /// What the edits of the two sides of a pair are worth, to tell whether the port followed.
 struct EditFacts {
-    bool equivalent = false;
+    bool in_step = false;
     double similarity = 0;                      ///< of the tokens that changed, 0 to 1; 0 where one side changed none
     uint32_t source_size = 0, target_size = 0;  ///< lines gained and lost, one statement a line
+    CompareSize size;                           ///< of the texts that were compared
+    bool refused = false;                       ///< the budget left them uncompared, and they count as out of step
 };
 
-/// Compares texts as portmap.base/ keeps them. `by_value`: for constants and structs, whose values count.
-enum class ByValue : uint8_t { No, Constant, Struct };
-struct EditTexts {
-    std::string source_before, source_now, target_before, target_now;
-};
-EditFacts edit_facts(const EditTexts& texts, ByValue by_value, const Dialect& dialect);
+/// Judges a pair as `check` does, and measures its edits. The texts before are needed of both sides.
+EditFacts edit_facts(const BySide<PairedUnit>& pair, const Dialect& dialect, CompareBudget& budget);
 
 /// One line of text for a cache, and back; nothing if the text has not that form.
 std::string facts_line(const BlobFacts& facts);

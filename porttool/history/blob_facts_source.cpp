@@ -4,15 +4,23 @@
 
 #include <algorithm>
 
+#include "porttool/language/language.h"
+#include "porttool/read/lock_file.h"
+#include "porttool/read/lock_upgrade.h"
 #include "porttool/read/source_files.h"
 #include "porttool/scan/scan.h"
 
 namespace porttool {
 namespace {
 
-ByValue by_value(const UnitFacts& source, const UnitFacts& target) {
-    if (source.kind == UnitKind::Constant && target.kind == UnitKind::Constant) return ByValue::Constant;
-    return source.kind == UnitKind::Struct && target.kind == UnitKind::Struct ? ByValue::Struct : ByValue::No;
+Language language_of_id(std::string_view id) { return language_of_path(split_id(std::string(id)).first); }
+
+/// All that the judgement of one side rests on.
+std::string key_of(const BlobFactsSource::UnitInTime& unit) {
+    std::string key;
+    for (const Fingerprints* prints : {&unit.before, &unit.now.prints})
+        key += prints->written + " " + prints->renamed + " " + prints->blanked + " ";
+    return key + std::string(unit_kind_name(unit.now.kind)) + " " + std::string(language_name(language_of_id(unit.id)));
 }
 
 }  // namespace
@@ -70,23 +78,29 @@ const std::string& BlobFactsSource::text_of(const std::string& print, const Base
     const auto place = places_.find(print);
     if (place != places_.end()) return texts_.emplace(print, text_at(place->second)).first->second;
     const std::string blob = base_blob(print);
-    return texts_.emplace(print, blob.empty() ? std::string() : read_blob(past_, "portmap.base/" + print, blob))
-        .first->second;
+    std::string text = blob.empty() ? std::string() : read_blob(past_, "portmap.base/" + print, blob);
+    if (!is_text_of(text, print, kNormalForm)) text.clear();
+    return texts_.emplace(print, std::move(text)).first->second;
 }
 
-EditFacts BlobFactsSource::edits(const Fingerprints& source_before, const UnitFacts& source_now,
-                                 const Fingerprints& target_before, const UnitFacts& target_now,
-                                 const BaseBlob& base_blob) {
-    const ByValue value = by_value(source_now, target_now);
-    const std::string key =
-        BlobCache::key({"changed tokens", source_before.written, source_now.prints.written, target_before.written,
-                        target_now.prints.written, std::to_string(static_cast<int>(value)), dialect_key_});
+EditFacts BlobFactsSource::edits(const BySide<UnitInTime>& pair, const BaseBlob& base_blob, CompareBudget& budget) {
+    const std::string key = BlobCache::key({"pair", key_of(pair.source), key_of(pair.target), dialect_key_});
     if (const std::string* line = cache_.find(key))
-        if (const auto facts = read_edit_facts(*line)) return *facts;
-    const EditTexts texts{text_of(source_before.written, base_blob), text_of(source_now.prints.written, base_blob),
-                          text_of(target_before.written, base_blob), text_of(target_now.prints.written, base_blob)};
-    const EditFacts facts = edit_facts(texts, value, dialect_);
-    cache_.put(key, facts_line(facts));
+        if (auto facts = read_edit_facts(*line)) {
+            facts->refused = !budget.refusal({pair.source.id, pair.target.id}, facts->size).empty();
+            return *facts;
+        }
+    const auto paired = [&](const UnitInTime& unit) {
+        return PairedUnit{unit.id,
+                          unit.now.kind,
+                          language_of_id(unit.id),
+                          unit.before,
+                          unit.now.prints,
+                          text_of(unit.before.written, base_blob),
+                          text_of(unit.now.prints.written, base_blob)};
+    };
+    const EditFacts facts = edit_facts({paired(pair.source), paired(pair.target)}, dialect_, budget);
+    if (!facts.refused) cache_.put(key, facts_line(facts));
     return facts;
 }
 

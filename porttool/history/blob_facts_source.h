@@ -35,10 +35,15 @@ public:
     /// A file as a whole, for as long as no other version of it is asked for.
     const ScannedFile& scanned(const FileVersion& file);
 
-    /// Compares edits by the prints of the four texts. `base_blob` gives the blob of portmap.base/PRINT, or "".
+    /// A unit of a pair, by the prints of its texts: when last in step, and now.
+    struct UnitInTime {
+        std::string_view id;
+        const Fingerprints& before;
+        const UnitFacts& now;
+    };
+    /// Judges a pair. `base_blob` gives the blob of portmap.base/PRINT, or "".
     using BaseBlob = std::function<std::string(const std::string& print)>;
-    EditFacts edits(const Fingerprints& source_before, const UnitFacts& source_now, const Fingerprints& target_before,
-                    const UnitFacts& target_now, const BaseBlob& base_blob);
+    EditFacts edits(const BySide<UnitInTime>& pair, const BaseBlob& base_blob, CompareBudget& budget);
 
 private:
     struct UnitPlace {

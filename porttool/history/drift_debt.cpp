@@ -4,8 +4,6 @@
 
 #include <algorithm>
 
-#include "porttool/compare/edits.h"
-
 namespace porttool {
 namespace {
 
@@ -30,16 +28,16 @@ void DriftReplay::update(const PairId& id, const PairNow& now, int64_t time) {
         return;
     }
     const bool locked = now.locked_source != nullptr && now.locked_target != nullptr;
-    Base& base = bases_.try_emplace(id, Base{now.source->prints, now.target->prints}).first->second;
+    const BySide<const UnitFacts*> units{now.source, now.target};
+    auto& base = bases_.try_emplace(id, BySide<Fingerprints>{now.source->prints, now.target->prints}).first->second;
     if (locked) base = {*now.locked_source, *now.locked_target};
-    const bool source_changed = classify(base.source, now.source->prints) > Change::Cosmetic;
-    const bool target_changed = classify(base.target, now.target->prints) > Change::Cosmetic;
-    bool in_step = !source_changed && !target_changed;
+    const auto changed = [&](Side side) { return is_edit(classify(base[side], units[side]->prints)); };
+    bool in_step = !changed(Side::Source) && !changed(Side::Target);
     EditFacts edits;
     if (!in_step) {
-        edits = compare_(base.source, *now.source, base.target, *now.target);
-        const bool followed = !locked && source_changed && target_changed && edits.similarity >= kAlike;
-        in_step = edits.equivalent || followed;
+        edits = compare_(id, base, units);
+        const bool followed = !locked && changed(Side::Source) && changed(Side::Target) && edits.similarity >= kAlike;
+        in_step = (edits.in_step && !edits.refused) || followed;
     }
     if (in_step && !locked) base = {now.source->prints, now.target->prints};
     if (in_step || now.ignored) {

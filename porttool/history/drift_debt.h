@@ -34,16 +34,21 @@ struct OpenPair {
 };
 
 /// Follows all pairs through history, commit by commit, to tell which are open. A pair is open from the commit in which
-/// one of its sides differs from when both were last in step by more than the names of locals and parameters, until the
-/// commit in which both sides' edits are equivalent, the texts are again what they were, or the lock says so. Where
-/// there is no lock, edits of both sides that resemble each other by half or more close it, too, and the first sight of
-/// a pair counts as in step. Where the port was removed and its source is still there, the pair is open with all of the
-/// source's lines.
+/// it is out of step, as compare_pair() judges it for `check` as well, until one in which it is in step again or the
+/// lock says so. On purpose this differs from the findings of `check`:
+/// - where a commit has no lock, edits of both sides that resemble each other by half or more close a pair, too, since
+///   nobody accepts ports there that are free;
+/// - the first sight of a pair that no lock knows counts as in step, where `check` asks for a first acceptance;
+/// - of the ledger only 'ignore' settles debt: what is deferred is still owed. Neither comments in the code nor [rules]
+///   nor compilers (`check --spirv`) are asked;
+/// - a text that portmap.base/ has lost may still be known from an earlier commit;
+/// - the budget of comparing is a commit's, and counts only the pairs that the commit touched;
+/// - where the port was removed and its source is still there, the pair is open with all of the source's lines.
 class DriftReplay {
 public:
-    /// Compares the edits from the first and third texts to the second and fourth, given by their prints.
-    using CompareEdits = std::function<EditFacts(const Fingerprints& source_before, const UnitFacts& source_now,
-                                                 const Fingerprints& target_before, const UnitFacts& target_now)>;
+    /// Judges a pair by the prints of its texts when last in step, and now.
+    using CompareEdits = std::function<EditFacts(const PairId& id, const BySide<Fingerprints>& before,
+                                                 const BySide<const UnitFacts*>& now)>;
     explicit DriftReplay(CompareEdits compare) : compare_(std::move(compare)) {}
 
     /// Takes in what a commit did to a pair. `time`: of the commit.
@@ -56,11 +61,8 @@ public:
     size_t open_count() const { return open_.size(); }
 
 private:
-    struct Base {
-        Fingerprints source, target;
-    };
     CompareEdits compare_;
-    std::map<PairId, Base> bases_;
+    std::map<PairId, BySide<Fingerprints>> bases_;
     std::map<PairId, OpenPair> open_;
 };
 

@@ -27,13 +27,14 @@ public:
           place_(place),
           blobs_(past, cache),
           measurer_(cache),
-          drift_([this](const Fingerprints& source_before, const UnitFacts& source_now,
-                        const Fingerprints& target_before, const UnitFacts& target_now) {
+          drift_([this](const PairId& id, const BySide<Fingerprints>& before, const BySide<const UnitFacts*>& now) {
               return blobs_.edits(
-                  source_before, source_now, target_before, target_now, [this](const std::string& print) {
+                  {{id.first, before.source, *now.source}, {id.second, before.target, *now.target}},
+                  [this](const std::string& print) {
                       const auto renewed = renewed_.find(print);
                       return renewed != renewed_.end() ? renewed->second : blob_at("portmap.base/" + print);
-                  });
+                  },
+                  budget_);
           }) {
         if (past.has_map_today) use_map(past.map_today, past.map_name);
     }
@@ -214,6 +215,7 @@ private:
     }
 
     void update_drift(bool all, const Paths& touched, int64_t time) {
+        budget_ = CompareBudget();
         for (const PairPlan& pair : pairs_)
             if (all || touched.contains(pair.source_path) || touched.contains(pair.target_path) ||
                 relocked_.contains(pair.id))
@@ -241,6 +243,7 @@ private:
     Workplace& place_;
     BlobFactsSource blobs_;
     PassageMeasurer measurer_;
+    CompareBudget budget_;  ///< of the commit
     DriftReplay drift_;
     std::map<std::string, std::string> tree_;  ///< all files of the commit: path to blob
     bool has_map_ = false, fresh_ = true;

@@ -7,8 +7,7 @@
 #include <tuple>
 #include <unordered_set>
 
-#include "porttool/compare/compare_budget.h"
-#include "porttool/compare/constant_value.h"
+#include "porttool/compare/compare_pair.h"
 #include "porttool/judge/baseline_index.h"
 #include "porttool/judge/lock_index.h"
 #include "porttool/judge/resolve.h"
@@ -22,14 +21,7 @@
 namespace porttool {
 namespace {
 
-std::vector<std::string> words_of(const UnitState& unit) { return read_state_text(unit.text); }
-
 ChangeKind kind_of(Change change) { return change == Change::Constant ? ChangeKind::Constant : ChangeKind::Semantic; }
-
-/// The changed sides' texts when they were last in step; "" where there is none.
-struct BaseTexts {
-    std::string source, target;
-};
 
 class Judge {
 public:
@@ -209,47 +201,51 @@ private:
                              argument(pair.map_source + "=" + pair.map_target, finding);
             return;
         }
-        compare_pair(pair, *lock);
+        compare(pair, *lock);
     }
 
-    void compare_pair(JudgedPair& pair, const LockedPair& lock) {
+    void compare(JudgedPair& pair, const LockedPair& lock) {
         const Change source = classify(lock.source_prints, pair.source->prints);
         const Change target = classify(lock.target_prints, pair.target->prints);
-        const bool source_changed = source > Change::Cosmetic, target_changed = target > Change::Cosmetic;
         pair.changed = source != Change::None || target != Change::None;
-        pair.equivalent = pair.changed && !source_changed && !target_changed;
-        if (!source_changed && !target_changed) return;
-        const BaseTexts base{source_changed ? facts_.base_text(lock.source_prints.written) : std::string(),
-                             target_changed ? facts_.base_text(lock.target_prints.written) : std::string()};
-        if (const std::string why = budget_.refusal(*pair.source, *pair.target, base.source, base.target); !why.empty())
-            return report_unread(pair, source, target, why);
-        const bool constants = pair.source->kind == UnitKind::Constant && pair.target->kind == UnitKind::Constant;
-        const bool structs = pair.source->kind == UnitKind::Struct && pair.target->kind == UnitKind::Struct;
-        const bool both = source_changed && target_changed;
-        Edit edit;
-        if (source_changed && !base.source.empty())
-            edit = edit_of(read_state_text(base.source), words_of(*pair.source));
-        if (source_changed) note_hazards(pair, edit);
-        if ((constants || structs) && compare_values(pair, structs, source_changed ? source : target, both)) return;
-        if (both) return compare_both(pair, base, std::max(source, target));
-        if (target_changed && !base.target.empty())
-            edit = edit_of(read_state_text(base.target), words_of(*pair.target));
-        report_one(pair, source_changed ? base.source : base.target, edit, source_changed,
-                   source_changed ? source : target);
+        pair.equivalent = pair.changed;
+        if (!is_edit(source) && !is_edit(target)) return;
+        const BySide<std::string> before{is_edit(source) ? facts_.base_text(lock.source_prints.written) : "",
+                                         is_edit(target) ? facts_.base_text(lock.target_prints.written) : ""};
+        const auto paired = [](const UnitState& unit, const Fingerprints& recorded, const std::string& text) {
+            return PairedUnit{unit.id, unit.kind, language_of_path(unit.file), recorded, unit.prints, text, unit.text};
+        };
+        const PairComparison found = compare_pair({paired(*pair.source, lock.source_prints, before.source),
+                                                   paired(*pair.target, lock.target_prints, before.target)},
+                                                  dialect_, budget_);
+        pair.equivalent = found.standing == Standing::Equivalent;
+        note_hazards(pair, found.edits.source);
+        report(pair, found, before);
+    }
+
+    void report(JudgedPair& pair, const PairComparison& found, const BySide<std::string>& before) {
+        const bool one_sided = found.standing == Standing::SourceChanged || found.standing == Standing::TargetChanged;
+        if (!found.not_compared.empty()) return report_unread(pair, found);
+        if (one_sided) return report_one(pair, found, before);
+        if (found.standing == Standing::EditsDiffer) return report_both(pair, found);
+        if (found.standing != Standing::ValuesDiffer) return;
+        const bool structs = pair.source->kind == UnitKind::Struct;
+        const Change change = is_edit(found.changes.source) ? found.changes.source : found.changes.target;
+        add_for(pair, structs ? Rule::LayoutDiffers : Rule::ConstantDiffers, kind_of(change), found.values);
     }
 
     /// What is too long to be compared is a finding all the same.
-    void report_unread(const JudgedPair& pair, Change source, Change target, const std::string& why) {
-        const bool source_changed = source > Change::Cosmetic, both = source_changed && target > Change::Cosmetic;
+    void report_unread(const JudgedPair& pair, const PairComparison& found) {
+        const bool both = found.standing == Standing::EditsDiffer, source = found.standing == Standing::SourceChanged;
         add_for(pair,
-                both             ? Rule::PortDiffers
-                : source_changed ? Rule::SourceChanged
-                                 : Rule::TargetChanged,
-                kind_of(std::max(source, target)),
-                std::string(both             ? "both sides changed"
-                            : source_changed ? "the source changed; its port did not"
-                                             : "the port changed; its source did not") +
-                    "; the edit was not compared: " + why);
+                both     ? Rule::PortDiffers
+                : source ? Rule::SourceChanged
+                         : Rule::TargetChanged,
+                kind_of(std::max(found.changes.source, found.changes.target)),
+                std::string(both     ? "both sides changed"
+                            : source ? "the source changed; its port did not"
+                                     : "the port changed; its source did not") +
+                    "; the edit was not compared: " + found.not_compared);
     }
 
     /// Built-ins that the source's edit brings in and that mean different things in different dialects.
@@ -262,32 +258,23 @@ private:
                              {hazard, 0}});
     }
 
-    /// False if that leaves it open: equal values settle edits of both sides; an edit of one side alone is one wherever
-    /// in the unit it is (alignment, bases, a type), and so are `1.0f / 2` and `1 / 2`.
-    bool compare_values(JudgedPair& pair, bool structs, Change change, bool both) {
-        const ComparedValues values = compare_values_of(*pair.source, *pair.target, dialect_);
-        if (values.same) {
-            pair.equivalent = both;
-            return both;
-        }
-        add_for(pair, structs ? Rule::LayoutDiffers : Rule::ConstantDiffers, kind_of(change), values.says);
-        return true;
-    }
-
-    void report_one(JudgedPair& pair, const std::string& base, const Edit& edit, bool source, Change change) {
-        const UnitState& unit = source ? *pair.source : *pair.target;
+    void report_one(JudgedPair& pair, const PairComparison& found, const BySide<std::string>& before) {
+        const Side side = found.standing == Standing::SourceChanged ? Side::Source : Side::Target;
+        const bool source = side == Side::Source;
+        const Change change = found.changes[side];
         Finding& finding =
             add_for(pair, source ? Rule::SourceChanged : Rule::TargetChanged, kind_of(change),
                     source ? "the source changed; its port did not" : "the port changed; its source did not");
-        if (base.empty()) {
+        if (found.text_missing) {
             finding.message += "; the earlier text is not in portmap.base/, or not as recorded: restore it from git";
             return;
         }
-        for (const std::string& statement : edit.lost) finding.details.push_back("- " + statement);
-        for (const std::string& statement : edit.gained) finding.details.push_back("+ " + statement);
+        for (const std::string& statement : found.edits[side].lost) finding.details.push_back("- " + statement);
+        for (const std::string& statement : found.edits[side].gained) finding.details.push_back("+ " + statement);
         if (finding.details.empty()) finding.details.emplace_back("the statements were rearranged");
         finding.message += ": " + finding.details.front() + (finding.details.size() > 1 ? " ..." : "");
-        if (change == Change::Semantic && facts_.same_code) soften(pair, finding, facts_.same_code(unit, source, base));
+        if (change == Change::Semantic && facts_.same_code)
+            soften(pair, finding, facts_.same_code(source ? *pair.source : *pair.target, source, before[side]));
     }
 
     /// An edit that does not reach the compiled code is no drift.
@@ -300,28 +287,16 @@ private:
             "Nothing to port; to be rid of this note, run: porttool accept " + argument(pair.map_source, finding);
     }
 
-    /// Whether a number's suffix tells its type on both sides.
-    static Literals literals_of(const JudgedPair& pair) {
-        const auto shading = [](const UnitState& unit) {
-            return traits_of(language_of_path(unit.file)).literals == Literals::Shading;
-        };
-        return shading(*pair.source) || shading(*pair.target) ? Literals::Shading : Literals::C;
-    }
-
-    void compare_both(JudgedPair& pair, const BaseTexts& base, Change change) {
-        if (base.source.empty() || base.target.empty()) {
-            add_for(pair, Rule::PortDiffers, kind_of(change),
+    void report_both(JudgedPair& pair, const PairComparison& found) {
+        const ChangeKind change = kind_of(std::max(found.changes.source, found.changes.target));
+        if (found.text_missing) {
+            add_for(pair, Rule::PortDiffers, change,
                     "both sides changed, and the texts to compare the edits by are not in portmap.base/, or not as "
                     "recorded");
             return;
         }
-        const EditComparison edits =
-            compare_edits(read_state_text(base.source), words_of(*pair.source), read_state_text(base.target),
-                          words_of(*pair.target), dialect_, literals_of(pair));
-        pair.equivalent = edits.equivalent;
-        if (edits.equivalent) return;
-        Finding& finding = add_for(pair, Rule::PortDiffers, kind_of(change), edits.differences.front());
-        finding.details = edits.differences;
+        Finding& finding = add_for(pair, Rule::PortDiffers, change, found.missing.front());
+        finding.details = found.missing;
         if (finding.details.size() > 1)
             finding.message += " (and " + std::to_string(finding.details.size() - 1) + " more)";
     }

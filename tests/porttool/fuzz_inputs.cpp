@@ -334,7 +334,7 @@ std::string source_fault(const FuzzInput& input) {
     for (size_t i = 0; i < std::min(files[0].units.size(), files[1].units.size()); ++i) {
         const auto before = read_state_text(unit_state(files[0], files[0].units[i]).text);
         const auto now = read_state_text(unit_state(files[1], files[1].units[i]).text);
-        if (!compare_edits(before, now, before, now, Dialect()).equivalent)
+        if (!compare_edits({before, now, before, now}, Dialect(), Literals::Shading).equivalent)
             return "the same edit on both sides, unit " + std::to_string(i) + ", is not equivalent";
     }
     return "";

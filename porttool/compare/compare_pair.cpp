@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/compare/compare_pair.h"
+
+#include <algorithm>
+
+#include "porttool/compare/constant_value.h"
+
+namespace porttool {
+namespace {
+
+/// Each word of a unit's text has a blank or a line break after it.
+size_t count_words(const std::string& text) {
+    return static_cast<size_t>(std::count_if(text.begin(), text.end(), [](char c) { return c == ' ' || c == '\n'; }));
+}
+
+/// Whether a number's suffix tells its type on both sides.
+Literals literals_of(const BySide<PairedUnit>& pair) {
+    const auto is_shading = [](Language language) {
+        return language == Language::Glsl || language == Language::Hlsl || language == Language::Metal ||
+               language == Language::Slang || language == Language::Ispc;
+    };
+    return is_shading(pair.source.language) || is_shading(pair.target.language) ? Literals::Shading : Literals::C;
+}
+
+class PairComparer {
+public:
+    PairComparer(const BySide<PairedUnit>& pair, const Dialect& dialect) : pair_(pair), dialect_(dialect) {
+        for (const Side side : kBothSides)
+            out_.changes[side] = classify(pair[side].prints_before, pair[side].prints_now);
+    }
+
+    PairComparison run(CompareBudget& budget) {
+        if (!changed(Side::Source) && !changed(Side::Target)) return std::move(out_);
+        out_.standing = changed_both()          ? Standing::EditsDiffer
+                        : changed(Side::Source) ? Standing::SourceChanged
+                                                : Standing::TargetChanged;
+        out_.size = size();
+        out_.not_compared = budget.refusal({pair_.source.id, pair_.target.id}, out_.size);
+        if (!out_.not_compared.empty()) return std::move(out_);
+        read_texts();
+        if (!settled_by_values() && changed_both() && !out_.text_missing) compare_both();
+        return std::move(out_);
+    }
+
+private:
+    bool changed(Side side) const { return is_edit(out_.changes[side]); }
+    bool changed_both() const { return changed(Side::Source) && changed(Side::Target); }
+
+    CompareSize size() const {
+        CompareSize out;
+        for (const Side side : kBothSides) {
+            out.add(count_words(pair_[side].now));
+            if (changed(side)) out.add(count_words(pair_[side].before));
+        }
+        return out;
+    }
+
+    void read_texts() {
+        for (const Side side : kBothSides) {
+            now_[side] = read_state_text(pair_[side].now);
+            if (!changed(side)) continue;
+            before_[side] = read_state_text(pair_[side].before);
+            if (before_[side].empty())
+                out_.text_missing = true;
+            else
+                out_.edits[side] = edit_of(before_[side], now_[side]);
+        }
+    }
+
+    /// Equal values settle edits of both sides. They leave open what an edit of one side alone is: it may be to the
+    /// alignment, the bases or the type.
+    bool settled_by_values() {
+        const UnitKind kind = pair_.source.kind;
+        if (kind != pair_.target.kind || (kind != UnitKind::Constant && kind != UnitKind::Struct)) return false;
+        ComparedValues values = compare_values(kind, now_.source, now_.target, dialect_);
+        if (values.same) {
+            if (changed_both()) out_.standing = Standing::Equivalent;
+            return changed_both();
+        }
+        out_.standing = Standing::ValuesDiffer;
+        out_.values = std::move(values.says);
+        return true;
+    }
+
+    void compare_both() {
+        EditComparison edits =
+            compare_edits({before_.source, now_.source, before_.target, now_.target}, dialect_, literals_of(pair_));
+        if (edits.equivalent) out_.standing = Standing::Equivalent;
+        out_.missing = std::move(edits.differences);
+    }
+
+    const BySide<PairedUnit>& pair_;
+    const Dialect& dialect_;
+    BySide<std::vector<std::string>> before_, now_;
+    PairComparison out_;
+};
+
+}  // namespace
+
+PairComparison compare_pair(const BySide<PairedUnit>& pair, const Dialect& dialect, CompareBudget& budget) {
+    return PairComparer(pair, dialect).run(budget);
+}
+
+}  // namespace porttool

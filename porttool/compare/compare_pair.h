@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "porttool/compare/compare_budget.h"
+#include "porttool/compare/edits.h"
+#include "porttool/language/dialect.h"
+#include "porttool/language/language.h"
+#include "porttool/normal/unit_state.h"
+#include "porttool/scan/side.h"
+
+namespace porttool {
+
+/// A unit of a pair: when both sides were last in step, and now. Texts are as UnitState::text has them; `before` is
+/// looked at only where the side changed by more than its looks, and is "" where it is not known.
+struct PairedUnit {
+    std::string_view id;
+    UnitKind kind;      ///< now
+    Language language;  ///< as the path of its file tells
+    const Fingerprints &prints_before, &prints_now;
+    const std::string &before, &now;
+};
+
+/// How a pair stands, told by its texts alone.
+enum class Standing : uint8_t {
+    InStep,         ///< neither side changed by more than its looks
+    Equivalent,     ///< both sides changed, and alike
+    SourceChanged,  ///< the source changed, the port did not
+    TargetChanged,
+    ValuesDiffer,  ///< a constant or struct changed, and the two sides have different values or fields now
+    EditsDiffer,   ///< both sides changed, and not alike
+};
+
+/// What the texts of a pair mean to each other.
+struct PairComparison {
+    BySide<Change> changes;
+    Standing standing = Standing::InStep;
+    BySide<Edit> edits;                ///< as written; empty where a side did not change or `before` is not known
+    std::vector<std::string> missing;  ///< EditsDiffer: sentences, what one side did and the other did not
+    std::string values;                ///< ValuesDiffer: what each side has, a sentence
+    std::string not_compared;          ///< why the budget left the texts uncompared; then all of the above is empty
+    bool text_missing = false;         ///< the text before of a side that changed is not known
+    CompareSize size;                  ///< of the texts that there were to compare
+};
+
+/// True if a side changed by more than its looks, so that a pair is no longer in step by its prints alone.
+inline bool is_edit(Change change) { return change > Change::Cosmetic; }
+
+/// The one judgement of a pair, for all that judge: `check` and `history` alike. Constants and structs are compared by
+/// their values now where both sides changed, and an edit of one side alone is one even if the value stayed. Other
+/// units are compared by their edits. What is not known or too long to compare is never in step.
+PairComparison compare_pair(const BySide<PairedUnit>& pair, const Dialect& dialect, CompareBudget& budget);
+
+}  // namespace porttool
