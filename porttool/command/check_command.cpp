@@ -45,8 +45,8 @@ Outcome run_check(const Options& options, Workplace& place) {
     const SameCodeIn same_code_in = [&](const Project& project) {
         spirv = std::make_unique<SpirvCheck>(project, options.staged, options.base.empty() ? "HEAD" : options.base,
                                              place.disk);
-        return [&](const UnitState& unit, bool source, const std::string& before) {
-            return spirv->same_code(unit, source, before);
+        return [&](const UnitState& unit, Side side, const std::string& before) {
+            return spirv->same_code(unit, side == Side::Source, before);
         };
     };
     const CheckedProject checked = check_project(options, place, options.spirv ? same_code_in : SameCodeIn());

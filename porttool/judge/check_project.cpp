@@ -96,11 +96,12 @@ void note_missing_texts(const Project& project, const Disk& disk, const LockFile
 /// A unit that was followed to where its text stands now is watched there, and no longer where it was.
 void list_moved(const Judgement& judgement, std::vector<BroughtIn>& out) {
     for (const JudgedPair& pair : judgement.pairs)
-        for (const auto& [unit, id] :
-             {std::pair(pair.source, pair.map_source), std::pair(pair.target, pair.map_target)})
-            if (unit != nullptr && unit->file != split_id(id).first)
+        for (const Side side : kBothSides) {
+            const UnitState* unit = pair.unit[side];
+            if (unit != nullptr && unit->file != split_id(pair.id[side]).first)
                 out.push_back({GatePart::Pair, unit->file, static_cast<int>(unit->start_line),
-                               id + " is followed to " + unit->id});
+                               pair.id[side] + " is followed to " + unit->id});
+        }
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "porttool/compare/edits.h"
 #include "porttool/read/git_repository.h"
 #include "porttool/read/lock_lines.h"
 #include "porttool/scan/scan.h"

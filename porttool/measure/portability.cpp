@@ -160,7 +160,8 @@ Blocks blocks_of(const PortabilityCase& facts) {
     }
     FilePairs pairs;
     for (const JudgedPair& pair : facts.judgement.pairs)
-        if (pair.source != nullptr && pair.target != nullptr) pairs.emplace(pair.source->file, pair.target->file);
+        if (pair.unit.source != nullptr && pair.unit.target != nullptr)
+            pairs.emplace(pair.unit.source->file, pair.unit.target->file);
     Blocks blocks = find_blocks(facts.map, files, pairs);
     blocks.error = error_of(blocks, files);
     return blocks;

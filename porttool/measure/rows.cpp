@@ -107,9 +107,9 @@ private:
             findings[{finding.map_source, finding.map_target}].push_back(&finding);
         for (const JudgedPair& pair : facts_.judgement.pairs) {
             RowReport row;
-            row.key = pair.map_source + "=" + pair.map_target;
-            row.sides = {judged_side(Side::Source, pair.source), judged_side(Side::Target, pair.target)};
-            row.state = state_of(findings[{pair.map_source, pair.map_target}]);
+            row.key = pair.id.source + "=" + pair.id.target;
+            row.sides = {judged_side(Side::Source, pair.unit.source), judged_side(Side::Target, pair.unit.target)};
+            row.state = state_of(findings[{pair.id.source, pair.id.target}]);
             if (!row.sides.source && !row.sides.target) continue;  // only the ledger knows it
             if (row.sides.source && row.sides.target) measure_pair(row, dialect_);
             out_.rows.push_back(std::move(row));

@@ -12,6 +12,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "porttool/read/disk.h"
 #include "porttool/read/dotted_keys.h"
 #include "porttool/text/sink/terminal.h"
 #include "porttool/text/suggest.h"
@@ -298,6 +299,10 @@ ReadMap read_map(const std::string& path, const std::string& text) {
     } catch (const Misread& error) {
         return {{}, error.what()};
     }
+}
+
+std::string target_path(const MapFile& map, const std::string& path) {
+    return map.target_root.empty() ? path : clean_path(join_path(map.target_root, path));
 }
 
 }  // namespace porttool

@@ -76,4 +76,7 @@ struct ReadMap {
 /// Reads the text of a portmap.toml. Unknown keys are errors with the nearest known one.
 ReadMap read_map(const std::string& path, const std::string& text);
 
+/// The path of a file of the target side as seen from the root.
+std::string target_path(const MapFile& map, const std::string& path);
+
 }  // namespace porttool

@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "porttool/command/commands.h"
+#include "porttool/command/named.h"
+#include "porttool/compare/edits.h"
+#include "porttool/judge/check_project.h"
+#include "porttool/judge/rules.h"
+#include "porttool/read/lock_lines.h"
+#include "porttool/text/sink/terminal.h"
+
+namespace porttool {
+namespace {
+
+void explain_finding(const Finding& finding, std::string& out) {
+    out += fmt::format("{} [{}]: {}\n", level_name(finding.level), rule_name(finding.rule),
+                       terminal_text(finding.message));
+    if (finding.verdict)
+        out += fmt::format("  settled by '{}': {}\n", verdict_name(*finding.verdict),
+                           terminal_text(finding.verdict_reason));
+    for (const std::string& detail : finding.details) out += "  " + terminal_line(detail) + "\n";
+    out += "  " + terminal_line(finding.remedy) + "\n";
+}
+
+void explain_pair(const CheckedProject& checked, const JudgedPair& pair, std::string& out) {
+    out += fmt::format("source  {}\nport    {}\n", terminal_text(pair.id.source), terminal_text(pair.id.target));
+    bool any = false;
+    for (const Finding& finding : checked.judgement.findings) {
+        if (!is_of(finding, pair)) continue;
+        any = true;
+        explain_finding(finding, out);
+    }
+    if (!any) out += "in step\n";
+    for (const LedgerEntry& entry : checked.lock.ledger)
+        if (entry.verdict == Verdict::Accept && entry.source == pair.id.source && entry.target == pair.id.target)
+            out += fmt::format("last accepted on {}: {}\n", terminal_text(entry.until), terminal_text(entry.reason));
+}
+
+/// Both edits, side by side: what each side lost and gained since the two were in step.
+void explain_edits(const CheckedProject& checked, const JudgedPair& pair, std::string& out) {
+    const LockedPair* lock = LinesByPair(checked.lock).find(pair.id.source, pair.id.target);
+    if (lock == nullptr || pair.unit.source == nullptr || pair.unit.target == nullptr) return;
+    auto rows = [&](const UnitState& unit, const std::string& print) {
+        std::vector<std::string> lines;
+        const Edit edit = edit_of(read_state_text(text_behind(checked, print)), read_state_text(unit.text));
+        for (const std::string& statement : edit.lost) lines.push_back("- " + terminal_text(statement));
+        for (const std::string& statement : edit.gained) lines.push_back("+ " + terminal_text(statement));
+        return lines;
+    };
+    const auto left = rows(*pair.unit.source, lock->source_prints.written),
+               right = rows(*pair.unit.target, lock->target_prints.written);
+    if (left.empty() && right.empty()) return;
+    constexpr size_t kWidth = 58;
+    out += fmt::format("{:<{}} | {}\n",
+                       fmt::format("source {}:{}", terminal_text(pair.unit.source->file), pair.unit.source->start_line),
+                       kWidth,
+                       fmt::format("port {}:{}", terminal_text(pair.unit.target->file), pair.unit.target->start_line));
+    for (size_t i = 0; i < std::max(left.size(), right.size()); ++i)
+        out += fmt::format("{:<{}} | {}\n", i < left.size() ? left[i] : "", kWidth, i < right.size() ? right[i] : "");
+}
+
+}  // namespace
+
+void declare_explain(Declare& declare, Options& options) {
+    declare.texts("id", options.paths, "ID|RULE", "Id, SOURCE=TARGET, fingerprint or rule").required();
+}
+
+Outcome run_explain(const Options& options, Workplace& place) {
+    require_format(options.format, {"text"});
+    std::string out;
+    for (const std::string& id : options.paths) {
+        if (const auto rule = rule_named(id)) {
+            out += id + "\n" + rule_help(*rule) + "\n";
+            continue;
+        }
+        const CheckedProject checked = check_project(options, place);
+        const Named named = require_named(checked.judgement, id);
+        for (const Finding* finding : named.lone) {
+            const Place at = finding->source.value_or(Place{"", "portmap.toml", finding->map_line, 0});
+            out += fmt::format("{}:{}\n", terminal_line(at.file), at.line);
+            explain_finding(*finding, out);
+        }
+        for (const JudgedPair* pair : named.pairs) {
+            explain_pair(checked, *pair, out);
+            explain_edits(checked, *pair, out);
+        }
+    }
+    return {out, 0};
+}
+
+}  // namespace porttool

@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/judge/finding_list.h"
+
+#include <algorithm>
+#include <map>
+#include <tuple>
+
+#include "porttool/judge/rules.h"
+#include "porttool/text/sink/shell.h"
+
+namespace porttool {
+namespace {
+
+std::tuple<std::string, uint32_t, std::string_view, std::string> sort_key(const Finding& f) {
+    const Place place = f.source ? *f.source : f.target.value_or(Place{});
+    return {place.file, place.line, rule_name(f.rule), f.fingerprint};
+}
+
+std::string print_of(const std::vector<std::string>& parts) {
+    Fingerprinter print;
+    for (const std::string& part : parts) print.add(part);
+    return print.digits();
+}
+
+}  // namespace
+
+std::string argument(const std::string& id, const Finding& finding) {
+    const bool is_list = id.starts_with('[') && id.ends_with(']');  // to the reader of the command line
+    return can_be_pasted(id) && !is_list ? shell_quoted(id) : finding.fingerprint;
+}
+
+Finding& FindingList::begin(Rule rule, const std::string& source, const std::string& target,
+                            const std::string& subject) {
+    const auto level = map_.rules.find(rule);
+    Finding finding;
+    finding.rule = rule;
+    finding.level = level == map_.rules.end() ? rule_row(rule).level : level->second;
+    finding.map_source = source;
+    finding.map_target = target;
+    std::vector<std::string> parts = {std::string(rule_name(rule)), source, target};
+    if (!subject.empty()) parts.push_back(subject);
+    finding.fingerprint = print_of(parts);
+    finding.remedy = rule_row(rule).remedy;
+    const size_t id = finding.remedy.find("ID");
+    if (id != std::string::npos && !source.empty()) finding.remedy.replace(id, 2, argument(source, finding));
+    findings_.push_back(std::move(finding));
+    return findings_.back();
+}
+
+Finding& FindingList::add(Rule rule, const std::string& id) { return begin(rule, id, "", ""); }
+
+Finding& FindingList::add(Rule rule, const UnitState& source) {
+    Finding& finding = add(rule, source.id);
+    finding.source = place_of(source, Side::Source);
+    return finding;
+}
+
+Finding& FindingList::add(Rule rule, const JudgedPair& pair, std::optional<ChangeKind> change,
+                          const std::string& message, const std::string& subject) {
+    Finding& finding = begin(rule, pair.id.source, pair.id.target, subject);
+    if (pair.unit.source != nullptr) finding.source = place_of(*pair.unit.source, Side::Source);
+    if (pair.unit.target != nullptr) finding.target = place_of(*pair.unit.target, Side::Target);
+    finding.map_line = pair.map_line;
+    finding.change = change;
+    finding.message = message;
+    return finding;
+}
+
+Place FindingList::place_of(const UnitState& unit, Side side) const {
+    return {unit.id, side == Side::Source ? unit.file : target_path(map_, unit.file), unit.start_line, unit.end_line};
+}
+
+std::vector<Finding> FindingList::finish() {
+    std::sort(findings_.begin(), findings_.end(),
+              [](const Finding& a, const Finding& b) { return sort_key(a) < sort_key(b); });
+    std::map<std::string, int> seen;
+    for (Finding& finding : findings_) {
+        const int number = ++seen[finding.fingerprint];
+        if (number > 1) finding.fingerprint = print_of({finding.fingerprint, std::to_string(number)});
+    }
+    return std::move(findings_);
+}
+
+}  // namespace porttool

@@ -1,0 +1,205 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/judge/pair_judge.h"
+
+#include <algorithm>
+
+#include "porttool/language/hazards.h"
+
+namespace porttool {
+namespace {
+
+ChangeKind kind_of(Change change) { return change == Change::Constant ? ChangeKind::Constant : ChangeKind::Semantic; }
+
+Rule changed_rule(Side side) { return side == Side::Source ? Rule::SourceChanged : Rule::TargetChanged; }
+
+std::string one_side_changed(Side side) {
+    return side == Side::Source ? "the source changed; its port did not" : "the port changed; its source did not";
+}
+
+Side changed_side(const PairComparison& found) {
+    return found.standing == Standing::SourceChanged ? Side::Source : Side::Target;
+}
+
+Change larger_change(const PairComparison& found) { return std::max(found.changes.source, found.changes.target); }
+
+/// An edit that does not reach the compiled code is no drift. `same` says so, or is "".
+void soften(JudgedPair& pair, Finding& finding, const std::string& same) {
+    if (same.empty()) return;
+    pair.equivalent = true;
+    finding.level = std::min(finding.level, Level::Note);
+    finding.message += "; but it " + same;
+    finding.remedy =
+        "Nothing to port; to be rid of this note, run: porttool accept " + argument(pair.id.source, finding);
+}
+
+}  // namespace
+
+PairJudge::PairJudge(const Case& facts, FindingList& findings)
+    : facts_(facts), findings_(findings), dialect_(facts.map.dialect) {
+    for (const SkippedFile& file : facts.skipped) unread_.emplace(file.file, file.reason);
+}
+
+JudgedPair PairJudge::judge(const BySide<std::string>& id, int map_line, const BySide<Resolved>& units,
+                            const FoundLock& lock) {
+    JudgedPair pair{id, {units.source.unit, units.target.unit}, static_cast<uint32_t>(std::max(1, map_line))};
+    const size_t first = findings_.size();
+    if (lock.pair == nullptr || !report_unread_file(pair, units)) examine(pair, lock.pair);
+    const bool both_there = pair.unit.source != nullptr && pair.unit.target != nullptr;
+    if (lock.under_old_ids && findings_.size() == first && both_there)
+        pair.changed = pair.equivalent = true;  // accept records it under its new ids
+    if (units.source.elsewhere)
+        report_moved(pair, Side::Source);
+    else if (units.target.elsewhere)
+        report_moved(pair, Side::Target);
+    return pair;
+}
+
+bool PairJudge::report_unread_file(const JudgedPair& pair, const BySide<Resolved>& units) {
+    const auto reason = [&](Side side, const std::string& path_of_id) {
+        const bool is_there = units[side].unit != nullptr && !units[side].elsewhere;
+        return is_there ? std::string() : unread_reason(path_of_id);
+    };
+    const std::string source = reason(Side::Source, pair.id.source);
+    const std::string target = reason(Side::Target, target_path(facts_.map, pair.id.target));
+    if (source.empty() && target.empty()) return false;
+    Finding& finding = source.empty()
+                           ? findings_.add(Rule::DeadLink, pair, {}, "the file of the port " + target)
+                           : findings_.add(Rule::SourceChanged, pair, {}, "the file of the source " + source);
+    finding.remedy = "Make it readable; see the finding of 'unreadable' on that file";
+    return true;
+}
+
+std::string PairJudge::unread_reason(const std::string& id) const {
+    const auto file = unread_.find(split_id(id).first);
+    return file == unread_.end() ? std::string() : file->second;
+}
+
+void PairJudge::examine(JudgedPair& pair, const LockedPair* lock) {
+    if (pair.unit.source == nullptr || pair.unit.target == nullptr) return report_gone(pair, lock != nullptr);
+    if (lock == nullptr) return report_unrecorded(pair);
+    compare(pair, *lock);
+}
+
+void PairJudge::report_gone(const JudgedPair& pair, bool is_recorded) {
+    const auto& [source, target] = pair.id;
+    const bool no_source = pair.unit.source == nullptr, no_target = pair.unit.target == nullptr;
+    if (no_source && no_target) {
+        findings_.add(
+            is_recorded ? Rule::Orphaned : Rule::DeadLink, pair, ChangeKind::Removed,
+            (is_recorded ? "both sides of this pair are gone: " : "the map names two units that are not there: ") +
+                source + " and " + target);
+    } else if (no_target) {
+        findings_.add(
+            Rule::DeadLink, pair, ChangeKind::Removed,
+            is_recorded ? "the port " + target + " is gone" : "the map names a port that is not there: " + target);
+    } else if (is_recorded) {
+        findings_.add(Rule::Orphaned, pair, ChangeKind::Removed, source + " is gone; its port is still there");
+    } else {
+        findings_.add(Rule::DeadLink, pair, {}, "the map names a source unit that is not there: " + source);
+    }
+}
+
+void PairJudge::report_unrecorded(JudgedPair& pair) {
+    pair.changed = true;
+    Finding& finding =
+        findings_.add(Rule::TargetChanged, pair, {}, "this pair is in the map, but was never recorded as in step");
+    finding.remedy =
+        "Compare the two once, then run: porttool accept " + argument(pair.id.source + "=" + pair.id.target, finding);
+}
+
+void PairJudge::report_moved(const JudgedPair& pair, Side side) {
+    const UnitState& unit = *pair.unit[side];
+    const std::string& old_id = pair.id[side];
+    const bool same_file = old_id.substr(0, old_id.find(':')) == unit.file;
+    Finding& finding = findings_.add(changed_rule(side), pair, same_file ? ChangeKind::Rename : ChangeKind::Moved,
+                                     old_id + " is now " + unit.id);
+    finding.level = std::min(finding.level, Level::Note);
+    finding.remedy = "Write the new id into portmap.toml and run: porttool accept " + argument(unit.id, finding);
+}
+
+void PairJudge::compare(JudgedPair& pair, const LockedPair& lock) {
+    const BySide<const Fingerprints*> recorded{&lock.source_prints, &lock.target_prints};
+    BySide<Change> changes;
+    BySide<std::string> before;
+    for (const Side side : kBothSides) {
+        changes[side] = classify(*recorded[side], pair.unit[side]->prints);
+        if (is_edit(changes[side])) before[side] = facts_.base_text(recorded[side]->written);
+    }
+    pair.changed = pair.equivalent = std::max(changes.source, changes.target) != Change::None;
+    if (!is_edit(changes.source) && !is_edit(changes.target)) return;
+    const auto paired = [&](Side side) {
+        const UnitState& unit = *pair.unit[side];
+        return PairedUnit{unit.id,      unit.kind, language_of_path(unit.file), *recorded[side], unit.prints,
+                          before[side], unit.text};
+    };
+    const PairComparison found = compare_pair({paired(Side::Source), paired(Side::Target)}, dialect_, budget_);
+    pair.equivalent = found.standing == Standing::Equivalent;
+    report_hazards(pair, found.edits.source);
+    if (!found.not_compared.empty()) return report_uncompared(pair, found);
+    switch (found.standing) {
+        case Standing::InStep:
+        case Standing::Equivalent:
+            return;
+        case Standing::SourceChanged:
+        case Standing::TargetChanged:
+            return report_one(pair, found, before);
+        case Standing::EditsDiffer:
+            return report_both(pair, found);
+        case Standing::ValuesDiffer:
+            return report_values(pair, found);
+    }
+}
+
+/// Built-ins that the source's edit brings in and that mean different things in different dialects.
+void PairJudge::report_hazards(const JudgedPair& pair, const Edit& edit) {
+    for (const std::string& hazard : hazards_of(edit.gained, edit.lost))
+        findings_.add(Rule::DialectHazard, pair, {}, hazard, hazard);
+}
+
+/// What is too long to be compared is a finding all the same.
+void PairJudge::report_uncompared(const JudgedPair& pair, const PairComparison& found) {
+    const bool both = found.standing == Standing::EditsDiffer;
+    const Side side = changed_side(found);
+    findings_.add(
+        both ? Rule::PortDiffers : changed_rule(side), pair, kind_of(larger_change(found)),
+        (both ? "both sides changed" : one_side_changed(side)) + "; the edit was not compared: " + found.not_compared);
+}
+
+void PairJudge::report_values(const JudgedPair& pair, const PairComparison& found) {
+    const bool structs = pair.unit.source->kind == UnitKind::Struct;
+    const Side side = is_edit(found.changes.source) ? Side::Source : Side::Target;
+    findings_.add(structs ? Rule::LayoutDiffers : Rule::ConstantDiffers, pair, kind_of(found.changes[side]),
+                  found.values);
+}
+
+void PairJudge::report_one(JudgedPair& pair, const PairComparison& found, const BySide<std::string>& before) {
+    const Side side = changed_side(found);
+    const Change change = found.changes[side];
+    Finding& finding = findings_.add(changed_rule(side), pair, kind_of(change), one_side_changed(side));
+    if (found.text_missing) {
+        finding.message += "; the earlier text is not in portmap.base/, or not as recorded: restore it from git";
+        return;
+    }
+    for (const std::string& statement : found.edits[side].lost) finding.details.push_back("- " + statement);
+    for (const std::string& statement : found.edits[side].gained) finding.details.push_back("+ " + statement);
+    if (finding.details.empty()) finding.details.emplace_back("the statements were rearranged");
+    finding.message += ": " + finding.details.front() + (finding.details.size() > 1 ? " ..." : "");
+    if (change == Change::Semantic && facts_.same_code)
+        soften(pair, finding, facts_.same_code(*pair.unit[side], side, before[side]));
+}
+
+void PairJudge::report_both(const JudgedPair& pair, const PairComparison& found) {
+    const ChangeKind change = kind_of(larger_change(found));
+    if (found.text_missing) {
+        findings_.add(Rule::PortDiffers, pair, change,
+                      "both sides changed, and the texts to compare the edits by are not in portmap.base/, or not as "
+                      "recorded");
+        return;
+    }
+    Finding& finding = findings_.add(Rule::PortDiffers, pair, change, found.missing.front());
+    finding.details = found.missing;
+    if (finding.details.size() > 1) finding.message += " (and " + std::to_string(finding.details.size() - 1) + " more)";
+}
+
+}  // namespace porttool

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "porttool/compare/compare_pair.h"
+#include "porttool/judge/finding_list.h"
+#include "porttool/judge/judge.h"
+#include "porttool/judge/lock_index.h"
+#include "porttool/judge/resolve.h"
+
+namespace porttool {
+
+/// Finds what there is to find on one pair after another.
+class PairJudge {
+public:
+    /// Both must outlive it.
+    PairJudge(const Case& facts, FindingList& findings);
+
+    /// Judges the pair of the map whose ids lead to `units` and to that line of the lock; adds its findings.
+    JudgedPair judge(const BySide<std::string>& id, int map_line, const BySide<Resolved>& units, const FoundLock& lock);
+
+private:
+    /// A recorded unit in a file that cannot be read is not gone, nor has it moved to where a copy of it stands: it may
+    /// have been changed in any way. False if none is.
+    bool report_unread_file(const JudgedPair& pair, const BySide<Resolved>& units);
+    /// Why the file of an id could not be read, or "".
+    std::string unread_reason(const std::string& id) const;
+
+    void examine(JudgedPair& pair, const LockedPair* lock);
+    void report_gone(const JudgedPair& pair, bool is_recorded);
+    void report_unrecorded(JudgedPair& pair);
+    void report_moved(const JudgedPair& pair, Side side);
+
+    /// Both sides are there and recorded: what their edits mean to each other.
+    void compare(JudgedPair& pair, const LockedPair& lock);
+    void report_hazards(const JudgedPair& pair, const Edit& edit);
+    void report_uncompared(const JudgedPair& pair, const PairComparison& found);
+    void report_values(const JudgedPair& pair, const PairComparison& found);
+    void report_one(JudgedPair& pair, const PairComparison& found, const BySide<std::string>& before);
+    void report_both(const JudgedPair& pair, const PairComparison& found);
+
+    const Case& facts_;
+    FindingList& findings_;
+    Dialect dialect_;
+    CompareBudget budget_;
+    std::map<std::string, std::string> unread_;  ///< files, and why
+};
+
+}  // namespace porttool

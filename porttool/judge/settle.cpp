@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/judge/settle.h"
+
+#include <algorithm>
+#include <set>
+
+#include "porttool/text/suggest.h"
+
+namespace porttool {
+namespace {
+
+constexpr const char* kNoText = "-";  // of a side that is not there
+
+std::string written_print(const UnitState* unit) { return unit != nullptr ? unit->prints.written : kNoText; }
+
+bool is_named(const JudgedPair& pair, const std::string& id) {
+    for (const Side side : kBothSides)
+        if (pair.id[side] == id || (pair.unit[side] != nullptr && pair.unit[side]->id == id)) return true;
+    return pair.id.source + "=" + pair.id.target == id;
+}
+
+/// Forgets what was said of a pair, or of a source unit without one (`target` empty).
+void forget(LockFile& lock, const std::string& source, const std::string& target) {
+    std::erase_if(lock.ledger, [&](const LedgerEntry& e) { return e.source == source && e.target == target; });
+}
+
+}  // namespace
+
+bool is_of(const Finding& finding, const JudgedPair& pair) {
+    return finding.map_source == pair.id.source && finding.map_target == pair.id.target;
+}
+
+Named named_by(const Judgement& judgement, const std::string& id) {
+    Named out;
+    std::vector<const Finding*> of_pairs;
+    for (const Finding& finding : judgement.findings) {
+        const bool is_fingerprint = finding.fingerprint == id;
+        if (is_fingerprint) of_pairs.push_back(&finding);
+        if (finding.map_target.empty() && (is_fingerprint || finding.map_source == id)) out.lone.push_back(&finding);
+    }
+    for (const JudgedPair& pair : judgement.pairs)
+        if (is_named(pair, id) || std::any_of(of_pairs.begin(), of_pairs.end(),
+                                              [&](const Finding* finding) { return is_of(*finding, pair); }))
+            out.pairs.push_back(&pair);
+    return out;
+}
+
+std::string nearest_named(const Judgement& judgement, const std::string& id) {
+    std::vector<std::string> names;
+    for (const JudgedPair& pair : judgement.pairs) names.insert(names.end(), {pair.id.source, pair.id.target});
+    for (const Finding& finding : judgement.findings) {
+        names.push_back(finding.fingerprint);
+        if (finding.rule == Rule::Unported) names.push_back(finding.map_source);
+    }
+    names.insert(names.end(), kRuleNames.begin(), kRuleNames.end());
+    std::string near = nearest(id, names);
+    if (near.empty())
+        for (const std::string& name : names)
+            if (name.ends_with(":" + id) || name.ends_with("::" + id)) near = name;
+    return near;
+}
+
+ChangedPairs changed_pairs(const Judgement& judgement) {
+    ChangedPairs out;
+    for (const JudgedPair& pair : judgement.pairs)
+        if (pair.changed) (pair.equivalent ? out.alike : out.different).push_back(&pair);
+    return out;
+}
+
+void accept_pairs(LockFile& lock, const std::vector<const JudgedPair*>& pairs, const std::string& reason,
+                  const std::string& today) {
+    std::map<std::pair<std::string, std::string>, MoreFields> recorded;
+    std::set<std::string> sources;
+    for (const JudgedPair* pair : pairs) {
+        recorded.try_emplace({pair->id.source, pair->id.target});
+        sources.insert(pair->id.source);
+    }
+    std::erase_if(lock.pairs, [&](LockedPair& p) {
+        const auto pair = recorded.find({p.source, p.target});
+        if (pair != recorded.end()) pair->second = std::move(p.more);
+        return pair != recorded.end();
+    });
+    std::erase_if(lock.ledger, [&](const LedgerEntry& e) {
+        return e.target.empty() ? sources.contains(e.source) : recorded.contains({e.source, e.target});
+    });
+    std::erase_if(lock.baseline, [&](const LockedUnit& u) { return u.side == "source" && sources.contains(u.id); });
+    for (const JudgedPair* pair : pairs) {
+        const auto& [source, target] = pair->unit;
+        if (source != nullptr && target != nullptr)
+            lock.pairs.push_back({pair->id.source, pair->id.target, source->prints, target->prints, "recorded", "",
+                                  std::move(recorded.at({pair->id.source, pair->id.target}))});
+        if (!reason.empty())
+            lock.ledger.push_back({Verdict::Accept, pair->id.source, pair->id.target, written_print(source),
+                                   written_print(target), "", today, reason});
+    }
+}
+
+void accept_unported(LockFile& lock, const Judgement& judgement, const std::map<std::string, UnitState>& source,
+                     const std::string& reason) {
+    for (const Finding& finding : judgement.findings)
+        if (finding.rule == Rule::Unported)
+            lock.baseline.push_back({finding.source->id, source.at(finding.source->id).prints, reason});
+}
+
+void settle_pair(LockFile& lock, const JudgedPair& pair, LedgerEntry said) {
+    said.source = pair.id.source;
+    said.target = pair.id.target;
+    said.source_print = written_print(pair.unit.source);
+    said.target_print = written_print(pair.unit.target);
+    forget(lock, said.source, said.target);
+    lock.ledger.push_back(std::move(said));
+}
+
+void settle_unported(LockFile& lock, const UnitState& unit, LedgerEntry said) {
+    forget(lock, unit.id, "");
+    if (said.verdict == Verdict::Ignore) {
+        lock.baseline.push_back({unit.id, unit.prints, said.reason});
+        return;
+    }
+    said.source = unit.id;
+    said.source_print = unit.prints.written;
+    said.target_print = kNoText;
+    lock.ledger.push_back(std::move(said));
+}
+
+}  // namespace porttool

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+// What accept, defer and ignore do to the lock.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "porttool/judge/judgement.h"
+#include "porttool/read/lock_file.h"
+
+namespace porttool {
+
+/// True for a finding on that pair.
+bool is_of(const Finding& finding, const JudgedPair& pair);
+
+/// What an id stands for among what was judged.
+struct Named {
+    std::vector<const JudgedPair*> pairs;  ///< in the order of the map
+    std::vector<const Finding*> lone;      ///< findings outside pairs
+};
+
+/// An id is that of either side, SOURCE=TARGET, or a finding's fingerprint.
+Named named_by(const Judgement& judgement, const std::string& id);
+
+/// The id, fingerprint or rule that is most like an id which names nothing; "" if none is near.
+std::string nearest_named(const Judgement& judgement, const std::string& id);
+
+/// The pairs that changed since they were in step.
+struct ChangedPairs {
+    std::vector<const JudgedPair*> alike;      ///< both edits are equivalent
+    std::vector<const JudgedPair*> different;  ///< they are not, or the pair is new to the lock
+};
+ChangedPairs changed_pairs(const Judgement& judgement);
+
+/// Records pairs as in step with today's texts, and forgets what was said of them before. A reason is kept beside each,
+/// with its day.
+void accept_pairs(LockFile& lock, const std::vector<const JudgedPair*>& pairs, const std::string& reason,
+                  const std::string& today);
+
+/// Takes every source unit that has a finding of `unported` into the baseline.
+void accept_unported(LockFile& lock, const Judgement& judgement, const std::map<std::string, UnitState>& source,
+                     const std::string& reason);
+
+/// Defers or ignores a pair with its texts of today. `said` has the verdict, owner, day and reason.
+void settle_pair(LockFile& lock, const JudgedPair& pair, LedgerEntry said);
+
+/// The same of a source unit without a port. To ignore it makes it part of the baseline, with the reason.
+void settle_unported(LockFile& lock, const UnitState& unit, LedgerEntry said);
+
+}  // namespace porttool
