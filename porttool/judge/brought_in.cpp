@@ -83,18 +83,35 @@ public:
     }
 
 private:
+    static constexpr const char* kLock = "portmap.lock";
+
     void add(GatePart kind, const std::string& file, int line, const std::string& text) {
         out_.push_back({kind, file, std::max(1, line), text});
     }
 
     void compare_locks() {
-        constexpr const char* kLock = "portmap.lock";
         if (!now_.has_lock && before_.has_lock) add(GatePart::Accept, kLock, 1, "the lock is gone");
         if (!now_.has_lock) return;
         if (!before_.has_lock)
             return add(GatePart::Accept, kLock, 1,
                        fmt::format("the lock is new: {} pairs, {} units in the baseline, {} verdicts",
                                    now_.lock.pairs.size(), now_.lock.baseline.size(), now_.lock.ledger.size()));
+        compare_locked_pairs();
+        const auto units = [](const LockedUnit& u) { return std::tie(u.side, u.id, u.reason, u.prints.written); };
+        for (const LockedUnit* unit : new_ones(before_.lock.baseline, now_.lock.baseline, units))
+            if (unit->side == "source")
+                add(GatePart::Ignore, kLock, unit->line, unit->id + (unit->reason.empty() ? "" : ": " + unit->reason));
+        const auto verdicts = [](const LedgerEntry& e) {
+            return std::tie(e.verdict, e.source, e.target, e.source_print, e.target_print, e.owner, e.until, e.reason);
+        };
+        for (const LedgerEntry* entry : new_ones(before_.lock.ledger, now_.lock.ledger, verdicts))
+            add(part_of(entry->verdict), kLock, entry->line,
+                entry->source + (entry->target.empty() ? "" : " = " + entry->target) + ": " + entry->reason +
+                    (entry->verdict == Verdict::Defer ? " (" + entry->owner + ", until " + entry->until + ")" : ""));
+    }
+
+    /// Lines of pairs that are new or have changed, and those that are gone while the map still has the pair.
+    void compare_locked_pairs() {
         const LinesByPair lines(before_.lock);
         for (const LockedPair& pair : now_.lock.pairs) {
             const LockedPair* old = lines.find(pair.source, pair.target);
@@ -113,17 +130,17 @@ private:
             for (const std::string& target : pair.targets)
                 if (lines.find(pair.source, target) != nullptr && !locked.contains({pair.source, target}))
                     add(GatePart::Accept, kLock, 1, "no longer recorded: " + pair.source + " = " + target);
-        const auto units = [](const LockedUnit& u) { return std::tie(u.side, u.id, u.reason, u.prints.written); };
-        const auto verdicts = [](const LedgerEntry& e) {
-            return std::tie(e.verdict, e.source, e.target, e.source_print, e.target_print, e.owner, e.until, e.reason);
-        };
-        for (const LockedUnit* unit : new_ones(before_.lock.baseline, now_.lock.baseline, units))
-            if (unit->side == "source")
-                add(GatePart::Ignore, kLock, unit->line, unit->id + (unit->reason.empty() ? "" : ": " + unit->reason));
-        for (const LedgerEntry* entry : new_ones(before_.lock.ledger, now_.lock.ledger, verdicts))
-            add(part_of(entry->verdict), kLock, entry->line,
-                entry->source + (entry->target.empty() ? "" : " = " + entry->target) + ": " + entry->reason +
-                    (entry->verdict == Verdict::Defer ? " (" + entry->owner + ", until " + entry->until + ")" : ""));
+    }
+
+    void compare_locked_pair(const LockedPair* old, const LockedPair& pair) {
+        const bool same_texts =
+            old != nullptr && old->source_prints == pair.source_prints && old->target_prints == pair.target_prints;
+        const bool same_word = same_texts ? std::tie(old->state, old->by) == std::tie(pair.state, pair.by)
+                                          : pair.state == LockedPair().state;
+        if (same_texts && same_word) return;
+        add(GatePart::Accept, kLock, pair.line,
+            pair.source + " = " + pair.target +
+                (same_word ? "" : ", " + pair.state + (pair.by.empty() ? "" : " by " + pair.by)));
     }
 
     template <class T, class Key>
