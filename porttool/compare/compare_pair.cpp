@@ -16,10 +16,7 @@ size_t count_words(const std::string& text) {
 
 /// Whether a number's suffix tells its type on both sides.
 Literals literals_of(const BySide<PairedUnit>& pair) {
-    const auto is_shading = [](Language language) {
-        return language == Language::Glsl || language == Language::Hlsl || language == Language::Metal ||
-               language == Language::Slang || language == Language::Ispc;
-    };
+    const auto is_shading = [](Language language) { return traits_of(language).literals == Literals::Shading; };
     return is_shading(pair.source.language) || is_shading(pair.target.language) ? Literals::Shading : Literals::C;
 }
 

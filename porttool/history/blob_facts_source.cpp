@@ -20,7 +20,8 @@ std::string key_of(const BlobFactsSource::UnitInTime& unit) {
     std::string key;
     for (const Fingerprints* prints : {&unit.before, &unit.now.prints})
         key += prints->written + " " + prints->renamed + " " + prints->blanked + " ";
-    return key + std::string(unit_kind_name(unit.now.kind)) + " " + std::string(language_name(language_of_id(unit.id)));
+    return key + std::string(unit_kind_name(unit.now.kind)) + " " +
+           std::string(traits_of(language_of_id(unit.id)).name);
 }
 
 }  // namespace

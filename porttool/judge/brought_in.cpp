@@ -113,17 +113,7 @@ private:
     /// Lines of pairs that are new or have changed, and those that are gone while the map still has the pair.
     void compare_locked_pairs() {
         const LinesByPair lines(before_.lock);
-        for (const LockedPair& pair : now_.lock.pairs) {
-            const LockedPair* old = lines.find(pair.source, pair.target);
-            const bool same_texts =
-                old != nullptr && old->source_prints == pair.source_prints && old->target_prints == pair.target_prints;
-            const bool same_word = same_texts ? std::tie(old->state, old->by) == std::tie(pair.state, pair.by)
-                                              : pair.state == LockedPair().state;
-            if (!same_texts || !same_word)
-                add(GatePart::Accept, kLock, pair.line,
-                    pair.source + " = " + pair.target +
-                        (same_word ? "" : ", " + pair.state + (pair.by.empty() ? "" : " by " + pair.by)));
-        }
+        for (const LockedPair& pair : now_.lock.pairs) compare_locked_pair(lines.find(pair.source, pair.target), pair);
         std::set<std::pair<std::string, std::string>> locked;
         for (const LockedPair& pair : now_.lock.pairs) locked.insert({pair.source, pair.target});
         for (const MapPair& pair : now_.map.pairs)
