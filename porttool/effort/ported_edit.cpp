@@ -6,21 +6,20 @@
 #include <unordered_map>
 #include <unordered_set>
 
-#include "porttool/effort/lines_in_runs.h"
-#include "porttool/measure/measure.h"
+#include "porttool/effort/common_lines.h"
 
 namespace porttool {
 namespace {
 
 /// One side's lines in the common vocabulary, and how often each text stands on old lines and on new ones.
-struct CommonLines {
+struct Translated {
     struct Count {
         size_t kept = 0, gained = 0;
     };
     std::vector<uint32_t> texts;  ///< of the gained lines, in order; 0 for one that says nothing
     std::unordered_map<uint32_t, Count> counts;
 
-    CommonLines(const EditedLines& side, const WordNumbers& words, SequenceNumbers& numbers) {
+    Translated(const EditedLines& side, const WordNumbers& words, SequenceNumbers& numbers) {
         Words common;
         for (size_t i = 0, n = 0; i < side.now.lines.size(); ++i) {
             common.clear();
@@ -43,10 +42,10 @@ struct CommonLines {
 /// Which of the gained lines the other side has as well: as a whole line, where each line of the other side answers for
 /// one, or else in one run. Of the other side only what it gained counts, unless `old_code`: then also what it had and
 /// this side had not. A lone brace goes with the gained line before it.
-std::vector<bool> answered(const EditedLines& side, const CommonLines& here, const CommonLines& there,
+std::vector<bool> answered(const EditedLines& side, const Translated& here, const Translated& there,
                            const LineSet& in_runs, bool old_code) {
     const auto answers = [&](uint32_t text) {
-        const CommonLines::Count found = there.count(text);
+        const Translated::Count found = there.count(text);
         if (!old_code || found.kept == 0) return found.gained;
         const size_t all = found.gained + found.kept;
         return all - std::min(all, here.count(text).kept);
@@ -64,7 +63,7 @@ std::vector<bool> answered(const EditedLines& side, const CommonLines& here, con
             out[n] = true;
             continue;
         }
-        const CommonLines::Count found = there.count(text);
+        const Translated::Count found = there.count(text);
         out[n] = found.gained + found.kept == 0 &&
                  std::binary_search(in_runs.begin(), in_runs.end(), side.added_line(n).line);
     }
@@ -73,10 +72,9 @@ std::vector<bool> answered(const EditedLines& side, const CommonLines& here, con
 
 /// The gained lines of a port under the strictest reading that each allows; `usual` tells of the usual one.
 CarriedLines carried_lines(const EditedUnit& source, const EditedUnit& target, const std::vector<bool>& usual,
-                           const Dialect& dialect) {
+                           const LineSet& half) {
     std::unordered_set<uint32_t> written;
     for (const TextLine& line : source.lines.now.lines) written.insert(line.text);
-    const LineSet half = half_shared_lines({source.now}, {target.now}, dialect);
     CarriedLines out(usual.size(), Carried::No);
     for (size_t n = 0; n < out.size(); ++n) {
         const TextLine& line = target.lines.added_line(n);
@@ -146,11 +144,11 @@ ComparedEdits compare_edits(const EditedUnit& source, const EditedUnit& target, 
     edit.carried.lines = static_cast<double>(edit.target.added);
     if (source.now.file != nullptr && target.now.file != nullptr) {
         SequenceNumbers numbers;
-        const CommonLines left(source.lines, reader.words, numbers), right(target.lines, reader.words, numbers);
-        const LinesInRuns runs = lines_in_runs(source.now, target.now, target.lines, dialect);
+        const Translated left(source.lines, reader.words, numbers), right(target.lines, reader.words, numbers);
+        const CommonLines runs = common_lines(source.now, target.now, target.lines, dialect);
         const std::vector<bool> ported = answered(source.lines, left, right, runs.source, false);
         edit.ported = static_cast<double>(std::count(ported.begin(), ported.end(), true));
-        out.carried = carried_lines(source, target, answered(target.lines, right, left, runs.target, true), dialect);
+        out.carried = carried_lines(source, target, answered(target.lines, right, left, runs.target, true), runs.half);
         count_into(out.carried, edit.carried);
     }
     const Words left = added_words(source.lines, reader.words), right = added_words(target.lines, reader.words);

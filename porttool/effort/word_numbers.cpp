@@ -22,12 +22,17 @@ uint32_t SequenceNumbers::number(std::span<const uint32_t> words) {
 }
 
 uint32_t WordNumbers::word(std::string_view text, TokenKind kind) {
-    const auto [token, fresh] = as_written_.try_emplace(text, 0);
-    if (!fresh) return token->second;
+    const auto known = numbers_.find(text);
+    if (known != numbers_.end() && words_[known->second].is_read) return known->second;
     const std::string spelled = kind == TokenKind::Number ? normal_number(text) : std::string(text);
-    const auto [place, is_new] = in_one_spelling_.try_emplace(spelled, static_cast<uint32_t>(words_.size()));
-    if (is_new) words_.push_back({common(common_word(spelled, dialect_)), mark_of(spelled), starts_name(spelled)});
-    return token->second = place->second;
+    const uint32_t place = number(spelled, text);
+    if (!words_[place].is_read) {
+        const std::string common = common_word(spelled, dialect_);
+        const uint32_t meaning = common.empty() ? kNone : common == spelled ? place : number(common, {});
+        words_[place] = {meaning, mark_of(spelled), starts_name(spelled), true};
+    }
+    numbers_.try_emplace(text, place);
+    return place;
 }
 
 void WordNumbers::append_common(std::span<const uint32_t> text, Words& out) const {
@@ -55,7 +60,7 @@ void WordNumbers::append_common(std::span<const uint32_t> text, Words& out) cons
     }
 }
 
-uint32_t WordNumbers::closing_brace() { return common("}"); }
+uint32_t WordNumbers::closing_brace() { return number("}", {}); }
 
 WordNumbers::Mark WordNumbers::mark_of(std::string_view text) {
     if (text == "(") return Mark::OpenParen;
@@ -66,9 +71,11 @@ WordNumbers::Mark WordNumbers::mark_of(std::string_view text) {
     return text == "::" ? Mark::Scope : Mark::None;
 }
 
-uint32_t WordNumbers::common(const std::string& text) {
-    if (text.empty()) return kNone;
-    return common_.try_emplace(text, static_cast<uint32_t>(common_.size())).first->second;
+uint32_t WordNumbers::number(const std::string& text, std::string_view own) {
+    if (const auto known = numbers_.find(text); known != numbers_.end()) return known->second;
+    const std::string_view key = text == own ? own : kept_.emplace_back(text);
+    words_.emplace_back();
+    return numbers_.emplace(key, static_cast<uint32_t>(words_.size() - 1)).first->second;
 }
 
 }  // namespace porttool

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <span>
 #include <string>
 #include <string_view>
@@ -45,20 +46,21 @@ public:
 
 private:
     enum class Mark : uint8_t { None, OpenParen, CloseParen, Semicolon, OpenBrace, CloseBrace, Scope };
+    static constexpr uint32_t kNone = 0xFFFFFFFFu;
     struct Word {
         uint32_t common = kNone;  ///< kNone: no counterpart
         Mark mark = Mark::None;
         bool is_name = false;
+        bool is_read = false;  ///< else it is known as the common word of others alone
     };
-    static constexpr uint32_t kNone = 0xFFFFFFFFu;
 
     static Mark mark_of(std::string_view text);
-    uint32_t common(const std::string& text);
+    /// The number of a text that is kept, or that is `own`.
+    uint32_t number(const std::string& text, std::string_view own);
 
     const Dialect& dialect_;
-    std::unordered_map<std::string_view, uint32_t> as_written_;  ///< tokens, as indices into words_
-    std::unordered_map<std::string, uint32_t> in_one_spelling_;
-    std::unordered_map<std::string, uint32_t> common_;
+    std::unordered_map<std::string_view, uint32_t> numbers_;  ///< of tokens as written and of common words
+    std::deque<std::string> kept_;                            ///< texts that stand in no file
     std::vector<Word> words_;
 };
 

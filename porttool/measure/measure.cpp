@@ -63,7 +63,7 @@ std::string shortness(const Shares& shares, const WinnowingParameters& parameter
 
 /// The code lines of each excerpt. A line is shared if at least half of its tokens are covered; one whose tokens all
 /// have no counterpart (`inline` alone) goes with the line after it, the last with the one before.
-std::vector<std::vector<CodeLine>> lines_of(const Passage& passage, const std::vector<PlacedToken>& tokens,
+std::vector<std::vector<CodeLine>> lines_of(size_t excerpts, const std::vector<PlacedToken>& tokens,
                                             const SymbolSequence& sequence, const std::vector<uint8_t>& covered) {
     struct Count {
         uint32_t tokens = 0, covered = 0;
@@ -71,8 +71,8 @@ std::vector<std::vector<CodeLine>> lines_of(const Passage& passage, const std::v
     std::vector<Count> of_token(tokens.size());
     for (size_t i = 0; i < sequence.symbols.size(); ++i)
         if (sequence.tokens[i] != kNoToken) of_token[sequence.tokens[i]] = {1, covered[i]};
-    std::vector<std::vector<CodeLine>> out(passage.size());
-    std::vector<std::vector<Count>> counts(passage.size());
+    std::vector<std::vector<CodeLine>> out(excerpts);
+    std::vector<std::vector<Count>> counts(excerpts);
     for (size_t i = 0; i < tokens.size(); ++i) {
         std::vector<CodeLine>& lines = out[tokens[i].excerpt];
         std::vector<Count>& line_counts = counts[tokens[i].excerpt];
@@ -215,8 +215,8 @@ Similarity measure_linear(const Passage& a, const Passage& b, const Dialect& dia
     note(raw.get(), "moss_percent_raw", out.a.moss_percent_raw, out.b.moss_percent_raw);
     out.a.tokens = shares.a.token_count;
     out.b.tokens = shares.b.token_count;
-    out.a_lines = lines_of(a, sides.a, shares.a, shares.covered_a);
-    out.b_lines = lines_of(b, sides.b, shares.b, shares.covered_b);
+    out.a_lines = lines_of(a.size(), sides.a, shares.a, shares.covered_a);
+    out.b_lines = lines_of(b.size(), sides.b, shares.b, shares.covered_b);
     count_lines(out.a_lines, out.a);
     count_lines(out.b_lines, out.b);
     for (const TokenMatch& match :
@@ -238,14 +238,16 @@ Similarity measure_shares(const Passage& a, const Passage& b, const Dialect& dia
     return measure_linear(a, b, dialect, parameters, shares);
 }
 
-std::vector<uint32_t> half_shared_lines(const Passage& a, const Passage& b, const Dialect& dialect) {
-    SymbolTable table(dialect);
-    const Sides sides{table.place(a), table.place(b)};
-    const Shares shares = find_shares(table, sides, Vocabulary::Dialect, {});
+std::vector<uint32_t> half_shared_lines(const SymbolSequence& a, const std::vector<PlacedToken>& b_tokens,
+                                        const SymbolSequence& b) {
+    constexpr WinnowingParameters kParameters;
+    std::vector<TokenMatch> matches;
+    if (std::min(a.longest_run, b.longest_run) >= kParameters.guarantee())
+        matches = metrics::winnowing_matches(a.symbols, b.symbols, kParameters);
+    const auto lines = lines_of(1, b_tokens, b, metrics::covered_in_b(matches, b.symbols.size()));
     std::vector<uint32_t> out;
-    for (const std::vector<CodeLine>& excerpt : lines_of(b, sides.b, shares.b, shares.covered_b))
-        for (const CodeLine& line : excerpt)
-            if (line.shared) out.push_back(line.line);
+    for (const CodeLine& line : lines.front())
+        if (line.shared) out.push_back(line.line);
     return out;
 }
 

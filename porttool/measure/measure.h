@@ -11,6 +11,7 @@
 #include "metrics/code/winnowing.h"
 #include "porttool/language/dialect.h"
 #include "porttool/measure/code_lines.h"
+#include "porttool/measure/symbols.h"
 
 namespace porttool {
 
@@ -62,9 +63,10 @@ struct Similarity {
 Similarity measure_shares(const Passage& a, const Passage& b, const Dialect& dialect,
                           const metrics::WinnowingParameters& parameters = {});
 
-/// The lines of `b`, ascending, at least half of whose tokens lie in matches with `a`: the shared ones of
-/// measure_shares, for a `b` of one excerpt, without its figures.
-std::vector<uint32_t> half_shared_lines(const Passage& a, const Passage& b, const Dialect& dialect);
+/// The lines of a side `b` of one excerpt, ascending, at least half of whose tokens lie in matches with `a`: the shared
+/// ones of measure_shares, for sequences in the dialects' vocabulary.
+std::vector<uint32_t> half_shared_lines(const SymbolSequence& a, const std::vector<PlacedToken>& b_tokens,
+                                        const SymbolSequence& b);
 
 /// All figures; those whose cost grows faster than the text are left out, with the reason, where it is too long.
 Similarity measure(const Passage& a, const Passage& b, const Dialect& dialect,

@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The porttool authors
 // SPDX-License-Identifier: Apache-2.0
-#include "porttool/effort/lines_in_runs.h"
+#include "porttool/effort/common_lines.h"
 
 #include <algorithm>
 
 #include "metrics/code/winnowing.h"
+#include "porttool/measure/measure.h"
 #include "porttool/measure/symbols.h"
 
 namespace porttool {
@@ -18,12 +19,12 @@ struct LineRange {
 
 /// One side as symbols, with its lines and which of them lie in a run.
 struct SideInRuns {
+    std::vector<PlacedToken> tokens;
     SymbolSequence sequence;
     std::vector<LineRange> lines;
     std::vector<bool> in_run;  ///< by index into lines
 
-    SideInRuns(SymbolTable& table, const Excerpt& excerpt, uint32_t side) {
-        const std::vector<PlacedToken> tokens = table.place({excerpt});
+    SideInRuns(SymbolTable& table, const Excerpt& excerpt, uint32_t side) : tokens(table.place({excerpt})) {
         sequence = table.sequence(tokens, Vocabulary::Dialect, side);
         for (size_t i = 0; i < sequence.symbols.size(); ++i) {
             if (sequence.tokens[i] == kNoToken) continue;
@@ -66,8 +67,8 @@ std::vector<size_t> count_new(const SideInRuns& side, const EditedLines& edit) {
 
 }  // namespace
 
-LinesInRuns lines_in_runs(const Excerpt& source, const Excerpt& target, const EditedLines& target_edit,
-                          const Dialect& dialect) {
+CommonLines common_lines(const Excerpt& source, const Excerpt& target, const EditedLines& target_edit,
+                         const Dialect& dialect) {
     SymbolTable table(dialect);
     SideInRuns a(table, source, 0), b(table, target, 1);
     const std::vector<size_t> new_before = count_new(b, target_edit);
@@ -79,7 +80,7 @@ LinesInRuns lines_in_runs(const Excerpt& source, const Excerpt& target, const Ed
         });
         b.for_lines_in(run.b, run.length, [&](size_t at) { b.in_run[at] = true; });
     }
-    return {a.found(), b.found()};
+    return {a.found(), b.found(), half_shared_lines(a.sequence, b.tokens, b.sequence)};
 }
 
 }  // namespace porttool
