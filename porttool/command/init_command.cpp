@@ -105,10 +105,11 @@ Outcome run_init(const Options& options, Workplace& place) {
         if (!options.force && place.disk.exists(path))
             throw CannotDo(terminal_text(path) +
                            " is there already; replace it with --force, or edit it and run: porttool check");
-    const Snapshot now = read_snapshot(std::move(project), {}, place.disk);
+    Snapshot now = read_snapshot(std::move(project), {}, place.disk, Depth::Scanned);
     for (const SkippedFile& file : now.project.skipped)
         place.err << "skipped " << terminal_text(file.file) << ": " << terminal_text(file.reason) << "\n";
     const Matching matching = match_units(now.project.source, now.project.target, {}, Dialect());
+    now.states = read_states(now.project);  // not before: what the matcher needs is as large
     LockFile lock = first_lock(matching, now.states);
     tell_differences(accept_differences(lock, now.states, Dialect(), today()), place);
     const std::string map = map_text(now.project, matching);
