@@ -45,7 +45,7 @@ Outcome run_check(const Options& options, Workplace& place) {
     const SameCodeIn same_code_in = [&](const Project& project) {
         spirv = std::make_unique<SpirvCheck>(project, options.staged, options.base.empty() ? "HEAD" : options.base,
                                              place.disk);
-        return [&](const UnitState& unit, Side side, const std::string& before) {
+        return [&](const UnitState& unit, Side side, const NormalText& before) {
             return spirv->same_code(unit, side == Side::Source, before);
         };
     };

@@ -45,7 +45,8 @@ void explain_edits(const CheckedProject& checked, const JudgedPair& pair, std::s
     if (lock == nullptr || pair.unit.source == nullptr || pair.unit.target == nullptr) return;
     auto rows = [&](const UnitState& unit, const std::string& print) {
         std::vector<std::string> lines;
-        const Edit edit = edit_of(read_state_text(text_behind(checked, print)), read_state_text(unit.text));
+        const NormalText before = text_behind(checked, print);
+        const Edit edit = edit_of(before.words(), unit.text.words());
         for (const std::string& statement : edit.lost) lines.push_back("- " + terminal_text(statement));
         for (const std::string& statement : edit.gained) lines.push_back("+ " + terminal_text(statement));
         return lines;

@@ -9,7 +9,7 @@
 namespace porttool {
 namespace {
 
-using Words = std::vector<std::string>;
+using Text = std::vector<std::string>;
 
 bool is_letter(char c) { return c == '_' || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
@@ -25,7 +25,7 @@ bool is_sign(const std::string& word) { return word == "-" || word == "!" || wor
 /// of casts ends is found once for all of it.
 class CastWriter {
 public:
-    CastWriter(const Words& words, const Dialect& dialect)
+    CastWriter(const Text& words, const Dialect& dialect)
         : words_(words), dialect_(dialect), behind_(words.size(), words.size()), operand_ends_(words.size(), 0) {
         std::vector<size_t> open;
         for (size_t i = 0; i < words_.size(); ++i) {
@@ -36,7 +36,7 @@ public:
         }
     }
 
-    Words run() {
+    Text run() {
         operands_.push_back({0, words_.size(), words_.size()});
         for (size_t i = 0; i < words_.size() || operands_.size() > 1;) {
             if (operands_.size() > 1 && i >= operands_.back().end) {
@@ -122,12 +122,12 @@ private:
         return end;
     }
 
-    const Words& words_;
+    const Text& words_;
     const Dialect& dialect_;
     std::vector<size_t> behind_;        ///< of each opening bracket, behind the one that closes it
     std::vector<size_t> operand_ends_;  ///< where the operand that begins at a word ends, once it is known
     std::vector<Operand> operands_;
-    Words out_;
+    Text out_;
 };
 
 }  // namespace
@@ -138,7 +138,7 @@ Words with_one_word_types(const Words& tokens) {
         size_t end = i, longs = 0;
         bool is_unsigned = false, is_signed = false, is_short = false, is_char = false;
         for (; end < tokens.size(); ++end) {
-            const std::string& token = tokens[end];
+            const std::string_view token = tokens[end];
             is_unsigned |= token == "unsigned";
             is_signed |= token == "signed";
             is_short |= token == "short";
@@ -169,7 +169,7 @@ Words with_one_word_types(const Words& tokens) {
     return out;
 }
 
-Words with_functional_casts(const Words& words, const Dialect& dialect) {
+Text with_functional_casts(const Text& words, const Dialect& dialect) {
     if (std::find(words.begin(), words.end(), ")") == words.end()) return words;
     return CastWriter(words, dialect).run();
 }

@@ -6,11 +6,12 @@
 #include <vector>
 
 #include "porttool/language/dialect.h"
+#include "porttool/normal/normal_text.h"
 
 namespace porttool {
 
 /// Types of several words as one: `unsigned int` is `uint`, `long long int` is `int64`.
-std::vector<std::string> with_one_word_types(const std::vector<std::string>& tokens);
+Words with_one_word_types(const Words& tokens);
 
 /// Casts to arithmetic types as calls: `(float)n` and `static_cast<float>(n)` are `float(n)`. The words are translated
 /// already.

@@ -2,17 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "porttool/compare/compare_pair.h"
 
-#include <algorithm>
-
 #include "porttool/compare/constant_value.h"
 
 namespace porttool {
 namespace {
-
-/// Each word of a unit's text has a blank or a line break after it.
-size_t count_words(const std::string& text) {
-    return static_cast<size_t>(std::count_if(text.begin(), text.end(), [](char c) { return c == ' ' || c == '\n'; }));
-}
 
 /// Whether a number's suffix tells its type on both sides.
 Literals literals_of(const BySide<PairedUnit>& pair) {
@@ -47,17 +40,17 @@ private:
     CompareSize size() const {
         CompareSize out;
         for (const Side side : kBothSides) {
-            out.add(count_words(pair_[side].now));
-            if (changed(side)) out.add(count_words(pair_[side].before));
+            out.add(pair_[side].now.size());
+            if (changed(side)) out.add(pair_[side].before.size());
         }
         return out;
     }
 
     void read_texts() {
         for (const Side side : kBothSides) {
-            now_[side] = read_state_text(pair_[side].now);
+            now_[side] = pair_[side].now.words();
             if (!changed(side)) continue;
-            before_[side] = read_state_text(pair_[side].before);
+            before_[side] = pair_[side].before.words();
             if (before_[side].empty())
                 out_.text_missing = true;
             else
@@ -89,7 +82,7 @@ private:
 
     const BySide<PairedUnit>& pair_;
     const Dialect& dialect_;
-    BySide<std::vector<std::string>> before_, now_;
+    BySide<Words> before_, now_;
     PairComparison out_;
 };
 

@@ -15,14 +15,14 @@
 
 namespace porttool {
 
-/// A unit of a pair: when both sides were last in step, and now. Texts are as UnitState::text has them; `before` is
-/// looked at only where the side changed by more than its looks, and is "" where it is not known.
+/// A unit of a pair: when both sides were last in step, and now. `before` is looked at only where the side changed by
+/// more than its looks, and is empty where it is not known.
 struct PairedUnit {
     std::string_view id;
     UnitKind kind;      ///< now
     Language language;  ///< as the path of its file tells
     const Fingerprints &prints_before, &prints_now;
-    const std::string &before, &now;
+    const NormalText &before, &now;
 };
 
 /// How a pair stands, told by its texts alone.

@@ -14,8 +14,6 @@
 namespace porttool {
 namespace {
 
-using Words = std::vector<std::string>;
-
 /// A scalar, or a list of values by its text.
 struct Value {
     bool real = false;
@@ -52,9 +50,9 @@ Value real(double number) {
 enum class Type : uint8_t { None, Int, Unsigned, Real, Many };
 
 /// A built-in type by its common name; Many for vectors, which are lists of numbers.
-Type type_of(const std::string& word, const Dialect& dialect) {
+Type type_of(std::string_view word, const Dialect& dialect) {
     const std::string* known = dialect.find(word);
-    const std::string name = known != nullptr && !known->empty() ? *known : word;
+    const std::string_view name = known != nullptr && !known->empty() ? *known : word;
     if (name == "int" || name == "short" || name == "long" || name == "char" || name == "signed" || name == "int64" ||
         name == "bool" || name == "size_t" || name == "auto")
         return Type::Int;
@@ -79,14 +77,14 @@ public:
     }
 
 private:
-    std::string word(size_t ahead = 0) const { return at_ + ahead < words_.size() ? words_[at_ + ahead] : ""; }
+    std::string_view word() const { return at_ < words_.size() ? words_[at_] : std::string_view(); }
     bool take(const char* text) {
         if (word() != text) return false;
         ++at_;
         return true;
     }
 
-    static int rank(const std::string& op) {
+    static int rank(std::string_view op) {
         constexpr std::array<std::array<const char*, 3>, 6> kRows = {
             {{"|", "", ""}, {"^", "", ""}, {"&", "", ""}, {"<<", ">>", ""}, {"+", "-", ""}, {"*", "/", "%"}}};
         for (size_t i = 0; i < kRows.size() && !op.empty(); ++i)
@@ -97,7 +95,7 @@ private:
     std::optional<Value> binary(int least) {
         auto left = unary();
         while (left) {
-            const std::string op = word();
+            const std::string_view op = word();
             const int level = rank(op);
             if (level < least) break;
             ++at_;
@@ -107,7 +105,7 @@ private:
         return left;
     }
 
-    static std::optional<Value> apply(const Value& a, const std::string& op, const Value& b) {
+    static std::optional<Value> apply(const Value& a, std::string_view op, const Value& b) {
         if (!a.list.empty() || !b.list.empty()) return {};
         if (a.real || b.real) {
             const double x = a.as_real(), y = b.as_real();
@@ -221,7 +219,7 @@ private:
     }
 
     std::optional<Value> literal() {
-        const std::string text = word();
+        const std::string_view text = word();
         ++at_;
         if (text == "true" || text == "false") return whole(text == "true" ? 1 : 0, false);
         const bool digit = !text.empty() && ((text[0] >= '0' && text[0] <= '9') || text[0] == '.');
@@ -263,7 +261,7 @@ Words value_words(const Words& tokens) {
     for (; first != end; ++first) {
         const bool second = !out.empty() && (*first == "<" || *first == ">") && out.back() == *first;
         if (second)
-            out.back() += *first;  // normal form has shifts as two tokens
+            out.back() = *first == "<" ? "<<" : ">>";  // normal form has shifts as two tokens
         else
             out.push_back(*first);
     }
@@ -274,7 +272,7 @@ Words value_words(const Words& tokens) {
 Type declared_type(const Words& tokens, const Dialect& dialect) {
     if (!tokens.empty() && tokens[0] == "#") return Type::None;
     Type out = Type::None;
-    for (const std::string& word : tokens) {
+    for (const std::string_view word : tokens) {
         if (word == "=" || word == "{") break;
         if (word == "[") return Type::Many;
         if (out == Type::None || type_of(word, dialect) == Type::Unsigned)
@@ -287,16 +285,16 @@ Type declared_type(const Words& tokens, const Dialect& dialect) {
 std::string shown(const Words& words) {
     std::string out;
     for (size_t i = 0; i < words.size(); ++i) {
-        const std::string before = i > 0 ? words[i - 1] : "(";
-        const std::string previous = i > 1 ? words[i - 2] : "(";
-        const auto opens = [](const std::string& w) { return w == "(" || w == "[" || w == "{"; };
-        const auto is_sign = [](const std::string& w) { return w == "-" || w == "+" || w == "~"; };
+        const std::string_view before = i > 0 ? words[i - 1] : "(", previous = i > 1 ? words[i - 2] : "(";
+        const auto opens = [](std::string_view w) { return w == "(" || w == "[" || w == "{"; };
+        const auto is_sign = [](std::string_view w) { return w == "-" || w == "+" || w == "~"; };
         const bool behind_sign =
             is_sign(before) && (opens(previous) || previous == "," || previous.find_first_of("+-*/%<>&|^") == 0);
         const bool tight = i == 0 || opens(before) || words[i] == ")" || words[i] == "]" || words[i] == "}" ||
                            words[i] == "," || words[i] == ";" || words[i] == "[" || behind_sign ||
                            (words[i] == "(" && (std::isalpha(static_cast<unsigned char>(before[0])) || before == "]"));
-        out += (tight ? "" : " ") + words[i];
+        out += tight ? "" : " ";
+        out += words[i];
     }
     constexpr size_t kLongest = 80;
     if (out.size() > kLongest) out = out.substr(0, kLongest) + "...";
@@ -369,7 +367,7 @@ ComparedValues compare_structs(const Words& left, const Words& right, const Dial
 
 }  // namespace
 
-std::string evaluate_constant(const std::vector<std::string>& tokens, const Dialect& dialect) {
+std::string evaluate_constant(const Words& tokens, const Dialect& dialect) {
     const auto value = Evaluator(tokens, dialect).run();
     return value ? value->text() : std::string();
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "porttool/language/dialect.h"
+#include "porttool/normal/normal_text.h"
 #include "porttool/scan/unit.h"
 
 namespace porttool {
@@ -18,13 +19,12 @@ struct ComparedValues {
 };
 
 /// Compares two units of the same kind, constant or struct, by their tokens in normal form.
-ComparedValues compare_values(UnitKind kind, const std::vector<std::string>& source,
-                              const std::vector<std::string>& target, const Dialect& dialect);
+ComparedValues compare_values(UnitKind kind, const Words& source, const Words& target, const Dialect& dialect);
 
 /// The value of a constant expression in tokens of normal form, in a spelling that is the same for all that write it:
 /// integers and reals with + - * / % << >> & | ^ ~, parentheses, casts and constructors of built-in types, and lists in
 /// braces. "" if it cannot be told, as where a name stands. Integer arithmetic is that of C with 64 bits; an unsigned
 /// operand without a larger suffix has 32.
-std::string evaluate_constant(const std::vector<std::string>& tokens, const Dialect& dialect);
+std::string evaluate_constant(const Words& tokens, const Dialect& dialect);
 
 }  // namespace porttool

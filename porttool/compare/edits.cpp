@@ -8,6 +8,7 @@
 
 #include "porttool/compare/places.h"
 #include "porttool/compare/renaming.h"
+#include "porttool/normal/diff.h"
 #include "porttool/normal/statements.h"
 
 namespace porttool {
@@ -181,13 +182,13 @@ std::vector<std::string> missing(const StatementEdit& source, const StatementEdi
 /// Compares the edits by the names that the texts have.
 EditComparison compare_as_named(const PairTexts& texts, const Dialect& dialect, Literals literals) {
     const Meaning meaning(texts, dialect, literals);
-    const auto translator = [&](Meaning::Side side) {
-        return [&meaning, side](const std::vector<std::string>& statement, bool in_body) {
+    const auto translator = [&](Side side) {
+        return [&meaning, side](const Words& statement, bool in_body) {
             return meaning.translate(statement, side, in_body);
         };
     };
-    const StatementEdit source = statement_edit(texts.source_before, texts.source_now, translator(Meaning::Source));
-    const StatementEdit target = statement_edit(texts.target_before, texts.target_now, translator(Meaning::Target));
+    const StatementEdit source = statement_edit(texts.source_before, texts.source_now, translator(Side::Source));
+    const StatementEdit target = statement_edit(texts.target_before, texts.target_now, translator(Side::Target));
     EditComparison out;
     const bool same_counts = source.gained.size() == target.gained.size() && source.lost.size() == target.lost.size();
     const bool same_statements = chosen_keys(source.now, source.gained) == chosen_keys(target.now, target.gained) &&
@@ -210,8 +211,10 @@ Change classify(const Fingerprints& before, const Fingerprints& now) {
     return before.blanked == now.blanked ? Change::Constant : Change::Semantic;
 }
 
-Edit edit_of(const std::vector<std::string>& before, const std::vector<std::string>& now) {
-    const auto as_written = [](const std::vector<std::string>& statement, bool) { return statement; };
+Edit edit_of(const Words& before, const Words& now) {
+    const auto as_written = [](const Words& statement, bool) {
+        return std::vector<std::string>(statement.begin(), statement.end());
+    };
     return shown(statement_edit(before, now, as_written));
 }
 
@@ -226,8 +229,8 @@ EditComparison compare_edits(const PairTexts& texts, const Dialect& dialect, Lit
     return compare_as_named({texts.source_before, source, texts.target_before, target}, dialect, literals);
 }
 
-std::string value_in_common_words(const std::vector<std::string>& tokens, const Dialect& dialect, bool is_struct) {
-    std::vector<std::string> value;
+std::string value_in_common_words(const Words& tokens, const Dialect& dialect, bool is_struct) {
+    Words value;
     auto first = tokens.begin();
     if (is_struct) {
         first = std::find(tokens.begin(), tokens.end(), "{");

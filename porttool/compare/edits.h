@@ -35,9 +35,9 @@ struct EditComparison {
 EditComparison compare_edits(const PairTexts& texts, const Dialect& dialect, Literals literals);
 
 /// What changed between two texts.
-Edit edit_of(const std::vector<std::string>& before, const std::vector<std::string>& now);
+Edit edit_of(const Words& before, const Words& now);
 
 /// The value of a constant or the fields of a struct in one vocabulary, to compare two sides by value.
-std::string value_in_common_words(const std::vector<std::string>& tokens, const Dialect& dialect, bool is_struct);
+std::string value_in_common_words(const Words& tokens, const Dialect& dialect, bool is_struct);
 
 }  // namespace porttool

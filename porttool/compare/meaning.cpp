@@ -10,14 +10,12 @@
 namespace porttool {
 namespace {
 
-using Words = std::vector<std::string>;
-
-bool is_word(const std::string& token) {
+bool is_word(std::string_view token) {
     return !token.empty() &&
            (token[0] == '_' || (token[0] >= 'a' && token[0] <= 'z') || (token[0] >= 'A' && token[0] <= 'Z'));
 }
 
-bool is_number(const std::string& token) {
+bool is_number(std::string_view token) {
     auto digit = [](char c) { return c >= '0' && c <= '9'; };
     return !token.empty() && (digit(token[0]) || (token[0] == '.' && token.size() > 1 && digit(token[1])));
 }
@@ -43,7 +41,7 @@ std::string storage_of(const Words& tokens) {
         if (word_is(tokens[i], kSharedStorage) && is_word(tokens[i + 1])) storage = "shared";
         if (tokens[i] == "static" && storage.empty()) storage = "static";
     }
-    for (const std::string& token : tokens) {
+    for (const std::string_view token : tokens) {
         if (token == "*" || token == "&") return "";
         if (token == "=" || token == "[" || token == "(") break;
     }
@@ -53,21 +51,21 @@ std::string storage_of(const Words& tokens) {
 /// The chain of scopes that starts at `i`: where it ends, and the innermost scope that counts.
 struct Chain {
     size_t last;
-    std::string scope;
+    std::string_view scope;
 };
 
 Chain chain_at(const Words& tokens, size_t i, const Dialect& dialect) {
     Chain chain{i, ""};
     while (chain.last + 2 < tokens.size() && tokens[chain.last + 1] == "::" && is_word(tokens[chain.last + 2])) {
         const std::string* known = dialect.meaning(tokens[chain.last]);
-        chain.scope = known != nullptr && known->empty() ? "" : tokens[chain.last];
+        chain.scope = known != nullptr && known->empty() ? std::string_view() : tokens[chain.last];
         chain.last += 2;
     }
     return chain;
 }
 
-std::map<std::string, std::set<std::string>> scopes_in(const Words& tokens, const Dialect& dialect) {
-    std::map<std::string, std::set<std::string>> out;
+std::map<std::string_view, std::set<std::string_view>> scopes_in(const Words& tokens, const Dialect& dialect) {
+    std::map<std::string_view, std::set<std::string_view>> out;
     for (size_t i = 0; i < tokens.size(); ++i) {
         if (!is_word(tokens[i])) continue;
         const Chain chain = chain_at(tokens, i, dialect);
@@ -81,15 +79,15 @@ std::map<std::string, std::set<std::string>> scopes_in(const Words& tokens, cons
 
 Meaning::Meaning(const PairTexts& texts, const Dialect& dialect, Literals literals)
     : dialect_(dialect), literals_(literals) {
-    note_names(texts.source_before, Source);
-    note_names(texts.source_now, Source);
-    note_names(texts.target_before, Target);
-    note_names(texts.target_now, Target);
+    note_names(texts.source_before, Side::Source);
+    note_names(texts.source_now, Side::Source);
+    note_names(texts.target_before, Side::Target);
+    note_names(texts.target_now, Side::Target);
     note_scopes(texts.source_before, texts.target_before);
 }
 
 void Meaning::note_names(const Words& tokens, Side side) {
-    for (const std::string& token : tokens)
+    for (const std::string_view token : tokens)
         if (is_word(token) && dialect_.meaning(token) == nullptr) spellings_[side][folded(token)].insert(token);
     for (auto& [name, scopes] : scopes_in(tokens, dialect_)) scopes_[side][name].insert(scopes.begin(), scopes.end());
 }
@@ -97,17 +95,17 @@ void Meaning::note_names(const Words& tokens, Side side) {
 /// A scope that the port calls otherwise throughout is the same scope.
 void Meaning::note_scopes(const Words& source, const Words& target) {
     const auto here = scopes_in(source, dialect_), there = scopes_in(target, dialect_);
-    std::set<std::string> ambiguous;
+    std::set<std::string_view> ambiguous;
     for (const auto& [name, scopes] : there) {
         const auto found = here.find(name);
         if (found == here.end() || found->second.size() != 1 || scopes.size() != 1) continue;
         const auto known = renamed_.emplace(*scopes.begin(), *found->second.begin());
         if (known.first->second != *found->second.begin()) ambiguous.insert(*scopes.begin());
     }
-    for (const std::string& scope : ambiguous) renamed_.erase(scope);
+    for (const std::string_view scope : ambiguous) renamed_.erase(scope);
 }
 
-std::string Meaning::number(const std::string& token) const {
+std::string Meaning::number(std::string_view token) const {
     std::string text = normal_number(token);
     const bool hexadecimal = token.starts_with("0x") || token.starts_with("0X");
     std::string suffix;
@@ -122,31 +120,32 @@ std::string Meaning::number(const std::string& token) const {
     return literals_ == Literals::C ? text + suffix : text;
 }
 
-std::string Meaning::word(const std::string& token) const {
+std::string Meaning::word(std::string_view token) const {
     if (is_number(token)) return number(token);
     if (const std::string* known = dialect_.meaning(token)) {
         if (literals_ == Literals::Shading && *known == "fabs") return "abs";
-        return known->empty() ? token : *known;
+        return known->empty() ? std::string(token) : *known;
     }
-    if (!is_word(token)) return token;
+    if (!is_word(token)) return std::string(token);
     // A name may be spelled after the manner of each side, as long as that leaves no two names alike.
     const std::string name = folded(token);
-    for (const Spellings& side : spellings_)
-        if (const auto found = side.find(name); found != side.end() && found->second.size() > 1) return token;
+    for (const Side side : kBothSides)
+        if (const auto found = spellings_[side].find(name); found != spellings_[side].end() && found->second.size() > 1)
+            return std::string(token);
     return name;
 }
 
-std::string Meaning::scoped(const std::string& scope, const std::string& name, Side side) const {
-    const auto here = scopes_[side].find(name), there = scopes_[1 - side].find(name);
-    const bool counts = (here != scopes_[side].end() && here->second.size() > 1) || there != scopes_[1 - side].end();
+std::string Meaning::scoped(std::string_view scope, std::string_view name, Side side) const {
+    const auto here = scopes_[side].find(name), there = scopes_[other(side)].find(name);
+    const bool counts = (here != scopes_[side].end() && here->second.size() > 1) || there != scopes_[other(side)].end();
     if (scope.empty() || !counts) return word(name);
     const auto renamed = renamed_.find(scope);
-    return word(side == Target && renamed != renamed_.end() ? renamed->second : scope) + "::" + word(name);
+    return word(side == Side::Target && renamed != renamed_.end() ? renamed->second : scope) + "::" + word(name);
 }
 
-Words Meaning::translate(const Words& statement, Side side, bool in_body) const {
+std::vector<std::string> Meaning::translate(const Words& statement, Side side, bool in_body) const {
     const Words tokens = with_one_word_types(statement);
-    Words out;
+    std::vector<std::string> out;
     if (in_body)
         if (const std::string storage = storage_of(tokens); !storage.empty()) out.push_back(storage);
     for (size_t i = 0; i < tokens.size(); ++i) {

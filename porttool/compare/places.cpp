@@ -5,12 +5,13 @@
 #include <algorithm>
 
 #include "porttool/language/words.h"
+#include "porttool/normal/diff.h"
 
 namespace porttool {
 namespace {
 
-std::vector<std::string> keys(const std::vector<Statement>& statements) {
-    std::vector<std::string> out;
+Words keys(const std::vector<Statement>& statements) {
+    Words out;
     for (const Statement& statement : statements) out.push_back(statement.key);
     return out;
 }
@@ -113,8 +114,7 @@ std::vector<size_t> StatementEdit::kept() const {
     return out;
 }
 
-StatementEdit statement_edit(const std::vector<std::string>& before, const std::vector<std::string>& now,
-                             const Translator& translator) {
+StatementEdit statement_edit(const Words& before, const Words& now, const Translator& translator) {
     StatementEdit edit{split_statements(before, translator), split_statements(now, translator), {}, {}};
     for (const DiffStep& step : diff(keys(edit.before), keys(edit.now))) {
         if (step.kind == DiffStep::Remove) edit.lost.push_back(step.before);

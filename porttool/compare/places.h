@@ -20,8 +20,7 @@ struct StatementEdit {
     std::vector<size_t> kept() const;
 };
 
-StatementEdit statement_edit(const std::vector<std::string>& before, const std::vector<std::string>& now,
-                             const Translator& translator);
+StatementEdit statement_edit(const Words& before, const Words& now, const Translator& translator);
 
 /// The block that a statement stands in, by its head, for a reader.
 std::string block_of(const std::vector<Statement>& statements, size_t i);

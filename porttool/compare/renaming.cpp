@@ -7,14 +7,14 @@
 #include <set>
 #include <unordered_set>
 
+#include "porttool/normal/diff.h"
 #include "porttool/normal/locals.h"
 #include "porttool/normal/statements.h"
 
 namespace porttool {
 namespace {
 
-using Words = std::vector<std::string>;
-using Names = std::map<std::string, std::string>;
+using Names = std::map<std::string_view, std::string_view>;
 
 /// A function's text, the locals in it, and the words that it uses, in the common vocabulary.
 struct Function {
@@ -28,7 +28,7 @@ struct Function {
     /// The names that stand for a local wherever they stand, in order of appearance, without those that `other` uses.
     Words own_names(const Function& other, const Dialect& dialect) const {
         Words names;
-        std::set<std::string> seen;
+        std::set<std::string_view> seen;
         for (size_t i = 0; i < locals.size(); ++i) {
             if (is_member(i)) continue;
             if (locals[i] == 0)
@@ -37,10 +37,10 @@ struct Function {
                 names.push_back(words[i]);
         }
         // A name that elsewhere in the text is a global's keeps its spelling.
-        std::set<std::string> unbound;
+        std::set<std::string_view> unbound;
         for (size_t i = 0; i < locals.size(); ++i)
             if (locals[i] == 0 && !is_member(i)) unbound.insert(words[i]);
-        std::erase_if(names, [&](const std::string& name) { return unbound.contains(name); });
+        std::erase_if(names, [&](std::string_view name) { return unbound.contains(name); });
         return names;
     }
 
@@ -60,7 +60,7 @@ struct Function {
 Words blanked(const Words& words, const Words& names) {
     const std::unordered_set<std::string_view> blank(names.begin(), names.end());
     Words out = words;
-    for (std::string& word : out)
+    for (std::string_view& word : out)
         if (blank.contains(word)) word = "%";
     return out;
 }
@@ -68,10 +68,10 @@ Words blanked(const Words& words, const Words& names) {
 /// Which of `fresh` stands where one of `gone` stood, the most frequent first; each name once.
 Names pair_names(const Words& before, const Words& gone, const Words& now, const Words& fresh, const Dialect& dialect) {
     const Words left = blanked(before, gone), right = blanked(now, fresh);
-    std::map<std::pair<std::string, std::string>, size_t> votes;
+    std::map<std::pair<std::string_view, std::string_view>, size_t> votes;
     for (const DiffStep& step : diff(left, right))
         if (step.kind == DiffStep::Keep && left[step.before] == "%") ++votes[{now[step.now], before[step.before]}];
-    std::vector<std::pair<size_t, std::pair<std::string, std::string>>> ranked;
+    std::vector<std::pair<size_t, std::pair<std::string_view, std::string_view>>> ranked;
     for (const auto& [names, count] : votes) ranked.emplace_back(count, names);
     std::stable_sort(ranked.begin(), ranked.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
     Names out;
@@ -99,7 +99,7 @@ Words with_new_names_of_source(const Words& source_before, const Words& source_n
     Words there = source.own_names(Function(source_before, dialect), dialect);
     Words here = target.own_names(Function(target_before, dialect), dialect);
     const auto has_its_like = [&](const Function& other) {
-        return [&](const std::string& name) { return other.used.contains(common_word(name, dialect)); };
+        return [&](std::string_view name) { return other.used.contains(common_word(name, dialect)); };
     };
     std::erase_if(there, has_its_like(target));
     std::erase_if(here, has_its_like(source));

@@ -2,10 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "porttool/language/dialect.h"
+#include "porttool/normal/normal_text.h"
 
 namespace porttool {
 
@@ -14,13 +12,10 @@ namespace porttool {
 // costs a false alarm and hides nothing. All texts are functions in normal form; others come back as they are.
 
 /// `now` with the names that `before` had, where locals were renamed since.
-std::vector<std::string> with_old_names(const std::vector<std::string>& before, const std::vector<std::string>& now,
-                                        const Dialect& dialect);
+Words with_old_names(const Words& before, const Words& now, const Dialect& dialect);
 
 /// `target_now` with the locals that are new in it named as those that are new in the source, in their order.
-std::vector<std::string> with_new_names_of_source(const std::vector<std::string>& source_before,
-                                                  const std::vector<std::string>& source_now,
-                                                  const std::vector<std::string>& target_before,
-                                                  const std::vector<std::string>& target_now, const Dialect& dialect);
+Words with_new_names_of_source(const Words& source_before, const Words& source_now, const Words& target_before,
+                               const Words& target_now, const Dialect& dialect);
 
 }  // namespace porttool

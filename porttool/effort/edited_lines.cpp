@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "porttool/normal/statements.h"
+#include "porttool/normal/diff.h"
 
 namespace porttool {
 namespace {

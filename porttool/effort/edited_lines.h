@@ -27,7 +27,7 @@ struct TextLine {
 
 struct LinesOfCode {
     std::vector<TextLine> lines;
-    Words words;
+    NumberedWords words;
 
     std::span<const uint32_t> words_of(const TextLine& line) const {
         return std::span(words).subspan(line.first_word, line.end - line.first_word);

@@ -20,7 +20,7 @@ struct Translated {
     std::unordered_map<uint32_t, Count> counts;
 
     Translated(const EditedLines& side, const WordNumbers& words, SequenceNumbers& numbers) {
-        Words common;
+        NumberedWords common;
         for (size_t i = 0, n = 0; i < side.now.lines.size(); ++i) {
             common.clear();
             words.append_common(side.now.words_of(side.now.lines[i]), common);
@@ -86,7 +86,7 @@ CarriedLines carried_lines(const EditedUnit& source, const EditedUnit& target, c
     return out;
 }
 
-size_t count_common(const Words& left, const Words& right) {
+size_t count_common(const NumberedWords& left, const NumberedWords& right) {
     size_t common = 0;
     for (auto a = left.begin(), b = right.begin(); a != left.end() && b != right.end();) {
         if (*a == *b) ++common;
@@ -122,13 +122,13 @@ void count_into(const CarriedLines& lines, metrics::SharedLines& out) {
     }
 }
 
-Words added_words(const EditedLines& edit, WordNumbers& words) {
-    Words text;
+NumberedWords added_words(const EditedLines& edit, WordNumbers& words) {
+    NumberedWords text;
     for (const size_t i : edit.added) {
         const std::span<const uint32_t> line = edit.now.words_of(edit.now.lines[i]);
         text.insert(text.end(), line.begin(), line.end());
     }
-    Words out;
+    NumberedWords out;
     words.append_common(text, out);
     std::erase(out, words.closing_brace());
     std::sort(out.begin(), out.end());
@@ -151,7 +151,7 @@ ComparedEdits compare_edits(const EditedUnit& source, const EditedUnit& target, 
         out.carried = carried_lines(source, target, answered(target.lines, right, left, runs.target, true), runs.half);
         count_into(out.carried, edit.carried);
     }
-    const Words left = added_words(source.lines, reader.words), right = added_words(target.lines, reader.words);
+    const NumberedWords left = added_words(source.lines, reader.words), right = added_words(target.lines, reader.words);
     edit.source_tokens = left.size();
     edit.target_tokens = right.size();
     edit.common_tokens = count_common(left, right);

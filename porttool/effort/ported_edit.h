@@ -69,6 +69,6 @@ ComparedEdits compare_edits(const EditedUnit& source, const EditedUnit& target, 
                             const Dialect& dialect);
 
 /// The words of the lines that an edit gained, in the common vocabulary, sorted; closing braces left out.
-Words added_words(const EditedLines& edit, WordNumbers& words);
+NumberedWords added_words(const EditedLines& edit, WordNumbers& words);
 
 }  // namespace porttool

@@ -35,7 +35,7 @@ uint32_t WordNumbers::word(std::string_view text, TokenKind kind) {
     return place;
 }
 
-void WordNumbers::append_common(std::span<const uint32_t> text, Words& out) const {
+void WordNumbers::append_common(std::span<const uint32_t> text, NumberedWords& out) const {
     int parens = 0;
     size_t statement = out.size();  // where it begins
     const Word* before = nullptr;   // within the statement

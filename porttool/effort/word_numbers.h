@@ -15,8 +15,8 @@
 
 namespace porttool {
 
-/// Words as numbers, in the order in which they come.
-using Words = std::vector<uint32_t>;
+/// NumberedWords as numbers, in the order in which they come.
+using NumberedWords = std::vector<uint32_t>;
 
 /// A number for each sequence of words, the same for the same sequence; 0 for the empty one.
 class SequenceNumbers {
@@ -39,7 +39,7 @@ public:
 
     /// Appends what a text says in the common vocabulary, as split_statements() has it: without semicolons and opening
     /// braces, scopes and what has no counterpart elsewhere.
-    void append_common(std::span<const uint32_t> text, Words& out) const;
+    void append_common(std::span<const uint32_t> text, NumberedWords& out) const;
 
     /// The common word `}`: where a block ends says little about what a text says.
     uint32_t closing_brace();

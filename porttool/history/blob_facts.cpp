@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "porttool/measure/code_lines.h"
+#include "porttool/normal/diff.h"
 #include "porttool/normal/statements.h"
 #include "porttool/scan/scan.h"
 
@@ -33,7 +34,7 @@ struct SideEdit {
 };
 
 void add_words(const std::string& line, const Dialect& dialect, std::vector<std::string>& out) {
-    for (const Statement& statement : split_statements(read_state_text(line), dialect))
+    for (const Statement& statement : split_statements(NormalText::read(line).words(), dialect))
         if (statement.key != "}") out.insert(out.end(), statement.common.begin(), statement.common.end());
 }
 
@@ -45,9 +46,10 @@ void add_changed_words(const std::vector<std::string>& lost, const std::vector<s
     }
 }
 
-SideEdit side_edit(const std::string& before, const std::string& now, const Dialect& dialect) {
+SideEdit side_edit(const PairedUnit& unit, const Dialect& dialect) {
     SideEdit out;
-    const std::vector<std::string> old_lines = split_lines(before), new_lines = split_lines(now);
+    const std::vector<std::string> old_lines = split_lines(unit.before.recorded()),
+                                   new_lines = split_lines(unit.now.recorded());
     std::vector<std::string> lost, gained;  // by the lines that were replaced in one place
     const auto end_of_place = [&] {
         add_changed_words(lost, gained, out.changed);
@@ -104,8 +106,7 @@ BlobFacts blob_facts(const ScannedFile& file) {
 
 EditFacts edit_facts(const BySide<PairedUnit>& pair, const Dialect& dialect, CompareBudget& budget) {
     const PairComparison found = compare_pair(pair, dialect, budget);
-    const SideEdit source = side_edit(pair.source.before, pair.source.now, dialect),
-                   target = side_edit(pair.target.before, pair.target.now, dialect);
+    const SideEdit source = side_edit(pair.source, dialect), target = side_edit(pair.target, dialect);
     EditFacts facts;
     facts.in_step = found.standing == Standing::InStep || found.standing == Standing::Equivalent;
     facts.similarity = overlap(source.changed, target.changed);

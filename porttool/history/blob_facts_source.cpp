@@ -64,7 +64,7 @@ const BlobFacts& BlobFactsSource::facts(const FileVersion& file) {
     return facts_.emplace(version, std::move(*facts)).first->second;
 }
 
-std::string BlobFactsSource::text_at(const UnitPlace& place) const {
+NormalText BlobFactsSource::text_at(const UnitPlace& place) const {
     const auto kept = scanned_.find(place.file.path);
     const bool is_kept = kept != scanned_.end() && kept->second.first == place.file.blob;
     const ScannedFile file = is_kept ? ScannedFile() : scan(place.file);
@@ -74,13 +74,13 @@ std::string BlobFactsSource::text_at(const UnitPlace& place) const {
     return unit_state(there, unit == there.units.end() ? whole_file_unit(there) : *unit).text;
 }
 
-const std::string& BlobFactsSource::text_of(const std::string& print, const BaseBlob& base_blob) {
+const NormalText& BlobFactsSource::text_of(const std::string& print, const BaseBlob& base_blob) {
     if (const auto known = texts_.find(print); known != texts_.end()) return known->second;
     const auto place = places_.find(print);
     if (place != places_.end()) return texts_.emplace(print, text_at(place->second)).first->second;
     const std::string blob = base_blob(print);
-    std::string text = blob.empty() ? std::string() : read_blob(past_, "portmap.base/" + print, blob);
-    if (!is_text_of(text, print, kNormalForm)) text.clear();
+    NormalText text;
+    if (!blob.empty()) text = text_behind(print, read_blob(past_, "portmap.base/" + print, blob), kNormalForm);
     return texts_.emplace(print, std::move(text)).first->second;
 }
 

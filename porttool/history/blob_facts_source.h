@@ -52,8 +52,8 @@ private:
     };
 
     ScannedFile scan(const FileVersion& file) const;
-    const std::string& text_of(const std::string& print, const BaseBlob& base_blob);
-    std::string text_at(const UnitPlace& place) const;
+    const NormalText& text_of(const std::string& print, const BaseBlob& base_blob);
+    NormalText text_at(const UnitPlace& place) const;
 
     const Past& past_;
     BlobCache& cache_;
@@ -61,7 +61,7 @@ private:
     std::string dialect_key_;
     std::unordered_map<std::string, BlobFacts> facts_;
     std::unordered_map<std::string, UnitPlace> places_;                   ///< where a text with this print stands
-    std::unordered_map<std::string, std::string> texts_;                  ///< by print, those that were asked for
+    std::unordered_map<std::string, NormalText> texts_;                   ///< by print, those that were asked for
     std::map<std::string, std::pair<std::string, ScannedFile>> scanned_;  ///< by path, the version scanned last
 };
 

@@ -151,7 +151,7 @@ private:
             const std::string base = blob_at("portmap.base/" + print);
             if (base.empty()) return std::string();
             std::string text = read_blob(past_, "portmap.base/" + print, base);
-            renewed_[prints_of_text(text).written] = base;
+            renewed_[prints_of_text(NormalText::read(text)).written] = base;
             return text;
         };
         return upgraded(std::move(lock), text_of, {}).lock;

@@ -28,7 +28,7 @@ BaseRecord base_record(Snapshot& base, const RecordedLock& now, const States& to
 /// The units of both sides at the merge base, as if they had been accepted there.
 struct BaseLock {
     LockFile lock;
-    std::map<std::string, std::string> texts;  ///< by fingerprint, as in portmap.base/
+    std::map<std::string, NormalText> texts;  ///< by fingerprint
 };
 
 /// `now` is the lock in force, `then` what it was at the base: a pair whose line changed since and matches today's

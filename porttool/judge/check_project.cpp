@@ -106,7 +106,7 @@ void list_moved(const Judgement& judgement, std::vector<BroughtIn>& out) {
 
 }  // namespace
 
-std::string text_behind(const CheckedProject& checked, const std::string& print) {
+NormalText text_behind(const CheckedProject& checked, const std::string& print) {
     const auto found = checked.texts.find(print);
     return found == checked.texts.end() ? base_text(checked.project, checked.disk(), print) : found->second;
 }

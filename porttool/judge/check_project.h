@@ -25,14 +25,13 @@ struct CheckChoice : ProjectChoice {
 struct CheckedProject : Snapshot {
     bool recorded = false;  ///< there was a lock
     LockFile lock = {};
-    std::map<std::string, std::string> texts =
-        {};  ///< by print: those behind the lock that portmap.base/ does not have
+    std::map<std::string, NormalText> texts = {};  ///< by print: those behind the lock that portmap.base/ does not have
     std::vector<PlacedSuppression> suppressions = {};
     Judgement judgement = {};
 };
 
-/// The text behind a print of the lock, or "".
-std::string text_behind(const CheckedProject& checked, const std::string& print);
+/// The text behind a print of the lock; empty if there is none.
+NormalText text_behind(const CheckedProject& checked, const std::string& print);
 
 /// What can tell that an edited function compiles to the same code; asked for once the project is read.
 using SameCodeIn = std::function<SameCode(const Project& project)>;

@@ -40,8 +40,7 @@ std::vector<std::string> accept_differences(LockFile& lock, const States& states
         const UnitState &source = states.source.at(pair.source), &target = states.target.at(pair.target);
         const bool values = source.kind == UnitKind::Constant || source.kind == UnitKind::Struct;
         if (!values || source.kind != target.kind) continue;
-        const ComparedValues compared =
-            compare_values(source.kind, read_state_text(source.text), read_state_text(target.text), dialect);
+        const ComparedValues compared = compare_values(source.kind, source.text.words(), target.text.words(), dialect);
         if (compared.same || !compared.certain) continue;
         out.push_back(pair.source + " = " + pair.target + ": " + compared.says);
         lock.ledger.push_back({Verdict::Accept, pair.source, pair.target, source.prints.written, target.prints.written,

@@ -22,7 +22,7 @@ struct PlacedSuppression {
 
 /// Says of a function whose edit is semantic that it compiles to the same code as `before`, its earlier text; "" if
 /// not.
-using SameCode = std::function<std::string(const UnitState& unit, Side side, const std::string& before)>;
+using SameCode = std::function<std::string(const UnitState& unit, Side side, const NormalText& before)>;
 
 /// Everything that a judgement rests on.
 struct Case {
@@ -31,10 +31,10 @@ struct Case {
     const std::map<std::string, UnitState>& source;
     const std::map<std::string, UnitState>& target;
     const std::vector<SkippedFile>& skipped;
-    std::function<std::string(const std::string&)> base_text;  ///< the text of a fingerprint, or ""
-    std::string today;                                         ///< YYYY-MM-DD
-    std::vector<PlacedSuppression> suppressions = {};          ///< of both sides
-    SameCode same_code = {};                                   ///< if compilers are to be asked
+    std::function<NormalText(const std::string&)> base_text;  ///< the text of a fingerprint, or an empty one
+    std::string today;                                        ///< YYYY-MM-DD
+    std::vector<PlacedSuppression> suppressions = {};         ///< of both sides
+    SameCode same_code = {};                                  ///< if compilers are to be asked
 };
 
 /// Holds today's units against the lock. Reads nothing but the case.

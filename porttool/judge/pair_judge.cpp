@@ -121,7 +121,7 @@ void PairJudge::report_moved(const JudgedPair& pair, Side side) {
 void PairJudge::compare(JudgedPair& pair, const LockedPair& lock) {
     const BySide<const Fingerprints*> recorded{&lock.source_prints, &lock.target_prints};
     BySide<Change> changes;
-    BySide<std::string> before;
+    BySide<NormalText> before;
     for (const Side side : kBothSides) {
         changes[side] = classify(*recorded[side], pair.unit[side]->prints);
         if (is_edit(changes[side])) before[side] = facts_.base_text(recorded[side]->written);
@@ -173,7 +173,7 @@ void PairJudge::report_values(const JudgedPair& pair, const PairComparison& foun
                   found.values);
 }
 
-void PairJudge::report_one(JudgedPair& pair, const PairComparison& found, const BySide<std::string>& before) {
+void PairJudge::report_one(JudgedPair& pair, const PairComparison& found, const BySide<NormalText>& before) {
     const Side side = changed_side(found);
     const Change change = found.changes[side];
     Finding& finding = findings_.add(changed_rule(side), pair, kind_of(change), one_side_changed(side));

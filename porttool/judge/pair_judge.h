@@ -39,7 +39,7 @@ private:
     void report_hazards(const JudgedPair& pair, const Edit& edit);
     void report_uncompared(const JudgedPair& pair, const PairComparison& found);
     void report_values(const JudgedPair& pair, const PairComparison& found);
-    void report_one(JudgedPair& pair, const PairComparison& found, const BySide<std::string>& before);
+    void report_one(JudgedPair& pair, const PairComparison& found, const BySide<NormalText>& before);
     void report_both(const JudgedPair& pair, const PairComparison& found);
 
     const Case& facts_;

@@ -20,10 +20,11 @@ std::string plain_id(const std::string& id) {
 constexpr size_t kLongEnough = 12;  // tokens that make a text its own
 
 /// A text up to its body, without the names of the parameters.
-std::string signature_of(const std::string& text) {
-    std::vector<std::string> out;
+std::string signature_of(const NormalText& text) {
+    Words out;
     int depth = 0;
-    for (const std::string& word : read_state_text(text.substr(0, text.find('{')))) {
+    for (size_t i = 0; i < text.size() && text[i] != "{"; ++i) {
+        const std::string_view word = text[i];
         if (word == "(") ++depth;
         const bool ends = depth == 1 && (word == "," || word == ")");
         if (ends && out.size() > 1 && out[out.size() - 2] != "(" && out[out.size() - 2] != ",") out.pop_back();
@@ -31,7 +32,7 @@ std::string signature_of(const std::string& text) {
         out.push_back(word);
     }
     std::string joined;
-    for (const std::string& word : out) joined += word + " ";
+    for (const std::string_view word : out) joined.append(word) += ' ';
     return joined;
 }
 
@@ -40,7 +41,7 @@ using Key = std::function<std::string(const UnitState&)>;
 }  // namespace
 
 Resolver::Resolver(const std::map<std::string, UnitState>& units, const std::vector<NamedUnit>& named,
-                   const std::function<std::string(const std::string&)>& base_text)
+                   const std::function<NormalText(const std::string&)>& base_text)
     : units_(units), base_text_(base_text) {
     std::map<std::string, std::vector<const UnitState*>> variants;
     for (const auto& [id, unit] : units_) variants[plain_id(id)].push_back(&unit);
@@ -107,7 +108,7 @@ void Resolver::follow_texts(const Names& gone) {
     std::multimap<std::string, const UnitState*> by_text;
     for (const auto& [id, unit] : units_) {
         if (!is_free(unit)) continue;
-        if (unit.tokens >= kLongEnough) by_text.emplace(unit.prints.renamed, &unit);
+        if (unit.text.size() >= kLongEnough) by_text.emplace(unit.prints.renamed, &unit);
         by_text.emplace(unit.name + " " + unit.prints.written, &unit);
     }
     const auto follow = [&](const NamedUnit& name, const std::string& text) {

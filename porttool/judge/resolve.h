@@ -31,9 +31,9 @@ struct NamedUnit {
 /// in the number of units.
 class Resolver {
 public:
-    /// `base_text` gives the text behind a fingerprint, or "".
+    /// `base_text` gives the text behind a fingerprint, or an empty one.
     Resolver(const std::map<std::string, UnitState>& units, const std::vector<NamedUnit>& named,
-             const std::function<std::string(const std::string&)>& base_text);
+             const std::function<NormalText(const std::string&)>& base_text);
 
     Resolved find(const std::string& id) const;
     /// True for a unit that a named id leads to.
@@ -49,7 +49,7 @@ private:
     bool is_free(const UnitState& unit) const { return !taken(unit) && !named_.contains(unit.id); }
 
     const std::map<std::string, UnitState>& units_;
-    const std::function<std::string(const std::string&)>& base_text_;
+    const std::function<NormalText(const std::string&)>& base_text_;
     std::set<std::string> named_;
     std::map<std::string, Resolved> found_;
     std::set<const UnitState*> taken_;

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <unordered_map>
 
+#include "porttool/normal/diff.h"
 #include "porttool/normal/normal_form.h"
-#include "porttool/normal/statements.h"
 
 namespace porttool {
 namespace {

@@ -14,7 +14,8 @@ public:
     explicit TreeBuilder(const Dialect& dialect) : dialect_(dialect) {}
 
     void add(const ScannedFile& file, const Unit& unit) {
-        for (const NormalToken& token : normal_form(file, unit)) add(token.text);
+        const NormalText text = normal_form(file, unit);
+        for (const std::string_view word : text.words()) add(word);
         while (!open_.empty()) close();
         leaf();
     }
@@ -30,7 +31,7 @@ private:
         uint64_t label;
     };
 
-    void add(const std::string& token) {
+    void add(std::string_view token) {
         if (token == "(") ++parens_;
         if (token == ")" && parens_ > 0) --parens_;
         if (parens_ > 0 || (token != "{" && token != "}" && token != ";")) {
@@ -73,7 +74,7 @@ private:
     const Dialect& dialect_;
     metrics::Tree tree_;
     std::vector<Block> open_;
-    std::vector<std::string> words_;
+    Words words_;
     int parens_ = 0;
 };
 

@@ -394,33 +394,27 @@ std::vector<uint32_t> declaring_tokens(const LexedText& lexed, TokenRange parame
     return LocalFinder(lexed, parameters, body).places;
 }
 
-std::string_view LocalNumbers::next(std::string_view text, uint32_t token) {
+size_t LocalNumbers::next(std::string_view text, uint32_t token) {
     if (head_closes_) close(text == "{");
     head_closes_ = false;
-    const std::string_view out = is_word(text) && !member_ ? numbered(text, token) : text;
+    const size_t number = is_word(text) && !member_ ? number_of(text, token) : 0;
     if (text == "(") open(scoped_);
     if (text == "{") open_block();
     if (text == ")") head_closes_ = true;
     if (text == "}") close(false);
     member_ = text == "." || text == "->" || text == "::";
     scoped_ = text == "]" || word_is(text, kOwnScope);  // behind `]` a lambda's parameters
-    return out;
+    return number;
 }
 
-std::string_view LocalNumbers::numbered(std::string_view text, uint32_t token) {
+size_t LocalNumbers::number_of(std::string_view text, uint32_t token) {
     if (std::binary_search(places_.begin(), places_.end(), token)) {
         size_t& number = numbers_[text];
         shadowed_.push_back({text, number});
-        number = ++count_;
-        return written(number);
+        return number = ++count_;
     }
     const auto found = numbers_.find(text);
-    return found == numbers_.end() || found->second == 0 ? text : written(found->second);
-}
-
-std::string_view LocalNumbers::written(size_t number) {
-    written_ = "%" + std::to_string(number);
-    return written_;
+    return found == numbers_.end() ? 0 : found->second;
 }
 
 void LocalNumbers::enter() { scopes_.push_back(shadowed_.size()); }
@@ -455,9 +449,9 @@ void LocalNumbers::close(bool block_follows) {
 namespace {
 
 /// A text in normal form as the finder reads files; every token stands for itself.
-LexedText as_lexed(const std::vector<std::string>& words) {
+LexedText as_lexed(const Words& words) {
     LexedText out;
-    for (const std::string& word : words) {
+    for (const std::string_view word : words) {
         Token token;
         token.offset = static_cast<uint32_t>(out.text.size());
         token.length = static_cast<uint32_t>(word.size());
@@ -468,14 +462,14 @@ LexedText as_lexed(const std::vector<std::string>& words) {
     return out;
 }
 
-uint32_t find_from(const std::vector<std::string>& words, uint32_t at, const char* word) {
+uint32_t find_from(const Words& words, uint32_t at, std::string_view word) {
     while (at < words.size() && words[at] != word) ++at;
     return at;
 }
 
 }  // namespace
 
-std::vector<size_t> local_numbers(const std::vector<std::string>& words) {
+std::vector<size_t> local_numbers(const Words& words) {
     const auto count = static_cast<uint32_t>(words.size());
     const uint32_t open = find_from(words, find_from(words, 0, "@"), "(");
     if (find_from(words, 0, "#") < count || open >= count) return {};
@@ -489,11 +483,7 @@ std::vector<size_t> local_numbers(const std::vector<std::string>& words) {
     const LexedText lexed = as_lexed(words);
     LocalNumbers numbers(declaring_tokens(lexed, {open + 1, close}, {body + 1, count - 1}));
     std::vector<size_t> out;
-    for (uint32_t i = 0; i < count; ++i) {
-        const std::string_view shown = numbers.next(lexed.view(i), i);
-        const bool local = is_word(words[i]) && shown.starts_with('%');
-        out.push_back(local ? static_cast<size_t>(std::stoull(std::string(shown.substr(1)))) : 0);
-    }
+    for (uint32_t i = 0; i < count; ++i) out.push_back(numbers.next(words[i], i));
     return out;
 }
 

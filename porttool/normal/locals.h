@@ -8,6 +8,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "porttool/normal/normal_text.h"
 #include "porttool/scan/unit.h"
 
 namespace porttool {
@@ -25,9 +26,8 @@ public:
     /// `places`: what declaring_tokens() gave.
     explicit LocalNumbers(std::vector<uint32_t> places) : places_(std::move(places)) {}
 
-    /// What stands for the next token: `%1` for the first local; valid until the next call. The text of a word must
-    /// outlive this object.
-    std::string_view next(std::string_view text, uint32_t token);
+    /// Which local the next token names, from 1; 0 for anything else. The text of a word must outlive this object.
+    size_t next(std::string_view text, uint32_t token);
 
 private:
     struct Bracket {
@@ -40,8 +40,7 @@ private:
         size_t number;
     };
 
-    std::string_view numbered(std::string_view text, uint32_t token);
-    std::string_view written(size_t number);
+    size_t number_of(std::string_view text, uint32_t token);
     void enter();
     void leave();
     void open(bool scoped);
@@ -53,7 +52,6 @@ private:
     std::vector<Shadowed> shadowed_;
     std::vector<size_t> scopes_;  ///< sizes of shadowed_ where each began
     std::vector<Bracket> brackets_;
-    std::string written_;
     size_t count_ = 0;
     bool pending_ = false;
     bool head_closes_ = false;  ///< the token before was `)`
@@ -63,6 +61,6 @@ private:
 
 /// For each token of a function's text in normal form (its own name is `@`), which local it names, from 1; 0 for
 /// anything else. Empty if the text is no function, or has preprocessor lines, in which declarations may stand twice.
-std::vector<size_t> local_numbers(const std::vector<std::string>& words);
+std::vector<size_t> local_numbers(const Words& words);
 
 }  // namespace porttool

@@ -215,18 +215,15 @@ void write_normal_form(const ScannedFile& file, const Unit& unit, const NormalSi
     BraceWriter(file.lexed, own, sink, unit.name_token).run(code ? unit.body.first : unit.tokens.end);
 }
 
-std::vector<NormalToken> normal_form(const ScannedFile& file, const Unit& unit) {
-    std::vector<NormalToken> out;
-    if (unit.holes.empty()) out.reserve(unit.tokens.end - unit.tokens.first + 16);
-    write_normal_form(file, unit, [&](std::string_view text, uint32_t token) {
-        out.push_back({std::string(text), token});
-    });
+NormalText normal_form(const ScannedFile& file, const Unit& unit) {
+    NormalText out;
+    write_normal_form(file, unit, [&](std::string_view text, uint32_t) { out.add(text); });
     return out;
 }
 
-std::string fingerprint(const std::vector<NormalToken>& tokens) {
+std::string fingerprint(const Words& words) {
     Fingerprinter print;
-    for (const NormalToken& token : tokens) print.add(token.text);
+    for (const std::string_view word : words) print.add(word);
     return print.digits();
 }
 

@@ -3,8 +3,6 @@
 #include "porttool/normal/statements.h"
 
 #include <algorithm>
-#include <type_traits>
-#include <unordered_map>
 
 #include "porttool/normal/normal_form.h"
 
@@ -15,7 +13,7 @@ bool is_word_start(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-std::vector<std::string> translate(const std::vector<std::string>& tokens, const Dialect& dialect) {
+std::vector<std::string> translate(const Words& tokens, const Dialect& dialect) {
     std::vector<std::string> out;
     for (size_t i = 0; i < tokens.size(); ++i) {
         if (tokens[i] == "::") {  // scopes come and go: a::b is b
@@ -30,11 +28,10 @@ std::vector<std::string> translate(const std::vector<std::string>& tokens, const
     return out;
 }
 
-std::string readable(const std::vector<std::string>& tokens) {
+std::string readable(const Words& tokens) {
     std::string out;
     for (size_t i = 0; i < tokens.size(); ++i) {
-        const std::string& token = tokens[i];
-        const std::string before = i > 0 ? tokens[i - 1] : "";
+        const std::string_view token = tokens[i], before = i > 0 ? tokens[i - 1] : "";
         const bool tight = i == 0 || token == ")" || token == "," || token == ";" || token == "." || token == "->" ||
                            token == "::" || token == "[" || token == "]" || before == "(" || before == "." ||
                            before == "->" || before == "::" || before == "[" ||
@@ -46,7 +43,7 @@ std::string readable(const std::vector<std::string>& tokens) {
     return out;
 }
 
-Statement make_statement(const std::vector<std::string>& tokens, std::vector<std::string> common, size_t head) {
+Statement make_statement(const Words& tokens, std::vector<std::string> common, size_t head) {
     Statement statement;
     statement.shown = readable(tokens);
     statement.common = std::move(common);
@@ -60,23 +57,23 @@ Statement make_statement(const std::vector<std::string>& tokens, std::vector<std
 
 }  // namespace
 
-std::string folded(const std::string& word) {
+std::string folded(std::string_view word) {
     std::string out;
     for (const char c : word)
         if (c != '_') out += c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
-    return out.empty() ? word : out;
+    return out.empty() ? std::string(word) : out;
 }
 
-std::string common_word(const std::string& token, const Dialect& dialect) {
-    if (token.empty()) return token;
+std::string common_word(std::string_view token, const Dialect& dialect) {
+    if (token.empty()) return {};
     if (const std::string* known = dialect.find(token)) return *known;
     if (is_digit(token[0]) || (token[0] == '.' && token.size() > 1 && is_digit(token[1]))) return number_value(token);
-    return is_word_start(token[0]) ? folded(token) : token;
+    return is_word_start(token[0]) ? folded(token) : std::string(token);
 }
 
-std::vector<Statement> split_statements(const std::vector<std::string>& tokens, const Translator& translator) {
+std::vector<Statement> split_statements(const Words& tokens, const Translator& translator) {
     std::vector<Statement> out;
-    std::vector<std::string> current;
+    Words current;
     std::vector<size_t> heads;  // of the blocks that are open
     int parens = 0;
     bool in_body = false;
@@ -85,7 +82,7 @@ std::vector<Statement> split_statements(const std::vector<std::string>& tokens, 
         if (!current.empty()) out.push_back(make_statement(current, translator(current, in_body), head()));
         current.clear();
     };
-    for (const std::string& token : tokens) {
+    for (const std::string_view token : tokens) {
         if (token == "(") ++parens;
         if (token == ")") --parens;
         if (parens > 0 || (token != ";" && token != "{" && token != "}")) {
@@ -107,154 +104,8 @@ std::vector<Statement> split_statements(const std::vector<std::string>& tokens, 
     return out;
 }
 
-std::vector<Statement> split_statements(const std::vector<std::string>& tokens, const Dialect& dialect) {
-    return split_statements(
-        tokens, [&](const std::vector<std::string>& statement, bool) { return translate(statement, dialect); });
-}
-
-namespace {
-
-// Beyond, two texts are not laid side by side but taken as other texts: all of one went, all of the other came.
-constexpr size_t kMostCells = 9'010'000;
-
-/// Two texts without what they begin and end with alike.
-struct Middle {
-    size_t head = 0, tail = 0, rows = 0, columns = 0;
-};
-
-template <class Text>
-Middle middle_of(const std::vector<Text>& before, const std::vector<Text>& now) {
-    Middle out;
-    const size_t least = std::min(before.size(), now.size());
-    while (out.head < least && before[out.head] == now[out.head]) ++out.head;
-    while (out.tail < least - out.head && before[before.size() - 1 - out.tail] == now[now.size() - 1 - out.tail])
-        ++out.tail;
-    out.rows = before.size() - out.head - out.tail;
-    out.columns = now.size() - out.head - out.tail;
-    return out;
-}
-
-/// Lays the middles of two texts side by side, keeping as many entries as possible. What only one of them has takes no
-/// part in the table, so that its size is that of what they share.
-class Aligner {
-public:
-    template <class Text>
-    Aligner(const std::vector<Text>& before, const std::vector<Text>& now, const Middle& middle) : head_(middle.head) {
-        using Key = std::conditional_t<std::is_same_v<Text, std::string>, std::string_view, Text>;
-        std::unordered_map<Key, Found> words;
-        for (size_t i = 0; i < middle.rows; ++i) {
-            Found& found = words.try_emplace(before[head_ + i], Found{words.size(), false}).first->second;
-            rows_.push_back({found.number, false});
-        }
-        for (size_t k = 0; k < middle.columns; ++k) {
-            const auto found = words.find(now[head_ + k]);
-            const bool shared = found != words.end();
-            if (shared) found->second.shared = true;
-            columns_.push_back({shared ? found->second.number : 0, shared});
-        }
-        for (size_t i = 0; i < middle.rows; ++i) rows_[i].shared = words.find(before[head_ + i])->second.shared;
-    }
-
-    void run(std::vector<DiffStep>& steps) {
-        size_t i = 0, k = 0;
-        if (fill()) trace(i, k, steps);
-        while (i < rows_.size()) steps.push_back({DiffStep::Remove, head_ + i++, head_ + k});
-        while (k < columns_.size()) steps.push_back({DiffStep::Add, head_ + i, head_ + k++});
-    }
-
-private:
-    struct Found {
-        size_t number;
-        bool shared;
-    };
-    struct Entry {
-        size_t number;
-        bool shared;
-        bool equals(const Entry& other) const { return shared && other.shared && number == other.number; }
-    };
-
-    /// How many entries can be kept from a row and a column on. Of the table only a band about the diagonal is there.
-    uint32_t kept(size_t row, size_t column) const {
-        const size_t first = first_column(row);
-        return column < first || column - first >= width_ ? 0 : kept_[row * width_ + column - first];
-    }
-    size_t first_column(size_t row) const { return row > reach_ ? row - reach_ : 0; }
-
-    /// Fills the table in. Where little was edited, a narrow band holds every shortest way; else it is made wider.
-    /// False if the table would be too large.
-    bool fill() {
-        std::vector<size_t> left, right;
-        for (const Entry& entry : rows_)
-            if (entry.shared) left.push_back(entry.number);
-        for (const Entry& entry : columns_)
-            if (entry.shared) right.push_back(entry.number);
-        if (left.empty()) return false;
-        constexpr size_t kNarrowest = 32;
-        const size_t longer = std::max(left.size(), right.size()), shorter = std::min(left.size(), right.size());
-        for (size_t slack = kNarrowest;; slack *= 4) {
-            reach_ = slack + (left.size() > right.size() ? longer - shorter : 0);
-            width_ = std::min(right.size() + 1, 2 * slack + longer - shorter + 1);
-            const bool whole = width_ > right.size();
-            if (whole) reach_ = left.size();
-            if ((left.size() + 1) > kMostCells / width_) return false;
-            fill_band(left, right);
-            const size_t edits = longer + shorter - 2 * size_t{kept(0, 0)};
-            if (whole || edits <= slack) return true;
-        }
-    }
-
-    void fill_band(const std::vector<size_t>& left, const std::vector<size_t>& right) {
-        kept_.assign((left.size() + 1) * width_, 0);
-        for (size_t a = left.size(); a-- > 0;) {
-            const size_t first = first_column(a);
-            for (size_t b = std::min(right.size(), first + width_); b-- > first;)
-                kept_[a * width_ + b - first] = left[a] == right[b] ? static_cast<uint32_t>(kept(a + 1, b + 1) + 1)
-                                                                    : std::max(kept(a + 1, b), kept(a, b + 1));
-        }
-    }
-
-    void trace(size_t& i, size_t& k, std::vector<DiffStep>& steps) {
-        size_t a = 0, b = 0;
-        while (i < rows_.size() && k < columns_.size()) {
-            const size_t next_a = a + (rows_[i].shared ? 1 : 0), next_b = b + (columns_[k].shared ? 1 : 0);
-            if (rows_[i].equals(columns_[k])) {
-                steps.push_back({DiffStep::Keep, head_ + i++, head_ + k++});
-                a = next_a;
-                b = next_b;
-            } else if (kept(next_a, b) >= kept(a, next_b)) {
-                steps.push_back({DiffStep::Remove, head_ + i++, head_ + k});
-                a = next_a;
-            } else {
-                steps.push_back({DiffStep::Add, head_ + i, head_ + k++});
-                b = next_b;
-            }
-        }
-    }
-
-    size_t head_;
-    std::vector<Entry> rows_, columns_;
-    std::vector<uint32_t> kept_;    ///< the table, row by row
-    size_t reach_ = 0, width_ = 0;  ///< how far left of the diagonal a row begins, and its length
-};
-
-template <class Text>
-std::vector<DiffStep> diff_of(const std::vector<Text>& before, const std::vector<Text>& now) {
-    const Middle middle = middle_of(before, now);
-    std::vector<DiffStep> steps;
-    for (size_t i = 0; i < middle.head; ++i) steps.push_back({DiffStep::Keep, i, i});
-    if (middle.rows > 0 || middle.columns > 0) Aligner(before, now, middle).run(steps);
-    for (size_t t = middle.tail; t > 0; --t) steps.push_back({DiffStep::Keep, before.size() - t, now.size() - t});
-    return steps;
-}
-
-}  // namespace
-
-std::vector<DiffStep> diff(const std::vector<std::string>& before, const std::vector<std::string>& now) {
-    return diff_of(before, now);
-}
-
-std::vector<DiffStep> diff(const std::vector<uint32_t>& before, const std::vector<uint32_t>& now) {
-    return diff_of(before, now);
+std::vector<Statement> split_statements(const Words& tokens, const Dialect& dialect) {
+    return split_statements(tokens, [&](const Words& statement, bool) { return translate(statement, dialect); });
 }
 
 }  // namespace porttool

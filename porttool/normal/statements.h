@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
 
 #include "porttool/language/dialect.h"
+#include "porttool/normal/normal_text.h"
 
 namespace porttool {
 
@@ -24,32 +24,18 @@ struct Statement {
 };
 
 /// A name without what differs between the manners of languages: case and underscores.
-std::string folded(const std::string& word);
+std::string folded(std::string_view word);
 
 /// One token in the common vocabulary; "" for what has no counterpart elsewhere.
-std::string common_word(const std::string& token, const Dialect& dialect);
+std::string common_word(std::string_view token, const Dialect& dialect);
 
 /// Translates a statement's tokens; `in_body` is false for what stands before the first brace.
-using Translator = std::function<std::vector<std::string>(const std::vector<std::string>& tokens, bool in_body)>;
+using Translator = std::function<std::vector<std::string>(const Words& tokens, bool in_body)>;
 
 /// Cuts tokens in normal form into statements. Empty ones and opening braces are left out.
-std::vector<Statement> split_statements(const std::vector<std::string>& tokens, const Translator& translator);
+std::vector<Statement> split_statements(const Words& tokens, const Translator& translator);
 
 /// The same in the common vocabulary.
-std::vector<Statement> split_statements(const std::vector<std::string>& tokens, const Dialect& dialect);
-
-/// A step of the shortest way from one list to another.
-struct DiffStep {
-    enum Kind { Keep, Remove, Add } kind;
-    size_t before;
-    size_t now;
-};
-
-/// The longest common subsequence of two lists of texts as steps. Very long lists are compared only between their equal
-/// ends, as one replacement.
-std::vector<DiffStep> diff(const std::vector<std::string>& before, const std::vector<std::string>& now);
-
-/// The same of texts that are known by numbers.
-std::vector<DiffStep> diff(const std::vector<uint32_t>& before, const std::vector<uint32_t>& now);
+std::vector<Statement> split_statements(const Words& tokens, const Dialect& dialect);
 
 }  // namespace porttool

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "porttool/normal/unit_state.h"
 
-#include <algorithm>
 #include <unordered_set>
 
 #include "porttool/normal/locals.h"
@@ -15,38 +14,16 @@ bool is_number(std::string_view text) {
     return !text.empty() && ((text[0] >= '0' && text[0] <= '9') || text[0] == '.') && text != "." && text != "...";
 }
 
-/// Puts a unit's text together: one statement a line, tokens apart by blanks.
-class TextWriter {
-public:
-    void add(std::string_view word) {
-        const size_t start = text_.size();
-        text_ += word;
-        std::replace(text_.begin() + static_cast<std::ptrdiff_t>(start), text_.end(), '\n', '\x01');  // raw strings
-        std::replace(text_.begin() + static_cast<std::ptrdiff_t>(start), text_.end(), ' ', '\x02');
-        if (word == "(") ++parens_;
-        if (word == ")") --parens_;
-        const bool ends = word == "{" || word == "}" || (word == ";" && parens_ <= 0);
-        text_ += ends ? '\n' : ' ';
-    }
-    std::string take() {
-        if (!text_.empty() && text_.back() == ' ') text_.back() = '\n';
-        text_.shrink_to_fit();
-        return std::move(text_);
-    }
-
-private:
-    std::string text_;
-    int64_t parens_ = 0;
-};
-
 /// The three prints of a unit, word by word.
 class UnitPrinter {
 public:
-    /// `numbered` stands for the word where it names a local, else it is the word.
-    void add(std::string_view word, std::string_view numbered) {
+    /// `local`: the number of the local that the word names, or 0.
+    void add(std::string_view word, size_t local) {
         written_.add(word);
-        renamed_.add(numbered);
-        blanked_.add(is_number(numbered) ? "#" : numbered);
+        const std::string numbered = local == 0 ? std::string() : "%" + std::to_string(local);
+        if (local != 0) word = numbered;
+        renamed_.add(word);
+        blanked_.add(is_number(word) ? "#" : word);
     }
     Fingerprints take() const { return {written_.digits(), renamed_.digits(), blanked_.digits()}; }
 
@@ -76,39 +53,22 @@ UnitState unit_state(const ScannedFile& file, const Unit& unit) {
     const bool code = unit.kind == UnitKind::Function || unit.kind == UnitKind::Kernel;
     LocalNumbers numbers(code ? declaring_tokens(file.lexed, unit.parameters, unit.body) : std::vector<uint32_t>());
     UnitPrinter prints;
-    TextWriter text;
     write_normal_form(file, unit, [&](std::string_view word, uint32_t token) {
-        ++state.tokens;
-        text.add(word);
+        state.text.add(word);
         prints.add(word, numbers.next(word, token));
     });
-    state.text = text.take();
+    state.text.as_recorded();
+    state.text.shrink();
     state.prints = prints.take();
     return state;
 }
 
-Fingerprints prints_of_text(const std::string& text) {
-    const std::vector<std::string> words = read_state_text(text);
+Fingerprints prints_of_text(const NormalText& text) {
+    const Words words = text.words();
     const std::vector<size_t> locals = local_numbers(words);
     UnitPrinter prints;
-    for (size_t i = 0; i < words.size(); ++i)
-        prints.add(words[i], locals.empty() || locals[i] == 0 ? words[i] : "%" + std::to_string(locals[i]));
+    for (size_t i = 0; i < words.size(); ++i) prints.add(words[i], locals.empty() ? 0 : locals[i]);
     return prints.take();
-}
-
-std::vector<std::string> read_state_text(const std::string& text) {
-    std::vector<std::string> words;
-    std::string word;
-    for (const char c : text) {
-        if (c == ' ' || c == '\n') {
-            if (!word.empty()) words.push_back(word);
-            word.clear();
-        } else {
-            word += c == '\x01' ? '\n' : c == '\x02' ? ' ' : c;
-        }
-    }
-    if (!word.empty()) words.push_back(word);
-    return words;
 }
 
 }  // namespace porttool

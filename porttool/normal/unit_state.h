@@ -18,8 +18,7 @@ struct UnitState {
     uint32_t start_line = 0;
     uint32_t end_line = 0;
     Fingerprints prints;
-    size_t tokens = 0;  ///< in normal form
-    std::string text;   ///< the normal form as portmap.base/ keeps it: one statement a line, tokens apart by blanks
+    NormalText text;
 };
 
 UnitState unit_state(const ScannedFile& file, const Unit& unit);
@@ -27,11 +26,8 @@ UnitState unit_state(const ScannedFile& file, const Unit& unit);
 /// The names that a unit declares for itself, in order of appearance: parameters and local variables.
 std::vector<std::string> local_names(const ScannedFile& file, const Unit& unit);
 
-/// The prints of a text as UnitState::text holds it. Where it has preprocessor lines, which tell no longer where a
-/// local is declared, its locals keep their names.
-Fingerprints prints_of_text(const std::string& text);
-
-/// The tokens of UnitState::text.
-std::vector<std::string> read_state_text(const std::string& text);
+/// The prints of a text alone. Where it has preprocessor lines, which tell no longer where a local is declared, its
+/// locals keep their names.
+Fingerprints prints_of_text(const NormalText& text);
 
 }  // namespace porttool

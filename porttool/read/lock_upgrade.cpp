@@ -2,27 +2,25 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "porttool/read/lock_upgrade.h"
 
+#include <algorithm>
+
 #include "porttool/text/sink/terminal.h"
 
 namespace porttool {
 namespace {
 
-std::string print_of(int normal_form, const std::vector<std::string>& words) {
-    if (normal_form == 1) return fingerprint_of_version_1(words);
-    Fingerprinter print;
-    for (const std::string& word : words) print.add(word);
-    return print.digits();
+std::string print_of(int normal_form, const Words& words) {
+    return normal_form == 1 ? fingerprint_of_version_1(words) : fingerprint(words);
 }
 
 /// The words of a text whose own control characters are not those that stand for blanks and line ends in it.
-std::vector<std::string> plain_words(const std::string& text) {
-    std::vector<std::string> words(1);
-    for (const char c : text)
-        if (c != ' ' && c != '\n')
-            words.back() += c;
-        else if (!words.back().empty())
-            words.emplace_back();
-    if (words.back().empty()) words.pop_back();
+Words plain_words(std::string_view text) {
+    Words words;
+    for (size_t at = 0; at < text.size();) {
+        const size_t end = std::min(text.find_first_of(" \n", at), text.size());
+        if (end > at) words.push_back(text.substr(at, end - at));
+        at = end + 1;
+    }
     return words;
 }
 
@@ -32,7 +30,7 @@ public:
             const std::vector<const std::map<std::string, UnitState>*>& today)
         : from_(from), text_of_(text_of) {
         for (const auto* side : today)
-            for (const auto& [id, state] : *side) now_.emplace(print_of(from, read_state_text(state.text)), &state);
+            for (const auto& [id, state] : *side) now_.emplace(print_of(from, state.text.words()), &state);
     }
 
     UpgradedLock run(LockFile lock) {
@@ -64,11 +62,11 @@ private:
     const Fingerprints& find(const std::string& old) {
         const auto [known, fresh] = found_.try_emplace(old, Fingerprints{"-", "-", "-"});
         if (!fresh || !is_fingerprint(old)) return known->second;
-        std::string text;
+        NormalText text;
         if (const auto unit = now_.find(old); unit != now_.end()) {
             known->second = unit->second->prints;
             text = unit->second->text;
-        } else if (text = text_of_(old); !text.empty() && is_text_of(text, old, from_)) {
+        } else if (text = text_behind(old, text_of_(old), from_); !text.empty()) {
             known->second = prints_of_text(text);
         } else {
             return known->second;
@@ -94,8 +92,11 @@ UpgradedLock upgraded(LockFile lock, const std::function<std::string(const std::
     return Upgrade(from, text_of, today).run(std::move(lock));
 }
 
-bool is_text_of(const std::string& text, const std::string& print, int normal_form) {
-    return print_of(normal_form, read_state_text(text)) == print || print_of(normal_form, plain_words(text)) == print;
+NormalText text_behind(const std::string& print, const std::string& recorded, int normal_form) {
+    NormalText text = NormalText::read(recorded);
+    const bool same =
+        print_of(normal_form, text.words()) == print || print_of(normal_form, plain_words(recorded)) == print;
+    return same ? std::move(text) : NormalText();
 }
 
 }  // namespace porttool

@@ -17,8 +17,8 @@ bool is_outdated(const LockFile& lock);
 /// A lock whose prints are today's, with the texts behind those that were found.
 struct UpgradedLock {
     LockFile lock;
-    std::map<std::string, std::string> texts;  ///< by today's print
-    std::string error;                         ///< which text is missing, and what to do
+    std::map<std::string, NormalText> texts;  ///< by today's print
+    std::string error;                        ///< which text is missing, and what to do
 };
 
 /// Gives every print of an outdated lock anew, from the text behind it. `text_of` gives the text that portmap.base/ has
@@ -27,7 +27,7 @@ struct UpgradedLock {
 UpgradedLock upgraded(LockFile lock, const std::function<std::string(const std::string& print)>& text_of,
                       const std::vector<const std::map<std::string, UnitState>*>& today);
 
-/// True if a text of portmap.base/ is the one that its name says, as this normal form names it.
-bool is_text_of(const std::string& text, const std::string& print, int normal_form);
+/// The text of a file of portmap.base/ if it is the one that its name says, as this normal form names it; else empty.
+NormalText text_behind(const std::string& print, const std::string& recorded, int normal_form);
 
 }  // namespace porttool

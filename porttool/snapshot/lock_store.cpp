@@ -88,8 +88,8 @@ std::set<std::string> prints_of(const LockFile& lock) {
 }
 
 /// The texts behind prints, as far as they are known.
-std::map<std::string, const std::string*> texts_behind(const std::set<std::string>& prints, const NewRecord& record) {
-    std::map<std::string, const std::string*> out;
+std::map<std::string, const NormalText*> texts_behind(const std::set<std::string>& prints, const NewRecord& record) {
+    std::map<std::string, const NormalText*> out;
     for (const auto* side : {&record.states.source, &record.states.target})
         for (const auto& [id, state] : *side)
             if (prints.contains(state.prints.written)) out.emplace(state.prints.written, &state.text);
@@ -141,7 +141,8 @@ void store_lock(const Project& project, const NewRecord& record, Disk& disk) {
     Transaction files(disk);
     files.will_make(base_folder(project));
     for (const auto& [print, text] : texts_behind(needed, record))
-        if (read_base(project, disk, print) != *text) files.write(base_file(project, print), *text);
+        if (const std::string recorded = text->recorded(); read_base(project, disk, print) != recorded)
+            files.write(base_file(project, print), recorded);
     files.write(beside_map(project, "portmap.lock"), lock_text(record.lock));
     if (record.map_text != nullptr) {
         const std::string name = project.map_path.substr(project.map_path.find_last_of('/') + 1);
@@ -159,9 +160,8 @@ size_t missing_texts(const Project& project, const Disk& disk, const LockFile& l
     return missing.size();
 }
 
-std::string base_text(const Project& project, const Disk& disk, const std::string& print) {
-    std::string text = read_base(project, disk, print);
-    return is_text_of(text, print, kNormalForm) ? std::move(text) : std::string();
+NormalText base_text(const Project& project, const Disk& disk, const std::string& print) {
+    return text_behind(print, read_base(project, disk, print), kNormalForm);
 }
 
 }  // namespace porttool

@@ -39,10 +39,10 @@ SpirvComparer::SpirvComparer(ShaderSide side) : side_(std::move(side)) {
         included_[entry] = files_included(side_.now, entry, side_.settings.include);
 }
 
-SpirvAnswer SpirvComparer::compare_unit(const ScannedFile& file, const Unit& unit,
-                                        const std::vector<std::string>& before) {
+SpirvAnswer SpirvComparer::compare_unit(const ScannedFile& file, const Unit& unit, const NormalText& before) {
     std::string text;
-    for (const std::string& token : before) text += as_glsl(token, std::string(own_name(file, unit))) + ' ';
+    for (const std::string_view token : before.words())
+        text += as_glsl(std::string(token), std::string(own_name(file, unit))) + ' ';
     const Token &first = file.lexed.tokens[unit.tokens.first], &last = file.lexed.tokens[unit.tokens.end - 1];
     const std::string whole = file.lexed.text.substr(0, first.offset) + "\n" + text + "\n" +
                               file.lexed.text.substr(last.offset + last.length);

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "porttool/normal/normal_text.h"
 #include "porttool/read/map_file.h"
 #include "porttool/scan/unit.h"
 #include "porttool/spirv/spirv.h"
@@ -33,9 +34,8 @@ class SpirvComparer {
 public:
     explicit SpirvComparer(ShaderSide side);
 
-    /// Today's files against today's files with the earlier text of one function in its place. `before` is that text as
-    /// tokens in normal form.
-    SpirvAnswer compare_unit(const ScannedFile& file, const Unit& unit, const std::vector<std::string>& before);
+    /// Today's files against today's files with the earlier text of one function in its place. `before` is that text.
+    SpirvAnswer compare_unit(const ScannedFile& file, const Unit& unit, const NormalText& before);
 
     /// Today's files against earlier ones as a whole.
     SpirvAnswer compare_files(const ScannedFile& file, const Unit& unit, const ShaderFiles& before);

@@ -78,8 +78,7 @@ SpirvCheck::Side& SpirvCheck::side(bool source) {
 
 /// First with this function's earlier text alone among today's files. Where that does not compile, as after a renaming
 /// of what it uses, with git's earlier files, if they hold the text that the pair was in step with.
-SpirvAnswer SpirvCheck::ask(Side& side, const ScannedFile& file, const Unit& unit,
-                            const std::vector<std::string>& before) {
+SpirvAnswer SpirvCheck::ask(Side& side, const ScannedFile& file, const Unit& unit, const NormalText& before) {
     SpirvAnswer answer = side.comparer->compare_unit(file, unit, before);
     if (answer.obstacle.empty() || answer.entries.empty()) return answer;
     if (!side.then) side.then = GitRepository(side.root, kChecksWithGit).files_at_base(base_, is_shader_text);
@@ -91,9 +90,8 @@ SpirvAnswer SpirvCheck::ask(Side& side, const ScannedFile& file, const Unit& uni
     const auto old_file = side.then->files.find(file.path);
     if (old_file == side.then->files.end()) return answer;
     const ScannedFile scanned = scan_text(file.path, old_file->second);
-    const bool same_text = std::any_of(scanned.units.begin(), scanned.units.end(), [&](const Unit& old) {
-        return read_state_text(unit_state(scanned, old).text) == before;
-    });
+    const bool same_text = std::any_of(scanned.units.begin(), scanned.units.end(),
+                                       [&](const Unit& old) { return unit_state(scanned, old).text == before; });
     if (!same_text) return answer;
     const SpirvAnswer whole =
         side.comparer->compare_files(file, unit, [&side](const std::string& path) -> const std::string* {
@@ -103,7 +101,7 @@ SpirvAnswer SpirvCheck::ask(Side& side, const ScannedFile& file, const Unit& uni
     return whole.obstacle.empty() ? whole : answer;
 }
 
-std::string SpirvCheck::same_code(const UnitState& unit, bool source, const std::string& before) {
+std::string SpirvCheck::same_code(const UnitState& unit, bool source, const NormalText& before) {
     const auto& files = source ? project_.source : project_.target;
     const auto file =
         std::find_if(files.begin(), files.end(), [&](const ScannedFile& f) { return f.path == unit.file; });
@@ -112,7 +110,7 @@ std::string SpirvCheck::same_code(const UnitState& unit, bool source, const std:
                                     [&](const Unit& u) { return unit_id(*file, u) == unit.id; });
     if (found == file->units.end()) return {};
     if (found->kind != UnitKind::Function && found->kind != UnitKind::Kernel) return {};
-    const SpirvAnswer answer = ask(side(source), *file, *found, read_state_text(before));
+    const SpirvAnswer answer = ask(side(source), *file, *found, before);
     if (!answer.obstacle.empty()) obstacles_.push_back("--spirv: " + unit.id + " keeps its level: " + answer.obstacle);
     if (!answer.same) return {};
     std::string entries;

@@ -27,7 +27,7 @@ public:
 
     /// What to say of a function that compiles to the same code as its earlier text `before` (as in portmap.base/), or
     /// "" if it does not or if that cannot be told.
-    std::string same_code(const UnitState& unit, bool source, const std::string& before);
+    std::string same_code(const UnitState& unit, bool source, const NormalText& before);
 
     /// One line for each function of which it could not be told, and why.
     const std::vector<std::string>& obstacles() const { return obstacles_; }
@@ -35,7 +35,7 @@ public:
 private:
     struct Side;
     Side& side(bool source);
-    SpirvAnswer ask(Side& side, const ScannedFile& file, const Unit& unit, const std::vector<std::string>& before);
+    SpirvAnswer ask(Side& side, const ScannedFile& file, const Unit& unit, const NormalText& before);
 
     const Project& project_;
     bool staged_;

@@ -82,9 +82,9 @@ bool is_hexadecimal(std::string_view text, size_t digits) {
 
 bool is_fingerprint(std::string_view text) { return is_hexadecimal(text, kDigits); }
 
-std::string fingerprint_of_version_1(const std::vector<std::string>& words) {
+std::string fingerprint_of_version_1(const std::vector<std::string_view>& words) {
     uint64_t hash = 0;
-    for (const std::string& word : words) hash = hash_text(word, hash + 1);
+    for (const std::string_view word : words) hash = hash_text(word, hash + 1);
     return hexadecimal(hash);
 }
 

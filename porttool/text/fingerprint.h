@@ -66,7 +66,7 @@ bool is_hexadecimal(std::string_view text, size_t digits);
 bool is_fingerprint(std::string_view text);
 
 /// The print that a lock of version 1 has for the words of a text.
-std::string fingerprint_of_version_1(const std::vector<std::string>& words);
+std::string fingerprint_of_version_1(const std::vector<std::string_view>& words);
 
 /// What tells whether a unit changed, and how.
 struct Fingerprints {

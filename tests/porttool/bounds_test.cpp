@@ -9,7 +9,7 @@
 #include <new>
 #include <random>
 
-#include "porttool/normal/statements.h"
+#include "porttool/normal/diff.h"
 #include "tests/porttool/run_command.h"
 
 namespace porttool::testing {

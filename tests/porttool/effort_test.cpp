@@ -132,7 +132,7 @@ TEST(EffortWords, AreThoseOfStatementsInTheCommonVocabulary) {
     std::mt19937 random(1);
     for (int round = 0; round < 3000; ++round) {
         std::vector<std::string> tokens(random() % 12);
-        Words text, common;
+        NumberedWords text, common;
         for (std::string& token : tokens) {
             const std::string& written = words[random() % words.size()];
             const bool number = written[0] == '.' || (written[0] >= '0' && written[0] <= '9');
@@ -140,7 +140,7 @@ TEST(EffortWords, AreThoseOfStatementsInTheCommonVocabulary) {
             text.push_back(numbers.word(written, number ? TokenKind::Number : TokenKind::Identifier));
         }
         std::vector<std::string> said;
-        for (const Statement& statement : split_statements(tokens, dialect))
+        for (const Statement& statement : split_statements(Words(tokens.begin(), tokens.end()), dialect))
             said.insert(said.end(), statement.common.begin(), statement.common.end());
         numbers.append_common(text, common);
         EXPECT_EQ(common.size(), said.size());

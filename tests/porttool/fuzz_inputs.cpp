@@ -332,8 +332,9 @@ std::string source_fault(const FuzzInput& input) {
     for (const auto& figure : {alike.tiling, alike.token_edit, alike.tree_distance, alike.line_divergence})
         if (figure && !(*figure >= 0 && *figure <= 1)) return "a figure outside 0 to 1";
     for (size_t i = 0; i < std::min(files[0].units.size(), files[1].units.size()); ++i) {
-        const auto before = read_state_text(unit_state(files[0], files[0].units[i]).text);
-        const auto now = read_state_text(unit_state(files[1], files[1].units[i]).text);
+        const NormalText old_text = unit_state(files[0], files[0].units[i]).text;
+        const NormalText new_text = unit_state(files[1], files[1].units[i]).text;
+        const Words before = old_text.words(), now = new_text.words();
         if (!compare_edits({before, now, before, now}, Dialect(), Literals::Shading).equivalent)
             return "the same edit on both sides, unit " + std::to_string(i) + ", is not equivalent";
     }
@@ -398,9 +399,9 @@ std::string scan_fault(const ScannedFile& file) {
         if (unit.start_line < 1 || unit.start_line > unit.end_line) return "a unit with impossible lines";
         if (unit.name.empty()) return "a unit without a name";
         const UnitState state = unit_state(file, unit);
-        const std::vector<NormalToken> now = normal_form(file, unit);
-        if (state.prints.written != fingerprint(now)) return unit.name + ": the print is of another text";
-        if (state.tokens != now.size()) return unit.name + ": another number of tokens";
+        const NormalText now = normal_form(file, unit);
+        if (state.prints.written != fingerprint(now.words())) return unit.name + ": the print is of another text";
+        if (state.text.size() != now.size()) return unit.name + ": another number of tokens";
     }
     for (const LineClass line : file.lines)
         if (line == LineClass::Unclassified) return "a line without a class";

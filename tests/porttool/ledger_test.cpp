@@ -124,7 +124,6 @@ TEST(Ledger, ConstantsThatDifferAreShownAsWritten) {
 
 TEST(Ledger, ConstantExpressionsThatCannotBeToldHaveNoValue) {
     const Dialect dialect;
-    using Words = std::vector<std::string>;
     EXPECT_EQ(evaluate_constant(Words{"1", "/", "0"}, dialect), "");
     EXPECT_EQ(evaluate_constant(Words{"N", "+", "1"}, dialect), "");
     EXPECT_EQ(evaluate_constant(Words{"(", "1"}, dialect), "");

@@ -66,7 +66,7 @@ public:
         const States here = states_of(left), there = states_of(right);
         const auto text_of = [&](const std::string& print) {
             const auto found = texts_.find(print);
-            return found == texts_.end() ? std::string() : found->second;
+            return found == texts_.end() ? NormalText() : found->second;
         };
         Case facts{map_, lock_, here, there, skipped_, text_of, "2026-01-01"};
         for (const ScannedFile* file : {&left, &right})
@@ -80,7 +80,7 @@ private:
     MapFile map_;
     LockFile lock_;
     std::vector<SkippedFile> skipped_;
-    std::map<std::string, std::string> texts_;
+    std::map<std::string, NormalText> texts_;
 };
 
 Work work_of(const std::function<void()>& run) {
