@@ -13,14 +13,12 @@
 
 namespace porttool {
 
-/// The tokens between the parentheses and braces of a function that declare a parameter or a local, sorted. Told by
-/// their shape: a type, then a name, then what may follow a declared name, where a declaration can stand; in doubt, not
-/// a declaration. Takes linear time.
-std::vector<uint32_t> declaring_tokens(const LexedText& lexed, TokenRange parameters, TokenRange body);
-
 /// Numbers locals and parameters in the order of their declarations, scope by scope, so that a name that is declared
 /// again within a block is another variable there. Words that no declaration in force covers stay as they are. Takes
 /// tokens in normal form one after the other, in linear time whatever the nesting.
+///
+///     float @ ( float x ) { if ( x > 0 ) { float y = x ; x = y ; } return y . x ; }
+///                     1          1               2   1   1   2            (a global y; a member x)
 class LocalNumbers {
 public:
     /// `places`: what declaring_tokens() gave.

@@ -4,6 +4,7 @@
 
 #include <unordered_set>
 
+#include "porttool/normal/declarations.h"
 #include "porttool/normal/locals.h"
 #include "porttool/scan/scan.h"
 
