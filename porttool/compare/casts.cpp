@@ -11,13 +11,7 @@ namespace {
 
 using Text = std::vector<std::string>;
 
-bool is_letter(char c) { return c == '_' || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
-
-bool is_name(const std::string& word) { return !word.empty() && is_letter(word[0]); }
-
-bool is_value(const std::string& word) {
-    return is_name(word) || (!word.empty() && word[0] >= '0' && word[0] <= '9') || word == "(";
-}
+bool is_value(const std::string& word) { return is_word_token(word) || is_number_token(word) || word == "("; }
 
 bool is_sign(const std::string& word) { return word == "-" || word == "!" || word == "~" || word == "+"; }
 
@@ -26,12 +20,12 @@ bool is_sign(const std::string& word) { return word == "-" || word == "!" || wor
 class CastWriter {
 public:
     CastWriter(const Text& words, const Dialect& dialect)
-        : words_(words), dialect_(dialect), behind_(words.size(), words.size()), operand_ends_(words.size(), 0) {
+        : words_(words), dialect_(dialect), after_(words.size(), words.size()), operand_ends_(words.size(), 0) {
         std::vector<size_t> open;
         for (size_t i = 0; i < words_.size(); ++i) {
             if (words_[i] == "(" || words_[i] == "[") open.push_back(i);
             if (open.empty() || (words_[i] != ")" && words_[i] != "]")) continue;
-            behind_[open.back()] = i + 1;
+            after_[open.back()] = i + 1;
             open.pop_back();
         }
     }
@@ -41,7 +35,7 @@ public:
         for (size_t i = 0; i < words_.size() || operands_.size() > 1;) {
             if (operands_.size() > 1 && i >= operands_.back().end) {
                 out_.emplace_back(")");
-                i = std::max(i, operands_.back().behind);
+                i = std::max(i, operands_.back().after);
                 operands_.pop_back();
                 continue;
             }
@@ -51,9 +45,9 @@ public:
     }
 
 private:
-    /// What a cast that is being written applies to; `behind` is where the text goes on, behind its brackets.
+    /// What a cast that is being written applies to; `after` is where the text goes on, past its brackets.
     struct Operand {
-        size_t first, end, behind;
+        size_t first, end, after;
     };
 
     size_t step(size_t i) {
@@ -69,8 +63,8 @@ private:
         }
         out_.push_back(words_[i + 1]);
         out_.emplace_back("(");
-        const size_t first = i + 3, last = std::min(behind_operand(first), end());
-        const bool bracketed = words_[first] == "(" && std::min(behind_[first], end()) == last && first + 1 < last &&
+        const size_t first = i + 3, last = std::min(after_operand(first), end());
+        const bool bracketed = words_[first] == "(" && std::min(after_[first], end()) == last && first + 1 < last &&
                                !is_cast(first, first, last);
         operands_.push_back(bracketed ? Operand{first + 1, last - 1, last} : Operand{first, last, last});
         return operands_.back().first;
@@ -84,14 +78,14 @@ private:
         if (i + 3 >= end || words_[i] != "(" || words_[i + 2] != ")") return false;
         if (!dialect_.is_number_type(words_[i + 1])) return false;
         if (i > first && words_[i - 1] != "return" &&
-            (is_name(words_[i - 1]) || words_[i - 1] == ")" || words_[i - 1] == "]"))
+            (is_word_token(words_[i - 1]) || words_[i - 1] == ")" || words_[i - 1] == "]"))
             return false;
         return is_value(words_[i + 3]) || is_sign(words_[i + 3]);
     }
 
     /// Behind what a cast applies to that stands before `i`: signs, further casts, a value and its members, indices and
     /// arguments.
-    size_t behind_operand(size_t i) {
+    size_t after_operand(size_t i) {
         const size_t first = i;
         if (i < words_.size() && operand_ends_[i] > 0) return operand_ends_[i];
         for (;;) {
@@ -103,10 +97,10 @@ private:
             if (i < words_.size() && operand_ends_[i] > 0) return remember(first, i, operand_ends_[i]);
         }
         const size_t last = i;
-        if (i < words_.size()) i = words_[i] == "(" ? behind_[i] : i + 1;
+        if (i < words_.size()) i = words_[i] == "(" ? after_[i] : i + 1;
         while (i < words_.size()) {
             if (words_[i] == "(" || words_[i] == "[")
-                i = behind_[i];
+                i = after_[i];
             else if (words_[i] == "." && i + 1 < words_.size())
                 i += 2;
             else
@@ -124,7 +118,7 @@ private:
 
     const Text& words_;
     const Dialect& dialect_;
-    std::vector<size_t> behind_;        ///< of each opening bracket, behind the one that closes it
+    std::vector<size_t> after_;         ///< of each opening bracket, after the one that closes it
     std::vector<size_t> operand_ends_;  ///< where the operand that begins at a word ends, once it is known
     std::vector<Operand> operands_;
     Text out_;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "porttool/compare/compare_pair.h"
 
-#include "porttool/compare/constant_value.h"
+#include "porttool/compare/values.h"
 
 namespace porttool {
 namespace {

@@ -31,13 +31,16 @@ struct EditComparison {
 /// Compares the edit before -> now of the source with that of the target. All four are tokens in normal form. Locals
 /// may have been renamed on either side, and those that are new may have another name on each. Edits are equivalent if
 /// they lost and gained the same statements, or the same words in statements that stand for each other, in the same
-/// places: blocks and neighbours count.
+/// positions: blocks and neighbours count.
+///
+///                 source                            port
+///     before      a = b ;                           a = b ;
+///     now         a = b * 2f ; c = a ;              a = b * 2.0 ; d = a ;      equivalent in GLSL, c new and called d
+///     or now      a = b * 2f ; c = a ;              c = a ; a = b * 2.0 ;      not: the position
+///     or now      a = b * 2f ; c = a ;              a = b * 2.0 ;              not: the port did not gain `c = a`
 EditComparison compare_edits(const PairTexts& texts, const Dialect& dialect, Literals literals);
 
 /// What changed between two texts.
 Edit edit_of(const Words& before, const Words& now);
-
-/// The value of a constant or the fields of a struct in one vocabulary, to compare two sides by value.
-std::string value_in_common_words(const Words& tokens, const Dialect& dialect, bool is_struct);
 
 }  // namespace porttool

@@ -10,35 +10,25 @@
 namespace porttool {
 namespace {
 
-bool is_word(std::string_view token) {
-    return !token.empty() &&
-           (token[0] == '_' || (token[0] >= 'a' && token[0] <= 'z') || (token[0] >= 'A' && token[0] <= 'Z'));
-}
-
-bool is_number(std::string_view token) {
-    auto digit = [](char c) { return c >= '0' && c <= '9'; };
-    return !token.empty() && (digit(token[0]) || (token[0] == '.' && token.size() > 1 && digit(token[1])));
-}
-
 /// Qualifiers that are keywords or reserved names wherever they occur. The others (`in`, `buffer`, `local`) are
 /// variables elsewhere, and qualifiers only before another word.
 bool is_reserved(std::string_view word) { return word.starts_with("__") || word_is(word, kReserved); }
 
 bool is_qualifier(const Words& tokens, size_t i) {
     if (is_reserved(tokens[i])) return true;
-    const bool before_word = i + 1 < tokens.size() && is_word(tokens[i + 1]);
+    const bool before_word = i + 1 < tokens.size() && is_word_token(tokens[i + 1]);
     const bool layout = tokens[i] == "layout" && i + 1 < tokens.size() && tokens[i + 1] == "(";
-    const bool behind_head = tokens[i] == "final" && i > 0 && tokens[i - 1] == ")";
-    return before_word || layout || behind_head || tokens[i] == "maybe_unused";
+    const bool after_head = tokens[i] == "final" && i > 0 && tokens[i - 1] == ")";
+    return before_word || layout || after_head || tokens[i] == "maybe_unused";
 }
 
 /// What `static` and the like say about a variable: where it lives. "" if the statement declares none with storage of
 /// its own: a pointer's address space has no counterpart elsewhere, and a static constant is a constant.
 std::string storage_of(const Words& tokens) {
     std::string storage;
-    for (size_t i = 0; i + 1 < tokens.size() && is_word(tokens[i]); ++i) {
+    for (size_t i = 0; i + 1 < tokens.size() && is_word_token(tokens[i]); ++i) {
         if (word_is(tokens[i], kConstantStorage)) return "";
-        if (word_is(tokens[i], kSharedStorage) && is_word(tokens[i + 1])) storage = "shared";
+        if (word_is(tokens[i], kSharedStorage) && is_word_token(tokens[i + 1])) storage = "shared";
         if (tokens[i] == "static" && storage.empty()) storage = "static";
     }
     for (const std::string_view token : tokens) {
@@ -56,7 +46,7 @@ struct Chain {
 
 Chain chain_at(const Words& tokens, size_t i, const Dialect& dialect) {
     Chain chain{i, ""};
-    while (chain.last + 2 < tokens.size() && tokens[chain.last + 1] == "::" && is_word(tokens[chain.last + 2])) {
+    while (chain.last + 2 < tokens.size() && tokens[chain.last + 1] == "::" && is_word_token(tokens[chain.last + 2])) {
         const std::string* known = dialect.meaning(tokens[chain.last]);
         chain.scope = known != nullptr && known->empty() ? std::string_view() : tokens[chain.last];
         chain.last += 2;
@@ -67,7 +57,7 @@ Chain chain_at(const Words& tokens, size_t i, const Dialect& dialect) {
 std::map<std::string_view, std::set<std::string_view>> scopes_in(const Words& tokens, const Dialect& dialect) {
     std::map<std::string_view, std::set<std::string_view>> out;
     for (size_t i = 0; i < tokens.size(); ++i) {
-        if (!is_word(tokens[i])) continue;
+        if (!is_word_token(tokens[i])) continue;
         const Chain chain = chain_at(tokens, i, dialect);
         if (!chain.scope.empty()) out[tokens[chain.last]].insert(chain.scope);
         i = chain.last;
@@ -88,7 +78,7 @@ Meaning::Meaning(const PairTexts& texts, const Dialect& dialect, Literals litera
 
 void Meaning::note_names(const Words& tokens, Side side) {
     for (const std::string_view token : tokens)
-        if (is_word(token) && dialect_.meaning(token) == nullptr) spellings_[side][folded(token)].insert(token);
+        if (is_word_token(token) && dialect_.meaning(token) == nullptr) spellings_[side][folded(token)].insert(token);
     for (auto& [name, scopes] : scopes_in(tokens, dialect_)) scopes_[side][name].insert(scopes.begin(), scopes.end());
 }
 
@@ -121,12 +111,12 @@ std::string Meaning::number(std::string_view token) const {
 }
 
 std::string Meaning::word(std::string_view token) const {
-    if (is_number(token)) return number(token);
+    if (is_number_token(token)) return number(token);
     if (const std::string* known = dialect_.meaning(token)) {
         if (literals_ == Literals::Shading && *known == "fabs") return "abs";
         return known->empty() ? std::string(token) : *known;
     }
-    if (!is_word(token)) return std::string(token);
+    if (!is_word_token(token)) return std::string(token);
     // A name may be spelled after the manner of each side, as long as that leaves no two names alike.
     const std::string name = folded(token);
     for (const Side side : kBothSides)
@@ -150,7 +140,7 @@ std::vector<std::string> Meaning::translate(const Words& statement, Side side, b
         if (const std::string storage = storage_of(tokens); !storage.empty()) out.push_back(storage);
     for (size_t i = 0; i < tokens.size(); ++i) {
         if (tokens[i] == "::" || (in_body && tokens[i] == "groupshared")) continue;
-        if (!is_word(tokens[i])) {
+        if (!is_word_token(tokens[i])) {
             out.push_back(word(tokens[i]));
             continue;
         }

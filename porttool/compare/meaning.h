@@ -21,6 +21,10 @@ struct PairTexts {
 
 /// Translates the statements of one pair, whose texts must outlive it, so that equal words mean the same: where two
 /// names could be meant, they stay apart. The words that measures and the matcher go by (common_word()) fold more.
+///
+///     CUDA     const float3 d = make_float3 ( x , y , z ) * 2f ;
+///     GLSL     vec3 d = vec3 ( x , y , z ) * 2.0 ;
+///     both     float3 d = float3 ( x , y , z ) * 2.0 ;          with Literals::C CUDA's number stays 2.0f
 class Meaning {
 public:
     /// `literals`: Shading if one side at least is of that kind.

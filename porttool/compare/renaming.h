@@ -12,6 +12,10 @@ namespace porttool {
 // costs a false alarm and hides nothing. All texts are functions in normal form; others come back as they are.
 
 /// `now` with the names that `before` had, where locals were renamed since.
+///
+///     before    float r = x ; return r ;
+///     now       float s = x + y ; return s ;      becomes  float r = x + y ; return r ;
+///     now       float s = r ; return s ;          stays: r is in use
 Words with_old_names(const Words& before, const Words& now, const Dialect& dialect);
 
 /// `target_now` with the locals that are new in it named as those that are new in the source, in their order.

@@ -4,7 +4,7 @@
 
 #include <set>
 
-#include "porttool/compare/constant_value.h"
+#include "porttool/compare/values.h"
 
 namespace porttool {
 

@@ -10,7 +10,8 @@
 namespace porttool {
 namespace {
 
-bool is_word(std::string_view text) {
+/// A word that may name a local: of any alphabet.
+bool is_name(std::string_view text) {
     const char c = text.empty() ? '\0' : text[0];
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || c == '$' || static_cast<signed char>(c) < 0;
 }
@@ -20,7 +21,7 @@ bool is_word(std::string_view text) {
 size_t LocalNumbers::next(std::string_view text, uint32_t token) {
     if (head_closes_) close(text == "{");
     head_closes_ = false;
-    const size_t number = is_word(text) && !member_ ? number_of(text, token) : 0;
+    const size_t number = is_name(text) && !member_ ? number_of(text, token) : 0;
     if (text == "(") open(scoped_);
     if (text == "{") open_block();
     if (text == ")") head_closes_ = true;
@@ -78,7 +79,7 @@ LexedText as_lexed(const Words& words) {
         Token token;
         token.offset = static_cast<uint32_t>(out.text.size());
         token.length = static_cast<uint32_t>(word.size());
-        token.kind = is_word(word) ? TokenKind::Identifier : TokenKind::Punctuator;
+        token.kind = is_name(word) ? TokenKind::Identifier : TokenKind::Punctuator;
         out.tokens.push_back(token);
         out.text += word;
     }

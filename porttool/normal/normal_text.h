@@ -12,6 +12,18 @@ namespace porttool {
 /// Words of a text that lives elsewhere.
 using Words = std::vector<std::string_view>;
 
+/// True for a name or keyword.
+inline bool is_word_token(std::string_view token) {
+    const char c = token.empty() ? ' ' : token[0];
+    return c == '_' || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+}
+
+/// True for a number.
+inline bool is_number_token(std::string_view token) {
+    const auto digit_at = [&](size_t i) { return i < token.size() && token[i] >= '0' && token[i] <= '9'; };
+    return digit_at(0) || (token.starts_with('.') && digit_at(1));
+}
+
 /// A unit's tokens in normal form, word after word.
 ///
 ///     if (a > 0x10) a *= 2.0F;                         the code

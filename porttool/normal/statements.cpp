@@ -9,15 +9,11 @@
 namespace porttool {
 namespace {
 
-bool is_word_start(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
 std::vector<std::string> translate(const Words& tokens, const Dialect& dialect) {
     std::vector<std::string> out;
     for (size_t i = 0; i < tokens.size(); ++i) {
         if (tokens[i] == "::") {  // scopes come and go: a::b is b
-            if (!out.empty() && i > 0 && is_word_start(tokens[i - 1][0]) &&
+            if (!out.empty() && i > 0 && is_word_token(tokens[i - 1]) &&
                 out.back() == common_word(tokens[i - 1], dialect))
                 out.pop_back();
             continue;
@@ -67,8 +63,8 @@ std::string folded(std::string_view word) {
 std::string common_word(std::string_view token, const Dialect& dialect) {
     if (token.empty()) return {};
     if (const std::string* known = dialect.find(token)) return *known;
-    if (is_digit(token[0]) || (token[0] == '.' && token.size() > 1 && is_digit(token[1]))) return number_value(token);
-    return is_word_start(token[0]) ? folded(token) : std::string(token);
+    if (is_number_token(token)) return number_value(token);
+    return is_word_token(token) ? folded(token) : std::string(token);
 }
 
 std::vector<Statement> split_statements(const Words& tokens, const Translator& translator) {

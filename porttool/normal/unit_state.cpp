@@ -11,7 +11,8 @@
 namespace porttool {
 namespace {
 
-bool is_number(std::string_view text) {
+/// What prints take for a number, `.*` among it: a recorded print must not change.
+bool is_blanked(std::string_view text) {
     return !text.empty() && ((text[0] >= '0' && text[0] <= '9') || text[0] == '.') && text != "." && text != "...";
 }
 
@@ -24,7 +25,7 @@ public:
         const std::string numbered = local == 0 ? std::string() : "%" + std::to_string(local);
         if (local != 0) word = numbered;
         renamed_.add(word);
-        blanked_.add(is_number(word) ? "#" : word);
+        blanked_.add(is_blanked(word) ? "#" : word);
     }
     Fingerprints take() const { return {written_.digits(), renamed_.digits(), blanked_.digits()}; }
 

@@ -5,7 +5,7 @@
 
 #include <cstdlib>
 
-#include "porttool/compare/constant_value.h"
+#include "porttool/compare/constant_expression.h"
 #include "tests/porttool/temporary_repository.h"
 
 namespace porttool::testing {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The porttool authors
 // SPDX-License-Identifier: Apache-2.0
-#include "porttool/compare/places.h"
+#include "porttool/compare/positions.h"
 
 #include <algorithm>
 
@@ -10,13 +10,7 @@
 namespace porttool {
 namespace {
 
-Words keys(const std::vector<Statement>& statements) {
-    Words out;
-    for (const Statement& statement : statements) out.push_back(statement.key);
-    return out;
-}
-
-/// What two statements are laid beside each other by: the words, or for a closing brace what it closes.
+/// What two statements are laid side by side by: the words, or for a closing brace what it closes.
 std::vector<std::string> anchor_keys(const std::vector<Statement>& statements) {
     std::vector<std::string> out;
     for (const Statement& statement : statements) {
@@ -51,7 +45,7 @@ std::vector<Anchor> still_there(const std::vector<Anchor>& before, const Stateme
     return out;
 }
 
-bool same_place(const std::vector<Anchor>& shared, size_t source, size_t target) {
+bool same_position(const std::vector<Anchor>& shared, size_t source, size_t target) {
     const auto in_source = std::partition_point(shared.begin(), shared.end(),
                                                 [&](const Anchor& anchor) { return anchor.source < source; });
     const auto in_target = std::partition_point(shared.begin(), shared.end(),
@@ -59,15 +53,8 @@ bool same_place(const std::vector<Anchor>& shared, size_t source, size_t target)
     return in_source == in_target;
 }
 
-/// A statement as it is quoted beside others: many can stand in or behind a single long one.
-std::string quoted(const Statement& statement) {
-    constexpr size_t kLongest = 500;
-    return "`" + (statement.shown.size() > kLongest ? statement.shown.substr(0, kLongest) + " ..." : statement.shown) +
-           "`";
-}
-
 /// Where a statement stands, for a reader: its block, or within the same block the statement before it.
-std::string place_of(const std::vector<Statement>& statements, size_t i, bool by_block) {
+std::string position_of(const std::vector<Statement>& statements, size_t i, bool by_block) {
     if (by_block) return "in " + block_of(statements, i);
     if (i == 0) return "first";
     const Statement& last = statements[i - 1];
@@ -75,10 +62,11 @@ std::string place_of(const std::vector<Statement>& statements, size_t i, bool by
     return "behind " + quoted(last);
 }
 
-std::string both_places(const std::vector<Statement>& source, size_t at, const std::vector<Statement>& target,
-                        size_t other) {
+std::string both_positions(const std::vector<Statement>& source, size_t at, const std::vector<Statement>& target,
+                           size_t other) {
     const bool by_block = block_of(source, at) != block_of(target, other);
-    return place_of(source, at, by_block) + " in the source, " + place_of(target, other, by_block) + " in the port";
+    return position_of(source, at, by_block) + " in the source, " + position_of(target, other, by_block) +
+           " in the port";
 }
 
 /// Names a statement that the two sides share and that now stands in another block on one of them.
@@ -92,45 +80,14 @@ std::string moved_block(const StatementEdit& source, const StatementEdit& target
         const bool source_moved = block_of(source.before, anchor.source) != block_of(source.now, here);
         const bool target_moved = block_of(target.before, anchor.target) != block_of(target.now, there);
         if (source_moved != target_moved)
-            return "`" + source.now[here].shown + "` stands " + both_places(source.now, here, target.now, there);
+            return "`" + source.now[here].shown + "` stands " + both_positions(source.now, here, target.now, there);
     }
     return "";
 }
 
 }  // namespace
 
-std::vector<size_t> StatementEdit::kept() const {
-    std::vector<size_t> out(before.size(), kGone);
-    size_t k = 0;
-    auto next_lost = lost.begin(), next_gained = gained.begin();
-    for (size_t i = 0; i < before.size(); ++i) {
-        if (next_lost != lost.end() && *next_lost == i) {
-            ++next_lost;
-            continue;
-        }
-        for (; next_gained != gained.end() && *next_gained == k; ++next_gained) ++k;
-        out[i] = k++;
-    }
-    return out;
-}
-
-StatementEdit statement_edit(const Words& before, const Words& now, const Translator& translator) {
-    StatementEdit edit{split_statements(before, translator), split_statements(now, translator), {}, {}};
-    for (const DiffStep& step : diff(keys(edit.before), keys(edit.now))) {
-        if (step.kind == DiffStep::Remove) edit.lost.push_back(step.before);
-        if (step.kind == DiffStep::Add) edit.gained.push_back(step.now);
-    }
-    return edit;
-}
-
-std::string block_of(const std::vector<Statement>& statements, size_t i) {
-    const size_t head = statements[i].head;
-    if (head == Statement::kNoHead) return "the head";
-    if (statements[head].head == Statement::kNoHead) return "the function's body";
-    return quoted(statements[head]);
-}
-
-std::vector<std::string> other_places(const StatementEdit& source, const StatementEdit& target) {
+std::vector<std::string> other_positions(const StatementEdit& source, const StatementEdit& target) {
     std::vector<std::string> out;
     bool braces = false;
     const auto compare = [&](const std::vector<Anchor>& shared, const std::vector<Statement>& here,
@@ -138,12 +95,12 @@ std::vector<std::string> other_places(const StatementEdit& source, const Stateme
                              const std::vector<size_t>& other, const char* verb) {
         for (size_t k = 0; k < std::min(at.size(), other.size()); ++k) {
             const bool is_brace = here[at[k]].is_brace(), other_is_brace = there[other[k]].is_brace();
-            if (is_brace == other_is_brace && same_place(shared, at[k], other[k])) continue;
+            if (is_brace == other_is_brace && same_position(shared, at[k], other[k])) continue;
             if (is_brace || other_is_brace)
                 braces = true;
             else
                 out.push_back(std::string("both sides ") + verb + " `" + here[at[k]].shown +
-                              "`, but at different places: " + both_places(here, at[k], there, other[k]));
+                              "`, but at different places: " + both_positions(here, at[k], there, other[k]));
         }
     };
     const std::vector<Anchor> before = anchors(source.before, target.before);

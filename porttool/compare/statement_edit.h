@@ -9,7 +9,15 @@
 
 namespace porttool {
 
-/// An edit as statements, with where they stand.
+/// An edit as statements. Statements are equal if they are in translation; closing braces are statements, too.
+///
+///     before           now                lost     gained
+///     0  float @ ()    0  float @ ()      2        1, 3
+///     1  a = b         1  if (b > 0)
+///     2  c = a         2  a = b
+///     3  return c      3  }
+///     4  }             4  return c
+///                      5  }
 struct StatementEdit {
     static constexpr size_t kGone = static_cast<size_t>(-1);
 
@@ -22,12 +30,10 @@ struct StatementEdit {
 
 StatementEdit statement_edit(const Words& before, const Words& now, const Translator& translator);
 
+/// A statement as it is quoted beside others: many can stand in or after a single long one.
+std::string quoted(const Statement& statement);
+
 /// The block that a statement stands in, by its head, for a reader.
 std::string block_of(const std::vector<Statement>& statements, size_t i);
-
-/// Sentences on what the two edits lost or gained in different places; none if the places are the same. The statements
-/// that the two sides share tell one place from another, closing braces among them: the k-th statement lost or gained
-/// stands behind as many of them on each side.
-std::vector<std::string> other_places(const StatementEdit& source, const StatementEdit& target);
 
 }  // namespace porttool

@@ -1,0 +1,166 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/compare/same_words.h"
+
+#include <algorithm>
+#include <unordered_map>
+#include <unordered_set>
+
+#include "porttool/normal/diff.h"
+
+namespace porttool {
+namespace {
+
+std::vector<std::string> chosen_keys(const std::vector<Statement>& statements, const std::vector<size_t>& indices) {
+    std::vector<std::string> out;
+    for (const size_t i : indices)
+        if (!statements[i].is_brace()) out.push_back(statements[i].key);
+    return out;
+}
+
+/// A changed spot within statements: what went, what came, and the words beside it.
+struct Hunk {
+    std::vector<std::string> lost, gained;
+    std::string before, after;
+
+    bool same_edit(const Hunk& other) const {
+        return lost == other.lost && gained == other.gained && (before == other.before || after == other.after);
+    }
+};
+
+std::vector<Hunk> hunks(const StatementEdit& edit) {
+    std::vector<std::string> before, now;
+    for (const size_t i : edit.lost)
+        before.insert(before.end(), edit.before[i].common.begin(), edit.before[i].common.end());
+    for (const size_t i : edit.gained) now.insert(now.end(), edit.now[i].common.begin(), edit.now[i].common.end());
+    std::vector<Hunk> out;
+    bool open = false;
+    std::string last;
+    for (const DiffStep& step : diff(before, now)) {
+        if (step.kind == DiffStep::Keep) {
+            if (open) out.back().after = before[step.before];
+            open = false;
+            last = before[step.before];
+            continue;
+        }
+        if (!open) {
+            out.emplace_back();
+            out.back().before = last;
+        }
+        open = true;
+        if (step.kind == DiffStep::Remove)
+            out.back().lost.push_back(before[step.before]);
+        else
+            out.back().gained.push_back(now[step.now]);
+    }
+    return out;
+}
+
+using Numbers = std::vector<uint32_t>;
+
+/// The words of statements as numbers.
+class WordNumbers {
+public:
+    Numbers of(const Statement& statement) {
+        Numbers out;
+        for (const std::string& word : statement.common)
+            out.push_back(numbers_.try_emplace(word, static_cast<uint32_t>(numbers_.size())).first->second);
+        return out;
+    }
+
+private:
+    std::unordered_map<std::string_view, uint32_t> numbers_;
+};
+
+/// The length of the longest common subsequence.
+size_t common_words(const Numbers& a, const Numbers& b) {
+    Numbers row(b.size() + 1, 0);
+    for (const uint32_t word : a) {
+        uint32_t diagonal = 0;
+        for (size_t k = 0; k < b.size(); ++k) {
+            const uint32_t above = row[k + 1];
+            row[k + 1] = word == b[k] ? diagonal + 1 : std::max(above, row[k]);
+            diagonal = above;
+        }
+    }
+    return row.back();
+}
+
+/// How alike two statements are, 0 to 1.
+double likeness(const Numbers& a, const Numbers& b) {
+    const size_t words = a.size() + b.size();
+    return words == 0 ? 1.0 : 2.0 * static_cast<double>(common_words(a, b)) / static_cast<double>(words);
+}
+
+/// True if the edits are to statements that stand for each other: no other statement of the target's old text is more
+/// like what the source's edit took away. Else the same words were changed in another place.
+bool same_statements(const StatementEdit& source, const StatementEdit& target) {
+    if (source.lost.size() != target.lost.size() || source.gained.size() != target.gained.size()) return false;
+    constexpr size_t kMostComparisons = 100'000, kMostCells = 200'000'000;  // beyond, a person is asked
+    if (source.lost.size() * target.before.size() > kMostComparisons) return false;
+    WordNumbers numbers;
+    std::vector<Numbers> there;
+    for (const Statement& statement : target.before) there.push_back(numbers.of(statement));
+    uint64_t cells = 0;
+    for (size_t k = 0; k < source.lost.size(); ++k) {
+        const Numbers here = numbers.of(source.before[source.lost[k]]);
+        const Numbers& stands = there[target.lost[k]];
+        if ((cells += here.size() * stands.size()) > kMostCells) return false;
+        const double found = here == stands ? 1 : likeness(here, stands);
+        for (size_t i = 0; i < there.size() && found < 1; ++i) {
+            if ((cells += here.size() * there[i].size()) > kMostCells || likeness(here, there[i]) > found) return false;
+        }
+    }
+    return true;
+}
+
+bool same_hunks(const std::vector<Hunk>& a, const std::vector<Hunk>& b) {
+    return a.size() == b.size() &&
+           std::equal(a.begin(), a.end(), b.begin(), [](const Hunk& x, const Hunk& y) { return x.same_edit(y); });
+}
+
+/// Says which statements of one side's list the other side's lacks, and of one that only moved (it is in `opposite`,
+/// what the same side lost, or gained) in which block.
+void name_missing(const std::vector<Statement>& here, const std::vector<size_t>& indices,
+                  const std::vector<std::string>& others, const std::vector<std::string>& opposite, bool is_source,
+                  const char* verb, std::vector<std::string>& out) {
+    std::unordered_map<std::string_view, size_t> free;
+    for (const std::string& key : others) ++free[key];
+    const std::unordered_set<std::string_view> turned(opposite.begin(), opposite.end());
+    for (const size_t i : indices) {
+        if (here[i].is_brace()) continue;
+        if (const auto found = free.find(here[i].key); found != free.end() && found->second > 0) {
+            --found->second;
+            continue;
+        }
+        const bool moved = turned.contains(here[i].key);
+        out.push_back(std::string(is_source ? "the source " : "the port ") + verb + " `" + here[i].shown + "`" +
+                      (moved ? " in " + block_of(here, i) : "") +
+                      (is_source ? "; the port did not" : "; the source did not"));
+    }
+}
+
+}  // namespace
+
+bool same_words(const StatementEdit& source, const StatementEdit& target) {
+    if (source.gained.size() != target.gained.size() || source.lost.size() != target.lost.size()) return false;
+    if (chosen_keys(source.now, source.gained) == chosen_keys(target.now, target.gained) &&
+        chosen_keys(source.before, source.lost) == chosen_keys(target.before, target.lost))
+        return true;
+    return same_statements(source, target) && same_hunks(hunks(source), hunks(target));
+}
+
+std::vector<std::string> missing_statements(const StatementEdit& source, const StatementEdit& target) {
+    std::vector<std::string> out;
+    const auto source_gained = chosen_keys(source.now, source.gained),
+               target_gained = chosen_keys(target.now, target.gained);
+    const auto source_lost = chosen_keys(source.before, source.lost),
+               target_lost = chosen_keys(target.before, target.lost);
+    name_missing(source.now, source.gained, target_gained, source_lost, true, "gained", out);
+    name_missing(source.before, source.lost, target_lost, source_gained, true, "lost", out);
+    name_missing(target.now, target.gained, source_gained, target_lost, false, "gained", out);
+    name_missing(target.before, target.lost, source_lost, target_gained, false, "lost", out);
+    return out;
+}
+
+}  // namespace porttool

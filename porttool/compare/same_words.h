@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "porttool/compare/statement_edit.h"
+
+namespace porttool {
+
+/// True if both edits lost and gained the same statements, or the same words in statements that stand for each other.
+///
+///                 source                     port
+///     before      d = dot(n, l) * k;         d = k * dot(n, l);       written otherwise since ever
+///     now         d = dot(n, h) * k;         d = k * dot(n, h);       the same edit: l became h beside `n ,`
+///     or now      d = dot(n, h) * k;         e = k * dot(n, h);       another one
+///
+/// The same words changed elsewhere are another edit: no other statement of the port's old text may be more like the
+/// source's than the one that was edited.
+bool same_words(const StatementEdit& source, const StatementEdit& target);
+
+/// Sentences: which statements one side lost or gained and the other did not, and of one that only moved in which
+/// block.
+std::vector<std::string> missing_statements(const StatementEdit& source, const StatementEdit& target);
+
+}  // namespace porttool
