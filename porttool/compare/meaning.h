@@ -24,7 +24,7 @@ struct PairTexts {
 ///
 ///     CUDA     const float3 d = make_float3 ( x , y , z ) * 2f ;
 ///     GLSL     vec3 d = vec3 ( x , y , z ) * 2.0 ;
-///     both     float3 d = float3 ( x , y , z ) * 2.0 ;          with Literals::C CUDA's number stays 2.0f
+///     both     vec3 d = vec3 ( x , y , z ) * 2.0 ;              with Literals::C CUDA's number stays 2.0f
 class Meaning {
 public:
     /// `literals`: Shading if one side at least is of that kind.

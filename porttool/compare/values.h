@@ -19,7 +19,7 @@ struct ComparedValues {
 
 /// Compares two units of the same kind, constant or struct, by their tokens in normal form.
 ///
-///     # define @ ( 1 << 5 )                const uint @ = 32u ;                 the same
+///     # define @ ( 1 < < 5 )               const uint @ = 32u ;                 the same
 ///     const float @ = 1 ;                  const float @ = 1.0 ;                the same: the type converts
 ///     # define @ N                         const int @ = 32 ;                   not the same, and not certain
 ///     struct @ { float3 o , d ; } ;        struct @ { vec3 o ; vec3 d ; } ;     the same
