@@ -42,7 +42,7 @@ struct PairComparison {
     BySide<Edit> edits;                ///< as written; empty where a side did not change or `before` is not known
     std::vector<std::string> missing;  ///< EditsDiffer: sentences, what one side did and the other did not
     std::string values;                ///< ValuesDiffer: what each side has, a sentence
-    std::string not_compared;          ///< why the budget left the texts uncompared; then all of the above is empty
+    std::string not_compared;          ///< why the budget left the texts uncompared: edits, missing and values are then empty
     bool text_missing = false;         ///< the text before of a side that changed is not known
     CompareSize size;                  ///< of the texts that there were to compare
 };

@@ -365,7 +365,8 @@ std::string lock_fault(const FuzzInput& input) {
 }
 
 FuzzInput source_input(std::mt19937_64& random) {
-    static const std::vector<std::string> suffixes = {"cu", "cl", "comp", "cpp", "c", "hlsl", "metal", "slang", "ispc"};
+    static const std::vector<std::string> suffixes = {"cu",   "cl",    "comp",  "cpp",  "c",
+                                                      "hlsl", "metal", "slang", "ispc", "osl"};
     const MutationStock& stock = source_stock();
     const std::string text = stock.texts[random() % stock.texts.size()];
     const std::string once = mutate(text, stock, random);
