@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: 2026 The porttool authors
 # SPDX-License-Identifier: Apache-2.0
 #
-# ./test.sh         every test on the release build; then what reads foreign files, under ASan and UBSan
+# ./test.sh         every test on the release build, and what reads foreign files once more under ASan and UBSan
 # ./test.sh --tsan  the threaded parts under TSan
 # Installs what is missing and builds only what has changed.
 set -euo pipefail
@@ -10,24 +10,26 @@ cd "$(dirname "${BASH_SOURCE[0]}")"
 
 jobs=$(nproc)
 
-# build PRESET [TARGET...]: configures at the first time only; the build does it again where it must.
-build() {
-    local preset=$1
+# configure PRESET [SETTING...]: where the build is not configured so yet; building does it again where it must.
+configure() {
+    local preset=$1 setting
     shift
-    [ -f "build/$preset/build.ninja" ] || cmake --preset "$preset"
-    cmake --build --preset "$preset" ${1:+--target "$@"}
+    [ -f "build/$preset/build.ninja" ] || { cmake --preset "$preset" "${@/#/-D}" && return; }
+    for setting in "$@"; do
+        grep -q "^${setting/=/:BOOL=}\$" "build/$preset/CMakeCache.txt" || cmake --preset "$preset" "${@/#/-D}"
+    done
 }
 
 ./setup.sh
 case "${1:-}" in
     "")
-        build release
+        configure release PORTTOOL_SANITIZED_TESTS=ON
+        cmake --build --preset release --target all sanitized_tests
         ctest --preset release -j "$jobs"
-        build dev sanitized_tests
-        ctest --preset dev -j "$jobs" -L "sanitized|porttool"
         ;;
     --tsan)
-        build tsan threaded_tests
+        configure tsan
+        cmake --build --preset tsan --target threaded_tests
         ctest --preset tsan -j "$jobs" -L threaded
         ;;
     *)

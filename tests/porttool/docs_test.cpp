@@ -42,7 +42,7 @@ TEST(Docs, TheFirstStepsWorkAsWritten) {
         }
         const size_t exits = line.find("# exits ");
         const int expected = exits == std::string::npos ? 0 : line[exits + 8] - '0';
-        const std::string command = "( cd '" + folder.string() + "' && PATH='" + std::string(PROGRAM_FOLDER) +
+        const std::string command = "( cd '" + folder.string() + "' && PATH='" + program_folder() +
                                     "':$PATH && " + line + "\n) > /dev/null";
         const int status = std::system(command.c_str());
         ASSERT_TRUE(WIFEXITED(status));

@@ -12,14 +12,15 @@
 
 #include "porttool/scan/scan.h"
 
+extern "C" void __asan_init() __attribute__((weak));  // there only in what was linked under ASan
+
 namespace porttool::testing {
 
 /// By how much the tests that try sizes and numbers try less under ASan, with which they take ten times as long.
-#ifdef __SANITIZE_ADDRESS__
-constexpr int kLighter = 8;
-#else
-constexpr int kLighter = 1;
-#endif
+inline const int kLighter = __asan_init != nullptr ? 8 : 1;
+
+/// Where the program stands that these tests were built with.
+inline std::string program_folder() { return std::filesystem::canonical("/proc/self/exe").parent_path().string(); }
 
 inline std::string read_text(const std::filesystem::path& path) {
     std::ifstream stream(path, std::ios::binary);

@@ -32,8 +32,8 @@ TEST(ScanFuzz, MutatedFilesNeverBreakTheScanner) {
     for (const auto& path : fixture_files()) stock.texts.push_back(read_text(path));
     stock.pieces = {"{",       "}",        "(",  ")",  "\"",   "'",          "\\\n",
                     "#if 0\n", "#endif\n", "/*", "*/", "R\"(", "template <", "\xFF"};
-    const std::vector<std::string> names = {"a.cu",   "a.cl",    "a.comp",  "a.cpp", "a.c",
-                                            "a.hlsl", "a.metal", "a.slang", "a.ispc"};
+    const std::vector<std::string> names = {"a.cu",   "a.cl",    "a.comp",  "a.cpp",  "a.c",
+                                            "a.hlsl", "a.metal", "a.slang", "a.ispc", "a.osl"};
     std::mt19937_64 random(20261121);
     for (int round = 0; round < 4000; ++round) {
         const std::string text = mutate(stock.texts[random() % stock.texts.size()], stock, random);
@@ -111,8 +111,8 @@ std::string renamed_print(const std::string& text) {
 /// A body of hundreds of thousands of blocks or locals, as generators write them: a step for each open block, or a
 /// search through all locals, would run for hours.
 TEST(ScanFuzz, RenamingIsSeenThroughInVeryDeepAndVeryLongBodies) {
-    constexpr int kMany = 150'000 / kLighter;
-    auto deep = [](const std::string& outer, const std::string& inner, const std::string& used) {
+    const int kMany = 150'000 / kLighter;
+    auto deep = [&](const std::string& outer, const std::string& inner, const std::string& used) {
         std::string text = "void f() { int " + outer + " = 1; ";
         for (int i = 0; i < kMany; ++i) text += "{";
         text += "int " + inner + " = 2;";
@@ -123,14 +123,14 @@ TEST(ScanFuzz, RenamingIsSeenThroughInVeryDeepAndVeryLongBodies) {
     EXPECT_EQ(renamed_print(deep("a", "b", "a")), renamed_print(deep("x", "y", "x")));
     EXPECT_NE(renamed_print(deep("a", "b", "a")), renamed_print(deep("a", "b", "b")));
     EXPECT_EQ(renamed_print(deep("a", "b", "b")), renamed_print(deep("a", "a", "a")));  // the inner one hides the outer
-    auto wide = [](const std::string& stem, int used) {
+    auto wide = [&](const std::string& stem, int used) {
         std::string text = "void f() { ";
         for (int i = 0; i < kMany; ++i) text += "int " + stem + std::to_string(i) + " = 1, " + stem + "_;";
         return text + stem + std::to_string(used) + "++; }";
     };
     EXPECT_EQ(renamed_print(wide("a", kMany / 2)), renamed_print(wide("b", kMany / 2)));
     EXPECT_NE(renamed_print(wide("a", kMany / 2)), renamed_print(wide("a", kMany / 2 + 1)));
-    auto list = [](const std::string& last) {
+    auto list = [&](const std::string& last) {
         std::string text = "void f() { int a = g(";
         for (int i = 0; i < kMany; ++i) text += "1,";
         return text + "1), " + last + "; " + last + "++; }";
@@ -140,7 +140,7 @@ TEST(ScanFuzz, RenamingIsSeenThroughInVeryDeepAndVeryLongBodies) {
 
 TEST(ScanFuzz, OneLineOfAHundredMegabytes) {
     std::string text = "int f() { return 0; } ";
-    constexpr size_t kSize = 100'000'000 / kLighter;
+    const size_t kSize = 100'000'000 / static_cast<size_t>(kLighter);
     text.reserve(kSize);
     while (text.size() < kSize - 100) text += "const float some_rather_long_name = 1234567890.0f + other_long_name; ";
     const ScannedFile file = scan_text("a.cpp", text);

@@ -12,7 +12,7 @@ namespace porttool::testing {
 /// Some of the texts where tests try less.
 inline std::vector<std::string> lighter(const std::vector<std::string>& texts) {
     std::vector<std::string> out;
-    for (size_t i = 0; i < texts.size(); i += kLighter) out.push_back(texts[i]);
+    for (size_t i = 0; i < texts.size(); i += static_cast<size_t>(kLighter)) out.push_back(texts[i]);
     return out;
 }
 

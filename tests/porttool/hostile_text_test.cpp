@@ -272,7 +272,7 @@ TEST_F(HostileText, RemediesAreReadBackByTheShell) {
         by_fingerprint += read[i][1] == fingerprints[i] ? 1 : 0;
         accept.push_back(read[i][1]);
     }
-    EXPECT_GT(by_fingerprint, 30u / kLighter);
+    EXPECT_GT(by_fingerprint, 30u / static_cast<unsigned>(kLighter));
     EXPECT_LT(by_fingerprint, read.size() / 2);
     const CommandRun accepted = run(disk, accept);
     EXPECT_EQ(accepted.exit_code, 0) << accepted.err;

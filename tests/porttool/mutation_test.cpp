@@ -242,7 +242,7 @@ protected:
 };
 
 TEST_F(Mutations, NoCosmeticEditIsFlagged) {
-    constexpr int kCount = 120 / kLighter;
+    const int kCount = 120 / kLighter;
     int made = 0;
     mutate({{"comment", add_comment},
             {"space", add_space},
@@ -260,7 +260,7 @@ TEST_F(Mutations, NoCosmeticEditIsFlagged) {
 }
 
 TEST_F(Mutations, EverySemanticEditIsFound) {
-    constexpr int kCount = 200 / kLighter;
+    const int kCount = 200 / kLighter;
     int made = 0;
     mutate({{"number", change_number},
             {"operator", change_operator},

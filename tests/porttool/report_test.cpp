@@ -558,7 +558,7 @@ TEST(Alignment, MarksWhatDiffersAndWhatIsOnlySpelledDifferently) {
 TEST(Report, AGiantFunctionIsReported) {
     MemoryDisk disk;
     std::string body;
-    constexpr int kLines = 20'000 / kLighter;
+    const int kLines = 20'000 / kLighter;
     for (int i = 0; i < kLines; ++i) body += "  x = x * " + std::to_string(i) + ".0f + y;\n";
     disk.files["/r/src/k.cu"] = "__device__ float giant(float x, float y) {\n" + body + "  return x;\n}\n";
     disk.files["/r/port/k.comp"] = "float giant(float x, float y) {\n" + body + "  return y;\n}\n";

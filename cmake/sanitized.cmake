@@ -1,0 +1,45 @@
+# SPDX-FileCopyrightText: 2026 The porttool authors
+# SPDX-License-Identifier: Apache-2.0
+# What reads foreign files is tested once more under ASan and UBSan, in the same build: its libraries are compiled a
+# second time, with warnings as errors, and linked with the objects that the tests have anyway. So a test is compiled
+# once. The sanitized objects come first on the link line: of a template that both sides instantiate, theirs is taken.
+include_guard()
+option(PORTTOOL_SANITIZED_TESTS "Build the libraries that read foreign files a second time, under ASan and UBSan" OFF)
+if(PORTTOOL_SANITIZE)
+    set(PORTTOOL_SANITIZED_TESTS OFF)  # everything is sanitized already
+endif()
+set(sanitizers -fsanitize=address,undefined -fno-omit-frame-pointer -fno-sanitize-recover=all)
+
+# Adds LIBRARY_sanitized: the objects of a library, compiled under sanitizers.
+function(add_sanitized library)
+    if(NOT PORTTOOL_SANITIZED_TESTS)
+        return()
+    endif()
+    foreach(property SOURCES LINK_LIBRARIES COMPILE_OPTIONS)
+        get_target_property(${property} ${library} ${property})
+        if(NOT ${property})
+            set(${property} "")
+        endif()
+    endforeach()
+    add_library(${library}_sanitized OBJECT EXCLUDE_FROM_ALL ${SOURCES})
+    target_link_libraries(${library}_sanitized PRIVATE ${LINK_LIBRARIES})
+    target_compile_options(${library}_sanitized PRIVATE -Og -g1 -UNDEBUG ${sanitizers} ${COMPILE_OPTIONS})
+    set_target_properties(${library}_sanitized PROPERTIES COMPILE_WARNING_AS_ERROR ON)
+endfunction()
+
+# Adds PROGRAM_sanitized: the objects of a program with the sanitized objects of the libraries named after it.
+function(add_sanitized_program program)
+    if(NOT PORTTOOL_SANITIZED_TESTS)
+        return()
+    endif()
+    set(objects "")
+    foreach(library ${ARGN})
+        list(APPEND objects $<TARGET_OBJECTS:${library}_sanitized>)
+    endforeach()
+    get_target_property(links ${program} LINK_LIBRARIES)
+    add_executable(${program}_sanitized EXCLUDE_FROM_ALL ${objects} $<TARGET_OBJECTS:${program}>)
+    target_link_libraries(${program}_sanitized PRIVATE ${links})
+    target_link_options(${program}_sanitized PRIVATE -fsanitize=address,undefined)
+    set_target_properties(${program}_sanitized PROPERTIES LINKER_LANGUAGE CXX OUTPUT_NAME ${program}
+        RUNTIME_OUTPUT_DIRECTORY ${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/sanitized)
+endfunction()
