@@ -42,9 +42,9 @@ struct PairComparison {
     BySide<Edit> edits;                ///< as written; empty where a side did not change or `before` is not known
     std::vector<std::string> missing;  ///< EditsDiffer: sentences, what one side did and the other did not
     std::string values;                ///< ValuesDiffer: what each side has, a sentence
-    std::string not_compared;          ///< why the budget left the texts uncompared: edits, missing and values are then empty
-    bool text_missing = false;         ///< the text before of a side that changed is not known
-    CompareSize size;                  ///< of the texts that there were to compare
+    std::string not_compared;   ///< why the budget left the texts uncompared: edits, missing and values are then empty
+    bool text_missing = false;  ///< the text before of a side that changed is not known
+    CompareSize size;           ///< of the texts that there were to compare
 };
 
 /// True if a side changed by more than its looks, so that a pair is no longer in step by its prints alone.
