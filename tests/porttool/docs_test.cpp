@@ -42,8 +42,8 @@ TEST(Docs, TheFirstStepsWorkAsWritten) {
         }
         const size_t exits = line.find("# exits ");
         const int expected = exits == std::string::npos ? 0 : line[exits + 8] - '0';
-        const std::string command = "( cd '" + folder.string() + "' && PATH='" + program_folder() +
-                                    "':$PATH && " + line + "\n) > /dev/null";
+        const std::string command =
+            "( cd '" + folder.string() + "' && PATH='" + program_folder() + "':$PATH && " + line + "\n) > /dev/null";
         const int status = std::system(command.c_str());
         ASSERT_TRUE(WIFEXITED(status));
         EXPECT_EQ(WEXITSTATUS(status), expected) << line;

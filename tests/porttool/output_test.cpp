@@ -16,9 +16,9 @@ protected:
     /// Runs the program itself through a shell, in the repository.
     CommandRun shell(const std::string& arguments) const {
         const std::string err = (root / ".err").string();
-        const int status = std::system(("cd '" + root.string() + "' && '" + program_folder() +
-                                        "/porttool' " + arguments + " 2> '" + err + "'")
-                                           .c_str());
+        const int status = std::system(
+            ("cd '" + root.string() + "' && '" + program_folder() + "/porttool' " + arguments + " 2> '" + err + "'")
+                .c_str());
         return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, "", text_of(err)};
     }
     static std::string text_of(const std::filesystem::path& path) {
