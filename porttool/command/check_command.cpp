@@ -46,7 +46,7 @@ Outcome run_check(const Options& options, Workplace& place) {
         spirv = std::make_unique<SpirvCheck>(project, options.staged, options.base.empty() ? "HEAD" : options.base,
                                              place.disk);
         return [&](const UnitState& unit, Side side, const NormalText& before) {
-            return spirv->same_code(unit, side == Side::Source, before);
+            return spirv->same_code(unit, side, before);
         };
     };
     const CheckedProject checked = check_project(options, place, options.spirv ? same_code_in : SameCodeIn());

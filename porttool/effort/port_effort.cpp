@@ -19,7 +19,7 @@ PortEffort port_effort(const std::vector<MapPair>& pairs, const ChangedSides& si
         for (const std::string& id : pair.targets) {
             const EditedUnit right = target.edit_of_pair(id);
             if (left.lines.edit.changed() + right.lines.edit.changed() == 0) continue;
-            const ComparedEdits compared = compare_edits(left, right, reader, dialect);
+            const ComparedEdits compared = compare_ported(left, right, reader, dialect);
             totals.add_pair(pair.source, id, compared);
             out.pairs.push_back({pair.source, id, compared.edit});
         }

@@ -32,9 +32,9 @@ struct ChangedSides {
     const std::vector<ScannedFile>& target_now;
 };
 
-/// What it took to port a change: compare_edits() of every pair that was edited, and what the rest of both sides gained
-/// and lost. What the port gained outside pairs is novel. Nothing in it depends on the order of the pairs or of their
-/// targets.
+/// What it took to port a change: compare_ported() of every pair that was edited, and what the rest of both sides
+/// gained and lost. What the port gained outside pairs is novel. Nothing in it depends on the order of the pairs or of
+/// their targets.
 PortEffort port_effort(const std::vector<MapPair>& pairs, const ChangedSides& sides, const Dialect& dialect);
 
 }  // namespace porttool

@@ -135,8 +135,8 @@ NumberedWords added_words(const EditedLines& edit, WordNumbers& words) {
     return out;
 }
 
-ComparedEdits compare_edits(const EditedUnit& source, const EditedUnit& target, LineReader& reader,
-                            const Dialect& dialect) {
+ComparedEdits compare_ported(const EditedUnit& source, const EditedUnit& target, LineReader& reader,
+                             const Dialect& dialect) {
     ComparedEdits out;
     PortedEdit& edit = out.edit;
     edit.source = source.lines.edit;

@@ -65,8 +65,8 @@ struct ComparedEdits {
 /// over, one of them (`return d;`) also as it is written, and `store(d)` is novel. Old code counts for the port, too:
 /// had the source had `store(d)` all along and the port had not, it would be carried over now. What the port had
 /// elsewhere does not.
-ComparedEdits compare_edits(const EditedUnit& source, const EditedUnit& target, LineReader& reader,
-                            const Dialect& dialect);
+ComparedEdits compare_ported(const EditedUnit& source, const EditedUnit& target, LineReader& reader,
+                             const Dialect& dialect);
 
 /// The words of the lines that an edit gained, in the common vocabulary, sorted; closing braces left out.
 NumberedWords added_words(const EditedLines& edit, WordNumbers& words);

@@ -15,7 +15,7 @@
 
 namespace porttool {
 
-/// NumberedWords as numbers, in the order in which they come.
+/// Words as numbers, in the order in which they come.
 using NumberedWords = std::vector<uint32_t>;
 
 /// A number for each sequence of words, the same for the same sequence; 0 for the empty one.

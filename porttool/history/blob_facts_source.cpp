@@ -80,7 +80,7 @@ const NormalText& BlobFactsSource::text_of(const std::string& print, const BaseB
     if (place != places_.end()) return texts_.emplace(print, text_at(place->second)).first->second;
     const std::string blob = base_blob(print);
     NormalText text;
-    if (!blob.empty()) text = text_behind(print, read_blob(past_, "portmap.base/" + print, blob), kNormalForm);
+    if (!blob.empty()) text = text_of_print(print, read_blob(past_, "portmap.base/" + print, blob), kNormalForm);
     return texts_.emplace(print, std::move(text)).first->second;
 }
 

@@ -207,10 +207,11 @@ private:
     }
 
     bool is_ignored(const PairId& id, const UnitFacts* source, const UnitFacts* target) const {
+        const Fingerprints* source_prints = source == nullptr ? nullptr : &source->prints;
+        const Fingerprints* target_prints = target == nullptr ? nullptr : &target->prints;
         return std::any_of(lock_.ledger.begin(), lock_.ledger.end(), [&](const LedgerEntry& entry) {
             return entry.verdict == Verdict::Ignore && entry.source == id.first && entry.target == id.second &&
-                   (source == nullptr || entry.source_print == source->prints.written) &&
-                   (target == nullptr || entry.target_print == target->prints.written);
+                   entry.is_of(source_prints, target_prints);
         });
     }
 

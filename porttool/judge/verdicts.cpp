@@ -9,11 +9,7 @@
 namespace porttool {
 namespace {
 
-/// A verdict holds for the texts that it was given for; a side that is gone says nothing.
-bool is_of_these_texts(const LedgerEntry& entry, const BySide<const UnitState*>& unit) {
-    return (unit.source == nullptr || entry.source_print == unit.source->prints.written) &&
-           (unit.target == nullptr || entry.target_print == unit.target->prints.written);
-}
+const Fingerprints* prints_of(const UnitState* unit) { return unit == nullptr ? nullptr : &unit->prints; }
 
 std::string quoted(Verdict verdict) { return "'" + std::string(verdict_name(verdict)) + "'"; }
 
@@ -41,7 +37,7 @@ std::optional<Verdict> Verdicts::settle(const JudgedPair& pair, size_t first) {
             idle.remedy = "Run: porttool accept " + argument(pair.id.source, idle);
             return {};
         }
-        if (!is_of_these_texts(*entry, pair.unit)) {
+        if (!entry->is_of(prints_of(pair.unit.source), prints_of(pair.unit.target))) {
             for (Finding& finding : findings_.from(first))
                 finding.message += " (edited since " + quoted(entry->verdict) + ")";
             continue;

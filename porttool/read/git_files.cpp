@@ -21,6 +21,8 @@ using Blob = GitOwned<git_blob, git_blob_free>;
 using TreeEntry = GitOwned<git_tree_entry, git_tree_entry_free>;
 using Submodule = GitOwned<git_repository, git_repository_free>;
 
+const std::string kMergeBase = "the merge base";  // as messages call it
+
 /// Where the files of one repository go.
 struct Walk {
     GitFiles& out;
@@ -28,8 +30,7 @@ struct Walk {
     std::string prefix;  ///< the folder of the repository that is read, "sub/folder/" or ""
     std::string before;  ///< what stands before its paths in `out`: the place of a submodule
     const WantsFile& wants;
-    std::string commit = "the merge base";  ///< as messages call it
-    const git_tree* tree = nullptr;         ///< while one is read
+    const git_tree* tree = nullptr;  ///< while one is read
 
     /// The path that a file has in `out`.
     std::string name_of(const std::string& path) const { return before + path.substr(prefix.size()); }
@@ -110,7 +111,7 @@ bool read_tree(const Walk& walk, const git_oid& commit_id) {
     git_commit* commit = nullptr;
     git_tree* tree = nullptr;
     if (git_commit_lookup(&commit, walk.repository, &commit_id) != 0) {
-        walk.out.error = (walk.before.empty() ? walk.commit : "the submodule " + terminal_text(walk.before)) +
+        walk.out.error = (walk.before.empty() ? kMergeBase : "the submodule " + terminal_text(walk.before)) +
                          " cannot be read: " + git_last_error() + "\nFetch it: " +
                          (walk.before.empty() ? "git fetch"
                                               : "git submodule update --init; or git -C " +
@@ -119,7 +120,7 @@ bool read_tree(const Walk& walk, const git_oid& commit_id) {
     }
     const Commit commit_owner(commit);
     if (git_commit_tree(&tree, commit) != 0) {
-        walk.out.error = walk.commit + " cannot be read: " + git_last_error() + "\nLook into it with: git fsck";
+        walk.out.error = kMergeBase + " cannot be read: " + git_last_error() + "\nLook into it with: git fsck";
         return false;
     }
     const Tree tree_owner(tree);
@@ -127,7 +128,7 @@ bool read_tree(const Walk& walk, const git_oid& commit_id) {
     payload.tree = tree;
     const int result = git_tree_walk(tree, GIT_TREEWALK_PRE, visit_entry, &payload);
     if (result != 0 && walk.out.error.empty())
-        walk.out.error = walk.commit + " cannot be read: " + git_last_error() + "\nLook into it with: git fsck";
+        walk.out.error = kMergeBase + " cannot be read: " + git_last_error() + "\nLook into it with: git fsck";
     return walk.out.error.empty();
 }
 
@@ -140,14 +141,6 @@ std::string fetch_command(const std::string& revision) {
 }
 
 }  // namespace
-
-GitFiles GitRepository::files_at(const std::string& commit, const WantsFile& wants) const {
-    if (!error_.empty()) return {{}, error_};
-    GitFiles out;
-    const auto id = git_oid_of(commit);
-    if (id) read_tree({out, handle_->repository(), folder(), "", wants, commit}, *id);
-    return out;
-}
 
 GitFiles GitRepository::files_at_base(const std::string& revision, const WantsFile& wants) const {
     if (!error_.empty()) return {{}, error_};

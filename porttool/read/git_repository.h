@@ -73,9 +73,7 @@ public:
     /// What changed from one commit to another, in wanted paths; from nothing if `older` is empty. Symbolic links and
     /// submodules are no files. Sorted by path.
     std::vector<GitChange> changes(const std::string& older, const std::string& newer, const WantsFile& wants) const;
-    /// The files of a commit; links are followed within it, and submodules that are checked out.
-    GitFiles files_at(const std::string& commit, const WantsFile& wants) const;
-    /// The same at merge-base(revision, HEAD).
+    /// The files at merge-base(revision, HEAD); links are followed within it, and submodules that are checked out.
     GitFiles files_at_base(const std::string& revision, const WantsFile& wants) const;
     /// The files of the index, or of the one that git gave the hook that we run in.
     GitFiles files_in_index(const WantsFile& wants) const;

@@ -62,6 +62,12 @@ struct LedgerEntry {
     std::string reason;
     MoreFields more = {};
     int line = 0;  ///< in the file that it was read from
+
+    /// A verdict holds for the texts that it was given for; a side that is gone (nullptr) says nothing.
+    bool is_of(const Fingerprints* source_now, const Fingerprints* target_now) const {
+        return (source_now == nullptr || source_print == source_now->written) &&
+               (target_now == nullptr || target_print == target_now->written);
+    }
 };
 
 struct LockFile {

@@ -66,7 +66,7 @@ private:
         if (const auto unit = now_.find(old); unit != now_.end()) {
             known->second = unit->second->prints;
             text = unit->second->text;
-        } else if (text = text_behind(old, text_of_(old), from_); !text.empty()) {
+        } else if (text = text_of_print(old, text_of_(old), from_); !text.empty()) {
             known->second = prints_of_text(text);
         } else {
             return known->second;
@@ -92,7 +92,7 @@ UpgradedLock upgraded(LockFile lock, const std::function<std::string(const std::
     return Upgrade(from, text_of, today).run(std::move(lock));
 }
 
-NormalText text_behind(const std::string& print, const std::string& recorded, int normal_form) {
+NormalText text_of_print(const std::string& print, const std::string& recorded, int normal_form) {
     NormalText text = NormalText::read(recorded);
     const bool same =
         print_of(normal_form, text.words()) == print || print_of(normal_form, plain_words(recorded)) == print;

@@ -28,6 +28,6 @@ UpgradedLock upgraded(LockFile lock, const std::function<std::string(const std::
                       const std::vector<const std::map<std::string, UnitState>*>& today);
 
 /// The text of a file of portmap.base/ if it is the one that its name says, as this normal form names it; else empty.
-NormalText text_behind(const std::string& print, const std::string& recorded, int normal_form);
+NormalText text_of_print(const std::string& print, const std::string& recorded, int normal_form);
 
 }  // namespace porttool

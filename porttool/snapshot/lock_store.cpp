@@ -161,7 +161,7 @@ size_t missing_texts(const Project& project, const Disk& disk, const LockFile& l
 }
 
 NormalText base_text(const Project& project, const Disk& disk, const std::string& print) {
-    return text_behind(print, read_base(project, disk, print), kNormalForm);
+    return text_of_print(print, read_base(project, disk, print), kNormalForm);
 }
 
 }  // namespace porttool

@@ -105,8 +105,7 @@ struct RecordPaths {
 GitFiles ask_git(const std::string& root, const Moment& at, const WantsFile& wants) {
     const GitRepository git(root, kChecksWithGit);
     if (at.kind == Moment::Kind::Index) return git.files_in_index(wants);
-    return at.kind == Moment::Kind::MergeBase ? git.files_at_base(at.revision, wants)
-                                              : git.files_at(at.revision, wants);
+    return git.files_at_base(at.revision, wants);
 }
 
 void add_files(MemoryDisk& disk, const std::string& root, GitFiles files) {
@@ -114,7 +113,7 @@ void add_files(MemoryDisk& disk, const std::string& root, GitFiles files) {
     for (auto& [path, bytes] : files.files) disk.files[join_path(root, path)] = std::move(bytes);
 }
 
-/// The target side of another checkout: where it knows no such revision, its own last commit is what it was in step as.
+/// The target side of another checkout: its HEAD where it knows no such revision.
 void add_other_checkout(Snapshot& snapshot) {
     const std::string root = target_root(snapshot.project);
     const WantsFile wants = wanted(snapshot.project.map.target);

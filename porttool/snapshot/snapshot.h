@@ -10,9 +10,9 @@ namespace porttool {
 
 /// Where a project is looked at.
 struct Moment {
-    enum class Kind : uint8_t { WorkTree, Index, MergeBase, Commit };
+    enum class Kind : uint8_t { WorkTree, Index, MergeBase };
     Kind kind = Kind::WorkTree;
-    std::string revision = {};  ///< MergeBase: whose merge base with HEAD is meant; Commit: its id
+    std::string revision = {};  ///< MergeBase: whose merge base with HEAD is meant
 };
 
 /// How far a project is read: the normal form of all units takes longer than to scan them.

@@ -10,6 +10,7 @@
 
 #include "porttool/normal/unit_state.h"
 #include "porttool/read/git_repository.h"
+#include "porttool/scan/side.h"
 #include "porttool/snapshot/project.h"
 #include "porttool/spirv/same_spirv.h"
 
@@ -27,21 +28,21 @@ public:
 
     /// What to say of a function that compiles to the same code as its earlier text `before` (as in portmap.base/), or
     /// "" if it does not or if that cannot be told.
-    std::string same_code(const UnitState& unit, bool source, const NormalText& before);
+    std::string same_code(const UnitState& unit, Side side, const NormalText& before);
 
     /// One line for each function of which it could not be told, and why.
     const std::vector<std::string>& obstacles() const { return obstacles_; }
 
 private:
-    struct Side;
-    Side& side(bool source);
-    SpirvAnswer ask(Side& side, const ScannedFile& file, const Unit& unit, const NormalText& before);
+    struct Shaders;
+    Shaders& shaders_of(Side side);
+    SpirvAnswer ask(Shaders& shaders, const ScannedFile& file, const Unit& unit, const NormalText& before);
 
     const Project& project_;
     bool staged_;
     std::string base_;
     const Disk& disk_;
-    std::unique_ptr<Side> source_, target_;
+    BySide<std::unique_ptr<Shaders>> shaders_;
     std::vector<std::string> obstacles_;
 };
 
