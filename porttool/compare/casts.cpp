@@ -15,20 +15,24 @@ bool is_value(const std::string& word) { return is_word_token(word) || is_number
 
 bool is_sign(const std::string& word) { return word == "-" || word == "!" || word == "~" || word == "+"; }
 
+/// Where each opening bracket of a text is closed: the place after it, the end if nothing closes it.
+std::vector<size_t> closings(const Text& words) {
+    std::vector<size_t> after(words.size(), words.size()), open;
+    for (size_t i = 0; i < words.size(); ++i) {
+        if (words[i] == "(" || words[i] == "[") open.push_back(i);
+        if (open.empty() || (words[i] != ")" && words[i] != "]")) continue;
+        after[open.back()] = i + 1;
+        open.pop_back();
+    }
+    return after;
+}
+
 /// Writes C casts as functional ones. One pass: casts in casts and in brackets are kept on a stack, and where a chain
 /// of casts ends is found once for all of it.
 class CastWriter {
 public:
     CastWriter(const Text& words, const Dialect& dialect)
-        : words_(words), dialect_(dialect), after_(words.size(), words.size()), operand_ends_(words.size(), 0) {
-        std::vector<size_t> open;
-        for (size_t i = 0; i < words_.size(); ++i) {
-            if (words_[i] == "(" || words_[i] == "[") open.push_back(i);
-            if (open.empty() || (words_[i] != ")" && words_[i] != "]")) continue;
-            after_[open.back()] = i + 1;
-            open.pop_back();
-        }
-    }
+        : words_(words), dialect_(dialect), after_(closings(words)), operand_ends_(words.size(), 0) {}
 
     Text run() {
         operands_.push_back({0, words_.size(), words_.size()});
@@ -124,6 +128,92 @@ private:
     Text out_;
 };
 
+/// Writes named casts as C casts, and takes parentheses away around an operand that needs none.
+class CCastWriter {
+public:
+    CCastWriter(const Text& words, const Dialect& dialect)
+        : words_(words), dialect_(dialect), after_(closings(words)), dropped_(words.size(), false) {}
+
+    Text run() {
+        for (size_t i = 0; i < words_.size();) i = step(i);
+        return std::move(out_);
+    }
+
+private:
+    std::string_view word(size_t i) const { return i < words_.size() ? words_[i] : std::string_view(); }
+
+    size_t step(size_t i) {
+        if (dropped_[i]) return i + 1;
+        const bool is_static = words_[i] == "static_cast";
+        if ((is_static || words_[i] == "reinterpret_cast") && word(i + 1) == "<") {
+            const size_t type_end = after_type(i + 2);
+            if (word(type_end) == ">" && word(type_end + 1) == "(") return write_cast(i, type_end, is_static);
+        }
+        if (words_[i] == "(" && can_cast_after(i) && word(after_[i]) == "(" && after_type(i + 1) + 1 == after_[i])
+            open_operand(after_[i]);
+        out_.push_back(words_[i]);
+        return i + 1;
+    }
+
+    size_t write_cast(size_t i, size_t type_end, bool is_static) {
+        const size_t open = type_end + 1;
+        const bool is_number = type_end == i + 3 && dialect_.is_number_type(words_[i + 2]);
+        const bool to_numbers = words_[type_end - 1] == "*" && dialect_.is_number_type(words_[i + 2]);
+        if (is_static && is_number) {
+            out_.emplace_back("staticcast");
+            return i + 1;
+        }
+        if (has_postfix(after_[open]) || !(is_static || to_numbers)) {
+            out_.push_back(words_[i]);
+            return i + 1;
+        }
+        out_.emplace_back("(");
+        for (size_t k = i + 2; k < type_end; ++k) out_.push_back(words_[k]);
+        out_.emplace_back(")");
+        open_operand(open);
+        return open;
+    }
+
+    bool has_postfix(size_t i) const { return word(i) == "(" || word(i) == "[" || word(i) == "." || word(i) == "->"; }
+
+    bool can_cast_after(size_t i) const {
+        const std::string_view before = i > 0 ? word(i - 1) : "=";
+        if (before == "return" || before == "else" || before == "case") return true;
+        return !is_word_token(before) && before != ")" && before != "]" && before != ">";
+    }
+
+    /// Behind the words of a type that begins at `i`.
+    size_t after_type(size_t i) const {
+        const size_t first = i;
+        while (i < words_.size() && i < first + 8 && is_word_token(words_[i])) i += word(i + 1) == "::" ? 2 : 1;
+        while (i > first && word(i) == "*") ++i;
+        return i;
+    }
+
+    /// The parentheses at `open` go if they hold a name, a number, or members, elements and calls of one.
+    void open_operand(size_t open) {
+        const size_t close = after_[open] - 1;
+        if (close >= words_.size() || words_[close] != ")") return;
+        size_t i = open + 1;
+        if (!is_word_token(word(i)) && !is_number_token(word(i))) return;
+        for (++i; i < close;) {
+            if (words_[i] == "(" || words_[i] == "[")
+                i = after_[i];
+            else if ((words_[i] == "." || words_[i] == "->" || words_[i] == "::") && is_word_token(word(i + 1)))
+                i += 2;
+            else
+                return;
+        }
+        if (i == close) dropped_[open] = dropped_[close] = true;
+    }
+
+    const Text& words_;
+    const Dialect& dialect_;
+    std::vector<size_t> after_;
+    std::vector<bool> dropped_;
+    Text out_;
+};
+
 }  // namespace
 
 Words with_one_word_types(const Words& tokens) {
@@ -151,16 +241,21 @@ Words with_one_word_types(const Words& tokens) {
             continue;
         }
         if (is_char)
-            out.emplace_back(is_unsigned ? "uint8" : "int8");
+            out.emplace_back(is_unsigned ? "uint8_t" : "int8_t");
         else if (is_short)
-            out.emplace_back(is_unsigned ? "uint16" : "short");
+            out.emplace_back(is_unsigned ? "uint16_t" : "short");
         else if (longs > 0)
-            out.emplace_back(is_unsigned ? "uint64" : longs > 1 ? "int64" : "long");
+            out.emplace_back(is_unsigned ? (longs > 1 ? "uint64_t" : "ulong") : longs > 1 ? "int64_t" : "long");
         else
             out.emplace_back(is_unsigned ? "uint" : "int");
         i = end;
     }
     return out;
+}
+
+Text with_c_casts(const Text& words, const Dialect& dialect) {
+    if (std::find(words.begin(), words.end(), ")") == words.end()) return words;
+    return CCastWriter(words, dialect).run();
 }
 
 Text with_functional_casts(const Text& words, const Dialect& dialect) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "porttool/compare/compare_pair.h"
 
+#include "porttool/compare/lone_edit.h"
 #include "porttool/compare/values.h"
 
 namespace porttool {
@@ -22,26 +23,33 @@ public:
 
     PairComparison run(CompareBudget& budget) {
         if (!changed(Side::Source) && !changed(Side::Target)) return std::move(out_);
-        out_.standing = changed_both()          ? Standing::EditsDiffer
-                        : changed(Side::Source) ? Standing::SourceChanged
-                                                : Standing::TargetChanged;
+        out_.standing = standing();
         out_.size = size();
         out_.not_compared = budget.refusal({pair_.source.id, pair_.target.id}, out_.size);
         if (!out_.not_compared.empty()) return std::move(out_);
         read_texts();
-        if (!settled_by_values() && changed_both() && !out_.text_missing) compare_both();
+        out_.standing = standing();
+        if (out_.standing != Standing::Idle && !settled_by_values() && changed_both() && !out_.text_missing)
+            compare_both();
         return std::move(out_);
     }
 
 private:
-    bool changed(Side side) const { return is_edit(out_.changes[side]); }
+    bool edited(Side side) const { return is_edit(out_.changes[side]); }
+    bool changed(Side side) const { return edited(side) && !out_.idle[side]; }
     bool changed_both() const { return changed(Side::Source) && changed(Side::Target); }
+
+    Standing standing() const {
+        if (changed_both()) return Standing::EditsDiffer;
+        if (!changed(Side::Source) && !changed(Side::Target)) return Standing::Idle;
+        return changed(Side::Source) ? Standing::SourceChanged : Standing::TargetChanged;
+    }
 
     CompareSize size() const {
         CompareSize out;
         for (const Side side : kBothSides) {
             out.add(pair_[side].now.size());
-            if (changed(side)) out.add(pair_[side].before.size());
+            if (edited(side)) out.add(pair_[side].before.size());
         }
         return out;
     }
@@ -49,12 +57,15 @@ private:
     void read_texts() {
         for (const Side side : kBothSides) {
             now_[side] = pair_[side].now.words();
-            if (!changed(side)) continue;
+            if (!edited(side)) continue;
             before_[side] = pair_[side].before.words();
-            if (before_[side].empty())
+            if (before_[side].empty()) {
                 out_.text_missing = true;
-            else
-                out_.edits[side] = edit_of(before_[side], now_[side]);
+                continue;
+            }
+            LoneEdit lone = lone_edit(before_[side], now_[side], pair_[side].kind, pair_[side].language, dialect_);
+            out_.idle[side] = lone.means_nothing;
+            out_.edits[side] = std::move(lone.edit);
         }
     }
 

@@ -25,9 +25,10 @@ struct PairedUnit {
     const NormalText &before, &now;
 };
 
-/// How a pair stands, told by its texts alone.
+/// How a pair stands, told by its texts alone; up to Equivalent it is in step.
 enum class Standing : uint8_t {
     InStep,         ///< neither side changed by more than its looks
+    Idle,           ///< what was edited changes no value: qualifiers, hints, another spelling
     Equivalent,     ///< both sides changed, and alike
     SourceChanged,  ///< the source changed, the port did not
     TargetChanged,
@@ -39,7 +40,9 @@ enum class Standing : uint8_t {
 struct PairComparison {
     BySide<Change> changes;
     Standing standing = Standing::InStep;
-    BySide<Edit> edits;                ///< as written; empty where a side did not change or `before` is not known
+    BySide<bool> idle = {false, false};  ///< the side's edit changes no value
+    BySide<Edit> edits;  ///< what changes a value, as written; all of an idle edit; empty where a side did
+                         ///< not change or `before` is not known
     std::vector<std::string> missing;  ///< EditsDiffer: sentences, what one side did and the other did not
     std::string values;                ///< ValuesDiffer: what each side has, a sentence
     std::string not_compared;   ///< why the budget left the texts uncompared: edits, missing and values are then empty

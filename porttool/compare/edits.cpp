@@ -21,16 +21,6 @@ void show_moved(const StatementEdit& edit, Edit& out) {
     }
 }
 
-Edit shown(const StatementEdit& edit) {
-    Edit out;
-    for (const size_t i : edit.gained)
-        if (!edit.now[i].is_brace()) out.gained.push_back(edit.now[i].shown);
-    for (const size_t i : edit.lost)
-        if (!edit.before[i].is_brace()) out.lost.push_back(edit.before[i].shown);
-    if (out.gained.empty() && out.lost.empty()) show_moved(edit, out);
-    return out;
-}
-
 /// Compares the edits by the names that the texts have.
 EditComparison compare_as_named(const PairTexts& texts, const Dialect& dialect, Literals literals) {
     const Meaning meaning(texts, dialect, literals);
@@ -58,11 +48,21 @@ Change classify(const Fingerprints& before, const Fingerprints& now) {
     return before.blanked == now.blanked ? Change::Constant : Change::Semantic;
 }
 
+Edit shown_edit(const StatementEdit& edit) {
+    Edit out;
+    for (const size_t i : edit.gained)
+        if (!edit.now[i].is_brace()) out.gained.push_back(edit.now[i].shown);
+    for (const size_t i : edit.lost)
+        if (!edit.before[i].is_brace()) out.lost.push_back(edit.before[i].shown);
+    if (out.gained.empty() && out.lost.empty()) show_moved(edit, out);
+    return out;
+}
+
 Edit edit_of(const Words& before, const Words& now) {
     const auto as_written = [](const Words& statement, bool) {
         return std::vector<std::string>(statement.begin(), statement.end());
     };
-    return shown(statement_edit(before, now, as_written));
+    return shown_edit(statement_edit(before, now, as_written));
 }
 
 EditComparison compare_edits(const PairTexts& texts, const Dialect& dialect, Literals literals) {

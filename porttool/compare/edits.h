@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "porttool/compare/meaning.h"
+#include "porttool/compare/statement_edit.h"
 #include "porttool/language/dialect.h"
 #include "porttool/normal/unit_state.h"
 
@@ -40,7 +41,10 @@ struct EditComparison {
 ///     or now      a = b * 2f ; c = a ;              a = b * 2.0 ;              not: the port did not gain `c = a`
 EditComparison compare_edits(const PairTexts& texts, const Dialect& dialect, Literals literals);
 
-/// What changed between two texts.
+/// The same statements for a reader; of an edit that only moved closing braces, what stands in another block now.
+Edit shown_edit(const StatementEdit& edit);
+
+/// What changed between two texts, as written.
 Edit edit_of(const Words& before, const Words& now);
 
 }  // namespace porttool

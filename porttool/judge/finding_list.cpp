@@ -30,12 +30,16 @@ std::string argument(const std::string& id, const Finding& finding) {
     return can_be_pasted(id) && !is_list ? shell_quoted(id) : finding.fingerprint;
 }
 
+Level FindingList::level_of(Rule rule) const {
+    const auto level = map_.rules.find(rule);
+    return level == map_.rules.end() ? rule_row(rule).level : level->second;
+}
+
 Finding& FindingList::begin(Rule rule, const std::string& source, const std::string& target,
                             const std::string& subject) {
-    const auto level = map_.rules.find(rule);
     Finding finding;
     finding.rule = rule;
-    finding.level = level == map_.rules.end() ? rule_row(rule).level : level->second;
+    finding.level = level_of(rule);
     finding.map_source = source;
     finding.map_target = target;
     std::vector<std::string> parts = {std::string(rule_name(rule)), source, target};

@@ -32,6 +32,9 @@ public:
     Finding& add(Rule rule, const JudgedPair& pair, std::optional<ChangeKind> change, const std::string& message,
                  const std::string& subject = {});
 
+    /// What findings of a rule weigh in this project.
+    Level level_of(Rule rule) const;
+
     size_t size() const { return findings_.size(); }
     std::span<Finding> from(size_t first) { return std::span(findings_).subspan(first); }
     void drop_last() { findings_.pop_back(); }

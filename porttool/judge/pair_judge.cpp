@@ -23,6 +23,14 @@ Side changed_side(const PairComparison& found) {
 
 Change larger_change(const PairComparison& found) { return std::max(found.changes.source, found.changes.target); }
 
+/// The statements that an edit took away and brought in, and the first of them in the message.
+void tell_edit(const Edit& edit, Finding& finding) {
+    for (const std::string& statement : edit.lost) finding.details.push_back("- " + statement);
+    for (const std::string& statement : edit.gained) finding.details.push_back("+ " + statement);
+    if (finding.details.empty()) finding.details.emplace_back("the statements were rearranged");
+    finding.message += ": " + finding.details.front() + (finding.details.size() > 1 ? " ..." : "");
+}
+
 /// An edit that does not reach the compiled code is no drift. `same` says so, or is "".
 void soften(JudgedPair& pair, Finding& finding, const std::string& same) {
     if (same.empty()) return;
@@ -134,13 +142,15 @@ void PairJudge::compare(JudgedPair& pair, const LockedPair& lock) {
                           before[side], unit.text};
     };
     const PairComparison found = compare_pair({paired(Side::Source), paired(Side::Target)}, dialect_, budget_);
-    pair.equivalent = found.standing == Standing::Equivalent;
+    pair.equivalent = found.standing <= Standing::Equivalent;
     report_hazards(pair, found.edits.source);
     if (!found.not_compared.empty()) return report_uncompared(pair, found);
     switch (found.standing) {
         case Standing::InStep:
         case Standing::Equivalent:
             return;
+        case Standing::Idle:
+            return report_idle(pair, found);
         case Standing::SourceChanged:
         case Standing::TargetChanged:
             return report_one(pair, found, before);
@@ -173,6 +183,16 @@ void PairJudge::report_values(const JudgedPair& pair, const PairComparison& foun
                   found.values);
 }
 
+/// Both may have such an edit; that of the source is told then.
+void PairJudge::report_idle(const JudgedPair& pair, const PairComparison& found) {
+    if (findings_.level_of(Rule::Qualifiers) == Level::Off) return;
+    const Side side = is_edit(found.changes.source) ? Side::Source : Side::Target;
+    Finding& finding = findings_.add(
+        Rule::Qualifiers, pair, kind_of(found.changes[side]),
+        side == Side::Source ? "an edit of the source changes no value" : "an edit of the port changes no value");
+    tell_edit(found.edits[side], finding);
+}
+
 void PairJudge::report_one(JudgedPair& pair, const PairComparison& found, const BySide<NormalText>& before) {
     const Side side = changed_side(found);
     const Change change = found.changes[side];
@@ -181,10 +201,7 @@ void PairJudge::report_one(JudgedPair& pair, const PairComparison& found, const 
         finding.message += "; the earlier text is not in portmap.base/, or not as recorded: restore it from git";
         return;
     }
-    for (const std::string& statement : found.edits[side].lost) finding.details.push_back("- " + statement);
-    for (const std::string& statement : found.edits[side].gained) finding.details.push_back("+ " + statement);
-    if (finding.details.empty()) finding.details.emplace_back("the statements were rearranged");
-    finding.message += ": " + finding.details.front() + (finding.details.size() > 1 ? " ..." : "");
+    tell_edit(found.edits[side], finding);
     if (change == Change::Semantic && facts_.same_code)
         soften(pair, finding, facts_.same_code(*pair.unit[side], side, before[side]));
 }

@@ -32,6 +32,9 @@ constexpr std::array<RuleRow, kRuleNames.size()> kRules = {{
      "Make it readable, or take it out of [sides]"},
     {Rule::DialectHazard, Level::Note, "A built-in means different things on the two sides.",
      "Guard the argument on both sides"},
+    {Rule::Qualifiers, Level::Off,
+     "One side was edited in a way that changes no value: qualifiers, hints to the compiler, another spelling.",
+     "Edit the other side likewise, or run: porttool accept ID"},
 }};
 
 constexpr bool has_a_row_each() {

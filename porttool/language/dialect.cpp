@@ -19,30 +19,34 @@ struct DialectRow {
 
 // Types.
 constexpr std::array kTypes = {
-    DialectRow{"vec2", "float2 Vec2f vector_float2 make_float2 packed_float2 Vec2fa"},
-    DialectRow{
-        "vec3",
-        "float3 Vec3f Vec3fa Vec3ff Vector Vector3f Vector3 Point Normal Point3f Normal3f vector_float3 make_float3 "
-        "packed_float3 make_Vec3f make_Vec3fa Vector3D V3f"},
-    DialectRow{"vec4", "float4 Vec4f Vector4f vector_float4 make_float4 packed_float4 make_Vec4f V4f"},
-    DialectRow{"ivec2", "int2 Vec2i make_int2 vector_int2"},
-    DialectRow{"ivec3", "int3 Vec3i make_int3 vector_int3"},
-    DialectRow{"ivec4", "int4 Vec4i make_int4 vector_int4"},
-    DialectRow{"uvec2", "uint2 Vec2ui make_uint2 vector_uint2"},
-    DialectRow{"uvec3", "uint3 Vec3ui make_uint3 vector_uint3"},
-    DialectRow{"uvec4", "uint4 Vec4ui make_uint4 vector_uint4"},
+    DialectRow{"vec2", "float2 Vec2f vector_float2 make_float2 cl_float2 packed_float2 Vec2fa"},
+    DialectRow{"vec3",
+               "float3 Vec3f Vec3fa Vec3ff Vector Vector3f Vector3 Point Normal Point3f Normal3f vector_float3 "
+               "make_float3 cl_float3 "
+               "packed_float3 make_Vec3f make_Vec3fa Vector3D V3f"},
+    DialectRow{"vec4", "float4 Vec4f Vector4f vector_float4 make_float4 cl_float4 packed_float4 make_Vec4f V4f"},
+    DialectRow{"ivec2", "int2 Vec2i make_int2 vector_int2 cl_int2"},
+    DialectRow{"ivec3", "int3 Vec3i make_int3 vector_int3 cl_int3"},
+    DialectRow{"ivec4", "int4 Vec4i make_int4 vector_int4 cl_int4"},
+    DialectRow{"uvec2", "uint2 Vec2ui make_uint2 vector_uint2 cl_uint2"},
+    DialectRow{"uvec3", "uint3 Vec3ui make_uint3 vector_uint3 cl_uint3"},
+    DialectRow{"uvec4", "uint4 Vec4ui make_uint4 vector_uint4 cl_uint4"},
     DialectRow{"mat3", "float3x3 LinearSpace3f LinearSpace3fa"},
     DialectRow{"mat4", "float4x4 Matrix4x4 AffineSpace3f AffineSpace3fa Transform"},
     DialectRow{"uint", "u_int uint32_t unsigned uint32 u32 cl_uint GLuint"},
     DialectRow{"int", "int32_t int32 i32 cl_int signed"},
-    DialectRow{"uint8", "uint8_t u_char uchar byte"},
-    DialectRow{"uint16", "uint16_t u_short ushort"},
-    DialectRow{"uint64", "uint64_t u_longlong ulong u_int64"},
-    DialectRow{"int64", "int64_t longlong"},
+    DialectRow{"int8", "int8_t cl_char"},
+    DialectRow{"uint8", "uint8_t u_char uchar byte cl_uchar"},
+    DialectRow{"int16", "int16_t"},
+    DialectRow{"uint16", "uint16_t u_short ushort cl_ushort"},
+    DialectRow{"uint64", "uint64_t u_longlong ulonglong ulong u_int64 cl_ulong"},
+    DialectRow{"int64", "int64_t longlong cl_long"},
     DialectRow{"half", "float16_t f16 half_t __half"},
     DialectRow{"half2", "f16vec2 __half2"},
     DialectRow{"size_t", "u_size_t std_size_t"},
-    DialectRow{"float", "float32_t f32 real Float"},
+    DialectRow{"float", "float32_t f32 real Float cl_float"},
+    DialectRow{"double", "cl_double"},
+    DialectRow{"nullptr", "NULL"},
     DialectRow{"bool", "_Bool boolean"},
     DialectRow{"sampler2D", "texture2d Texture2D image2d_t texture2D"},
 };
@@ -169,6 +173,7 @@ Dialect::Dialect(const std::vector<std::pair<std::string, std::string>>& rows) {
 }
 
 bool Dialect::is_number_type(std::string_view name) const {
+    if (const std::string* known = meaning(name); known != nullptr && !known->empty()) name = *known;
     return word_is(name, kNumberType) ||
            std::any_of(kTypes.begin(), kTypes.end(), [&](const DialectRow& row) { return row.name == name; });
 }

@@ -23,7 +23,7 @@ public:
     /// The same, but words share a name only if they mean the same: `fmod` is not `mod`. What edits are compared by.
     const std::string* meaning(std::string_view word) const;
 
-    /// True for the common name of a type that numbers and vectors are cast to.
+    /// True for a type, under whichever of its names, that numbers and vectors are cast to.
     bool is_number_type(std::string_view name) const;
 
 private:

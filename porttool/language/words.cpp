@@ -64,7 +64,8 @@ constexpr std::array kRows = {
     WordRow{"static_assert", kNoFunctionName | kNoConstant | kKeyword},
     WordRow{"concept", kNoConstant},
     WordRow{"template", kNoFunctionName | kNoType | kDroppedName},
-    WordRow{"this extern", kNoType | kDroppedName},
+    WordRow{"this", kNoType | kDroppedName},
+    WordRow{"extern", kNoType | kDroppedName | kHeadPromise},
     WordRow{"public private protected", kLabel | kKeyword},
     WordRow{"signals slots Q_SIGNALS Q_SLOTS", kLabel},
     WordRow{"define elif endif ifdef ifndef import module discard", kKeyword},
@@ -76,15 +77,24 @@ constexpr std::array kRows = {
     WordRow{"layout", kTakesArguments | kGroupedQualifier | kDropped},
     WordRow{"__launch_bounds__", kTakesArguments | kDropped},
     WordRow{"explicit", kTakesArguments | kKeyword},
-    WordRow{"noexcept", kTakesArguments | kTrailer | kNoType | kDroppedName},
+    WordRow{"noexcept", kTakesArguments | kTrailer | kNoType | kDroppedName | kHeadPromise},
     WordRow{"__attribute __asm__ __pragma _Pragma __cluster_dims__ __maxnreg__ requires packoffset local_size "
             "reqd_work_group_size",
             kTakesArguments},
-    WordRow{"override", kTrailer | kDroppedName},
-    WordRow{"final", kTrailer | kDropped},
+    WordRow{"override", kTrailer | kDroppedName | kHeadPromise},
+    WordRow{"final", kTrailer | kDropped | kHeadPromise},
     WordRow{"abstract pure sealed CONST", kTrailer},
     WordRow{"unmasked", kTrailer | kSoftQualifier | kKeyword},
-    WordRow{"virtual SYCL_EXTERNAL nodiscard", kDroppedName},
+    WordRow{"virtual", kDroppedName},
+    WordRow{"SYCL_EXTERNAL", kDroppedName | kHeadPromise},
+    WordRow{"nodiscard", kDroppedName | kIdleAttribute},
+    WordRow{"maybe_unused", kDropped | kIdleAttribute},
+    WordRow{
+        "always_inline noinline gnu_inline unused used nothrow leaf visibility cold hot noreturn deprecated stdcall "
+        "cdecl fastcall vectorcall dllexport dllimport warn_unused_result fallthrough likely unlikely flatten "
+        "opencl_unroll_hint unroll dont_unroll loop branch",
+        kIdleAttribute},
+    WordRow{"__stdcall __cdecl __fastcall __vectorcall", kHeadPromise},
 
     // Types.
     WordRow{"void auto", kNoFunctionName | kType | kKeyword},
@@ -102,17 +112,20 @@ constexpr std::array kRows = {
     WordRow{"int8", kType | kNumberType},
 
     // Qualifiers and address spaces.
-    WordRow{"const", kNoFunctionName | kTrailer | kConstant | kQualifier | kConstantStorage | kDroppedName},
-    WordRow{"constexpr", kNoFunctionName | kConstant | kQualifier | kConstantStorage | kDroppedName},
+    WordRow{"const", kNoFunctionName | kTrailer | kConstant | kQualifier | kConstantStorage | kDroppedName | kPromise},
+    WordRow{"constexpr", kNoFunctionName | kConstant | kQualifier | kConstantStorage | kDroppedName | kPromise},
     WordRow{"__constant__ __constant", kConstant | kQualifier | kConstantStorage | kDropped},
     WordRow{"constinit", kConstant | kQualifier},
     WordRow{"consteval", kConstant},
     WordRow{"volatile", kNoFunctionName | kTrailer | kQualifier | kDroppedName},
-    WordRow{"mutable restrict", kTrailer | kQualifier | kDroppedName},
-    WordRow{"register", kTakesArguments | kQualifier | kDroppedName},
-    WordRow{"static inline typename", kQualifier | kDroppedName},
+    WordRow{"mutable", kTrailer | kQualifier | kDroppedName},
+    WordRow{"restrict", kTrailer | kQualifier | kDroppedName | kHeadPromise},
+    WordRow{"register", kTakesArguments | kQualifier | kDroppedName | kPromise},
+    WordRow{"static inline", kQualifier | kDroppedName | kHeadPromise},
+    WordRow{"typename", kQualifier | kDroppedName | kPromise},
     WordRow{"thread_local", kQualifier},
-    WordRow{"__restrict __restrict__ __device__ __global __private highp mediump lowp precise", kQualifier | kDropped},
+    WordRow{"__restrict __restrict__ __device__", kQualifier | kDropped | kHeadPromise},
+    WordRow{"__global __private highp mediump lowp precise", kQualifier | kDropped},
     WordRow{"__shared__ __local", kQualifier | kSharedStorage | kDropped},
     WordRow{"shared", kBlockStorage | kSoftQualifier | kSharedStorage | kDropped},
     WordRow{"local threadgroup", kSoftQualifier | kSharedStorage | kDropped},
@@ -141,9 +154,9 @@ constexpr std::array kRows = {
     WordRow{"shader surface displacement volume light", kKernel, in(Language::Osl)},
 
     // What has no counterpart.
-    WordRow{"__host__ __forceinline__ __forceinline __inline__ __inline __noinline__ readonly writeonly coherent "
-            "OPENCL_FORCE_INLINE OPENCL_FORCE_NOT_INLINE LH2_DEVFUNC FUNC ccl_device ccl_device_inline dpct sycl std "
-            "glm maybe_unused",
+    WordRow{"__host__ __forceinline__ __forceinline __inline__ __inline __noinline__", kDropped | kHeadPromise},
+    WordRow{"readonly writeonly coherent OPENCL_FORCE_INLINE OPENCL_FORCE_NOT_INLINE LH2_DEVFUNC FUNC ccl_device "
+            "ccl_device_inline dpct sycl std glm",
             kDropped},
 };
 

@@ -51,6 +51,10 @@ enum WordRole : Roles {
     kNumberType = 1ull << 30,       ///< a type that numbers are cast to and that goes by no other name elsewhere
     kKeyword = 1ull << 31,          ///< structures a text in every language: measures take it for no name
     kShapeWord = 1ull << 32,        ///< likewise where units are paired by their shapes
+    // What an edit of one side alone means.
+    kPromise = 1ull << 33,        ///< says something of a name and changes no value, wherever it stands
+    kHeadPromise = 1ull << 34,    ///< the same in a function's head: how it is called or linked, what it may assume
+    kIdleAttribute = 1ull << 35,  ///< the same as an attribute: in brackets, or an argument of `__attribute__`
 };
 
 /// The roles that a word has in every language; 0 for what is only a name.

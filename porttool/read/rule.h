@@ -32,7 +32,8 @@ enum class Rule : uint8_t {
     DeferralExpired,
     UnusedSuppression,
     Unreadable,
-    DialectHazard
+    DialectHazard,
+    Qualifiers
 };
 inline constexpr auto kRuleNames = std::to_array<std::string_view>({
     "source-changed",
@@ -47,6 +48,7 @@ inline constexpr auto kRuleNames = std::to_array<std::string_view>({
     "unused-suppression",
     "unreadable",
     "dialect-hazard",
+    "qualifiers",
 });
 
 constexpr std::string_view rule_name(Rule rule) { return kRuleNames.at(static_cast<size_t>(rule)); }

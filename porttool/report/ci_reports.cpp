@@ -46,11 +46,13 @@ ordered_json sarif_location(const Place& place) {
 
 ordered_json sarif_rule(Rule rule) {
     const RuleRow& row = rule_row(rule);
-    return {{"id", rule_name(rule)},
-            {"name", rule_name(rule)},
-            {"shortDescription", {{"text", row.meaning}}},
-            {"help", {{"text", rule_help(rule)}, {"markdown", fmt::format("{}\n\n{}", row.meaning, row.remedy)}}},
-            {"defaultConfiguration", {{"level", level_name(row.level)}}}};
+    return {
+        {"id", rule_name(rule)},
+        {"name", rule_name(rule)},
+        {"shortDescription", {{"text", row.meaning}}},
+        {"help", {{"text", rule_help(rule)}, {"markdown", fmt::format("{}\n\n{}", row.meaning, row.remedy)}}},
+        {"defaultConfiguration",
+         {{"level", row.level == Level::Off ? "none" : level_name(row.level)}, {"enabled", row.level != Level::Off}}}};
 }
 
 }  // namespace

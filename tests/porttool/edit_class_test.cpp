@@ -135,7 +135,7 @@ TEST(EditClass, OfTheSameEditInFourDialects) {
         {"member", {{"hit.u * 2.0f", "hit.v * 2.0f"}}, "semantic"},
         {"param swap", {{"float shadeN, float geometryN", "float geometryN, float shadeN"}}, "semantic"},
         {"param rename", {{"unsigned int count,", "unsigned int n,"}, {">= count", ">= n"}}, ""},
-        {"const dropped", {{"const Hit hit", "Hit hit"}}, "semantic"}};
+        {"const dropped", {{"const Hit hit", "Hit hit"}}, ""}};
     for (const Dialects& dialect : dialects())
         for (const Row& row : rows) EXPECT_EQ(class_of(dialect, row.edits), row.expected) << row.what << dialect.suffix;
 }
@@ -143,7 +143,7 @@ TEST(EditClass, OfTheSameEditInFourDialects) {
 TEST(EditClass, OfWhatOnlyOneDialectHas) {
     const std::vector<std::pair<size_t, Row>> rows = {
         {0, {"launch bounds", {{"(128, 4)", "(256, 4)"}}, "constant"}},
-        {0, {"restrict", {{"const T* __restrict__ values", "const T* values"}}, "semantic"}},
+        {0, {"restrict", {{"const T* __restrict__ values", "const T* values"}}, ""}},
         {0, {"default arg", {{"stride = 1", "stride = 2"}}, "constant"}},
         {0, {"template arg", {{"sum<4, float>", "sum<3, float>"}}, "constant"}},
         {0, {"template type arg", {{"sum<4, float>", "sum<4, double>"}}, "semantic"}},

@@ -18,7 +18,7 @@ using Levels = std::map<std::string, std::string>;
 Levels levels_on_the_page() {
     Levels out;
     std::ifstream page(std::string(REPOSITORY) + "/docs/porttool.md");
-    const std::regex row(R"(^\| (`[a-z`, -]+`) \| (error|warning|note) \|.*)"), name("`([a-z-]+)`");
+    const std::regex row(R"(^\| (`[a-z`, -]+`) \| (error|warning|note|off) \|.*)"), name("`([a-z-]+)`");
     for (std::string line; std::getline(page, line);) {
         std::smatch found;
         if (!std::regex_match(line, found, row)) continue;

@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "porttool/compare/edits.h"
+#include "porttool/language/dialect.h"
+#include "porttool/language/language.h"
+#include "porttool/normal/normal_text.h"
+#include "porttool/scan/unit.h"
+
+namespace porttool {
+
+/// What the edit of one side is by itself.
+struct LoneEdit {
+    bool means_nothing = false;  ///< it changes no value, and that is sure
+    Edit edit;                   ///< what it did beyond that, as written; all of it if that is nothing
+};
+
+/// Reads one side's edit by the rules of PlainStatements and without_hints(). `before` and `now`: tokens in normal form
+/// of a unit of that kind and language.
+///
+///     before    inline float @ (float* a) { return a[0]; }
+///     now       float @ (const float* a) { return a[0]; }        means nothing
+///     or now    float @ (const float* a) { return a[1]; }        `return a[1]` for `return a[0]`, no word of the head
+LoneEdit lone_edit(const Words& before, const Words& now, UnitKind kind, Language language, const Dialect& dialect);
+
+}  // namespace porttool

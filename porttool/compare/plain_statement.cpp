@@ -1,0 +1,158 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/compare/plain_statement.h"
+
+#include <algorithm>
+
+#include "porttool/compare/casts.h"
+#include "porttool/language/spelling.h"
+#include "porttool/language/words.h"
+#include "porttool/normal/declaration_words.h"
+#include "porttool/normal/normal_form.h"
+
+namespace porttool {
+namespace {
+
+using Text = std::vector<std::string>;
+
+std::string_view at(const Words& words, size_t i) { return i < words.size() ? words[i] : std::string_view(); }
+
+/// Behind the bracket that closes the one at `open`; the end if none does.
+template <class List>
+size_t after_bracket(const List& words, size_t open) {
+    int depth = 0;
+    for (size_t i = open; i < words.size(); ++i) {
+        if (words[i] == "(" || words[i] == "[" || words[i] == "{") ++depth;
+        if ((words[i] == ")" || words[i] == "]" || words[i] == "}") && --depth == 0) return i + 1;
+    }
+    return words.size();
+}
+
+/// True if every attribute between `first` and `end` changes no value, whatever its arguments and scope.
+bool all_idle(const Words& words, size_t first, size_t end) {
+    bool any = false;
+    for (size_t i = first; i < end;) {
+        if (words[i] == ",") {
+            ++i;
+            continue;
+        }
+        if (at(words, i + 1) == "::") {
+            i += 2;
+            continue;
+        }
+        std::string_view name = words[i];
+        while (name.starts_with("_")) name.remove_prefix(1);
+        while (name.ends_with("_")) name.remove_suffix(1);
+        if (!word_is(name, kIdleAttribute)) return false;
+        any = true;
+        i = at(words, i + 1) == "(" ? after_bracket(words, i + 1) : i + 1;
+    }
+    return any;
+}
+
+/// `i ++` and `++ i` whose value nobody takes: the first becomes the other.
+void write_step_first(Text& words, size_t first, size_t end) {
+    if (end <= first + 1 || (words[end - 1] != "++" && words[end - 1] != "--")) return;
+    for (size_t i = first; i + 1 < end; ++i)
+        if (!is_word_token(words[i]) && !is_number_token(words[i]) && words[i] != "." && words[i] != "[" &&
+            words[i] != "]")
+            return;
+    std::rotate(words.begin() + static_cast<std::ptrdiff_t>(first),
+                words.begin() + static_cast<std::ptrdiff_t>(end) - 1, words.begin() + static_cast<std::ptrdiff_t>(end));
+}
+
+void write_steps_first(Text& words) {
+    if (words.empty()) return;
+    if (words[0] != "for") return write_step_first(words, 0, words.size());
+    if (words.back() != ")") return;
+    size_t last = words.size() - 1;
+    int depth = 0;
+    while (last > 0 && (depth > 0 || words[last - 1] != ";")) {
+        --last;
+        if (words[last] == ")" || words[last] == "]") ++depth;
+        if (words[last] == "(" || words[last] == "[") --depth;
+        if (depth == 0 && words[last] == ",") return;
+    }
+    write_step_first(words, last, words.size() - 1);
+}
+
+/// Parentheses around the whole of what is returned or assigned go.
+void open_whole_value(Text& words) {
+    const auto value =
+        words.empty() || words[0] == "return" ? words.begin() : std::find(words.begin(), words.end(), "=");
+    const auto first = static_cast<size_t>(value - words.begin()) + 1;
+    if (first + 2 >= words.size() || words[first] != "(" || after_bracket(words, first) != words.size()) return;
+    int depth = 0;
+    for (size_t i = first; i < words.size(); ++i) {
+        if (words[i] == "(") ++depth;
+        if (words[i] == ")") --depth;
+        if (depth == 1 && words[i] == ",") return;  // a comma means another thing without them
+    }
+    words.pop_back();
+    words.erase(words.begin() + static_cast<std::ptrdiff_t>(first));
+}
+
+}  // namespace
+
+/// Behind what stands at `i` and changes no value, or `i`.
+size_t PlainStatements::after_idle(const Words& words, size_t i, bool in_head) const {
+    const std::string_view word = words[i];
+    if (word_is(word, kPromise)) return i + 1;
+    if (is_one_of(word, {"__attribute__", "__attribute", "__declspec"}) && at(words, i + 1) == "(") {
+        const size_t end = after_bracket(words, i + 1);
+        const size_t inner = at(words, i + 2) == "(" ? 1 : 0;
+        return all_idle(words, i + 2 + inner, end - 1 - inner) ? end : i;
+    }
+    if (word == "[" && at(words, i + 1) == "[") {
+        const size_t end = after_bracket(words, i);
+        return end >= i + 4 && all_idle(words, i + 2, end - 2) ? end : i;
+    }
+    if (word == "[" && i == 0) {
+        const size_t end = after_bracket(words, i);
+        return all_idle(words, 1, end - 1) ? end : i;
+    }
+    const bool names_type = is_one_of(word, {"struct", "class", "enum", "union"}) && i + 2 < words.size() &&
+                            is_word_token(words[i + 1]) && words[i + 2] != ":" && words[i + 2] != "{";
+    if (names_type || (word == "class" && i > 0 && is_one_of(words[i - 1], {"<", ","}))) return i + 1;
+    if (word == "std" && at(words, i + 1) == "::" && has_other_spellings(at(words, i + 2))) return i + 2;
+    if (!in_head) return i;
+    if (word == "extern" && at(words, i + 1).starts_with("\"")) return i + 2;
+    if (word == "noexcept" && at(words, i + 1) == "(" && at(words, i + 2) != "false")
+        return after_bracket(words, i + 1);
+    if (word_is(word, kHeadPromise)) return i + 1;
+    const bool starts_parameter = i > 0 && is_one_of(words[i - 1], {"(", ","}) && is_word_token(at(words, i + 1));
+    const bool in_is_default = traits_of(language_).literals == Literals::Shading;
+    return word == "in" && starts_parameter && in_is_default ? i + 1 : i;
+}
+
+std::string PlainStatements::spelled(std::string_view word) const {
+    if (is_number_token(word)) {
+        std::string number = normal_number(word);
+        if (language_ != Language::Glsl || !number.ends_with('f') || word.starts_with("0x")) return number;
+        number.pop_back();
+        return number.find_first_of(".en") != std::string::npos ? number : number + ".0";
+    }
+    return std::string(one_spelling(word, language_));
+}
+
+std::vector<std::string> PlainStatements::translate(const Words& statement, bool in_body) const {
+    Words words;
+    const bool in_head = is_code_ && !in_body;
+    for (size_t i = 0; i < statement.size();) {
+        const size_t end = is_code_ ? after_idle(statement, i, in_head) : i;
+        if (end == i) words.push_back(statement[i++]);
+        i = std::max(i, end);
+    }
+    Text out;
+    for (const std::string_view word : with_one_word_types(words)) out.push_back(spelled(word));
+    if (!is_code_) return out;
+    if (in_head && out.size() > 3 && out[out.size() - 1] == ")" && out[out.size() - 2] == "void" &&
+        out[out.size() - 3] == "(")
+        out.erase(out.end() - 2);  // f(void)
+    out = with_functional_casts(with_c_casts(out, dialect_), dialect_);
+    open_whole_value(out);
+    write_steps_first(out);
+    return out;
+}
+
+}  // namespace porttool

@@ -1,0 +1,334 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+// Edits of one side alone, labelled by hand from what the languages say: those that change no value raise nothing, and
+// `qualifiers` when it is asked for; those that can change one are found.
+#include <gtest/gtest.h>
+
+#include "tests/porttool/fixtures.h"
+#include "tests/porttool/run_command.h"
+
+namespace porttool::testing {
+namespace {
+
+/// A file with one function `f`, in a language that the suffix tells, and what is edited in it.
+struct LabelledEdit {
+    std::string suffix, text, from, to;
+};
+
+const std::string kC = R"(
+float f(const float* a, int n, float s) {
+    float sum = 0.0f;
+    for (int i = 0; i < n; ++i) { sum += a[i] * s; }
+    unsigned int k = (unsigned int)sum;
+    return sum + (float)k;
+}
+)";
+const std::string kStep = R"(
+void f(float* a, const int n) {
+    int i;
+    for (i = 0; i < n; i++) a[i] = a[i] * 2.0f;
+    a[0] = 1.0f;
+}
+)";
+const std::string kThreads = R"(
+void f(float* a, int n) {
+    #pragma omp parallel for schedule(static)
+    for (int i = 0; i < n; ++i) a[i] *= 2.0f;
+}
+)";
+const std::string kRace = R"(
+float f(float* a, int n, int m) {
+    float sum = 0.0f, last = 0.0f;
+    #pragma omp parallel for collapse(2) private(last) reduction(+:sum)
+    for (int i = 0; i < n; ++i)
+        for (int k = 0; k < m; ++k) { last = a[i * m + k]; sum += last; }
+    #pragma omp parallel
+    {
+        #pragma omp for nowait schedule(static)
+        for (int i = 0; i < n; ++i) a[i] += sum;
+        #pragma omp barrier
+        #pragma omp critical
+        { a[0] += 1.0f; }
+        #pragma omp atomic
+        a[1] += 1.0f;
+    }
+    #pragma omp simd reduction(+:sum)
+    for (int i = 0; i < n; ++i) sum += a[i];
+    return sum;
+}
+)";
+const std::string kKernel = R"(
+__device__ static float g(float x) { return x; }
+__global__ void __launch_bounds__(128, 4) f(const float* __restrict__ in, float* __restrict__ out, int n) {
+    __shared__ float tile[128];
+    const int i = blockIdx.x * blockDim.x + threadIdx.x;
+    volatile float* seen = out;
+    tile[threadIdx.x] = in[i];
+    __syncthreads();
+    #pragma unroll 4
+    for (int k = 0; k < 4; ++k) out[i] += tile[k];
+    if (i < n) seen[i] = (float)i;
+}
+)";
+const std::string kOpenCl = R"(
+__kernel __attribute__((reqd_work_group_size(64, 1, 1)))
+void f(__global const float* restrict in, __global volatile float* out, __constant float* w, const uint n) {
+    __local float tile[64];
+    __private float x = in[0];
+    const uint i = get_global_id(0);
+    tile[0] = (float)i;
+    barrier(CLK_LOCAL_MEM_FENCE);
+    if (i < n) out[i] = x + tile[0] * w[0];
+}
+)";
+const std::string kGlsl = R"(
+layout(local_size_x = 64, local_size_y = 1) in;
+shared float tile[64];
+float gain;
+void f(in float x, inout float y, const uint n) {
+    precise float z = x * 0.5f + y;
+    highp float w = z;
+    y = w + tile[n] * gain;
+}
+)";
+const std::string kIspc = R"(
+export void f(uniform float a[], const uniform int n, varying float s) {
+    uniform int k = 0;
+    varying float x = s;
+    foreach (i = 0 ... n) { a[i] = x * s; }
+    for (uniform int j = 0; j < n; ++j) k += 1;
+}
+)";
+const std::string kSycl = R"(
+#include <sycl/sycl.hpp>
+SYCL_EXTERNAL void f(const float* in, float* out, const sycl::nd_item<3>& item) {
+    const int i = item.get_local_id(2);
+    sycl::atomic_ref<float, sycl::memory_order::relaxed, sycl::memory_scope::device> sum(out[0]);
+    [[intel::fpga_register]] float t = static_cast<float>(i);
+    #pragma unroll
+    for (int k = 0; k < 4; ++k) out[i] += in[k] * t;
+    sum += 1.0f;
+}
+)";
+const std::string kMember = R"(
+struct S { float v; };
+virtual float f(S s, S* p, unsigned char c) const noexcept {
+    static int calls = 0;
+    const S* q = static_cast<const S*>(p);
+    if (q == nullptr) return 0.0f;
+    calls++;
+    return (q->v + s.v) * c;
+}
+)";
+const std::vector<LabelledEdit> kSilent = {
+    // const
+    {".c", kC, "const float* a", "float* a"},
+    {".c", kC, "int n, float s", "const int n, float s"},
+    {".c", kC, "int n, float s", "const int n, const float s"},
+    {".cpp", kC, "unsigned int k", "const unsigned int k"},
+    {".cpp", kStep, "float* a, const int n", "float* const a, int n"},
+    {".cu", kKernel, "const int i", "int i"},
+    {".cu", kKernel, "int n)", "const int n)"},
+    {".cl", kOpenCl, "const uint n", "uint n"},
+    {".cl", kOpenCl, "const uint i", "uint i"},
+    {".cpp", kMember, "const S* q", "const S* const q"},
+    {".cpp", kC, "float f(", "constexpr float f("},
+    {".ispc", kIspc, "const uniform int n", "uniform int n"},
+    {".glsl", kGlsl, "const uint n", "uint n"},
+    {".dp.cpp", kSycl, "const int i", "int i"},
+    {".hip", kKernel, "const int i", "int i"},
+    // how a function is called and linked
+    {".c", kC, "float f(", "static float f("},
+    {".c", kC, "float f(", "static inline float f("},
+    {".c", kC, "float f(", "extern float f("},
+    {".cpp", kC, "float f(", "inline float f("},
+    {".cpp", kC, "float f(", "extern \"C\" float f("},
+    {".cpp", kC, "float s)", "float s) noexcept"},
+    {".cpp", kMember, "const noexcept {", "const {"},
+    {".cpp", kC, "float f(", "[[nodiscard]] float f("},
+    {".cpp", kC, "float f(", "__attribute__((always_inline)) inline float f("},
+    {".c", kC, "float f(", "__attribute__((noinline, hot)) float f("},
+    {".cpp", kC, "float f(", "__declspec(noinline) float f("},
+    {".cpp", kC, "float f(", "float __vectorcall f("},
+    {".cu", kKernel, "__global__ void", "static __global__ void"},
+    {".hip", kKernel, "__global__ void", "extern \"C\" __global__ void"},
+    {".dp.cpp", kSycl, "SYCL_EXTERNAL void", "void"},
+    {".cpp", kC, "int n, float s", "[[maybe_unused]] int n, float s"},
+    // restrict
+    {".cu", kKernel, "float* __restrict__ out", "float* out"},
+    {".cl", kOpenCl, "float* restrict in", "float* in"},
+    {".c", kC, "const float* a", "const float* restrict a"},
+    {".c", kC, "const float* a", "const float* __restrict a"},
+    // pragmas that only advise
+    {".cu", kKernel, "#pragma unroll 4\n", "\n"},
+    {".cu", kKernel, "#pragma unroll 4", "#pragma unroll"},
+    {".hip", kKernel, "#pragma unroll 4", "#pragma unroll (8)"},
+    {".dp.cpp", kSycl, "#pragma unroll\n", "\n"},
+    {".cpp", kC, "    for (int i", "    #pragma GCC ivdep\n    for (int i"},
+    {".cpp", kC, "    for (int i", "    #pragma ivdep\n    for (int i"},
+    {".cpp", kC, "    for (int i", "    #pragma omp simd\n    for (int i"},
+    {".cpp", kC, "    for (int i", "    _Pragma(\"unroll\")\n    for (int i"},
+    {".c", kC, "    float sum", "    #pragma GCC diagnostic ignored \"-Wconversion\"\n    float sum"},
+    {".cpp", kC, "    float sum", "    #pragma warning(disable : 4244)\n    float sum"},
+    {".cpp", kC, "    for (int i", "    #pragma clang loop unroll(full)\n    for (int i"},
+    {".c", kThreads, "schedule(static)", "schedule(dynamic, 16)"},
+    {".c", kThreads, " schedule(static)", ""},
+    {".cpp", kThreads, "parallel for schedule(static)", "parallel for simd schedule(guided)"},
+    // another spelling of one type
+    {".c", kC, "unsigned int k", "uint32_t k"},
+    {".c", kC, "unsigned int k", "unsigned k"},
+    {".cpp", kC, "unsigned int k", "std::uint32_t k"},
+    {".cu", kC, "unsigned int k", "uint k"},
+    {".cpp", kMember, "unsigned char c", "uint8_t c"},
+    {".cl", kOpenCl, "const uint n", "const unsigned int n"},
+    {".cl", kOpenCl, "__kernel", "kernel"},
+    {".cl", kOpenCl, "__local float tile", "local float tile"},
+    {".cpp", kMember, "f(S s,", "f(struct S s,"},
+    // casts, NULL, values in parentheses
+    {".cpp", kC, "(float)k", "static_cast<float>(k)"},
+    {".cpp", kC, "(float)k", "float(k)"},
+    {".cpp", kC, "(unsigned int)sum", "static_cast<unsigned>(sum)"},
+    {".cpp", kMember, "static_cast<const S*>(p)", "(const S*)p"},
+    {".cpp", kMember, "q == nullptr", "q == NULL"},
+    {".dp.cpp", kSycl, "static_cast<float>(i)", "(float)i"},
+    {".cpp", kMember, "return (q->v + s.v) * c", "return ((q->v + s.v) * c)"},
+    // statements that do nothing
+    {".c", kStep, "a[0] = 1.0f;", "a[0] = 1.0f; return;"},
+    {".c", kStep, "a[0] = 1.0f;", "a[0] = 1.0f;;"},
+    {".c", kStep, "a[0] = 1.0f;", "a[0] = 1.0f; (void)n;"},
+    {".c", kStep, "i++", "++i"},
+    {".cpp", kMember, "calls++", "++calls"},
+    {".c", kStep, "    int i;", "    register int i;"},
+    // defaults of a language
+    {".glsl", kGlsl, "in float x", "float x"},
+    {".glsl", kGlsl, "0.5f", "0.5"},
+};
+
+const std::vector<LabelledEdit> kHarmful = {
+    // static and volatile
+    {".c", kC, "float sum = 0.0f", "static float sum = 0.0f"},
+    {".c", kC, "float sum = 0.0f", "volatile float sum = 0.0f"},
+    {".cpp", kMember, "static int calls", "int calls"},
+    {".cpp", kMember, "static int calls", "static volatile int calls"},
+    {".cpp", kMember, "static int calls", "static thread_local int calls"},
+    {".cu", kKernel, "volatile float* seen", "float* seen"},
+    {".hip", kKernel, "volatile float* seen", "float* seen"},
+    {".cu", kKernel, "__shared__ float tile", "volatile __shared__ float tile"},
+    {".cl", kOpenCl, "__global volatile float* out", "__global float* out"},
+    {".cpp", kC, "const float* a", "const volatile float* a"},
+    // OpenMP
+    {".c", kRace, " reduction(+:sum)\n    for (int i = 0; i < n; ++i)\n        for",
+     "\n    for (int i = 0; i < n; ++i)\n        for"},
+    {".c", kRace, "reduction(+:sum)", "reduction(*:sum)"},
+    {".c", kRace, " private(last)", ""},
+    {".c", kRace, "private(last)", "lastprivate(last)"},
+    {".c", kRace, "private(last)", "shared(last)"},
+    {".cpp", kRace, "private(last)", "firstprivate(last)"},
+    {".c", kRace, " collapse(2)", ""},
+    {".c", kRace, "collapse(2)", "collapse(3)"},
+    {".c", kRace, " nowait", ""},
+    {".c", kRace, "nowait schedule(static)", "nowait schedule(dynamic)"},
+    {".c", kRace, "        #pragma omp barrier\n", ""},
+    {".c", kRace, "        #pragma omp critical\n", ""},
+    {".c", kRace, "#pragma omp critical", "#pragma omp master"},
+    {".cpp", kRace, "        #pragma omp atomic\n", ""},
+    {".c", kRace, "#pragma omp atomic", "#pragma omp critical"},
+    {".c", kRace, "    #pragma omp parallel\n", "\n"},
+    {".c", kRace, "omp simd reduction(+:sum)", "omp simd"},
+    {".c", kRace, "    #pragma omp simd reduction(+:sum)\n", ""},
+    {".c", kThreads, "    #pragma omp parallel for schedule(static)\n", ""},
+    {".cpp", kThreads, "omp parallel for", "omp for"},
+    {".c", kThreads, "schedule(static)", "schedule(static) ordered"},
+    {".c", kThreads, "schedule(static)", "schedule(static) nowait"},
+    {".cpp", kThreads, "schedule(static)", "num_threads(1)"},
+    {".cpp", kC, "    for (int i", "    #pragma omp simd safelen(4)\n    for (int i"},
+    {".c", kC, "    for (int i", "    #pragma omp parallel for\n    for (int i"},
+    {".cpp", kC, "    float sum", "    #pragma STDC FP_CONTRACT OFF\n    float sum"},
+    // launch bounds and work-group sizes
+    {".cu", kKernel, "__launch_bounds__(128, 4)", "__launch_bounds__(256, 4)"},
+    {".cu", kKernel, "__launch_bounds__(128, 4)", "__launch_bounds__(128)"},
+    {".hip", kKernel, "__launch_bounds__(128, 4) ", ""},
+    {".cl", kOpenCl, "reqd_work_group_size(64, 1, 1)", "reqd_work_group_size(32, 1, 1)"},
+    {".cl", kOpenCl, "__attribute__((reqd_work_group_size(64, 1, 1)))", ""},
+    {".hlsl", "[numthreads(64, 1, 1)] void f(uint i) { Out[i] = 1; }", "64, 1", "32, 2"},
+    {".dp.cpp", replaced(kSycl, "SYCL_EXTERNAL", "[[sycl::reqd_work_group_size(1, 1, 64)]]"), "1, 1, 64", "1, 1, 32"},
+    // address spaces
+    {".cl", kOpenCl, "__local float tile", "__private float tile"},
+    {".cl", kOpenCl, "__local float tile", "float tile"},
+    {".cl", kOpenCl, "__constant float* w", "__global float* w"},
+    {".cl", kOpenCl, "__private float x", "__local float x"},
+    {".cl", kOpenCl, "__global const float* restrict in", "__constant float* restrict in"},
+    {".cu", kKernel, "__shared__ float tile", "float tile"},
+    {".cu", kKernel, "__shared__ float tile[128]", "extern __shared__ float tile[]"},
+    {".metal", "kernel void f(device float* a, threadgroup float* b) { a[0] = b[0]; }", "threadgroup float* b",
+     "device float* b"},
+    // ISPC
+    {".ispc", kIspc, "varying float s", "uniform float s"},
+    {".ispc", kIspc, "uniform int k", "int k"},
+    {".ispc", kIspc, "uniform int k", "varying int k"},
+    {".ispc", kIspc, "varying float x", "float x"},
+    {".ispc", kIspc, "uniform float a[]", "float a[]"},
+    {".ispc", kIspc, "uniform int j", "varying int j"},
+    {".ispc", kIspc, "export void", "task void"},
+    // GLSL
+    {".glsl", kGlsl, "precise float z", "float z"},
+    {".glsl", kGlsl, "highp float w", "mediump float w"},
+    {".glsl", kGlsl, "highp float w", "precise float w"},
+    {".glsl", kGlsl, "inout float y", "out float y"},
+    {".glsl", kGlsl, "in float x", "inout float x"},
+    {".glsl", "void f(coherent image2D a) { imageStore(a, ivec2(0), vec4(1)); }", "coherent image2D", "image2D"},
+    {".glsl", "void f(readonly image2D a) { b = imageLoad(a, ivec2(0)); }", "readonly image2D", "volatile image2D"},
+    // SYCL, and other words that change values
+    {".dp.cpp", kSycl, "memory_order::relaxed", "memory_order::acq_rel"},
+    {".dp.cpp", kSycl, "memory_scope::device", "memory_scope::work_group"},
+    {".cpp", kMember, "virtual float f", "float f"},
+    {".cpp", kC, "float f(", "__attribute__((optimize(\"fast-math\"))) float f("},
+    {".cpp", kC, "float f(", "__attribute__((target(\"fma\"))) float f("},
+    {".cpp", kC, "unsigned int k", "int k"},
+    {".cpp", kC, "unsigned int k", "unsigned short k"},
+    {".cpp", kC, "(float)k", "(double)k"},
+    {".cpp", kC, "(float)k", "reinterpret_cast<float&>(k)"},
+    {".c", kC, "0.0f", "0.0"},
+    {".cpp", kMember, "const S* q = static_cast<const S*>(p)", "S q = *static_cast<const S*>(p)"},
+    {".cpp", kMember, "f(S s,", "f(S& s,"},
+};
+
+/// The findings of the edit that weigh at least a warning; its file alone is edited.
+std::vector<std::string> rules_after(const LabelledEdit& edit, const std::string& rules) {
+    const bool is_entry = edit.suffix == ".comp";
+    const std::string name = is_entry ? "main" : "f", source = "s/k" + edit.suffix;
+    MemoryDisk disk;
+    disk.files = {
+        {"/r/" + source, edit.text},
+        {"/r/t/k.cpp", "float f(float x) {\n    return x * 3.0f + 1.0f;\n}\n"},
+        {"/r/portmap.toml", "version = 1\n[sides]\nsource = [\"s/*\"]\ntarget = [\"t/*\"]\n[[pair]]\nsource = \"" +
+                                source + ":" + name + "\"\ntarget = \"t/k.cpp:f\"\n" + rules}};
+    const CommandRun recorded = run(disk, {"-C", "/r", "init", "--force"});
+    EXPECT_EQ(recorded.exit_code, 0) << recorded.err;
+    disk.files["/r/" + source] = replaced(edit.text, edit.from, edit.to);
+    std::vector<std::string> out;
+    const auto report = check(disk);
+    for (const auto& finding : report["findings"])
+        if (finding["level"] != "note" && finding["rule"] != "unported") out.push_back(finding["rule"]);
+    return out;
+}
+
+std::string shown(const LabelledEdit& edit) { return edit.suffix + ": " + edit.from + " -> " + edit.to; }
+
+TEST(LoneEdit, WhatChangesNoValueRaisesNothingUnlessAskedFor) {
+    using Rules = std::vector<std::string>;
+    EXPECT_GE(kSilent.size(), 60u);
+    for (const LabelledEdit& edit : kSilent) {
+        EXPECT_EQ(rules_after(edit, ""), Rules{}) << shown(edit);
+        EXPECT_EQ(rules_after(edit, "[rules]\nqualifiers = \"warning\"\n"), Rules{"qualifiers"}) << shown(edit);
+    }
+}
+
+TEST(LoneEdit, WhatCanChangeAValueIsFound) {
+    EXPECT_GE(kHarmful.size(), 60u);
+    for (const LabelledEdit& edit : kHarmful)
+        EXPECT_EQ(rules_after(edit, ""), std::vector<std::string>{"source-changed"}) << shown(edit);
+}
+
+}  // namespace
+}  // namespace porttool::testing
