@@ -18,7 +18,6 @@ namespace application {
 namespace {
 
 using render_system::Status;
-using render_system::StatusCode;
 using std::filesystem::path;
 
 // The unfinished file, for the signal handler: a plain array, since a handler may not allocate.
@@ -33,8 +32,7 @@ extern "C" void remove_unfinished_and_die(int signal_number) {
 }
 
 Status cannot_write(const path& file, const std::string& reason) {
-    return Status::error(StatusCode::invalid_argument,
-                         fmt::format("cannot write {}: {}; give another place to write to", file.string(), reason));
+    return Status::invalid(fmt::format("cannot write {}: {}; give another place to write to", file.string(), reason));
 }
 
 Status cannot_write(const path& file, int error) { return cannot_write(file, std::string(std::strerror(error))); }

@@ -50,8 +50,7 @@ Result<ImageKind> image_kind(const std::string& file_name) {
                    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     if (extension == ".png") return ImageKind::png;
     if (extension == ".exr") return ImageKind::exr;
-    return Status::error(
-        StatusCode::invalid_argument,
+    return Status::invalid(
         fmt::format("cannot write {}: its name ends in neither .png nor .exr; give one that does", file_name));
 }
 

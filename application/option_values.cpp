@@ -13,9 +13,6 @@ namespace application {
 namespace {
 
 using render_system::Status;
-using render_system::StatusCode;
-
-Status nonsense(std::string message) { return Status::error(StatusCode::invalid_argument, std::move(message)); }
 
 /// The whole of `text` as a number, or none. Takes neither white space nor a leading plus.
 template <class Number>
@@ -52,7 +49,7 @@ Result<Size> parse_size(std::string_view text) {
     const bool fits = width && height && *width >= 1 && *height >= 1 && *width <= MAX_SIDE && *height <= MAX_SIDE &&
                       uint64_t{*width} * *height <= MAX_PIXELS;
     if (!fits) {
-        return nonsense(
+        return Status::invalid(
             fmt::format("'{}' is no size that can be rendered; give WIDTHxHEIGHT in pixels, each 1 to {} "
                         "and at most {} pixels in all, e.g. 640x360",
                         text, MAX_SIDE, MAX_PIXELS));
@@ -63,7 +60,7 @@ Result<Size> parse_size(std::string_view text) {
 Result<uint32_t> parse_number(std::string_view text, uint32_t low, uint32_t high) {
     const auto number = number_from<uint32_t>(text);
     if (!number || *number < low || *number > high) {
-        return nonsense(fmt::format("'{}' is not a whole number from {} to {}", text, low, high));
+        return Status::invalid(fmt::format("'{}' is not a whole number from {} to {}", text, low, high));
     }
     return *number;
 }
@@ -72,7 +69,7 @@ Result<std::vector<uint32_t>> parse_sample_counts(std::string_view text) {
     std::vector<uint32_t> counts;
     for (const std::string_view part : split(text, ',')) {
         const auto count = parse_number(part, 1, MAX_SAMPLES);
-        if (!count.ok()) return nonsense(count.status.message + "; give sample counts such as 1,4,16");
+        if (!count.ok()) return Status::invalid(count.status.message + "; give sample counts such as 1,4,16");
         counts.push_back(*count);
     }
     return counts;
@@ -81,7 +78,7 @@ Result<std::vector<uint32_t>> parse_sample_counts(std::string_view text) {
 Result<double> parse_ssim(std::string_view text) {
     const auto limit = number_from<double>(text);
     if (!limit || !(*limit >= -1.0 && *limit <= 1.0)) {
-        return nonsense(fmt::format("'{}' is no SSIM; give a number from -1 to 1, e.g. 0.999", text));
+        return Status::invalid(fmt::format("'{}' is no SSIM; give a number from -1 to 1, e.g. 0.999", text));
     }
     return *limit;
 }
@@ -89,13 +86,13 @@ Result<double> parse_ssim(std::string_view text) {
 Result<uint64_t> parse_mebibytes(std::string_view text) {
     constexpr uint32_t MOST = 1u << 30;
     const auto mebibytes = parse_number(text, 1, MOST);
-    if (!mebibytes.ok()) return nonsense(mebibytes.status.message + " (MiB)");
+    if (!mebibytes.ok()) return Status::invalid(mebibytes.status.message + " (MiB)");
     return uint64_t{*mebibytes} << 20;
 }
 
 Result<CameraChoice> parse_camera(std::string_view text) {
     CameraChoice choice;
-    if (text.empty()) return nonsense("is empty; give a JSON file or the number of a camera of the scene");
+    if (text.empty()) return Status::invalid("is empty; give a JSON file or the number of a camera of the scene");
     if (!is_digits(text)) {
         choice.file = text;
         return choice;
@@ -121,7 +118,7 @@ Result<SkyChoice> parse_sky(std::string_view text) {
         if (sound) radiance[i] = *value;
     }
     if (!sound) {
-        return nonsense(
+        return Status::invalid(
             fmt::format("'{}' is no sky; give a linear radiance R,G,B of three numbers not below 0, e.g. "
                         "1,1,1, or the file of an HDR map",
                         text));

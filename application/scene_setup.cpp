@@ -18,7 +18,6 @@ using render_system::CameraFile;
 using render_system::HostScene;
 using render_system::Result;
 using render_system::Status;
-using render_system::StatusCode;
 using std::filesystem::path;
 
 /// Puts the file's lights and sky into the scene.
@@ -42,8 +41,7 @@ Result<Camera> camera_of_scene(const Options& options, const HostScene& scene, C
     if (options.camera.index) {
         const std::string offer = cameras.empty() ? "has no camera; leave --camera out for a view of the whole scene"
                                                   : fmt::format("has {}; the first is 0", cameras.size());
-        return Status::error(StatusCode::invalid_argument,
-                             fmt::format("--camera: there is no camera {}: {} {}", index, options.scene, offer));
+        return Status::invalid(fmt::format("--camera: there is no camera {}: {} {}", index, options.scene, offer));
     }
     console.note("no camera in the scene: the view is from +z and frames all of it");
     const Camera camera = framing_camera(scene, static_cast<float>(options.width) / static_cast<float>(options.height));

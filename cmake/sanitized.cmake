@@ -25,6 +25,7 @@ function(add_sanitized library)
     target_link_libraries(${library}_sanitized PRIVATE ${LINK_LIBRARIES})
     target_compile_options(${library}_sanitized PRIVATE -Og -g1 -UNDEBUG ${sanitizers} ${COMPILE_OPTIONS})
     set_target_properties(${library}_sanitized PROPERTIES COMPILE_WARNING_AS_ERROR ON)
+    compile_by_folder(${library}_sanitized)
 endfunction()
 
 # Adds PROGRAM_sanitized: the objects of a program with the sanitized objects of the libraries named after it.

@@ -98,7 +98,7 @@ Status CheckedCore::SetGeometry(uint32_t mesh, const CoreMesh& data) {
 Status CheckedCore::SetInstance(uint32_t instance, uint32_t mesh, const CoreTransform& transform) {
     Status check = contract_.check_instance(instance, mesh, transform);
     if (check.ok() && matrices_ == InstanceMatrices::invertible && mesh != NONE && !is_invertible(transform)) {
-        check = Status::error(StatusCode::invalid_argument, "instance: the matrix cannot be inverted");
+        check = Status::invalid("instance: the matrix cannot be inverted");
     }
     return after(check, [&] {
         set_instance(instance, mesh, transform);

@@ -13,11 +13,9 @@ namespace render_system {
 
 namespace {
 
-Status invalid(std::string message) { return Status::error(StatusCode::invalid_argument, std::move(message)); }
-
 Status unequal(const char* what, uint64_t got, uint64_t wanted) {
-    return invalid(std::string("mesh: ") + what + " has " + std::to_string(got) + " elements, but there are " +
-                   std::to_string(wanted) + " positions");
+    return Status::invalid(std::string("mesh: ") + what + " has " + std::to_string(got) + " elements, but there are " +
+                           std::to_string(wanted) + " positions");
 }
 
 bool finite(const glm::vec4& v) {
@@ -45,7 +43,8 @@ Status validate_values(const CoreMesh& mesh) {
                         : !all_finite(mesh.uv0)      ? "uv0"
                         : !all_finite(mesh.uv1)      ? "uv1"
                                                      : nullptr;
-    return wrong ? invalid(std::string("mesh: ") + wrong + " holds an element that is not finite") : Status::success();
+    return wrong ? Status::invalid(std::string("mesh: ") + wrong + " holds an element that is not finite")
+                 : Status::success();
 }
 
 Status validate_light(const CoreLight& light) {
@@ -56,15 +55,16 @@ Status validate_light(const CoreLight& light) {
         if (Status status = check_light_position(light.vertices[i]); !status.ok()) return status;
     }
     const glm::vec3 values[] = {light.direction, light.emission};
-    if (!all_finite(std::span<const glm::vec3>(values))) return invalid("its direction or emission is not finite");
+    if (!all_finite(std::span<const glm::vec3>(values)))
+        return Status::invalid("its direction or emission is not finite");
     return Status::success();
 }
 
 Status validate_table(std::span<const AliasEntry> table, const char* owner) {
     for (size_t i = 0; i < table.size(); ++i) {
         if (table[i].alias >= table.size()) {
-            return invalid(std::string(owner) + ": entry " + std::to_string(i) + " of the table names " +
-                           std::to_string(table[i].alias) + ", past its end");
+            return Status::invalid(std::string(owner) + ": entry " + std::to_string(i) + " of the table names " +
+                                   std::to_string(table[i].alias) + ", past its end");
         }
     }
     return Status::success();
@@ -94,19 +94,19 @@ uint64_t mip_chain_texels(uint32_t width, uint32_t height, uint32_t levels) {
 
 Status validate_target(const CoreTarget& target) {
     if (target.width == 0 || target.height == 0) {
-        return invalid("target: the size is " + std::to_string(target.width) + "x" + std::to_string(target.height) +
-                       "; both sides must be at least 1");
+        return Status::invalid("target: the size is " + std::to_string(target.width) + "x" +
+                               std::to_string(target.height) + "; both sides must be at least 1");
     }
     const uint64_t wanted = static_cast<uint64_t>(target.width) * target.height;
     if (target.pixels.size() != wanted) {
-        return invalid("target: " + std::to_string(target.pixels.size()) + " pixels for a size of " +
-                       std::to_string(target.width) + "x" + std::to_string(target.height));
+        return Status::invalid("target: " + std::to_string(target.pixels.size()) + " pixels for a size of " +
+                               std::to_string(target.width) + "x" + std::to_string(target.height));
     }
     return Status::success();
 }
 
 Status validate_settings(const CoreSettings& settings) {
-    if (settings.max_path_length == 0) return invalid("settings: max_path_length is 0; it must be at least 1");
+    if (settings.max_path_length == 0) return Status::invalid("settings: max_path_length is 0; it must be at least 1");
     return Status::success();
 }
 
@@ -114,18 +114,18 @@ Status validate_texture(const CoreTexture& texture) {
     const std::string size = std::to_string(texture.width) + "x" + std::to_string(texture.height) + " with " +
                              std::to_string(texture.levels) + " levels";
     const uint64_t wanted = mip_chain_texels(texture.width, texture.height, texture.levels);
-    if (wanted == 0) return invalid("texture: " + size + " is no mip chain");
+    if (wanted == 0) return Status::invalid("texture: " + size + " is no mip chain");
     if (texture.texels.size() != wanted) {
-        return invalid("texture: " + std::to_string(texture.texels.size()) + " texels, but " + size + " needs " +
-                       std::to_string(wanted));
+        return Status::invalid("texture: " + std::to_string(texture.texels.size()) + " texels, but " + size +
+                               " needs " + std::to_string(wanted));
     }
     return Status::success();
 }
 
 Status validate_mesh(const CoreMesh& mesh) {
     const size_t vertices = mesh.positions.size();
-    if (vertices >= NONE) return invalid("mesh: more vertices than a 32-bit index can name");
-    if (mesh.triangles.size() >= NONE) return invalid("mesh: more triangles than a 32-bit index can name");
+    if (vertices >= NONE) return Status::invalid("mesh: more vertices than a 32-bit index can name");
+    if (mesh.triangles.size() >= NONE) return Status::invalid("mesh: more triangles than a 32-bit index can name");
     if (mesh.normals.size() != vertices) return unequal("normals", mesh.normals.size(), vertices);
     if (!mesh.tangents.empty() && mesh.tangents.size() != vertices) {
         return unequal("tangents", mesh.tangents.size(), vertices);
@@ -137,8 +137,8 @@ Status validate_mesh(const CoreMesh& mesh) {
         const glm::uvec4& t = mesh.triangles[i];
         const uint32_t largest = std::max(t.x, std::max(t.y, t.z));
         if (largest >= vertices) {
-            return invalid("mesh: triangle " + std::to_string(i) + " names vertex " + std::to_string(largest) +
-                           ", but there are " + std::to_string(vertices) + " vertices");
+            return Status::invalid("mesh: triangle " + std::to_string(i) + " names vertex " + std::to_string(largest) +
+                                   ", but there are " + std::to_string(vertices) + " vertices");
         }
     }
     return validate_values(mesh);
@@ -146,19 +146,19 @@ Status validate_mesh(const CoreMesh& mesh) {
 
 Status validate_transform(const CoreTransform& transform) {
     for (const glm::vec4& row : transform.rows) {
-        if (!finite(row)) return invalid("instance: the matrix is not finite");
+        if (!finite(row)) return Status::invalid("instance: the matrix is not finite");
     }
     return Status::success();
 }
 
 Status validate_lights(const CoreLights& lights) {
     if (lights.lights.size() != lights.table.size()) {
-        return invalid("lights: " + std::to_string(lights.lights.size()) + " lights, but the table has " +
-                       std::to_string(lights.table.size()) + " entries");
+        return Status::invalid("lights: " + std::to_string(lights.lights.size()) + " lights, but the table has " +
+                               std::to_string(lights.table.size()) + " entries");
     }
     for (size_t i = 0; i < lights.lights.size(); ++i) {
         const Status status = validate_light(lights.lights[i]);
-        if (!status.ok()) return invalid("light " + std::to_string(i) + ": " + status.message);
+        if (!status.ok()) return Status::invalid("light " + std::to_string(i) + ": " + status.message);
     }
     return validate_table(lights.table, "lights");
 }
@@ -167,10 +167,10 @@ Status validate_sky(const CoreSky& sky) {
     const uint64_t wanted = static_cast<uint64_t>(sky.width) * sky.height;
     const std::string size = std::to_string(sky.width) + "x" + std::to_string(sky.height);
     if (sky.texels.size() != wanted) {
-        return invalid("sky: " + std::to_string(sky.texels.size()) + " texels for a map of " + size);
+        return Status::invalid("sky: " + std::to_string(sky.texels.size()) + " texels for a map of " + size);
     }
     if (sky.table.size() != wanted) {
-        return invalid("sky: " + std::to_string(sky.table.size()) + " table entries for a map of " + size);
+        return Status::invalid("sky: " + std::to_string(sky.table.size()) + " table entries for a map of " + size);
     }
     return validate_table(sky.table, "sky");
 }
@@ -211,10 +211,11 @@ Status CoreContract::check_textures(std::span<const CoreTexture> textures) const
 Status CoreContract::check_materials(uint32_t first, std::span<const CoreMaterial> materials) const {
     if (Status order = check_open("SetMaterials"); !order.ok()) return order;
     if (first > last_textures_.size()) {
-        return invalid("SetMaterials: starts at " + std::to_string(first) + ", which leaves a gap after the " +
-                       std::to_string(last_textures_.size()) + " materials there are");
+        return Status::invalid("SetMaterials: starts at " + std::to_string(first) + ", which leaves a gap after the " +
+                               std::to_string(last_textures_.size()) + " materials there are");
     }
-    if (materials.size() >= NONE - first) return invalid("SetMaterials: more materials than a 32-bit index can name");
+    if (materials.size() >= NONE - first)
+        return Status::invalid("SetMaterials: more materials than a 32-bit index can name");
     return Status::success();
 }
 
@@ -231,8 +232,8 @@ Status CoreContract::check_sky(const CoreSky& sky) const {
 Status CoreContract::check_geometry(uint32_t mesh, const CoreMesh& data) const {
     if (Status order = check_open("SetGeometry"); !order.ok()) return order;
     if (mesh > meshes_.size()) {
-        return invalid("SetGeometry: mesh " + std::to_string(mesh) + " leaves a gap; the next free id is " +
-                       std::to_string(meshes_.size()));
+        return Status::invalid("SetGeometry: mesh " + std::to_string(mesh) + " leaves a gap; the next free id is " +
+                               std::to_string(meshes_.size()));
     }
     return validate_mesh(data);
 }
@@ -240,12 +241,12 @@ Status CoreContract::check_geometry(uint32_t mesh, const CoreMesh& data) const {
 Status CoreContract::check_instance(uint32_t instance, uint32_t mesh, const CoreTransform& transform) const {
     if (Status order = check_open("SetInstance"); !order.ok()) return order;
     if (instance > instances_.size()) {
-        return invalid("SetInstance: instance " + std::to_string(instance) + " leaves a gap; the next free id is " +
-                       std::to_string(instances_.size()));
+        return Status::invalid("SetInstance: instance " + std::to_string(instance) +
+                               " leaves a gap; the next free id is " + std::to_string(instances_.size()));
     }
     if (mesh != NONE && mesh >= meshes_.size()) {
-        return invalid("SetInstance: mesh " + std::to_string(mesh) + " does not exist; there are " +
-                       std::to_string(meshes_.size()));
+        return Status::invalid("SetInstance: mesh " + std::to_string(mesh) + " does not exist; there are " +
+                               std::to_string(meshes_.size()));
     }
     return validate_transform(transform);
 }
@@ -269,10 +270,10 @@ const CoreContract::Extent& CoreContract::extent() const {
 }
 
 Status CoreContract::check_limits(const ViewPyramid& view) const {
-    if (Status status = check_view(view); !status.ok()) return invalid("Render: " + status.message);
+    if (Status status = check_view(view); !status.ok()) return Status::invalid("Render: " + status.message);
     const Extent& all = extent();
     if (Status status = check_placement(all.farthest); !status.ok()) {
-        return invalid("Render: instance " + std::to_string(all.farthest_instance) + " " + status.message);
+        return Status::invalid("Render: instance " + std::to_string(all.farthest_instance) + " " + status.message);
     }
     const double reach = std::max(largest_coordinate(view.eye), all.farthest.reach);
     if (check_rays_into(all.smallest, reach + all.offset).ok()) return Status::success();
@@ -281,7 +282,7 @@ Status CoreContract::check_limits(const ViewPyramid& view) const {
         if (instances_[i].mesh == NONE) continue;
         const Placement placement = placement_of(meshes_[instances_[i].mesh].box, instances_[i].transform);
         const Status status = check_rays_into(placement, reach);
-        if (!status.ok()) return invalid("Render: instance " + std::to_string(i) + ": " + status.message);
+        if (!status.ok()) return Status::invalid("Render: instance " + std::to_string(i) + ": " + status.message);
     }
     return Status::success();
 }
@@ -289,25 +290,26 @@ Status CoreContract::check_limits(const ViewPyramid& view) const {
 Status CoreContract::check_render(const ViewPyramid& view, uint32_t samples) const {
     if (Status order = check_open("Render"); !order.ok()) return order;
     if (!has_target_) return Status::error(StatusCode::wrong_order, "Render came before SetTarget");
-    if (samples == 0) return invalid("Render: 0 samples; ask for at least 1");
+    if (samples == 0) return Status::invalid("Render: 0 samples; ask for at least 1");
     for (const Instance& instance : instances_) {
         if (instance.mesh == NONE) continue;
         const Mesh& mesh = meshes_[instance.mesh];
         if (mesh.triangles > 0 && mesh.last_material >= last_textures_.size()) {
-            return invalid("Render: mesh " + std::to_string(instance.mesh) + " uses material " +
-                           std::to_string(mesh.last_material) + ", but there are " +
-                           std::to_string(last_textures_.size()));
+            return Status::invalid("Render: mesh " + std::to_string(instance.mesh) + " uses material " +
+                                   std::to_string(mesh.last_material) + ", but there are " +
+                                   std::to_string(last_textures_.size()));
         }
     }
     for (size_t i = 0; i < last_textures_.size(); ++i) {
         if (last_textures_[i] > textures_) {
-            return invalid("Render: material " + std::to_string(i) + " uses texture " +
-                           std::to_string(last_textures_[i] - 1) + ", but there are " + std::to_string(textures_));
+            return Status::invalid("Render: material " + std::to_string(i) + " uses texture " +
+                                   std::to_string(last_textures_[i] - 1) + ", but there are " +
+                                   std::to_string(textures_));
         }
     }
     if (lights_last_texture_ > textures_) {
-        return invalid("Render: a light uses texture " + std::to_string(lights_last_texture_ - 1) + ", but there are " +
-                       std::to_string(textures_));
+        return Status::invalid("Render: a light uses texture " + std::to_string(lights_last_texture_ - 1) +
+                               ", but there are " + std::to_string(textures_));
     }
     return check_limits(view);
 }

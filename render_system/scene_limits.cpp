@@ -11,8 +11,6 @@ namespace render_system {
 
 namespace {
 
-Status invalid(std::string message) { return Status::error(StatusCode::invalid_argument, std::move(message)); }
-
 // A number for a person: 3e+18, 0.25.
 std::string shown(double number) {
     char text[32];
@@ -61,9 +59,10 @@ glm::dvec3 placed(const CoreTransform& transform, const glm::dvec3& point, bool 
 Status check_eye(const glm::vec3& eye) {
     const double reach = largest_coordinate(eye);
     if (reach <= static_cast<double>(FARTHEST_EYE)) return Status::success();
-    return invalid("the eye is at " + shown(static_cast<double>(eye.x)) + ", " + shown(static_cast<double>(eye.y)) +
-                   ", " + shown(static_cast<double>(eye.z)) + "; coordinates up to " +
-                   shown(static_cast<double>(FARTHEST_EYE)) + " can be rendered: move the camera or scale the scene");
+    return Status::invalid("the eye is at " + shown(static_cast<double>(eye.x)) + ", " +
+                           shown(static_cast<double>(eye.y)) + ", " + shown(static_cast<double>(eye.z)) +
+                           "; coordinates up to " + shown(static_cast<double>(FARTHEST_EYE)) +
+                           " can be rendered: move the camera or scale the scene");
 }
 
 std::string instance_name(const HostScene& scene, size_t instance) {
@@ -119,16 +118,16 @@ Placement placement_of(const Box& box, const CoreTransform& transform) {
 
 Status check_placement(const Placement& placement) {
     if (placement.reach <= static_cast<double>(FARTHEST_VERTEX)) return Status::success();
-    return invalid("reaches to a coordinate of " + shown(placement.reach) + "; up to " +
-                   shown(static_cast<double>(FARTHEST_VERTEX)) + " can be rendered: scale the scene down");
+    return Status::invalid("reaches to a coordinate of " + shown(placement.reach) + "; up to " +
+                           shown(static_cast<double>(FARTHEST_VERTEX)) + " can be rendered: scale the scene down");
 }
 
 Status check_rays_into(const Placement& placement, double reach) {
     const double local = placement.inverse * (reach + placement.offset);
     if (local <= FARTHEST_LOCAL && placement.inverse <= FARTHEST_LOCAL) return Status::success();
-    return invalid("its matrix scales so far down that a ray from a coordinate of " + shown(reach) +
-                   " would start at " + shown(local) + " in the mesh's own space; up to " + shown(FARTHEST_LOCAL) +
-                   " can be traced: apply the scale to the mesh itself");
+    return Status::invalid("its matrix scales so far down that a ray from a coordinate of " + shown(reach) +
+                           " would start at " + shown(local) + " in the mesh's own space; up to " +
+                           shown(FARTHEST_LOCAL) + " can be traced: apply the scale to the mesh itself");
 }
 
 Status check_view(const ViewPyramid& view) {
@@ -137,17 +136,18 @@ Status check_view(const ViewPyramid& view) {
     for (const glm::vec3& corner : {view.top_left, view.top_right, view.bottom_left}) {
         const double own = largest_coordinate(corner);
         if (!(own <= FARTHEST_LOCAL))
-            return invalid("the screen's corners are too far apart; take a smaller field of view");
+            return Status::invalid("the screen's corners are too far apart; take a smaller field of view");
         reach = std::max(reach, largest_coordinate(corner - view.eye));
     }
     if (reach > 0.0) return Status::success();
-    return invalid("the screen's corners coincide with the eye");
+    return Status::invalid("the screen's corners coincide with the eye");
 }
 
 Status check_camera(const Camera& camera) {
     if (Status status = check_eye(camera.position); !status.ok()) return status;
     for (const glm::vec3& direction : {camera.right, camera.up, camera.forward}) {
-        if (!(largest_coordinate(direction) <= 2.0)) return invalid("the camera's directions are not of unit length");
+        if (!(largest_coordinate(direction) <= 2.0))
+            return Status::invalid("the camera's directions are not of unit length");
     }
     return Status::success();
 }
@@ -155,8 +155,8 @@ Status check_camera(const Camera& camera) {
 Status check_light_position(const glm::vec3& position) {
     const double reach = largest_coordinate(position);
     if (reach <= static_cast<double>(FARTHEST_EYE)) return Status::success();
-    return invalid("the light is at a coordinate of " + shown(reach) + "; up to " +
-                   shown(static_cast<double>(FARTHEST_EYE)) + " can be rendered: scale the scene down");
+    return Status::invalid("the light is at a coordinate of " + shown(reach) + "; up to " +
+                           shown(static_cast<double>(FARTHEST_EYE)) + " can be rendered: scale the scene down");
 }
 
 Status check_scene_limits(const HostScene& scene, const ViewPyramid& view) {
@@ -167,21 +167,22 @@ Status check_scene_limits(const HostScene& scene, const ViewPyramid& view) {
         const HostInstance& instance = scene.instances()[i];
         if (instance.mesh == NONE) continue;
         if (!is_invertible(instance.transform)) {
-            return invalid(instance_name(scene, i) + "its matrix cannot be inverted; hide the instance instead");
+            return Status::invalid(instance_name(scene, i) +
+                                   "its matrix cannot be inverted; hide the instance instead");
         }
         const Placement placement = placement_of(scene.mesh_box(instance.mesh), instance.transform);
         Status status = check_placement(placement);
-        if (!status.ok()) return invalid(instance_name(scene, i) + status.message);
+        if (!status.ok()) return Status::invalid(instance_name(scene, i) + status.message);
         reach = std::max(reach, placement.reach);
         placements.emplace_back(i, placement);
     }
     for (const auto& [i, placement] : placements) {
         Status status = check_rays_into(placement, reach);
-        if (!status.ok()) return invalid(instance_name(scene, i) + status.message);
+        if (!status.ok()) return Status::invalid(instance_name(scene, i) + status.message);
     }
     for (const PunctualLight& light : scene.punctual_lights()) {
         Status status = check_light_position(light.position);
-        if (!status.ok()) return invalid("light \"" + light.name + "\": " + status.message);
+        if (!status.ok()) return Status::invalid("light \"" + light.name + "\": " + status.message);
     }
     return Status::success();
 }

@@ -33,6 +33,7 @@ struct [[nodiscard]] Status {
 
     static Status success() { return {}; }
     static Status error(StatusCode code, std::string message) { return {code, std::move(message), 0, 0}; }
+    static Status invalid(std::string message) { return error(StatusCode::invalid_argument, std::move(message)); }
     static Status out_of_memory(std::string message, uint64_t needed, uint64_t allowed) {
         return {StatusCode::out_of_memory, std::move(message), needed, allowed};
     }

@@ -154,9 +154,8 @@ public:
         build_mesh_trees();
         build_scene_tree();
         if (tables_.triangles.size() / TRIANGLE_ROWS > MOST_SLOTS || tables_.nodes.size() > MOST_SLOTS) {
-            return Status::error(StatusCode::invalid_argument,
-                                 "the scene has " + std::to_string(tables_.triangles.size() / TRIANGLE_ROWS) +
-                                     " triangles; the core can count up to " + std::to_string(MOST_SLOTS));
+            return Status::invalid("the scene has " + std::to_string(tables_.triangles.size() / TRIANGLE_ROWS) +
+                                   " triangles; the core can count up to " + std::to_string(MOST_SLOTS));
         }
         if (stack_need_ > STACK_SIZE) {
             return Status::error(StatusCode::internal, "a walk through the scene's tree would need a stack of " +

@@ -19,7 +19,6 @@ namespace {
 
 using render_system::Result;
 using render_system::Status;
-using render_system::StatusCode;
 
 constexpr std::array<const char*, 2> CORES = {"source", "target"};
 constexpr int DIFFERENCE_GAIN = 16;  // one level off is invisible, sixteen are not
@@ -107,8 +106,7 @@ Status prepare_folder(const std::string& folder) {
     std::error_code error;
     std::filesystem::create_directories(folder, error);
     if (error) {
-        return Status::error(
-            StatusCode::invalid_argument,
+        return Status::invalid(
             fmt::format("cannot make the folder {}: {}; give another place to write to", folder, error.message()));
     }
     return check_writable(std::filesystem::path(folder) / "source.png");
@@ -132,8 +130,7 @@ Status check_compare(const Options& options, Console& console) {
     if (options.core_given) console.note("--core is left aside: compare always renders on both cores");
     constexpr uint32_t LEAST_SIDE = 11;
     if (options.limit_ssim && std::min(options.width, options.height) < LEAST_SIDE) {
-        return Status::error(StatusCode::invalid_argument,
-                             "--limit-ssim: there is no SSIM below 11 pixels; give a larger --size");
+        return Status::invalid("--limit-ssim: there is no SSIM below 11 pixels; give a larger --size");
     }
     if (!options.output.empty()) {
         if (Status status = prepare_folder(options.output); !status.ok()) return status;

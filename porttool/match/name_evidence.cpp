@@ -9,7 +9,7 @@
 namespace porttool {
 namespace {
 
-using Words = std::vector<uint32_t>;  ///< sorted
+using WordList = std::vector<uint32_t>;  ///< sorted
 
 uint64_t mix(uint32_t word) {
     uint64_t hash = (word + 1) * 0x9E3779B97F4A7C15ull;
@@ -18,7 +18,7 @@ uint64_t mix(uint32_t word) {
 }
 
 /// A hash of a name's words whatever their order, from which a word can be taken by subtraction.
-uint64_t sum(const Words& words) {
+uint64_t sum(const WordList& words) {
     uint64_t total = 0;
     for (const uint32_t word : words) total += mix(word);
     return total;
@@ -26,9 +26,9 @@ uint64_t sum(const Words& words) {
 
 /// The words of `from` that the other unit's name lacks; one that the other file is named after is not missing, nor
 /// one that is spelled together there (`soft_max`, `softmax`).
-Words missing(const UnitFeatures& from, const UnitFeatures& in, const TermNumbers& terms) {
+WordList missing(const UnitFeatures& from, const UnitFeatures& in, const TermNumbers& terms) {
     constexpr size_t kLongEnough = 4;
-    Words words;
+    WordList words;
     std::set_difference(from.all_words.begin(), from.all_words.end(), in.all_words.begin(), in.all_words.end(),
                         std::back_inserter(words));
     std::erase_if(words, [&](uint32_t word) {
@@ -47,7 +47,7 @@ public:
         for (const UnitFeatures& unit : other_side) known_.insert(unit.all_words.begin(), unit.all_words.end());
     }
 
-    void learn(Words words, const Words& lost) {
+    void learn(WordList words, const WordList& lost) {
         words.erase(std::unique(words.begin(), words.end()), words.end());
         for (const uint32_t word : words) pairs_of_[word].push_back(static_cast<uint32_t>(pairs_.size()));
         pairs_.push_back({std::move(words), lost});
@@ -55,7 +55,7 @@ public:
 
     /// How likely a port would have kept any of these words. Without examples a word is expected to stay if the other
     /// side uses it at all, unless the same words go in pair after pair (`habit`, in [0, 1]).
-    float kept(const Words& words, float habit) const {
+    float kept(const WordList& words, float habit) const {
         if (words.empty()) return 0;
         const auto [found, is_new] = counted_.try_emplace(sum(words));
         if (is_new) found->second = count(words);
@@ -68,14 +68,14 @@ public:
 
 private:
     struct Example {
-        Words words, lost;
+        WordList words, lost;
     };
 
     struct Count {
         float all = 0, kept = 0;
     };
 
-    Count count(const Words& words) const {
+    Count count(const WordList& words) const {
         const auto rarest = std::min_element(words.begin(), words.end(), [&](uint32_t a, uint32_t b) {
             return examples(a).size() < examples(b).size();
         });
@@ -89,19 +89,19 @@ private:
         return count;
     }
 
-    const Words& examples(uint32_t word) const {
-        static const Words kNone;
+    const WordList& examples(uint32_t word) const {
+        static const WordList kNone;
         const auto found = pairs_of_.find(word);
         return found == pairs_of_.end() ? kNone : found->second;
     }
 
     std::unordered_set<uint32_t> known_;  ///< words of the other side's names
-    std::unordered_map<uint32_t, Words> pairs_of_;
+    std::unordered_map<uint32_t, WordList> pairs_of_;
     std::vector<Example> pairs_;
     mutable std::unordered_map<uint64_t, Count> counted_;  ///< by the words' sum, as asked for
 };
 
-/// Words that mark variants which one side alone has.
+/// WordList that mark variants which one side alone has.
 class Variants {
 public:
     Variants(const std::vector<UnitFeatures>& units, const std::vector<bool>& certain) {
@@ -116,12 +116,12 @@ public:
         }
     }
 
-    void learn(const Words& added) {
+    void learn(const WordList& added) {
         for (const uint32_t word : added) counts_[word].added += 1;
     }
 
     /// How often a name without the word was taken where one with it stood beside it; the most of the words.
-    float left_out(const Words& words) const {
+    float left_out(const WordList& words) const {
         float most = 0;
         for (const uint32_t word : words) {
             const auto found = counts_.find(word);
@@ -140,7 +140,7 @@ private:
 };
 
 /// What two names differ in, as one number.
-uint64_t key_of(const Words& lost, const Words& gained) { return sum(lost) * 31 + sum(gained); }
+uint64_t key_of(const WordList& lost, const WordList& gained) { return sum(lost) * 31 + sum(gained); }
 
 std::vector<bool> certain_ones(size_t count, const std::vector<LearnedPair>& pairs, uint32_t LearnedPair::*side) {
     std::vector<bool> certain(count, false);
@@ -175,7 +175,7 @@ NameEvidence::NameEvidence(const std::vector<UnitFeatures>& source, const std::v
                                           {}});
     for (const LearnedPair& pair : pairs) {
         const UnitFeatures &from = source[pair.source], &to = target[pair.target];
-        const Words lost = missing(from, to, terms), gained = missing(to, from, terms);
+        const WordList lost = missing(from, to, terms), gained = missing(to, from, terms);
         const bool related = lost.size() < from.all_words.size();
         if (related) ++learned->differences[key_of(lost, gained)];
         if (!pair.certain) continue;
@@ -190,7 +190,7 @@ NameEvidence::NameEvidence(const std::vector<UnitFeatures>& source, const std::v
 NameEvidence::~NameEvidence() = default;
 
 NameDifference NameEvidence::difference(const UnitFeatures& from, const UnitFeatures& to) const {
-    const Words lost = missing(from, to, learned_->terms), gained = missing(to, from, learned_->terms);
+    const WordList lost = missing(from, to, learned_->terms), gained = missing(to, from, learned_->terms);
     const float habit = learned_->habit(key_of(lost, gained));
     NameDifference out;
     out.lost = learned_->there.kept(lost, habit);

@@ -27,8 +27,8 @@
 namespace porttool {
 namespace {
 
-constexpr std::string_view kHeader = "porttool-lock\t", kNormalFormLine = "normal-form\t";
-constexpr size_t kMarkDigits = 3, kKeyDigits = 8, kMarks = 4096;
+constexpr std::string_view kLockHeader = "porttool-lock\t", kNormalFormLine = "normal-form\t";
+constexpr size_t kMarkDigits = 3, kLineKeyDigits = 8, kMarks = 4096;
 constexpr const char* kRestore = "\nRestore it from git, or renew it with: porttool init --force";
 
 using Fields = std::vector<std::string>;
@@ -71,13 +71,13 @@ std::string decoded(const std::string& field) {
 }
 
 /// What is wrong with one line's fields, thrown while they are read.
-struct Misread {
+struct MisreadField {
     std::string what;
 };
 
 std::string print_of(const std::string& field, bool may_be_unknown) {
     if (is_fingerprint(field) || (may_be_unknown && field == "-")) return field;
-    throw Misread{"'" + field.substr(0, 60) + "' is no fingerprint, which has 16 hexadecimal digits"};
+    throw MisreadField{"'" + field.substr(0, 60) + "' is no fingerprint, which has 16 hexadecimal digits"};
 }
 
 Fingerprints prints_of(const Fields& f, size_t at, bool may_be_unknown = false) {
@@ -89,7 +89,8 @@ MoreFields more_of(const Fields& f, size_t at) {
     MoreFields out;
     for (size_t i = at; i < f.size(); ++i) {
         const size_t equal = f[i].find('=');
-        if (equal == std::string::npos || equal == 0) throw Misread{"'" + f[i].substr(0, 60) + "' is no name=value"};
+        if (equal == std::string::npos || equal == 0)
+            throw MisreadField{"'" + f[i].substr(0, 60) + "' is no name=value"};
         out[f[i].substr(0, equal)] = decoded(f[i].substr(equal + 1));
     }
     return out;
@@ -104,7 +105,7 @@ LedgerEntry ledger_entry(Verdict verdict, const Fields& f) {
     LedgerEntry entry{
         verdict, decoded(f[1]), decoded(f[2]), print_of(f[3], true), print_of(f[4], true), f[5], f[6], f[7], {}};
     if (!(has_form_of_date(entry.until) || (entry.until.empty() && entry.verdict != Verdict::Defer)))
-        throw Misread{"'" + entry.until.substr(0, 60) + "' is no date as YYYY-MM-DD"};
+        throw MisreadField{"'" + entry.until.substr(0, 60) + "' is no date as YYYY-MM-DD"};
     return entry;
 }
 
@@ -186,8 +187,8 @@ private:
                 marks_[std::stoul(line, nullptr, 16)] = true;
                 return {};
             }
-            if (is_hexadecimal(line, kKeyDigits)) return {};
-            if (is_hexadecimal(fields[0], kKeyDigits)) fields.erase(fields.begin());  // one by hand may lack it
+            if (is_hexadecimal(line, kLineKeyDigits)) return {};
+            if (is_hexadecimal(fields[0], kLineKeyDigits)) fields.erase(fields.begin());  // one by hand may lack it
             if (fields.empty()) return unreadable(line);
         }
         if (const std::string twice = stands_twice(fields); !twice.empty()) return twice;
@@ -198,14 +199,14 @@ private:
              : verdict_named(fields[0]) ? lock_.ledger.back().line
                                         : lock_.baseline.back().line) = number_;
             return {};
-        } catch (const Misread& wrong) {
+        } catch (const MisreadField& wrong) {
             return wrong.what + "\nRestore the line from git, or renew the lock with: porttool init --force";
         }
     }
 
     std::string take_header(const std::string& line) {
-        if (!line.starts_with(kHeader)) return std::string("this is no lock of porttool") + kRestore;
-        const std::string version = line.substr(kHeader.size());
+        if (!line.starts_with(kLockHeader)) return std::string("this is no lock of porttool") + kRestore;
+        const std::string version = line.substr(kLockHeader.size());
         if (version != "1" && version != "2")
             return "'" + line.substr(0, 60) +
                    "' is of another version; this porttool reads versions 1 and 2\nUse the porttool that wrote it, or "
@@ -255,7 +256,7 @@ std::string plain(std::string text) {
 }
 
 std::string key_of(const std::string& source, const std::string& target) {
-    return fmt::format("{:016x}", hash_text(source + "\t" + target)).substr(0, kKeyDigits);
+    return fmt::format("{:016x}", hash_text(source + "\t" + target)).substr(0, kLineKeyDigits);
 }
 
 std::string text_of(const Fingerprints& prints) {
@@ -313,7 +314,7 @@ std::string lock_text(const LockFile& lock) {
     return fmt::format(
                "{}2\n{}{}\n# Written by porttool: what was in step, and what had no port. Edit with porttool accept, "
                "defer, ignore.\n# git merges it by itself: leave the lines that hold a number alone.\n",
-               kHeader, kNormalFormLine, kNormalForm) +
+               kLockHeader, kNormalFormLine, kNormalForm) +
            lines.joined();
 }
 

@@ -107,7 +107,7 @@ void add_refused(SourceSet& set, const Walker& walker) {
             set.skipped.push_back(folder);
 }
 
-bool leads_out(const std::string& path) { return path.starts_with('/') || path == ".." || path.starts_with("../"); }
+bool is_outside(const std::string& path) { return path.starts_with('/') || path == ".." || path.starts_with("../"); }
 
 /// `path` as seen from the root; an absolute path elsewhere stays as it is.
 std::string below_root(const std::string& root, const std::string& path) {
@@ -144,7 +144,7 @@ std::string unreadable_reason(const std::string& bytes) {
 
 bool leads_out_of(const std::string& root, const std::string& glob) {
     const std::vector<std::string> folders = glob_below(root, glob).roots();
-    return std::any_of(folders.begin(), folders.end(), leads_out);
+    return std::any_of(folders.begin(), folders.end(), is_outside);
 }
 
 SourceSet read_paths(const Disk& disk, const std::string& root, const std::vector<std::string>& paths,
@@ -232,7 +232,7 @@ private:
     const FoundFiles& files_below(const std::string& folder) {
         const auto [files, fresh] = listed_.try_emplace(folder);
         if (!fresh) return files->second;
-        const std::string own = scope_.reach == Reach::Anywhere && leads_out(folder) ? folder : "";
+        const std::string own = scope_.reach == Reach::Anywhere && is_outside(folder) ? folder : "";
         Walker& walker = walkers_.try_emplace(own, disk_, root_, own).first->second;
         walker.walk(folder, [&](const std::string& file) { files->second.emplace(file, walker.place_of(file)); });
         return files->second;

@@ -20,7 +20,7 @@ namespace {
 
 constexpr auto kLongestWait = std::chrono::seconds(30);
 constexpr auto kPause = std::chrono::milliseconds(5);
-constexpr mode_t kNewFile = 0666;
+constexpr mode_t kGuardFile = 0666;
 
 class FileGuard final : public WriteGuard {
 public:
@@ -68,7 +68,7 @@ TakenGuard take_file_guard(const TreePath& path) {
     const auto end = std::chrono::steady_clock::now() + kLongestWait;
     while (true) {
         Descriptor file(::openat(at.folder.get(), at.name.c_str(),
-                                 O_RDWR | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC, kNewFile));
+                                 O_RDWR | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC, kGuardFile));
         if (!file.valid()) return {nullptr, no_guard(path, std::string("cannot be written: ") + std::strerror(errno))};
         if (::flock(file.get(), LOCK_EX | LOCK_NB) == 0) {
             if (!has_name(at.folder, at.name, file)) continue;

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "porttool/report/figures.h"
 #include "porttool/text/sink/json.h"
 #include "porttool/text/sink/terminal.h"
 
@@ -14,11 +15,6 @@ namespace porttool {
 namespace {
 
 using nlohmann::ordered_json;
-
-ordered_json place_json(const std::optional<Place>& place) {
-    if (!place) return nullptr;
-    return {{"id", place->id}, {"file", place->file}, {"line", place->line}, {"end_line", place->end_line}};
-}
 
 bool is_shown(const Finding& finding) { return finding.level != Level::Off && !finding.verdict; }
 

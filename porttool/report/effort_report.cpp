@@ -19,8 +19,6 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr size_t kShortId = 10;
-
 std::string share_text(const std::optional<double>& share) { return share ? fmt::format("{:.2f}", *share) : "-"; }
 
 std::string edit_text(const LineEdit& edit) { return fmt::format("+{} -{}", edit.added, edit.removed); }
@@ -102,9 +100,8 @@ std::optional<metrics::Figure> degree_of_edit(const PortedEdit& edit, const metr
 
 std::string effort_table(const RangeEffort& report) {
     const PortEffort& effort = report.effort;
-    std::string out =
-        fmt::format("{}..{}: {} commits, {} to {}\n", report.from.id.substr(0, kShortId),
-                    report.to.id.substr(0, kShortId), report.commits, day_of(report.from.time), day_of(report.to.time));
+    std::string out = fmt::format("{}..{}: {} commits, {} to {}\n", short_id(report.from.id), short_id(report.to.id),
+                                  report.commits, day_of(report.from.time), day_of(report.to.time));
     if (effort.totals.source.changed() + effort.totals.target.changed() == 0)
         return out + "no line of code changed on either side\n";
     out += fmt::format("  {:<12} {:<12} {:>8} {:>8} {:>8}  {:<21}\n", "source", "port", "carried", "novel", "alike",

@@ -28,6 +28,11 @@ nlohmann::ordered_json figure_json(const std::optional<metrics::Figure>& figure)
             {"inputs", inputs}};
 }
 
+ordered_json place_json(const std::optional<Place>& place) {
+    if (!place) return nullptr;
+    return {{"id", place->id}, {"file", place->file}, {"line", place->line}, {"end_line", place->end_line}};
+}
+
 std::string bounded_text(double value, double most, int digits) {
     const double step = std::pow(10, -digits);
     return fmt::format("{:.{}f}", value > 0 && value < most ? std::clamp(value, step, most - step) : value, digits);
@@ -37,6 +42,11 @@ std::string figure_text(const std::optional<metrics::Figure>& figure) {
     if (!figure) return "-";
     const auto text = [](double value) { return value > 0 ? bounded_text(value, 1, 2) : fmt::format("{:.2f}", value); };
     return text(figure->value) + " (" + text(figure->low) + " to " + text(figure->high) + ")";
+}
+
+std::string short_id(const std::string& commit) {
+    constexpr size_t kDigits = 10;
+    return commit.substr(0, kDigits);
 }
 
 }  // namespace porttool

@@ -174,7 +174,7 @@ std::string history_html(const History& history) {
         const HistoryPoint& newest = history.points.back();
         body += fmt::format(
             "<p>At the newest commit, {} of {}: {} of {} pairs are open, {:.1f} line-days of drift.</p>\n",
-            newest.commit.id.substr(0, 10), day_of(newest.commit.time), newest.open_pairs, newest.pairs, newest.debt);
+            short_id(newest.commit.id), day_of(newest.commit.time), newest.open_pairs, newest.pairs, newest.debt);
         const TimeAxis axis = axis_of(history.points);
         for (const Chart& chart : {degree_chart(history), similarity_chart(history), debt_chart(history)})
             body += figure_of(chart, axis);

@@ -18,7 +18,6 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr size_t kShortId = 10;
 constexpr double kSecondsOfDay = 86400;
 
 /// A block as in a report; of what its lines are only the newest commit's says something.
@@ -106,7 +105,7 @@ std::string history_csv(const History& history) {
 std::string history_table(const History& history) {
     std::string out = fmt::format(
         "{} commits read, back to {} ({}); {} shown: those that touch the sides or their map, and the newest\n",
-        history.commits, history.oldest.id.substr(0, kShortId), day_of(history.oldest.time), history.points.size());
+        history.commits, short_id(history.oldest.id), day_of(history.oldest.time), history.points.size());
     if (history.points.empty()) return out;
     out += "date        commit      shared lines    Moss %  DP in lines            open pairs  debt (line-days)\n";
     constexpr size_t kShown = 24;
@@ -116,9 +115,9 @@ std::string history_table(const History& history) {
         const HistoryPoint& point = history.points[i];
         const SideMeasure& port = point.totals.found.target.measure;
         out += fmt::format("{}  {}  {:>6}/{:<7} {:>6}  {:<21}  {:>4} of {:<4} {:>16.1f}\n", day_of(point.commit.time),
-                           point.commit.id.substr(0, kShortId), shared_text(point.totals, Side::Target, "-"),
-                           port.lines, percent_text(port.moss_percent), figure_text(point.totals.degree),
-                           point.open_pairs, point.pairs, point.debt);
+                           short_id(point.commit.id), shared_text(point.totals, Side::Target, "-"), port.lines,
+                           percent_text(port.moss_percent), figure_text(point.totals.degree), point.open_pairs,
+                           point.pairs, point.debt);
     }
     const HistoryPoint& newest = history.points.back();
     out += "blocks at the newest commit:\n";

@@ -100,11 +100,6 @@ ordered_json row_json(const RowReport& row, const std::vector<BlockReport>& bloc
     return out;
 }
 
-ordered_json place_json(const std::optional<Place>& place) {
-    if (!place) return nullptr;
-    return {{"id", place->id}, {"file", place->file}, {"line", place->line}, {"end_line", place->end_line}};
-}
-
 template <class T>
 ordered_json or_null(const std::optional<T>& value) {
     return value ? ordered_json(*value) : ordered_json(nullptr);

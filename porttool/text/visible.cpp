@@ -72,7 +72,7 @@ bool is_part_of_picture(char32_t code, char32_t before, std::string_view rest) {
     return code == kJoiner && (is_picture(before) || before == kPictureStyle) && is_picture(first_code(rest));
 }
 
-std::string escaped(char32_t code) { return fmt::format("\\u{{{:x}}}", static_cast<uint32_t>(code)); }
+std::string braced_code(char32_t code) { return fmt::format("\\u{{{:x}}}", static_cast<uint32_t>(code)); }
 
 /// A backslash of the text itself that reads like the beginning of an escape is one.
 std::string with_plain_backslashes(std::string_view bytes) {
@@ -115,7 +115,7 @@ std::string without_invisible(std::string_view bytes, std::string (*escape)(char
 }
 
 std::string visible(std::string_view bytes) {
-    return without_log_commands(without_invisible(with_plain_backslashes(bytes), escaped), "\\u{23}");
+    return without_log_commands(without_invisible(with_plain_backslashes(bytes), braced_code), "\\u{23}");
 }
 
 std::string without_log_commands(std::string text, std::string_view sign) {

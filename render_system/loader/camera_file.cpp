@@ -109,9 +109,7 @@ Result<CameraFile> load_camera_file(const std::filesystem::path& path) {
 }
 
 Status add_area_light(HostScene& scene, const QuadLight& light) {
-    const auto refuse = [](const char* why) {
-        return Status::error(StatusCode::invalid_argument, std::string("area light: ") + why);
-    };
+    const auto refuse = [](const char* why) { return Status::invalid(std::string("area light: ") + why); };
     HostMesh mesh;
     mesh.name = "area light";
     for (const glm::vec3& corner : light.corners) {

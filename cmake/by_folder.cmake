@@ -1,0 +1,26 @@
+# SPDX-FileCopyrightText: 2026 The porttool authors
+# SPDX-License-Identifier: Apache-2.0
+# Most of what a small file costs to compile is parsing headers, so in a release build the files of a folder are compiled
+# together, a few at a time. In all other builds each file stands alone, which shows an #include that is missing.
+include_guard()
+
+# compile_by_folder(TARGET): names in unnamed namespaces must then be unique among the target's files of one folder.
+function(compile_by_folder target)
+    if(NOT CMAKE_BUILD_TYPE STREQUAL "Release")
+        return()
+    endif()
+    set(most_files 8)  # so that building again after an edit stays short
+    get_target_property(sources ${target} SOURCES)
+    list(FILTER sources INCLUDE REGEX "[.]cpp$")
+    foreach(source ${sources})
+        cmake_path(GET source PARENT_PATH folder)
+        string(MAKE_C_IDENTIFIER "in_${folder}" folder)
+        math(EXPR part "${files_of_${folder}} + 0")
+        math(EXPR files_of_${folder} "${part} + 1")
+        math(EXPR part "${part} / ${most_files}")
+        set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${folder}_${part})
+    endforeach()
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+    # A class with a member of a local type is no danger where its file is compiled only once.
+    target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
+endfunction()
