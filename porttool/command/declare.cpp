@@ -16,6 +16,11 @@ DeclaredOption& DeclaredOption::exactly(int values) {
     return *this;
 }
 
+DeclaredOption& DeclaredOption::or_alone(bool& given) {
+    option_.expected(0, 1)->each([&given](const std::string&) { given = true; });
+    return *this;
+}
+
 DeclaredOption& DeclaredOption::one_at_a_time() {
     option_.allow_extra_args(false);
     return *this;

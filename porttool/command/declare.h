@@ -20,6 +20,8 @@ public:
     DeclaredOption& exactly(int values);
     /// One value each time that the option is given.
     DeclaredOption& one_at_a_time();
+    /// The value may be left out; `given` is set either way.
+    DeclaredOption& or_alone(bool& given);
     /// A revision that may not be empty, as an unset variable of CI would make it.
     DeclaredOption& some_revision();
 

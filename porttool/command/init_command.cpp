@@ -8,6 +8,7 @@
 #include "porttool/judge/first_record.h"
 #include "porttool/match/match.h"
 #include "porttool/read/clock.h"
+#include "porttool/snapshot/map_edit.h"
 #include "porttool/snapshot/snapshot.h"
 #include "porttool/text/sink/terminal.h"
 #include "porttool/text/toml_string.h"
@@ -26,9 +27,7 @@ std::string map_text(const Project& project, const Matching& matching) {
         "# Which units are ports of which. Written by porttool init; yours to edit.\nversion = 1\n\n[sides]\n";
     out += "source = " + list(project.map.source) + "\ntarget = " + list(project.map.target) +
            "\nreference = \"source\"\n";
-    for (const MatchedPair& pair : matching.pairs)
-        out += fmt::format("\n[[pair]]  # {:.0f} % sure\nsource = {}\ntarget = {}\n", 100 * pair.score,
-                           toml_string(pair.source), toml_string(pair.target));
+    for (const MatchedPair& pair : matching.pairs) out += pair_text({pair.source, pair.target, pair.score});
     return out;
 }
 

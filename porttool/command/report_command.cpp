@@ -106,8 +106,8 @@ SideTexts read_texts(const Project& project, const Disk& disk) {
     return texts;
 }
 
-PortabilityReport report_of(const Project& project, const LockFile& lock, const Judgement& judgement, bool strict) {
-    const PortabilityCase facts{project.map, lock, project.source, project.target, judgement};
+PortabilityReport report_of(const Project& project, const Judgement& judgement, bool strict) {
+    const PortabilityCase facts{project.map, project.source, project.target, judgement};
     const Blocks blocks = blocks_of(facts);
     if (strict && !blocks.error.empty()) throw CannotDo(blocks.error);
     return portability_report(facts, blocks);
@@ -141,7 +141,7 @@ Outcome run_report(const Options& options, Workplace& place) {
     against_lock.base.clear();
     against_lock.lock_is_optional = true;
     const CheckedProject checked = check_project(against_lock, place);
-    PortabilityReport report = report_of(checked.project, checked.lock, checked.judgement, true);
+    PortabilityReport report = report_of(checked.project, checked.judgement, true);
     if (!checked.recorded)
         for (RowReport& row : report.rows) row.state.clear();
     const std::string low = below_bars(report, bars);
@@ -153,7 +153,7 @@ Outcome run_report(const Options& options, Workplace& place) {
     CheckedProject past;
     if (!options.base.empty()) {
         past = past_project(checked.project, options.base, place.disk);
-        whole.base = BaseReport{options.base, report_of(past.project, past.lock, past.judgement, false), {}};
+        whole.base = BaseReport{options.base, report_of(past.project, past.judgement, false), {}};
         if (past.recorded) whole.base->drift = past.judgement.summary;
     }
     Outcome outcome{formatted(whole, options, checked.project, place.disk), low.empty() ? 0 : 1};

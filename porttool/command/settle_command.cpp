@@ -4,6 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <deque>
+#include <optional>
+#include <set>
 
 #include "porttool/command/commands.h"
 #include "porttool/command/named.h"
@@ -11,34 +14,36 @@
 #include "porttool/judge/settle.h"
 #include "porttool/read/clock.h"
 #include "porttool/snapshot/lock_store.h"
+#include "porttool/snapshot/map_edit.h"
 #include "porttool/text/date.h"
 #include "porttool/text/sink/terminal.h"
 
 namespace porttool {
 namespace {
 
-/// The source unit of a finding outside pairs; findings of other rules than those on it cannot be settled.
-const UnitState& unported_unit(const CheckedProject& checked, const Finding& finding) {
-    const auto unit = checked.states.source.find(finding.map_source);
-    const bool unported = finding.rule == Rule::Unported || finding.rule == Rule::DeferralExpired;
-    if (!unported || unit == checked.states.source.end())
+/// The unit of a finding outside pairs; findings of other rules than those on it cannot be settled.
+const UnitState& lone_unit(const CheckedProject& checked, const Finding& finding) {
+    const auto unit = checked.states[finding.side].find(finding.map_source);
+    const bool of_unit = is_of_new_unit(finding) || finding.rule == Rule::DeferralExpired;
+    if (!of_unit || unit == checked.states[finding.side].end())
         throw CannotDo(fmt::format("{}: a finding of '{}' cannot be settled; {}", finding.fingerprint,
                                    rule_name(finding.rule), terminal_text(finding.remedy)));
     return unit->second;
 }
 
-/// Writes the lock without what holds for nothing any more.
-void store(CheckedProject& checked, Disk& disk) {
+/// Writes the lock without what holds for nothing any more, and the map where it was changed.
+void store(CheckedProject& checked, Disk& disk, const std::string* map_text = nullptr) {
     drop_idle_lines(checked.lock, checked.project.map, checked.states.source, checked.states.target,
                     checked.project.skipped);
     const bool clears = checked.lock.version == 1;  // its texts have other names
-    store_lock(checked.project, {checked.lock, checked.states, checked.texts, nullptr, clears}, disk);
+    store_lock(checked.project, {checked.lock, checked.states, checked.texts, map_text, clears}, disk);
 }
 
 Outcome settle(const Options& options, Workplace& place, Verdict verdict) {
     require_format(options.format, {"text"});
     const auto guard = guard_lock(options, place);
     CheckedProject checked = check_project(options, place);
+    follow_baseline(checked.lock, checked.judgement);
     LedgerEntry said;
     said.verdict = verdict;
     said.owner = options.owner;
@@ -49,8 +54,8 @@ Outcome settle(const Options& options, Workplace& place, Verdict verdict) {
     for (const std::string& id : options.paths) {
         const Named named = require_named(checked.judgement, id);
         if (named.pairs.empty()) {
-            const UnitState& unit = unported_unit(checked, *named.lone.front());
-            settle_unported(checked.lock, unit, said);
+            const UnitState& unit = lone_unit(checked, *named.lone.front());
+            settle_lone(checked.lock, unit, named.lone.front()->side, said);
             out += fmt::format("{} {}\n", done, terminal_text(unit.id));
         }
         for (const JudgedPair* pair : named.pairs) {
@@ -62,19 +67,50 @@ Outcome settle(const Options& options, Workplace& place, Verdict verdict) {
     return {out, 0};
 }
 
-/// The pairs that the ids name, each once.
-std::vector<const JudgedPair*> pairs_to_accept(const CheckedProject& checked, const std::vector<std::string>& ids) {
-    std::vector<const JudgedPair*> out;
-    for (const std::string& id : ids) {
-        const Named named = require_named(checked.judgement, id);
-        if (named.pairs.empty())
-            throw CannotDo(terminal_text(id) + ": there is no pair to accept; " +
-                           terminal_text(named.lone.front()->remedy));
-        out.insert(out.end(), named.pairs.begin(), named.pairs.end());
+/// SOURCE=TARGET of two units that are there. An id may hold equal signs itself.
+std::optional<JudgedPair> units_named(const CheckedProject& checked, const std::string& id) {
+    for (size_t cut = id.find('='); cut != std::string::npos; cut = id.find('=', cut + 1)) {
+        const auto source = checked.states.source.find(id.substr(0, cut));
+        const auto target = checked.states.target.find(id.substr(cut + 1));
+        if (source != checked.states.source.end() && target != checked.states.target.end())
+            return JudgedPair{{source->first, target->first}, {&source->second, &target->second}};
     }
-    std::sort(out.begin(), out.end());
-    out.erase(std::unique(out.begin(), out.end()), out.end());
-    return out;
+    return std::nullopt;
+}
+
+/// The pair that a finding of `unpaired` suggests.
+std::optional<JudgedPair> pair_suggested(const CheckedProject& checked, const Named& named, const std::string& id) {
+    if (named.lone.empty() || named.lone.front()->rule != Rule::Unpaired || named.lone.front()->fingerprint != id)
+        return std::nullopt;
+    return units_named(checked, named.lone.front()->source->id + "=" + named.lone.front()->target->id);
+}
+
+/// What accept was asked for.
+struct Acceptance {
+    std::vector<const JudgedPair*> pairs;  ///< each once
+    std::deque<JudgedPair> fresh;          ///< those of them that no map names yet
+};
+
+/// Finds the pairs that the ids name. Throws CannotDo for one that names none.
+void find_accepted(const CheckedProject& checked, const std::vector<std::string>& ids, Acceptance& out) {
+    std::set<std::pair<std::string, std::string>> fresh;
+    for (const std::string& id : ids) {
+        const Named named = named_by(checked.judgement, id);
+        out.pairs.insert(out.pairs.end(), named.pairs.begin(), named.pairs.end());
+        if (!named.pairs.empty()) continue;
+        std::optional<JudgedPair> pair = units_named(checked, id);
+        if (!pair) pair = pair_suggested(checked, named, id);
+        if (!pair) {
+            const Named other = require_named(checked.judgement, id);
+            throw CannotDo(terminal_text(id) + ": there is no pair to accept; " +
+                           terminal_text(other.lone.front()->remedy));
+        }
+        if (!fresh.insert({pair->id.source, pair->id.target}).second) continue;
+        out.fresh.push_back(*std::move(pair));
+        out.pairs.push_back(&out.fresh.back());
+    }
+    std::sort(out.pairs.begin(), out.pairs.end());
+    out.pairs.erase(std::unique(out.pairs.begin(), out.pairs.end()), out.pairs.end());
 }
 
 }  // namespace
@@ -92,7 +128,10 @@ Outcome run_accept(const Options& options, Workplace& place) {
         throw CannotDo("accept needs ids, or --all for every pair whose two edits are equivalent");
     const auto guard = guard_lock(options, place);
     CheckedProject checked = check_project(options, place);
-    std::vector<const JudgedPair*> accepted = pairs_to_accept(checked, options.paths), left;
+    follow_baseline(checked.lock, checked.judgement);
+    Acceptance acceptance;
+    find_accepted(checked, options.paths, acceptance);
+    std::vector<const JudgedPair*> accepted = std::move(acceptance.pairs), left;
     if (options.all) {
         ChangedPairs changed = changed_pairs(checked.judgement);
         accepted = std::move(changed.alike);
@@ -100,12 +139,16 @@ Outcome run_accept(const Options& options, Workplace& place) {
         if (options.force) {
             accepted.insert(accepted.end(), left.begin(), left.end());
             left.clear();
-            accept_unported(checked.lock, checked.judgement, checked.states.source, options.reason);
+            accept_unwatched(checked.lock, checked.judgement, checked.states, options.reason);
         }
     }
     accept_pairs(checked.lock, accepted, options.reason, today());
-    store(checked, place.disk);
+    std::vector<NewPair> fresh;
+    for (const JudgedPair& pair : acceptance.fresh) fresh.push_back({pair.id.source, pair.id.target});
+    const std::string map = fresh.empty() ? std::string() : add_pairs(checked.project, fresh, place);
+    store(checked, place.disk, fresh.empty() ? nullptr : &map);
     std::string out = fmt::format("{} pairs recorded as in step\n", accepted.size());
+    if (!fresh.empty()) out += fmt::format("{} of them written into portmap.toml\n", fresh.size());
     if (checked.lock.version == 1)
         out += "portmap.lock is rewritten as version 2: this once, all of its lines change\n";
     if (!left.empty())

@@ -18,8 +18,7 @@ std::vector<BlockReport> newest_blocks(const Past& past, const History& history,
         return {};
     }
     if (!newest.recorded) newest.judgement.findings.clear();  // nothing is judged, as in a report
-    const PortabilityCase facts{newest.project.map, newest.lock, newest.project.source, newest.project.target,
-                                newest.judgement};
+    const PortabilityCase facts{newest.project.map, newest.project.source, newest.project.target, newest.judgement};
     PortabilityReport report = portability_report(facts, blocks_of(facts));
     report.blocks.push_back(std::move(report.totals));
     return std::move(report.blocks);

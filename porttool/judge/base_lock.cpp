@@ -70,10 +70,11 @@ BaseLock base_lock(const Snapshot& base, const LockFile& then, const LockFile& n
         for (const Side side : kBothSides)
             for (const auto& [id, state] : (*states)[side]) out.texts.emplace(state.prints.written, state.text);
     const LinesByPair lines_then(then), lines_now(now);
-    std::set<std::string> mapped;
+    BySide<std::set<std::string>> mapped;
     for (const MapPair& pair : base.project.map.pairs) {
-        mapped.insert(pair.source);
+        mapped.source.insert(pair.source);
         for (const std::string& target : pair.targets) {
+            mapped.target.insert(target);
             if (const LockedPair* line = accepted_since(lines_then, lines_now, today, pair.source, target)) {
                 out.lock.pairs.push_back(*line);
                 continue;
@@ -92,8 +93,11 @@ BaseLock base_lock(const Snapshot& base, const LockFile& then, const LockFile& n
                 out.lock.pairs.push_back({pair.source, target, left->prints, right->prints});
         }
     }
-    for (const auto& [id, state] : base.states.source)
-        if (!mapped.contains(id)) out.lock.baseline.push_back({id, state.prints});
+    for (const Side side : kBothSides) {
+        if (!is_contract(base.project.map.reference, side)) continue;
+        for (const auto& [id, state] : base.states[side])
+            if (!mapped[side].contains(id)) out.lock.baseline.push_back({id, state.prints, "", side_word(side)});
+    }
     out.lock.baseline.insert(out.lock.baseline.end(), now.baseline.begin(), now.baseline.end());
     out.lock.ledger = now.ledger;
     return out;

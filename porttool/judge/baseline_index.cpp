@@ -8,6 +8,8 @@
 #include <string>
 #include <utility>
 
+#include "porttool/scan/scan.h"
+
 namespace porttool {
 namespace {
 
@@ -33,11 +35,19 @@ private:
     std::map<std::string, std::vector<const LockedUnit*>> by_key_;
 };
 
+constexpr size_t kOwnText = 12;  // tokens that make a text its own, without its names
+
+/// A name without the scopes that it stands in.
+std::string last_name(const std::string& name) {
+    const size_t scope = name.rfind("::");
+    return scope == std::string::npos ? name : name.substr(scope + 2);
+}
+
 /// With --base the base's own baseline stands beside that of the lock: what both say is one line, with its reason.
-std::vector<const LockedUnit*> distinct(const std::vector<LockedUnit>& lines) {
+std::vector<const LockedUnit*> distinct(const std::vector<LockedUnit>& lines, std::string_view side) {
     std::map<std::pair<std::string, std::string>, const LockedUnit*> known;
     for (const LockedUnit& line : lines) {
-        if (line.side != "source") continue;
+        if (line.side != side) continue;
         const LockedUnit*& best = known[{line.id, line.prints.written}];
         if (best == nullptr || best->reason.empty()) best = &line;
     }
@@ -48,14 +58,16 @@ std::vector<const LockedUnit*> distinct(const std::vector<LockedUnit>& lines) {
 
 }  // namespace
 
-BaselineIndex::BaselineIndex(const std::vector<LockedUnit>& lines, const std::vector<const UnitState*>& units) {
-    const std::vector<const LockedUnit*> all = distinct(lines);
+BaselineIndex::BaselineIndex(const std::vector<LockedUnit>& lines, Side side,
+                             const std::vector<const UnitState*>& units, const std::map<std::string, UnitState>& all) {
+    std::vector<const LockedUnit*> free_lines = distinct(lines, side_word(side));
     std::set<const LockedUnit*> used;
     const auto match = [&](const FreeLines::Key& of_line, const std::function<std::string(const UnitState&)>& of_unit) {
-        FreeLines free(all, used, of_line);
+        FreeLines free(free_lines, used, of_line);
         for (const UnitState* unit : units) {
             if (found_.contains(unit)) continue;
-            const LockedUnit* line = free.take(of_unit(*unit));
+            const std::string key = of_unit(*unit);
+            const LockedUnit* line = key.empty() ? nullptr : free.take(key);
             if (line == nullptr) continue;
             found_[unit] = line;
             used.insert(line);
@@ -65,6 +77,12 @@ BaselineIndex::BaselineIndex(const std::vector<LockedUnit>& lines, const std::ve
           [](const UnitState& u) { return u.id + " " + u.prints.written; });
     match([](const LockedUnit& l) { return l.prints.written; }, [](const UnitState& u) { return u.prints.written; });
     match([](const LockedUnit& l) { return l.id; }, [](const UnitState& u) { return u.id; });
+    std::erase_if(free_lines, [&](const LockedUnit* line) { return all.contains(line->id); });  // left: what is gone
+    match([](const LockedUnit& l) { return l.prints.renamed; },
+          [](const UnitState& u) { return u.text.size() < kOwnText ? std::string() : u.prints.renamed; });
+    match([](const LockedUnit& l) { return split_id(l.id).first + ":" + last_name(split_id(l.id).second); },
+          [](const UnitState& u) { return u.file + ":" + last_name(u.name); });
+    match([](const LockedUnit& l) { return split_id(l.id).second; }, [](const UnitState& u) { return u.name; });
 }
 
 const LockedUnit* BaselineIndex::find(const UnitState& unit) const {

@@ -7,15 +7,19 @@
 
 #include "porttool/normal/unit_state.h"
 #include "porttool/read/lock_file.h"
+#include "porttool/scan/side.h"
 
 namespace porttool {
 
-/// Finds the line of the baseline that excuses a unit without a port. A line excuses one unit: the one with its id and
-/// text, else one with its text, which has moved, else the one with its id, which was edited. So a new overload that
-/// takes the id of an old one, and a copy of it, are new all the same.
+/// Finds the line of the baseline that excuses a unit without a counterpart. A line excuses one unit: the one with its
+/// id and text, else one with its text, which has moved, else the one with its id, which was edited. So a new overload
+/// that takes the id of an old one, and a copy of it, are new all the same. A line whose unit is gone excuses what that
+/// became: a unit of its text under other names, of its last name in its file, or of its whole name elsewhere.
 class BaselineIndex {
 public:
-    BaselineIndex(const std::vector<LockedUnit>& lines, const std::vector<const UnitState*>& units);
+    /// `units`: those of the side that no pair leads to; `all`: all of the side, by id. All must outlive it.
+    BaselineIndex(const std::vector<LockedUnit>& lines, Side side, const std::vector<const UnitState*>& units,
+                  const std::map<std::string, UnitState>& all);
 
     /// The line, or nullptr.
     const LockedUnit* find(const UnitState& unit) const;

@@ -99,8 +99,7 @@ private:
         compare_locked_pairs();
         const auto units = [](const LockedUnit& u) { return std::tie(u.side, u.id, u.reason, u.prints.written); };
         for (const LockedUnit* unit : new_ones(before_.lock.baseline, now_.lock.baseline, units))
-            if (unit->side == "source")
-                add(GatePart::Ignore, kLock, unit->line, unit->id + (unit->reason.empty() ? "" : ": " + unit->reason));
+            add(GatePart::Ignore, kLock, unit->line, unit->id + (unit->reason.empty() ? "" : ": " + unit->reason));
         const auto verdicts = [](const LedgerEntry& e) {
             return std::tie(e.verdict, e.source, e.target, e.source_print, e.target_print, e.owner, e.until, e.reason);
         };
@@ -186,7 +185,7 @@ private:
     static Table sides_of(const MapFile& map) {
         Table out{{"source", fmt::format("{}", fmt::join(map.source, ", "))},
                   {"target", fmt::format("{}", fmt::join(map.target, ", "))},
-                  {"reference", map.reference}};
+                  {"reference", std::string(reference_name(map.reference))}};
         if (!map.target_root.empty()) out["target_root"] = map.target_root;
         return out;
     }

@@ -72,6 +72,10 @@ std::vector<BroughtIn> hold_against_base(CheckedProject& checked, const CheckCho
     checked.lock = std::move(in_step.lock);
     checked.texts = std::move(in_step.texts);
     checked.texts.merge(now.texts);
+    if (choice.trusted_map && then.has_lock)
+        checked.in_project = then.lock.lock;
+    else if (!choice.trusted_map && checked.recorded && !now.written.empty())
+        checked.in_project = std::move(now.lock);
     return brought;
 }
 
@@ -79,8 +83,15 @@ std::vector<BroughtIn> hold_against_base(CheckedProject& checked, const CheckCho
 void judge_it(CheckedProject& checked, const std::string& date, const std::vector<SkippedFile>& skipped,
               const SameCode& same_code = {}) {
     const auto text_of = [&](const std::string& print) { return text_behind(checked, print); };
-    checked.judgement = judge({checked.project.map, checked.lock, checked.states.source, checked.states.target, skipped,
-                               text_of, date, checked.suppressions, same_code});
+    Case facts{checked.project.map,  checked.lock, checked.states.source, checked.states.target, skipped, text_of, date,
+               checked.suppressions, same_code};
+    const bool against_base = checked.against_base;
+    if (checked.in_project)
+        facts.in_project = &*checked.in_project;
+    else if (checked.recorded && !against_base)
+        facts.in_project = &checked.lock;
+    if (checked.recorded || against_base) facts.files = {&checked.project.source, &checked.project.target};
+    checked.judgement = judge(facts);
 }
 
 /// Without them the gate still tells that a text was edited, not how, and takes no two edits for the same.
@@ -123,7 +134,8 @@ CheckedProject check_project(const CheckChoice& choice, Workplace& place, const 
     checked.recorded = checked.disk().exists(lock_path(checked.project));
     checked.suppressions = placed_suppressions(checked.project);
     std::vector<BroughtIn> brought;
-    if (!choice.base.empty()) {
+    checked.against_base = !choice.base.empty();
+    if (checked.against_base) {
         brought = hold_against_base(checked, choice, map_today, place);
     } else if (checked.recorded || !choice.lock_is_optional) {
         RecordedLock recorded = load_lock(checked.project, checked.disk(), checked.states);

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,8 +24,10 @@ struct CheckChoice : ProjectChoice {
 
 /// A snapshot with everything that its judgement rests on. The judgement points into the states: keep them together.
 struct CheckedProject : Snapshot {
-    bool recorded = false;  ///< there was a lock
+    bool recorded = false;      ///< there was a lock
+    bool against_base = false;  ///< a merge base stands in for it
     LockFile lock = {};
+    std::optional<LockFile> in_project = {};       ///< with a base: the lock that stands in the project, if one does
     std::map<std::string, NormalText> texts = {};  ///< by print: those behind the lock that portmap.base/ does not have
     std::vector<PlacedSuppression> suppressions = {};
     Judgement judgement = {};

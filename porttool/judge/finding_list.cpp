@@ -30,10 +30,7 @@ std::string argument(const std::string& id, const Finding& finding) {
     return can_be_pasted(id) && !is_list ? shell_quoted(id) : finding.fingerprint;
 }
 
-Level FindingList::level_of(Rule rule) const {
-    const auto level = map_.rules.find(rule);
-    return level == map_.rules.end() ? rule_row(rule).level : level->second;
-}
+Level FindingList::level_of(Rule rule) const { return level_in(rule, map_); }
 
 Finding& FindingList::begin(Rule rule, const std::string& source, const std::string& target,
                             const std::string& subject) {
@@ -54,9 +51,10 @@ Finding& FindingList::begin(Rule rule, const std::string& source, const std::str
 
 Finding& FindingList::add(Rule rule, const std::string& id) { return begin(rule, id, "", ""); }
 
-Finding& FindingList::add(Rule rule, const UnitState& source) {
-    Finding& finding = add(rule, source.id);
-    finding.source = place_of(source, Side::Source);
+Finding& FindingList::add(Rule rule, const UnitState& unit, Side side) {
+    Finding& finding = begin(rule, unit.id, "", side == Side::Source ? "" : "target");
+    finding.side = side;
+    (side == Side::Source ? finding.source : finding.target) = place_of(unit, side);
     return finding;
 }
 

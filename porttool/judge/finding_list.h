@@ -25,8 +25,8 @@ public:
     /// Adds a finding outside pairs. Like all that are handed out, it stays valid until the next one is added.
     Finding& add(Rule rule, const std::string& id);
 
-    /// Adds a finding on a source unit without a port.
-    Finding& add(Rule rule, const UnitState& source);
+    /// Adds a finding on a unit without a counterpart.
+    Finding& add(Rule rule, const UnitState& unit, Side side);
 
     /// Adds a finding on a pair. `subject` tells it from others of the same rule on it, where there may be several.
     Finding& add(Rule rule, const JudgedPair& pair, std::optional<ChangeKind> change, const std::string& message,
@@ -38,16 +38,17 @@ public:
     size_t size() const { return findings_.size(); }
     std::span<Finding> from(size_t first) { return std::span(findings_).subspan(first); }
     void drop_last() { findings_.pop_back(); }
+    void drop(size_t at) { findings_.erase(findings_.begin() + static_cast<std::ptrdiff_t>(at)); }
 
     /// All of them, sorted by place. Their fingerprints differ: those that are alike in all but their place, as two
     /// idle comments in one file, are told apart by their order. Ends the list.
     std::vector<Finding> finish();
 
-private:
-    Finding& begin(Rule rule, const std::string& source, const std::string& target, const std::string& subject);
-
     /// Ids keep the paths of their side; a place's file leads there from the root, also into another checkout.
     Place place_of(const UnitState& unit, Side side) const;
+
+private:
+    Finding& begin(Rule rule, const std::string& source, const std::string& target, const std::string& subject);
 
     const MapFile& map_;
     std::vector<Finding> findings_;

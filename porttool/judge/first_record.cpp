@@ -19,17 +19,21 @@ LockFile first_lock(const Matching& matching, const States& states) {
 
 LockFile first_lock(const MapFile& map, const States& states) {
     LockFile lock;
-    std::set<std::string> mapped;
+    BySide<std::set<std::string>> mapped;
     for (const MapPair& pair : map.pairs) {
-        mapped.insert(pair.source);
+        mapped.source.insert(pair.source);
+        mapped.target.insert(pair.targets.begin(), pair.targets.end());
         for (const std::string& target : pair.targets) {
             const auto left = states.source.find(pair.source), right = states.target.find(target);
             if (left != states.source.end() && right != states.target.end())
                 lock.pairs.push_back({pair.source, target, left->second.prints, right->second.prints});
         }
     }
-    for (const auto& [id, state] : states.source)
-        if (!mapped.contains(id)) lock.baseline.push_back({id, state.prints});
+    for (const Side side : kBothSides) {
+        if (!is_contract(map.reference, side)) continue;
+        for (const auto& [id, state] : states[side])
+            if (!mapped[side].contains(id)) lock.baseline.push_back({id, state.prints, "", side_word(side)});
+    }
     return lock;
 }
 

@@ -12,10 +12,11 @@
 
 namespace porttool {
 
-/// Pairs that were found, recorded as in step; what was left over on the source side is the baseline.
+/// Pairs that were found, recorded as in step; what was left over on the source's side is the baseline.
 LockFile first_lock(const Matching& matching, const States& states);
 
-/// The same of the pairs that a map names, as far as both units are there.
+/// The same of the pairs that a map names, as far as both units are there; what is left over on the sides that are its
+/// contract is the baseline.
 LockFile first_lock(const MapFile& map, const States& states);
 
 /// A lock's first pairs are in step by definition. Of those whose constants or fields certainly differ the ledger keeps

@@ -21,7 +21,8 @@
 #include "porttool/judge/lock_index.h"
 #include "porttool/judge/pair_judge.h"
 #include "porttool/judge/resolve.h"
-#include "porttool/judge/unported.h"
+#include "porttool/judge/shared_port.h"
+#include "porttool/judge/unwatched.h"
 #include "porttool/judge/verdicts.h"
 
 namespace porttool {
@@ -48,14 +49,19 @@ public:
           locks_(facts.map, facts.lock, facts.source, facts.target),
           source_(facts.source, named_units(facts, locks_, Side::Source), facts.base_text),
           target_(facts.target, named_units(facts, locks_, Side::Target), facts.base_text),
+          pairs_(mapped_pairs()),
+          shared_ports_(facts, pairs_),
           findings_(facts.map),
           pair_judge_(facts, findings_),
-          verdicts_(facts, findings_) {}
+          verdicts_(facts, findings_) {
+        if (facts.in_project != nullptr && facts.in_project != &facts.lock)
+            in_project_.emplace(facts.map, *facts.in_project, facts.source, facts.target);
+    }
 
     Judgement run() {
-        for (const MapPair& pair : facts_.map.pairs)
-            for (const std::string& target : pair.targets) judge_pair({pair.source, target}, pair.line);
-        out_.summary.unported = find_unported(facts_, source_, findings_, verdicts_);
+        out_.reference = facts_.map.reference;
+        for (const MappedPair& pair : pairs_) judge_pair(pair);
+        find_unwatched(facts_, {&source_, &target_}, findings_, verdicts_, out_);
         verdicts_.report_idle();
         report_unreadable();
         out_.findings = findings_.finish();
@@ -63,23 +69,93 @@ public:
     }
 
 private:
-    void judge_pair(const BySide<std::string>& id, int map_line) {
-        const size_t first = findings_.size();
-        const BySide<Resolved> units{source_.find(id.source), target_.find(id.target)};
-        out_.pairs.push_back(pair_judge_.judge(id, map_line, units, locks_.find(id.source, id.target)));
-        const std::optional<Verdict> verdict = verdicts_.settle(out_.pairs.back(), first);
-        Level worst = Level::Off;
-        for (const Finding& finding : findings_.from(first)) worst = std::max(worst, finding.level);
-        ++out_.summary.pairs;
-        ++counter(worst, verdict);
+    std::vector<MappedPair> mapped_pairs() const {
+        std::vector<MappedPair> out;
+        for (const MapPair& pair : facts_.map.pairs)
+            for (const std::string& target : pair.targets)
+                out.push_back({{pair.source, target},
+                               pair.line,
+                               {source_.find(pair.source), target_.find(target)},
+                               locks_.find(pair.source, target)});
+        return out;
     }
 
-    size_t& counter(Level worst, std::optional<Verdict> verdict) {
+    void judge_pair(const MappedPair& mapped) {
+        const size_t first = findings_.size();
+        out_.pairs.push_back(pair_judge_.judge(mapped.id, mapped.map_line, mapped.units, mapped.lock));
+        JudgedPair& pair = out_.pairs.back();
+        if (is_unrecorded(mapped)) report_unrecorded(pair);
+        const Level told = weigh_shared_port(mapped, pair, first);
+        const std::optional<Verdict> verdict = verdicts_.settle(pair, first);
+        Level worst = told;
+        for (const Finding& finding : findings_.from(first)) worst = std::max(worst, finding.level);
+        pair.standing = standing_of(worst, verdict);
+        ++out_.summary.pairs;
+        ++counter(pair.standing);
+    }
+
+    bool is_unrecorded(const MappedPair& pair) const {
+        if (pair.units.source.unit == nullptr || pair.units.target.unit == nullptr) return false;
+        if (in_project_) return in_project_->find(pair.id.source, pair.id.target).pair == nullptr;
+        return pair.lock.pair == nullptr && facts_.in_project != nullptr;
+    }
+
+    /// A pair that somebody wrote into the map. What is known of its source from before does not go unsaid.
+    void report_unrecorded(JudgedPair& pair) {
+        if (looked_at_.empty())
+            for (const LockedUnit& unit : facts_.lock.baseline) looked_at_.emplace(unit.id, unit.prints.written);
+        const auto then = looked_at_.find(pair.unit.source->id);
+        const bool edited = then != looked_at_.end() && then->second != pair.unit.source->prints.written;
+        pair.changed = true;
+        pair.equivalent = false;
+        Finding& finding = findings_.add(Rule::Unrecorded, pair, {},
+                                         std::string("this pair is in the map, but was never recorded as in step") +
+                                             (edited ? "; its source changed since the lock was written" : ""));
+        finding.remedy = "Compare the two once, then run: porttool accept " +
+                         argument(pair.id.source + "=" + pair.id.target, finding);
+    }
+
+    /// Drops the finding that a shared port alone changed where another pair explains the edit, or has told of it.
+    /// Returns what was told elsewhere.
+    Level weigh_shared_port(const MappedPair& mapped, JudgedPair& pair, size_t first) {
+        const Rule rule = shared_ports_.side() == Side::Source ? Rule::SourceChanged : Rule::TargetChanged;
+        for (size_t i = first; i < findings_.size(); ++i) {
+            Finding& finding = findings_.from(i).front();
+            const bool is_edit = finding.change == ChangeKind::Semantic || finding.change == ChangeKind::Constant;
+            if (finding.rule != rule || !is_edit || verdicts_.knows(pair)) continue;
+            const SharedPorts::Worth worth = shared_ports_.worth_of(mapped);
+            if (worth == SharedPorts::Worth::Tell) return Level::Off;
+            const Level level = finding.level;
+            findings_.drop(i);
+            if (worth == SharedPorts::Worth::Told) return level;
+            pair.changed = pair.equivalent = true;
+            return Level::Off;
+        }
+        return Level::Off;
+    }
+
+    static PairStanding standing_of(Level worst, std::optional<Verdict> verdict) {
+        if (verdict == Verdict::Defer) return PairStanding::Deferred;
+        if (verdict == Verdict::Ignore) return PairStanding::Ignored;
+        if (worst == Level::Error) return PairStanding::Drifted;
+        return worst == Level::Warning ? PairStanding::Review : PairStanding::InStep;
+    }
+
+    size_t& counter(PairStanding standing) {
         Summary& summary = out_.summary;
-        if (verdict == Verdict::Defer) return summary.deferred;
-        if (verdict == Verdict::Ignore) return summary.ignored;
-        if (worst == Level::Error) return summary.drifted;
-        return worst == Level::Warning ? summary.review : summary.in_step;
+        switch (standing) {
+            case PairStanding::InStep:
+                return summary.in_step;
+            case PairStanding::Review:
+                return summary.review;
+            case PairStanding::Drifted:
+                return summary.drifted;
+            case PairStanding::Deferred:
+                return summary.deferred;
+            case PairStanding::Ignored:
+                break;
+        }
+        return summary.ignored;
     }
 
     void report_unreadable() {
@@ -93,9 +169,13 @@ private:
     const Case& facts_;
     LockIndex locks_;
     Resolver source_, target_;
+    std::vector<MappedPair> pairs_;
+    SharedPorts shared_ports_;
     FindingList findings_;
     PairJudge pair_judge_;
     Verdicts verdicts_;
+    std::optional<LockIndex> in_project_;           ///< of the project's own lock, where another stands in for it
+    std::map<std::string, std::string> looked_at_;  ///< units of the baseline, with the prints of their texts
     Judgement out_;
 };
 

@@ -35,6 +35,10 @@ struct Case {
     std::string today;                                        ///< YYYY-MM-DD
     std::vector<PlacedSuppression> suppressions = {};         ///< of both sides
     SameCode same_code = {};                                  ///< if compilers are to be asked
+    /// The files of both sides, where counterparts of new units are to be looked for.
+    BySide<const std::vector<ScannedFile>*> files = {};
+    /// The lock as it stands in the project, where there is one: a pair without a line in it was never recorded.
+    const LockFile* in_project = nullptr;
 };
 
 /// Holds today's units against the lock. Reads nothing but the case.

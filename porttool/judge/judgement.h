@@ -11,6 +11,7 @@
 
 #include "porttool/normal/unit_state.h"
 #include "porttool/read/lock_file.h"
+#include "porttool/read/map_file.h"
 #include "porttool/read/rule.h"
 #include "porttool/scan/side.h"
 
@@ -35,7 +36,8 @@ struct Finding {
     std::optional<ChangeKind> change;
     std::optional<Place> source, target;
     std::string message, remedy;
-    std::string map_source, map_target;  ///< the ids of its pair in portmap.toml; the second empty outside pairs
+    std::string map_source, map_target;  ///< the ids of its pair in portmap.toml; outside pairs its subject and ""
+    Side side = Side::Source;            ///< outside pairs: of the unit that it is about
     std::string fingerprint;  ///< stable: of the rule, the ids, and the subject where a rule finds several on one pair
     std::optional<Verdict> verdict;  ///< Defer or Ignore where a person settled it
     std::string verdict_reason;
@@ -44,9 +46,21 @@ struct Finding {
     std::vector<std::string> details;  ///< what is missing on which side
 };
 
+/// How a pair stands, by the worst finding that nothing settles, or by what settles all of them.
+enum class PairStanding : uint8_t { InStep, Review, Drifted, Deferred, Ignored };
+inline constexpr std::array<std::string_view, 5> kPairStandingNames = {"in_step", "review", "drifted", "deferred",
+                                                                       "ignored"};
+constexpr std::string_view pair_standing_name(PairStanding standing) {
+    return kPairStandingNames.at(static_cast<size_t>(standing));
+}
+
 /// Each pair counts once, at its worst.
 struct Summary {
-    size_t pairs = 0, in_step = 0, drifted = 0, review = 0, unported = 0, deferred = 0, ignored = 0;
+    size_t pairs = 0, in_step = 0, drifted = 0, review = 0, deferred = 0, ignored = 0;
+    size_t units = 0;             ///< of the reference's side
+    size_t unported = 0;          ///< of these, outside the pairs
+    size_t unpaired = 0;          ///< of these, without anybody having said why: nothing watches them
+    size_t unpaired_changed = 0;  ///< of these, new or edited since they were recorded
 };
 
 /// A pair as the map and the lock name it today, for the commands that settle findings.
@@ -56,6 +70,15 @@ struct JudgedPair {
     uint32_t map_line = 1;               ///< where the pair stands in portmap.toml
     bool changed = false;
     bool equivalent = false;  ///< both sides changed alike
+    PairStanding standing = PairStanding::InStep;
+};
+
+/// A unit that no pair leads to, on a side that is the contract.
+struct LoneUnit {
+    Side side = Side::Source;
+    const UnitState* unit = nullptr;
+    std::optional<std::string> excuse;  ///< why it needs no counterpart: the baseline, or what a person said
+    std::optional<size_t> line;         ///< of the lock's baseline: the one that excuses it
 };
 
 /// The part of the gate that a change touches, in the order of the names.
@@ -82,7 +105,9 @@ constexpr std::string_view gate_result_name(GateResult result) {
 struct Judgement {
     std::vector<Finding> findings;  ///< sorted by place
     Summary summary;
+    Reference reference = Reference::Source;
     std::vector<JudgedPair> pairs;      ///< in the order of the map
+    std::vector<LoneUnit> lone;         ///< by side, then id
     std::vector<BroughtIn> brought_in;  ///< where a base was given
     GateResult result() const;          ///< by the worst finding that nothing settles
 };

@@ -41,17 +41,20 @@ void drop_idle_lines(LockFile& lock, const MapFile& map, const LockIndex::Units&
         if (used.contains(&pair)) pairs.push_back(pair);
     lock.pairs = std::move(pairs);
 
-    std::set<std::string> texts;
-    for (const auto& [id, unit] : source) texts.insert(unit.prints.written);
+    BySide<std::set<std::string>> texts;
+    for (const auto& [id, unit] : source) texts.source.insert(unit.prints.written);
+    for (const auto& [id, unit] : target) texts.target.insert(unit.prints.written);
     const auto is_unread = [&](const std::string& id) {
         return std::any_of(skipped.begin(), skipped.end(),
                            [&](const SkippedFile& file) { return id.starts_with(file.file + ":"); });
     };
     std::erase_if(lock.baseline, [&](const LockedUnit& unit) {
-        return unit.side == "source" && !source.contains(unit.id) && !texts.contains(unit.prints.written) &&
-               !is_unread(unit.id);
+        const Side side = unit.side == side_word(Side::Source) ? Side::Source : Side::Target;
+        return !(side == Side::Source ? source : target).contains(unit.id) &&
+               !texts[side].contains(unit.prints.written) && !is_unread(unit.id);
     });
     std::erase_if(lock.ledger, [&](const LedgerEntry& entry) {
+        if (entry.source.empty()) return !target.contains(entry.target) && !is_unread(entry.target);
         if (!entry.target.empty()) return !mapped.contains({entry.source, entry.target});
         return !source.contains(entry.source) && !is_unread(entry.source);
     });

@@ -85,8 +85,7 @@ std::string PairJudge::unread_reason(const std::string& id) const {
 
 void PairJudge::examine(JudgedPair& pair, const LockedPair* lock) {
     if (pair.unit.source == nullptr || pair.unit.target == nullptr) return report_gone(pair, lock != nullptr);
-    if (lock == nullptr) return report_unrecorded(pair);
-    compare(pair, *lock);
+    if (lock != nullptr) compare(pair, *lock);
 }
 
 void PairJudge::report_gone(const JudgedPair& pair, bool is_recorded) {
@@ -97,23 +96,20 @@ void PairJudge::report_gone(const JudgedPair& pair, bool is_recorded) {
             is_recorded ? Rule::Orphaned : Rule::DeadLink, pair, ChangeKind::Removed,
             (is_recorded ? "both sides of this pair are gone: " : "the map names two units that are not there: ") +
                 source + " and " + target);
-    } else if (no_target) {
+    } else if (is_recorded && no_target) {
+        const bool is_original = facts_.map.reference == Reference::Target;
         findings_.add(
-            Rule::DeadLink, pair, ChangeKind::Removed,
-            is_recorded ? "the port " + target + " is gone" : "the map names a port that is not there: " + target);
+            is_original ? Rule::Orphaned : Rule::DeadLink, pair, ChangeKind::Removed,
+            is_original ? target + " is gone; " + source + " is still there" : "the port " + target + " is gone");
+    } else if (no_target) {
+        findings_.add(Rule::DeadLink, pair, ChangeKind::Removed, "the map names a port that is not there: " + target);
+    } else if (is_recorded && facts_.map.reference == Reference::Target) {
+        findings_.add(Rule::DeadLink, pair, ChangeKind::Removed, source + " is gone; " + target + " is still there");
     } else if (is_recorded) {
         findings_.add(Rule::Orphaned, pair, ChangeKind::Removed, source + " is gone; its port is still there");
     } else {
         findings_.add(Rule::DeadLink, pair, {}, "the map names a source unit that is not there: " + source);
     }
-}
-
-void PairJudge::report_unrecorded(JudgedPair& pair) {
-    pair.changed = true;
-    Finding& finding =
-        findings_.add(Rule::TargetChanged, pair, {}, "this pair is in the map, but was never recorded as in step");
-    finding.remedy =
-        "Compare the two once, then run: porttool accept " + argument(pair.id.source + "=" + pair.id.target, finding);
 }
 
 void PairJudge::report_moved(const JudgedPair& pair, Side side) {

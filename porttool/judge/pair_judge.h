@@ -31,7 +31,6 @@ private:
 
     void examine(JudgedPair& pair, const LockedPair* lock);
     void report_gone(const JudgedPair& pair, bool is_recorded);
-    void report_unrecorded(JudgedPair& pair);
     void report_moved(const JudgedPair& pair, Side side);
 
     /// Both sides are there and recorded: what their edits mean to each other.

@@ -15,8 +15,8 @@ constexpr std::array<RuleRow, kRuleNames.size()> kRules = {{
      "Bring the port in line; if it is right as it is, run: porttool accept ID --reason TEXT"},
     {Rule::TargetChanged, Level::Warning, "The port changed and its source did not.",
      "If the change belongs to the port alone, run: porttool accept ID; else carry it to the source"},
-    {Rule::Unported, Level::Error, "A source unit has no counterpart and is not in the baseline.",
-     "Port it and add a [[pair]] to portmap.toml, or run: porttool ignore ID --reason TEXT"},
+    {Rule::Unported, Level::Error, "A new unit has no counterpart, nor anything on the other side that looks like one.",
+     "Port it and run: porttool accept SOURCE=TARGET; or: porttool ignore ID --reason TEXT"},
     {Rule::Orphaned, Level::Warning, "The source unit is gone and its port is still there.",
      "Remove the port and its [[pair]], or name the new source in portmap.toml"},
     {Rule::DeadLink, Level::Error, "The map names a unit that never was, or whose port is gone.",
@@ -35,6 +35,10 @@ constexpr std::array<RuleRow, kRuleNames.size()> kRules = {{
     {Rule::Qualifiers, Level::Off,
      "One side was edited in a way that changes no value: qualifiers, hints to the compiler, another spelling.",
      "Edit the other side likewise, or run: porttool accept ID"},
+    {Rule::Unpaired, Level::Warning, "A new unit is in no pair, and one of the other side looks like its counterpart.",
+     "Pair the two with the accept that the finding names; if they are none, run: porttool ignore ID --reason TEXT"},
+    {Rule::Unrecorded, Level::Error, "A pair of the map was never recorded as in step, so no change of it is seen.",
+     "Compare the two once, then run: porttool accept ID"},
 }};
 
 constexpr bool has_a_row_each() {
@@ -47,6 +51,16 @@ static_assert(has_a_row_each(), "a row for each rule, in the order of the enum")
 }  // namespace
 
 const RuleRow& rule_row(Rule rule) { return kRules.at(static_cast<size_t>(rule)); }
+
+Level level_in(Rule rule, const MapFile& map) {
+    if (const auto level = map.rules.find(rule); level != map.rules.end()) return level->second;
+    const bool swaps = rule == Rule::SourceChanged || rule == Rule::TargetChanged;
+    if (swaps && map.reference == Reference::Target)
+        rule = rule == Rule::SourceChanged ? Rule::TargetChanged : Rule::SourceChanged;
+    const bool loses = rule == Rule::TargetChanged || rule == Rule::Orphaned;
+    if (loses && map.reference == Reference::Both) return Level::Error;
+    return rule_row(rule).level;
+}
 
 std::string rule_help(Rule rule) {
     const RuleRow& row = rule_row(rule);

@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "porttool/read/map_file.h"
 #include "porttool/read/rule.h"
 
 namespace porttool {
@@ -18,6 +19,9 @@ struct RuleRow {
 };
 
 const RuleRow& rule_row(Rule rule);
+
+/// The level of a rule in a project: what [rules] says, else that of its row as `reference` has it.
+Level level_in(Rule rule, const MapFile& map);
 
 /// Meaning and remedy, a line each.
 std::string rule_help(Rule rule);

@@ -20,7 +20,7 @@ bool is_named(const JudgedPair& pair, const std::string& id) {
     return pair.id.source + "=" + pair.id.target == id;
 }
 
-/// Forgets what was said of a pair, or of a source unit without one (`target` empty).
+/// Forgets what was said of a pair, or of a unit without one (the other side empty).
 void forget(LockFile& lock, const std::string& source, const std::string& target) {
     std::erase_if(lock.ledger, [&](const LedgerEntry& e) { return e.source == source && e.target == target; });
 }
@@ -51,7 +51,7 @@ std::string nearest_named(const Judgement& judgement, const std::string& id) {
     for (const JudgedPair& pair : judgement.pairs) names.insert(names.end(), {pair.id.source, pair.id.target});
     for (const Finding& finding : judgement.findings) {
         names.push_back(finding.fingerprint);
-        if (finding.rule == Rule::Unported) names.push_back(finding.map_source);
+        if (is_of_new_unit(finding)) names.push_back(finding.map_source);
     }
     names.insert(names.end(), kRuleNames.begin(), kRuleNames.end());
     std::string near = nearest(id, names);
@@ -84,7 +84,8 @@ void accept_pairs(LockFile& lock, const std::vector<const JudgedPair*>& pairs, c
     std::erase_if(lock.ledger, [&](const LedgerEntry& e) {
         return e.target.empty() ? sources.contains(e.source) : recorded.contains({e.source, e.target});
     });
-    std::erase_if(lock.baseline, [&](const LockedUnit& u) { return u.side == "source" && sources.contains(u.id); });
+    std::erase_if(lock.baseline,
+                  [&](const LockedUnit& u) { return u.side == side_word(Side::Source) && sources.contains(u.id); });
     for (const JudgedPair* pair : pairs) {
         const auto& [source, target] = pair->unit;
         if (source != nullptr && target != nullptr)
@@ -96,11 +97,23 @@ void accept_pairs(LockFile& lock, const std::vector<const JudgedPair*>& pairs, c
     }
 }
 
-void accept_unported(LockFile& lock, const Judgement& judgement, const std::map<std::string, UnitState>& source,
-                     const std::string& reason) {
+void follow_baseline(LockFile& lock, const Judgement& judgement) {
+    for (const LoneUnit& one : judgement.lone)
+        if (one.line) lock.baseline[*one.line].id = one.unit->id;
+}
+
+bool is_of_new_unit(const Finding& finding) { return finding.rule == Rule::Unported || finding.rule == Rule::Unpaired; }
+
+void accept_unwatched(LockFile& lock, const Judgement& judgement, const BySide<std::map<std::string, UnitState>>& units,
+                      const std::string& reason) {
+    for (LockedUnit& line : lock.baseline) {
+        const auto& side = units[line.side == side_word(Side::Source) ? Side::Source : Side::Target];
+        if (const auto unit = side.find(line.id); unit != side.end()) line.prints = unit->second.prints;
+    }
     for (const Finding& finding : judgement.findings)
-        if (finding.rule == Rule::Unported)
-            lock.baseline.push_back({finding.source->id, source.at(finding.source->id).prints, reason});
+        if (is_of_new_unit(finding))
+            lock.baseline.push_back({finding.map_source, units[finding.side].at(finding.map_source).prints, reason,
+                                     side_word(finding.side)});
 }
 
 void settle_pair(LockFile& lock, const JudgedPair& pair, LedgerEntry said) {
@@ -112,15 +125,17 @@ void settle_pair(LockFile& lock, const JudgedPair& pair, LedgerEntry said) {
     lock.ledger.push_back(std::move(said));
 }
 
-void settle_unported(LockFile& lock, const UnitState& unit, LedgerEntry said) {
-    forget(lock, unit.id, "");
+void settle_lone(LockFile& lock, const UnitState& unit, Side side, LedgerEntry said) {
+    const bool of_source = side == Side::Source;
+    said.source = of_source ? unit.id : "";
+    said.target = of_source ? "" : unit.id;
+    forget(lock, said.source, said.target);
     if (said.verdict == Verdict::Ignore) {
-        lock.baseline.push_back({unit.id, unit.prints, said.reason});
+        lock.baseline.push_back({unit.id, unit.prints, said.reason, side_word(side)});
         return;
     }
-    said.source = unit.id;
-    said.source_print = unit.prints.written;
-    said.target_print = kNoText;
+    said.source_print = of_source ? unit.prints.written : kNoText;
+    said.target_print = of_source ? kNoText : unit.prints.written;
     lock.ledger.push_back(std::move(said));
 }
 

@@ -39,14 +39,20 @@ ChangedPairs changed_pairs(const Judgement& judgement);
 void accept_pairs(LockFile& lock, const std::vector<const JudgedPair*>& pairs, const std::string& reason,
                   const std::string& today);
 
-/// Takes every source unit that has a finding of `unported` into the baseline.
-void accept_unported(LockFile& lock, const Judgement& judgement, const std::map<std::string, UnitState>& source,
-                     const std::string& reason);
+/// Gives the lines of the baseline the ids that their units have today. Goes first, before the lock is changed.
+void follow_baseline(LockFile& lock, const Judgement& judgement);
+
+/// True for a finding on a unit without a counterpart that nobody has looked at.
+bool is_of_new_unit(const Finding& finding);
+
+/// Takes every unit that has such a finding into the baseline, and every edited one of the baseline as it is now.
+void accept_unwatched(LockFile& lock, const Judgement& judgement, const BySide<std::map<std::string, UnitState>>& units,
+                      const std::string& reason);
 
 /// Defers or ignores a pair with its texts of today. `said` has the verdict, owner, day and reason.
 void settle_pair(LockFile& lock, const JudgedPair& pair, LedgerEntry said);
 
-/// The same of a source unit without a port. To ignore it makes it part of the baseline, with the reason.
-void settle_unported(LockFile& lock, const UnitState& unit, LedgerEntry said);
+/// The same of a unit without a counterpart. To ignore it makes it part of the baseline, with the reason.
+void settle_lone(LockFile& lock, const UnitState& unit, Side side, LedgerEntry said);
 
 }  // namespace porttool

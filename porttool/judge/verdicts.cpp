@@ -53,7 +53,7 @@ std::optional<Verdict> Verdicts::settle(const JudgedPair& pair, size_t first) {
     return holds->verdict;
 }
 
-void Verdicts::settle_unported(const UnitState& unit, const LockedUnit* baseline) {
+void Verdicts::settle_lone(const UnitState& unit, Side side, const LockedUnit* baseline) {
     const size_t first = findings_.size() - 1;
     if (baseline != nullptr || ignored_.contains(unit.id)) {
         suppress(first);  // a comment there says the same and is not idle
@@ -63,10 +63,11 @@ void Verdicts::settle_unported(const UnitState& unit, const LockedUnit* baseline
         if (!finding.verdict) findings_.drop_last();
         return;
     }
-    for (const LedgerEntry* entry : entries_of(unit.id, "")) {
-        if (entry->source_print != unit.prints.written) continue;
+    const bool of_source = side == Side::Source;
+    for (const LedgerEntry* entry : of_source ? entries_of(unit.id, "") : entries_of("", unit.id)) {
+        if ((of_source ? entry->source_print : entry->target_print) != unit.prints.written) continue;
         if (entry->until < facts_.today)
-            findings_.add(Rule::DeferralExpired, unit).message = "the deferral of this unit has expired";
+            findings_.add(Rule::DeferralExpired, unit, side).message = "the deferral of this unit has expired";
         else
             settle_by(findings_.from(first).front(), entry->verdict, entry->reason);
     }
@@ -86,8 +87,13 @@ bool Verdicts::suppress(size_t first) {
     bool some = false, all = true;
     for (Finding& finding : findings_.from(first)) {
         std::optional<size_t> comment;
-        for (const std::optional<Place>* place : {&finding.source, &finding.target})
-            if (*place) comment = std::max(comment, suppressions_.use(finding.rule, **place));
+        if (finding.rule == Rule::Unpaired) {  // a comment from before it had a candidate still holds
+            const Place& place = *(finding.side == Side::Source ? finding.source : finding.target);
+            comment = std::max(suppressions_.use(finding.rule, place), suppressions_.use(Rule::Unported, place));
+        } else {
+            for (const std::optional<Place>* place : {&finding.source, &finding.target})
+                if (*place) comment = std::max(comment, suppressions_.use(finding.rule, **place));
+        }
         if (comment) {
             settle_by(finding, Verdict::Ignore, facts_.suppressions[*comment].comment.reason);
             finding.settled_in_source = true;

@@ -26,16 +26,21 @@ public:
     /// that. A verdict on a pair in step, and a deferral that has expired, are findings themselves.
     std::optional<Verdict> settle(const JudgedPair& pair, size_t first);
 
-    /// The same for the finding of a source unit without a port, the last of the list. `baseline` is the line that
+    /// The same for the finding of a unit without a counterpart, the last of the list. `baseline` is the line that
     /// excuses the unit, or nullptr: one that is excused, or that an [[ignore]] names, has a finding only where a
     /// reason is given, for the reports that list those.
-    void settle_unported(const UnitState& unit, const LockedUnit* baseline);
+    void settle_lone(const UnitState& unit, Side side, const LockedUnit* baseline);
+
+    /// True for a unit that an [[ignore]] names.
+    bool is_ignored(const UnitState& unit) const { return ignored_.contains(unit.id); }
+    /// True where a person deferred or ignored that pair.
+    bool knows(const JudgedPair& pair) { return !entries_of(pair.id.source, pair.id.target).empty(); }
 
     /// Adds findings for comments and [[ignore]]s that settle nothing; after all others.
     void report_idle();
 
 private:
-    /// The verdicts on a pair, or on a source unit without one (`target` empty).
+    /// The verdicts on a pair, or on a unit without one (the other side empty).
     const std::vector<const LedgerEntry*>& entries_of(const std::string& source, const std::string& target);
 
     /// Lets comments settle findings from `first` on; true if they settle some and leave none open but notes.

@@ -4,22 +4,17 @@
 
 namespace porttool {
 
-Excuses::Excuses(const MapFile& map, const LockFile& lock, const Judgement& judgement) {
+Excuses::Excuses(const MapFile& map, const Judgement& judgement) {
     for (const MapIgnore& ignore : map.ignores) globs_.push_back({Glob(ignore.id), ignore.reason});
-    for (const LockedUnit& unit : lock.baseline)
-        if (unit.side == "source")
-            of_source_.emplace(unit.id, unit.reason.empty() ? "had no port when the baseline was taken" : unit.reason);
-    for (const Finding& finding : judgement.findings)
-        if (finding.rule == Rule::Unported && finding.verdict && finding.source)
-            of_source_.emplace(finding.source->id, finding.verdict_reason);
+    for (const LoneUnit& one : judgement.lone)
+        if (one.excuse) of_units_[one.side].emplace(one.unit->id, *one.excuse);
 }
 
 std::optional<std::string> Excuses::find(const std::string& id, Side side) const {
     for (const auto& [glob, reason] : globs_)
         if (glob.text() == id || glob.matches(id)) return reason;
-    const auto found = of_source_.find(id);
-    if (side == Side::Source && found != of_source_.end()) return found->second;
-    return std::nullopt;
+    const auto found = of_units_[side].find(id);
+    return found == of_units_[side].end() ? std::nullopt : std::optional(found->second);
 }
 
 }  // namespace porttool

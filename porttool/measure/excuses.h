@@ -14,17 +14,18 @@
 
 namespace porttool {
 
-/// What a person said about units without counterpart: in the map, in the baseline, or as a verdict.
+/// What a person said about units without counterpart: in the map, in the baseline, or as a verdict; the latter two as
+/// the judgement has them.
 class Excuses {
 public:
-    Excuses(const MapFile& map, const LockFile& lock, const Judgement& judgement);
+    Excuses(const MapFile& map, const Judgement& judgement);
 
     /// Why the unit needs no counterpart; none if it does.
     std::optional<std::string> find(const std::string& id, Side side) const;
 
 private:
     std::vector<std::pair<Glob, std::string>> globs_;
-    std::map<std::string, std::string> of_source_;  ///< by id
+    BySide<std::map<std::string, std::string>> of_units_;  ///< by id
 };
 
 }  // namespace porttool

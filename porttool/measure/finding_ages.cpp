@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "porttool/compare/edits.h"
+#include "porttool/judge/settle.h"
 #include "porttool/read/git_repository.h"
 #include "porttool/read/lock_lines.h"
 #include "porttool/scan/scan.h"
@@ -34,14 +35,14 @@ std::vector<Question> questions(const CheckedProject& checked) {
     std::vector<Question> out;
     const LinesByPair lines(checked.lock);
     for (const Finding& finding : checked.judgement.findings) {
-        const bool unported = finding.rule == Rule::Unported;
+        const bool unported = is_of_new_unit(finding);
         const LockedPair* pair = lines.find(finding.map_source, finding.map_target);
         if (!unported &&
             (pair == nullptr || finding.change == ChangeKind::Rename || finding.change == ChangeKind::Moved))
             continue;
-        const bool of_target = finding.rule == Rule::TargetChanged;
+        const bool of_target = unported ? finding.side == Side::Target : finding.rule == Rule::TargetChanged;
         const auto& place = of_target ? finding.target : finding.source;
-        if (!place || place->id.size() <= place->file.size() || (of_target && !finding.source)) continue;
+        if (!place || place->id.size() <= place->file.size() || (of_target && !unported && !finding.source)) continue;
         Question question{finding.fingerprint, place->file, place->id.substr(place->file.size() + 1), {}};
         if (!unported) question.recorded = of_target ? pair->target_prints : pair->source_prints;
         out.push_back(std::move(question));

@@ -70,7 +70,6 @@ struct PortabilityReport {
 /// What a report rests on.
 struct PortabilityCase {
     const MapFile& map;
-    const LockFile& lock;
     const std::vector<ScannedFile>& source;
     const std::vector<ScannedFile>& target;
     const Judgement& judgement;

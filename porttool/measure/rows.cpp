@@ -13,19 +13,6 @@
 namespace porttool {
 namespace {
 
-/// How a pair stands, as the judge counts it: settled findings weigh nothing if all are settled.
-std::string state_of(const std::vector<const Finding*>& findings) {
-    Level worst = Level::Off;
-    bool open = findings.empty(), deferred = false;
-    for (const Finding* finding : findings) {
-        worst = std::max(worst, finding->level);
-        open = open || !finding->verdict;
-        deferred = deferred || finding->verdict == Verdict::Defer;
-    }
-    if (!open) return deferred ? "deferred" : "ignored";
-    return worst == Level::Error ? "drifted" : worst == Level::Warning ? "review" : "in_step";
-}
-
 RowSide side_of(const Excerpt& excerpt, std::string id, const char* name_without_unit) {
     RowSide side;
     side.id = std::move(id);
@@ -69,7 +56,7 @@ void measure_pair(RowReport& row, const Dialect& dialect) {
 class RowBuilder {
 public:
     explicit RowBuilder(const PortabilityCase& facts)
-        : facts_(facts), dialect_(facts.map.dialect), excuses_(facts.map, facts.lock, facts.judgement) {}
+        : facts_(facts), dialect_(facts.map.dialect), excuses_(facts.map, facts.judgement) {}
 
     Rows run() {
         take(Side::Source, facts_.source);
@@ -102,14 +89,11 @@ private:
     }
 
     void add_pairs() {
-        std::map<std::pair<std::string, std::string>, std::vector<const Finding*>> findings;
-        for (const Finding& finding : facts_.judgement.findings)
-            findings[{finding.map_source, finding.map_target}].push_back(&finding);
         for (const JudgedPair& pair : facts_.judgement.pairs) {
             RowReport row;
             row.key = pair.id.source + "=" + pair.id.target;
             row.sides = {judged_side(Side::Source, pair.unit.source), judged_side(Side::Target, pair.unit.target)};
-            row.state = state_of(findings[{pair.id.source, pair.id.target}]);
+            row.state = pair_standing_name(pair.standing);
             if (!row.sides.source && !row.sides.target) continue;  // only the ledger knows it
             if (row.sides.source && row.sides.target) measure_pair(row, dialect_);
             out_.rows.push_back(std::move(row));

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "porttool/scan/side.h"
 #include "porttool/text/enum_names.h"
 #include "porttool/text/fingerprint.h"
 
@@ -42,6 +43,9 @@ struct LockedUnit {
     MoreFields more = {};
     int line = 0;  ///< in the file that it was read from
 };
+
+/// How `LockedUnit::side` has a side.
+constexpr const char* side_word(Side side) { return side == Side::Source ? "source" : "target"; }
 
 /// What a person says of a finding: the pair is in step, is left as it is until a day, is left for good.
 enum class Verdict : uint8_t { Accept, Defer, Ignore };

@@ -14,6 +14,7 @@
 
 #include "porttool/read/disk.h"
 #include "porttool/read/dotted_keys.h"
+#include "porttool/text/enum_names.h"
 #include "porttool/text/sink/terminal.h"
 #include "porttool/text/suggest.h"
 #include "porttool/text/utf8.h"
@@ -169,9 +170,10 @@ private:
         map_.source = list(sides, "source", true);
         map_.target = list(sides, "target", true);
         if (sides.get("reference") != nullptr) {
-            map_.reference = text(sides, "reference");
-            if (map_.reference != "source" && map_.reference != "target")
-                fail(sides.get("reference")->source(), "reference: expected \"source\" or \"target\"");
+            const auto reference = value_named<Reference>(kReferenceNames, text(sides, "reference"));
+            if (!reference)
+                fail(sides.get("reference")->source(), "reference: expected \"source\", \"target\" or \"both\"");
+            map_.reference = *reference;
         }
         if (sides.get("target_root") != nullptr) map_.target_root = text(sides, "target_root");
     }

@@ -2,17 +2,32 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "metrics/portability/degree.h"
 #include "metrics/portability/reuse.h"
 #include "porttool/read/rule.h"
+#include "porttool/scan/side.h"
 
 namespace porttool {
+
+/// The side whose behaviour is the contract.
+enum class Reference : uint8_t { Source, Target, Both };
+inline constexpr std::array<std::string_view, 3> kReferenceNames = {"source", "target", "both"};
+constexpr std::string_view reference_name(Reference reference) {
+    return kReferenceNames.at(static_cast<size_t>(reference));
+}
+/// True for a side that is the contract, or that is it as much as the other.
+constexpr bool is_contract(Reference reference, Side side) {
+    return reference == Reference::Both || (reference == Reference::Source) == (side == Side::Source);
+}
 
 struct MapPair {
     std::string source;
@@ -52,7 +67,7 @@ struct MapEffort {
 /// What portmap.toml says.
 struct MapFile {
     std::vector<std::string> source, target;  ///< globs
-    std::string reference = "source";
+    Reference reference = Reference::Source;
     std::string target_root;  ///< where the target side lies, if in another checkout
     std::vector<MapPair> pairs;
     std::vector<MapIgnore> ignores;

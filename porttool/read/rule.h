@@ -33,7 +33,9 @@ enum class Rule : uint8_t {
     UnusedSuppression,
     Unreadable,
     DialectHazard,
-    Qualifiers
+    Qualifiers,
+    Unpaired,
+    Unrecorded
 };
 inline constexpr auto kRuleNames = std::to_array<std::string_view>({
     "source-changed",
@@ -49,6 +51,8 @@ inline constexpr auto kRuleNames = std::to_array<std::string_view>({
     "unreadable",
     "dialect-hazard",
     "qualifiers",
+    "unpaired",
+    "unrecorded",
 });
 
 constexpr std::string_view rule_name(Rule rule) { return kRuleNames.at(static_cast<size_t>(rule)); }

@@ -38,6 +38,13 @@ std::string brought_in_table(const std::vector<BroughtIn>& brought_in) {
 
 }  // namespace
 
+std::string unwatched_text(const Summary& summary, Reference reference) {
+    const std::string side = reference == Reference::Both ? "" : std::string(reference_name(reference)) + " ";
+    const std::string changed = fmt::format(", {} of them changed here", summary.unpaired_changed);
+    return fmt::format("{} of {} {}units are not watched", summary.unpaired, summary.units, side) +
+           (summary.unpaired_changed > 0 ? changed : "");
+}
+
 std::string check_json(const Judgement& judgement) {
     const Summary& s = judgement.summary;
     ordered_json findings = ordered_json::array();
@@ -67,7 +74,10 @@ std::string check_json(const Judgement& judgement) {
                                 {"review", s.review},
                                 {"unported", s.unported},
                                 {"deferred", s.deferred},
-                                {"ignored", s.ignored}}},
+                                {"ignored", s.ignored},
+                                {"units", s.units},
+                                {"unpaired", s.unpaired},
+                                {"unpaired_changed", s.unpaired_changed}}},
                               {"brought_in", brought_in},
                               {"findings", findings}};
     return json_text(out, 1) + "\n";
@@ -90,10 +100,9 @@ std::string check_table(const Judgement& judgement, bool color) {
     }
     if (!judgement.brought_in.empty()) out += brought_in_table(judgement.brought_in);
     const Summary& s = judgement.summary;
-    out += fmt::format(
-        "{}: {} pairs, {} in step, {} drifted, {} to review, {} deferred, {} ignored; {} source units without a port\n",
-        gate_result_name(judgement.result()), s.pairs, s.in_step, s.drifted, s.review, s.deferred, s.ignored,
-        s.unported);
+    out += fmt::format("{}: {} pairs, {} in step, {} drifted, {} to review, {} deferred, {} ignored; {}\n",
+                       gate_result_name(judgement.result()), s.pairs, s.in_step, s.drifted, s.review, s.deferred,
+                       s.ignored, unwatched_text(s, judgement.reference));
     return out;
 }
 

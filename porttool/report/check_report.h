@@ -9,6 +9,9 @@
 namespace porttool {
 
 std::string check_json(const Judgement& judgement);
+/// What no pair watches, part of a sentence: "265 of 492 source units are not watched, 14 of them changed here".
+std::string unwatched_text(const Summary& summary, Reference reference);
+
 /// Findings with their remedies, then one line of summary; `color` adds terminal colours.
 std::string check_table(const Judgement& judgement, bool color);
 

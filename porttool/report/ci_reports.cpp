@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "porttool/judge/rules.h"
+#include "porttool/report/check_report.h"
 #include "porttool/text/sink/json.h"
 #include "porttool/text/sink/markdown.h"
 #include "porttool/text/sink/sarif.h"
@@ -156,10 +157,9 @@ std::string check_gitlab(const Judgement& judgement, const std::string& folder) 
 std::string check_markdown(const Judgement& judgement) {
     const Summary& s = judgement.summary;
     std::string out = fmt::format(
-        "### porttool: {}\n\n{} pairs: {} in step, {} drifted, {} to review, {} deferred, {} ignored; {} source units "
-        "without a port.\n",
+        "### porttool: {}\n\n{} pairs: {} in step, {} drifted, {} to review, {} deferred, {} ignored; {}.\n",
         gate_result_name(judgement.result()), s.pairs, s.in_step, s.drifted, s.review, s.deferred, s.ignored,
-        s.unported);
+        unwatched_text(s, judgement.reference));
     bool any = false;
     for (const Finding& f : judgement.findings) {
         if (!is_open(f)) continue;

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "porttool/report/check_report.h"
 #include "porttool/report/figures.h"
 #include "porttool/text/sink/csv.h"
 #include "porttool/text/sink/markdown.h"
@@ -50,9 +51,9 @@ std::string verdict_words(const WholeReport& whole) {
 std::string summary_line(const WholeReport& whole) {
     if (!whole.is_recorded) return "there is no portmap.lock yet; porttool init records the present state of the pairs";
     const Summary& s = whole.judgement.summary;
-    return fmt::format(
-        "{} of {} pairs in step, {} drifted, {} to review, {} deferred, {} ignored; {} source units without a port",
-        s.in_step, s.pairs, s.drifted, s.review, s.deferred, s.ignored, s.unported);
+    return fmt::format("{} of {} pairs in step, {} drifted, {} to review, {} deferred, {} ignored; {}", s.in_step,
+                       s.pairs, s.drifted, s.review, s.deferred, s.ignored,
+                       unwatched_text(s, whole.judgement.reference));
 }
 
 /// A block with what it is compared with, if anything.

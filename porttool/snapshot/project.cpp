@@ -101,9 +101,6 @@ void use_map(Project& project, const std::string& name, const std::string& text,
     project.map = std::move(read.map);
     project.map_text = text;
     project.has_map = true;
-    if (project.map.reference == "target")
-        place.say_once("warning: " + terminal_text(project.map_name) +
-                       ": reference = \"target\" has no effect yet; changes are judged as with \"source\"\n");
 }
 
 Project open_project(const ProjectChoice& choice, Workplace& place, bool needs_map) {

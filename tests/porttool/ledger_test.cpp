@@ -235,7 +235,7 @@ TEST(Ledger, AShortUnitThatMovedUnderItsNameIsFollowed) {
     EXPECT_EQ(report["findings"][0]["level"], "note");
     EXPECT_EQ(report["findings"][0]["source"]["id"], "src/pair.cu:Pair");
     disk.files["/r/src/pair.cu"] = replaced(pair, "float b", "float c");
-    EXPECT_EQ(rules(check(disk)), (Rules{"orphaned", "unported"})) << "another text is another struct";
+    EXPECT_EQ(rules(check(disk)), (Rules{"orphaned", "unpaired"})) << "another text is another struct";
 }
 
 TEST(Ledger, AcceptAllThatLeavesPairsSaysNo) {

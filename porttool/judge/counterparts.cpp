@@ -1,0 +1,145 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/judge/counterparts.h"
+
+#include <algorithm>
+#include <set>
+#include <unordered_map>
+#include <unordered_set>
+
+#include "porttool/match/match.h"
+#include "porttool/match/words.h"
+#include "porttool/scan/scan.h"
+
+namespace porttool {
+namespace {
+
+using Files = std::vector<ScannedFile>;
+
+constexpr size_t kMostTokens = 1'000'000;  // of one side that are matched: about 100,000 lines
+constexpr float kMostOfPaired = 0.89f;     // a target that has its source already is a guess
+
+/// Files of one side, in their order, until there are too many tokens in them; those with more `better` first.
+Files limited(const Files& files, const std::vector<size_t>& better) {
+    std::vector<size_t> order(files.size());
+    for (size_t i = 0; i < order.size(); ++i) order[i] = i;
+    std::stable_sort(order.begin(), order.end(), [&](size_t a, size_t b) { return better[a] > better[b]; });
+    std::set<size_t> kept;
+    size_t tokens = 0;
+    for (const size_t i : order) {
+        tokens += files[i].lexed.tokens.size();
+        if (tokens > kMostTokens && !kept.empty()) break;
+        kept.insert(i);
+    }
+    Files out;
+    for (const size_t i : kept) out.push_back(files[i]);
+    return out;
+}
+
+/// How many of the names that are looked for share a word with names of a file, or with its own.
+std::vector<size_t> shared_words(const Files& files, const std::vector<const UnitState*>& fresh) {
+    std::unordered_set<std::string> wanted;
+    for (const UnitState* unit : fresh) {
+        for (std::string& word : split_words(unit->name)) wanted.insert(std::move(word));
+        for (std::string& word : split_words(file_stem(unit->file))) wanted.insert(std::move(word));
+    }
+    std::vector<size_t> out;
+    for (const ScannedFile& file : files) {
+        std::set<std::string> found;
+        const auto look = [&](std::string_view name) {
+            for (const std::string& word : split_words(name))
+                if (wanted.contains(word)) found.insert(word);
+        };
+        look(file_stem(file.path));
+        for (const Unit& unit : file.units) look(unit.name);
+        out.push_back(found.size());
+    }
+    return out;
+}
+
+class Search {
+public:
+    Search(const Case& facts, const std::vector<JudgedPair>& pairs, Side side,
+           const std::vector<const UnitState*>& fresh)
+        : facts_(facts), side_(side), dialect_(facts.map.dialect) {
+        std::set<std::string> paths;
+        for (const UnitState* unit : fresh) {
+            open_.emplace(unit->id, unit);
+            paths.insert(unit->file);
+        }
+        for (const ScannedFile& file : *facts.files[side])
+            if (paths.contains(file.path)) files_[side].push_back(file);
+        const Files& there = *facts.files[other(side)];
+        files_[other(side)] = limited(there, shared_words(there, fresh));
+        for (const JudgedPair& pair : pairs) {
+            if (pair.unit.source == nullptr || pair.unit.target == nullptr) continue;
+            pairs_.emplace_back(pair.unit.source->id, pair.unit.target->id);
+            partner_.emplace(pair.unit[other(side)]->id, pair.unit[side]->id);
+        }
+    }
+
+    Counterparts run() {
+        take(match({pairs_, ignored()}), 1);
+        if (!open_.empty()) take(match({others(), ignored()}), kMostOfPaired);
+        return std::move(out_);
+    }
+
+private:
+    std::vector<std::string> ignored() const {
+        std::vector<std::string> out;
+        for (const MapIgnore& ignore : facts_.map.ignores) out.push_back(ignore.id);
+        return out;
+    }
+
+    /// All units of this side but those that are still looked for, as if they were settled.
+    std::vector<std::pair<std::string, std::string>> others() const {
+        std::vector<std::pair<std::string, std::string>> out;
+        for (const ScannedFile& file : files_[side_])
+            for (const Unit& unit : file.units) {
+                const std::string id = unit_id(file, unit);
+                if (open_.contains(id)) continue;
+                out.emplace_back(side_ == Side::Source ? id : "", side_ == Side::Source ? "" : id);
+            }
+        return out;
+    }
+
+    Matching match(const Settled& settled) const {
+        return match_units(files_.source, files_.target, settled, dialect_);
+    }
+
+    void take(const Matching& matching, float most) {
+        const auto& there = side_ == Side::Source ? facts_.target : facts_.source;
+        std::vector<std::string> found;
+        for (const MatchedPair& pair : matching.pairs) {
+            if (pair.state == PairState::Confirmed) continue;
+            const auto open = open_.find(side_ == Side::Source ? pair.source : pair.target);
+            const auto unit = there.find(side_ == Side::Source ? pair.target : pair.source);
+            if (open == open_.end() || unit == there.end()) continue;
+            Counterpart& best = out_[open->second];
+            if (best.unit != nullptr && best.score >= pair.score) continue;
+            const auto partner = partner_.find(unit->first);
+            best = {&unit->second, std::min(pair.score, most), partner == partner_.end() ? "" : partner->second};
+            found.push_back(open->first);
+        }
+        for (const std::string& id : found) open_.erase(id);
+    }
+
+    const Case& facts_;
+    Side side_;
+    Dialect dialect_;
+    BySide<Files> files_;
+    std::unordered_map<std::string, const UnitState*> open_;  ///< by id: without a counterpart so far
+    std::vector<std::pair<std::string, std::string>> pairs_;
+    std::unordered_map<std::string, std::string> partner_;  ///< of units of the other side
+    Counterparts out_;
+};
+
+}  // namespace
+
+Counterparts find_counterparts(const Case& facts, const std::vector<JudgedPair>& pairs, Side side,
+                               const std::vector<const UnitState*>& fresh) {
+    if (fresh.empty() || facts.files.source == nullptr) return {};
+    return Search(facts, pairs, side, fresh).run();
+}
+
+}  // namespace porttool

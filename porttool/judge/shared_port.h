@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <vector>
+
+#include "porttool/judge/pair_judge.h"
+
+namespace porttool {
+
+/// One pair of the map, with what its ids lead to.
+struct MappedPair {
+    BySide<std::string> id;
+    int map_line = 0;
+    BySide<Resolved> units;
+    FoundLock lock;
+};
+
+/// Units that are the port of several originals. An edit of one answers the edit of one original; to the others it is
+/// no news, and where no original explains it, one finding says so, not one for each pair.
+class SharedPorts {
+public:
+    /// All must outlive it.
+    SharedPorts(const Case& facts, const std::vector<MappedPair>& pairs);
+
+    /// What the finding that the port alone of a pair changed is worth.
+    enum class Worth : uint8_t { Tell, Explained, Told };
+    /// Asked once for each such finding, in the order of the pairs.
+    Worth worth_of(const MappedPair& pair);
+
+    /// The side of the ports.
+    Side side() const { return side_; }
+
+private:
+    struct Group {
+        std::vector<const MappedPair*> pairs;
+        std::map<std::string, bool> explained;  ///< by the print of the recorded text
+        bool told = false;
+    };
+
+    bool explains(const MappedPair& pair) const;
+
+    const Case& facts_;
+    Side side_;
+    std::map<const UnitState*, Group> groups_;
+};
+
+}  // namespace porttool

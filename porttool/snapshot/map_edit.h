@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+// What porttool writes into a portmap.toml that a person edits as well.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "porttool/snapshot/project.h"
+
+namespace porttool {
+
+/// Two units that become a pair.
+struct NewPair {
+    std::string source, target;
+    double score = -1;  ///< how sure the matcher was; below 0: a person said so
+};
+
+/// The lines of portmap.toml that say so.
+std::string pair_text(const NewPair& pair);
+
+/// Takes the pairs into the project's map, and returns its text with them at its end; all else stays as it was written.
+/// Throws CannotDo where the text cannot be gone on with, as after `pair = [...]`.
+std::string add_pairs(Project& project, const std::vector<NewPair>& pairs, Workplace& place);
+
+}  // namespace porttool

@@ -1,0 +1,411 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+// What no pair watches: new units and their likely counterparts, the baseline, pairs that were never recorded.
+#include <gtest/gtest.h>
+
+#include "tests/porttool/temporary_repository.h"
+
+namespace porttool::testing {
+namespace {
+
+using Rules = std::vector<std::string>;
+
+Rules rules(const nlohmann::json& report) {
+    Rules out;
+    for (const auto& finding : report["findings"]) out.push_back(finding["rule"]);
+    return out;
+}
+
+CommandRun porttool_at_r(Disk& disk, std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), {"-C", "/r"});
+    return run(disk, arguments);
+}
+
+const std::string kLum = "__device__ float lum(float3 c) { return 0.2f * c.x + 0.7f * c.y + 0.1f * c.z; }\n";
+const std::string kLumPort = "float lum(vec3 c) { return 0.2 * c.x + 0.7 * c.y + 0.1 * c.z; }\n";
+const std::string kFresnel =
+    "__device__ float fresnel(float c, float f0) {\n    float k = 1.0f - c;\n    float k2 = k * k;\n"
+    "    return f0 + (1.0f - f0) * k2 * k2 * k;\n}\n";
+const std::string kFresnelPort =
+    "float fresnel(float c, float f0) {\n    float k = 1.0 - c;\n    float k2 = k * k;\n"
+    "    return f0 + (1.0 - f0) * k2 * k2 * k;\n}\n";
+const std::string kHash =
+    "__device__ unsigned hash_of(unsigned seed) {\n    seed ^= seed >> 16;\n    seed *= 0x7feb352du;\n"
+    "    seed ^= seed >> 15;\n    return seed;\n}\n";
+
+TEST(Unwatched, ANewUnitWithACounterpartNamesItAndTheAcceptThatTakesIt) {
+    MemoryDisk disk = started(kLum, kLumPort);
+    disk.files["/r/src/k.cu"] += kFresnel;
+    disk.files["/r/port/k.comp"] += kFresnelPort;
+    const CommandRun got = porttool_at_r(disk, {"check", "--format", "json"});
+    EXPECT_EQ(got.exit_code, 1) << "from 0.9 on an error";
+    const auto report = nlohmann::json::parse(got.out);
+    ASSERT_EQ(rules(report), Rules{"unpaired"}) << report.dump(1);
+    const auto& finding = report["findings"][0];
+    EXPECT_EQ(finding["level"], "error");
+    EXPECT_EQ(finding["source"]["id"], "src/k.cu:fresnel");
+    EXPECT_EQ(finding["target"]["id"], "port/k.comp:fresnel");
+    const std::string message = finding["message"];
+    for (const char* part : {"port/k.comp:fresnel", "(0.9", "porttool accept 'src/k.cu:fresnel=port/k.comp:fresnel'"})
+        EXPECT_TRUE(message.find(part) != std::string::npos || message.find("(1.00)") != std::string::npos) << message;
+    EXPECT_EQ(report["summary"]["unpaired"], 1);
+    EXPECT_EQ(report["summary"]["unpaired_changed"], 1);
+    EXPECT_EQ(report["summary"]["units"], 2);
+
+    const CommandRun taken = porttool_at_r(disk, {"accept", "src/k.cu:fresnel=port/k.comp:fresnel"});
+    EXPECT_EQ(taken.exit_code, 0) << taken.err;
+    EXPECT_NE(disk.files["/r/portmap.toml"].find(
+                  "[[pair]]\nsource = \"src/k.cu:fresnel\"\ntarget = \"port/k.comp:fresnel\"\n"),
+              std::string::npos);
+    EXPECT_TRUE(check(disk)["findings"].empty());
+    EXPECT_EQ(check(disk)["summary"]["pairs"], 2);
+    disk.files["/r/src/k.cu"] = replaced(disk.files["/r/src/k.cu"], "1.0f - c", "1.0f - c * c");
+    EXPECT_EQ(rules(check(disk)), Rules{"source-changed"}) << "it is watched from then on";
+}
+
+TEST(Unwatched, AcceptTakesTheFingerprintOfTheFindingAsWell) {
+    MemoryDisk disk = started(kLum, kLumPort);
+    disk.files["/r/src/k.cu"] += kFresnel;
+    disk.files["/r/port/k.comp"] += kFresnelPort;
+    const std::string print = check(disk)["findings"][0]["fingerprint"];
+    EXPECT_EQ(porttool_at_r(disk, {"accept", print}).exit_code, 0);
+    EXPECT_TRUE(check(disk)["findings"].empty());
+}
+
+TEST(Unwatched, AcceptOfUnitsThatAreNotThereIsRefused) {
+    MemoryDisk disk = started(kLum, kLumPort);
+    const std::string map = disk.files["/r/portmap.toml"];
+    const CommandRun got = porttool_at_r(disk, {"accept", "src/k.cu:lum=port/k.comp:lums"});
+    EXPECT_EQ(got.exit_code, 2);
+    EXPECT_NE(got.err.find("no such pair"), std::string::npos) << got.err;
+    EXPECT_EQ(disk.files["/r/portmap.toml"], map);
+}
+
+TEST(Unwatched, AMapWhosePairsStandInOneLineIsLeftToItsAuthor) {
+    MemoryDisk disk;
+    disk.files = {{"/r/src/k.cu", kLum + kFresnel},
+                  {"/r/port/k.comp", kLumPort + kFresnelPort},
+                  {"/r/portmap.toml",
+                   "version = 1\npair = [{source = \"src/k.cu:lum\", target = \"port/k.comp:lum\"}]\n"
+                   "[sides]\nsource = [\"src/*\"]\ntarget = [\"port/*\"]\n"}};
+    EXPECT_EQ(porttool_at_r(disk, {"init"}).exit_code, 0);
+    const auto before = disk.files;
+    const CommandRun got = porttool_at_r(disk, {"accept", "src/k.cu:fresnel=port/k.comp:fresnel"});
+    EXPECT_EQ(got.exit_code, 2);
+    EXPECT_NE(got.err.find("by hand"), std::string::npos) << got.err;
+    EXPECT_EQ(disk.files, before);
+}
+
+TEST(Unwatched, UnportedIsLeftForWhatNothingLooksLike) {
+    MemoryDisk disk = started(kLum, kLumPort);
+    disk.files["/r/src/k.cu"] += kHash;
+    EXPECT_EQ(rules(check(disk)), Rules{"unported"});
+    EXPECT_EQ(porttool_at_r(disk, {"ignore", "src/k.cu:hash_of", "--reason", "on the device alone"}).exit_code, 0);
+    EXPECT_EQ(check(disk)["verdict"], "in_step");
+    EXPECT_EQ(check(disk)["summary"]["unpaired"], 0) << "somebody said why";
+    EXPECT_EQ(check(disk)["summary"]["unported"], 1);
+}
+
+TEST(Unwatched, ATargetThatHasItsSourceIsACandidateButNoneToBeSureOf) {
+    MemoryDisk disk = started(kFresnel, kFresnelPort);
+    disk.files["/r/src/more.cu"] = kFresnel;
+    const auto report = check(disk);
+    ASSERT_EQ(rules(report), Rules{"unpaired"}) << report.dump(1);
+    EXPECT_EQ(report["findings"][0]["level"], "warning");
+    EXPECT_NE(report["findings"][0]["message"].get<std::string>().find("paired with src/k.cu:fresnel"),
+              std::string::npos);
+    EXPECT_EQ(report["verdict"], "review");
+}
+
+TEST(Unwatched, ACommentThatSettlesUnportedSettlesUnpairedToo) {
+    MemoryDisk disk = started(kLum, kLumPort);
+    disk.files["/r/src/k.cu"] += "// porttool: ignore(unported) not yet\n" + kFresnel;
+    EXPECT_TRUE(check(disk)["findings"].empty());
+    disk.files["/r/port/k.comp"] += kFresnelPort;
+    EXPECT_TRUE(check(disk)["findings"].empty()) << check(disk).dump(1);
+}
+
+TEST(Unwatched, RulesOfTheMapWin) {
+    MemoryDisk disk = started(kLum, kLumPort);
+    disk.files["/r/src/k.cu"] += kFresnel;
+    disk.files["/r/port/k.comp"] += kFresnelPort;
+    disk.files["/r/portmap.toml"] += "\n[rules]\nunpaired = \"note\"\n";
+    EXPECT_EQ(check(disk)["findings"][0]["level"], "note");
+    EXPECT_EQ(check(disk)["verdict"], "in_step");
+}
+
+/// What becomes of a unit of the baseline without its being a new one.
+TEST(Unwatched, WhatABaselinedUnitBecomesIsNotNew) {
+    const std::string hash2 = replaced(kHash, "hash_of", "hash_more") + "// end\n";
+    const std::string edited = replaced(kHash, "15", "17");
+    struct Row {
+        const char* says;
+        std::map<std::string, std::string> files;
+        size_t changed;
+    };
+    for (const Row& row : std::vector<Row>{
+             {"as it was", {{"k.cu", kLum + kHash}}, 0},
+             {"static inline", {{"k.cu", kLum + replaced(kHash, "__device__", "static inline")}}, 1},
+             {"renamed", {{"k.cu", kLum + replaced(kHash, "hash_of", "mix_bits")}}, 0},
+             {"renamed with its parameter",
+              {{"k.cu", kLum + replaced(replaced(kHash, "hash_of(unsigned seed", "mix(unsigned seed"), "{\n", "{ \n")}},
+              0},
+             {"in a namespace", {{"k.cu", kLum + "namespace gpu {\n" + edited + "}\n"}}, 1},
+             {"in another file", {{"k.cu", kLum}, {"hash.cu", kHash}}, 0},
+             {"in another file, and edited", {{"k.cu", kLum}, {"hash.cu", edited}}, 1},
+         }) {
+        MemoryDisk disk = started(kLum + kHash, kLumPort);
+        disk.files.erase("/r/src/k.cu");
+        for (const auto& [name, text] : row.files) disk.files["/r/src/" + name] = text;
+        const auto report = check(disk);
+        EXPECT_TRUE(report["findings"].empty()) << row.says << report.dump(1);
+        EXPECT_EQ(report["summary"]["unpaired"], 1) << row.says;
+        EXPECT_EQ(report["summary"]["unpaired_changed"], row.changed) << row.says;
+        EXPECT_EQ(porttool_at_r(disk, {"accept", "--all"}).exit_code, 0);
+        EXPECT_TRUE(check(disk)["findings"].empty()) << row.says << ": the record follows it";
+        EXPECT_EQ(porttool_at_r(disk, {"accept", "--all", "--force"}).exit_code, 0);
+        EXPECT_EQ(check(disk)["summary"]["unpaired_changed"], 0) << row.says << ": it was looked at";
+        const auto rows = nlohmann::json::parse(porttool_at_r(disk, {"report", "--format", "json"}).out);
+        EXPECT_EQ(rows["totals"]["parts"]["source"]["unmatched"], 0) << row.says << ": report and check agree";
+    }
+    MemoryDisk disk = started(kLum + kHash, kLumPort);
+    disk.files["/r/src/k.cu"] += hash2;
+    EXPECT_EQ(rules(check(disk)), Rules{"unported"}) << "a second one is new";
+}
+
+TEST(Unwatched, TheBaselineIsCountedAndNeverListed) {
+    MemoryDisk disk = started(kLum + kHash + kFresnel, kLumPort);
+    disk.files["/r/src/k.cu"] = kLum + replaced(kHash, "15", "17") + kFresnel;
+    const CommandRun got = porttool_at_r(disk, {"check"});
+    EXPECT_EQ(got.exit_code, 0);
+    EXPECT_NE(got.out.find("2 of 3 source units are not watched, 1 of them changed here"), std::string::npos)
+        << got.out;
+    EXPECT_EQ(got.out.find("hash_of"), std::string::npos);
+}
+
+// ---- pairs that were never recorded
+
+const std::string kPairOfFresnel = "\n[[pair]]\nsource = \"src/k.cu:fresnel\"\ntarget = \"port/k.comp:fresnel\"\n";
+
+TEST(Unrecorded, APairAddedByHandIsAnErrorUntilItIsAccepted) {
+    MemoryDisk disk = started(kLum, kLumPort);
+    disk.files["/r/src/k.cu"] += kFresnel;
+    disk.files["/r/port/k.comp"] += kFresnelPort;
+    disk.files["/r/portmap.toml"] += kPairOfFresnel;
+    const auto report = check(disk);
+    ASSERT_EQ(rules(report), Rules{"unrecorded"});
+    EXPECT_EQ(report["findings"][0]["level"], "error");
+    EXPECT_EQ(report["verdict"], "drift");
+    EXPECT_EQ(porttool_at_r(disk, {"accept", "--all"}).exit_code, 1) << "nobody has compared it";
+    EXPECT_EQ(rules(check(disk)), Rules{"unrecorded"});
+    EXPECT_EQ(porttool_at_r(disk, {"accept", "src/k.cu:fresnel"}).exit_code, 0);
+    EXPECT_TRUE(check(disk)["findings"].empty());
+}
+
+TEST(Unrecorded, AnEditOfItsSourceSinceTheBaselineIsSaid) {
+    MemoryDisk disk = started(kLum + kFresnel, kLumPort);
+    disk.files["/r/port/k.comp"] += kFresnelPort;
+    disk.files["/r/portmap.toml"] += kPairOfFresnel;
+    EXPECT_EQ(check(disk)["findings"][0]["message"].get<std::string>().find("its source changed"), std::string::npos);
+    disk.files["/r/src/k.cu"] = kLum + replaced(kFresnel, "1.0f - c", "2.0f - c");
+    const auto report = check(disk);
+    ASSERT_EQ(rules(report), Rules{"unrecorded"});
+    EXPECT_NE(report["findings"][0]["message"].get<std::string>().find("its source changed"), std::string::npos);
+}
+
+class UnrecordedInGit : public TemporaryRepository {
+protected:
+    nlohmann::json checked(std::vector<std::string> more) {
+        more.insert(more.begin(), {"check", "--format", "json"});
+        return nlohmann::json::parse(porttool(more).out);
+    }
+};
+
+TEST_F(UnrecordedInGit, AgainstABaseItIsAnErrorOnlyWhereThereIsALockAndHidesNoEdit) {
+    write("src/k.cu", kLum + kFresnel);
+    write("port/k.comp", kLumPort + kFresnelPort);
+    write("portmap.toml", "version = 1\n[sides]\nsource = [\"src/*\"]\ntarget = [\"port/*\"]\n" + kPairOfFresnel +
+                              "[[ignore]]\nid = \"src/k.cu:lum\"\nreason = \"\"\n");
+    commit("no lock");
+    EXPECT_TRUE(checked({"--base", "HEAD"})["findings"].empty());
+    EXPECT_EQ(porttool({"init"}).exit_code, 0);
+    write("portmap.toml",
+          read_text(root / "portmap.toml") + "\n[[pair]]\nsource = \"src/k.cu:lum\"\ntarget = \"port/k.comp:lum\"\n");
+    EXPECT_EQ(rules(checked({"--base", "HEAD"})), Rules{"unrecorded"});
+    write("src/k.cu", replaced(kLum, "0.2f", "0.3f") + kFresnel);
+    EXPECT_EQ(rules(checked({"--base", "HEAD"})), (Rules{"source-changed", "unrecorded"}));
+}
+
+// ---- map --write
+
+TEST(MapWrite, AddsSuggestionsFromAScoreOnAndRecordsNothing) {
+    MemoryDisk disk = started(kLum, kLumPort);
+    disk.files["/r/src/k.cu"] += kFresnel + kHash;
+    disk.files["/r/port/k.comp"] += kFresnelPort;
+    const std::string map = disk.files["/r/portmap.toml"], lock = disk.files["/r/portmap.lock"];
+    const CommandRun got = porttool_at_r(disk, {"map", "--write"});
+    EXPECT_EQ(got.exit_code, 0) << got.err;
+    EXPECT_TRUE(disk.files["/r/portmap.toml"].starts_with(map)) << "what was there stays as it was written";
+    EXPECT_NE(disk.files["/r/portmap.toml"].find("source = \"src/k.cu:fresnel\""), std::string::npos);
+    EXPECT_EQ(disk.files["/r/portmap.toml"].find("hash_of"), std::string::npos);
+    EXPECT_EQ(disk.files["/r/portmap.lock"], lock);
+    EXPECT_EQ(rules(check(disk)), (Rules{"unported", "unrecorded"}));
+    const std::string written = disk.files["/r/portmap.toml"];
+    EXPECT_EQ(porttool_at_r(disk, {"map", "--write", "0.5"}).exit_code, 0);
+    EXPECT_EQ(disk.files["/r/portmap.toml"], written) << "nothing is left to add";
+}
+
+TEST(MapWrite, RefusesWhatIsNoScoreAndGlobsBesideTheMap) {
+    MemoryDisk disk = started(kLum, kLumPort);
+    for (const char* score : {"high", "1.5", "-1", "0.5x"})
+        EXPECT_EQ(porttool_at_r(disk, {"map", "--write", score}).exit_code, 2) << score;
+    EXPECT_EQ(porttool_at_r(disk, {"map", "--write", "--source", "src/*", "--target", "port/*"}).exit_code, 2);
+}
+
+// ---- which side is the contract
+
+/// A pair, recorded, with the reference; then one side or the other changes.
+MemoryDisk with_reference(const std::string& reference, const std::string& source = kLum,
+                          const std::string& target = kLumPort) {
+    MemoryDisk disk = started(source, target);
+    disk.files["/r/portmap.toml"] =
+        replaced(disk.files["/r/portmap.toml"], "reference = \"source\"", "reference = \"" + reference + "\"");
+    run(disk, {"-C", "/r", "init", "--force"});
+    return disk;
+}
+
+std::string levels(const nlohmann::json& report) {
+    std::string out;
+    for (const auto& finding : report["findings"])
+        out += finding["rule"].get<std::string>() + "/" + finding["level"].get<std::string>() + " ";
+    return out;
+}
+
+TEST(WhichReference, ChangesOfTheReferenceAreErrorsOfTheOtherWarnings) {
+    struct Row {
+        const char *reference, *source_edited, *target_edited;
+    };
+    for (const Row& row : {Row{"source", "source-changed/error ", "target-changed/warning "},
+                           Row{"target", "source-changed/warning ", "target-changed/error "},
+                           Row{"both", "source-changed/error ", "target-changed/error "}}) {
+        MemoryDisk disk = with_reference(row.reference);
+        disk.files["/r/src/k.cu"] = replaced(kLum, "0.2f", "0.3f");
+        EXPECT_EQ(levels(check(disk)), row.source_edited) << row.reference;
+        EXPECT_EQ(check(disk)["findings"][0]["source"]["id"], "src/k.cu:lum") << "the sides never swap";
+        disk.files["/r/src/k.cu"] = kLum;
+        disk.files["/r/port/k.comp"] = replaced(kLumPort, "0.2", "0.3");
+        EXPECT_EQ(levels(check(disk)), row.target_edited) << row.reference;
+        disk.files["/r/portmap.toml"] += "\n[rules]\n\"target-changed\" = \"note\"\n";
+        EXPECT_EQ(levels(check(disk)), "target-changed/note ") << "[rules] wins";
+    }
+}
+
+TEST(WhichReference, NewUnitsAreLookedForOnTheSideThatIsTheContract) {
+    for (const std::string reference : {"source", "target", "both"}) {
+        MemoryDisk disk = with_reference(reference);
+        disk.files["/r/port/k.comp"] += replaced(kHash, "__device__ unsigned", "uint");
+        EXPECT_EQ(levels(check(disk)), reference == "source" ? "" : "unported/error ") << reference;
+        if (reference == "source") continue;
+        EXPECT_TRUE(check(disk)["findings"][0]["source"].is_null());
+        EXPECT_EQ(check(disk)["findings"][0]["target"]["id"], "port/k.comp:hash_of");
+        MemoryDisk deferred = disk;
+        EXPECT_EQ(porttool_at_r(deferred, {"defer", "port/k.comp:hash_of", "--owner", "me", "--until", "2999-01-01",
+                                           "--reason", "later"})
+                      .exit_code,
+                  0);
+        EXPECT_EQ(levels(check(deferred)), "") << reference;
+        EXPECT_EQ(porttool_at_r(disk, {"ignore", "port/k.comp:hash_of", "--reason", "CPU alone"}).exit_code, 0);
+        EXPECT_EQ(levels(check(disk)), "") << reference;
+    }
+    for (const std::string reference : {"source", "target", "both"}) {
+        MemoryDisk disk = with_reference(reference, kLum, kLumPort + kFresnelPort);
+        disk.files["/r/src/k.cu"] += kFresnel;
+        EXPECT_EQ(levels(check(disk)), reference == "target" ? "" : "unpaired/error ") << reference;
+    }
+    MemoryDisk disk = with_reference("target", kLum + kFresnel, kLumPort);
+    disk.files["/r/port/k.comp"] += kFresnelPort;
+    const auto report = check(disk);
+    ASSERT_EQ(levels(report), "unpaired/error ");
+    EXPECT_NE(report["findings"][0]["message"].get<std::string>().find(
+                  "porttool accept 'src/k.cu:fresnel=port/k.comp:fresnel'"),
+              std::string::npos);
+    EXPECT_EQ(porttool_at_r(disk, {"accept", "src/k.cu:fresnel=port/k.comp:fresnel"}).exit_code, 0);
+    EXPECT_EQ(levels(check(disk)), "");
+}
+
+TEST(WhichReference, OrphanedIsThePortWhoseOriginalIsGone) {
+    struct Row {
+        const char *reference, *no_source, *no_target;
+    };
+    for (const Row& row :
+         {Row{"source", "orphaned/warning ", "dead-link/error "},
+          Row{"target", "dead-link/error ", "orphaned/warning "}, Row{"both", "orphaned/error ", "dead-link/error "}}) {
+        MemoryDisk disk = with_reference(row.reference, kLum + kFresnel, kLumPort + kFresnelPort);
+        disk.files["/r/src/k.cu"] = kLum;
+        EXPECT_EQ(levels(check(disk)), row.no_source) << row.reference;
+        disk.files["/r/src/k.cu"] = kLum + kFresnel;
+        disk.files["/r/port/k.comp"] = kLumPort;
+        EXPECT_EQ(levels(check(disk)), row.no_target) << row.reference;
+    }
+}
+
+// ---- several originals of one port
+
+const std::string kTwoInOne =
+    "float shade(float a, float b) {\n    float c = a * 2.0;\n    float d = c + b;\n    return d * d;\n}\n";
+
+/// Two kernels that one function ports.
+MemoryDisk two_for_one() {
+    MemoryDisk disk;
+    const std::string kernel =
+        "__device__ float shade(float a, float b) {\n    float c = a * 2.0f;\n    float d = c + "
+        "b;\n    return d * d;\n}\n";
+    disk.files = {{"/r/src/a.cu", kernel},
+                  {"/r/src/b.cu", replaced(kernel, "d * d", "d")},
+                  {"/r/port/k.comp", kTwoInOne},
+                  {"/r/portmap.toml",
+                   "version = 1\n[sides]\nsource = [\"src/*\"]\ntarget = [\"port/*\"]\n"
+                   "[[pair]]\nsource = \"src/a.cu:shade\"\ntarget = \"port/k.comp:shade\"\n"
+                   "[[pair]]\nsource = \"src/b.cu:shade\"\ntarget = \"port/k.comp:shade\"\n"}};
+    run(disk, {"-C", "/r", "init"});
+    return disk;
+}
+
+TEST(SharedPort, AnEditThatOneOriginalExplainsIsSettledForAll) {
+    MemoryDisk disk = two_for_one();
+    for (const std::string file : {"/r/src/a.cu", "/r/src/b.cu"}) {
+        MemoryDisk edited = disk;
+        edited.files[file] = replaced(edited.files[file], "a * 2.0f", "a * 3.0f");
+        edited.files["/r/port/k.comp"] = replaced(kTwoInOne, "a * 2.0", "a * 3.0");
+        const auto report = check(edited);
+        EXPECT_TRUE(report["findings"].empty()) << report.dump(1);
+        EXPECT_EQ(report["summary"]["in_step"], 2);
+        EXPECT_EQ(porttool_at_r(edited, {"accept", "--all"}).exit_code, 0);
+        edited.files["/r/port/k.comp"] = kTwoInOne;
+        EXPECT_FALSE(check(edited)["findings"].empty()) << "both pairs were recorded anew";
+    }
+}
+
+TEST(SharedPort, AnEditThatNoneExplainsWarnsOnce) {
+    MemoryDisk disk = two_for_one();
+    disk.files["/r/port/k.comp"] = replaced(kTwoInOne, "a * 2.0", "a * 3.0");
+    const auto report = check(disk);
+    EXPECT_EQ(levels(report), "target-changed/warning ");
+    EXPECT_EQ(report["summary"]["review"], 2) << "neither pair is in step";
+    EXPECT_EQ(porttool_at_r(disk, {"accept", "port/k.comp:shade"}).exit_code, 0);
+    EXPECT_TRUE(check(disk)["findings"].empty());
+}
+
+TEST(SharedPort, AnEditOfAnOriginalIsNeverSettledByAnother) {
+    MemoryDisk disk = two_for_one();
+    disk.files["/r/src/a.cu"] = replaced(disk.files["/r/src/a.cu"], "a * 2.0f", "a * 3.0f");
+    disk.files["/r/src/b.cu"] = replaced(disk.files["/r/src/b.cu"], "c + b", "c - b");
+    EXPECT_EQ(levels(check(disk)), "source-changed/error source-changed/error ");
+    disk.files["/r/port/k.comp"] = replaced(kTwoInOne, "a * 2.0", "a * 3.0");
+    const auto report = check(disk);
+    ASSERT_EQ(levels(report), "port-differs/error ") << report.dump(1);
+    EXPECT_EQ(report["findings"][0]["source"]["id"], "src/b.cu:shade");
+}
+
+}  // namespace
+}  // namespace porttool::testing
