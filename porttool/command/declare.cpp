@@ -16,11 +16,6 @@ DeclaredOption& DeclaredOption::exactly(int values) {
     return *this;
 }
 
-DeclaredOption& DeclaredOption::or_alone(bool& given) {
-    option_.expected(0, 1)->each([&given](const std::string&) { given = true; });
-    return *this;
-}
-
 DeclaredOption& DeclaredOption::one_at_a_time() {
     option_.allow_extra_args(false);
     return *this;
@@ -39,6 +34,11 @@ DeclaredOption Declare::text(const char* names, std::string& value, const char* 
 
 void Declare::choice(const char* names, std::string& value, const std::vector<std::string>& known, const char* help) {
     command_.add_option(names, value, help)->check(CLI::IsMember(known));
+}
+
+void Declare::text_or_alone(const char* name, std::string& value, bool& given, const char* type, const char* help) {
+    const CLI::Option* option = command_.add_option(name, value, help)->type_name(type)->expected(0, 1);
+    command_.parse_complete_callback([option, &given] { given = option->count() > 0; });
 }
 
 DeclaredOption Declare::texts(const char* names, std::vector<std::string>& values, const char* type, const char* help) {

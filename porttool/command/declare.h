@@ -20,8 +20,6 @@ public:
     DeclaredOption& exactly(int values);
     /// One value each time that the option is given.
     DeclaredOption& one_at_a_time();
-    /// The value may be left out; `given` is set either way.
-    DeclaredOption& or_alone(bool& given);
     /// A revision that may not be empty, as an unset variable of CI would make it.
     DeclaredOption& some_revision();
 
@@ -37,6 +35,8 @@ public:
     /// Without dashes in `names` they are arguments by their place. `type` stands for a value in the help.
     DeclaredOption text(const char* names, std::string& value, const char* type, const char* help);
     void choice(const char* names, std::string& value, const std::vector<std::string>& known, const char* help);
+    /// An option whose one value may be left out; `given` says whether it was there at all.
+    void text_or_alone(const char* name, std::string& value, bool& given, const char* type, const char* help);
     DeclaredOption texts(const char* names, std::vector<std::string>& values, const char* type, const char* help);
 
 private:

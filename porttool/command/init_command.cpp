@@ -3,13 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <nlohmann/json.hpp>
 
 #include "porttool/command/commands.h"
+#include "porttool/judge/assess.h"
 #include "porttool/judge/first_record.h"
 #include "porttool/match/match.h"
 #include "porttool/read/clock.h"
 #include "porttool/snapshot/map_edit.h"
 #include "porttool/snapshot/snapshot.h"
+#include "porttool/text/sink/json.h"
 #include "porttool/text/sink/terminal.h"
 #include "porttool/text/toml_string.h"
 
@@ -29,6 +33,59 @@ std::string map_text(const Project& project, const Matching& matching) {
            "\nreference = \"source\"\n";
     for (const MatchedPair& pair : matching.pairs) out += pair_text({pair.source, pair.target, pair.score});
     return out;
+}
+
+/// The pairs of a first lock, with what their texts say to each other today.
+struct AssessedPair {
+    std::string source, target;
+    Assessment assessment = Assessment::Differs;
+};
+
+std::vector<AssessedPair> assess_pairs(const LockFile& lock, const States& states, const Dialect& dialect) {
+    CompareBudget budget;
+    std::vector<AssessedPair> out;
+    for (const LockedPair& pair : lock.pairs)
+        out.push_back({pair.source, pair.target,
+                       assess(states.source.at(pair.source), states.target.at(pair.target), dialect, budget)});
+    return out;
+}
+
+/// What says the same is verified by that.
+void take_as_verified(LockFile& lock, const std::vector<AssessedPair>& assessed) {
+    for (size_t i = 0; i < assessed.size(); ++i)
+        if (says_the_same(assessed[i].assessment)) {
+            lock.pairs[i].state = kVerified;
+            lock.pairs[i].by = "assess " + today();
+        }
+}
+
+std::string assessed_json(const std::vector<AssessedPair>& assessed) {
+    nlohmann::ordered_json pairs = nlohmann::ordered_json::array();
+    for (const AssessedPair& pair : assessed)
+        pairs.push_back(
+            {{"source", pair.source}, {"target", pair.target}, {"assessment", assessment_name(pair.assessment)}});
+    const nlohmann::ordered_json out = {{"pairs", pairs}};
+    return json_text(out, 1) + "\n";
+}
+
+/// Counts, then each pair that does not say the same.
+std::string assessed_table(const std::vector<AssessedPair>& assessed) {
+    std::array<size_t, kAssessmentNames.size()> counts{};
+    std::string list;
+    for (const AssessedPair& pair : assessed) {
+        ++counts[static_cast<size_t>(pair.assessment)];
+        if (!says_the_same(pair.assessment))
+            list += fmt::format("  {:<8} {} = {}\n", assessment_name(pair.assessment), terminal_text(pair.source),
+                                terminal_text(pair.target));
+    }
+    std::string out = fmt::format("{} pairs:", assessed.size());
+    for (size_t i = 0; i < counts.size(); ++i)
+        out += fmt::format("{} {} {}", i == 0 ? "" : ",", counts[i], kAssessmentNames[i]);
+    return out + "\n" + list;
+}
+
+std::string assessed_text(const std::vector<AssessedPair>& assessed, const Options& options) {
+    return options.format == "json" ? assessed_json(assessed) : assessed_table(assessed);
 }
 
 /// Says which of the pairs that are now recorded as in step certainly differ.
@@ -56,7 +113,15 @@ std::string summary(const Matching& matching, const Project& project) {
         out += fmt::format("  {:.0f} %  {} = {}\n", 100 * least[i].score, terminal_text(least[i].source),
                            terminal_text(least[i].target));
     return out + "Wrote portmap.toml, portmap.lock and portmap.base/ in " + terminal_text(project.root) +
-           "; commit all three.\nNext: porttool check\n";
+           "; commit all three.\nThe pairs are recorded, not verified: porttool init --assess says which say the same "
+           "today.\nNext: porttool check\n";
+}
+
+/// Looks at the pairs of a map that is there, and writes nothing.
+Outcome assess_map(const Options& options, Workplace& place) {
+    const Snapshot now = read_snapshot(open_project(options, place, true), {}, place.disk);
+    const LockFile lock = first_lock(now.project.map, now.states);
+    return {assessed_text(assess_pairs(lock, now.states, Dialect(now.project.map.dialect)), options), 0};
 }
 
 /// With a map that is there already: it stays as it is, and its pairs are recorded as in step.
@@ -81,10 +146,16 @@ Outcome record_map(const Options& options, Workplace& place) {
 void declare_init(Declare& declare, Options& options) {
     declare_sides(declare, options);
     declare.flag("--force", options.force, "Replace what is there");
+    declare.flag("--assess", options.assess,
+                 "Say of each pair whether it is a twin, equivalent, differs or is unlike today; where a map is there "
+                 "already, write nothing");
 }
 
 Outcome run_init(const Options& options, Workplace& place) {
-    require_format(options.format, {"text"});
+    if (options.assess)
+        require_format(options.format, {"text", "json"});
+    else
+        require_format(options.format, {"text"});
     if (options.source.empty() && options.target.empty()) {
         const std::string map = options.config.empty()
                                     ? join_path(find_root(place.disk, options.directory), "portmap.toml")
@@ -92,7 +163,14 @@ Outcome run_init(const Options& options, Workplace& place) {
         if (options.config.empty() && !place.disk.exists(map))
             throw CannotDo(
                 "init needs --source GLOB and --target GLOB: the files that are ported from, and their ports");
-        return record_map(options, place);
+        return options.assess ? assess_map(options, place) : record_map(options, place);
+    }
+    if (options.assess && !options.force && options.config.empty() &&
+        place.disk.exists(join_path(absolute_path(options.directory), "portmap.toml"))) {
+        Options there = options;
+        there.source.clear();
+        there.target.clear();
+        return assess_map(there, place);
     }
     Options fresh = options;
     fresh.config.clear();
@@ -111,8 +189,12 @@ Outcome run_init(const Options& options, Workplace& place) {
     now.states = read_states(now.project);  // not before: what the matcher needs is as large
     LockFile lock = first_lock(matching, now.states);
     tell_differences(accept_differences(lock, now.states, Dialect(), today()), place);
+    std::vector<AssessedPair> assessed;
+    if (options.assess) assessed = assess_pairs(lock, now.states, Dialect());
+    take_as_verified(lock, assessed);
     const std::string map = map_text(now.project, matching);
     store_lock(now.project, {lock, now.states, {}, &map, true}, place.disk);
+    if (options.assess) return {assessed_text(assessed, options), 0};
     return {summary(matching, now.project), 0};
 }
 

@@ -24,10 +24,9 @@ Settled settled_by(const MapFile& map) {
     return settled;
 }
 
-double least_score(const std::vector<std::string>& texts) {
+double least_score(const std::string& text) {
     constexpr double kDefault = 0.9;
-    if (texts.empty() || texts.front().empty()) return kDefault;
-    const std::string& text = texts.front();
+    if (text.empty()) return kDefault;
     double score = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), score);
     if (error != std::errc() || end != text.data() + text.size() || !(score >= 0 && score <= 1))
@@ -57,8 +56,8 @@ Outcome write_suggestions(Project project, const Matching& matching, double leas
 
 void declare_map(Declare& declare, Options& options) {
     declare_sides(declare, options);
-    declare.texts("--write", options.write, "SCORE", "Add suggestions from this score on (0.9) to portmap.toml")
-        .or_alone(options.writes);
+    declare.text_or_alone("--write", options.write, options.writes, "SCORE",
+                          "Add suggestions from this score on (0.9) to portmap.toml");
 }
 
 Outcome run_map(const Options& options, Workplace& place) {

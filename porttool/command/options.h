@@ -21,8 +21,9 @@ struct Options : CheckChoice {
     bool force = false;
     bool all = false;
     bool strict = false;
-    std::vector<std::string> write;  ///< map: the least score of a suggestion that is written into the map
+    std::string write;  ///< map: the least score of a suggestion that is written into the map
     bool writes = false;
+    bool assess = false;
     std::string owner, until, reason;
     std::vector<std::string> bench;       ///< report's bench files, FILE or FILE=MRAYS each
     std::vector<std::string> fail_under;  ///< report's bars, BLOCK=PERCENT each

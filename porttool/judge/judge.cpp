@@ -92,12 +92,18 @@ private:
         pair.standing = standing_of(worst, verdict);
         ++out_.summary.pairs;
         ++counter(pair.standing);
+        if (const LockedPair* line = line_of(mapped); line != nullptr)
+            ++(line->state == kVerified ? out_.summary.verified : out_.summary.recorded);
+    }
+
+    /// The pair's line in the project's own lock.
+    const LockedPair* line_of(const MappedPair& pair) const {
+        return in_project_ ? in_project_->find(pair.id.source, pair.id.target).pair : pair.lock.pair;
     }
 
     bool is_unrecorded(const MappedPair& pair) const {
-        if (pair.units.source.unit == nullptr || pair.units.target.unit == nullptr) return false;
-        if (in_project_) return in_project_->find(pair.id.source, pair.id.target).pair == nullptr;
-        return pair.lock.pair == nullptr && facts_.in_project != nullptr;
+        const bool is_there = pair.units.source.unit != nullptr && pair.units.target.unit != nullptr;
+        return is_there && facts_.in_project != nullptr && line_of(pair) == nullptr;
     }
 
     /// A pair that somebody wrote into the map. What is known of its source from before does not go unsaid.

@@ -57,6 +57,8 @@ constexpr std::string_view pair_standing_name(PairStanding standing) {
 /// Each pair counts once, at its worst.
 struct Summary {
     size_t pairs = 0, in_step = 0, drifted = 0, review = 0, deferred = 0, ignored = 0;
+    size_t recorded = 0;          ///< of the pairs: as in step, by init or without a look at each
+    size_t verified = 0;          ///< of the pairs: compared by a person or a program when they were recorded
     size_t units = 0;             ///< of the reference's side
     size_t unported = 0;          ///< of these, outside the pairs
     size_t unpaired = 0;          ///< of these, without anybody having said why: nothing watches them

@@ -68,29 +68,44 @@ ChangedPairs changed_pairs(const Judgement& judgement) {
     return out;
 }
 
-void accept_pairs(LockFile& lock, const std::vector<const JudgedPair*>& pairs, const std::string& reason,
+void accept_pairs(LockFile& lock, const std::vector<const JudgedPair*>& pairs, Looked looked, const std::string& reason,
                   const std::string& today) {
-    std::map<std::pair<std::string, std::string>, MoreFields> recorded;
-    std::set<std::string> sources;
+    std::map<std::pair<std::string, std::string>, LockedPair> recorded;
+    std::set<std::string> sources, targets;
     for (const JudgedPair* pair : pairs) {
         recorded.try_emplace({pair->id.source, pair->id.target});
         sources.insert(pair->id.source);
+        targets.insert(pair->id.target);
     }
     std::erase_if(lock.pairs, [&](LockedPair& p) {
         const auto pair = recorded.find({p.source, p.target});
-        if (pair != recorded.end()) pair->second = std::move(p.more);
+        if (pair != recorded.end()) pair->second = std::move(p);
         return pair != recorded.end();
     });
     std::erase_if(lock.ledger, [&](const LedgerEntry& e) {
-        return e.target.empty() ? sources.contains(e.source) : recorded.contains({e.source, e.target});
+        if (e.target.empty()) return sources.contains(e.source);
+        return e.source.empty() ? targets.contains(e.target) : recorded.contains({e.source, e.target});
     });
-    std::erase_if(lock.baseline,
-                  [&](const LockedUnit& u) { return u.side == side_word(Side::Source) && sources.contains(u.id); });
+    std::erase_if(lock.baseline, [&](const LockedUnit& u) {
+        return (u.side == side_word(Side::Source) ? sources : targets).contains(u.id);
+    });
     for (const JudgedPair* pair : pairs) {
         const auto& [source, target] = pair->unit;
-        if (source != nullptr && target != nullptr)
-            lock.pairs.push_back({pair->id.source, pair->id.target, source->prints, target->prints, "recorded", "",
-                                  std::move(recorded.at({pair->id.source, pair->id.target}))});
+        LockedPair line = std::move(recorded.at({pair->id.source, pair->id.target}));
+        line.source = pair->id.source;
+        line.target = pair->id.target;
+        if (looked == Looked::AtEach) {
+            line.state = kVerified;
+            line.by = kAcceptedBy + today;
+        } else if (!pair->equivalent) {
+            line.state = LockedPair().state;
+            line.by.clear();
+        }
+        if (source != nullptr && target != nullptr) {
+            line.source_prints = source->prints;
+            line.target_prints = target->prints;
+            lock.pairs.push_back(std::move(line));
+        }
         if (!reason.empty())
             lock.ledger.push_back({Verdict::Accept, pair->id.source, pair->id.target, written_print(source),
                                    written_print(target), "", today, reason});

@@ -34,9 +34,13 @@ struct ChangedPairs {
 };
 ChangedPairs changed_pairs(const Judgement& judgement);
 
+/// What a person did before accepting pairs: named each, or took them all.
+enum class Looked : uint8_t { AtEach, AtNone };
+
 /// Records pairs as in step with today's texts, and forgets what was said of them before. A reason is kept beside each,
-/// with its day.
-void accept_pairs(LockFile& lock, const std::vector<const JudgedPair*>& pairs, const std::string& reason,
+/// with its day. Pairs that somebody looked at are verified by that; of others, those stay so whose edits are
+/// equivalent.
+void accept_pairs(LockFile& lock, const std::vector<const JudgedPair*>& pairs, Looked looked, const std::string& reason,
                   const std::string& today);
 
 /// Gives the lines of the baseline the ids that their units have today. Goes first, before the lock is changed.

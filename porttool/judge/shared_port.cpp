@@ -23,7 +23,9 @@ bool SharedPorts::explains(const MappedPair& pair) const {
     if (pair.units[other(side_)].unit == nullptr) return false;
     FindingList unsaid(facts_.map);
     const JudgedPair judged = PairJudge(facts_, unsaid).judge(pair.id, pair.map_line, pair.units, pair.lock);
-    return judged.changed && judged.equivalent;
+    const Side original = other(side_);
+    const Fingerprints& then = original == Side::Source ? pair.lock.pair->source_prints : pair.lock.pair->target_prints;
+    return judged.equivalent && is_edit(classify(then, pair.units[original].unit->prints));
 }
 
 SharedPorts::Worth SharedPorts::worth_of(const MappedPair& pair) {

@@ -23,11 +23,16 @@ inline constexpr int kNormalForm = 2;
 /// What later versions of porttool keep beside a line's own fields: `name=value`, carried along unread.
 using MoreFields = std::map<std::string, std::string>;
 
+/// The state of a pair whose texts somebody, or something, has compared.
+inline constexpr const char* kVerified = "verified";
+/// How LockedPair::by begins where a person did; the day follows.
+inline constexpr const char* kAcceptedBy = "accept ";
+
 /// A pair as it was when its sides were last in step.
 struct LockedPair {
     std::string source, target;
     Fingerprints source_prints, target_prints;
-    std::string state = "recorded";  ///< or "verified"
+    std::string state = "recorded";  ///< or kVerified
     std::string by = {};             ///< what verified it, and when
     MoreFields more = {};
     int line = 0;  ///< in the file that it was read from

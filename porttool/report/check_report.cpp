@@ -45,8 +45,11 @@ std::string unwatched_text(const Summary& summary, Reference reference) {
            (summary.unpaired_changed > 0 ? changed : "");
 }
 
+std::string verified_text(const Summary& summary) {
+    return summary.recorded > 0 && summary.verified == 0 ? "; recorded, not verified" : "";
+}
+
 std::string check_json(const Judgement& judgement) {
-    const Summary& s = judgement.summary;
     ordered_json findings = ordered_json::array();
     for (const Finding& f : judgement.findings) {
         if (!is_shown(f)) continue;
@@ -67,17 +70,7 @@ std::string check_json(const Judgement& judgement) {
         brought_in.push_back(
             {{"kind", gate_part_name(one.kind)}, {"file", one.file}, {"line", one.line}, {"text", one.text}});
     const ordered_json out = {{"verdict", gate_result_name(judgement.result())},
-                              {"summary",
-                               {{"pairs", s.pairs},
-                                {"in_step", s.in_step},
-                                {"drifted", s.drifted},
-                                {"review", s.review},
-                                {"unported", s.unported},
-                                {"deferred", s.deferred},
-                                {"ignored", s.ignored},
-                                {"units", s.units},
-                                {"unpaired", s.unpaired},
-                                {"unpaired_changed", s.unpaired_changed}}},
+                              {"summary", summary_json(judgement.summary)},
                               {"brought_in", brought_in},
                               {"findings", findings}};
     return json_text(out, 1) + "\n";
@@ -102,7 +95,7 @@ std::string check_table(const Judgement& judgement, bool color) {
     const Summary& s = judgement.summary;
     out += fmt::format("{}: {} pairs, {} in step, {} drifted, {} to review, {} deferred, {} ignored; {}\n",
                        gate_result_name(judgement.result()), s.pairs, s.in_step, s.drifted, s.review, s.deferred,
-                       s.ignored, unwatched_text(s, judgement.reference));
+                       s.ignored, unwatched_text(s, judgement.reference) + verified_text(s));
     return out;
 }
 

@@ -12,6 +12,9 @@ std::string check_json(const Judgement& judgement);
 /// What no pair watches, part of a sentence: "265 of 492 source units are not watched, 14 of them changed here".
 std::string unwatched_text(const Summary& summary, Reference reference);
 
+/// What follows in that sentence: that nobody has compared the texts of any pair; "" where somebody has.
+std::string verified_text(const Summary& summary);
+
 /// Findings with their remedies, then one line of summary; `color` adds terminal colours.
 std::string check_table(const Judgement& judgement, bool color);
 

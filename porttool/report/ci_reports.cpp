@@ -159,7 +159,7 @@ std::string check_markdown(const Judgement& judgement) {
     std::string out = fmt::format(
         "### porttool: {}\n\n{} pairs: {} in step, {} drifted, {} to review, {} deferred, {} ignored; {}.\n",
         gate_result_name(judgement.result()), s.pairs, s.in_step, s.drifted, s.review, s.deferred, s.ignored,
-        unwatched_text(s, judgement.reference));
+        unwatched_text(s, judgement.reference) + verified_text(s));
     bool any = false;
     for (const Finding& f : judgement.findings) {
         if (!is_open(f)) continue;

@@ -33,6 +33,15 @@ ordered_json place_json(const std::optional<Place>& place) {
     return {{"id", place->id}, {"file", place->file}, {"line", place->line}, {"end_line", place->end_line}};
 }
 
+nlohmann::ordered_json summary_json(const Summary& s) {
+    return {{"pairs", s.pairs},       {"in_step", s.in_step},
+            {"drifted", s.drifted},   {"review", s.review},
+            {"unported", s.unported}, {"deferred", s.deferred},
+            {"ignored", s.ignored},   {"units", s.units},
+            {"unpaired", s.unpaired}, {"unpaired_changed", s.unpaired_changed},
+            {"recorded", s.recorded}, {"verified", s.verified}};
+}
+
 std::string bounded_text(double value, double most, int digits) {
     const double step = std::pow(10, -digits);
     return fmt::format("{:.{}f}", value > 0 && value < most ? std::clamp(value, step, most - step) : value, digits);

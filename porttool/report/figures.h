@@ -20,6 +20,9 @@ nlohmann::ordered_json number_json(const std::optional<double>& number);
 /// `{"id", "file", "line", "end_line"}`, or null.
 nlohmann::ordered_json place_json(const std::optional<Place>& place);
 
+/// The counts of a judgement.
+nlohmann::ordered_json summary_json(const Summary& summary);
+
 /// A figure from 0 to `most`, rounded, but `most` and 0 only where it is exactly that.
 std::string bounded_text(double value, double most, int digits);
 

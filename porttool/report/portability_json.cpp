@@ -126,11 +126,6 @@ ordered_json ledger_row_json(const LedgerRow& row) {
             {"reason", text_or_null(row.reason)}};
 }
 
-ordered_json summary_json(const Summary& s) {
-    return {{"pairs", s.pairs},       {"in_step", s.in_step},   {"drifted", s.drifted}, {"review", s.review},
-            {"unported", s.unported}, {"deferred", s.deferred}, {"ignored", s.ignored}};
-}
-
 ordered_json drift_json(const WholeReport& whole) {
     ordered_json out = {{"verdict", nullptr}, {"summary", nullptr}};
     if (whole.is_recorded)

@@ -53,7 +53,7 @@ std::string summary_line(const WholeReport& whole) {
     const Summary& s = whole.judgement.summary;
     return fmt::format("{} of {} pairs in step, {} drifted, {} to review, {} deferred, {} ignored; {}", s.in_step,
                        s.pairs, s.drifted, s.review, s.deferred, s.ignored,
-                       unwatched_text(s, whole.judgement.reference));
+                       unwatched_text(s, whole.judgement.reference) + verified_text(s));
 }
 
 /// A block with what it is compared with, if anything.
