@@ -9,7 +9,7 @@
 #include "porttool/command/commands.h"
 #include "porttool/judge/assess.h"
 #include "porttool/judge/first_record.h"
-#include "porttool/match/match.h"
+#include "porttool/match/match_sets.h"
 #include "porttool/read/clock.h"
 #include "porttool/snapshot/map_edit.h"
 #include "porttool/snapshot/snapshot.h"
@@ -29,8 +29,11 @@ std::string list(const std::vector<std::string>& texts) {
 std::string map_text(const Project& project, const Matching& matching) {
     std::string out =
         "# Which units are ports of which. Written by porttool init; yours to edit.\nversion = 1\n\n[sides]\n";
-    out += "source = " + list(project.map.source) + "\ntarget = " + list(project.map.target) +
-           "\nreference = \"source\"\n";
+    out += "source = " + list(project.map.source) + "\n";
+    if (project.map.target_sets.empty()) out += "target = " + list(project.map.target) + "\n";
+    out += "reference = \"source\"\n";
+    if (!project.map.target_sets.empty()) out += "\n[sides.targets]\n";
+    for (const TargetSet& set : project.map.target_sets) out += set.name + " = " + list(set.globs) + "\n";
     for (const MatchedPair& pair : matching.pairs) out += pair_text({pair.source, pair.target, pair.score});
     return out;
 }
@@ -185,9 +188,10 @@ Outcome run_init(const Options& options, Workplace& place) {
     Snapshot now = read_snapshot(std::move(project), {}, place.disk, Depth::Scanned);
     for (const SkippedFile& file : now.project.skipped)
         place.err << "skipped " << terminal_text(file.file) << ": " << terminal_text(file.reason) << "\n";
-    const Matching matching = match_units(now.project.source, now.project.target, {}, Dialect());
+    const TargetSets sets(now.project.map);
+    const SetMatching matching = match_sets(now.project.source, now.project.target, {}, Dialect(), sets);
     now.states = read_states(now.project);  // not before: what the matcher needs is as large
-    LockFile lock = first_lock(matching, now.states);
+    LockFile lock = first_lock(matching, now.states, sets);
     tell_differences(accept_differences(lock, now.states, Dialect(), today()), place);
     std::vector<AssessedPair> assessed;
     if (options.assess) assessed = assess_pairs(lock, now.states, Dialect());

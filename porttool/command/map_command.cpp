@@ -5,7 +5,7 @@
 #include <charconv>
 
 #include "porttool/command/commands.h"
-#include "porttool/match/match.h"
+#include "porttool/match/match_sets.h"
 #include "porttool/report/map_report.h"
 #include "porttool/snapshot/lock_store.h"
 #include "porttool/snapshot/map_edit.h"
@@ -70,8 +70,8 @@ Outcome run_map(const Options& options, Workplace& place) {
     const Project project = read_snapshot(open_project(options, place, true), {}, place.disk, Depth::Scanned).project;
     for (const SkippedFile& file : project.skipped)
         place.err << "skipped " << terminal_text(file.file) << ": " << terminal_text(file.reason) << "\n";
-    const Matching matching =
-        match_units(project.source, project.target, settled_by(project.map), Dialect(project.map.dialect));
+    const Matching matching = match_sets(project.source, project.target, settled_by(project.map),
+                                         Dialect(project.map.dialect), TargetSets(project.map));
     if (writes) return write_suggestions(project, matching, least, place);
     return {options.format == "json" ? map_json(matching) : map_table(matching), 0};
 }

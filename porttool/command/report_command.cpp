@@ -146,7 +146,8 @@ Outcome run_report(const Options& options, Workplace& place) {
         for (RowReport& row : report.rows) row.state.clear();
     const std::string low = below_bars(report, bars);
     const std::string date = today();
-    WholeReport whole{checked.project.map, report, checked.judgement, {}, date, {}, {}, checked.recorded};
+    WholeReport whole{checked.project.map, report, checked.judgement, {}, date, {}, {}, {}, checked.recorded};
+    if (checked.recorded) whole.matrix = target_matrix(checked);
     for (const std::string& text : options.bench)
         whole.performance.platforms.push_back(read_bench(text, options, place.disk));
     whole.ledger = drift_ledger(checked.judgement, checked.lock, finding_ages(checked, date), date);

@@ -142,7 +142,8 @@ Outcome run_accept(const Options& options, Workplace& place) {
             accept_unwatched(checked.lock, checked.judgement, checked.states, options.reason);
         }
     }
-    accept_pairs(checked.lock, accepted, options.all ? Looked::AtNone : Looked::AtEach, options.reason, today());
+    accept_pairs(checked.lock, accepted, TargetSets(checked.project.map), options.all ? Looked::AtNone : Looked::AtEach,
+                 options.reason, today());
     std::vector<NewPair> fresh;
     for (const JudgedPair& pair : acceptance.fresh) fresh.push_back({pair.id.source, pair.id.target});
     const std::string map = fresh.empty() ? std::string() : add_pairs(checked.project, fresh, place);

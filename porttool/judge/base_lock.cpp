@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "porttool/judge/base_lock.h"
 
-#include <set>
-
+#include "porttool/judge/first_record.h"
 #include "porttool/read/lock_lines.h"
 #include "porttool/read/lock_upgrade.h"
 #include "porttool/text/sink/terminal.h"
@@ -70,11 +69,8 @@ BaseLock base_lock(const Snapshot& base, const LockFile& then, const LockFile& n
         for (const Side side : kBothSides)
             for (const auto& [id, state] : (*states)[side]) out.texts.emplace(state.prints.written, state.text);
     const LinesByPair lines_then(then), lines_now(now);
-    BySide<std::set<std::string>> mapped;
     for (const MapPair& pair : base.project.map.pairs) {
-        mapped.source.insert(pair.source);
         for (const std::string& target : pair.targets) {
-            mapped.target.insert(target);
             if (const LockedPair* line = accepted_since(lines_then, lines_now, today, pair.source, target)) {
                 out.lock.pairs.push_back(*line);
                 continue;
@@ -93,11 +89,12 @@ BaseLock base_lock(const Snapshot& base, const LockFile& then, const LockFile& n
                 out.lock.pairs.push_back({pair.source, target, left->prints, right->prints});
         }
     }
-    for (const Side side : kBothSides) {
-        if (!is_contract(base.project.map.reference, side)) continue;
-        for (const auto& [id, state] : base.states[side])
-            if (!mapped[side].contains(id)) out.lock.baseline.push_back({id, state.prints, "", side_word(side)});
-    }
+    const TargetSets sets(base.project.map);
+    const auto paired = paired_units(base.project.map, sets);
+    for (const Side side : kBothSides)
+        if (is_contract(base.project.map.reference, side))
+            for (LockedUnit& line : baseline_of(base.states[side], side, paired[side], sets))
+                out.lock.baseline.push_back(std::move(line));
     out.lock.baseline.insert(out.lock.baseline.end(), now.baseline.begin(), now.baseline.end());
     out.lock.ledger = now.ledger;
     return out;

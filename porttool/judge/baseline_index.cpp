@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "porttool/read/target_sets.h"
 #include "porttool/scan/scan.h"
 
 namespace porttool {
@@ -44,10 +45,11 @@ std::string last_name(const std::string& name) {
 }
 
 /// With --base the base's own baseline stands beside that of the lock: what both say is one line, with its reason.
-std::vector<const LockedUnit*> distinct(const std::vector<LockedUnit>& lines, std::string_view side) {
+std::vector<const LockedUnit*> distinct(const std::vector<LockedUnit>& lines, std::string_view side,
+                                        const std::string& set) {
     std::map<std::pair<std::string, std::string>, const LockedUnit*> known;
     for (const LockedUnit& line : lines) {
-        if (line.side != side) continue;
+        if (line.side != side || !lacks(line, set)) continue;
         const LockedUnit*& best = known[{line.id, line.prints.written}];
         if (best == nullptr || best->reason.empty()) best = &line;
     }
@@ -58,9 +60,9 @@ std::vector<const LockedUnit*> distinct(const std::vector<LockedUnit>& lines, st
 
 }  // namespace
 
-BaselineIndex::BaselineIndex(const std::vector<LockedUnit>& lines, Side side,
+BaselineIndex::BaselineIndex(const std::vector<LockedUnit>& lines, Side side, const std::string& set,
                              const std::vector<const UnitState*>& units, const std::map<std::string, UnitState>& all) {
-    std::vector<const LockedUnit*> free_lines = distinct(lines, side_word(side));
+    std::vector<const LockedUnit*> free_lines = distinct(lines, side_word(side), set);
     std::set<const LockedUnit*> used;
     const auto match = [&](const FreeLines::Key& of_line, const std::function<std::string(const UnitState&)>& of_unit) {
         FreeLines free(free_lines, used, of_line);

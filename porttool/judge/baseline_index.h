@@ -17,9 +17,10 @@ namespace porttool {
 /// became: a unit of its text under other names, of its last name in its file, or of its whole name elsewhere.
 class BaselineIndex {
 public:
-    /// `units`: those of the side that no pair leads to; `all`: all of the side, by id. All must outlive it.
-    BaselineIndex(const std::vector<LockedUnit>& lines, Side side, const std::vector<const UnitState*>& units,
-                  const std::map<std::string, UnitState>& all);
+    /// `set`: the port that they lack; "" where there is but one. `units`: those of the side that no pair leads to;
+    /// `all`: all of the side, by id. All must outlive it.
+    BaselineIndex(const std::vector<LockedUnit>& lines, Side side, const std::string& set,
+                  const std::vector<const UnitState*>& units, const std::map<std::string, UnitState>& all);
 
     /// The line, or nullptr.
     const LockedUnit* find(const UnitState& unit) const;

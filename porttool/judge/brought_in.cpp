@@ -188,6 +188,8 @@ private:
                   {"target", fmt::format("{}", fmt::join(map.target, ", "))},
                   {"reference", std::string(reference_name(map.reference))}};
         if (!map.target_root.empty()) out["target_root"] = map.target_root;
+        for (const TargetSet& set : map.target_sets)
+            out["targets." + set.name] = fmt::format("{}", fmt::join(set.globs, ", "));
         return out;
     }
     static std::string sides_text(const MapFile& map) {

@@ -59,8 +59,8 @@ std::vector<size_t> shared_words(const Files& files, const std::vector<const Uni
 
 class Search {
 public:
-    Search(const Case& facts, const std::vector<JudgedPair>& pairs, Side side,
-           const std::vector<const UnitState*>& fresh)
+    Search(const Case& facts, const std::vector<JudgedPair>& pairs, Side side, const TargetSets& sets,
+           const std::string& set, const std::vector<const UnitState*>& fresh)
         : facts_(facts), side_(side), dialect_(facts.map.dialect) {
         std::set<std::string> paths;
         for (const UnitState* unit : fresh) {
@@ -69,10 +69,15 @@ public:
         }
         for (const ScannedFile& file : *facts.files[side])
             if (paths.contains(file.path)) files_[side].push_back(file);
-        const Files& there = *facts.files[other(side)];
+        Files of_set;
+        if (side == Side::Source && !set.empty())
+            for (const ScannedFile& file : *facts.files.target)
+                if (sets.of_path(file.path) == set) of_set.push_back(file);
+        const Files& there = side == Side::Source && !set.empty() ? of_set : *facts.files[other(side)];
         files_[other(side)] = limited(there, shared_words(there, fresh));
         for (const JudgedPair& pair : pairs) {
             if (pair.unit.source == nullptr || pair.unit.target == nullptr) continue;
+            if (sets.of_id(pair.id.target) != set) continue;
             pairs_.emplace_back(pair.unit.source->id, pair.unit.target->id);
             partner_.emplace(pair.unit[other(side)]->id, pair.unit[side]->id);
         }
@@ -137,9 +142,10 @@ private:
 }  // namespace
 
 Counterparts find_counterparts(const Case& facts, const std::vector<JudgedPair>& pairs, Side side,
+                               const TargetSets& sets, const std::string& set,
                                const std::vector<const UnitState*>& fresh) {
     if (fresh.empty() || facts.files.source == nullptr) return {};
-    return Search(facts, pairs, side, fresh).run();
+    return Search(facts, pairs, side, sets, set, fresh).run();
 }
 
 }  // namespace porttool

@@ -12,9 +12,9 @@
 namespace porttool {
 namespace {
 
-std::tuple<std::string, uint32_t, std::string_view, std::string> sort_key(const Finding& f) {
+std::tuple<std::string, uint32_t, std::string_view, std::string, std::string> sort_key(const Finding& f) {
     const Place place = f.source ? *f.source : f.target.value_or(Place{});
-    return {place.file, place.line, rule_name(f.rule), f.fingerprint};
+    return {place.file, place.line, rule_name(f.rule), f.target_set, f.fingerprint};
 }
 
 std::string print_of(const std::vector<std::string>& parts) {
@@ -51,8 +51,9 @@ Finding& FindingList::begin(Rule rule, const std::string& source, const std::str
 
 Finding& FindingList::add(Rule rule, const std::string& id) { return begin(rule, id, "", ""); }
 
-Finding& FindingList::add(Rule rule, const UnitState& unit, Side side) {
-    Finding& finding = begin(rule, unit.id, "", side == Side::Source ? "" : "target");
+Finding& FindingList::add(Rule rule, const UnitState& unit, Side side, const std::string& set) {
+    Finding& finding = begin(rule, unit.id, "", side == Side::Source ? set : "target " + set);
+    finding.target_set = set;
     finding.side = side;
     (side == Side::Source ? finding.source : finding.target) = place_of(unit, side);
     return finding;
@@ -64,6 +65,7 @@ Finding& FindingList::add(Rule rule, const JudgedPair& pair, std::optional<Chang
     if (pair.unit.source != nullptr) finding.source = place_of(*pair.unit.source, Side::Source);
     if (pair.unit.target != nullptr) finding.target = place_of(*pair.unit.target, Side::Target);
     finding.map_line = pair.map_line;
+    finding.target_set = sets_.of_id(pair.id.target);
     finding.change = change;
     finding.message = message;
     return finding;

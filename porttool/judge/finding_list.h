@@ -9,6 +9,7 @@
 
 #include "porttool/judge/judgement.h"
 #include "porttool/read/map_file.h"
+#include "porttool/read/target_sets.h"
 
 namespace porttool {
 
@@ -20,13 +21,13 @@ std::string argument(const std::string& id, const Finding& finding);
 class FindingList {
 public:
     /// `map` must outlive it.
-    explicit FindingList(const MapFile& map) : map_(map) {}
+    explicit FindingList(const MapFile& map) : map_(map), sets_(map) {}
 
     /// Adds a finding outside pairs. Like all that are handed out, it stays valid until the next one is added.
     Finding& add(Rule rule, const std::string& id);
 
-    /// Adds a finding on a unit without a counterpart.
-    Finding& add(Rule rule, const UnitState& unit, Side side);
+    /// Adds a finding on a unit without a counterpart, in one port where there are several.
+    Finding& add(Rule rule, const UnitState& unit, Side side, const std::string& set = {});
 
     /// Adds a finding on a pair. `subject` tells it from others of the same rule on it, where there may be several.
     Finding& add(Rule rule, const JudgedPair& pair, std::optional<ChangeKind> change, const std::string& message,
@@ -51,6 +52,7 @@ private:
     Finding& begin(Rule rule, const std::string& source, const std::string& target, const std::string& subject);
 
     const MapFile& map_;
+    TargetSets sets_;
     std::vector<Finding> findings_;
 };
 

@@ -61,7 +61,7 @@ public:
     Judgement run() {
         out_.reference = facts_.map.reference;
         for (const MappedPair& pair : pairs_) judge_pair(pair);
-        find_unwatched(facts_, {&source_, &target_}, findings_, verdicts_, out_);
+        find_unwatched(facts_, findings_, verdicts_, out_);
         verdicts_.report_idle();
         report_unreadable();
         out_.findings = findings_.finish();

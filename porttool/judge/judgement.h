@@ -38,6 +38,7 @@ struct Finding {
     std::string message, remedy;
     std::string map_source, map_target;  ///< the ids of its pair in portmap.toml; outside pairs its subject and ""
     Side side = Side::Source;            ///< outside pairs: of the unit that it is about
+    std::string target_set;              ///< the port that it is about, where [sides.targets] names several
     std::string fingerprint;  ///< stable: of the rule, the ids, and the subject where a rule finds several on one pair
     std::optional<Verdict> verdict;  ///< Defer or Ignore where a person settled it
     std::string verdict_reason;

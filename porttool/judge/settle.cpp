@@ -25,6 +25,29 @@ void forget(LockFile& lock, const std::string& source, const std::string& target
     std::erase_if(lock.ledger, [&](const LedgerEntry& e) { return e.source == source && e.target == target; });
 }
 
+/// A unit that has become part of a pair is watched, in the port that the pair is with.
+void take_out_of_baseline(LockFile& lock, const std::vector<const JudgedPair*>& pairs, const TargetSets& sets) {
+    BySide<std::map<std::string, std::set<std::string>>> paired;
+    for (const JudgedPair* pair : pairs) {
+        paired.source[pair->id.source].insert(sets.of_id(pair->id.target));
+        paired.target[pair->id.target];
+    }
+    std::erase_if(lock.baseline, [&](LockedUnit& line) {
+        const Side side = line.side == side_word(Side::Source) ? Side::Source : Side::Target;
+        const auto found = paired[side].find(line.id);
+        if (found == paired[side].end()) return false;
+        bool is_left = side == Side::Source;
+        for (const std::string& set : found->second) is_left = is_left && take_out(line, set, sets.names());
+        return !is_left;
+    });
+}
+
+/// Writes a line of the baseline in the place of any other on that unit.
+void put_line(LockFile& lock, LockedUnit line) {
+    std::erase_if(lock.baseline, [&](const LockedUnit& u) { return u.side == line.side && u.id == line.id; });
+    lock.baseline.push_back(std::move(line));
+}
+
 }  // namespace
 
 bool is_of(const Finding& finding, const JudgedPair& pair) {
@@ -68,8 +91,8 @@ ChangedPairs changed_pairs(const Judgement& judgement) {
     return out;
 }
 
-void accept_pairs(LockFile& lock, const std::vector<const JudgedPair*>& pairs, Looked looked, const std::string& reason,
-                  const std::string& today) {
+void accept_pairs(LockFile& lock, const std::vector<const JudgedPair*>& pairs, const TargetSets& sets, Looked looked,
+                  const std::string& reason, const std::string& today) {
     std::map<std::pair<std::string, std::string>, LockedPair> recorded;
     std::set<std::string> sources, targets;
     for (const JudgedPair* pair : pairs) {
@@ -86,9 +109,7 @@ void accept_pairs(LockFile& lock, const std::vector<const JudgedPair*>& pairs, L
         if (e.target.empty()) return sources.contains(e.source);
         return e.source.empty() ? targets.contains(e.target) : recorded.contains({e.source, e.target});
     });
-    std::erase_if(lock.baseline, [&](const LockedUnit& u) {
-        return (u.side == side_word(Side::Source) ? sources : targets).contains(u.id);
-    });
+    take_out_of_baseline(lock, pairs, sets);
     for (const JudgedPair* pair : pairs) {
         const auto& [source, target] = pair->unit;
         LockedPair line = std::move(recorded.at({pair->id.source, pair->id.target}));
@@ -113,8 +134,19 @@ void accept_pairs(LockFile& lock, const std::vector<const JudgedPair*>& pairs, L
 }
 
 void follow_baseline(LockFile& lock, const Judgement& judgement) {
-    for (const LoneUnit& one : judgement.lone)
-        if (one.line) lock.baseline[*one.line].id = one.unit->id;
+    std::set<size_t> followed;
+    std::set<std::pair<std::string, std::string>> taken;
+    for (const LoneUnit& one : judgement.lone) {
+        if (!one.line) continue;
+        followed.insert(*one.line);
+        lock.baseline[*one.line].id = one.unit->id;
+        taken.insert({side_word(one.side), one.unit->id});
+    }
+    std::vector<LockedUnit> lines;  // a line of what is gone makes room for what took its id
+    for (size_t i = 0; i < lock.baseline.size(); ++i)
+        if (followed.contains(i) || !taken.contains({lock.baseline[i].side, lock.baseline[i].id}))
+            lines.push_back(std::move(lock.baseline[i]));
+    lock.baseline = std::move(lines);
 }
 
 bool is_of_new_unit(const Finding& finding) { return finding.rule == Rule::Unported || finding.rule == Rule::Unpaired; }
@@ -127,8 +159,8 @@ void accept_unwatched(LockFile& lock, const Judgement& judgement, const BySide<s
     }
     for (const Finding& finding : judgement.findings)
         if (is_of_new_unit(finding))
-            lock.baseline.push_back({finding.map_source, units[finding.side].at(finding.map_source).prints, reason,
-                                     side_word(finding.side)});
+            put_line(lock, {finding.map_source, units[finding.side].at(finding.map_source).prints, reason,
+                            side_word(finding.side)});
 }
 
 void settle_pair(LockFile& lock, const JudgedPair& pair, LedgerEntry said) {
@@ -146,7 +178,7 @@ void settle_lone(LockFile& lock, const UnitState& unit, Side side, LedgerEntry s
     said.target = of_source ? "" : unit.id;
     forget(lock, said.source, said.target);
     if (said.verdict == Verdict::Ignore) {
-        lock.baseline.push_back({unit.id, unit.prints, said.reason, side_word(side)});
+        put_line(lock, {unit.id, unit.prints, said.reason, side_word(side)});
         return;
     }
     said.source_print = of_source ? unit.prints.written : kNoText;

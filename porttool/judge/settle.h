@@ -9,6 +9,7 @@
 
 #include "porttool/judge/judgement.h"
 #include "porttool/read/lock_file.h"
+#include "porttool/read/target_sets.h"
 
 namespace porttool {
 
@@ -40,8 +41,8 @@ enum class Looked : uint8_t { AtEach, AtNone };
 /// Records pairs as in step with today's texts, and forgets what was said of them before. A reason is kept beside each,
 /// with its day. Pairs that somebody looked at are verified by that; of others, those stay so whose edits are
 /// equivalent.
-void accept_pairs(LockFile& lock, const std::vector<const JudgedPair*>& pairs, Looked looked, const std::string& reason,
-                  const std::string& today);
+void accept_pairs(LockFile& lock, const std::vector<const JudgedPair*>& pairs, const TargetSets& sets, Looked looked,
+                  const std::string& reason, const std::string& today);
 
 /// Gives the lines of the baseline the ids that their units have today. Goes first, before the lock is changed.
 void follow_baseline(LockFile& lock, const Judgement& judgement);

@@ -4,6 +4,9 @@
 
 #include <fmt/format.h>
 
+#include <map>
+#include <set>
+
 #include "porttool/compare/compare_pair.h"
 #include "porttool/judge/baseline_index.h"
 #include "porttool/judge/counterparts.h"
@@ -19,58 +22,71 @@ const std::map<std::string, UnitState>& units_of(const Case& facts, Side side) {
     return side == Side::Source ? facts.source : facts.target;
 }
 
+/// What is counted of a unit that some port lacks.
+struct Unwatched {
+    bool unpaired = false;  ///< nobody said why
+    bool changed = false;   ///< new, or edited since it was recorded
+};
+
 /// A line of the baseline may know the written print alone.
 bool is_edited(const LockedUnit& line, const UnitState& unit) {
     if (line.prints.written == unit.prints.written) return false;
     return line.prints.blanked == "-" || is_edit(classify(line.prints, unit.prints));
 }
 
+/// A side that is the contract, held against one port.
 class UnwatchedSide {
 public:
-    UnwatchedSide(const Case& facts, Side side, const Resolver& resolver, FindingList& findings, Verdicts& verdicts)
-        : facts_(facts), side_(side), findings_(findings), verdicts_(verdicts) {
-        for (const auto& [id, unit] : units_of(facts, side)) {
-            if (unit.kind == UnitKind::File) continue;
-            ++all_;
-            if (!resolver.taken(unit)) units_.push_back(&unit);
-        }
-    }
+    UnwatchedSide(const Case& facts, const TargetSets& sets, Side side, std::string set, FindingList& findings,
+                  Verdicts& verdicts)
+        : facts_(facts), sets_(sets), side_(side), set_(std::move(set)), findings_(findings), verdicts_(verdicts) {}
 
-    void run(Judgement& out) {
-        const BaselineIndex baseline(facts_.lock.baseline, side_, units_, units_of(facts_, side_));
+    /// Adds to `lone`, and to `changed` those that are new or edited.
+    void run(Judgement& out, std::map<const UnitState*, Unwatched>& units) {
+        find_units(out.pairs);
+        const BaselineIndex baseline(facts_.lock.baseline, side_, set_, units_, units_of(facts_, side_));
         std::vector<const UnitState*> fresh;
         for (const UnitState* unit : units_)
             if (baseline.find(*unit) == nullptr && !verdicts_.is_ignored(*unit)) fresh.push_back(unit);
-        const Counterparts counterparts = find_counterparts(facts_, out.pairs, side_, fresh);
-        Summary& summary = out.summary;
-        summary.units += all_;
-        summary.unported += units_.size();
+        const Counterparts counterparts = find_counterparts(facts_, out.pairs, side_, sets_, set_, fresh);
         for (const UnitState* unit : units_) {
             const LockedUnit* line = baseline.find(*unit);
             const std::optional<std::string> said = judge_unit(*unit, line, counterparts);
-            const bool is_new = line == nullptr && !verdicts_.is_ignored(*unit);
+            Unwatched& counted = units[unit];
             if (!said && !verdicts_.is_ignored(*unit)) {
-                ++summary.unpaired;
-                if (is_new || is_edited(*line, *unit)) ++summary.unpaired_changed;
+                counted.unpaired = true;
+                counted.changed = counted.changed || line == nullptr || is_edited(*line, *unit);
             }
-            std::optional<std::string> excuse = said;
-            if (!excuse && line != nullptr) excuse = "had no port when the baseline was taken";
-            const auto number = [&] { return static_cast<size_t>(line - facts_.lock.baseline.data()); };
-            out.lone.push_back(
-                {side_, unit, std::move(excuse), line == nullptr ? std::nullopt : std::optional(number())});
+            LoneUnit lone{side_, unit, said, std::nullopt};
+            if (!said && line != nullptr) lone.excuse = "had no port when the baseline was taken";
+            if (line != nullptr) lone.line = static_cast<size_t>(line - facts_.lock.baseline.data());
+            out.lone.push_back(std::move(lone));
         }
     }
 
 private:
+    /// The units that no pair with this port leads to.
+    void find_units(const std::vector<JudgedPair>& pairs) {
+        std::set<const UnitState*> paired;
+        for (const JudgedPair& pair : pairs)
+            if (side_ == Side::Target || sets_.of_id(pair.id.target) == set_) paired.insert(pair.unit[side_]);
+        for (const auto& [id, unit] : units_of(facts_, side_)) {
+            const bool of_set = side_ == Side::Source || sets_.of_path(unit.file) == set_;
+            if (unit.kind != UnitKind::File && of_set && !paired.contains(&unit)) units_.push_back(&unit);
+        }
+    }
+
     /// What a person said of the unit, if anybody said something.
     std::optional<std::string> judge_unit(const UnitState& unit, const LockedUnit* line,
                                           const Counterparts& counterparts) {
         const size_t first = findings_.size();
         const auto candidate = counterparts.find(&unit);
         if (candidate == counterparts.end()) {
-            Finding& finding = findings_.add(Rule::Unported, unit, side_);
+            Finding& finding = findings_.add(Rule::Unported, unit, side_, set_);
             finding.message = fmt::format("{} {} has no {}", unit_kind_name(unit.kind), unit.name,
-                                          side_ == Side::Source ? "port" : "counterpart in the source");
+                                          side_ == Side::Target ? "counterpart in the source"
+                                          : set_.empty()        ? "port"
+                                                                : "port in " + set_);
             if (side_ == Side::Target) finding.remedy = "Give it a counterpart: " + finding.remedy;
         } else {
             add_unpaired(unit, candidate->second);
@@ -84,7 +100,7 @@ private:
     }
 
     void add_unpaired(const UnitState& unit, const Counterpart& candidate) {
-        Finding& finding = findings_.add(Rule::Unpaired, unit, side_);
+        Finding& finding = findings_.add(Rule::Unpaired, unit, side_, set_);
         const Side there = other(side_);
         (there == Side::Source ? finding.source : finding.target) = findings_.place_of(*candidate.unit, there);
         const std::string pair =
@@ -100,20 +116,30 @@ private:
     }
 
     const Case& facts_;
+    const TargetSets& sets_;
     Side side_;
+    std::string set_;
     FindingList& findings_;
     Verdicts& verdicts_;
-    size_t all_ = 0;
     std::vector<const UnitState*> units_;  ///< that no pair leads to
 };
 
 }  // namespace
 
-void find_unwatched(const Case& facts, const BySide<const Resolver*>& resolvers, FindingList& findings,
-                    Verdicts& verdicts, Judgement& out) {
-    for (const Side side : kBothSides)
-        if (is_contract(facts.map.reference, side))
-            UnwatchedSide(facts, side, *resolvers[side], findings, verdicts).run(out);
+void find_unwatched(const Case& facts, FindingList& findings, Verdicts& verdicts, Judgement& out) {
+    const TargetSets sets(facts.map);
+    std::map<const UnitState*, Unwatched> units;  // each once, whatever ports lack it
+    for (const Side side : kBothSides) {
+        if (!is_contract(facts.map.reference, side)) continue;
+        for (const auto& [id, unit] : units_of(facts, side)) out.summary.units += unit.kind != UnitKind::File ? 1 : 0;
+        for (const std::string& set : sets.names())
+            UnwatchedSide(facts, sets, side, set, findings, verdicts).run(out, units);
+    }
+    out.summary.unported = units.size();
+    for (const auto& [unit, counted] : units) {
+        out.summary.unpaired += counted.unpaired ? 1 : 0;
+        out.summary.unpaired_changed += counted.changed ? 1 : 0;
+    }
 }
 
 }  // namespace porttool

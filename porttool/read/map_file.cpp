@@ -166,9 +166,12 @@ private:
     }
 
     void read_sides(const toml::table& sides) {
-        only(sides, {"source", "target", "reference", "target_root"}, "[sides]");
+        only(sides, {"source", "target", "targets", "reference", "target_root"}, "[sides]");
         map_.source = list(sides, "source", true);
-        map_.target = list(sides, "target", true);
+        if (sides.get("targets") != nullptr)
+            read_targets(sides);
+        else
+            map_.target = list(sides, "target", true);
         if (sides.get("reference") != nullptr) {
             const auto reference = value_named<Reference>(kReferenceNames, text(sides, "reference"));
             if (!reference)
@@ -176,6 +179,22 @@ private:
             map_.reference = *reference;
         }
         if (sides.get("target_root") != nullptr) map_.target_root = text(sides, "target_root");
+    }
+
+    void read_targets(const toml::table& sides) {
+        if (sides.get("target") != nullptr)
+            fail(sides.get("target")->source(), "'target' and [sides.targets] exclude each other: keep one");
+        const toml::table* targets = section(sides, "targets");
+        if (targets->empty()) fail(targets->source(), "[sides.targets]: expected NAME = [\"glob\", ...]");
+        for (const auto& [key, node] : *targets) {
+            const std::string name(key.str());
+            if (!is_set_name(name)) fail(key.source(), "'" + name + "': expected letters, digits, '_' and '-'");
+            map_.target_sets.push_back({name, list(*targets, name.c_str(), true)});
+        }
+        std::sort(map_.target_sets.begin(), map_.target_sets.end(),
+                  [](const TargetSet& a, const TargetSet& b) { return a.name < b.name; });
+        for (const TargetSet& set : map_.target_sets)
+            map_.target.insert(map_.target.end(), set.globs.begin(), set.globs.end());
     }
 
     void read_pair(const toml::table& pair) {
@@ -294,6 +313,12 @@ private:
 };
 
 }  // namespace
+
+bool is_set_name(std::string_view name) {
+    return !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
+    });
+}
 
 ReadMap read_map(const std::string& path, const std::string& text) {
     try {

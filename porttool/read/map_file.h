@@ -64,9 +64,19 @@ struct MapEffort {
     int line = 0;
 };
 
+/// One of several ports, by name.
+struct TargetSet {
+    std::string name;
+    std::vector<std::string> globs;
+};
+
+/// True for what may name a set of targets: letters, digits, `_` and `-`.
+bool is_set_name(std::string_view name);
+
 /// What portmap.toml says.
 struct MapFile {
     std::vector<std::string> source, target;  ///< globs
+    std::vector<TargetSet> target_sets;       ///< [sides.targets], by name; `target` then has the globs of all
     Reference reference = Reference::Source;
     std::string target_root;  ///< where the target side lies, if in another checkout
     std::vector<MapPair> pairs;

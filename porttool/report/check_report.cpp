@@ -60,7 +60,8 @@ std::string check_json(const Judgement& judgement) {
                             {"target", place_json(f.target)},
                             {"message", f.message},
                             {"remedy", f.remedy},
-                            {"fingerprint", f.fingerprint}};
+                            {"fingerprint", f.fingerprint},
+                            {"target_set", f.target_set.empty() ? ordered_json(nullptr) : ordered_json(f.target_set)}};
         if (!f.source && !f.target) one["map_line"] = f.map_line;  // in portmap.toml
         if (!f.details.empty()) one["details"] = f.details;
         findings.push_back(std::move(one));

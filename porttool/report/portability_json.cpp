@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "porttool/report/figures.h"
+#include "porttool/report/matrix_report.h"
 
 namespace porttool {
 namespace {
@@ -252,6 +253,7 @@ ordered_json portability_json(const WholeReport& whole) {
           {"w", metrics::WinnowingParameters{}.w},
           {"twin_percent", kTwinBound}}}};
     out["performance"] = performance_json(whole.performance);
+    out["matrix"] = matrix_json(whole.matrix);
     out["base"] = nullptr;
     if (with_change) out["base"] = {{"revision", whole.base->revision}};
     return out;

@@ -9,6 +9,7 @@
 #include "porttool/measure/ledger.h"
 #include "porttool/measure/performance.h"
 #include "porttool/measure/portability.h"
+#include "porttool/measure/target_matrix.h"
 
 namespace porttool {
 
@@ -28,6 +29,7 @@ struct WholeReport {
     std::string today;
     std::optional<BaseReport> base;
     Performance performance;
+    TargetMatrix matrix;
     bool is_recorded = true;  ///< false: there is no portmap.lock, so nothing is said about drift
 };
 

@@ -9,6 +9,7 @@
 
 #include "porttool/report/check_report.h"
 #include "porttool/report/figures.h"
+#include "porttool/report/matrix_report.h"
 #include "porttool/text/sink/csv.h"
 #include "porttool/text/sink/markdown.h"
 #include "porttool/text/sink/terminal.h"
@@ -207,7 +208,7 @@ std::string portability_table(const WholeReport& whole) {
                            side == Side::Source ? "\n" : "", side == Side::Source ? "source" : "target", parts.total(),
                            parts.twin, parts.rewritten, parts.one_sided, parts.unmatched);
     }
-    return out;
+    return out + matrix_table(whole.matrix);
 }
 
 std::string portability_markdown(const WholeReport& whole) {
@@ -217,7 +218,7 @@ std::string portability_markdown(const WholeReport& whole) {
         out += fmt::format("Changes are against the merge base with {}.\n", markdown_code(whole.base->revision));
     out += open_findings(whole);
     out += "\n" + block_rows(whole) + "\n" + part_rows(whole.report);
-    out += performance_markdown(whole.performance);
+    out += matrix_markdown(whole.matrix) + performance_markdown(whole.performance);
     out += where_to_look(whole.report);
     return out;
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <optional>
 
 #include "porttool/read/refusals.h"
@@ -44,6 +45,23 @@ void require_target_root(const Project& project, const Disk& disk) {
         throw CannotDo(
             "portmap.toml: target_root '" + terminal_text(named) +
             "' leads into .git, or out of the root behind a link\nName the folder of the other checkout itself");
+}
+
+/// `cpu=GLOB` names a port, where all targets are written so.
+void name_targets(MapFile& map, const std::vector<std::string>& targets) {
+    map.target = targets;
+    map.target_sets.clear();
+    std::map<std::string, std::vector<std::string>> sets;
+    for (const std::string& target : targets) {
+        const size_t equal = target.find('=');
+        if (equal == std::string::npos || !is_set_name(target.substr(0, equal))) return;
+        sets[target.substr(0, equal)].push_back(target.substr(equal + 1));
+    }
+    map.target.clear();
+    for (auto& [name, globs] : sets) {
+        map.target.insert(map.target.end(), globs.begin(), globs.end());
+        map.target_sets.push_back({name, std::move(globs)});
+    }
 }
 
 }  // namespace
@@ -109,7 +127,7 @@ Project open_project(const ProjectChoice& choice, Workplace& place, bool needs_m
     if (!project.globs_given || !choice.config.empty()) load_map(project, choice, place);
     if (project.globs_given) {
         project.map.source = choice.source;
-        project.map.target = choice.target;
+        name_targets(project.map, choice.target);
     } else if (!project.has_map && needs_map) {
         throw no_map(project);
     }

@@ -52,6 +52,7 @@ showSummary();
 showBlocks();
 showLines();
 showSpeed();
+showTargets();
 showMap();
 showLedger();
 showUnits();

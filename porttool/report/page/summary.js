@@ -1,7 +1,7 @@
 // The verdict, the figures that a lead asks for first, and the thesis's Table 2.
 
 const VERDICTS = {
-  in_step: ["In step", "Every port says what its source says."],
+  in_step: ["In step", "No port is behind what was recorded of its source."],
   review: ["To review", "Nothing drifted for certain, but somebody should look."],
   drift: ["Drifted", "Some ports no longer say what their sources say."],
 };
@@ -79,6 +79,29 @@ function blockRow(block) {
     h("td", { class: "n dp", "data-label": "portability" }, dp ? h("span", { class: "figure", title: dp.model }, degree(dp.loc)) : "–",
       change((block.change || {}).degree_of_portability, 2, 1),
       dp && range(dp) && h("small", null, range(dp))));
+}
+
+const IN_PORT = {
+  twin: "twin", equivalent: "equivalent", recorded: "recorded", absent: "absent", left_out: "left out",
+};
+
+// Units by port, where the map names several.
+function showTargets() {
+  if (!report.matrix) return;
+  byId("targets").hidden = false;
+  const cell = ({ state, target, edits }) => {
+    const words = state === "behind" ? `behind by ${plural(edits, "edit")}` : IN_PORT[state];
+    return h("td", target ? { title: target } : null, words);
+  };
+  put("targets",
+    h("h2", { id: "targets-title" }, "Targets"),
+    h("p", { class: "about" }, "What each port has of each source unit."),
+    h("div", { class: "scroll", tabindex: "0", role: "region", "aria-label": "Targets, table" },
+      h("table", null,
+        h("thead", null, h("tr", null, h("th", { scope: "col" }, "Unit"),
+          report.matrix.targets.map((name) => h("th", { scope: "col" }, name)))),
+        h("tbody", null, report.matrix.units.map((unit) =>
+          h("tr", null, h("th", { scope: "row" }, h("code", null, unit.source)), unit.cells.map(cell)))))));
 }
 
 // How much of each platform's speed the program reaches, where bench files were given.
