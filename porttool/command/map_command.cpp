@@ -41,7 +41,7 @@ Outcome write_suggestions(Project project, const Matching& matching, double leas
         if (pair.state == PairState::Suggested && static_cast<double>(pair.score) >= least)
             pairs.push_back({pair.source, pair.target, static_cast<double>(pair.score)});
     if (!pairs.empty()) {
-        const std::string text = add_pairs(project, pairs, place);
+        const std::string text = add_pairs(project, pairs);
         const std::string name = project.map_path.substr(project.map_path.find_last_of('/') + 1);
         if (const std::string failure = place.disk.write(beside_map(project, name), text); !failure.empty())
             throw CannotDo(terminal_text(project.map_path) + ": " + failure);

@@ -146,7 +146,7 @@ Outcome run_accept(const Options& options, Workplace& place) {
                  options.reason, today());
     std::vector<NewPair> fresh;
     for (const JudgedPair& pair : acceptance.fresh) fresh.push_back({pair.id.source, pair.id.target});
-    const std::string map = fresh.empty() ? std::string() : add_pairs(checked.project, fresh, place);
+    const std::string map = fresh.empty() ? std::string() : add_pairs(checked.project, fresh);
     store(checked, place.disk, fresh.empty() ? nullptr : &map);
     std::string out = fmt::format("{} pairs recorded as in step\n", accepted.size());
     if (!fresh.empty()) out += fmt::format("{} of them written into portmap.toml\n", fresh.size());

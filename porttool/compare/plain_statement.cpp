@@ -17,15 +17,22 @@ using Text = std::vector<std::string>;
 
 std::string_view at(const Words& words, size_t i) { return i < words.size() ? words[i] : std::string_view(); }
 
-/// Behind the bracket that closes the one at `open`; the end if none does.
+/// After the bracket that closes the one at `open`; the end if none of the next `most` words does.
 template <class List>
-size_t after_bracket(const List& words, size_t open) {
+size_t after_bracket(const List& words, size_t open, size_t most) {
     int depth = 0;
-    for (size_t i = open; i < words.size(); ++i) {
+    for (size_t i = open; i < words.size() && i - open < most; ++i) {
         if (words[i] == "(" || words[i] == "[" || words[i] == "{") ++depth;
         if ((words[i] == ")" || words[i] == "]" || words[i] == "}") && --depth == 0) return i + 1;
     }
     return words.size();
+}
+
+/// After the brackets of an attribute, or the end. A bracket may open at every word, so what is looked through is
+/// bounded.
+size_t after_attribute(const Words& words, size_t open) {
+    constexpr size_t kLongest = 256;
+    return after_bracket(words, open, kLongest);
 }
 
 /// True if every attribute between `first` and `end` changes no value, whatever its arguments and scope.
@@ -45,7 +52,7 @@ bool all_idle(const Words& words, size_t first, size_t end) {
         while (name.ends_with("_")) name.remove_suffix(1);
         if (!word_is(name, kIdleAttribute)) return false;
         any = true;
-        i = at(words, i + 1) == "(" ? after_bracket(words, i + 1) : i + 1;
+        i = at(words, i + 1) == "(" ? after_attribute(words, i + 1) : i + 1;
     }
     return any;
 }
@@ -81,7 +88,8 @@ void open_whole_value(Text& words) {
     const auto value =
         words.empty() || words[0] == "return" ? words.begin() : std::find(words.begin(), words.end(), "=");
     const auto first = static_cast<size_t>(value - words.begin()) + 1;
-    if (first + 2 >= words.size() || words[first] != "(" || after_bracket(words, first) != words.size()) return;
+    if (first + 2 >= words.size() || words[first] != "(" || after_bracket(words, first, words.size()) != words.size())
+        return;
     int depth = 0;
     for (size_t i = first; i < words.size(); ++i) {
         if (words[i] == "(") ++depth;
@@ -94,21 +102,21 @@ void open_whole_value(Text& words) {
 
 }  // namespace
 
-/// Behind what stands at `i` and changes no value, or `i`.
+/// After what stands at `i` and changes no value, or `i`.
 size_t PlainStatements::after_idle(const Words& words, size_t i, bool in_head) const {
     const std::string_view word = words[i];
     if (word_is(word, kPromise)) return i + 1;
     if (is_one_of(word, {"__attribute__", "__attribute", "__declspec"}) && at(words, i + 1) == "(") {
-        const size_t end = after_bracket(words, i + 1);
+        const size_t end = after_attribute(words, i + 1);
         const size_t inner = at(words, i + 2) == "(" ? 1 : 0;
         return all_idle(words, i + 2 + inner, end - 1 - inner) ? end : i;
     }
     if (word == "[" && at(words, i + 1) == "[") {
-        const size_t end = after_bracket(words, i);
+        const size_t end = after_attribute(words, i);
         return end >= i + 4 && all_idle(words, i + 2, end - 2) ? end : i;
     }
     if (word == "[" && i == 0) {
-        const size_t end = after_bracket(words, i);
+        const size_t end = after_attribute(words, i);
         return all_idle(words, 1, end - 1) ? end : i;
     }
     const bool names_type = is_one_of(word, {"struct", "class", "enum", "union"}) && i + 2 < words.size() &&
@@ -118,7 +126,7 @@ size_t PlainStatements::after_idle(const Words& words, size_t i, bool in_head) c
     if (!in_head) return i;
     if (word == "extern" && at(words, i + 1).starts_with("\"")) return i + 2;
     if (word == "noexcept" && at(words, i + 1) == "(" && at(words, i + 2) != "false")
-        return after_bracket(words, i + 1);
+        return after_attribute(words, i + 1);
     if (word_is(word, kHeadPromise)) return i + 1;
     const bool starts_parameter = i > 0 && is_one_of(words[i - 1], {"(", ","}) && is_word_token(at(words, i + 1));
     const bool in_is_default = traits_of(language_).literals == Literals::Shading;

@@ -17,21 +17,20 @@ bool starts_name(std::string_view text) {
 
 uint32_t SequenceNumbers::number(std::span<const uint32_t> words) {
     if (words.empty()) return 0;
-    key_.assign(reinterpret_cast<const char*>(words.data()), words.size_bytes());
-    return numbers_.try_emplace(key_, static_cast<uint32_t>(numbers_.size() + 1)).first->second;
+    return numbers_.number({reinterpret_cast<const char*>(words.data()), words.size_bytes()}) + 1;
 }
 
 uint32_t WordNumbers::word(std::string_view text, TokenKind kind) {
-    const auto known = numbers_.find(text);
-    if (known != numbers_.end() && words_[known->second].is_read) return known->second;
+    const uint32_t known = texts_.find(text);
+    if (known != TextNumbers::kNone && words_[numbers_[known]].is_read) return numbers_[known];
     const std::string spelled = kind == TokenKind::Number ? normal_number(text) : std::string(text);
-    const uint32_t place = number(spelled, text);
+    const uint32_t place = number(spelled);
     if (!words_[place].is_read) {
         const std::string common = common_word(spelled, dialect_);
-        const uint32_t meaning = common.empty() ? kNone : common == spelled ? place : number(common, {});
+        const uint32_t meaning = common.empty() ? kNone : common == spelled ? place : number(common);
         words_[place] = {meaning, mark_of(spelled), starts_name(spelled), true};
     }
-    numbers_.try_emplace(text, place);
+    if (texts_.number(text) == numbers_.size()) numbers_.push_back(place);
     return place;
 }
 
@@ -60,7 +59,7 @@ void WordNumbers::append_common(std::span<const uint32_t> text, NumberedWords& o
     }
 }
 
-uint32_t WordNumbers::closing_brace() { return number("}", {}); }
+uint32_t WordNumbers::closing_brace() { return number("}"); }
 
 WordNumbers::Mark WordNumbers::mark_of(std::string_view text) {
     if (text == "(") return Mark::OpenParen;
@@ -71,11 +70,13 @@ WordNumbers::Mark WordNumbers::mark_of(std::string_view text) {
     return text == "::" ? Mark::Scope : Mark::None;
 }
 
-uint32_t WordNumbers::number(const std::string& text, std::string_view own) {
-    if (const auto known = numbers_.find(text); known != numbers_.end()) return known->second;
-    const std::string_view key = text == own ? own : kept_.emplace_back(text);
-    words_.emplace_back();
-    return numbers_.emplace(key, static_cast<uint32_t>(words_.size() - 1)).first->second;
+uint32_t WordNumbers::number(std::string_view text) {
+    const uint32_t place = texts_.number(text);
+    if (place == numbers_.size()) {
+        numbers_.push_back(static_cast<uint32_t>(words_.size()));
+        words_.emplace_back();
+    }
+    return numbers_[place];
 }
 
 }  // namespace porttool

@@ -3,15 +3,13 @@
 #pragma once
 
 #include <cstdint>
-#include <deque>
 #include <span>
-#include <string>
 #include <string_view>
-#include <unordered_map>
 #include <vector>
 
 #include "porttool/language/dialect.h"
 #include "porttool/scan/token.h"
+#include "porttool/text/text_numbers.h"
 
 namespace porttool {
 
@@ -24,12 +22,11 @@ public:
     uint32_t number(std::span<const uint32_t> words);
 
 private:
-    std::unordered_map<std::string, uint32_t> numbers_;
-    std::string key_;
+    TextNumbers numbers_;  ///< of the words' bytes
 };
 
 /// The words of a change as numbers: a word costs four bytes wherever it stands, and words and lines are compared by
-/// number. The texts must outlive it.
+/// number.
 class WordNumbers {
 public:
     explicit WordNumbers(const Dialect& dialect) : dialect_(dialect) {}
@@ -55,12 +52,11 @@ private:
     };
 
     static Mark mark_of(std::string_view text);
-    /// The number of a text that is kept, or that is `own`.
-    uint32_t number(const std::string& text, std::string_view own);
+    uint32_t number(std::string_view text);
 
     const Dialect& dialect_;
-    std::unordered_map<std::string_view, uint32_t> numbers_;  ///< of tokens as written and of common words
-    std::deque<std::string> kept_;                            ///< texts that stand in no file
+    TextNumbers texts_;              ///< tokens as written and common words
+    std::vector<uint32_t> numbers_;  ///< of each of texts_; numbers that are spelled in two ways share one
     std::vector<Word> words_;
 };
 

@@ -27,7 +27,7 @@ std::vector<PlacedSuppression> placed_suppressions(const Project& project) {
 void take_staged_map(Project& project, Workplace& place) {
     const FileText text = map_text_at(project, {Moment::Kind::Index}, place.disk);
     if (!text.error.empty()) return;
-    use_map(project, "portmap.toml (staged)", text.bytes, place);
+    use_map(project, "portmap.toml (staged)", text.bytes);
     require_sides_beneath(project, place.disk);
 }
 
@@ -40,7 +40,7 @@ void take_map_of_base(Project& project, const std::string& revision, Workplace& 
         throw CannotDo("--trusted-map: there is no " + terminal_text(path) + " at the merge base of " +
                        terminal_text(revision) +
                        "\nMerge a first map into that branch; until then check without --trusted-map");
-    use_map(project, path + " at " + revision, text.bytes, place);
+    use_map(project, path + " at " + revision, text.bytes);
     require_sides_beneath(project, place.disk);
 }
 

@@ -270,16 +270,18 @@ void drop_common_words(std::vector<UnitFeatures>& units) {
 }  // namespace
 
 uint32_t TermNumbers::id(Family family, std::string_view text) {
-    key_.assign(1, static_cast<char>(family));
-    key_.append(text);
-    const auto [found, added] = ids_.try_emplace(key_, static_cast<uint32_t>(texts_.size()));
-    if (added) texts_.push_back(&found->first);
-    return found->second;
+    Words& words = words_[static_cast<size_t>(family)];
+    const uint32_t place = words.texts.number(text);
+    if (place == words.ids.size()) {
+        words.ids.push_back(static_cast<uint32_t>(texts_.size()));
+        texts_.push_back(words.texts.text(place));
+    }
+    return words.ids[place];
 }
 
 uint32_t TermNumbers::shape_id(uint64_t hash) {
     const uint32_t id = shapes_.number(hash, static_cast<uint32_t>(texts_.size()));
-    if (id == texts_.size()) texts_.push_back(nullptr);
+    if (id == texts_.size()) texts_.emplace_back();
     return id;
 }
 

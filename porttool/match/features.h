@@ -5,12 +5,13 @@
 #include <array>
 #include <cstdint>
 #include <string>
-#include <unordered_map>
+#include <string_view>
 #include <vector>
 
 #include "porttool/language/dialect.h"
-#include "porttool/match/key_numbers.h"
 #include "porttool/scan/unit.h"
+#include "porttool/text/key_numbers.h"
+#include "porttool/text/text_numbers.h"
 
 namespace porttool {
 
@@ -56,13 +57,17 @@ public:
     /// A run of tokens, by its hash.
     uint32_t shape_id(uint64_t hash);
     size_t size() const { return texts_.size(); }
-    std::string_view text(uint32_t id) const { return std::string_view(*texts_[id]).substr(1); }
+    /// Empty for the id of a shape.
+    std::string_view text(uint32_t id) const { return texts_[id]; }
 
 private:
-    std::unordered_map<std::string, uint32_t> ids_;  ///< of words, each after a byte for the family
+    struct Words {
+        TextNumbers texts;
+        std::vector<uint32_t> ids;  ///< of each of texts
+    };
+    std::array<Words, kFamilies> words_;
     KeyNumbers shapes_;
-    std::vector<const std::string*> texts_;  ///< the keys of ids_ by id; none for a shape
-    std::string key_;
+    std::vector<std::string_view> texts_;  ///< by id
 };
 
 /// Reads the features of all units of one side. Weights are raw counts; weigh() makes them comparable.

@@ -65,17 +65,18 @@ SymbolSequence SymbolTable::sequence(const std::vector<PlacedToken>& tokens, Voc
 }
 
 uint32_t SymbolTable::number(std::string_view text) {
-    const auto [place, fresh] = numbers_.try_emplace(std::string(text), 0);
-    if (!fresh) return place->second;
+    const uint32_t place = texts_.number(text);
+    if (place < numbers_.size()) return numbers_[place];
     constexpr uint32_t kLargest = metrics::FIRST_SEPARATOR - 1;
     uint32_t number = static_cast<uint32_t>(hash_text(text)) & kLargest;
-    while (number == kAnyName || !taken_.insert(number).second) number = (number + 1) & kLargest;
-    return place->second = number;
+    while (number == kAnyName || taken_.number(number, place) != place) number = (number + 1) & kLargest;
+    numbers_.push_back(number);
+    return number;
 }
 
 uint32_t SymbolTable::word(std::string_view text, TokenKind kind) {
-    const auto [place, fresh] = known_.try_emplace(text, static_cast<uint32_t>(words_.size()));
-    if (!fresh) return place->second;
+    const uint32_t place = known_.number(text);
+    if (place < words_.size()) return place;
     Word word;
     word.name = kind == TokenKind::Identifier;
     word.scope = text == "::";
@@ -88,7 +89,7 @@ uint32_t SymbolTable::word(std::string_view text, TokenKind kind) {
     const bool folds = word.name && known == nullptr && !word_is(text, kKeyword);
     word.blind = folds ? kAnyName : word.dialect;
     words_.push_back(word);
-    return place->second;
+    return place;
 }
 
 }  // namespace porttool

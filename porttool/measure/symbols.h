@@ -5,12 +5,12 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
-#include <unordered_map>
-#include <unordered_set>
 #include <vector>
 
 #include "porttool/language/dialect.h"
 #include "porttool/measure/code_lines.h"
+#include "porttool/text/key_numbers.h"
+#include "porttool/text/text_numbers.h"
 
 namespace porttool {
 
@@ -63,10 +63,11 @@ private:
     uint32_t word(std::string_view text, TokenKind kind);
 
     const Dialect& dialect_;
-    std::unordered_map<std::string_view, uint32_t> known_;  ///< words as written, as indices into words_
-    std::unordered_map<std::string, uint32_t> numbers_;     ///< of words as written and of common ones
-    std::unordered_set<uint32_t> taken_;                    ///< the numbers in use
+    TextNumbers known_;  ///< words as written
     std::vector<Word> words_;
+    TextNumbers texts_;  ///< words as written and common ones
+    std::vector<uint32_t> numbers_;
+    KeyNumbers taken_;  ///< the numbers in use
 };
 
 }  // namespace porttool

@@ -3,7 +3,6 @@
 #include "porttool/normal/declarations.h"
 
 #include <algorithm>
-#include <unordered_map>
 #include <unordered_set>
 
 #include "porttool/language/words.h"
@@ -53,8 +52,12 @@ private:
 
     /// The last use of each word as something else than a function.
     void find_last_uses() {
-        for (size_t i = 0; i < tokens_.size(); ++i)
-            if (tokens_.is_name(i) && word(i + 1) != "(") last_use_[word(i)] = i;
+        for (size_t i = 0; i < tokens_.size(); ++i) {
+            if (!tokens_.is_name(i) || word(i + 1) == "(") continue;
+            const uint32_t name = used_.number(word(i));
+            last_use_.resize(used_.size());
+            last_use_[name] = i;
+        }
     }
 
     // -- declarations --
@@ -121,7 +124,7 @@ private:
             return true;
         }
         if (!tokens_.may_be_declared(at) || !declares(group, type, marks > 0, at)) return false;
-        if (!type.name.empty()) out_.types.insert(type.name);
+        if (!type.name.empty()) out_.types.number(type.name);
         out_.add(tokens_, at);
         return true;
     }
@@ -150,8 +153,8 @@ private:
 
     /// `T x(1)` of an unknown T may be a macro before a call, unless x is a value later on.
     bool is_used(const Type& type, size_t name) const {
-        const auto found = last_use_.find(word(name));
-        return !is_shouted(type.name) && found != last_use_.end() && found->second > name;
+        const uint32_t used = used_.find(word(name));
+        return !is_shouted(type.name) && used != TextNumbers::kNone && last_use_[used] > name;
     }
 
     /// `float f(int x);` names a function.
@@ -252,7 +255,8 @@ private:
     const BracketedTokens& tokens_;
     Declared& out_;
     std::vector<Group> groups_ = {Group()};
-    std::unordered_map<std::string_view, size_t> last_use_;
+    TextNumbers used_;
+    std::vector<size_t> last_use_;  ///< of each of used_
     std::unordered_set<size_t> lambda_bodies_;
     size_t arguments_end_ = 0;  ///< past the template arguments in an initializer
 };

@@ -33,12 +33,13 @@ size_t LocalNumbers::next(std::string_view text, uint32_t token) {
 
 size_t LocalNumbers::number_of(std::string_view text, uint32_t token) {
     if (std::binary_search(places_.begin(), places_.end(), token)) {
-        size_t& number = numbers_[text];
-        shadowed_.push_back({text, number});
-        return number = ++count_;
+        const uint32_t name = names_.number(text);
+        numbers_.resize(names_.size());
+        shadowed_.push_back({name, numbers_[name]});
+        return numbers_[name] = ++count_;
     }
-    const auto found = numbers_.find(text);
-    return found == numbers_.end() ? 0 : found->second;
+    const uint32_t name = names_.find(text);
+    return name == TextNumbers::kNone ? 0 : numbers_[name];
 }
 
 void LocalNumbers::enter() { scopes_.push_back(shadowed_.size()); }

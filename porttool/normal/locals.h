@@ -5,11 +5,11 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
-#include <unordered_map>
 #include <vector>
 
 #include "porttool/normal/normal_text.h"
 #include "porttool/scan/unit.h"
+#include "porttool/text/text_numbers.h"
 
 namespace porttool {
 
@@ -24,7 +24,7 @@ public:
     /// `places`: what declaring_tokens() gave.
     explicit LocalNumbers(std::vector<uint32_t> places) : places_(std::move(places)) {}
 
-    /// Which local the next token names, from 1; 0 for anything else. The text of a word must outlive this object.
+    /// Which local the next token names, from 1; 0 for anything else.
     size_t next(std::string_view text, uint32_t token);
 
 private:
@@ -34,7 +34,7 @@ private:
     };
     /// What a name stood for before a declaration; 0 for itself.
     struct Shadowed {
-        std::string_view name;
+        uint32_t name;  ///< in names_
         size_t number;
     };
 
@@ -46,7 +46,8 @@ private:
     void close(bool block_follows);
 
     std::vector<uint32_t> places_;
-    std::unordered_map<std::string_view, size_t> numbers_;
+    TextNumbers names_;
+    std::vector<size_t> numbers_;  ///< what each of names_ stands for now; 0 for itself
     std::vector<Shadowed> shadowed_;
     std::vector<size_t> scopes_;  ///< sizes of shadowed_ where each began
     std::vector<Bracket> brackets_;

@@ -40,7 +40,7 @@ private:
     void finish() {
         if (last_ < end_ && typed_) {
             out_.add(tokens_, last_);
-            if (type_ < end_) out_.types.insert(tokens_.word(type_));
+            if (type_ < end_) out_.types.number(tokens_.word(type_));
         }
         typed_ = closed_ = false;
         last_ = type_ = end_;

@@ -3,21 +3,21 @@
 #pragma once
 
 #include <string_view>
-#include <unordered_set>
 #include <vector>
 
 #include "porttool/normal/bracketed_tokens.h"
+#include "porttool/text/text_numbers.h"
 
 namespace porttool {
 
 /// What a function declares, as far as it was read.
 struct Declared {
     std::vector<uint32_t> places;  ///< the tokens of its file that declare
-    std::unordered_set<std::string_view> names, types;
+    TextNumbers names, types;
 
     void add(const BracketedTokens& tokens, size_t i) {
         places.push_back(tokens.place(i));
-        names.insert(tokens.word(i));
+        names.number(tokens.word(i));
     }
 };
 

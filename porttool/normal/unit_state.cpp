@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "porttool/normal/unit_state.h"
 
-#include <unordered_set>
-
 #include "porttool/normal/declarations.h"
 #include "porttool/normal/locals.h"
 #include "porttool/scan/scan.h"
+#include "porttool/text/text_numbers.h"
 
 namespace porttool {
 namespace {
@@ -38,9 +37,11 @@ private:
 std::vector<std::string> local_names(const ScannedFile& file, const Unit& unit) {
     if (unit.kind != UnitKind::Function && unit.kind != UnitKind::Kernel) return {};
     std::vector<std::string> names;
-    std::unordered_set<std::string_view> seen;
-    for (const uint32_t place : declaring_tokens(file.lexed, unit.parameters, unit.body))
-        if (seen.insert(file.lexed.view(place)).second) names.emplace_back(file.lexed.view(place));
+    TextNumbers seen;
+    for (const uint32_t place : declaring_tokens(file.lexed, unit.parameters, unit.body)) {
+        const std::string_view name = file.lexed.view(place);
+        if (seen.number(name) == names.size()) names.emplace_back(name);
+    }
     return names;
 }
 

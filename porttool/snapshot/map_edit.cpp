@@ -16,7 +16,7 @@ std::string pair_text(const NewPair& pair) {
                        toml_string(pair.source), toml_string(pair.target));
 }
 
-std::string add_pairs(Project& project, const std::vector<NewPair>& pairs, Workplace& place) {
+std::string add_pairs(Project& project, const std::vector<NewPair>& pairs) {
     std::string text = project.map_text;
     if (!text.empty() && text.back() != '\n') text += '\n';
     for (const NewPair& pair : pairs) text += pair_text(pair);
@@ -25,7 +25,7 @@ std::string add_pairs(Project& project, const std::vector<NewPair>& pairs, Workp
         throw CannotDo(terminal_text(project.map_name) +
                        ": a [[pair]] cannot be added at its end; write it there by hand:" + pair_text(pairs.front()) +
                        read.error);
-    use_map(project, project.map_name, text, place);
+    use_map(project, project.map_name, text);
     return text;
 }
 

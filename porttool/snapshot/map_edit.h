@@ -21,6 +21,6 @@ std::string pair_text(const NewPair& pair);
 
 /// Takes the pairs into the project's map, and returns its text with them at its end; all else stays as it was written.
 /// Throws CannotDo where the text cannot be gone on with, as after `pair = [...]`.
-std::string add_pairs(Project& project, const std::vector<NewPair>& pairs, Workplace& place);
+std::string add_pairs(Project& project, const std::vector<NewPair>& pairs);
 
 }  // namespace porttool

@@ -110,10 +110,10 @@ void load_map(Project& project, const ProjectChoice& choice, Workplace& place) {
     if (!there) return;
     const FileText file = read_map_text(place.disk, project.root, project.map_path);
     if (!file.error.empty()) throw CannotDo(terminal_text(project.map_path) + ": " + file.error);
-    use_map(project, project.map_name, file.bytes, place);
+    use_map(project, project.map_name, file.bytes);
 }
 
-void use_map(Project& project, const std::string& name, const std::string& text, Workplace& place) {
+void use_map(Project& project, const std::string& name, const std::string& text) {
     ReadMap read = read_map(name, text);
     if (!read.error.empty()) throw CannotDo(read.error);
     project.map = std::move(read.map);

@@ -63,7 +63,7 @@ void require_sides_beneath(const Project& project, const Disk& disk);
 bool is_elsewhere(const Project& project);
 
 /// Takes this text for the project's map. `name`: of the map, for messages. Throws CannotDo.
-void use_map(Project& project, const std::string& name, const std::string& text, Workplace& place);
+void use_map(Project& project, const std::string& name, const std::string& text);
 
 /// The root of the target side, which may be another checkout.
 std::string target_root(const Project& project);

@@ -9,9 +9,10 @@
 #include <chrono>
 #include <map>
 
-#include "porttool/match/key_numbers.h"
 #include "porttool/match/words.h"
 #include "porttool/scan/scan.h"
+#include "porttool/text/key_numbers.h"
+#include "porttool/text/text_numbers.h"
 #include "tests/porttool/fixtures.h"
 
 namespace porttool {
@@ -51,6 +52,25 @@ TEST(Words, KeysAreNumberedInTheOrderInWhichTheyCome) {
             const auto next = static_cast<uint32_t>(expected.size());
             EXPECT_EQ(numbers.number(key, next), expected.try_emplace(key, next).first->second) << key;
         }
+}
+
+TEST(Words, TextsAreNumberedInTheOrderInWhichTheyCome) {
+    TextNumbers numbers;
+    EXPECT_EQ(numbers.find("a"), TextNumbers::kNone);
+    std::vector<std::string> texts = {"", std::string(100'000, 'x'), std::string("a\0b", 3), std::string("a\0c", 3)};
+    for (int i = 0; i < 5000; ++i) texts.push_back(std::to_string(i % 3000));
+    std::map<std::string, uint32_t> expected;
+    for (int round = 0; round < 2; ++round)
+        for (const std::string& text : texts) {
+            const auto next = static_cast<uint32_t>(expected.size());
+            EXPECT_EQ(numbers.number(text), expected.try_emplace(text, next).first->second) << text;
+        }
+    EXPECT_EQ(numbers.size(), expected.size());
+    for (const auto& [text, number] : expected) {
+        EXPECT_EQ(numbers.find(text), number);
+        EXPECT_EQ(numbers.text(number), text);
+    }
+    EXPECT_EQ(numbers.find("3000"), TextNumbers::kNone);
 }
 
 TEST(Match, AMethodIsTheFunctionOfItsFullName) {

@@ -167,8 +167,9 @@ TEST(Unwatched, WhatABaselinedUnitBecomesIsNotNew) {
         EXPECT_EQ(check(disk)["summary"]["unpaired_changed"], 0) << row.says << ": it was looked at";
         const auto rows = nlohmann::json::parse(porttool_at_r(disk, {"report", "--format", "json"}).out);
         for (const auto& unit : rows["units"])
-            if (unit["source"].is_object() && unit["target"].is_null() && unit["source"]["kind"] == "function")
+            if (unit["source"].is_object() && unit["target"].is_null() && unit["source"]["kind"] == "function") {
                 EXPECT_EQ(unit["share"], "one_sided") << row.says << ": report and check agree";
+            }
     }
     MemoryDisk disk = started(kLum + kHash, kLumPort);
     disk.files["/r/src/k.cu"] += hash2;
