@@ -3,16 +3,11 @@
 #include "porttool/compare/compare_pair.h"
 
 #include "porttool/compare/lone_edit.h"
+#include "porttool/compare/struct_fields.h"
 #include "porttool/compare/values.h"
 
 namespace porttool {
 namespace {
-
-/// Whether a number's suffix tells its type on both sides.
-Literals literals_of(const BySide<PairedUnit>& pair) {
-    const auto is_shading = [](Language language) { return traits_of(language).literals == Literals::Shading; };
-    return is_shading(pair.source.language) || is_shading(pair.target.language) ? Literals::Shading : Literals::C;
-}
 
 class PairComparer {
 public:
@@ -70,10 +65,12 @@ private:
     }
 
     /// Equal values settle edits of both sides. They leave open what an edit of one side alone is: it may be to the
-    /// alignment, the bases or the type.
+    /// alignment, the bases or the type. Structs that had other fields before, as a class and what a kernel needs of
+    /// it, are held against each other by their edits.
     bool settled_by_values() {
         const UnitKind kind = pair_.source.kind;
         if (kind != pair_.target.kind || (kind != UnitKind::Constant && kind != UnitKind::Struct)) return false;
+        if (kind == UnitKind::Struct && !had_same_fields()) return false;
         ComparedValues values = compare_values(kind, now_.source, now_.target, dialect_);
         if (values.same) {
             if (changed_both()) out_.standing = Standing::Equivalent;
@@ -84,9 +81,21 @@ private:
         return true;
     }
 
+    /// True if both had the same fields when they were last in step.
+    bool had_same_fields() const {
+        const auto then = [&](Side side) { return before_[side].empty() ? now_[side] : before_[side]; };
+        const ComparedValues values =
+            compare_values(UnitKind::Struct, then(Side::Source), then(Side::Target), dialect_);
+        return values.same;
+    }
+
     void compare_both() {
-        EditComparison edits =
-            compare_edits({before_.source, now_.source, before_.target, now_.target}, dialect_, literals_of(pair_));
+        const bool structs = pair_.source.kind == UnitKind::Struct && pair_.target.kind == UnitKind::Struct;
+        const auto text = [&](const Words& words) { return structs ? data_fields(words) : words; };
+        const Words source_before = text(before_.source), source_now = text(now_.source),
+                    target_before = text(before_.target), target_now = text(now_.target);
+        EditComparison edits = compare_edits({source_before, source_now, target_before, target_now}, dialect_,
+                                             {pair_.source.language, pair_.target.language});
         if (edits.equivalent) out_.standing = Standing::Equivalent;
         out_.missing = std::move(edits.differences);
     }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "porttool/compare/edits.h"
 
+#include "porttool/compare/hints.h"
 #include "porttool/compare/positions.h"
 #include "porttool/compare/renaming.h"
 #include "porttool/compare/same_words.h"
@@ -22,8 +23,8 @@ void show_moved(const StatementEdit& edit, Edit& out) {
 }
 
 /// Compares the edits by the names that the texts have.
-EditComparison compare_as_named(const PairTexts& texts, const Dialect& dialect, Literals literals) {
-    const Meaning meaning(texts, dialect, literals);
+EditComparison compare_as_named(const PairTexts& texts, const Dialect& dialect, const BySide<Language>& languages) {
+    const Meaning meaning(texts, dialect, languages);
     const auto translator = [&](Side side) {
         return [&meaning, side](const Words& statement, bool in_body) {
             return meaning.translate(statement, side, in_body);
@@ -65,15 +66,18 @@ Edit edit_of(const Words& before, const Words& now) {
     return shown_edit(statement_edit(before, now, as_written));
 }
 
-EditComparison compare_edits(const PairTexts& texts, const Dialect& dialect, Literals literals) {
-    EditComparison out = compare_as_named(texts, dialect, literals);
+EditComparison compare_edits(const PairTexts& written, const Dialect& dialect, const BySide<Language>& languages) {
+    const Words source_before = without_hints(written.source_before), now_of_source = without_hints(written.source_now),
+                target_before = without_hints(written.target_before), now_of_target = without_hints(written.target_now);
+    const PairTexts texts{source_before, now_of_source, target_before, now_of_target};
+    EditComparison out = compare_as_named(texts, dialect, languages);
     if (out.equivalent) return out;
     const auto source = with_old_names(texts.source_before, texts.source_now, dialect);
     const auto target =
         with_new_names_of_source(texts.source_before, source, texts.target_before,
                                  with_old_names(texts.target_before, texts.target_now, dialect), dialect);
     if (source == texts.source_now && target == texts.target_now) return out;
-    return compare_as_named({texts.source_before, source, texts.target_before, target}, dialect, literals);
+    return compare_as_named({texts.source_before, source, texts.target_before, target}, dialect, languages);
 }
 
 }  // namespace porttool

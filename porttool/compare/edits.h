@@ -39,7 +39,7 @@ struct EditComparison {
 ///     now         a = b * 2f ; c = a ;              a = b * 2.0 ; d = a ;      equivalent in GLSL, c new and called d
 ///     or now      a = b * 2f ; c = a ;              c = a ; a = b * 2.0 ;      not: the position
 ///     or now      a = b * 2f ; c = a ;              a = b * 2.0 ;              not: the port did not gain `c = a`
-EditComparison compare_edits(const PairTexts& texts, const Dialect& dialect, Literals literals);
+EditComparison compare_edits(const PairTexts& texts, const Dialect& dialect, const BySide<Language>& languages);
 
 /// The same statements for a reader; of an edit that only moved closing braces, what stands in another block now.
 Edit shown_edit(const StatementEdit& edit);

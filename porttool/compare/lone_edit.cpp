@@ -6,6 +6,7 @@
 #include "porttool/compare/plain_statement.h"
 #include "porttool/compare/renaming.h"
 #include "porttool/compare/statement_edit.h"
+#include "porttool/compare/struct_fields.h"
 
 namespace porttool {
 namespace {
@@ -39,6 +40,7 @@ LoneEdit lone_edit(const Words& before, const Words& now, UnitKind kind, Languag
     };
     const auto is_code = kind == UnitKind::Function || kind == UnitKind::Kernel;
     const auto bare = [&](const Words& tokens) {
+        if (kind == UnitKind::Struct) return data_fields(tokens);
         return is_code ? without_idle_statements(without_hints(tokens)) : tokens;
     };
     const Words old_text = bare(before);

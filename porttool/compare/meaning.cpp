@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "porttool/compare/meaning.h"
 
+#include <algorithm>
+#include <array>
+
 #include "porttool/compare/casts.h"
 #include "porttool/language/words.h"
 #include "porttool/normal/normal_form.h"
@@ -65,20 +68,73 @@ std::map<std::string_view, std::set<std::string_view>> scopes_in(const Words& to
     return out;
 }
 
+/// The component of a vector that is named at `i`: `. y`, OpenCL's `. s1`, `[ 1 ]`; "" if none is. An element of an
+/// array is read alike: a name that stands for a vector on one side is none for an array on the other.
+std::string_view component_at(const Words& tokens, size_t i, Language language) {
+    constexpr std::array<std::string_view, 4> kComponents = {"x", "y", "z", "w"};
+    const auto number = [&](std::string_view digit) {
+        return digit.size() == 1 && digit[0] >= '0' && digit[0] <= '3' ? kComponents.at(digit[0] - '0')
+                                                                       : std::string_view();
+    };
+    if (tokens[i] == "[" && i > 0 && i + 2 < tokens.size() && tokens[i + 2] == "]") return number(tokens[i + 1]);
+    const bool is_member = tokens[i] == "." && i + 1 < tokens.size() && tokens[i + 1].size() == 2;
+    return is_member && language == Language::OpenCl && tokens[i + 1][0] == 's' ? number(tokens[i + 1].substr(1))
+                                                                                : std::string_view();
+}
+
+/// The words of a unit's texts, by how they are used.
+struct MemberUses {
+    explicit MemberUses(const std::array<const Words*, 2>& texts) {
+        for (const Words* text : texts) {
+            bool in_head = true;
+            for (size_t i = 0; i < text->size(); ++i) {
+                const std::string_view word = (*text)[i];
+                in_head = in_head && word != "{";
+                if (!is_word_token(word)) continue;
+                words.insert(word);
+                const std::string_view before = i > 0 ? (*text)[i - 1] : std::string_view();
+                const std::string_view after = i + 1 < text->size() ? (*text)[i + 1] : std::string_view();
+                if (before == "." || before == "->" || before == "::") continue;
+                bare.insert(word);
+                if (in_head && (after == "," || after == ")")) parameters.insert(word);
+                if ((after == "." || after == "->") && i + 2 < text->size()) members_of[word].insert((*text)[i + 2]);
+            }
+        }
+    }
+
+    std::set<std::string_view> words, bare, parameters;  ///< bare: without an object or a scope before them
+    std::map<std::string_view, std::set<std::string_view>> members_of;
+};
+
+/// HIP's names for what CUDA's runtime and libraries have under the same names: `hipMalloc` is `cudaMalloc`.
+std::string runtime_name(std::string_view token) {
+    constexpr std::string_view kPrefix = "hip";
+    if (token.size() <= kPrefix.size() || !token.starts_with(kPrefix)) return std::string(token);
+    const std::string_view rest = token.substr(kPrefix.size());
+    if (rest[0] >= 'A' && rest[0] <= 'Z') return "cuda" + std::string(rest);
+    for (const std::string_view library : {"blas", "rand", "fft", "sparse", "solver"})
+        if (rest.starts_with(library)) return "cu" + std::string(rest);
+    return std::string(token);
+}
+
 }  // namespace
 
-Meaning::Meaning(const PairTexts& texts, const Dialect& dialect, Literals literals)
-    : dialect_(dialect), literals_(literals) {
+Meaning::Meaning(const PairTexts& texts, const Dialect& dialect, const BySide<Language>& languages)
+    : dialect_(dialect), languages_(languages), literals_(Literals::C) {
+    for (const Side side : kBothSides)
+        if (traits_of(languages[side]).literals == Literals::Shading) literals_ = Literals::Shading;
     note_names(texts.source_before, Side::Source);
     note_names(texts.source_now, Side::Source);
     note_names(texts.target_before, Side::Target);
     note_names(texts.target_now, Side::Target);
     note_scopes(texts.source_before, texts.target_before);
+    for (const Side side : kBothSides) note_objects(texts, side);
 }
 
 void Meaning::note_names(const Words& tokens, Side side) {
     for (const std::string_view token : tokens)
-        if (is_word_token(token) && dialect_.meaning(token) == nullptr) spellings_[side][folded(token)].insert(token);
+        if (is_word_token(token) && dialect_.meaning(token) == nullptr)
+            spellings_[side][folded(runtime_name(token))].insert(token);
     for (auto& [name, scopes] : scopes_in(tokens, dialect_)) scopes_[side][name].insert(scopes.begin(), scopes.end());
 }
 
@@ -93,6 +149,32 @@ void Meaning::note_scopes(const Words& source, const Words& target) {
         if (known.first->second != *found->second.begin()) ambiguous.insert(*scopes.begin());
     }
     for (const std::string_view scope : ambiguous) renamed_.erase(scope);
+}
+
+/// A kernel's `hit->t` is `t` in the member function that it ports, and the other way round: so a parameter that the
+/// other side does not name, and whose members stand there without an object, as no other name here does.
+void Meaning::note_objects(const PairTexts& texts, Side side) {
+    const bool source = side == Side::Source;
+    const std::array<const Words*, 2> here = {source ? &texts.source_before : &texts.target_before,
+                                              source ? &texts.source_now : &texts.target_now};
+    const std::array<const Words*, 2> there = {source ? &texts.target_before : &texts.source_before,
+                                               source ? &texts.target_now : &texts.source_now};
+    const MemberUses uses(here), others(there);
+    for (const auto& [object, members] : uses.members_of) {
+        if (!uses.parameters.contains(object) || others.words.contains(object)) continue;
+        const bool ambiguous = std::any_of(members.begin(), members.end(), [&](std::string_view member) {
+            return uses.bare.contains(member) || (others.words.contains(member) && !others.bare.contains(member));
+        });
+        const bool known = std::any_of(members.begin(), members.end(),
+                                       [&](std::string_view member) { return others.bare.contains(member); });
+        if (known && !ambiguous) objects_[side].insert(object);
+    }
+}
+
+bool Meaning::is_implied_object(const Words& tokens, size_t i, Side side) const {
+    if (i + 2 >= tokens.size() || (tokens[i + 1] != "." && tokens[i + 1] != "->")) return false;
+    if (i > 0 && (tokens[i - 1] == "." || tokens[i - 1] == "->" || tokens[i - 1] == "::")) return false;
+    return tokens[i] == "this" || objects_[side].contains(tokens[i]);
 }
 
 std::string Meaning::number(std::string_view token) const {
@@ -110,7 +192,9 @@ std::string Meaning::number(std::string_view token) const {
     return literals_ == Literals::C ? text + suffix : text;
 }
 
-std::string Meaning::word(std::string_view token) const {
+std::string Meaning::word(std::string_view token, Side side) const {
+    const bool narrow = token == "int8" || token == "uint8" || token == "int16" || token == "uint16";
+    if (narrow && languages_[side] == Language::Ispc) return word(std::string(token) + "_t", side);
     if (is_number_token(token)) return number(token);
     if (const std::string* known = dialect_.meaning(token)) {
         if (literals_ == Literals::Shading && *known == "fabs") return "abs";
@@ -118,9 +202,9 @@ std::string Meaning::word(std::string_view token) const {
     }
     if (!is_word_token(token)) return std::string(token);
     // A name may be spelled after the manner of each side, as long as that leaves no two names alike.
-    const std::string name = folded(token);
-    for (const Side side : kBothSides)
-        if (const auto found = spellings_[side].find(name); found != spellings_[side].end() && found->second.size() > 1)
+    const std::string name = folded(runtime_name(token));
+    for (const Side each : kBothSides)
+        if (const auto found = spellings_[each].find(name); found != spellings_[each].end() && found->second.size() > 1)
             return std::string(token);
     return name;
 }
@@ -128,9 +212,10 @@ std::string Meaning::word(std::string_view token) const {
 std::string Meaning::scoped(std::string_view scope, std::string_view name, Side side) const {
     const auto here = scopes_[side].find(name), there = scopes_[other(side)].find(name);
     const bool counts = (here != scopes_[side].end() && here->second.size() > 1) || there != scopes_[other(side)].end();
-    if (scope.empty() || !counts) return word(name);
+    if (scope.empty() || !counts) return word(name, side);
     const auto renamed = renamed_.find(scope);
-    return word(side == Side::Target && renamed != renamed_.end() ? renamed->second : scope) + "::" + word(name);
+    return word(side == Side::Target && renamed != renamed_.end() ? renamed->second : scope, side) +
+           "::" + word(name, side);
 }
 
 std::vector<std::string> Meaning::translate(const Words& statement, Side side, bool in_body) const {
@@ -140,8 +225,17 @@ std::vector<std::string> Meaning::translate(const Words& statement, Side side, b
         if (const std::string storage = storage_of(tokens); !storage.empty()) out.push_back(storage);
     for (size_t i = 0; i < tokens.size(); ++i) {
         if (tokens[i] == "::" || (in_body && tokens[i] == "groupshared")) continue;
+        if (const std::string_view component = component_at(tokens, i, languages_[side]); !component.empty()) {
+            out.insert(out.end(), {".", std::string(component)});
+            i += tokens[i] == "[" ? 2 : 1;
+            continue;
+        }
         if (!is_word_token(tokens[i])) {
-            out.push_back(word(tokens[i]));
+            out.push_back(word(tokens[i], side));
+            continue;
+        }
+        if (is_implied_object(tokens, i, side)) {
+            ++i;
             continue;
         }
         const Chain chain = chain_at(tokens, i, dialect_);

@@ -24,11 +24,11 @@ struct PairTexts {
 ///
 ///     CUDA     const float3 d = make_float3 ( x , y , z ) * 2f ;
 ///     GLSL     vec3 d = vec3 ( x , y , z ) * 2.0 ;
-///     both     vec3 d = vec3 ( x , y , z ) * 2.0 ;              with Literals::C CUDA's number stays 2.0f
+///     both     vec3 d = vec3 ( x , y , z ) * 2.0 ;              between CUDA and C++ the number stays 2.0f
+///     OpenCL, CUDA, C        v . s1        v . y        v [ 1 ]            one component: v . y
 class Meaning {
 public:
-    /// `literals`: Shading if one side at least is of that kind.
-    Meaning(const PairTexts& texts, const Dialect& dialect, Literals literals);
+    Meaning(const PairTexts& texts, const Dialect& dialect, const BySide<Language>& languages);
 
     /// A statement's words. `in_body`: not the function's head, so that storage (`static`, group-shared memory) counts.
     std::vector<std::string> translate(const Words& statement, Side side, bool in_body) const;
@@ -38,16 +38,20 @@ private:
     using Scopes = std::map<std::string_view, std::set<std::string_view>>;
 
     void note_names(const Words& tokens, Side side);
+    void note_objects(const PairTexts& texts, Side side);
+    bool is_implied_object(const Words& tokens, size_t i, Side side) const;
     void note_scopes(const Words& source, const Words& target);
-    std::string word(std::string_view token) const;
+    std::string word(std::string_view token, Side side) const;
     std::string number(std::string_view token) const;
     std::string scoped(std::string_view scope, std::string_view name, Side side) const;
 
     const Dialect& dialect_;
-    Literals literals_;
+    BySide<Language> languages_;
+    Literals literals_;                                     ///< Shading if one side at least is of that kind
     BySide<Spellings> spellings_;                           ///< by folded name
     BySide<Scopes> scopes_;                                 ///< by name
     std::map<std::string_view, std::string_view> renamed_;  ///< the source's scope for one of the port's
+    BySide<std::set<std::string_view>> objects_;  ///< parameters whose members the other side names without an object
 };
 
 }  // namespace porttool

@@ -4,7 +4,61 @@
 
 #include <algorithm>
 
+#include "porttool/language/words.h"
+#include "porttool/normal/declaration_words.h"
+
 namespace porttool {
+namespace {
+
+/// True for a statement in a struct that declares a function, calls a macro, or names something without data.
+bool holds_no_data(const Words& statement) {
+    if (is_one_of(statement[0], {"friend", "using", "typedef", "static_assert", "template", "static", "explicit",
+                                 "virtual", "operator", "~"}))
+        return true;
+    int depth = 0;
+    for (size_t i = 0; i < statement.size(); ++i) {
+        const std::string_view word = statement[i];
+        if (word == "operator") return true;
+        if (word == "=" || word == "{") return false;
+        const bool own_list = i > 0 && (word_is(statement[i - 1], kTakesArguments) || statement[i - 1] == "defined");
+        const bool points = i + 1 < statement.size() && statement[i + 1] == "*";
+        if (word == "(" && depth == 0 && !own_list && !points) return true;
+        if (word == "(" || word == "[") ++depth;
+        if (word == ")" || word == "]") --depth;
+    }
+    return false;
+}
+
+}  // namespace
+
+Words data_fields(const Words& tokens) {
+    const auto open = std::find(tokens.begin(), tokens.end(), "{");
+    if (open == tokens.end()) return tokens;
+    Words out(tokens.begin(), open + 1), statement;
+    int depth = 0;
+    for (auto at = open + 1; at != tokens.end(); ++at) {
+        const bool ends = depth == 0 && (*at == ";" || *at == "}");
+        if (depth == 0 && *at == ":" && statement.size() == 1 && word_is(statement[0], kLabel)) {
+            statement.clear();
+            continue;
+        }
+        if (!ends) {
+            if (*at == "{") ++depth;
+            if (*at == "}") --depth;
+            statement.push_back(*at);
+            continue;
+        }
+        if (!statement.empty() && !holds_no_data(statement)) {
+            out.insert(out.end(), statement.begin(), statement.end());
+            out.emplace_back(";");
+        }
+        statement.clear();
+        if (*at != "}") continue;
+        out.insert(out.end(), at, tokens.end());
+        break;
+    }
+    return single_fields(out);
+}
 
 Words single_fields(const Words& tokens) {
     Words out;

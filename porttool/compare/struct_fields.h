@@ -12,4 +12,11 @@ namespace porttool {
 ///     struct @ { float3 o ; float3 d ; uint k [ 4 ] ; } ;
 Words single_fields(const Words& tokens);
 
+/// A struct's head and its data: single_fields() without member functions, access words, macros, friends, type names
+/// and static members, none of which is part of its layout.
+///
+///     struct @ : A { public : float3 o , d ; float length ( ) const ; } ;
+///     struct @ : A { float3 o ; float3 d ; } ;
+Words data_fields(const Words& tokens);
+
 }  // namespace porttool

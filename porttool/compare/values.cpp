@@ -61,9 +61,24 @@ std::string shown(const Words& words) {
         out += tight ? "" : " ";
         out += words[i];
     }
-    constexpr size_t kLongest = 80;
-    if (out.size() > kLongest) out = out.substr(0, kLongest) + "...";
-    return "'" + out + "'";
+    return out;
+}
+
+/// What both sides have, in a sentence; of long texts the part from where they differ.
+std::string both_shown(const char* what, Words left, Words right) {
+    constexpr size_t kLongest = 80, kBefore = 4;
+    size_t same = 0;
+    const size_t least = std::min(left.size(), right.size());
+    while (same < least && left[same] == right[same]) ++same;
+    const bool is_long = std::max(shown(left).size(), shown(right).size()) > kLongest;
+    const size_t first = is_long && same > kBefore ? std::min(same, least) - kBefore : 0;
+    const auto quoted = [&](Words& words) {
+        words.erase(words.begin(), words.begin() + static_cast<std::ptrdiff_t>(first));
+        std::string text = shown(words);
+        if (text.size() > kLongest) text = text.substr(0, kLongest) + "...";
+        return (first > 0 ? "'... " : "'") + text + "'";
+    };
+    return what + quoted(left) + " in the source and " + quoted(right) + " in the port";
 }
 
 /// The value of a constant or the fields of a struct in common words.
@@ -85,7 +100,7 @@ std::string value_in_common_words(const Words& tokens, const Dialect& dialect, b
 
 ComparedValues compare_structs(const Words& left, const Words& right, const Dialect& dialect) {
     ComparedValues out;
-    const Words left_fields = single_fields(left), right_fields = single_fields(right);
+    const Words left_fields = data_fields(left), right_fields = data_fields(right);
     out.same = value_in_common_words(left_fields, dialect, true) == value_in_common_words(right_fields, dialect, true);
     const auto plain = [](const Words& words) {  // nothing but fields: no functions, bases or access words
         return std::find_if(words.begin(), words.end(),
@@ -97,9 +112,9 @@ ComparedValues compare_structs(const Words& left, const Words& right, const Dial
         auto end = words.end();
         if (first != end) ++first;
         while (first < end && (*(end - 1) == ";" || *(end - 1) == "}")) --end;
-        return shown({first, end});
+        return Words(first, end);
     };
-    out.says = "the fields are " + body(left) + " in the source and " + body(right) + " in the port";
+    out.says = both_shown("the fields are ", body(left_fields), body(right_fields));
     return out;
 }
 
@@ -126,7 +141,7 @@ ComparedValues compare_values(UnitKind kind, const Words& left, const Words& rig
     Words left_shown = value_words(left), right_shown = value_words(right);
     for (Words* words : {&left_shown, &right_shown})
         if (words->size() == 3 && words->front() == "{") *words = {(*words)[1]};
-    out.says = "the value is " + shown(left_shown) + " in the source and " + shown(right_shown) + " in the port";
+    out.says = both_shown("the value is ", left_shown, right_shown);
     return out;
 }
 

@@ -16,11 +16,8 @@
 namespace porttool {
 namespace {
 
-/// Whether a number's suffix tells its type on both sides.
-Literals literals_of_units(const UnitState& source, const UnitState& target) {
-    for (const UnitState* unit : {&source, &target})
-        if (traits_of(language_of_path(unit->file)).literals == Literals::Shading) return Literals::Shading;
-    return Literals::C;
+BySide<Language> languages_of_units(const UnitState& source, const UnitState& target) {
+    return {language_of_path(source.file), language_of_path(target.file)};
 }
 
 /// A text with its locals numbered; the words live in `numbers`.
@@ -49,10 +46,11 @@ std::vector<std::string> statement_keys(const Words& words, Side side, const Mea
     return out;
 }
 
-bool are_twins(const UnitState& source, const UnitState& target, const Dialect& dialect, Literals literals) {
+bool are_twins(const UnitState& source, const UnitState& target, const Dialect& dialect,
+               const BySide<Language>& languages) {
     const Words left = source.text.words(), right = target.text.words(), none;
     const Numbered a(left), b(right);
-    const Meaning meaning({none, a.words(), none, b.words()}, dialect, literals);
+    const Meaning meaning({none, a.words(), none, b.words()}, dialect, languages);
     return statement_keys(a.words(), Side::Source, meaning) == statement_keys(b.words(), Side::Target, meaning);
 }
 
@@ -79,15 +77,15 @@ Assessment assess(const UnitState& source, const UnitState& target, const Dialec
     CompareSize size;
     for (const UnitState* unit : {&source, &target}) size.add(unit->text.size());
     if (!budget.refusal({source.id, target.id}, size).empty()) return Assessment::Differs;
-    const Literals literals = literals_of_units(source, target);
-    if (are_twins(source, target, dialect, literals)) return Assessment::Twin;
+    const BySide<Language> languages = languages_of_units(source, target);
+    if (are_twins(source, target, dialect, languages)) return Assessment::Twin;
     const Words left = source.text.words(), right = target.text.words(), none;
     const bool has_values = source.kind == UnitKind::Constant || source.kind == UnitKind::Struct;
     if (has_values && source.kind == target.kind) {
         const ComparedValues values = compare_values(source.kind, left, right, dialect);
         return values.same ? Assessment::Equivalent : Assessment::Differs;
     }
-    if (compare_edits({none, left, none, right}, dialect, literals).equivalent) return Assessment::Equivalent;
+    if (compare_edits({none, left, none, right}, dialect, languages).equivalent) return Assessment::Equivalent;
     return shared_words_of(source, target, dialect) < kAlike ? Assessment::Unlike : Assessment::Differs;
 }
 

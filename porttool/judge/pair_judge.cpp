@@ -92,10 +92,11 @@ void PairJudge::report_gone(const JudgedPair& pair, bool is_recorded) {
     const auto& [source, target] = pair.id;
     const bool no_source = pair.unit.source == nullptr, no_target = pair.unit.target == nullptr;
     if (no_source && no_target) {
-        findings_.add(
+        Finding& finding = findings_.add(
             is_recorded ? Rule::Orphaned : Rule::DeadLink, pair, ChangeKind::Removed,
             (is_recorded ? "both sides of this pair are gone: " : "the map names two units that are not there: ") +
                 source + " and " + target);
+        finding.remedy = "Remove the [[pair]] from portmap.toml; if they were renamed, name the new ones there";
     } else if (is_recorded && no_target) {
         const bool is_original = facts_.map.reference == Reference::Target;
         findings_.add(
@@ -159,7 +160,9 @@ void PairJudge::compare(JudgedPair& pair, const LockedPair& lock) {
 
 /// Built-ins that the source's edit brings in and that mean different things in different dialects.
 void PairJudge::report_hazards(const JudgedPair& pair, const Edit& edit) {
-    for (const std::string& hazard : hazards_of(edit.gained, edit.lost))
+    const auto language = [](const UnitState* unit) { return language_of_path(unit->file); };
+    for (const std::string& hazard :
+         hazards_of(edit.gained, edit.lost, language(pair.unit.source), language(pair.unit.target)))
         findings_.add(Rule::DialectHazard, pair, {}, hazard, hazard);
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <deque>
+#include <unordered_map>
 
 namespace porttool {
 namespace {
@@ -36,6 +37,26 @@ std::string signature_of(const NormalText& text) {
     return joined;
 }
 
+/// The name without its scopes and without #2.
+std::string last_name(const std::string& name) {
+    const std::string plain = plain_id(name);
+    const size_t scope = plain.rfind("::");
+    return scope == std::string::npos ? plain : plain.substr(scope + 2);
+}
+
+/// How many words two texts share, of all that they have: 0 to 1.
+double shared_words(const NormalText& a, const NormalText& b) {
+    std::unordered_map<std::string_view, size_t> left;
+    for (size_t i = 0; i < a.size(); ++i) ++left[a[i]];
+    size_t shared = 0;
+    for (size_t i = 0; i < b.size(); ++i)
+        if (const auto found = left.find(b[i]); found != left.end() && found->second > 0) {
+            --found->second;
+            ++shared;
+        }
+    return 2.0 * static_cast<double>(shared) / static_cast<double>(std::max<size_t>(1, a.size() + b.size()));
+}
+
 using Key = std::function<std::string(const UnitState&)>;
 
 }  // namespace
@@ -59,6 +80,7 @@ Resolver::Resolver(const std::map<std::string, UnitState>& units, const std::vec
     };
     follow_texts(gone());
     follow_files(gone());
+    follow_likeness(gone());
 }
 
 Resolved Resolver::find(const std::string& id) const {
@@ -148,6 +170,44 @@ void Resolver::follow_files(const Names& gone) {
             continue;
         for (const UnitState* unit : by_name[unit_name])
             if (unit->file == best->first && is_free(*unit)) give(name->id, *unit, true);
+    }
+}
+
+/// A unit that was moved or renamed and edited at once: under its name it keeps most of its words, under another one in
+/// its own file nearly all, and no other unit is as like.
+void Resolver::follow_likeness(const Names& gone) {
+    if (gone.empty()) return;
+    constexpr double kUnderItsName = 0.6, kInItsFile = 0.85;
+    constexpr size_t kMostWords = 20'000'000;  // beyond, what is gone is called gone
+    std::unordered_map<std::string, std::vector<const UnitState*>> by_name, by_file;
+    for (const auto& [id, unit] : units_) {
+        if (!is_free(unit) || unit.text.size() < kLongEnough) continue;
+        by_name[last_name(unit.name)].push_back(&unit);
+        by_file[unit.file].push_back(&unit);
+    }
+    size_t words = 0;
+    for (const NamedUnit* name : gone) {
+        const NormalText before = base_text_(name->prints->written);
+        if (before.size() < kLongEnough) continue;
+        const auto [file, unit_name] = split_id(name->id);
+        const UnitState* best = nullptr;
+        double likeness = 0, second = 0;
+        const auto try_all = [&](const std::vector<const UnitState*>& units, double least) {
+            for (const UnitState* unit : units) {
+                words += before.size() + unit->text.size();
+                if (words > kMostWords || unit == best || !is_free(*unit)) continue;
+                const double found = shared_words(before, unit->text);
+                if (found < least) continue;
+                second = std::max(second, std::min(found, likeness));
+                if (found > likeness) best = unit;
+                likeness = std::max(likeness, found);
+            }
+        };
+        if (const auto found = by_name.find(last_name(unit_name)); found != by_name.end())
+            try_all(found->second, kUnderItsName);
+        if (const auto found = by_file.find(file); best == nullptr && found != by_file.end())
+            try_all(found->second, kInItsFile);
+        if (best != nullptr && second < likeness) give(name->id, *best, true);
     }
 }
 

@@ -27,8 +27,8 @@ struct NamedUnit {
 
 /// Finds the units of one side that a map names. Variants of one name (#2, #3) are told apart by their text, then their
 /// signature, so that their order does not matter. A unit that is gone from its id is recognised by its text where that
-/// is long enough to be its own, and by its name where other units of its file went to the same new file. Near linear
-/// in the number of units.
+/// is long enough to be its own, by its name where other units of its file went to the same new file, and by its name
+/// or its file where enough of its text is left: it was edited on the way. Near linear in the number of units.
 class Resolver {
 public:
     /// `base_text` gives the text behind a fingerprint, or an empty one.
@@ -45,6 +45,7 @@ private:
     void settle_variants(const Names& names, std::vector<const UnitState*> variants);
     void follow_texts(const Names& gone);
     void follow_files(const Names& gone);
+    void follow_likeness(const Names& gone);
     void give(const std::string& id, const UnitState& unit, bool elsewhere);
     bool is_free(const UnitState& unit) const { return !taken(unit) && !named_.contains(unit.id); }
 

@@ -35,10 +35,11 @@ constexpr std::array kTypes = {
     DialectRow{"mat4", "float4x4 Matrix4x4 AffineSpace3f AffineSpace3fa Transform"},
     DialectRow{"uint", "u_int uint32_t unsigned uint32 u32 cl_uint GLuint"},
     DialectRow{"int", "int32_t int32 i32 cl_int signed"},
-    DialectRow{"int8", "int8_t cl_char"},
-    DialectRow{"uint8", "uint8_t u_char uchar byte cl_uchar"},
-    DialectRow{"int16", "int16_t"},
-    DialectRow{"uint16", "uint16_t u_short ushort cl_ushort"},
+    // `int8` is a vector of eight in OpenCL, and has eight bits in ISPC.
+    DialectRow{"int8_t", "cl_char"},
+    DialectRow{"uint8_t", "u_char uchar byte cl_uchar"},
+    DialectRow{"short", "int16_t cl_short"},
+    DialectRow{"uint16_t", "u_short ushort cl_ushort"},
     DialectRow{"uint64", "uint64_t u_longlong ulonglong ulong u_int64 cl_ulong"},
     DialectRow{"int64", "int64_t longlong cl_long"},
     DialectRow{"half", "float16_t f16 half_t __half"},
@@ -89,7 +90,8 @@ constexpr std::array kBuiltIns = {
     DialectRow{"length", "Length"},
     DialectRow{"normalize", "Normalize fast_normalize"},
     DialectRow{"reflect", "Reflect"},
-    DialectRow{"fma", "fmaf mad"},
+    DialectRow{"fma", "fmaf"},
+    DialectRow{"mad", ""},
     DialectRow{"floatBitsToUint", "__float_as_uint float_as_uint as_uint asuint"},
     DialectRow{"floatBitsToInt", "__float_as_int float_as_int as_int asint"},
     DialectRow{"intBitsToFloat",
@@ -130,7 +132,9 @@ constexpr std::array kBuiltIns = {
 constexpr std::array kAlike = {
     DialectRow{"abs", "fabs"},        DialectRow{"mod", "fmod"},         DialectRow{"round", "rint Round2Int"},
     DialectRow{"floor", "Floor2Int"}, DialectRow{"ceil", "Ceil2Int"},    DialectRow{"findLSB", "ffs"},
-    DialectRow{"findMSB", "clz"},     DialectRow{"infinity", "FLT_MAX"},
+    DialectRow{"findMSB", "clz"},     DialectRow{"infinity", "FLT_MAX"}, DialectRow{"fma", "mad"},
+    DialectRow{"int8_t", "int8"},     DialectRow{"uint8_t", "uint8"},    DialectRow{"short", "int16"},
+    DialectRow{"uint16_t", "uint16"},
 };
 
 /// The name under which units are paired.
@@ -166,9 +170,8 @@ Dialect::Dialect(const std::vector<std::pair<std::string, std::string>>& rows) {
     }
     add_table(kTypes);
     add_table(kBuiltIns);
-    add("Round2Int", "Round2Int");
-    add("Ceil2Int", "Ceil2Int");
-    add("FLT_MAX", "FLT_MAX");
+    for (const std::string_view word : {"Round2Int", "Ceil2Int", "FLT_MAX", "int8", "uint8", "int16", "uint16"})
+        add(word, word);
     for (const std::string_view word : words_with(kDropped)) add(word, "");
 }
 

@@ -11,25 +11,74 @@
 namespace porttool {
 namespace {
 
+using Languages = uint32_t;  ///< a bit each
+
+template <class... Each>
+constexpr Languages languages(Each... each) {
+    return ((Languages{1} << static_cast<unsigned>(each)) | ...);
+}
+
+constexpr Languages kShadingLanguages = languages(Language::Glsl, Language::Hlsl, Language::Slang);
+constexpr Languages kOthers = ~kShadingLanguages;
+
 struct HazardRow {
     std::string_view calls;  ///< separated by blanks
-    std::string_view says;
+    Languages some, others;  ///< it means one thing in these and another in those
+    std::string_view subject, in_some, in_others;
 };
 
 constexpr std::array kHazards = {
-    HazardRow{"pow powf __powf powr native_powr",
-              "pow of a zero or negative base is undefined in GLSL and HLSL and defined in C++ and CUDA"},
-    HazardRow{"mod fmod fmodf",
-              "GLSL's mod takes the sign of the divisor, fmod that of the dividend: they differ for negatives"},
-    HazardRow{"min max fmin fmax fminf fmaxf",
-              "min and max with a NaN give either argument in GLSL and HLSL, and the other one with fmin and fmax"},
-    HazardRow{"normalize fast_normalize",
-              "normalize of a zero vector is undefined in GLSL and HLSL and NaN or zero elsewhere"},
+    HazardRow{"pow powf __powf powr native_powr", kShadingLanguages, kOthers, "pow of a zero or negative base",
+              "is undefined", "is defined"},
+    HazardRow{"mod fmod fmodf", languages(Language::Glsl), ~languages(Language::Glsl), "the remainder of negatives",
+              "has the sign of the divisor with mod", "has that of the dividend with fmod"},
+    HazardRow{"min max fmin fmax fminf fmaxf", kShadingLanguages, kOthers, "min and max with a NaN",
+              "give either argument", "give the other one with fmin and fmax"},
+    HazardRow{"normalize fast_normalize", kShadingLanguages, kOthers, "normalize of a zero vector", "is undefined",
+              "is NaN or zero"},
     HazardRow{"int uint int32_t uint32_t __float2int_rz __float2uint_rz convert_int convert_uint",
-              "a float out of range becomes an undefined integer in GLSL and C++ and saturates in CUDA"},
-    HazardRow{"round rint roundf rintf",
-              "halves are rounded away from zero by C++'s round and in any direction by GLSL's"},
+              languages(Language::Cuda, Language::Hip), ~languages(Language::Cuda, Language::Hip),
+              "a float out of range", "saturates as an integer", "is an undefined integer"},
+    HazardRow{"round rint roundf rintf", kShadingLanguages, kOthers, "the round of a half",
+              "goes in any direction, or to the even", "goes away from zero, that of rint to the even"},
+    HazardRow{"mad", languages(Language::OpenCl, Language::Hlsl), ~languages(Language::OpenCl, Language::Hlsl), "mad",
+              "may round once or twice", "is spelled fma and rounds once, or a * b + c and rounds twice"},
+    HazardRow{"fma fmaf", languages(Language::Glsl), ~languages(Language::Glsl), "fma",
+              "may round twice where it is not precise", "rounds once"},
 };
+
+/// A language's name for a reader; "" for one that is not known.
+std::string_view readable_name(Language language) {
+    switch (language) {
+        case Language::C:
+            return "C";
+        case Language::Cpp:
+            return "C++";
+        case Language::Cuda:
+            return "CUDA";
+        case Language::Hip:
+            return "HIP";
+        case Language::Sycl:
+            return "SYCL";
+        case Language::OpenCl:
+            return "OpenCL";
+        case Language::Glsl:
+            return "GLSL";
+        case Language::Hlsl:
+            return "HLSL";
+        case Language::Metal:
+            return "Metal";
+        case Language::Slang:
+            return "Slang";
+        case Language::Ispc:
+            return "ISPC";
+        case Language::Osl:
+            return "OSL";
+        case Language::Unknown:
+            break;
+    }
+    return "";
+}
 
 bool calls(const std::vector<std::string>& statements, std::string_view name) {
     const std::string call = std::string(name) + "(";
@@ -46,15 +95,23 @@ bool calls(const std::vector<std::string>& statements, std::string_view name) {
 
 }  // namespace
 
-std::vector<std::string> hazards_of(const std::vector<std::string>& gained, const std::vector<std::string>& lost) {
+std::vector<std::string> hazards_of(const std::vector<std::string>& gained, const std::vector<std::string>& lost,
+                                    Language here, Language there) {
     std::vector<std::string> out;
+    if (readable_name(here).empty() || readable_name(there).empty()) return out;
     for (const HazardRow& row : kHazards) {
+        const auto is_in = [](Languages list, Language language) { return (list & languages(language)) != 0; };
+        const bool as_some = is_in(row.some, here) && is_in(row.others, there);
+        if (!as_some && !(is_in(row.others, here) && is_in(row.some, there))) continue;
         bool now = false, before = false;
         for_each_word(row.calls, [&](std::string_view word) {
             now = now || calls(gained, word);
             before = before || calls(lost, word);
         });
-        if (now && !before) out.emplace_back(row.says);
+        if (!now || before) continue;
+        const std::string some(readable_name(as_some ? here : there)), others(readable_name(as_some ? there : here));
+        out.push_back(std::string(row.subject) + " " + std::string(row.in_some) + " in " + some + " and " +
+                      std::string(row.in_others) + " in " + others);
     }
     return out;
 }

@@ -137,16 +137,16 @@ TEST(WorkedExamples, Meaning) {
     const Dialect dialect;
     const Words cuda = words("const float3 d = make_float3 ( x , y , z ) * 2f ;");
     const Words glsl = words("vec3 d = vec3 ( x , y , z ) * 2.0 ;");
-    const auto translated = [&](Literals literals, Side side) {
+    const auto translated = [&](Language port, Side side) {
         std::string out;
-        const Meaning meaning({none, cuda, none, glsl}, dialect, literals);
+        const Meaning meaning({none, cuda, none, glsl}, dialect, {Language::Cuda, port});
         for (const std::string& word : meaning.translate(side == Side::Source ? cuda : glsl, side, true))
             out += word + " ";
         return out;
     };
-    EXPECT_EQ(translated(Literals::Shading, Side::Source), "vec3 d = vec3 ( x , y , z ) * 2.0 ; ");
-    EXPECT_EQ(translated(Literals::Shading, Side::Target), "vec3 d = vec3 ( x , y , z ) * 2.0 ; ");
-    EXPECT_EQ(translated(Literals::C, Side::Source), "vec3 d = vec3 ( x , y , z ) * 2.0f ; ");
+    EXPECT_EQ(translated(Language::Glsl, Side::Source), "vec3 d = vec3 ( x , y , z ) * 2.0 ; ");
+    EXPECT_EQ(translated(Language::Glsl, Side::Target), "vec3 d = vec3 ( x , y , z ) * 2.0 ; ");
+    EXPECT_EQ(translated(Language::Cpp, Side::Source), "vec3 d = vec3 ( x , y , z ) * 2.0f ; ");
 }
 
 StatementEdit edit(const std::string& before, const std::string& now) {
@@ -185,7 +185,7 @@ TEST(WorkedExamples, Edits) {
         const std::string before = head + "a = b ; }", source = head + source_now + " }",
                           target = head + target_now + " }";
         const Words old_text = words(before), left = words(source), right = words(target);
-        return compare_edits({old_text, left, old_text, right}, dialect, Literals::Shading).equivalent;
+        return compare_edits({old_text, left, old_text, right}, dialect, {Language::Cuda, Language::Glsl}).equivalent;
     };
     EXPECT_TRUE(equivalent("a = b * 2f ; float c = a ;", "a = b * 2.0 ; float d = a ;"));
     EXPECT_FALSE(equivalent("a = b * 2f ; float c = a ;", "float c = a ; a = b * 2.0 ;"));

@@ -1,0 +1,275 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+// Edits that both sides made in the manner of their language, and structs and names that are told by what they are.
+#include <gtest/gtest.h>
+
+#include "porttool/scan/side.h"
+#include "tests/porttool/fixtures.h"
+#include "tests/porttool/run_command.h"
+
+namespace porttool::testing {
+namespace {
+
+using Names = std::vector<std::string>;
+
+struct TwoSided {
+    std::string what, source_file, target_file;
+    BySide<std::string> before, now;
+    Names rules;
+};
+
+/// Records the texts before as in step and returns the report on the texts now. Units of one name are pairs.
+nlohmann::json report_on(const TwoSided& row, const std::string& unit = "f") {
+    MemoryDisk disk;
+    disk.files = {{"/r/s/" + row.source_file, row.before.source},
+                  {"/r/t/" + row.target_file, row.before.target},
+                  {"/r/portmap.toml",
+                   "version = 1\n[sides]\nsource = [\"s/*\"]\ntarget = [\"t/*\"]\n[[pair]]\nsource = \"s/" +
+                       row.source_file + ":" + unit + "\"\ntarget = \"t/" + row.target_file + ":" + unit + "\"\n"}};
+    EXPECT_EQ(run(disk, {"-C", "/r", "init", "--force"}).exit_code, 0) << row.what;
+    disk.files["/r/s/" + row.source_file] = row.now.source;
+    disk.files["/r/t/" + row.target_file] = row.now.target;
+    return check(disk);
+}
+
+Names rules_of(const nlohmann::json& report) {
+    Names out;
+    for (const auto& finding : report["findings"])
+        if (finding["level"] != "note" && finding["rule"] != "unported") out.push_back(finding["rule"]);
+    return out;
+}
+
+TEST(TwoSidedEdit, InTheMannerOfEachLanguage) {
+    const std::vector<TwoSided> rows = {
+        {"HIP's names",
+         "k.cu",
+         "k.hip",
+         {"void f(int n) { g(n); }", "void f(int n) { g(n); }"},
+         {"void f(int n) { g(n); cudaMemset(p, 0, n); cublasCreate(&h); }",
+          "void f(int n) { g(n); hipMemset(p, 0, n); hipblasCreate(&h); }"},
+         {}},
+        {"another call of HIP's",
+         "k.cu",
+         "k.hip",
+         {"void f(int n) { g(n); }", "void f(int n) { g(n); }"},
+         {"void f(int n) { g(n); cudaMemset(p, 0, n); }", "void f(int n) { g(n); hipMemsetAsync(p, 0, n); }"},
+         {"port-differs"}},
+        {"an object and its members",
+         "k.cl",
+         "k.cpp",
+         {"void f(__global Hit* hit) { hit->t = 1.0f; hit->u = 0.0f; }", "void f() { t = 1.0f; u = 0.0f; }"},
+         {"void f(__global Hit* hit) { hit->t = 1.0f; hit->u = 0.0f; hit->v = 2.0f; }",
+          "void f() { t = 1.0f; u = 0.0f; v = 2.0f; }"},
+         {}},
+        {"this",
+         "k.cl",
+         "k.cpp",
+         {"void f(__global Hit* hit) { hit->t = 1.0f; }", "void f() { this->t = 1.0f; t = t; }"},
+         {"void f(__global Hit* hit) { hit->t = 2.0f; }", "void f() { this->t = 2.0f; t = t; }"},
+         {}},
+        {"another member",
+         "k.cl",
+         "k.cpp",
+         {"void f(__global Hit* hit) { hit->t = 1.0f; hit->u = 0.0f; }", "void f() { t = 1.0f; u = 0.0f; }"},
+         {"void f(__global Hit* hit) { hit->t = 1.0f; hit->u = 0.0f; hit->v = 2.0f; }",
+          "void f() { t = 1.0f; u = 0.0f; w = 2.0f; }"},
+         {"port-differs"}},
+        {"a local of the member's name",
+         "k.cl",
+         "k.cpp",
+         {"void f(__global Hit* hit) { float t = 0.0f; hit->t = t; }", "void f() { float t = 0.0f; g(t); }"},
+         {"void f(__global Hit* hit) { float t = 0.0f; hit->t = t; hit->t = 2.0f; }",
+          "void f() { float t = 0.0f; g(t); t = 2.0f; }"},
+         {"port-differs"}},
+        {"components",
+         "k.cl",
+         "k.cpp",
+         {"void f(float4 v) { g(v.x); }", "void f(float4 v) { g(v[0]); }"},
+         {"void f(float4 v) { g(v.x); g(v.s1 + v.z); }", "void f(float4 v) { g(v[0]); g(v.y + v[2]); }"},
+         {}},
+        {"another component",
+         "k.cl",
+         "k.cpp",
+         {"void f(float4 v) { g(v.x); }", "void f(float4 v) { g(v[0]); }"},
+         {"void f(float4 v) { g(v.x); g(v.s1); }", "void f(float4 v) { g(v[0]); g(v[2]); }"},
+         {"port-differs"}},
+        {"NULL and cl_float",
+         "k.cl",
+         "k.cpp",
+         {"void f(int n) { g(n); }", "void f(int n) { g(n); }"},
+         {"void f(int n) { g(n); float x = h(NULL); }", "void f(int n) { g(n); cl_float x = h(nullptr); }"},
+         {}},
+        {"eight numbers, and eight bits",
+         "k.cl",
+         "k.cpp",
+         {"void f(int n) { g(n); }", "void f(int n) { g(n); }"},
+         {"void f(int n) { g(n); int8 x = h(n); }", "void f(int n) { g(n); int8_t x = h(n); }"},
+         {"port-differs"}},
+        {"eight bits",
+         "k.ispc",
+         "k.cpp",
+         {"void f(int n) { g(n); }", "void f(int n) { g(n); }"},
+         {"void f(int n) { g(n); int8 x = h(n); }", "void f(int n) { g(n); int8_t x = h(n); }"},
+         {}},
+        {"fma",
+         "k.cl",
+         "k.cpp",
+         {"float f(float a) { return a; }", "float f(float a) { return a; }"},
+         {"float f(float a) { return fma(a, a, a); }", "float f(float a) { return fmaf(a, a, a); }"},
+         {}},
+        {"mad is rounded otherwise",
+         "k.cl",
+         "k.cpp",
+         {"float f(float a) { return a; }", "float f(float a) { return a; }"},
+         {"float f(float a) { return mad(a, a, a); }", "float f(float a) { return fma(a, a, a); }"},
+         {"port-differs"}},
+        {"one side's hints",
+         "k.cu",
+         "k.cpp",
+         {"void f(float* a) { for (int i = 0; i < 4; ++i) a[i] = 0.0f; }",
+          "void f(float* a) { for (int i = 0; i < 4; ++i) a[i] = 0.0f; }"},
+         {"void f(float* a) {\n#pragma unroll\nfor (int i = 0; i < 8; ++i) a[i] = 0.0f; }",
+          "void f(float* a) { for (int i = 0; i < 8; ++i) a[i] = 0.0f; }"},
+         {}},
+        {"one side's edit means nothing",
+         "k.cu",
+         "k.cpp",
+         {"float f(float a) { return a; }", "float f(float a) { return a; }"},
+         {"float f(const float a) { return a; }", "float f(float a) { return a * 2.0f; }"},
+         {"target-changed"}},
+    };
+    for (const TwoSided& row : rows)
+        EXPECT_EQ(rules_of(report_on(row)), row.rules) << row.what << report_on(row).dump(1);
+}
+
+TEST(TwoSidedEdit, StructsAreComparedByTheirData) {
+    const std::string kernel = "struct f { float3 o; float t; };\n";
+    const std::string port =
+        "class f {\npublic:\n    f(int a);\n    float length() const;\n    float3 o;\n    float t;\nprivate:\n    "
+        "friend struct B;\n"
+        "    static int count;\n};\n";
+    const std::string larger =
+        "class f : public Base {\npublic:\n    f(int a);\n    virtual float length() const;\n    float3 o;\n    float "
+        "t;\n"
+        "private:\n    std::vector<float> more;\n    MACRO(f)\n};\n";
+    const std::vector<TwoSided> rows = {
+        {"a member function",
+         "k.cl",
+         "k.cpp",
+         {kernel, port},
+         {kernel, replaced(port, "float length", "float area() const;\n    float length")},
+         {}},
+        {"an access word",
+         "k.cl",
+         "k.cpp",
+         {kernel, port},
+         {kernel, replaced(port, "public:", "public:\n    int g();\nprotected:")},
+         {}},
+        {"a field of one",
+         "k.cl",
+         "k.cpp",
+         {kernel, port},
+         {replaced(kernel, "float t;", "float t, u;"), port},
+         {"layout-differs"}},
+        {"a field of the other",
+         "k.cl",
+         "k.cpp",
+         {kernel, port},
+         {kernel, replaced(port, "float t;", "double t;")},
+         {"layout-differs"}},
+        {"a field of both",
+         "k.cl",
+         "k.cpp",
+         {kernel, port},
+         {replaced(kernel, "float t;", "float t, u;"), replaced(port, "float t;", "float t;\n    float u;")},
+         {}},
+        {"fields that were others before",
+         "k.cl",
+         "k.cpp",
+         {kernel, larger},
+         {kernel, replaced(larger, "f(int a);", "f(int a, int b);")},
+         {}},
+        {"a field of both where others differ",
+         "k.cl",
+         "k.cpp",
+         {kernel, larger},
+         {replaced(kernel, "float t;", "float t; float u;"), replaced(larger, "float t;", "float t;\n    float u;")},
+         {}},
+        {"a field of one where others differ",
+         "k.cl",
+         "k.cpp",
+         {kernel, larger},
+         {replaced(kernel, "float t;", "float t; float u;"), larger},
+         {"source-changed"}},
+        {"a field of the port where others differ",
+         "k.cl",
+         "k.cpp",
+         {kernel, larger},
+         {kernel, replaced(larger, "> more", "> most")},
+         {"target-changed"}},
+        {"volatile",
+         "k.cl",
+         "k.cpp",
+         {kernel, port},
+         {replaced(kernel, "float t", "volatile float t"), port},
+         {"source-changed"}},
+    };
+    for (const TwoSided& row : rows)
+        EXPECT_EQ(rules_of(report_on(row)), row.rules) << row.what << report_on(row).dump(1);
+}
+
+TEST(TwoSidedEdit, LongValuesAreQuotedWhereTheyDiffer) {
+    std::string list = "const int f[] = {";
+    for (int i = 0; i < 40; ++i) list += std::to_string(100 + i) + ", ";
+    const std::string before = list + "7};\n", now = list + "8};\n";
+    const auto report = report_on({"", "k.cu", "k.cpp", {before, before}, {now, before}, {}});
+    ASSERT_EQ(rules_of(report), Names{"constant-differs"});
+    const std::string message = report["findings"][0]["message"];
+    EXPECT_NE(message.find("139, 8}'"), std::string::npos) << message;
+    EXPECT_NE(message.find("139, 7}'"), std::string::npos) << message;
+}
+
+TEST(TwoSidedEdit, HazardsAreThoseOfThePairsLanguages) {
+    const auto hazards = [](const std::string& source_file, const std::string& target_file, const std::string& call) {
+        const std::string before = "float f(float a) { return a; }", now = "float f(float a) { return " + call + "; }";
+        const auto report = report_on({"", source_file, target_file, {before, before}, {now, before}, {}});
+        Names out;
+        for (const auto& finding : report["findings"])
+            if (finding["rule"] == "dialect-hazard") out.push_back(finding["message"]);
+        return out;
+    };
+    EXPECT_EQ(hazards("k.cl", "k.cpp", "pow(a, a)"), Names{});
+    EXPECT_EQ(hazards("k.glsl", "k.comp", "pow(a, a)"), Names{});
+    EXPECT_EQ(hazards("k.cu", "k.glsl", "pow(a, a)"),
+              Names{"pow of a zero or negative base is undefined in GLSL and is defined in CUDA"});
+    EXPECT_EQ(hazards("k.cu", "k.hip", "fmod(a, a) + int(a) + min(a, a)"), Names{});
+    EXPECT_EQ(hazards("k.hlsl", "k.glsl", "fmod(a, a)").size(), 1u);
+    EXPECT_EQ(hazards("k.cl", "k.cpp", "mad(a, a, a)"),
+              Names{"mad may round once or twice in OpenCL and is spelled fma and rounds once, or a * b + c and rounds "
+                    "twice in C++"});
+}
+
+TEST(TwoSidedEdit, APortThatMovedAndWasEditedIsNotGone) {
+    const std::string body =
+        "(float a, float b) {\n    float c = a * b + a;\n    float d = c * c - b;\n    return c / d + a * d;\n}\n";
+    MemoryDisk disk;
+    disk.files = {{"/r/s/k.cu", "float f" + body},
+                  {"/r/t/k.cpp", "float f" + body + "float h(int n) { return n * 2; }\n"}};
+    ASSERT_EQ(run(disk, {"-C", "/r", "init", "--source", "s/*", "--target", "t/*"}).exit_code, 0);
+    disk.files["/r/t/k.cpp"] = "float h(int n) { return n * 2; }\n";
+    disk.files["/r/t/other.cpp"] = "float f" + replaced(body, "a * d", "a - d");
+    const auto moved = check(disk);
+    EXPECT_EQ(rules_of(moved), Names{"target-changed"}) << moved.dump(1);
+    EXPECT_NE(moved.dump().find("is now t/other.cpp:f"), std::string::npos);
+    disk.files["/r/s/k.cu"] = "float g(int n) { return n; }\n";
+    disk.files.erase("/r/t/other.cpp");
+    const auto gone = check(disk);
+    ASSERT_EQ(rules_of(gone), Names{"orphaned"}) << gone.dump(1);
+    for (const auto& finding : gone["findings"]) {
+        const bool orphaned = finding["rule"] == "orphaned";
+        EXPECT_TRUE(!orphaned || finding["remedy"].get<std::string>().find("Remove the port") == std::string::npos);
+    }
+}
+
+}  // namespace
+}  // namespace porttool::testing
