@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <unordered_map>
 
+#include "porttool/match/decide.h"
+#include "porttool/match/words.h"
+
 namespace porttool {
 namespace {
 
@@ -23,24 +26,30 @@ public:
         : source_(source), target_(target), terms_(terms), candidates_(std::move(candidates)) {
         for (const UnitFeatures& unit : source_) ++source_names_[unit.folded_name];
         for (const UnitFeatures& unit : target_) ++target_names_[unit.folded_name];
+        for (const UnitFeatures& unit : target_) ++target_cores_[unit.core];
         for (const auto& list : candidates_) {
             scores_.emplace_back();
             for (const Candidate& candidate : list)
                 scores_.back().push_back(candidate.resemblance.score +
-                                         (is_namesake(candidate) ? kNamesakeBonus : 0.0f));
+                                         (is_namesake(candidate) ? kNamesakeBonus : 0.0f) + role_bonus(candidate));
         }
     }
 
     std::vector<Assignment> run() {
         choose();
         add_affinity();
+        add_callee_affinity();
         alike_ = scores_;
         constexpr int kRounds = 2;  // a third changes next to nothing
         for (int round = 0; round < kRounds; ++round) {
             weigh_names(learn_names());
             choose();
         }
-        return describe();
+        take_stock(learn_names());
+        settle();
+        share();
+        find_inlined();
+        return std::move(settled_);
     }
 
 private:
@@ -53,7 +62,41 @@ private:
                target_names_.at(name) == 1;
     }
 
-    void choose() {
+    /// One name for several units of a side, and the two share it.
+    bool is_overloaded(const UnitFeatures& a, const UnitFeatures& b) const {
+        return a.folded_leaf == b.folded_leaf &&
+               (source_names_.at(a.folded_name) > 1 || target_names_.at(b.folded_name) > 1);
+    }
+
+    /// One of the two launches kernels. Where they share the last part of their names, the other can hold the launcher
+    /// and its kernel in one, but is no kernel.
+    static bool other_role(const UnitFeatures& a, const UnitFeatures& b) {
+        return a.launcher != b.launcher && (a.kernel || b.kernel || a.called_as != b.called_as);
+    }
+
+    /// How far a candidate's body is ahead of those of all others.
+    float body_margin(uint32_t s, uint32_t chosen) const {
+        float rival = 0;
+        for (uint32_t c = 0; c < candidates_[s].size(); ++c)
+            if (c != chosen) rival = std::max(rival, body_likeness(candidates_[s][c].resemblance));
+        return body_likeness(candidates_[s][chosen].resemblance) - rival;
+    }
+
+    /// What the two do: a launcher is no kernel's port, and what computes is ported by what computes.
+    float role_bonus(const Candidate& candidate) const {
+        constexpr float kCore = 0.05f, kNoKernel = -0.4f, kLauncher = -0.2f, kSameName = -0.05f, kIdle = -0.06f,
+                        kOperands = 0.15f;
+        const UnitFeatures &a = source_[candidate.source], &b = target_[candidate.target];
+        float bonus = kCore * candidate.resemblance.core;
+        if (a.launcher != b.launcher)
+            bonus += a.kernel || b.kernel ? kNoKernel : other_role(a, b) ? kLauncher : kSameName;
+        else if (a.computes != b.computes)
+            bonus += kIdle;
+        if (is_overloaded(a, b)) bonus -= kOperands * (1 - candidate.resemblance.operands);
+        return bonus;
+    }
+
+    std::vector<Choice> sorted_choices() const {
         std::vector<Choice> choices;
         for (uint32_t s = 0; s < candidates_.size(); ++s)
             for (uint32_t c = 0; c < candidates_[s].size(); ++c) choices.push_back({scores_[s][c], s, c});
@@ -62,9 +105,13 @@ private:
             if (a.source != b.source) return a.source < b.source;
             return a.candidate < b.candidate;
         });
+        return choices;
+    }
+
+    void choose() {
         choice_.assign(source_.size(), kNobody);
         claimed_.assign(target_.size(), kNobody);
-        for (const Choice& choice : choices) {
+        for (const Choice& choice : sorted_choices()) {
             const uint32_t t = candidates_[choice.source][choice.candidate].target;
             if (choice_[choice.source] != kNobody || claimed_[t] != kNobody) continue;
             choice_[choice.source] = choice.candidate;
@@ -94,6 +141,35 @@ private:
         }
     }
 
+    /// What two units of a certain pair call is lifted between each other.
+    void add_callee_affinity() {
+        constexpr size_t kMostNamesakes = 8;
+        std::unordered_map<uint32_t, std::vector<uint32_t>> called;  // source units by the name that they are called by
+        for (uint32_t s = 0; s < source_.size(); ++s)
+            if (source_[s].group == Group::Code) called[source_[s].called_as].push_back(s);
+        std::vector<std::vector<bool>> lifted(candidates_.size());
+        for (uint32_t s = 0; s < source_.size(); ++s) {
+            if (choice_[s] == kNobody || !is_certain(s)) continue;
+            const std::vector<uint32_t>& there = target_[candidates_[s][choice_[s]].target].callees;
+            for (const uint32_t name : source_[s].callees) {
+                const auto found = called.find(name);
+                if (found == called.end() || found->second.size() > kMostNamesakes) continue;
+                for (const uint32_t callee : found->second) lift(callee, there, lifted[callee]);
+            }
+        }
+        constexpr float kBonus = 0.04f;
+        for (uint32_t s = 0; s < lifted.size(); ++s)
+            for (uint32_t c = 0; c < lifted[s].size(); ++c)
+                if (lifted[s][c]) scores_[s][c] += kBonus;
+    }
+
+    void lift(uint32_t s, const std::vector<uint32_t>& there, std::vector<bool>& lifted) const {
+        lifted.resize(candidates_[s].size());
+        for (uint32_t c = 0; c < lifted.size(); ++c)
+            lifted[c] = lifted[c] ||
+                        std::binary_search(there.begin(), there.end(), target_[candidates_[s][c].target].called_as);
+    }
+
     NameEvidence learn_names() const {
         std::vector<LearnedPair> pairs;
         for (uint32_t s = 0; s < source_.size(); ++s)
@@ -113,38 +189,137 @@ private:
 
     bool is_certain(uint32_t s) const {
         constexpr float kScore = 0.55f, kMargin = 0.1f;
-        return scores_[s][choice_[s]] >= kScore && margin(s) >= kMargin;
+        return scores_[s][choice_[s]] >= kScore && margin(s, choice_[s]) >= kMargin;
     }
 
     /// How far a source's choice is ahead of its best score elsewhere. Other variants of the chosen name are no rivals.
-    float margin(uint32_t s) const {
-        const uint32_t chosen = choice_[s];
-        const std::string& name = target_[candidates_[s][chosen].target].folded_name;
+    float margin(uint32_t s, uint32_t chosen) const {
+        const UnitFeatures& unit = target_[candidates_[s][chosen].target];
+        const bool by_core = candidates_[s][chosen].resemblance.core >= 1;
         float rival = 0;
-        for (uint32_t c = 0; c < candidates_[s].size(); ++c)
-            if (c != chosen && target_[candidates_[s][c].target].folded_name != name)
-                rival = std::max(rival, scores_[s][c]);
+        for (uint32_t c = 0; c < candidates_[s].size(); ++c) {
+            const UnitFeatures& other = target_[candidates_[s][c].target];
+            if (c == chosen || other.folded_name == unit.folded_name || (by_core && other.core == unit.core)) continue;
+            rival = std::max(rival, scores_[s][c]);
+        }
         return scores_[s][chosen] - rival;
     }
 
-    std::vector<Assignment> describe() const {
-        const NameEvidence names = learn_names();
-        std::vector<Assignment> all;
-        for (uint32_t s = 0; s < source_.size(); ++s) {
-            if (choice_[s] == kNobody) continue;
-            const Candidate& chosen = candidates_[s][choice_[s]];
-            Assignment out;
-            out.source = s;
-            out.target = chosen.target;
-            out.resemblance = chosen.resemblance;
-            out.score = scores_[s][choice_[s]];
-            out.margin = margin(s);
-            out.names = names.difference(source_[s], target_[chosen.target]);
-            out.only_one = source_names_.at(source_[s].folded_name) == 1 &&
-                           target_names_.at(target_[chosen.target].folded_name) == 1;
-            all.push_back(out);
+    /// All candidates with what speaks for them, once the rounds are over.
+    void take_stock(const NameEvidence& names) {
+        choice_.assign(source_.size(), kNobody);
+        claimed_.assign(target_.size(), kNobody);
+        differences_.resize(candidates_.size());
+        for (uint32_t s = 0; s < candidates_.size(); ++s)
+            for (const Candidate& candidate : candidates_[s])
+                differences_[s].push_back(names.difference(source_[s], target_[candidate.target]));
+    }
+
+    Assignment describe(uint32_t s, uint32_t c) const {
+        const Candidate& chosen = candidates_[s][c];
+        Assignment out;
+        out.source = s;
+        out.target = chosen.target;
+        out.resemblance = chosen.resemblance;
+        out.margin = margin(s, c);
+        out.names = differences_[s][c];
+        out.other_role = other_role(source_[s], target_[chosen.target]);
+        out.body_margin = body_margin(s, c);
+        out.wrong_operands = is_overloaded(source_[s], target_[chosen.target]) && chosen.resemblance.operands < 0.5f;
+        out.only_one =
+            source_names_.at(source_[s].folded_name) == 1 && target_names_.at(target_[chosen.target].folded_name) == 1;
+        constexpr int kFew = 3;
+        out.same_subject = chosen.resemblance.core >= 1 && target_cores_.at(target_[chosen.target].core) <= kFew;
+        out.shared = claimed_[chosen.target] != kNobody;
+        out.confidence = confidence(source_[s], target_[chosen.target], out);
+        return out;
+    }
+
+    /// Chooses as choose() does, but a claim that is too doubtful leaves its target to others.
+    void settle() {
+        for (const Choice& choice : sorted_choices()) {
+            const uint32_t t = candidates_[choice.source][choice.candidate].target;
+            if (choice_[choice.source] != kNobody || claimed_[t] != kNobody) continue;
+            const Assignment pair = describe(choice.source, choice.candidate);
+            if (pair.confidence < kLeastConfidence) continue;
+            choice_[choice.source] = choice.candidate;
+            claimed_[t] = choice.source;
+            settled_.push_back(pair);
         }
-        return all;
+    }
+
+    /// Units that are left get a target that another has: several sources are ported by one function.
+    void share() {
+        for (uint32_t s = 0; s < source_.size(); ++s) {
+            if (choice_[s] != kNobody || source_[s].group != Group::Code) continue;
+            uint32_t best = kNobody;
+            for (uint32_t c = 0; c < candidates_[s].size(); ++c)
+                if (best == kNobody || scores_[s][c] > scores_[s][best]) best = c;
+            if (best == kNobody) continue;
+            const uint32_t t = candidates_[s][best].target;
+            if (claimed_[t] == kNobody || !may_share(s, best)) continue;
+            Assignment pair = describe(s, best);
+            if (pair.confidence < kLeastConfidence) continue;
+            choice_[s] = best;
+            settled_.push_back(pair);
+        }
+    }
+
+    /// Variants of one source, or of one name, are ported by one function; what else resembles a target that is taken
+    /// is a sibling of its source. What a project computes on the host to compare its kernels with is not what ports
+    /// them.
+    bool is_reference_of(const UnitFeatures& unit, const UnitFeatures& target) const {
+        return std::any_of(unit.all_words.begin(), unit.all_words.end(), [&](uint32_t word) {
+            return marks_reference(terms_.text(word)) &&
+                   !std::binary_search(target.all_words.begin(), target.all_words.end(), word);
+        });
+    }
+
+    /// A kernel whose launcher is ported by a function that computes by itself stands in that function: `main` with its
+    /// loops is the port of the `main` that launches, and of what it launches.
+    void find_inlined() {
+        std::unordered_map<uint32_t, std::vector<uint32_t>> open;  // kernels without a target, by name
+        for (uint32_t s = 0; s < source_.size(); ++s)
+            if (source_[s].kernel && choice_[s] == kNobody) open[source_[s].called_as].push_back(s);
+        const size_t pairs = settled_.size();
+        for (size_t i = 0; i < pairs && !open.empty(); ++i) {
+            const UnitFeatures& target = target_[settled_[i].target];
+            if (target.launcher || !target.computes) continue;
+            for (const uint32_t name : source_[settled_[i].source].callees) {
+                const auto found = open.find(name);
+                if (found == open.end() || std::binary_search(target.callees.begin(), target.callees.end(), name))
+                    continue;
+                for (const uint32_t s : found->second) add_inlined(s, settled_[i].target);
+            }
+        }
+    }
+
+    void add_inlined(uint32_t s, uint32_t t) {
+        constexpr float kLeast = 0.5f, kBase = 0.4f, kPerShare = 0.5f;
+        const Resemblance resemblance = compare_units(source_[s], target_[t]);
+        if (choice_[s] != kNobody || resemblance.contained < kLeast) return;
+        Assignment pair;
+        pair.source = s;
+        pair.target = t;
+        pair.resemblance = resemblance;
+        pair.shared = true;
+        pair.confidence = kBase + kPerShare * resemblance.contained;
+        choice_[s] = 0;
+        settled_.push_back(pair);
+    }
+
+    bool may_share(uint32_t s, uint32_t c) const {
+        constexpr float kOperands = 0.75f;
+        const Candidate& candidate = candidates_[s][c];
+        const UnitFeatures &unit = source_[s], &target = target_[candidate.target];
+        const UnitFeatures& owner = source_[claimed_[candidate.target]];
+        if (unit.core != owner.core && candidate.resemblance.core < 1) return false;
+        if (unit.entry && unit.called_as != target.called_as) return false;
+        if (owner.folded_name == target.folded_name && !std::includes(unit.all_words.begin(), unit.all_words.end(),
+                                                                      target.all_words.begin(), target.all_words.end()))
+            return false;
+        if (is_reference_of(unit, target) || candidate.resemblance.kind <= 0) return false;
+        return !is_overloaded(unit, target) || candidate.resemblance.operands >= kOperands;
     }
 
     const std::vector<UnitFeatures>& source_;
@@ -153,9 +328,11 @@ private:
     std::vector<std::vector<Candidate>> candidates_;
     std::vector<std::vector<float>> scores_;
     std::vector<std::vector<float>> alike_;  ///< the scores before names are weighed
-    std::unordered_map<std::string, int> source_names_, target_names_;
-    std::vector<uint32_t> choice_;   ///< of each source, an index into its candidates
-    std::vector<uint32_t> claimed_;  ///< of each target, the source
+    std::unordered_map<std::string, int> source_names_, target_names_, target_cores_;
+    std::vector<uint32_t> choice_;                          ///< of each source, an index into its candidates
+    std::vector<uint32_t> claimed_;                         ///< of each target, the source
+    std::vector<std::vector<NameDifference>> differences_;  ///< of the names, as scores_
+    std::vector<Assignment> settled_;
 };
 
 }  // namespace

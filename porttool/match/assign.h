@@ -14,9 +14,14 @@ struct Assignment {
     uint32_t source = 0;
     uint32_t target = 0;
     Resemblance resemblance;
-    float score = 0;        ///< with what the other pairs tell about files and names
-    float margin = 0;       ///< to the next best target
-    bool only_one = false;  ///< no other unit of either side has this name
+    float confidence = 0;         ///< that the pair is right, in [0, 1]
+    float margin = 0;             ///< to the next best target
+    float body_margin = 0;        ///< the same of the bodies alone
+    bool only_one = false;        ///< no other unit of either side has this name
+    bool other_role = false;      ///< one of the two launches kernels, the other does something else
+    bool wrong_operands = false;  ///< overloads for other types
+    bool same_subject = false;    ///< the names are about one thing, which few others are about
+    bool shared = false;          ///< another source has the target as well
     NameDifference names;
 };
 

@@ -21,16 +21,31 @@ float constant_confidence(const UnitFeatures& source, const UnitFeatures& target
 
 float confidence(const UnitFeatures& source, const UnitFeatures& target, const Assignment& pair) {
     if (source.group == Group::Constant) return constant_confidence(source, target, pair);
+    if (pair.other_role && (source.kernel || target.kernel)) return 0;  // what launches a kernel is not its port
     const Resemblance& resemblance = pair.resemblance;
-    const bool exact = resemblance.same_name > 0.999f && pair.only_one;
+    // An equal name counts as much as what stands under it: two bodies with nothing in common are two functions.
+    const bool unlike = resemblance.families[kBody] < 0.08f && resemblance.families[kShape] < 0.02f;
+    const bool exact = resemblance.same_name > 0.999f && pair.only_one && !(unlike && resemblance.signature < 0.5f);
     // The longer name is forgiven what ports leave out, not what they keep.
     const float words = resemblance.words + (resemblance.subject - resemblance.words) * (1 - pair.names.lost);
-    const float kind = source.group == Group::Code ? resemblance.kind : 1.0f;
+    // What both are about in as many words is as good as a place, also where few names make a word look common.
+    constexpr float kSameCore = 0.6f;
+    const float place = std::max(resemblance.families[kPlace], pair.same_subject ? kSameCore : 0.0f);
+    const bool code = source.group == Group::Code;
+    const float kind = code ? resemblance.kind : 1.0f;
     // A logistic regression over labelled pairs of five ports (OpenCL, CUDA, SYCL, GLSL, C++) and over the same ports
     // with 40 % of the counterparts deleted, rounded. One set of weights for all: the margin and what the names of a
     // project's own certain pairs do carry what differs from project to project.
-    const float z = -4.1f + 3.3f * resemblance.families[kPlace] + 2.6f * words + 0.8f * kind +
-                    3.8f * std::clamp(pair.margin, -0.1f, 0.4f) + (exact ? 4.2f : 0.0f) - doubt(pair.names);
+    float z = -4.1f + 3.3f * place + 2.6f * std::max(words, pair.same_subject ? kSameCore : 0.0f) + 0.8f * kind +
+              3.8f * std::clamp(pair.margin, -0.1f, 0.4f) + (exact ? 4.2f : 0.0f) - doubt(pair.names);
+    if (!code) return 1 / (1 + std::exp(-z));
+    // Near-identical code outweighs a doubt about names, unless all of a family is written alike.
+    z += 4.0f * std::max(0.0f, std::min(body_likeness(resemblance) - 0.4f, 2 * pair.body_margin));
+    if (unlike) z -= 0.7f;
+    if (pair.other_role) z -= 3.0f;
+    if (pair.wrong_operands) z -= 2.5f;
+    if (source.computes && !target.computes) z -= 1.0f;
+    if (pair.shared) z -= 1.0f;
     return 1 / (1 + std::exp(-z));
 }
 

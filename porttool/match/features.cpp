@@ -9,6 +9,8 @@
 #include <utility>
 
 #include "porttool/language/words.h"
+#include "porttool/match/body_traits.h"
+#include "porttool/match/entry_names.h"
 #include "porttool/match/words.h"
 #include "porttool/normal/normal_form.h"
 
@@ -20,9 +22,10 @@ Group group_of(UnitKind kind) {
     return kind == UnitKind::Constant ? Group::Constant : Group::Code;
 }
 
-std::string_view leaf_of(std::string_view name) {
-    const size_t colons = name.rfind("::");
-    return colons == std::string_view::npos ? name : name.substr(colons + 2);
+/// A language whose kernels are marked as such in their heads.
+bool marks_kernels(Language language) {
+    return language != Language::C && language != Language::Cpp && language != Language::Sycl &&
+           language != Language::Unknown;
 }
 
 /// What the suffix of a ray-tracing shader says is part of a function's name elsewhere: `__closesthit__radiance`.
@@ -63,15 +66,36 @@ private:
     std::array<std::vector<uint32_t>, kFamilies> ids_;
 };
 
+/// The words of one parameter: the first is its type, unless it is all there is or stands for any type, as `T` does.
+class Parameter {
+public:
+    void add(std::string_view word) {
+        if (words_++ == 0) first_ = word;
+    }
+
+    uint32_t type(TermNumbers& terms) const {
+        constexpr size_t kLongestAny = 2;
+        const bool any = words_ == 0 || (first_.size() <= kLongestAny && first_[0] >= 'A' && first_[0] <= 'Z');
+        return any ? kAnyType : terms.id(kBody, first_);
+    }
+
+private:
+    std::string_view first_;
+    int words_ = 0;
+};
+
 class FeatureReader {
 public:
-    FeatureReader(const ScannedFile& file, const Dialect& dialect, TermNumbers& terms, Counts& counts)
-        : file_(file), dialect_(dialect), terms_(terms), counts_(counts) {}
+    FeatureReader(const ScannedFile& file, const EntryNames& entries, const Dialect& dialect, TermNumbers& terms,
+                  Counts& counts)
+        : file_(file), entries_(entries), dialect_(dialect), terms_(terms), counts_(counts) {}
 
     UnitFeatures read(const Unit& unit) {
         UnitFeatures features;
         features.group = group_of(unit.kind);
         features.kernel = unit.kind == UnitKind::Kernel;
+        features.says_kernels = marks_kernels(file_.language);
+        if (features.group == Group::Code) read_traits(unit, features);
         read_names(unit, features);
         read_place();
         read_parameters(unit, features);
@@ -103,18 +127,26 @@ private:
         std::vector<uint32_t> ids;
         for (const std::string_view name : names)
             for (const std::string& word : split_words(name)) ids.push_back(terms_.id(kName, common_word(word)));
-        std::sort(ids.begin(), ids.end());
         return ids;
     }
 
+    void read_traits(const Unit& unit, UnitFeatures& features) {
+        const BodyTraits traits = read_body_traits(file_, unit);
+        features.launcher = traits.launches && !traits.stores && !features.kernel;
+        features.computes = traits.computes;
+    }
+
     void read_names(const Unit& unit, UnitFeatures& features) {
-        const std::string_view name =
-            std::string_view(unit.name).substr(0, unit.name.find('#')).substr(unit.namespace_length);
+        const std::string_view name = plain_name(unit);
         const std::string_view leaf = leaf_of(name);
         const std::string_view stem = file_stem(file_.path);
         features.whole_file_main = unit.kind == UnitKind::File || (features.kernel && leaf == "main");
         features.lifecycle = is_lifecycle(name, leaf);
-        const std::string_view shown = features.whole_file_main ? stem : name;
+        const bool entry = !features.whole_file_main && features.group == Group::Code && entries_.contains(name);
+        const std::string subject = entry ? entries_.subject(file_.path) : std::string();
+        const std::string_view shown = features.whole_file_main ? stem : entry ? std::string_view(subject) : name;
+        features.entry = entry;
+        features.called_as = terms_.id(kCalls, fold(leaf));
         features.folded_name = fold(shown);
         features.folded_leaf = fold(leaf_of(shown));
         constexpr float kScopeWeight = 0.7f;
@@ -129,8 +161,11 @@ private:
             features.name_words = counts_.ids(kName);
             std::sort(features.name_words.begin(), features.name_words.end());
         }
-        features.all_words = name_ids({shown, stage});
+        features.ordered_words = name_ids({shown, stage});
+        features.all_words = features.ordered_words;
+        std::sort(features.all_words.begin(), features.all_words.end());
         features.path_words = name_ids({file_.path.substr(0, file_.path.rfind('.')), stage_word(file_.path)});
+        std::sort(features.path_words.begin(), features.path_words.end());
         // The place also carries the name: a class here is a file there.
         count_name_words(kPlace, shown, 1);
     }
@@ -151,6 +186,7 @@ private:
     void read_parameters(const Unit& unit, UnitFeatures& features) {
         if (unit.parameters.empty()) return;
         features.parameters = 1;
+        Parameter parameter;
         int depth = 0;
         for (uint32_t i = unit.parameters.first; i < unit.parameters.end; ++i) {
             const Token& token = file_.lexed.tokens[i];
@@ -158,19 +194,27 @@ private:
             const std::string_view text = file_.lexed.view(token);
             if (text == "(" || text == "<") ++depth;
             if (text == ")" || text == ">") --depth;
-            if (text == "," && depth == 0) ++features.parameters;
+            if (text == "," && depth == 0) {
+                ++features.parameters;
+                features.operands.push_back(parameter.type(terms_));
+                parameter = {};
+            }
             if (token.kind != TokenKind::Identifier) continue;
             const std::string* common = dialect_.find(text);
             if (common == nullptr)
                 count_words(kBody, text, 1);
             else if (!common->empty())
                 features.parameter_types.push_back(terms_.id(kBody, *common));
+            if ((common == nullptr || !common->empty()) && !word_is(text, kRecord))
+                parameter.add(common != nullptr ? *common : text);
         }
+        features.operands.push_back(parameter.type(terms_));
         std::sort(features.parameter_types.begin(), features.parameter_types.end());
     }
 
     void read_body(const Unit& unit, UnitFeatures& features) {
         shape_.clear();
+        callees_.clear();
         size_t hole = 0;
         for (uint32_t i = unit.body.first; i < unit.body.end; ++i) {
             while (hole < unit.holes.size() && unit.holes[hole].end <= i) ++hole;
@@ -181,6 +225,9 @@ private:
             const Token& token = file_.lexed.tokens[i];
             if ((token.flags & kDead) == 0) read_token(i, token);
         }
+        std::sort(callees_.begin(), callees_.end());
+        callees_.erase(std::unique(callees_.begin(), callees_.end()), callees_.end());
+        features.callees = callees_;
         features.size = static_cast<uint32_t>(shape_.size());
         read_shape();
         if (features.group == Group::Constant) features.value = constant_value(unit);
@@ -219,8 +266,24 @@ private:
             return;
         }
         if (call) count_words(kCalls, text, 1);
+        if (call || is_launched(i)) {
+            callees_.push_back(terms_.id(kCalls, fold(text)));
+        }
         count_words(kBody, text, 1);
         shape_.push_back(call ? 3 : 2);
+    }
+
+    /// `kernel<<<grid, block>>>(...)`, also with template arguments before.
+    bool is_launched(uint32_t i) const {
+        constexpr uint32_t kFarthest = 12;
+        const auto& tokens = file_.lexed.tokens;
+        if (i + 3 >= tokens.size() || file_.lexed.view(i + 1) != "<") return false;
+        for (uint32_t at = i + 1; at + 2 < tokens.size() && at < i + kFarthest; ++at) {
+            const std::string_view text = file_.lexed.view(at);
+            if (text == "(" || text == ";" || text == "{") return false;
+            if (text == "<" && file_.lexed.view(at + 1) == "<" && file_.lexed.view(at + 2) == "<") return true;
+        }
+        return false;
     }
 
     void read_shape() {
@@ -246,10 +309,12 @@ private:
     }
 
     const ScannedFile& file_;
+    const EntryNames& entries_;
     const Dialect& dialect_;
     TermNumbers& terms_;
     Counts& counts_;
     std::vector<uint64_t> shape_;
+    std::vector<uint32_t> callees_;
 };
 
 /// Words such as a project's prefix, in more than a fifth of the names of a side, tell nothing apart.
@@ -291,8 +356,9 @@ std::vector<UnitFeatures> read_features(const std::vector<ScannedFile>& files, c
     all.reserve(std::accumulate(files.begin(), files.end(), size_t{0},
                                 [](size_t count, const ScannedFile& file) { return count + file.units.size(); }));
     Counts counts;
+    const EntryNames entries(files);
     for (size_t f = 0; f < files.size(); ++f) {
-        FeatureReader reader(files[f], dialect, terms, counts);
+        FeatureReader reader(files[f], entries, dialect, terms, counts);
         for (size_t u = 0; u < files[f].units.size(); ++u) {
             all.push_back(reader.read(files[f].units[u]));
             all.back().file = static_cast<uint32_t>(f);

@@ -26,6 +26,9 @@ struct Term {
 /// Terms sorted by id; after weighing, a unit vector.
 using Bag = std::vector<Term>;
 
+/// A parameter that takes any type, as of a template.
+inline constexpr uint32_t kAnyType = 0xFFFFFFFFu;
+
 /// Units are only paired within one group.
 enum class Group : uint8_t { Code, Struct, Constant };
 
@@ -35,6 +38,9 @@ struct UnitFeatures {
     uint32_t unit = 0;  ///< index into the file's units
     Group group = Group::Code;
     bool kernel = false;
+    bool says_kernels = false;     ///< its language marks kernels
+    bool launcher = false;         ///< sets arguments and enqueues a kernel, without computing by itself
+    bool computes = false;         ///< has a loop, arithmetic or a store at an index
     bool beside_kernels = false;   ///< its side has kernels
     bool whole_file_main = false;  ///< a shader's main: the file's name is its name
     bool lifecycle = false;        ///< a constructor or destructor
@@ -43,8 +49,15 @@ struct UnitFeatures {
     std::array<Bag, kFamilies> bags;
     std::vector<uint32_t> name_words;       ///< sorted term ids, without words that stand in most names of the side
     std::vector<uint32_t> all_words;        ///< sorted term ids, a word as often as the qualified name has it
+    std::vector<uint32_t> ordered_words;    ///< term ids of the qualified name's words, as they follow each other
+    std::string core;                       ///< what the name is about, in one word, see name_cores.h
+    std::vector<uint32_t> core_words;       ///< sorted term ids
     std::vector<uint32_t> path_words;       ///< sorted term ids (of names) of the words of folders and file
     std::vector<uint32_t> parameter_types;  ///< sorted term ids
+    std::vector<uint32_t> operands;         ///< term ids of the parameters' types, in order
+    bool entry = false;                     ///< named after its file, as a family of files has functions of its name
+    std::vector<uint32_t> callees;          ///< sorted term ids (of calls) of the whole names that it calls
+    uint32_t called_as = 0;                 ///< the term id under which others call it
     uint32_t parameters = 0;
     uint32_t size = 0;  ///< tokens of the body
     std::string value;  ///< of a constant, normalised

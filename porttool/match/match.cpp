@@ -7,7 +7,8 @@
 #include <unordered_map>
 #include <unordered_set>
 
-#include "porttool/match/decide.h"
+#include "porttool/match/assign.h"
+#include "porttool/match/name_cores.h"
 #include "porttool/read/id_patterns.h"
 #include "porttool/scan/scan.h"
 
@@ -54,17 +55,16 @@ Matching match_units(const std::vector<ScannedFile>& source, const std::vector<S
     auto target_units = read_features(target, dialect, terms);
     keep_open_units(source_units, source, settled_source, ignored);
     keep_open_units(target_units, target, settled_target, ignored);
+    read_cores(source_units, target_units, terms);
     weigh(source_units, target_units, terms.size());
 
     std::vector<bool> source_mapped(source_units.size(), false), target_mapped(target_units.size(), false);
     const auto assignments =
         assign(source_units, target_units, terms, find_candidates(source_units, target_units, kMostCandidates));
     for (const Assignment& pair : assignments) {
-        const float score = confidence(source_units[pair.source], target_units[pair.target], pair);
-        if (score < kLeastConfidence) continue;
         source_mapped[pair.source] = target_mapped[pair.target] = true;
-        out.pairs.push_back({id_of(source, source_units[pair.source]), id_of(target, target_units[pair.target]), score,
-                             PairState::Suggested});
+        out.pairs.push_back({id_of(source, source_units[pair.source]), id_of(target, target_units[pair.target]),
+                             pair.confidence, PairState::Suggested});
     }
     std::sort(out.pairs.begin(), out.pairs.end(), [](const MatchedPair& a, const MatchedPair& b) {
         return a.source != b.source ? a.source < b.source : a.target < b.target;

@@ -43,8 +43,11 @@ WordList missing(const UnitFeatures& from, const UnitFeatures& in, const TermNum
 /// How often the certain pairs keep the words of one side's names on the other side.
 class Keeping {
 public:
-    explicit Keeping(const std::vector<UnitFeatures>& other_side) {
-        for (const UnitFeatures& unit : other_side) known_.insert(unit.all_words.begin(), unit.all_words.end());
+    Keeping(const std::vector<UnitFeatures>& own_side, const std::vector<UnitFeatures>& other_side) {
+        for (const UnitFeatures& unit : own_side)
+            for (const uint32_t word : unit.all_words) uses_[word].own += 1;
+        for (const UnitFeatures& unit : other_side)
+            for (const uint32_t word : unit.all_words) uses_[word].other += 1;
     }
 
     void learn(WordList words, const WordList& lost) {
@@ -54,19 +57,34 @@ public:
     }
 
     /// How likely a port would have kept any of these words. Without examples a word is expected to stay if the other
-    /// side uses it at all, unless the same words go in pair after pair (`habit`, in [0, 1]).
+    /// side uses it as often, unless the same words go in pair after pair (`habit`, in [0, 1]).
     float kept(const WordList& words, float habit) const {
         if (words.empty()) return 0;
         const auto [found, is_new] = counted_.try_emplace(sum(words));
         if (is_new) found->second = count(words);
         const Count& count = found->second;
-        constexpr float kKnown = 0.6f, kUnknown = 0.15f;
-        const bool known =
-            std::any_of(words.begin(), words.end(), [&](uint32_t word) { return known_.contains(word); });
-        return (count.kept + (known ? kKnown : kUnknown) * (1 - habit)) / (count.all + 1);
+        float expected = 0;
+        for (const uint32_t word : words) expected = std::max(expected, expected_to_stay(word));
+        return (count.kept + expected * (1 - habit)) / (count.all + 1);
     }
 
 private:
+    /// A word that one side has throughout, such as its prefix, cannot have been kept more often than the other side
+    /// has it.
+    float expected_to_stay(uint32_t word) const {
+        constexpr float kKnown = 0.6f, kUnknown = 0.15f, kThroughout = 8;
+        const auto found = uses_.find(word);
+        if (found == uses_.end()) return kUnknown;
+        const Uses& uses = found->second;
+        if (uses.other > 0) return kKnown * std::min(1.0f, (uses.other + 1) / (uses.own + 1));
+        return kUnknown * std::min(1.0f, kThroughout / uses.own);
+    }
+
+    /// How many names of either side have a word.
+    struct Uses {
+        float own = 0, other = 0;
+    };
+
     struct Example {
         WordList words, lost;
     };
@@ -95,7 +113,7 @@ private:
         return found == pairs_of_.end() ? kNone : found->second;
     }
 
-    std::unordered_set<uint32_t> known_;  ///< words of the other side's names
+    std::unordered_map<uint32_t, Uses> uses_;
     std::unordered_map<uint32_t, WordList> pairs_of_;
     std::vector<Example> pairs_;
     mutable std::unordered_map<uint64_t, Count> counted_;  ///< by the words' sum, as asked for
@@ -168,8 +186,8 @@ NameEvidence::NameEvidence(const std::vector<UnitFeatures>& source, const std::v
                            const TermNumbers& terms, const std::vector<LearnedPair>& pairs) {
     auto learned =
         std::make_unique<Learned>(Learned{terms,
-                                          Keeping(target),
-                                          Keeping(source),
+                                          Keeping(source, target),
+                                          Keeping(target, source),
                                           Variants(source, certain_ones(source.size(), pairs, &LearnedPair::source)),
                                           Variants(target, certain_ones(target.size(), pairs, &LearnedPair::target)),
                                           {}});
@@ -177,8 +195,8 @@ NameEvidence::NameEvidence(const std::vector<UnitFeatures>& source, const std::v
         const UnitFeatures &from = source[pair.source], &to = target[pair.target];
         const WordList lost = missing(from, to, terms), gained = missing(to, from, terms);
         const bool related = lost.size() < from.all_words.size();
-        if (related) ++learned->differences[key_of(lost, gained)];
         if (!pair.certain) continue;
+        if (related) ++learned->differences[key_of(lost, gained)];
         learned->there.learn(from.all_words, lost);
         learned->back.learn(to.all_words, gained);
         learned->source_variants.learn(lost);

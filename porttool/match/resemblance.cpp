@@ -37,6 +37,22 @@ float trigram_share(const std::string& a, const std::string& b) {
     return 2.0f * static_cast<float>(shared) / static_cast<float>(left.size() + right.size());
 }
 
+/// How much of the first bag's weight lies in terms that the second has, too.
+float contained_share(const Bag& a, const Bag& b) {
+    float sum = 0;
+    for (size_t i = 0, k = 0; i < a.size() && k < b.size();) {
+        if (a[i].id == b[k].id) {
+            sum += a[i].weight * a[i].weight;
+            ++i, ++k;
+        } else if (a[i].id < b[k].id) {
+            ++i;
+        } else {
+            ++k;
+        }
+    }
+    return sum;
+}
+
 float name_likeness(const UnitFeatures& a, const UnitFeatures& b) {
     if (a.folded_name == b.folded_name) return 1;
     if (a.folded_leaf == b.folded_leaf) return 0.85f;
@@ -75,7 +91,8 @@ bool is_helper_to_main(const UnitFeatures& a, const UnitFeatures& b) {
 
 float kind_likeness(const UnitFeatures& a, const UnitFeatures& b) {
     if (a.kernel == b.kernel) return 1;
-    return is_helper_to_main(a, b) ? 0.0f : 0.4f;
+    if (is_helper_to_main(a, b)) return 0;
+    return a.says_kernels && b.says_kernels ? 0.4f : 1.0f;
 }
 
 float signature_likeness(const UnitFeatures& a, const UnitFeatures& b) {
@@ -84,6 +101,21 @@ float signature_likeness(const UnitFeatures& a, const UnitFeatures& b) {
     const float counts = many > 0 ? few / many : 1;
     const float types = dice(a.parameter_types, b.parameter_types);
     return 0.5f * counts + 0.5f * types;
+}
+
+float operand_likeness(const UnitFeatures& a, const UnitFeatures& b) {
+    constexpr float kPerhaps = 0.8f;
+    const size_t few = std::min(a.operands.size(), b.operands.size());
+    const size_t many = std::max(a.operands.size(), b.operands.size());
+    if (many == 0) return 1;
+    float equal = 0;
+    for (size_t i = 0; i < few; ++i) {
+        if (a.operands[i] == b.operands[i])
+            equal += 1;
+        else if (a.operands[i] == kAnyType || b.operands[i] == kAnyType)
+            equal += kPerhaps;
+    }
+    return equal / static_cast<float>(many);
 }
 
 float size_likeness(const UnitFeatures& a, const UnitFeatures& b) {
@@ -114,6 +146,9 @@ Resemblance compare_units(const UnitFeatures& a, const UnitFeatures& b) {
     float weight = kNameWeight + kWordsWeight + kSizeWeight;
     out.same_name = name_likeness(a, b);
     out.words = dice(a.name_words, b.name_words);
+    out.core = a.core == b.core ? 1.0f : 0.95f * dice(a.core_words, b.core_words);
+    out.contained =
+        0.5f * contained_share(a.bags[kBody], b.bags[kBody]) + 0.5f * contained_share(a.bags[kShape], b.bags[kShape]);
     out.subject = subject_likeness(a, b, out.words);
     out.size = size_likeness(a, b);
     float score = kNameWeight * out.same_name + kWordsWeight * out.subject + kSizeWeight * out.size;
@@ -127,6 +162,7 @@ Resemblance compare_units(const UnitFeatures& a, const UnitFeatures& b) {
     }
     if (a.group == Group::Code) {
         out.signature = signature_likeness(a, b);
+        out.operands = operand_likeness(a, b);
         out.kind = kind_likeness(a, b);
         score += kSignatureWeight * out.signature + kKindWeight * out.kind;
         weight += kSignatureWeight + kKindWeight;

@@ -14,13 +14,21 @@ struct Resemblance {
     float same_name = 0;  ///< 1: the whole names fold to one; less: the last parts do, or share their letters
     float words = 0;      ///< share of the names' words, each counting the same
     float subject = 0;    ///< the same, but the name of a file with one main may be the shorter one
+    float core = 0;       ///< the same of the words that tell what a function is about; 1: they are equal
+    float contained = 0;  ///< share of the source's body and shape that the target's has as well
     float signature = 0;
+    float operands = 0;  ///< share of the parameters that have one type, by their place
     float size = 0;
     float kind = 0;   ///< 1: both kernels or both not
     float score = 0;  ///< all together
 };
 
 Resemblance compare_units(const UnitFeatures& a, const UnitFeatures& b);
+
+/// How alike two bodies are, in shape and words.
+inline float body_likeness(const Resemblance& resemblance) {
+    return 0.5f * resemblance.families[kShape] + 0.5f * resemblance.families[kBody];
+}
 
 /// The product of two weighed bags.
 float cosine(const Bag& a, const Bag& b);

@@ -2,7 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "porttool/match/words.h"
 
+#include <algorithm>
 #include <array>
+#include <unordered_set>
+
+#include "porttool/language/words.h"
 
 namespace porttool {
 namespace {
@@ -33,16 +37,89 @@ void stem(std::string& word) {
     }
 }
 
+/// `yuv2rgb` is `yuv to rgb`: the place of a 2 that stands alone between words.
+size_t joint_in(std::string_view word) {
+    constexpr size_t kBefore = 3, kAfter = 2;
+    const auto letters = [&](size_t first, size_t end) {
+        return std::all_of(word.begin() + static_cast<std::ptrdiff_t>(first),
+                           word.begin() + static_cast<std::ptrdiff_t>(end), is_lower);
+    };
+    const size_t at = word.find('2');
+    if (at == std::string_view::npos || at < kBefore || at + 1 + kAfter > word.size()) return std::string_view::npos;
+    return letters(at - kBefore, at) && letters(at + 1, word.size()) ? at : std::string_view::npos;
+}
+
+bool ends_with_joint(std::string_view word) {
+    return word.size() > 3 && word.back() == '2' && is_lower(word[word.size() - 2]) && is_lower(word[word.size() - 3]);
+}
+
+void add_word(std::string word, std::vector<std::string>& words) {
+    if (const size_t joint = joint_in(word); joint != std::string_view::npos) {
+        add_word(word.substr(0, joint), words);
+        word.erase(0, joint + 1);
+    }
+    stem(word);
+    words.push_back(std::move(word));
+}
+
+/// What joins two words tells nothing: `rgb_to_lab`, `rgb_2_lab` and `rgb2lab` are one.
+void drop_joints(std::vector<std::string>& words) {
+    if (words.size() < 3) return;
+    const auto joint = [](const std::string& word) { return word == "to" || word == "2"; };
+    words.erase(std::remove_if(words.begin() + 1, words.end() - 1, joint), words.end() - 1);
+}
+
+/// Words that tell how, beside types and vectors.
+constexpr std::array kHow = {
+    "kernel", "kern",       "krnl",    "gpu",       "cuda",    "cl",         "ocl",     "opencl",
+    "sycl",   "hip",        "rocm",    "metal",     "vulkan",  "vk",         "glsl",    "hlsl",
+    "ispc",   "omp",        "openmp",  "cpu",       "host",    "device",     "dev",     "native",
+    "simd",   "simt",       "sse",     "sse2",      "sse3",    "ssse3",      "sse4",    "sse41",
+    "sse42",  "avx",        "avx2",    "avx512",    "neon",    "sve",        "sve2",    "rvv",
+    "vsx",    "altivec",    "lsx",     "lasx",      "msa",     "wasm",       "dsp",     "scalar",
+    "vec",    "vectorized", "generic", "plain",     "naive",   "basic",      "opt",     "optimized",
+    "fast",   "slow",       "impl",    "func",      "fn",      "function",   "op",      "ops",
+    "helper", "inner",      "body",    "do",        "run",     "process",    "apply",   "compute",
+    "calc",   "calculate",  "perform", "execute",   "exec",    "shared",     "local",   "global",
+    "tiled",  "lds",        "smem",    "img",       "buf",     "contiguous", "cont",    "noncontiguous",
+    "nc",     "strided",    "aligned", "unaligned", "inplace", "internal",   "private", "method",
+    "fp16",   "fp32",       "fp64",    "bf16",
+};
+
+/// `f32`, `u8`, `i64`
+bool is_short_type(std::string_view word) {
+    if (word.size() < 2 || word.size() > 3 || (word[0] != 'f' && word[0] != 'i' && word[0] != 'u' && word[0] != 's'))
+        return false;
+    const std::string_view bits = word.substr(1);
+    return bits == "8" || bits == "16" || bits == "32" || bits == "64";
+}
+
 }  // namespace
+
+bool tells_how(std::string_view word) {
+    static const std::unordered_set<std::string> kWords = [] {
+        std::unordered_set<std::string> words;
+        for (const char* each : kHow) {
+            std::string one = each;
+            stem(one);
+            words.insert(one);
+        }
+        return words;
+    }();
+    return is_short_type(word) || is_type_word(word) || kWords.contains(std::string(word));
+}
+
+bool marks_reference(std::string_view word) {
+    constexpr std::array<std::string_view, 12> kWords = {"cpu",  "host",   "h",      "ref", "referenc", "reference",
+                                                         "gold", "golden", "serial", "seq", "verify",   "check"};
+    return std::find(kWords.begin(), kWords.end(), word) != kWords.end();
+}
 
 std::vector<std::string> split_words(std::string_view name) {
     std::vector<std::string> words;
     std::string word;
     auto finish = [&] {
-        if (!word.empty()) {
-            stem(word);
-            words.push_back(word);
-        }
+        if (!word.empty()) add_word(word, words);
         word.clear();
     };
     for (size_t i = 0; i < name.size(); ++i) {
@@ -54,10 +131,14 @@ std::vector<std::string> split_words(std::string_view name) {
         const char before = i > 0 ? name[i - 1] : '\0';
         const char after = i + 1 < name.size() ? name[i + 1] : '\0';
         // camelCase, and the last capital of BSDFValue
-        if (is_upper(c) && (is_lower(before) || is_digit(before) || (is_upper(before) && is_lower(after)))) finish();
+        if (is_upper(c) && (is_lower(before) || is_digit(before) || (is_upper(before) && is_lower(after)))) {
+            if (is_lower(after) && ends_with_joint(word)) word.pop_back();  // RGB2Lab
+            finish();
+        }
         word += lower(c);
     }
     finish();
+    drop_joints(words);
     if (const auto sign = operator_sign(name); !sign.empty()) words.emplace_back(sign);
     return words;
 }
@@ -69,6 +150,11 @@ std::string fold(std::string_view name) {
         if (is_alphanumeric(c)) folded += lower(c);
     folded += operator_sign(name);
     return folded;
+}
+
+std::string_view leaf_of(std::string_view name) {
+    const size_t colons = name.rfind("::");
+    return colons == std::string_view::npos ? name : name.substr(colons + 2);
 }
 
 std::string_view file_stem(std::string_view path) {

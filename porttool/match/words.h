@@ -12,8 +12,18 @@ namespace porttool {
 /// Digits stay with the letters before them; the endings of verbs and plurals go (`dequantize` and `dequant` are one).
 std::vector<std::string> split_words(std::string_view name);
 
+/// True for a word, as split_words() gives it, that tells how a function is made and not what it does: types (`f32`,
+/// `float4`), platforms (`cuda`, `avx2`), ways of working (`tiled`, `optimized`), verbs that fit everything (`run`).
+bool tells_how(std::string_view word);
+
+/// True for a word, as split_words() gives it, that marks what is computed on the host for comparison (`ref`, `gold`).
+bool marks_reference(std::string_view word);
+
 /// Letters and digits only, small; a leading `k` of a constant's name goes: `kMaxDepth` and `MAX_DEPTH` are one.
 std::string fold(std::string_view name);
+
+/// The last part of a qualified name: `B::f` of `A::B::f` is `f`.
+std::string_view leaf_of(std::string_view name);
 
 /// The file's name without folder and suffixes.
 std::string_view file_stem(std::string_view path);

@@ -294,6 +294,129 @@ TEST(Match, TheScoreTellsCertainFromDoubtful) {
     EXPECT_GE(got.pairs[1].score, 0.5f);
 }
 
+/// The calls by which a host function sets a kernel's arguments and enqueues it, in several APIs.
+std::string launcher(const std::string& name, size_t api) {
+    const std::vector<std::string> bodies = {
+        "  size_t sizes[] = {w, h};\n  clSetKernelArg(k, 0, sizeof(cl_mem), &in);\n  clSetKernelArg(k, 1, 4, &gain);\n"
+        "  clEnqueueNDRangeKernel(q, k, 2, 0, sizes, 0, 0, 0, 0);\n",
+        "  device->SetKernelArg(k, 0, in);\n  device->SetKernelArg(k, 1, gain);\n  device->EnqueueKernel(k, w, h);\n",
+        "  ocl::Kernel k(\"" + name + "\", source);\n  k.args(in, gain);\n  return k.run(2, sizes, nullptr, false);\n",
+        "  dim3 grid(w / 16, h / 16);\n  " + name + "_impl<<<grid, 256, 0, stream>>>(in, gain);\n",
+    };
+    return "void " + name + "(float* in, float gain, int w, int h) {\n" + bodies[api] + "}\n";
+}
+
+TEST(Match, ALauncherIsNoKernelsPort) {
+    for (size_t api = 0; api < 4; ++api) {
+        const Matching got =
+            match({{"cl/tone.cl",
+                    "__kernel void tone_curve(__global float* in, float gain, int w, int h) {\n"
+                    "  int i = get_global_id(0); in[i] = pow(in[i] * gain, 0.45f); }\n"}},
+                  {{"c/tone.cpp", launcher("tone_curve_on_device", api) + launcher("tone_curve", api)}});
+        EXPECT_TRUE(got.pairs.empty()) << api << ": " << got.pairs[0].target;
+    }
+}
+
+TEST(Match, TheFileIsTheNameWhereManyFilesHaveOneEntryPoint) {
+    const std::map<std::string, std::string> bodies = {
+        {"sharpen", "out[i] = in[i] + amount * (in[i] - 0.25f * (in[i - 1] + in[i + 1] + in[i - w] + in[i + w]));"},
+        {"vignette", "out[i] = in[i] * (1.0f - strength * (x * x + y * y)); if (out[i] < floor_) out[i] = floor_;"},
+        {"exposure", "out[i] = (in[i] - black) * scale;"},
+        {"invert", "out[i] = film_color - in[i]; if (i % 4 == 3) out[i] = in[i]; count += 1; total = total + in[i];"},
+        {"dither", "err = in[i] - floor(in[i] * levels) / levels; out[i] = in[i] + err * noise(i, seed);"}};
+    std::vector<std::pair<std::string, std::string>> source, target;
+    Pairs expected;
+    for (const auto& [name, body] : bodies) {
+        source.emplace_back("kernels/basic_" + name + ".cl",
+                            "__kernel void " + name +
+                                "_pixel(__global float* in, __global float* out, int w)"
+                                " {\n  int i = get_global_id(0);\n  " +
+                                body + "\n}\n");
+        target.emplace_back("modules/" + name + ".c", "void init(module_t* self) { self->name = \"" + name +
+                                                          "\"; self->priority = " + std::to_string(name.size() * 31) +
+                                                          "; }\n" + "void process(const float* in, float* out, " +
+                                                          "int w, int h) {\n  for (int i = 0; i < w * h; ++i) {\n    " +
+                                                          body + "\n  }\n}\n" + launcher("process_cl", 0));
+        expected.emplace_back(source.back().first + ":" + name + "_pixel", target.back().first + ":process");
+    }
+    std::sort(expected.begin(), expected.end());
+    EXPECT_EQ(pairs(match(source, target)), expected);
+}
+
+TEST(Match, OneFunctionPortsTheVariantsOfAKernel) {
+    const auto kernel = [](const std::string& name, const std::string& type) {
+        return "__kernel void kernel_" + name + "(__global " + type + "* x, __global " + type +
+               "* y) {\n  int i = get_global_id(0);\n  y[i] = tanh(x[i]) * x[i] + 0.5f;\n}\n";
+    };
+    const Matching got = match(
+        {{"cl/mish.cl", kernel("mish_f32", "float") + kernel("mish_f32_4", "float4") + kernel("mish_f16", "half")},
+         {"cl/scan.cl", "__kernel void kernel_scan(__global int* a) { a[0] += a[1] + get_local_id(0); }\n"}},
+        {{"c/mish.c",
+          "void op_mish(const float* x, float* y, int n) {\n  for (int i = 0; i < n; ++i) y[i] = "
+          "tanhf(x[i]) * x[i] + 0.5f;\n}\n"}});
+    EXPECT_EQ(pairs(got), (Pairs{{"cl/mish.cl:kernel_mish_f16", "c/mish.c:op_mish"},
+                                 {"cl/mish.cl:kernel_mish_f32", "c/mish.c:op_mish"},
+                                 {"cl/mish.cl:kernel_mish_f32_4", "c/mish.c:op_mish"}}));
+}
+
+TEST(Match, AKernelStandsInTheFunctionThatPortsItsLauncher) {
+    const std::string compute =
+        "    float dx = x[i] - px; float dy = y[i] - py;\n    energy[i] = q[i] * rsqrtf(dx * dx + dy * dy + 0.01f);\n";
+    const Matching got = match(
+        {{"cuda/coulomb.cu",
+          "__global__ void field(const float* x, const float* y, const float* q, float* energy, float px, float py) {\n"
+          "    int i = blockIdx.x * blockDim.x + threadIdx.x;\n" +
+              compute + "}\n" +
+              "void coulomb(float* x, float* y, float* q, float* energy, float px, float py, int n) {\n" +
+              "  check(n); upload(x, n); upload(y, n);\n  field<<<n / 256, 256>>>(x, y, q, energy, px, py);\n" +
+              "  download(energy, n);\n}\n"}},
+        {{"omp/coulomb.cpp",
+          "void coulomb(float* x, float* y, float* q, float* energy, float px, float py, int n) {\n  check(n);\n"
+          "  #pragma omp parallel for\n  for (int i = 0; i < n; ++i) {\n" +
+              compute + "  }\n}\n"}});
+    EXPECT_EQ(pairs(got), (Pairs{{"cuda/coulomb.cu:coulomb", "omp/coulomb.cpp:coulomb"},
+                                 {"cuda/coulomb.cu:field", "omp/coulomb.cpp:coulomb"}}));
+}
+
+TEST(Match, AnOverloadForOtherTypesIsNoPort) {
+    const Matching got = match({{"a/math.h",
+                                 "float sum_of(float3 v, float w) { return (v.x + v.y + v.z) * w; }\n"
+                                 "float sum_of(int4 v, bool w) { return w ? v.x + v.y + v.z + v.w : 0; }\n"}},
+                               {{"b/math.h", "float sum_of(vec3 v, float w) { return (v.x + v.y + v.z) * w; }\n"}});
+    EXPECT_EQ(pairs(got), (Pairs{{"a/math.h:sum_of", "b/math.h:sum_of"}}));
+}
+
+TEST(Match, AnEqualNameOverBodiesWithNothingInCommonIsNotCertain) {
+    const Matching got =
+        match({{"cl/plugin_grain.cl",
+                "__kernel void GrainPlugin_Copy(__global float* dst, __global const float* tmp, int n) "
+                "{\n  int i = get_global_id(0); if (i < 3 * n) dst[i] = tmp[i] * 0.5f + dst[i];\n}\n"}},
+              {{"cpp/grain.cpp", "Plugin* GrainPlugin::Copy() const { return new GrainPlugin(*this); }\n"}});
+    for (const MatchedPair& pair : got.pairs) EXPECT_LT(pair.score, 0.9f) << pair.target;
+}
+
+TEST(Match, WhatOneSideHasThroughoutTellsNothing) {
+    std::string source, target;
+    Pairs expected;
+    for (const std::string name : {"reverse", "rotate", "append", "purge", "mirror", "title"}) {
+        const std::string body = "{ for (int i = 0; i < n; ++i) word[i] = " + name + "_of(word, i); return n; }\n";
+        source += "int rule_" + name + "(char* word, int n) " + body;
+        target += "int " + name + "(char* word, int n) " + body;
+        expected.emplace_back("cl/rules.cl:rule_" + name, "c/words.c:" + name);
+    }
+    std::sort(expected.begin(), expected.end());
+    const Matching got = match({{"cl/rules.cl", source}}, {{"c/words.c", target}});
+    EXPECT_EQ(pairs(got), expected);
+    for (const MatchedPair& pair : got.pairs) EXPECT_GE(pair.score, 0.7f) << pair.source;
+}
+
+TEST(Words, WhatJoinsWordsTellsNothing) {
+    EXPECT_EQ(split_words("rgb_to_lab"), split_words("rgb2lab"));
+    EXPECT_EQ(split_words("RGB2Lab"), split_words("rgb_2_lab"));
+    EXPECT_EQ(split_words("conv2d"), (std::vector<std::string>{"conv2d"}));
+    EXPECT_EQ(split_words("sha256_init"), (std::vector<std::string>{"sha256", "init"}));
+}
+
 /// Makes a side of many files with functions of words that each differ.
 std::vector<std::pair<std::string, std::string>> many(size_t functions, bool port) {
     std::vector<std::pair<std::string, std::string>> files;

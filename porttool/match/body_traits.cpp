@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/match/body_traits.h"
+
+#include <algorithm>
+#include <array>
+
+namespace porttool {
+namespace {
+
+/// True if the name has the word, in small letters, whatever the case: `clEnqueueNDRangeKernel` has `enqueue`.
+bool has_word(std::string_view name, std::string_view word) {
+    const auto same = [](char a, char b) { return (a >= 'A' && a <= 'Z' ? static_cast<char>(a + 32) : a) == b; };
+    return std::search(name.begin(), name.end(), word.begin(), word.end(), same) != name.end();
+}
+
+template <size_t N>
+bool has_any(std::string_view name, const std::array<std::string_view, N>& words) {
+    return std::any_of(words.begin(), words.end(), [&](std::string_view word) { return has_word(name, word); });
+}
+
+/// The name of a call that enqueues a kernel or hands it an argument: what all APIs, and the wrappers that projects
+/// write around them, have in common are the words.
+bool is_launch_name(std::string_view name) {
+    constexpr std::array<std::string_view, 4> kWork = {"kernel", "ndrange", "nd_range", "task"};
+    constexpr std::array<std::string_view, 4> kGrid = {"compute", "cmd", "thread", "group"};
+    if (has_word(name, "kernel")) {
+        if (has_word(name, "arg")) return has_word(name, "set") || has_word(name, "add");
+        return has_word(name, "enqueue") || has_word(name, "launch") || has_word(name, "dispatch");
+    }
+    if (has_word(name, "enqueue")) return has_any(name, kWork);
+    if (has_word(name, "dispatch")) return has_any(name, kGrid);
+    return name == "parallel_for" || name == "single_task" || name == "optixLaunch" || has_word(name, "cmdtracerays");
+}
+
+/// Methods that hand a kernel object its arguments; they say so only where the body speaks of kernels.
+bool is_argument_method(std::string_view name) {
+    constexpr std::array<std::string_view, 7> kNames = {"setArg", "setArgs", "set_arg", "set_args",
+                                                        "addArg", "add_arg", "args"};
+    return std::find(kNames.begin(), kNames.end(), name) != kNames.end();
+}
+
+class TraitReader {
+public:
+    explicit TraitReader(const ScannedFile& file) : lexed_(file.lexed) {}
+
+    BodyTraits read(const Unit& unit) {
+        for (uint32_t i = unit.body.first; i < unit.body.end; ++i) {
+            const Token& token = lexed_.tokens[i];
+            if (token.flags & kDead) continue;
+            if (token.kind == TokenKind::Identifier)
+                read_word(i, unit.body.end);
+            else if (token.kind == TokenKind::Punctuator && token.length == 1)
+                read_sign(lexed_.text[token.offset], i, unit);
+        }
+        traits_.launches = traits_.launches || (takes_arguments_ && speaks_of_kernels(unit));
+        traits_.computes = traits_.stores || loops_ || operators_ >= kSomeOperators;
+        return traits_;
+    }
+
+private:
+    static constexpr uint32_t kSomeOperators = 2;
+
+    void read_word(uint32_t i, uint32_t end) {
+        const std::string_view text = lexed_.view(i);
+        if (text == "for" || text == "while") loops_ = true;
+        if (i + 1 >= end || lexed_.view(i + 1) != "(") return;
+        if (is_launch_name(text)) traits_.launches = true;
+        const std::string_view before = i > 0 ? lexed_.view(i - 1) : std::string_view();
+        if ((before == "." || before == "->") && is_argument_method(text)) takes_arguments_ = true;
+    }
+
+    bool speaks_of_kernels(const Unit& unit) const {
+        for (uint32_t i = unit.body.first; i < unit.body.end; ++i)
+            if (lexed_.tokens[i].kind == TokenKind::Identifier && has_word(lexed_.view(i), "kernel")) return true;
+        return false;
+    }
+
+    void read_sign(char sign, uint32_t i, const Unit& unit) {
+        if (sign == '<' && i + 2 < unit.body.end && touches(i, i + 1) && touches(i + 1, i + 2) &&
+            lexed_.view(i + 1) == "<" && lexed_.view(i + 2) == "<")
+            traits_.launches = true;  // kernel<<<grid, block>>>(...)
+        if (sign == '+' || sign == '*' || sign == '/' || sign == '^') ++operators_;
+        if (sign == ']' && writes_after(i + 1, unit.body.end) && i > 0 &&
+            lexed_.tokens[i - 1].kind != TokenKind::Number)
+            traits_.stores = true;
+    }
+
+    bool touches(uint32_t a, uint32_t b) const {
+        return lexed_.tokens[a].offset + lexed_.tokens[a].length == lexed_.tokens[b].offset;
+    }
+
+    /// True if an assignment follows that is no declaration's `sizes[n] = {...}`. `a[i].x = b` counts.
+    bool writes_after(uint32_t at, uint32_t end) const {
+        if (at + 2 < end && (lexed_.view(at) == "." || lexed_.view(at) == "->")) at += 2;
+        if (at + 1 >= end) return false;
+        std::string_view text = lexed_.view(at);
+        if (text == "=") return lexed_.view(at + 1) != "{";
+        return text.size() > 1 && text.size() <= 3 && text.back() == '=' && text != "==" && text != "!=" &&
+               text != "<=" && text != ">=";
+    }
+
+    const LexedText& lexed_;
+    BodyTraits traits_;
+    bool loops_ = false, takes_arguments_ = false;
+    uint32_t operators_ = 0;
+};
+
+}  // namespace
+
+BodyTraits read_body_traits(const ScannedFile& file, const Unit& unit) { return TraitReader(file).read(unit); }
+
+}  // namespace porttool

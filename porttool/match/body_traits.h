@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "porttool/scan/unit.h"
+
+namespace porttool {
+
+/// What a function's body does, as far as its tokens tell.
+struct BodyTraits {
+    bool launches = false;  ///< it calls what sets a kernel's arguments or enqueues it, whatever the API
+    bool computes = false;  ///< it has a loop, arithmetic, or stores what it works out at an index that varies
+    bool stores = false;    ///< it writes to an index that varies
+};
+
+/// Reads a unit's body once.
+BodyTraits read_body_traits(const ScannedFile& file, const Unit& unit);
+
+}  // namespace porttool
