@@ -32,6 +32,10 @@ void declare_defer(Declare& declare, Options& options);
 Outcome run_defer(const Options& options, Workplace& place);
 void declare_ignore(Declare& declare, Options& options);
 Outcome run_ignore(const Options& options, Workplace& place);
+/// Takes a pair, SOURCE and TARGET, out of the map; its units are then what the baseline has.
+Outcome run_reject(const Options& options, Workplace& place);
+void declare_review(Declare& declare, Options& options);
+Outcome run_review(const Options& options, Workplace& place);
 void declare_compare(Declare& declare, Options& options);
 Outcome run_compare(const Options& options, Workplace& place);
 void declare_explain(Declare& declare, Options& options);

@@ -15,15 +15,6 @@
 namespace porttool {
 namespace {
 
-/// What the map has settled.
-Settled settled_by(const MapFile& map) {
-    Settled settled;
-    for (const MapPair& pair : map.pairs)
-        for (const std::string& target : pair.targets) settled.pairs.emplace_back(pair.source, target);
-    for (const MapIgnore& ignore : map.ignores) settled.ignored.push_back(ignore.id);
-    return settled;
-}
-
 double least_score(const std::string& text) {
     constexpr double kDefault = 0.9;
     if (text.empty()) return kDefault;

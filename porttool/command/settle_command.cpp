@@ -52,10 +52,12 @@ Outcome settle(const Options& options, Workplace& place, Verdict verdict) {
     const char* done = verdict == Verdict::Defer ? "deferred" : "ignored";
     std::string out;
     for (const std::string& id : options.paths) {
-        const Named named = require_named(checked.judgement, id);
+        const LoneUnit* lone = find_lone(checked.judgement, id);
+        const Named named = lone != nullptr ? Named() : require_named(checked.judgement, id);
         if (named.pairs.empty()) {
-            const UnitState& unit = lone_unit(checked, *named.lone.front());
-            settle_lone(checked.lock, unit, named.lone.front()->side, said);
+            const Side side = lone != nullptr ? lone->side : named.lone.front()->side;
+            const UnitState& unit = lone != nullptr ? *lone->unit : lone_unit(checked, *named.lone.front());
+            settle_lone(checked.lock, unit, side, said);
             out += fmt::format("{} {}\n", done, terminal_text(unit.id));
         }
         for (const JudgedPair* pair : named.pairs) {
@@ -159,6 +161,21 @@ Outcome run_accept(const Options& options, Workplace& place) {
             left.size());
     for (const JudgedPair* pair : left) out += "  " + terminal_line(pair->id.source) + "\n";
     return {out, left.empty() ? 0 : 1};
+}
+
+Outcome run_reject(const Options& options, Workplace& place) {
+    const auto guard = guard_lock(options, place);
+    CheckedProject checked = check_project(options, place);
+    follow_baseline(checked.lock, checked.judgement);
+    const BySide<std::string> id{options.paths.at(0), options.paths.at(1)};
+    const auto pair = std::find_if(checked.judgement.pairs.begin(), checked.judgement.pairs.end(),
+                                   [&](const JudgedPair& one) { return one.id == id; });
+    if (pair == checked.judgement.pairs.end())
+        throw CannotDo(terminal_text(id.source + "=" + id.target) + ": no such pair");
+    const std::string map = remove_pair(checked.project, {id.source, id.target});
+    reject_pair(checked.lock, *pair, checked.project.map);
+    store(checked, place.disk, &map);
+    return {"no longer a pair: " + terminal_text(id.source) + " = " + terminal_text(id.target) + "\n", 0};
 }
 
 void declare_defer(Declare& declare, Options& options) {

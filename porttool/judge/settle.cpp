@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "porttool/judge/first_record.h"
 #include "porttool/text/suggest.h"
 
 namespace porttool {
@@ -67,6 +68,12 @@ Named named_by(const Judgement& judgement, const std::string& id) {
                                               [&](const Finding* finding) { return is_of(*finding, pair); }))
             out.pairs.push_back(&pair);
     return out;
+}
+
+const LoneUnit* find_lone(const Judgement& judgement, const std::string& id) {
+    const auto found = std::find_if(judgement.lone.begin(), judgement.lone.end(),
+                                    [&](const LoneUnit& one) { return one.unit->id == id; });
+    return found == judgement.lone.end() ? nullptr : &*found;
 }
 
 std::string nearest_named(const Judgement& judgement, const std::string& id) {
@@ -161,6 +168,28 @@ void accept_unwatched(LockFile& lock, const Judgement& judgement, const BySide<s
         if (is_of_new_unit(finding))
             put_line(lock, {finding.map_source, units[finding.side].at(finding.map_source).prints, reason,
                             side_word(finding.side)});
+}
+
+void reject_pair(LockFile& lock, const JudgedPair& pair, const MapFile& map) {
+    std::erase_if(lock.pairs,
+                  [&](const LockedPair& p) { return p.source == pair.id.source && p.target == pair.id.target; });
+    forget(lock, pair.id.source, pair.id.target);
+    const TargetSets sets(map);
+    const std::string& set = sets.of_id(pair.id.target);
+    const auto paired = paired_units(map, sets);
+    for (const Side side : kBothSides) {
+        const auto others = paired[side].find(pair.id[side]);
+        const bool is_paired = others != paired[side].end() && (side == Side::Target || others->second.contains(set));
+        if (!is_contract(map.reference, side) || pair.unit[side] == nullptr || is_paired) continue;
+        const auto line = std::find_if(lock.baseline.begin(), lock.baseline.end(), [&](const LockedUnit& u) {
+            return u.side == side_word(side) && u.id == pair.id[side];
+        });
+        std::vector<std::string> missing;
+        for (const std::string& one : sets.names())
+            if (one == set || side == Side::Target || (line != lock.baseline.end() && lacks(*line, one)))
+                missing.push_back(one);
+        put_line(lock, baseline_line(pair.id[side], pair.unit[side]->prints, side, missing, sets.names()));
+    }
 }
 
 void settle_pair(LockFile& lock, const JudgedPair& pair, LedgerEntry said) {

@@ -25,6 +25,9 @@ struct Named {
 /// An id is that of either side, SOURCE=TARGET, or a finding's fingerprint.
 Named named_by(const Judgement& judgement, const std::string& id);
 
+/// The unit of that id, if no pair leads to it and its side is the contract; else nullptr.
+const LoneUnit* find_lone(const Judgement& judgement, const std::string& id);
+
 /// The id, fingerprint or rule that is most like an id which names nothing; "" if none is near.
 std::string nearest_named(const Judgement& judgement, const std::string& id);
 
@@ -53,6 +56,9 @@ bool is_of_new_unit(const Finding& finding);
 /// Takes every unit that has such a finding into the baseline, and every edited one of the baseline as it is now.
 void accept_unwatched(LockFile& lock, const Judgement& judgement, const BySide<std::map<std::string, UnitState>>& units,
                       const std::string& reason);
+
+/// Forgets a pair that `map` no longer names. Units that stand in no other go back to the baseline.
+void reject_pair(LockFile& lock, const JudgedPair& pair, const MapFile& map);
 
 /// Defers or ignores a pair with its texts of today. `said` has the verdict, owner, day and reason.
 void settle_pair(LockFile& lock, const JudgedPair& pair, LedgerEntry said);

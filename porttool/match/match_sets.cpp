@@ -25,6 +25,14 @@ std::vector<ScannedFile> files_in(const std::vector<ScannedFile>& target, const 
 
 }  // namespace
 
+Settled settled_by(const MapFile& map) {
+    Settled settled;
+    for (const MapPair& pair : map.pairs)
+        for (const std::string& target : pair.targets) settled.pairs.emplace_back(pair.source, target);
+    for (const MapIgnore& ignore : map.ignores) settled.ignored.push_back(ignore.id);
+    return settled;
+}
+
 SetMatching match_sets(const std::vector<ScannedFile>& source, const std::vector<ScannedFile>& target,
                        const Settled& settled, const Dialect& dialect, const TargetSets& sets) {
     if (sets.names().size() == 1 && sets.names().front().empty())

@@ -14,6 +14,9 @@ struct SetMatching : Matching {
     std::map<std::string, std::vector<std::string>> missing;  ///< by id: the ports that lack it, where others have it
 };
 
+/// What a map has settled.
+Settled settled_by(const MapFile& map);
+
 /// Pairs the units of the source with those of each port.
 SetMatching match_sets(const std::vector<ScannedFile>& source, const std::vector<ScannedFile>& target,
                        const Settled& settled, const Dialect& dialect, const TargetSets& sets);

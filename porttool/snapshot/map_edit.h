@@ -23,4 +23,8 @@ std::string pair_text(const NewPair& pair);
 /// Throws CannotDo where the text cannot be gone on with, as after `pair = [...]`.
 std::string add_pairs(Project& project, const std::vector<NewPair>& pairs);
 
+/// Takes a pair out of the project's map, and returns its text without it. Throws CannotDo where the pair does not
+/// stand in a [[pair]] of its own.
+std::string remove_pair(Project& project, const NewPair& pair);
+
 }  // namespace porttool
