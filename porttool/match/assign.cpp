@@ -47,7 +47,8 @@ public:
         }
         take_stock(learn_names());
         settle();
-        share();
+        share_targets();
+        share_sources();
         find_inlined();
         return std::move(settled_);
     }
@@ -64,8 +65,13 @@ private:
 
     /// One name for several units of a side, and the two share it.
     bool is_overloaded(const UnitFeatures& a, const UnitFeatures& b) const {
+        const auto count = [](const std::unordered_map<std::string, int>& names, const std::string& name) {
+            const auto found = names.find(name);
+            return found == names.end() ? 0 : found->second;
+        };
         return a.folded_leaf == b.folded_leaf &&
-               (source_names_.at(a.folded_name) > 1 || target_names_.at(b.folded_name) > 1);
+               (std::max(count(source_names_, a.folded_name), count(source_names_, b.folded_name)) > 1 ||
+                std::max(count(target_names_, a.folded_name), count(target_names_, b.folded_name)) > 1);
     }
 
     /// One of the two launches kernels. Where they share the last part of their names, the other can hold the launcher
@@ -90,7 +96,7 @@ private:
         float bonus = kCore * candidate.resemblance.core;
         if (a.launcher != b.launcher)
             bonus += a.kernel || b.kernel ? kNoKernel : other_role(a, b) ? kLauncher : kSameName;
-        else if (a.computes != b.computes)
+        else if ((a.works && !b.computes) || (b.works && !a.computes))
             bonus += kIdle;
         if (is_overloaded(a, b)) bonus -= kOperands * (1 - candidate.resemblance.operands);
         return bonus;
@@ -215,7 +221,7 @@ private:
                 differences_[s].push_back(names.difference(source_[s], target_[candidate.target]));
     }
 
-    Assignment describe(uint32_t s, uint32_t c) const {
+    Assignment describe(uint32_t s, uint32_t c, bool shared = false) const {
         const Candidate& chosen = candidates_[s][c];
         Assignment out;
         out.source = s;
@@ -230,7 +236,7 @@ private:
             source_names_.at(source_[s].folded_name) == 1 && target_names_.at(target_[chosen.target].folded_name) == 1;
         constexpr int kFew = 3;
         out.same_subject = chosen.resemblance.core >= 1 && target_cores_.at(target_[chosen.target].core) <= kFew;
-        out.shared = claimed_[chosen.target] != kNobody;
+        out.shared = shared;
         out.confidence = confidence(source_[s], target_[chosen.target], out);
         return out;
     }
@@ -248,26 +254,66 @@ private:
         }
     }
 
-    /// Units that are left get a target that another has: several sources are ported by one function.
-    void share() {
+    /// Source units that are left get a target that another has: several sources are ported by one function.
+    void share_targets() {
         for (uint32_t s = 0; s < source_.size(); ++s) {
             if (choice_[s] != kNobody || source_[s].group != Group::Code) continue;
             uint32_t best = kNobody;
             for (uint32_t c = 0; c < candidates_[s].size(); ++c)
                 if (best == kNobody || scores_[s][c] > scores_[s][best]) best = c;
-            if (best == kNobody) continue;
-            const uint32_t t = candidates_[s][best].target;
-            if (claimed_[t] == kNobody || !may_share(s, best)) continue;
-            Assignment pair = describe(s, best);
-            if (pair.confidence < kLeastConfidence) continue;
-            choice_[s] = best;
-            settled_.push_back(pair);
+            if (best == kNobody || claimed_[candidates_[s][best].target] == kNobody) continue;
+            const Candidate& candidate = candidates_[s][best];
+            if (!may_share(source_[s], target_[candidate.target], source_[claimed_[candidate.target]], candidate))
+                continue;
+            if (add_shared(s, best)) choice_[s] = best;
         }
     }
 
-    /// Variants of one source, or of one name, are ported by one function; what else resembles a target that is taken
-    /// is a sibling of its source. What a project computes on the host to compare its kernels with is not what ports
-    /// them.
+    /// The same for targets that are left: one function is ported by several kernels, by copies in several files, or
+    /// for several instruction sets.
+    void share_sources() {
+        std::vector<Choice> best(target_.size(), Choice{0, kNobody, 0});
+        for (uint32_t s = 0; s < source_.size(); ++s)
+            for (uint32_t c = 0; c < candidates_[s].size(); ++c) {
+                const uint32_t t = candidates_[s][c].target;
+                if (claimed_[t] == kNobody && target_[t].group == Group::Code && scores_[s][c] > best[t].score)
+                    best[t] = {scores_[s][c], s, c};
+            }
+        for (uint32_t t = 0; t < target_.size(); ++t) {
+            const uint32_t s = best[t].source;
+            if (s == kNobody || choice_[s] == kNobody || claimed_[t] != kNobody) continue;
+            const Candidate& own = candidates_[s][choice_[s]];
+            if (own.target == t) continue;
+            const Candidate& candidate = candidates_[s][best[t].candidate];
+            const bool kernels = target_[t].kernel && target_[own.target].kernel && !source_[s].kernel;
+            if (!kernels && !is_copy(target_[t], target_[own.target])) continue;
+            if (!may_share(target_[t], source_[s], target_[own.target], candidate)) continue;
+            if (add_shared(s, best[t].candidate)) claimed_[t] = s;
+        }
+    }
+
+    /// The same function once more, or for another instruction set: but for such a word the names are equal, and the
+    /// bodies at least as alike as two ports are.
+    bool is_copy(const UnitFeatures& a, const UnitFeatures& b) const {
+        constexpr float kAlike = 0.4f;
+        if (a.folded_name != b.folded_name && without_instruction_set(a) != without_instruction_set(b)) return false;
+        return a.folded_name != b.folded_name || body_likeness(compare_units(a, b)) >= kAlike;
+    }
+
+    std::vector<uint32_t> without_instruction_set(const UnitFeatures& unit) const {
+        std::vector<uint32_t> words = unit.ordered_words;
+        std::erase_if(words, [&](uint32_t word) { return names_instruction_set(terms_.text(word)); });
+        return words;
+    }
+
+    bool add_shared(uint32_t s, uint32_t c) {
+        const Assignment pair = describe(s, c, true);
+        if (pair.confidence < kLeastConfidence) return false;
+        settled_.push_back(pair);
+        return true;
+    }
+
+    /// What a project computes on the host to compare its kernels with is not what ports them.
     bool is_reference_of(const UnitFeatures& unit, const UnitFeatures& target) const {
         return std::any_of(unit.all_words.begin(), unit.all_words.end(), [&](uint32_t word) {
             return marks_reference(terms_.text(word)) &&
@@ -308,18 +354,22 @@ private:
         settled_.push_back(pair);
     }
 
-    bool may_share(uint32_t s, uint32_t c) const {
-        constexpr float kOperands = 0.75f;
-        const Candidate& candidate = candidates_[s][c];
-        const UnitFeatures &unit = source_[s], &target = target_[candidate.target];
-        const UnitFeatures& owner = source_[claimed_[candidate.target]];
-        if (unit.core != owner.core && candidate.resemblance.core < 1) return false;
-        if (unit.entry && unit.called_as != target.called_as) return false;
-        if (owner.folded_name == target.folded_name && !std::includes(unit.all_words.begin(), unit.all_words.end(),
-                                                                      target.all_words.begin(), target.all_words.end()))
-            return false;
-        if (is_reference_of(unit, target) || candidate.resemblance.kind <= 0) return false;
-        return !is_overloaded(unit, target) || candidate.resemblance.operands >= kOperands;
+    /// Variants of one unit, or of one name, share a counterpart; what else resembles one that is taken is a sibling of
+    /// its owner. `unit` and `owner` are of one side.
+    bool may_share(const UnitFeatures& unit, const UnitFeatures& other, const UnitFeatures& owner,
+                   const Candidate& candidate) const {
+        constexpr float kOperands = 0.75f, kAlike = 0.4f;
+        const Resemblance& resemblance = candidate.resemblance;
+        const auto within = [](const std::vector<uint32_t>& few, const std::vector<uint32_t>& many) {
+            return std::includes(many.begin(), many.end(), few.begin(), few.end());
+        };
+        const bool one_subject = unit.core == owner.core || resemblance.core >= 1;
+        const bool more_of_it = within(other.core_words, unit.core_words) && body_likeness(resemblance) >= kAlike;
+        if (!one_subject && !more_of_it) return false;
+        if (unit.entry && unit.called_as != other.called_as) return false;
+        if (owner.folded_name == other.folded_name && !within(other.all_words, unit.all_words)) return false;
+        if (is_reference_of(unit, other) || resemblance.kind <= 0) return false;
+        return !is_overloaded(unit, other) || resemblance.operands >= kOperands;
     }
 
     const std::vector<UnitFeatures>& source_;

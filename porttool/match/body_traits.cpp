@@ -54,12 +54,13 @@ public:
                 read_sign(lexed_.text[token.offset], i, unit);
         }
         traits_.launches = traits_.launches || (takes_arguments_ && speaks_of_kernels(unit));
-        traits_.computes = traits_.stores || loops_ || operators_ >= kSomeOperators;
+        traits_.computes = traits_.stores || loops_ || operators_ > 0 || stars_ > 1;  // a star also makes a pointer
+        traits_.works = traits_.stores || loops_ || operators_ + stars_ >= kMuch;
         return traits_;
     }
 
 private:
-    static constexpr uint32_t kSomeOperators = 2;
+    static constexpr uint32_t kMuch = 4;
 
     void read_word(uint32_t i, uint32_t end) {
         const std::string_view text = lexed_.view(i);
@@ -80,7 +81,8 @@ private:
         if (sign == '<' && i + 2 < unit.body.end && touches(i, i + 1) && touches(i + 1, i + 2) &&
             lexed_.view(i + 1) == "<" && lexed_.view(i + 2) == "<")
             traits_.launches = true;  // kernel<<<grid, block>>>(...)
-        if (sign == '+' || sign == '*' || sign == '/' || sign == '^') ++operators_;
+        if (sign == '+' || sign == '/' || sign == '^' || sign == '%' || sign == '?') ++operators_;
+        if (sign == '*') ++stars_;
         if (sign == ']' && writes_after(i + 1, unit.body.end) && i > 0 &&
             lexed_.tokens[i - 1].kind != TokenKind::Number)
             traits_.stores = true;
@@ -103,7 +105,7 @@ private:
     const LexedText& lexed_;
     BodyTraits traits_;
     bool loops_ = false, takes_arguments_ = false;
-    uint32_t operators_ = 0;
+    uint32_t operators_ = 0, stars_ = 0;
 };
 
 }  // namespace

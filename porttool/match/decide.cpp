@@ -36,16 +36,18 @@ float confidence(const UnitFeatures& source, const UnitFeatures& target, const A
     // A logistic regression over labelled pairs of five ports (OpenCL, CUDA, SYCL, GLSL, C++) and over the same ports
     // with 40 % of the counterparts deleted, rounded. One set of weights for all: the margin and what the names of a
     // project's own certain pairs do carry what differs from project to project.
+    const bool variant = pair.shared && resemblance.core >= 1;  // only words that tell how set it apart
+    const float doubtful = variant ? 0.2f : 1.0f;
     float z = -4.1f + 3.3f * place + 2.6f * std::max(words, pair.same_subject ? kSameCore : 0.0f) + 0.8f * kind +
-              3.8f * std::clamp(pair.margin, -0.1f, 0.4f) + (exact ? 4.2f : 0.0f) - doubt(pair.names);
+              3.8f * std::clamp(pair.margin, -0.1f, 0.4f) + (exact ? 4.2f : 0.0f) - doubtful * doubt(pair.names);
     if (!code) return 1 / (1 + std::exp(-z));
     // Near-identical code outweighs a doubt about names, unless all of a family is written alike.
     z += 4.0f * std::max(0.0f, std::min(body_likeness(resemblance) - 0.4f, 2 * pair.body_margin));
     if (unlike) z -= 0.7f;
     if (pair.other_role) z -= 3.0f;
     if (pair.wrong_operands) z -= 2.5f;
-    if (source.computes && !target.computes) z -= 1.0f;
-    if (pair.shared) z -= 1.0f;
+    if (source.works && !target.computes) z -= 1.5f;
+    if (pair.shared && !variant) z -= 1.0f;
     return 1 / (1 + std::exp(-z));
 }
 

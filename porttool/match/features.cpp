@@ -134,6 +134,7 @@ private:
         const BodyTraits traits = read_body_traits(file_, unit);
         features.launcher = traits.launches && !traits.stores && !features.kernel;
         features.computes = traits.computes;
+        features.works = traits.works || features.kernel;
     }
 
     void read_names(const Unit& unit, UnitFeatures& features) {

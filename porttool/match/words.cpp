@@ -109,6 +109,13 @@ bool tells_how(std::string_view word) {
     return is_short_type(word) || is_type_word(word) || kWords.contains(std::string(word));
 }
 
+bool names_instruction_set(std::string_view word) {
+    constexpr std::array<std::string_view, 24> kSets = {
+        "sse",  "sse2", "sse3", "ssse3",   "sse4", "sse41", "sse42", "avx", "avx2",   "avx512", "neon",    "sve",
+        "sve2", "rvv",  "vsx",  "altivec", "lsx",  "lasx",  "msa",   "mmx", "scalar", "c",      "generic", "simd"};
+    return std::find(kSets.begin(), kSets.end(), word) != kSets.end();
+}
+
 bool marks_reference(std::string_view word) {
     constexpr std::array<std::string_view, 12> kWords = {"cpu",  "host",   "h",      "ref", "referenc", "reference",
                                                          "gold", "golden", "serial", "seq", "verify",   "check"};

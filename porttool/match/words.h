@@ -16,6 +16,9 @@ std::vector<std::string> split_words(std::string_view name);
 /// `float4`), platforms (`cuda`, `avx2`), ways of working (`tiled`, `optimized`), verbs that fit everything (`run`).
 bool tells_how(std::string_view word);
 
+/// True for a word, as split_words() gives it, that tells for which instruction set a function is written (`avx2`).
+bool names_instruction_set(std::string_view word);
+
 /// True for a word, as split_words() gives it, that marks what is computed on the host for comparison (`ref`, `gold`).
 bool marks_reference(std::string_view word);
 

@@ -417,6 +417,35 @@ TEST(Words, WhatJoinsWordsTellsNothing) {
     EXPECT_EQ(split_words("sha256_init"), (std::vector<std::string>{"sha256", "init"}));
 }
 
+TEST(Match, OneSourceIsPortedByItsCopiesAndByVariantsForInstructionSets) {
+    const std::string body =
+        "(const float* row, int n) {\n  float best = row[0];\n  for (int i = 1; i < n; ++i) best = max(best, row[i] * "
+        "0.75f + row[i - 1]);\n  return best;\n}\n";
+    const Matching got =
+        match({{"cl/rows.cl",
+                "float best_of_row" + body + "float first_of_row(const float* row) { return row[0] + 1.0f; }\n"}},
+              {{"c/left.c", "static float best_of_row" + body},
+               {"c/right.c", "static float best_of_row" + body + "static float best_of_row_avx2" + body},
+               {"c/other.c", "static float best_of_row_reversed" + body}});
+    EXPECT_EQ(pairs(got), (Pairs{{"cl/rows.cl:best_of_row", "c/left.c:best_of_row"},
+                                 {"cl/rows.cl:best_of_row", "c/right.c:best_of_row"},
+                                 {"cl/rows.cl:best_of_row", "c/right.c:best_of_row_avx2"}}));
+}
+
+TEST(Match, OneFunctionIsPortedBySeveralKernels) {
+    const auto kernel = [](const std::string& name, const std::string& type) {
+        return "__kernel void kernel_" + name + "(__global " + type + "* x, __global " + type +
+               "* y) {\n  int i = get_global_id(0);\n  y[i] = tanh(x[i]) * x[i] + 0.5f;\n}\n";
+    };
+    const Matching got = match(
+        {{"c/mish.c",
+          "void op_mish(const float* x, float* y, int n) {\n  for (int i = 0; i < n; ++i) y[i] = tanhf(x[i]) * x[i] "
+          "+ 0.5f;\n}\n"}},
+        {{"cl/mish.cl", kernel("mish_f32", "float") + kernel("mish_f16", "half") + kernel("mash_f16", "half")}});
+    EXPECT_EQ(pairs(got), (Pairs{{"c/mish.c:op_mish", "cl/mish.cl:kernel_mish_f16"},
+                                 {"c/mish.c:op_mish", "cl/mish.cl:kernel_mish_f32"}}));
+}
+
 /// Makes a side of many files with functions of words that each differ.
 std::vector<std::pair<std::string, std::string>> many(size_t functions, bool port) {
     std::vector<std::pair<std::string, std::string>> files;
