@@ -15,7 +15,7 @@ cmake --build --preset release --target pathtracer porttool
 echo "Rendering scenes/still_life on the source core (Vulkan) and on the target core (Embree)"
 build/release/bin/pathtracer compare still_life --size 640x360 --spp "$samples" --progress -o out
 
-echo "Port drift of the project's own kernels:"
+echo "Port drift of the project's own cores:"
 drift=0
 build/release/bin/porttool check || drift=$?
 build/release/bin/porttool report --format html -o out/portability.html

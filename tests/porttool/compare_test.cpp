@@ -542,7 +542,10 @@ TEST(Compare, OwnBlocksShareWhatTheyShould) {
             *s.b.moss_percent, *s.b.moss_percent_blind, *s.b.moss_percent_raw);
     EXPECT_GE(*blocks.at("BSDF").b.moss_percent, 90);
     EXPECT_GE(*blocks.at("Shading").b.moss_percent, 80);
-    EXPECT_GE(*blocks.at("Extend").b.moss_percent, 50);
+    EXPECT_GE(*blocks.at("Extend kernels").b.moss_percent, 50);
+    EXPECT_GE(*blocks.at("Kernels").b.moss_percent, 80);
+    // Everything, with the device's tree and Embree beside it, is much less alike.
+    EXPECT_LT(*blocks.at("Render core").b.moss_percent, 60);
 }
 
 TEST(Compare, OneTokenOfManyIsNotRoundedAway) {

@@ -44,7 +44,7 @@ TEST(OwnMap, EveryUnitOfBothSidesIsPairedOrLeftOutWithAReason) {
     }
     std::set<std::string> used;
     const std::set<std::string> units = own_units(map);
-    ASSERT_GT(units.size(), 400u);
+    ASSERT_GT(units.size(), 1200u) << "both cores, whole";
     for (const std::string& id : units) {
         bool ignored = false;
         for (const MapIgnore& ignore : map.ignores) {
@@ -74,7 +74,8 @@ TEST(OwnMap, TheBlocksOfTheThesisAreThereAndHoldUnitsOfBothSides) {
                                 [&](const std::string& id) { return any_matches({glob}, id.substr(0, id.find(':'))); }))
                     << block.name << ": '" << glob << "' matches no file of the map";
     }
-    EXPECT_EQ(names, (std::vector<std::string>{"Render core", "BSDF", "Shading", "Extend"}));
+    EXPECT_EQ(names, (std::vector<std::string>{"Render core", "Kernels", "BSDF", "Shading", "Extend", "Extend kernels",
+                                               "Tables"}));
 }
 
 /// The repository's two sides and its map, in memory.
@@ -101,6 +102,29 @@ TEST(OwnMap, AnEditOfOneKernelAloneIsDrift) {
     const auto report = nlohmann::json::parse(got.out);
     ASSERT_EQ(report["findings"].size(), 1u);
     EXPECT_EQ(report["findings"][0]["source"]["id"], "source_core/kernels/connect.glsl:connect_shadow_ray");
+}
+
+TEST(OwnMap, AnEditOfTheHostOrOfTheWideTraceAloneIsDrift) {
+    struct Row {
+        const char *file, *from, *to, *source;
+    };
+    for (const Row& row :
+         {Row{"source_core/wavefront.cpp", "pass.first_pixel = batch.first_pixel;", "pass.first_pixel = 0;",
+              "source_core/wavefront.cpp:source_core::Wavefront::record_sample"},
+          Row{"source_core/render_core.cpp", "frame.seed = settings().seed;", "frame.seed = 0;",
+              "source_core/render_core.cpp:source_core::SourceCore::frame_settings"},
+          Row{"target_core/device/wide_trace.h", "return end < 0.0f;", "return end > 0.0f;",
+              "source_core/kernels/trace.glsl:trace_any"}}) {
+        MemoryDisk disk = own_repository();
+        std::string& text = disk.files.at(std::string("/r/") + row.file);
+        ASSERT_NE(text.find(row.from), std::string::npos) << row.file;
+        text = replaced(text, row.from, row.to);
+        const CommandRun got = run(disk, {"-C", "/r", "check", "--strict", "--format", "json"});
+        EXPECT_EQ(got.exit_code, 1) << row.file;
+        const auto report = nlohmann::json::parse(got.out);
+        EXPECT_FALSE(report["findings"].empty());
+        for (const auto& finding : report["findings"]) EXPECT_EQ(finding["source"]["id"], row.source);
+    }
 }
 
 TEST(OwnMap, ANewFunctionBesideTheTreeWalkIsNotCoveredByItsReason) {
