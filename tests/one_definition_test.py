@@ -7,6 +7,7 @@ this reads every .h and .cpp, follows the namespaces, and takes what is defined 
 enumerations, inline variables, and functions with the types of their parameters. What two files define under one name
 is reported. Unnamed namespaces, `static` functions and specialisations of templates are free; a header has no unnamed
 namespace, which would be another one in each file that includes it. The tests of each folder are one program.
+Release builds compile files of a folder together, so there the names of unnamed namespaces are told apart as well.
 
 Not seen: names that macros make, and one header compiled in two ways.
 """
@@ -18,6 +19,7 @@ import unittest
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 HOUSE = ("application", "metrics", "packaging", "porttool", "render_system", "source_core", "target_core")
 # Files in whose place another one is taken: by the build, or (lanes) by a macro that also renames their namespace.
+TOGETHER = ("application/", "metrics/", "porttool/", "render_system/")  # cmake/by_folder.cmake
 ALTERNATIVES = {"porttool/spirv/no_spirv.cpp", "target_core/device/lanes_avx2.h", "target_core/device/lanes_avx512.h",
                 "target_core/device/wide_lanes.h", "target_core/device/wide_trace.h"}
 
@@ -135,8 +137,8 @@ def definition_in(head, template):
 
 
 def definitions(text):
-    """The names that a file defines with external linkage, and whether it has an unnamed namespace."""
-    tokens, at, scopes, head, names, unnamed = tokens_of(text), 0, [], [], set(), False
+    """The names that a file defines with external linkage, and those in its unnamed namespaces; None if it has none."""
+    tokens, at, scopes, head, names, local = tokens_of(text), 0, [], [], set(), None
     while at < len(tokens):
         token = tokens[at]
         if token == "}":
@@ -144,7 +146,7 @@ def definitions(text):
             at, head = at + 1, []
         elif token == "{" and "namespace" in head[:2]:
             scopes.append("".join(head[head.index("namespace") + 1:]) or None)
-            unnamed = unnamed or scopes[-1] is None
+            local = set() if scopes[-1] is None and local is None else local
             at, head = at + 1, []
         elif token == "{" and head[:1] == ["extern"] and len(head) == 2:
             scopes.append("")
@@ -155,8 +157,10 @@ def definitions(text):
             name = definition_in(declaration, template) if is_body or "inline" in declaration else ""
             if not is_body and "(" in name:
                 name = ""
-            if name and None not in scopes:
-                names.add("::".join([scope for scope in scopes if scope] + [name]))
+            if None in scopes and not name and "constexpr" in declaration and "=" in declaration:
+                name = declaration[declaration.index("=") - 1]
+            if name:
+                (local if None in scopes else names).add("::".join([scope for scope in scopes if scope] + [name]))
             at, head = (end_of(tokens, at) if is_body else at + 1), []
             if is_body and at < len(tokens) and tokens[at] in ",;)":  # the rest of an initialiser
                 at += tokens[at] == ";"
@@ -167,16 +171,18 @@ def definitions(text):
         else:
             head.append(token)
             at += 1
-    return names, unnamed
+    return names, local
 
 
 def problems_in(files):
-    """What breaks the rule in (path, names, unnamed) of one program, a line each."""
+    """What breaks the rule in (path, names, local names) of one program, a line each."""
     places, out = collections.defaultdict(set), []
-    for path, names, unnamed in files:
+    for path, names, local in files:
         for name in names - {"main()", "main(int, char * *)"}:
             places[name].add(path)
-        if unnamed and path.endswith(".h"):
+        for name in (local or ()) if path.startswith(TOGETHER) else ():
+            places[name + " in " + path.rpartition("/")[0]].add(path)
+        if local is not None and path.endswith(".h"):
             out.append(f"{path}: an unnamed namespace in a header; name it, or move what it holds")
     for name, paths in sorted(places.items()):
         if len(paths) > 1:
@@ -230,6 +236,16 @@ class OneDefinition(unittest.TestCase):
             self.assertEqual(self.found(text, text), [], text)
         self.assertEqual(self.found("inline int f(int a) { return a; }", "inline int f(float a) { return 1; }"), [])
         self.assertEqual(self.found("namespace a { struct A {}; }", "namespace b { struct A {}; } struct A {};"), [])
+
+    def test_local_names_of_one_folder(self):
+        def found(*paths):
+            texts = ("namespace n { namespace { bool f(int a) { return a; } constexpr int kMost = 4; } }",
+                     "namespace n { namespace { constexpr int kMost = 5; } bool f(int a); }")
+            return problems_in([(path, *definitions(text)) for path, text in zip(paths, texts)])
+        self.assertEqual(found("porttool/a/x.cpp", "porttool/a/y.cpp"),
+                         ["n::kMost in porttool/a is defined in porttool/a/x.cpp, porttool/a/y.cpp; rename one to what it is"])
+        self.assertEqual(found("porttool/a/x.cpp", "porttool/b/y.cpp"), [])
+        self.assertEqual(found("tests/porttool/x.cpp", "tests/porttool/y.cpp"), [])
 
     def test_unnamed_namespaces_in_headers(self):
         self.assertEqual(len(problems_in([("a.h", *definitions("namespace n { namespace { int x; } }"))])), 1)

@@ -39,7 +39,7 @@ private:
 constexpr size_t kOwnText = 12;  // tokens that make a text its own, without its names
 
 /// A name without the scopes that it stands in.
-std::string last_name(const std::string& name) {
+std::string without_scopes(const std::string& name) {
     const size_t scope = name.rfind("::");
     return scope == std::string::npos ? name : name.substr(scope + 2);
 }
@@ -82,8 +82,8 @@ BaselineIndex::BaselineIndex(const std::vector<LockedUnit>& lines, Side side, co
     std::erase_if(free_lines, [&](const LockedUnit* line) { return all.contains(line->id); });  // left: what is gone
     match([](const LockedUnit& l) { return l.prints.renamed; },
           [](const UnitState& u) { return u.text.size() < kOwnText ? std::string() : u.prints.renamed; });
-    match([](const LockedUnit& l) { return split_id(l.id).first + ":" + last_name(split_id(l.id).second); },
-          [](const UnitState& u) { return u.file + ":" + last_name(u.name); });
+    match([](const LockedUnit& l) { return split_id(l.id).first + ":" + without_scopes(split_id(l.id).second); },
+          [](const UnitState& u) { return u.file + ":" + without_scopes(u.name); });
     match([](const LockedUnit& l) { return split_id(l.id).second; }, [](const UnitState& u) { return u.name; });
 }
 
