@@ -22,8 +22,12 @@ struct Choice {
 class Assigner {
 public:
     Assigner(const std::vector<UnitFeatures>& source, const std::vector<UnitFeatures>& target, const TermNumbers& terms,
-             std::vector<std::vector<Candidate>> candidates)
-        : source_(source), target_(target), terms_(terms), candidates_(std::move(candidates)) {
+             const std::vector<FixedPair>& fixed, std::vector<std::vector<Candidate>> candidates)
+        : source_(source),
+          target_(target),
+          terms_(terms),
+          candidates_(std::move(candidates)),
+          fixed_(source.size(), false) {
         for (const UnitFeatures& unit : source_) ++source_names_[unit.folded_name];
         for (const UnitFeatures& unit : target_) ++target_names_[unit.folded_name];
         for (const UnitFeatures& unit : target_) ++target_cores_[unit.core];
@@ -32,6 +36,11 @@ public:
             for (const Candidate& candidate : list)
                 scores_.back().push_back(candidate.resemblance.score +
                                          (is_namesake(candidate) ? kNamesakeBonus : 0.0f) + role_bonus(candidate));
+        }
+        constexpr float kFixed = 10;  // ahead of all that is only alike
+        for (const FixedPair& pair : fixed) {
+            fixed_[pair.source] = true;
+            for (float& score : scores_[pair.source]) score = kFixed;
         }
     }
 
@@ -246,12 +255,16 @@ private:
         for (const Choice& choice : sorted_choices()) {
             const uint32_t t = candidates_[choice.source][choice.candidate].target;
             if (choice_[choice.source] != kNobody || claimed_[t] != kNobody) continue;
-            const Assignment pair = describe(choice.source, choice.candidate);
-            if (pair.confidence < kLeastConfidence) continue;
+            Assignment pair = describe(choice.source, choice.candidate);
+            pair.fixed = fixed_[choice.source];
+            if (!pair.fixed && pair.confidence < kLeastConfidence) continue;
             choice_[choice.source] = choice.candidate;
             claimed_[t] = choice.source;
             settled_.push_back(pair);
         }
+        for (uint32_t s = 0; s < source_.size(); ++s)
+            for (const Candidate& candidate : candidates_[s])
+                if (fixed_[s]) claimed_[candidate.target] = s;
     }
 
     /// Source units that are left get a target that another has: several sources are ported by one function.
@@ -265,7 +278,7 @@ private:
             const Candidate& candidate = candidates_[s][best];
             if (!may_share(source_[s], target_[candidate.target], source_[claimed_[candidate.target]], candidate))
                 continue;
-            if (add_shared(s, best)) choice_[s] = best;
+            if (add_shared(s, best, source_[s], source_[claimed_[candidate.target]])) choice_[s] = best;
         }
     }
 
@@ -281,14 +294,14 @@ private:
             }
         for (uint32_t t = 0; t < target_.size(); ++t) {
             const uint32_t s = best[t].source;
-            if (s == kNobody || choice_[s] == kNobody || claimed_[t] != kNobody) continue;
+            if (s == kNobody || choice_[s] == kNobody || claimed_[t] != kNobody || fixed_[s]) continue;
             const Candidate& own = candidates_[s][choice_[s]];
             if (own.target == t) continue;
             const Candidate& candidate = candidates_[s][best[t].candidate];
             const bool kernels = target_[t].kernel && target_[own.target].kernel && !source_[s].kernel;
             if (!kernels && !is_copy(target_[t], target_[own.target])) continue;
             if (!may_share(target_[t], source_[s], target_[own.target], candidate)) continue;
-            if (add_shared(s, best[t].candidate)) claimed_[t] = s;
+            if (add_shared(s, best[t].candidate, target_[t], target_[own.target])) claimed_[t] = s;
         }
     }
 
@@ -306,11 +319,20 @@ private:
         return words;
     }
 
-    bool add_shared(uint32_t s, uint32_t c) {
-        const Assignment pair = describe(s, c, true);
+    /// `unit` is new to the pair, `owner` of the same side has it.
+    bool add_shared(uint32_t s, uint32_t c, const UnitFeatures& unit, const UnitFeatures& owner) {
+        Assignment pair = describe(s, c, true);
+        pair.confidence = std::max(pair.confidence, as_variant(unit, owner));
         if (pair.confidence < kLeastConfidence) return false;
         settled_.push_back(pair);
         return true;
+    }
+
+    /// How likely one is ported by what ports the other, as they are the same but for words that tell how.
+    static float as_variant(const UnitFeatures& unit, const UnitFeatures& owner) {
+        constexpr float kAlike = 0.5f, kMost = 0.85f;
+        const float alike = unit.core == owner.core ? body_likeness(compare_units(unit, owner)) : 0.0f;
+        return alike < kAlike ? 0.0f : std::min(kMost, 0.2f + 0.7f * alike);
     }
 
     /// What a project computes on the host to compare its kernels with is not what ports them.
@@ -376,6 +398,7 @@ private:
     const std::vector<UnitFeatures>& target_;
     const TermNumbers& terms_;
     std::vector<std::vector<Candidate>> candidates_;
+    std::vector<bool> fixed_;  ///< sources that a person has paired
     std::vector<std::vector<float>> scores_;
     std::vector<std::vector<float>> alike_;  ///< the scores before names are weighed
     std::unordered_map<std::string, int> source_names_, target_names_, target_cores_;
@@ -388,8 +411,9 @@ private:
 }  // namespace
 
 std::vector<Assignment> assign(const std::vector<UnitFeatures>& source, const std::vector<UnitFeatures>& target,
-                               const TermNumbers& terms, std::vector<std::vector<Candidate>> candidates) {
-    return Assigner(source, target, terms, std::move(candidates)).run();
+                               const TermNumbers& terms, const std::vector<FixedPair>& fixed,
+                               std::vector<std::vector<Candidate>> candidates) {
+    return Assigner(source, target, terms, fixed, std::move(candidates)).run();
 }
 
 }  // namespace porttool

@@ -21,13 +21,16 @@ struct Assignment {
     bool other_role = false;      ///< one of the two launches kernels, the other does something else
     bool wrong_operands = false;  ///< overloads for other types
     bool same_subject = false;    ///< the names are about one thing, which few others are about
+    bool fixed = false;           ///< a person paired them
     bool shared = false;          ///< another source has the target as well
     NameDifference names;
 };
 
-/// Gives each source at most one target and each target at most one source, the most alike first. Done in
-/// rounds: the certain pairs of one tell which files belong together and how names change, and so correct the next.
+/// Gives each source at most one target and each target at most one source, the most alike first; what is left may
+/// share one that is taken. Fixed pairs come before all others. Done in rounds: the certain pairs of one tell which
+/// files belong together and how names change, and so correct the next.
 std::vector<Assignment> assign(const std::vector<UnitFeatures>& source, const std::vector<UnitFeatures>& target,
-                               const TermNumbers& terms, std::vector<std::vector<Candidate>> candidates);
+                               const TermNumbers& terms, const std::vector<FixedPair>& fixed,
+                               std::vector<std::vector<Candidate>> candidates);
 
 }  // namespace porttool

@@ -57,12 +57,16 @@ size_t count_terms(const std::vector<UnitFeatures>& a, const std::vector<UnitFea
 }  // namespace
 
 std::vector<std::vector<Candidate>> find_candidates(const std::vector<UnitFeatures>& source,
-                                                    const std::vector<UnitFeatures>& target, size_t most) {
+                                                    const std::vector<UnitFeatures>& target,
+                                                    const std::vector<FixedPair>& fixed, size_t most) {
     const InvertedIndex index(target, count_terms(source, target));
     std::vector<std::vector<Candidate>> all(source.size());
+    for (const FixedPair& pair : fixed)
+        all[pair.source].push_back({pair.source, pair.target, compare_units(source[pair.source], target[pair.target])});
     std::vector<float> likeness(target.size(), 0);
     std::vector<uint32_t> touched;
     for (uint32_t s = 0; s < source.size(); ++s) {
+        if (!all[s].empty()) continue;
         touched.clear();
         for (const Bag& bag : source[s].bags)
             for (const Term& term : bag)

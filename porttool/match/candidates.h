@@ -8,15 +8,23 @@
 
 namespace porttool {
 
+/// Two units, by their numbers, that a person has paired.
+struct FixedPair {
+    uint32_t source = 0;
+    uint32_t target = 0;
+};
+
 struct Candidate {
     uint32_t source = 0;
     uint32_t target = 0;
     Resemblance resemblance;
 };
 
-/// For each source unit the target units that resemble it most, best first. An inverted index over the terms finds
-/// them, so that the time grows with what units have in common and not with the product of their numbers.
+/// For each source unit the target units that resemble it most, best first; for one that is fixed those that it has. An
+/// inverted index over the terms finds them, so that the time grows with what units have in common and not with the
+/// product of their numbers.
 std::vector<std::vector<Candidate>> find_candidates(const std::vector<UnitFeatures>& source,
-                                                    const std::vector<UnitFeatures>& target, size_t most);
+                                                    const std::vector<UnitFeatures>& target,
+                                                    const std::vector<FixedPair>& fixed, size_t most);
 
 }  // namespace porttool

@@ -19,13 +19,51 @@ std::string id_of(const std::vector<ScannedFile>& files, const UnitFeatures& uni
     return unit_id(files[unit.file], files[unit.file].units[unit.unit]);
 }
 
-/// Takes the units out that are ignored or stand in a settled pair.
+/// Takes the units out that are ignored, or settled without a counterpart that is here.
 void keep_open_units(std::vector<UnitFeatures>& units, const std::vector<ScannedFile>& files,
-                     const std::unordered_set<std::string>& settled, const IdPatterns& ignored) {
+                     const std::unordered_set<std::string>& hidden, const IdPatterns& ignored) {
     std::erase_if(units, [&](const UnitFeatures& unit) {
         const std::string id = id_of(files, unit);
-        return settled.contains(id) || ignored.match(id);
+        return hidden.contains(id) || ignored.match(id);
     });
+}
+
+std::unordered_map<std::string, uint32_t> numbers_of(const std::vector<UnitFeatures>& units,
+                                                     const std::vector<ScannedFile>& files) {
+    std::unordered_map<std::string, uint32_t> numbers;
+    for (uint32_t i = 0; i < units.size(); ++i) numbers.emplace(id_of(files, units[i]), i);
+    return numbers;
+}
+
+/// The units of both sides, without those that are out of question, and the settled pairs among them.
+struct OpenUnits {
+    std::vector<UnitFeatures> source, target;
+    std::vector<FixedPair> fixed;
+};
+
+OpenUnits read_open_units(const std::vector<ScannedFile>& source, const std::vector<ScannedFile>& target,
+                          const Settled& settled, const Dialect& dialect, TermNumbers& terms) {
+    OpenUnits open{read_features(source, dialect, terms), read_features(target, dialect, terms), {}};
+    std::unordered_set<std::string> hidden_source, hidden_target;
+    if (!settled.pairs.empty()) {
+        const auto sources = numbers_of(open.source, source), targets = numbers_of(open.target, target);
+        for (const auto& [from, to] : settled.pairs)
+            if (!sources.contains(from) || !targets.contains(to)) {
+                hidden_source.insert(from);
+                hidden_target.insert(to);
+            }
+    }
+    const IdPatterns ignored(settled.ignored);
+    keep_open_units(open.source, source, hidden_source, ignored);
+    keep_open_units(open.target, target, hidden_target, ignored);
+    if (settled.pairs.empty()) return open;
+    const auto sources = numbers_of(open.source, source), targets = numbers_of(open.target, target);
+    for (const auto& [from, to] : settled.pairs) {
+        const auto s = sources.find(from);
+        const auto t = targets.find(to);
+        if (s != sources.end() && t != targets.end()) open.fixed.push_back({s->second, t->second});
+    }
+    return open;
 }
 
 void add_unmapped(std::vector<std::string>& out, const std::vector<UnitFeatures>& units,
@@ -42,35 +80,30 @@ constexpr size_t kMostCandidates = 24;
 Matching match_units(const std::vector<ScannedFile>& source, const std::vector<ScannedFile>& target,
                      const Settled& settled, const Dialect& dialect) {
     Matching out;
-    std::unordered_set<std::string> settled_source, settled_target;
-    for (const auto& [from, to] : settled.pairs) {
-        out.pairs.push_back({from, to, 1.0f, PairState::Confirmed});
-        settled_source.insert(from);
-        settled_target.insert(to);
-    }
-    const IdPatterns ignored(settled.ignored);
-
+    for (const auto& [from, to] : settled.pairs) out.pairs.push_back({from, to, 1.0f, PairState::Confirmed});
     TermNumbers terms;
-    auto source_units = read_features(source, dialect, terms);
-    auto target_units = read_features(target, dialect, terms);
-    keep_open_units(source_units, source, settled_source, ignored);
-    keep_open_units(target_units, target, settled_target, ignored);
-    read_cores(source_units, target_units, terms);
-    weigh(source_units, target_units, terms.size());
+    OpenUnits open = read_open_units(source, target, settled, dialect, terms);
+    read_cores(open.source, open.target, terms);
+    weigh(open.source, open.target, terms.size());
 
-    std::vector<bool> source_mapped(source_units.size(), false), target_mapped(target_units.size(), false);
-    const auto assignments =
-        assign(source_units, target_units, terms, find_candidates(source_units, target_units, kMostCandidates));
-    for (const Assignment& pair : assignments) {
+    std::vector<bool> source_mapped(open.source.size(), false), target_mapped(open.target.size(), false);
+    std::vector<bool> target_settled(open.target.size(), false);
+    for (const FixedPair& pair : open.fixed) {
         source_mapped[pair.source] = target_mapped[pair.target] = true;
-        out.pairs.push_back({id_of(source, source_units[pair.source]), id_of(target, target_units[pair.target]),
+        target_settled[pair.target] = !settled.shares;
+    }
+    for (const Assignment& pair : assign(open.source, open.target, terms, open.fixed,
+                                         find_candidates(open.source, open.target, open.fixed, kMostCandidates))) {
+        if (pair.fixed || target_settled[pair.target]) continue;
+        source_mapped[pair.source] = target_mapped[pair.target] = true;
+        out.pairs.push_back({id_of(source, open.source[pair.source]), id_of(target, open.target[pair.target]),
                              pair.confidence, PairState::Suggested});
     }
     std::sort(out.pairs.begin(), out.pairs.end(), [](const MatchedPair& a, const MatchedPair& b) {
         return a.source != b.source ? a.source < b.source : a.target < b.target;
     });
-    add_unmapped(out.unmapped_source, source_units, source, source_mapped);
-    add_unmapped(out.unmapped_target, target_units, target, target_mapped);
+    add_unmapped(out.unmapped_source, open.source, source, source_mapped);
+    add_unmapped(out.unmapped_target, open.target, target, target_mapped);
     return out;
 }
 

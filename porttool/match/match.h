@@ -30,10 +30,13 @@ struct Matching {
 struct Settled {
     std::vector<std::pair<std::string, std::string>> pairs;  ///< ids; a source may stand in several
     std::vector<std::string> ignored;                        ///< ids or globs of ids: neither paired nor unmapped
+    bool shares = false;  ///< a target of `pairs` may be suggested for further sources, as variants of the settled one
 };
 
-/// Pairs the units of two sides. Settled pairs are confirmed; of the rest each unit stands in at most one pair, and a
-/// unit without a counterpart stays unmapped.
+/// Pairs the units of two sides. Settled pairs are confirmed, and teach how names change; a settled source gets no
+/// further target. Of the rest several sources may share a target, and one source have several, where they are variants
+/// or copies of each other; a unit without a counterpart stays unmapped. What does this one unit resemble? Settle all
+/// others of its side, each with "" in the place of the other, and what is left are its pairs.
 Matching match_units(const std::vector<ScannedFile>& source, const std::vector<ScannedFile>& target,
                      const Settled& settled, const Dialect& dialect);
 

@@ -9,7 +9,7 @@ namespace porttool {
 namespace {
 
 Settled settled_in(const Settled& settled, const TargetSets& sets, const std::string& name) {
-    Settled out{{}, settled.ignored};
+    Settled out{{}, settled.ignored, settled.shares};
     for (const auto& pair : settled.pairs)
         if (sets.of_id(pair.second) == name) out.pairs.push_back(pair);
     return out;
@@ -30,6 +30,7 @@ Settled settled_by(const MapFile& map) {
     for (const MapPair& pair : map.pairs)
         for (const std::string& target : pair.targets) settled.pairs.emplace_back(pair.source, target);
     for (const MapIgnore& ignore : map.ignores) settled.ignored.push_back(ignore.id);
+    settled.shares = true;
     return settled;
 }
 

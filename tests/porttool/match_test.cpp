@@ -446,6 +446,25 @@ TEST(Match, OneFunctionIsPortedBySeveralKernels) {
                                  {"c/mish.c:op_mish", "cl/mish.cl:kernel_mish_f32"}}));
 }
 
+TEST(Match, AVariantOfASettledSourceSharesItsTarget) {
+    const auto kernel = [](const std::string& name, const std::string& type) {
+        return "__kernel void kernel_" + name + "(__global " + type + "* x, __global " + type +
+               "* y) {\n  int i = get_global_id(0);\n  y[i] = tanh(x[i]) * x[i] + 0.5f;\n}\n";
+    };
+    Settled settled;
+    settled.pairs = {{"cl/mish.cl:kernel_mish_f32", "c/other.c:activation"}};
+    const std::vector<std::pair<std::string, std::string>>
+        source = {{"cl/mish.cl", kernel("mish_f32", "float") + kernel("mish_f16", "half")}},
+        target = {{"c/other.c",
+                   "void activation(const float* x, float* y, int n) {\n  for (int i = 0; i < n; ++i) y[i] = "
+                   "tanhf(x[i]) * x[i] + 0.5f;\n}\n"}};
+    EXPECT_EQ(match(source, target, settled).pairs.size(), 1u);
+    settled.shares = true;
+    const Matching got = match(source, target, settled);
+    EXPECT_EQ(pairs(got), (Pairs{{"cl/mish.cl:kernel_mish_f16", "c/other.c:activation"},
+                                 {"cl/mish.cl:kernel_mish_f32", "c/other.c:activation"}}));
+}
+
 /// Makes a side of many files with functions of words that each differ.
 std::vector<std::pair<std::string, std::string>> many(size_t functions, bool port) {
     std::vector<std::pair<std::string, std::string>> files;
