@@ -127,20 +127,37 @@ Outcome assess_map(const Options& options, Workplace& place) {
     return {assessed_text(assess_pairs(lock, now.states, Dialect(now.project.map.dialect)), options), 0};
 }
 
-/// With a map that is there already: it stays as it is, and its pairs are recorded as in step.
+/// The pairs that the matcher finds between the sides of a map.
+std::vector<NewPair> suggested_pairs(const Project& project) {
+    const SetMatching matching = match_sets(project.source, project.target, settled_by(project.map),
+                                            Dialect(project.map.dialect), TargetSets(project.map));
+    std::vector<NewPair> out;
+    for (const MatchedPair& pair : matching.pairs)
+        if (pair.state == PairState::Suggested)
+            out.push_back({pair.source, pair.target, static_cast<double>(pair.score)});
+    return out;
+}
+
+/// With a map that is there already: it stays as it is, and its pairs are recorded as in step. One that names its sides
+/// alone gets the pairs that the matcher finds.
 Outcome record_map(const Options& options, Workplace& place) {
     const auto guard = guard_lock(options, place);
     Project project = open_project(options, place, true);
     if (!options.force && place.disk.exists(lock_path(project)))
         throw CannotDo(terminal_text(lock_path(project)) +
                        " is there already; replace it with --force, or run: porttool accept");
-    const Snapshot now = read_snapshot(std::move(project), {}, place.disk);
+    Snapshot now = read_snapshot(std::move(project), {}, place.disk);
+    std::string map;
+    if (now.project.map.pairs.empty())
+        if (const std::vector<NewPair> pairs = suggested_pairs(now.project); !pairs.empty())
+            map = add_pairs(now.project, pairs);
     LockFile lock = first_lock(now.project.map, now.states);
     tell_differences(accept_differences(lock, now.states, Dialect(now.project.map.dialect), today()), place);
-    store_lock(now.project, {lock, now.states, {}, nullptr, true}, place.disk);
-    return {fmt::format("{} pairs of {} recorded as in step, {} source units without a port as the baseline.\n"
+    store_lock(now.project, {lock, now.states, {}, map.empty() ? nullptr : &map, true}, place.disk);
+    return {fmt::format("{} pairs of {} recorded as in step, {} source units without a port as the baseline.\n{}"
                         "Next: porttool check\n",
-                        lock.pairs.size(), terminal_text(now.project.map_path), lock.baseline.size()),
+                        lock.pairs.size(), terminal_text(now.project.map_path), lock.baseline.size(),
+                        map.empty() ? "" : "The map had none; they are suggestions: read those that are not sure.\n"),
             0};
 }
 

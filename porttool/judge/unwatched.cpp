@@ -79,6 +79,8 @@ private:
     /// What a person said of the unit, if anybody said something.
     std::optional<std::string> judge_unit(const UnitState& unit, const LockedUnit* line,
                                           const Counterparts& counterparts) {
+        const bool is_excused = (line != nullptr && line->reason.empty()) || verdicts_.is_ignored(unit);
+        if (is_excused && facts_.suppressions.empty()) return std::nullopt;  // no comment could be used up
         const size_t first = findings_.size();
         const auto candidate = counterparts.find(&unit);
         if (candidate == counterparts.end()) {

@@ -147,6 +147,41 @@ TEST(TargetSets, OneWithoutNamesIsAsBefore) {
     EXPECT_TRUE(json::parse(porttool_with_ports(disk, {"report", "--format", "json"}).out)["matrix"].is_null());
 }
 
+TEST(TargetSets, AMapThatNamesItsSidesAloneGetsItsPairsFromInit) {
+    MemoryDisk disk;
+    disk.files = {
+        {"/r/cuda/k.cu", kSquares},
+        {"/r/cpu/k.cpp", port_of(kSquares)},
+        {"/r/sycl/k.cpp", port_of(kSquares)},
+        {"/r/portmap.toml",
+         "version = 1\n[sides]\nsource = [\"cuda/*\"]\n[sides.targets]\ncpu = [\"cpu/*\"]\nsycl = [\"sycl/*\"]\n"}};
+    EXPECT_EQ(porttool_with_ports(disk, {"init"}).exit_code, 0);
+    EXPECT_EQ(check(disk)["summary"]["pairs"], 2) << disk.files["/r/portmap.toml"];
+    disk.files["/r/cuda/k.cu"] = replaced(kSquares, "2.0f", "3.0f");
+    disk.files["/r/cpu/k.cpp"] = replaced(port_of(kSquares), "2.0f", "3.0f");
+    EXPECT_EQ(told(check(disk)), Told{"source-changed sycl error"});
+}
+
+TEST(TargetSets, ACopyInAnotherFolderIsWatchedWithoutNamesToo) {
+    MemoryDisk disk;
+    disk.files = {{"/r/cuda/k.cu", kSquares}, {"/r/cpu/k.cpp", port_of(kSquares)}, {"/r/old/k.cpp", port_of(kSquares)}};
+    run(disk, {"-C", "/r", "init", "--source", "cuda/*", "--target", "cpu/*", "old/*"});
+    EXPECT_EQ(check(disk)["summary"]["pairs"], 2);
+    disk.files["/r/cuda/k.cu"] = replaced(kSquares, "2.0f", "3.0f");
+    disk.files["/r/cpu/k.cpp"] = replaced(port_of(kSquares), "2.0f", "3.0f");
+    EXPECT_EQ(told(check(disk)), Told{"source-changed - error"});
+    EXPECT_EQ(check(disk)["findings"][0]["target"]["file"], "old/k.cpp");
+    // where two sources have the name, the second port may be that of the second source
+    MemoryDisk two;
+    two.files = {{"/r/cuda/k.cu", kSquares},
+                 {"/r/cuda/l.cu", "__device__ float squares(float q) { return q; }\n"},
+                 {"/r/cpu/k.cpp", port_of(kSquares)},
+                 {"/r/old/k.cpp", port_of(kSquares)}};
+    run(two, {"-C", "/r", "init", "--source", "cuda/k.cu", "cuda/l.cu", "--target", "cpu/*", "old/*"});
+    for (const auto& pair : json::parse(porttool_with_ports(two, {"map", "--format", "json"}).out)["pairs"])
+        EXPECT_FALSE(pair["source"] == "cuda/k.cu:squares" && pair["target"] == "old/k.cpp:squares");
+}
+
 TEST(TargetSets, WhatCannotBeIsRefused) {
     for (const auto& [sides, says] : std::vector<std::pair<std::string, std::string>>{
              {"target = [\"cpu/*\"]\n[sides.targets]\ncpu = [\"cpu/*\"]\n", "exclude each other"},
