@@ -72,15 +72,9 @@ private:
                target_names_.at(name) == 1;
     }
 
-    /// One name for several units of a side, and the two share it.
-    bool is_overloaded(const UnitFeatures& a, const UnitFeatures& b) const {
-        const auto count = [](const std::unordered_map<std::string, int>& names, const std::string& name) {
-            const auto found = names.find(name);
-            return found == names.end() ? 0 : found->second;
-        };
-        return a.folded_leaf == b.folded_leaf &&
-               (std::max(count(source_names_, a.folded_name), count(source_names_, b.folded_name)) > 1 ||
-                std::max(count(target_names_, a.folded_name), count(target_names_, b.folded_name)) > 1);
+    /// One name for several units of a file, and the two share it. In several files they are copies.
+    static bool is_overloaded(const UnitFeatures& a, const UnitFeatures& b) {
+        return a.folded_leaf == b.folded_leaf && (a.overloaded || b.overloaded);
     }
 
     /// One of the two launches kernels. Where they share the last part of their names, the other can hold the launcher

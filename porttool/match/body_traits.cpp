@@ -22,11 +22,12 @@ bool has_any(std::string_view name, const std::array<std::string_view, N>& words
 /// The name of a call that enqueues a kernel or hands it an argument: what all APIs, and the wrappers that projects
 /// write around them, have in common are the words.
 bool is_launch_name(std::string_view name) {
+    constexpr std::array<std::string_view, 6> kStart = {"enqueue", "launch", "dispatch", "invoke", "execute", "run"};
     constexpr std::array<std::string_view, 4> kWork = {"kernel", "ndrange", "nd_range", "task"};
     constexpr std::array<std::string_view, 4> kGrid = {"compute", "cmd", "thread", "group"};
     if (has_word(name, "kernel")) {
         if (has_word(name, "arg")) return has_word(name, "set") || has_word(name, "add");
-        return has_word(name, "enqueue") || has_word(name, "launch") || has_word(name, "dispatch");
+        return has_any(name, kStart);
     }
     if (has_word(name, "enqueue")) return has_any(name, kWork);
     if (has_word(name, "dispatch")) return has_any(name, kGrid);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numeric>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 
 #include "porttool/language/words.h"
@@ -245,6 +246,7 @@ private:
         }
         if (token.kind == TokenKind::String) {
             if (text.size() > 4) count(kLiterals, text);
+            if (is_name(text)) callees_.push_back(terms_.id(kCalls, fold(text)));  // clCreateKernel(program, "shade")
             shape_.push_back(1);
             return;
         }
@@ -272,6 +274,13 @@ private:
         }
         count_words(kBody, text, 1);
         shape_.push_back(call ? 3 : 2);
+    }
+
+    /// A string with quotes that holds a name.
+    static bool is_name(std::string_view text) {
+        return text.size() > 3 && std::all_of(text.begin() + 1, text.end() - 1, [](char c) {
+                   return c == '_' || (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+               });
     }
 
     /// `kernel<<<grid, block>>>(...)`, also with template arguments before.
@@ -359,9 +368,13 @@ std::vector<UnitFeatures> read_features(const std::vector<ScannedFile>& files, c
     Counts counts;
     const EntryNames entries(files);
     for (size_t f = 0; f < files.size(); ++f) {
+        std::unordered_set<std::string_view> overloaded;
+        for (const Unit& unit : files[f].units)
+            if (unit.name.find('#') != std::string::npos) overloaded.insert(plain_name(unit));
         FeatureReader reader(files[f], entries, dialect, terms, counts);
         for (size_t u = 0; u < files[f].units.size(); ++u) {
             all.push_back(reader.read(files[f].units[u]));
+            all.back().overloaded = overloaded.contains(plain_name(files[f].units[u]));
             all.back().file = static_cast<uint32_t>(f);
             all.back().unit = static_cast<uint32_t>(u);
         }

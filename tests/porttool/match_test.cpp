@@ -378,6 +378,28 @@ TEST(Match, AKernelStandsInTheFunctionThatPortsItsLauncher) {
                                  {"cuda/coulomb.cu:field", "omp/coulomb.cpp:coulomb"}}));
 }
 
+TEST(Match, AKernelIsFoundInAFunctionByTheStringThatCreatesIt) {
+    const std::string compute =
+        "    float dx = x[i] - px; float dy = y[i] - py;\n    energy[i] = q[i] * rsqrt(dx * dx + dy * dy + 0.01f);\n";
+    const Matching got = match(
+        {{"cl/coulomb.cl",
+          "__kernel void field(__global float* x, __global float* y, __global float* q, __global float* energy, float "
+          "px, "
+          "float py) {\n    int i = get_global_id(0);\n" +
+              compute + "}\n"},
+         {"cl/coulomb.c",
+          "void coulomb(float* x, float* y, float* q, float* energy, float px, float py, int n) {\n  check(n); "
+          "upload(x, "
+          "n); upload(y, n);\n  cl_kernel k = clCreateKernel(program, \"field\", 0);\n  clSetKernelArg(k, 0, 8, &x);\n"
+          "  clEnqueueNDRangeKernel(q, k, 1, 0, &n, 0, 0, 0, 0);\n  download(energy, n);\n}\n"}},
+        {{"omp/coulomb.c",
+          "void coulomb(float* x, float* y, float* q, float* energy, float px, float py, int n) {\n  check(n);\n"
+          "  #pragma omp parallel for\n  for (int i = 0; i < n; ++i) {\n" +
+              compute + "  }\n}\n"}});
+    EXPECT_EQ(pairs(got), (Pairs{{"cl/coulomb.c:coulomb", "omp/coulomb.c:coulomb"},
+                                 {"cl/coulomb.cl:field", "omp/coulomb.c:coulomb"}}));
+}
+
 TEST(Match, AnOverloadForOtherTypesIsNoPort) {
     const Matching got = match({{"a/math.h",
                                  "float sum_of(float3 v, float w) { return (v.x + v.y + v.z) * w; }\n"
