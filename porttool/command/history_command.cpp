@@ -24,7 +24,8 @@ std::string formatted(const History& history, const std::string& format) {
 }  // namespace
 
 void declare_history(Declare& declare, Options& options) {
-    declare.text("--since", options.since, "REV", "Show only what came after this commit");
+    declare.text("--since", options.since, "REV|DATE",
+                 "Show only what came after this commit, or from this day (YYYY-MM-DD) on");
     declare.flag("--no-cache", options.no_cache, "Neither use nor keep what was measured before");
 }
 

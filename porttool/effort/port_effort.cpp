@@ -8,22 +8,25 @@
 
 namespace porttool {
 
-PortEffort port_effort(const std::vector<MapPair>& pairs, const ChangedSides& sides, const Dialect& dialect) {
+PortEffort port_effort(const std::vector<MapPair>& pairs, const std::vector<MapPair>& suggested,
+                       const ChangedSides& sides, const Dialect& dialect) {
     LineReader reader(dialect);
     ChangedSide source(sides.source_before, sides.source_now, reader),
         target(sides.target_before, sides.target_now, reader);
     PortEffort out;
     Totals totals;
-    for (const MapPair& pair : pairs) {
+    const auto add = [&](const MapPair& pair, bool is_suggested) {
         const EditedUnit left = source.edit_of_pair(pair.source);
         for (const std::string& id : pair.targets) {
             const EditedUnit right = target.edit_of_pair(id);
             if (left.lines.edit.changed() + right.lines.edit.changed() == 0) continue;
             const ComparedEdits compared = compare_ported(left, right, reader, dialect);
             totals.add_pair(pair.source, id, compared);
-            out.pairs.push_back({pair.source, id, compared.edit});
+            out.pairs.push_back({pair.source, id, compared.edit, is_suggested});
         }
-    }
+    };
+    for (const MapPair& pair : pairs) add(pair, false);
+    for (const MapPair& pair : suggested) add(pair, true);
     std::sort(out.pairs.begin(), out.pairs.end(), [](const PairEffort& a, const PairEffort& b) {
         return a.source != b.source ? a.source < b.source : a.target < b.target;
     });

@@ -12,10 +12,11 @@
 
 namespace porttool {
 
-/// A pair with an edit, by its ids in the map.
+/// A pair with an edit, by its ids.
 struct PairEffort {
     std::string source, target;
     PortedEdit edit;
+    bool suggested = false;  ///< not in the map: pairs_of_new_code() found it
 };
 
 struct PortEffort {
@@ -32,9 +33,10 @@ struct ChangedSides {
     const std::vector<ScannedFile>& target_now;
 };
 
-/// What it took to port a change: compare_ported() of every pair that was edited, and what the rest of both sides
-/// gained and lost. What the port gained outside pairs is novel. Nothing in it depends on the order of the pairs or of
-/// their targets.
-PortEffort port_effort(const std::vector<MapPair>& pairs, const ChangedSides& sides, const Dialect& dialect);
+/// What it took to port a change: compare_ported() of every pair that was edited, of the map or suggested, and what the
+/// rest of both sides gained and lost. What the port gained outside pairs is novel. Nothing in it depends on the order
+/// of the pairs or of their targets.
+PortEffort port_effort(const std::vector<MapPair>& pairs, const std::vector<MapPair>& suggested,
+                       const ChangedSides& sides, const Dialect& dialect);
 
 }  // namespace porttool

@@ -4,6 +4,7 @@
 
 #include "metrics/portability/reuse.h"
 #include "porttool/effort/ledger.h"
+#include "porttool/effort/new_pairs.h"
 #include "porttool/read/source_files.h"
 #include "porttool/scan/scan.h"
 #include "porttool/text/sink/terminal.h"
@@ -58,7 +59,8 @@ RangeEffort range_effort(const Past& past, const GitCommit& from, const GitCommi
                                    target_before = scan_side(past, from, target, notes),
                                    target_now = scan_side(past, to, target, notes);
     out.weights = map.weights;
-    out.effort = port_effort(map.pairs, {source_before, source_now, target_before, target_now}, Dialect(map.dialect));
+    const ChangedSides sides = {source_before, source_now, target_before, target_now};
+    out.effort = port_effort(map.pairs, pairs_of_new_code(map, sides), sides, Dialect(map.dialect));
     const metrics::SharedLines& carried = out.effort.totals.carried;
     if (const auto degree = metrics::degree_from_lines(carried, map.weights)) out.degrees.push_back(*degree);
     if (const auto degree = metrics::degree_from_reuse(carried, map.reuse)) out.degrees.push_back(*degree);

@@ -9,6 +9,7 @@
 #include "porttool/read/lock_file.h"
 #include "porttool/read/lock_upgrade.h"
 #include "porttool/scan/scan.h"
+#include "porttool/text/date.h"
 
 namespace porttool {
 namespace {
@@ -262,9 +263,16 @@ private:
     std::set<PairId> there_;  ///< those of which both sides are there
 };
 
-/// The place in the chain from which on commits are shown: behind the newest one that `since` has.
+/// The place in the chain from which on commits are shown: after the newest one that `since` has, or, for a date, from
+/// the first commit of that day on.
 size_t first_shown(const Past& past, const std::vector<GitCommit>& chain, const std::string& since) {
     if (since.empty()) return 0;
+    if (has_form_of_date(since)) {
+        if (!is_date(since)) throw CannotDo("--since: " + since + " is no day of the calendar");
+        const auto day = std::find_if(chain.begin(), chain.end(),
+                                      [&](const GitCommit& commit) { return day_of(commit.time) >= since; });
+        return static_cast<size_t>(day - chain.begin());
+    }
     const GitCommit base = find_commit(past, "--since", since);
     size_t low = 0, high = chain.size();  // the ancestors of a commit are the start of the chain
     while (low < high) {

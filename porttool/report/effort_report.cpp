@@ -107,7 +107,8 @@ std::string effort_table(const RangeEffort& report) {
     out += fmt::format("  {:<12} {:<12} {:>8} {:>8} {:>8}  {:<21}\n", "source", "port", "carried", "novel", "alike",
                        "DP in lines");
     for (const PairEffort& pair : effort.pairs)
-        out += row(pair.source + "  =  " + pair.target, pair.edit, report.weights);
+        out += row(pair.source + "  =  " + pair.target + (pair.suggested ? "  (suggested)" : ""), pair.edit,
+                   report.weights);
     if (!effort.source_outside.empty())
         out += row(files_text(effort.source_outside) + " of the source, outside pairs",
                    {sum(effort.source_outside), {}, 0, {}, 0, 0, 0}, report.weights);
@@ -135,7 +136,8 @@ std::string effort_json(const RangeEffort& report) {
     const PortEffort& effort = report.effort;
     ordered_json pairs = ordered_json::array();
     for (const PairEffort& pair : effort.pairs) {
-        ordered_json one = {{"source", pair.source}, {"target", pair.target}};
+        ordered_json one = {
+            {"source", pair.source}, {"target", pair.target}, {"state", pair.suggested ? "suggested" : "confirmed"}};
         one.update(edit_json(pair.edit, report.weights));
         pairs.push_back(std::move(one));
     }
@@ -164,7 +166,8 @@ std::string effort_csv(const RangeEffort& report) {
         "kind,source,target,source_added,source_removed,target_added,target_removed,novel_lines,carried_over,"
         "edit_similarity,degree_of_portability_lines,low,high\n";
     for (const PairEffort& pair : report.effort.pairs)
-        out += csv_line("pair", pair.source, pair.target, pair.edit, report.weights);
+        out +=
+            csv_line(pair.suggested ? "suggested pair" : "pair", pair.source, pair.target, pair.edit, report.weights);
     for (const FileEffort& file : report.effort.source_outside)
         out += csv_line("outside", file.file, "", {file.edit, {}, 0, {}, 0, 0, 0}, report.weights);
     for (const FileEffort& file : report.effort.target_outside)

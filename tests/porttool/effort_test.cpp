@@ -166,6 +166,33 @@ TEST_F(Effort, CodeOutsidePairsIsCountedOnce) {
     EXPECT_EQ(report["target_outside_pairs"][1]["added"], 3);
 }
 
+TEST_F(Effort, NewCodeThatWasPortedNeedsNoPairInTheMap) {
+    const std::string body =
+        "(float cosine, float eta) {\n"
+        "  float r0 = (1.0f - eta) / (1.0f + eta);\n"
+        "  r0 = r0 * r0;\n"
+        "  float m = 1.0f - cosine;\n"
+        "  float m2 = m * m;\n"
+        "  return r0 + (1.0f - r0) * m2 * m2 * m;\n"
+        "}\n";
+    write("src/fresnel.cu", "__device__ float fresnel_schlick" + body);
+    commit("Fresnel", 2);
+    write("port/fresnel.cpp", "static inline float fresnel_schlick" + body);
+    commit("Fresnel in the port", 3);
+    const nlohmann::json report = json({"effort", "--from", "HEAD~2"});
+    ASSERT_EQ(report["pairs"].size(), 1u);
+    EXPECT_EQ(report["pairs"][0]["source"], "src/fresnel.cu:fresnel_schlick");
+    EXPECT_EQ(report["pairs"][0]["target"], "port/fresnel.cpp:fresnel_schlick");
+    EXPECT_EQ(report["pairs"][0]["state"], "suggested");
+    EXPECT_EQ(report["totals"]["target_added"], 7);
+    EXPECT_GE(report["totals"]["degree_of_portability"]["loc"], 6.0 / 7) << "but for the head line by line";
+    EXPECT_TRUE(report["target_outside_pairs"].empty());
+    // What the map leaves out with a reason stays outside.
+    write("portmap.toml", kMap + "[[ignore]]\nid = \"src/fresnel.cu:*\"\nreason = \"not ported\"\n");
+    commit("Left out", 4);
+    EXPECT_TRUE(json({"effort", "--from", "HEAD~3"})["pairs"].empty());
+}
+
 TEST_F(Effort, APortOfOldCodeIsCarriedOverFromIt) {
     const std::string body =
         "  float sum = a * a + b * b + 1.0;\n"

@@ -336,6 +336,20 @@ TEST_F(History, SinceShowsLessAndCountsAll) {
     EXPECT_NE(got.err.find("--since nowhere"), std::string::npos);
 }
 
+TEST_F(History, SinceADayShowsWhatCameOnItAndLater) {
+    make_five_commits();
+    const nlohmann::json all = json({"history"});
+    for (const auto& [day, shown] : std::vector<std::pair<std::string, size_t>>{
+             {"2025-12-31", 5}, {"2026-01-01", 5}, {"2026-01-02", 4}, {"2026-01-06", 2}, {"2030-01-01", 1}}) {
+        const nlohmann::json got = json({"history", "--since", day});
+        ASSERT_EQ(got["commits"].size(), shown) << day;
+        EXPECT_EQ(got["commits"].back(), all["commits"].back()) << day;
+    }
+    const CommandRun wrong = porttool({"history", "--since", "2026-02-30"});
+    EXPECT_EQ(wrong.exit_code, 2);
+    EXPECT_NE(wrong.err.find("2026-02-30"), std::string::npos) << wrong.err;
+}
+
 TEST_F(History, SideBranchesCountWhereTheyAreMerged) {
     commit("Both cores", 1);
     git("checkout -q -b side");

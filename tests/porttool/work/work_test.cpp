@@ -172,7 +172,9 @@ TEST(Work, Effort) {
         std::vector<MapPair> pairs;
         for (const Unit& unit : source_before[0].units)
             pairs.push_back({unit_id(source_before[0], unit), {"t/a.cpp:" + unit.name}, 1});
-        return work_of([&] { port_effort(pairs, {source_before, source_now, target_before, target_now}, Dialect()); });
+        return work_of([&] {
+            port_effort(pairs, {}, {source_before, source_now, target_before, target_now}, Dialect());
+        });
     });
 }
 
