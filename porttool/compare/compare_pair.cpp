@@ -5,6 +5,7 @@
 #include "porttool/compare/lone_edit.h"
 #include "porttool/compare/struct_fields.h"
 #include "porttool/compare/values.h"
+#include "porttool/normal/prelude.h"
 
 namespace porttool {
 namespace {
@@ -91,7 +92,7 @@ private:
 
     void compare_both() {
         const bool structs = pair_.source.kind == UnitKind::Struct && pair_.target.kind == UnitKind::Struct;
-        const auto text = [&](const Words& words) { return structs ? data_fields(words) : words; };
+        const auto text = [&](const Words& words) { return structs ? data_fields(words) : without_prelude(words); };
         const Words source_before = text(before_.source), source_now = text(now_.source),
                     target_before = text(before_.target), target_now = text(now_.target);
         EditComparison edits = compare_edits({source_before, source_now, target_before, target_now}, dialect_,

@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "porttool/compare/lone_edit.h"
 
+#include <map>
+
 #include "porttool/compare/hints.h"
 #include "porttool/compare/plain_statement.h"
 #include "porttool/compare/renaming.h"
 #include "porttool/compare/statement_edit.h"
 #include "porttool/compare/struct_fields.h"
+#include "porttool/normal/prelude.h"
 
 namespace porttool {
 namespace {
@@ -31,6 +34,43 @@ Words without_idle_statements(const Words& tokens) {
     return out;
 }
 
+/// How a prelude declares each variable: in plain words, and as written.
+std::map<std::string, Statement> declarations_of(const Words& text, const PlainStatements& plain) {
+    const Translator translator = [&](const Words& statement, bool) {
+        std::vector<std::string> words = plain.translate(statement, true), out;
+        for (size_t i = 0; i < words.size(); ++i) {
+            const bool place = i + 2 < words.size() && words[i + 1] == "=" &&
+                               (words[i] == "binding" || words[i] == "set" || words[i] == "location");
+            if (place) i += 2;  // where the host puts it
+            if (!place && words[i] != ",") out.push_back(words[i]);
+        }
+        return out;
+    };
+    std::map<std::string, Statement> out;
+    for (Statement& statement : split_statements(prelude_of(text), translator)) {
+        const std::vector<std::string>& words = statement.common;
+        size_t name = words.size();
+        for (size_t i = 0; i < words.size() && words[i] != "["; ++i)
+            if (is_word_token(words[i])) name = i;
+        if (name == words.size()) continue;
+        std::string key = words[name];
+        out.emplace(std::move(key), std::move(statement));
+    }
+    return out;
+}
+
+/// Adds the variables that both texts use and that are declared otherwise now. One that only one text uses came or
+/// went with a statement.
+void add_changed_declarations(const Words& before, const Words& now, const PlainStatements& plain, Edit& edit) {
+    const auto old_ones = declarations_of(before, plain), new_ones = declarations_of(now, plain);
+    for (const auto& [name, declared] : old_ones) {
+        const auto found = new_ones.find(name);
+        if (found == new_ones.end() || found->second.key == declared.key) continue;
+        edit.lost.push_back(declared.shown);
+        edit.gained.push_back(found->second.shown);
+    }
+}
+
 }  // namespace
 
 LoneEdit lone_edit(const Words& before, const Words& now, UnitKind kind, Language language, const Dialect& dialect) {
@@ -41,7 +81,7 @@ LoneEdit lone_edit(const Words& before, const Words& now, UnitKind kind, Languag
     const auto is_code = kind == UnitKind::Function || kind == UnitKind::Kernel;
     const auto bare = [&](const Words& tokens) {
         if (kind == UnitKind::Struct) return data_fields(tokens);
-        return is_code ? without_idle_statements(without_hints(tokens)) : tokens;
+        return is_code ? without_idle_statements(without_hints(without_prelude(tokens))) : tokens;
     };
     const Words old_text = bare(before);
     StatementEdit edit = statement_edit(old_text, bare(now), translator);
@@ -52,7 +92,10 @@ LoneEdit lone_edit(const Words& before, const Words& now, UnitKind kind, Languag
             StatementEdit named = statement_edit(old_text, bare(renamed), translator);
             out.means_nothing = named.lost.empty() && named.gained.empty();
         }
-    out.edit = out.means_nothing ? edit_of(before, now) : shown_edit(edit);
+    if (!out.means_nothing) out.edit = shown_edit(edit);
+    if (is_code) add_changed_declarations(before, now, plain, out.edit);
+    out.means_nothing = out.means_nothing && out.edit.lost.empty();
+    if (out.means_nothing) out.edit = edit_of(before, now);
     return out;
 }
 

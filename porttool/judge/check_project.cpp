@@ -95,8 +95,10 @@ void judge_it(CheckedProject& checked, const std::string& date, const std::vecto
 }
 
 /// Without them the gate still tells that a text was edited, not how, and takes no two edits for the same.
-void note_missing_texts(const Project& project, const Disk& disk, const LockFile& lock, Workplace& place) {
-    const size_t missing = lock.version == 1 ? 0 : missing_texts(project, disk, lock);
+void note_missing_texts(const CheckedProject& checked, Workplace& place) {
+    const LockFile& lock = checked.lock;
+    const bool upgraded = !checked.texts.empty();  // from an older normal form: its texts are in memory
+    const size_t missing = lock.version == 1 || upgraded ? 0 : missing_texts(checked.project, checked.disk(), lock);
     if (missing > 0)
         place.err
             << "warning: " << missing
@@ -141,7 +143,7 @@ CheckedProject check_project(const CheckChoice& choice, Workplace& place, const 
         RecordedLock recorded = load_lock(checked.project, checked.disk(), checked.states);
         checked.lock = std::move(recorded.lock);
         checked.texts = std::move(recorded.texts);
-        note_missing_texts(checked.project, checked.disk(), checked.lock, place);
+        note_missing_texts(checked, place);
     }
     judge_it(checked, today(), checked.project.skipped, same_code_in ? same_code_in(checked.project) : SameCode());
     if (!choice.base.empty()) list_moved(checked.judgement, brought);

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "porttool/language/hazards.h"
+#include "porttool/normal/prelude.h"
 
 namespace porttool {
 namespace {
@@ -201,7 +202,8 @@ void PairJudge::report_one(JudgedPair& pair, const PairComparison& found, const 
         return;
     }
     tell_edit(found.edits[side], finding);
-    if (change == Change::Semantic && facts_.same_code)
+    const bool same_variables = prelude_of(before[side].words()) == prelude_of(pair.unit[side]->text.words());
+    if (change == Change::Semantic && facts_.same_code && same_variables)
         soften(pair, finding, facts_.same_code(*pair.unit[side], side, before[side]));
 }
 

@@ -38,7 +38,7 @@ std::string signature_of(const NormalText& text) {
 }
 
 /// The name without its scopes and without #2.
-std::string last_name(const std::string& name) {
+std::string unscoped_name(const std::string& name) {
     const std::string plain = plain_id(name);
     const size_t scope = plain.rfind("::");
     return scope == std::string::npos ? plain : plain.substr(scope + 2);
@@ -182,7 +182,7 @@ void Resolver::follow_likeness(const Names& gone) {
     std::unordered_map<std::string, std::vector<const UnitState*>> by_name, by_file;
     for (const auto& [id, unit] : units_) {
         if (!is_free(unit) || unit.text.size() < kLongEnough) continue;
-        by_name[last_name(unit.name)].push_back(&unit);
+        by_name[unscoped_name(unit.name)].push_back(&unit);
         by_file[unit.file].push_back(&unit);
     }
     size_t words = 0;
@@ -203,7 +203,7 @@ void Resolver::follow_likeness(const Names& gone) {
                 likeness = std::max(likeness, found);
             }
         };
-        if (const auto found = by_name.find(last_name(unit_name)); found != by_name.end())
+        if (const auto found = by_name.find(unscoped_name(unit_name)); found != by_name.end())
             try_all(found->second, kUnderItsName);
         if (const auto found = by_file.find(file); best == nullptr && found != by_file.end())
             try_all(found->second, kInItsFile);

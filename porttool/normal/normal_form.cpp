@@ -67,6 +67,26 @@ private:
         while (in_directive()) emit();
     }
 
+    std::string_view word_at(size_t at) const {
+        return at < tokens_.size() ? lexed_.view(tokens_[at]) : std::string_view();
+    }
+
+    /// `[unroll]` or `__attribute__((...))` before a loop or a condition.
+    void attributes() {
+        constexpr size_t kLongest = 32;
+        const bool named = word() == "__attribute__" && word_at(at_ + 1) == "(";
+        if (!named && word() != "[") return;
+        size_t end = at_ + (named ? 1 : 0);
+        int depth = 0;
+        for (; end < at_ + kLongest; ++end) {
+            const std::string_view text = word_at(end);
+            if (text == "(" || text == "[") ++depth;
+            if ((text == ")" || text == "]") && --depth == 0) break;
+        }
+        if (depth == 0 && word_is(word_at(end + 1), kControls))
+            while (at_ <= end) emit();
+    }
+
     /// Copies a bracketed group as it stands.
     void group() {
         int depth = 0;
@@ -97,6 +117,7 @@ private:
 
     void statement(int depth) {
         directives();
+        attributes();
         const std::string_view text = word();
         if (text == "}" || at_ >= tokens_.size()) return;
         if (depth > kDeepest) return simple();

@@ -4,6 +4,7 @@
 
 #include "porttool/normal/declarations.h"
 #include "porttool/normal/locals.h"
+#include "porttool/normal/prelude.h"
 #include "porttool/scan/scan.h"
 #include "porttool/text/text_numbers.h"
 
@@ -54,8 +55,14 @@ UnitState unit_state(const ScannedFile& file, const Unit& unit) {
     state.start_line = unit.start_line;
     state.end_line = unit.end_line;
     const bool code = unit.kind == UnitKind::Function || unit.kind == UnitKind::Kernel;
-    LocalNumbers numbers(code ? declaring_tokens(file.lexed, unit.parameters, unit.body) : std::vector<uint32_t>());
+    std::vector<uint32_t> places =
+        code ? declaring_tokens(file.lexed, unit.parameters, unit.body) : std::vector<uint32_t>();
     UnitPrinter prints;
+    write_prelude(file, unit, places, [&](std::string_view word) {
+        state.text.add(word);
+        prints.add(word, 0);
+    });
+    LocalNumbers numbers(std::move(places));
     write_normal_form(file, unit, [&](std::string_view word, uint32_t token) {
         state.text.add(word);
         prints.add(word, numbers.next(word, token));

@@ -18,7 +18,7 @@ namespace porttool {
 
 /// The normal form of texts, and the numbering of locals in it, that prints are of. Another number for another form: a
 /// lock of an older one is read anew from portmap.base/, one of a newer one is refused.
-inline constexpr int kNormalForm = 2;
+inline constexpr int kNormalForm = 3;
 
 /// What later versions of porttool keep beside a line's own fields: `name=value`, carried along unread.
 using MoreFields = std::map<std::string, std::string>;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "porttool/normal/prelude.h"
 #include "porttool/text/sink/terminal.h"
 
 namespace porttool {
@@ -30,7 +31,8 @@ public:
             const std::vector<const std::map<std::string, UnitState>*>& today)
         : from_(from), text_of_(text_of) {
         for (const auto* side : today)
-            for (const auto& [id, state] : *side) now_.emplace(print_of(from, state.text.words()), &state);
+            for (const auto& [id, state] : *side)
+                now_.emplace(print_of(from, without_prelude(state.text.words())), &state);
     }
 
     UpgradedLock run(LockFile lock) {

@@ -159,6 +159,10 @@ ScannedFile scan_text(std::string_view path, std::string_view text) {
     }
     number_names(file.units);
     for (const Unit& unit : file.units) found.declarations.push_back(unit.tokens);
+    file.variables = std::move(found.variables);
+    std::stable_sort(file.variables.begin(), file.variables.end(), [&](const FileVariable& a, const FileVariable& b) {
+        return file.lexed.view(a.name_token) < file.lexed.view(b.name_token);
+    });
     classify_lines(file, found.declarations);
     attach_suppressions(file);
     return file;

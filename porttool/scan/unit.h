@@ -40,6 +40,13 @@ struct Unit {
     uint32_t namespace_length = 0;  ///< how much of the name is namespaces, which ports rarely share
 };
 
+/// A variable that a file declares outside of units, and how: the words before its value. A GLSL block of variables
+/// counts for its instance, or for each of its members; the sizes of a GLSL kernel's groups are those of `layout`.
+struct FileVariable {
+    uint32_t name_token = 0;
+    TokenRange tokens;
+};
+
 enum class LineClass : uint8_t { Blank, Comment, Directive, Declaration, Unit, Unclassified };
 
 /// One file after scanning: its tokens, its units in order of appearance, and what each line belongs to.
@@ -48,7 +55,8 @@ struct ScannedFile {
     Language language = Language::Unknown;
     LexedText lexed;
     std::vector<Unit> units;
-    std::vector<LineClass> lines;  ///< lines[0] is line 1
+    std::vector<LineClass> lines;         ///< lines[0] is line 1
+    std::vector<FileVariable> variables;  ///< sorted by name
     bool balanced = true;
 };
 

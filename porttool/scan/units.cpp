@@ -7,6 +7,7 @@
 #include "porttool/language/words.h"
 #include "porttool/scan/constants.h"
 #include "porttool/scan/head.h"
+#include "porttool/scan/variables.h"
 
 namespace porttool {
 namespace {
@@ -109,7 +110,8 @@ private:
     }
 
     void end_statement() {
-        if (assigned_ || variable_) add_constants();
+        const bool constants = (assigned_ || variable_) && add_constants();
+        if (!constants && !scopes_.back().is_class) read_variables(context_, start_, at_, out_.variables);
         if (declares_old_parameters()) {
             ++at_;
             return;
@@ -131,13 +133,14 @@ private:
         return false;
     }
 
-    void add_constants() {
+    bool add_constants() {
         const auto constants = read_constants(context_, start_, at_);
         for (const ConstantDeclaration& constant : constants) {
             Unit unit = new_unit(UnitKind::Constant, constant.name, constant.first, constant.end);
             unit.name_token = token(constant.name_at);
             add(std::move(unit));
         }
+        return !constants.empty();
     }
 
     /// A unit over the positions [first, end).
@@ -262,6 +265,7 @@ private:
             new_unit(head.kind == HeadKind::Enum ? UnitKind::Constant : UnitKind::Struct, name, head.first, end);
         unit.body = {token(at_) + 1, token(end - 1)};
         if (head.name_at != kNoMatch) unit.name_token = token(head.name_at);
+        if (head.kind == HeadKind::Block) read_block_variables(context_, {head.first, at_, close}, out_.variables);
         declare(start_, head.first);
         add(std::move(unit));
         begin_statement(end);

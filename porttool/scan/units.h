@@ -13,6 +13,7 @@ namespace porttool {
 struct UnitList {
     std::vector<Unit> units;
     std::vector<TokenRange> declarations;
+    std::vector<FileVariable> variables;  ///< in order of appearance
 };
 
 /// Finds functions, kernels, structs, constants and value macros. Linear time, no recursion, never fails.

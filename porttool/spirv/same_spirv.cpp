@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "porttool/normal/prelude.h"
+
 namespace porttool {
 namespace {
 
@@ -41,7 +43,7 @@ SpirvComparer::SpirvComparer(ShaderSide side) : side_(std::move(side)) {
 
 SpirvAnswer SpirvComparer::compare_unit(const ScannedFile& file, const Unit& unit, const NormalText& before) {
     std::string text;
-    for (const std::string_view token : before.words())
+    for (const std::string_view token : without_prelude(before.words()))
         text += as_glsl(std::string(token), std::string(own_name(file, unit))) + ' ';
     const Token &first = file.lexed.tokens[unit.tokens.first], &last = file.lexed.tokens[unit.tokens.end - 1];
     const std::string whole = file.lexed.text.substr(0, first.offset) + "\n" + text + "\n" +

@@ -84,8 +84,8 @@ TEST(LockFile, EveryPrintIsCheckedBeforeItBecomesAPath) {
 
 TEST(LockFile, WhatIsNoneIsNamedWithItsLine) {
     const auto error = [](const std::string& lines) { return read_lock("porttool-lock\t2\n" + lines).error; };
-    EXPECT_THAT(error("normal-form\t3\n"),
-                ::testing::HasSubstr("portmap.lock:2: its fingerprints are of normal form 3"));
+    EXPECT_THAT(error("normal-form\t4\n"),
+                ::testing::HasSubstr("portmap.lock:2: its fingerprints are of normal form 4"));
     EXPECT_THAT(error("normal-form\tx\n"), ::testing::HasSubstr("portmap.lock:2: cannot be read"));
     EXPECT_THAT(error("00000000\tdefer\ta:f\tb:f\t-\t-\tme\tnever\tx\n"), ::testing::HasSubstr("'never' is no date"));
     EXPECT_THAT(error("000\n0000\n"), ::testing::HasSubstr("portmap.lock:3: cannot be read: '0000'"));

@@ -120,7 +120,23 @@ virtual float f(S s, S* p, unsigned char c) const noexcept {
     return (q->v + s.v) * c;
 }
 )";
+const std::string kGlobals = R"(
+static volatile int ready = 0;
+static float cache[4];
+__device__ int counter;
+float f(float x) {
+    while (!ready) { }
+    counter += 1;
+    return x + cache[0];
+}
+)";
+
 const std::vector<LabelledEdit> kSilent = {
+    // what a function does not use, or where the host binds what it uses
+    {".glsl", "layout(std430, binding = 0) buffer B { float v[]; } b;\nvoid f() { b.v[0] = 1.0; }", "binding = 0",
+     "binding = 1"},
+    {".cl", kOpenCl, "    if (i < n)", "    __attribute__((opencl_unroll_hint(4)))\n    if (i < n)"},
+    {".hlsl", kStep, "    for (i", "    [unroll] for (i"},
     // const
     {".c", kC, "const float* a", "float* a"},
     {".c", kC, "int n, float s", "const int n, float s"},
@@ -205,6 +221,17 @@ const std::vector<LabelledEdit> kSilent = {
 };
 
 const std::vector<LabelledEdit> kHarmful = {
+    {".c", kGlobals, "static volatile int ready", "static int ready"},
+    {".c", kGlobals, "static float cache", "float cache"},
+    {".cu", kGlobals, "__device__ int counter", "__device__ volatile int counter"},
+    {".cpp", kGlobals, "static float cache", "static thread_local float cache"},
+    {".comp", replaced(kGlsl, "void f(in float x, inout float y, const uint n) {", "void main() { float x, y; uint n;"),
+     "local_size_x = 64", "local_size_x = 128"},
+    {".comp", replaced(kGlsl, "void f(in float x, inout float y, const uint n) {", "void main() { float x, y; uint n;"),
+     ", local_size_y = 1", ", local_size_y = 2"},
+    {".glsl", kGlsl, "shared float tile", "float tile"},
+    {".glsl", "layout(std430) coherent buffer B { float v[]; } b;\nvoid f() { b.v[0] = 1.0; }", "coherent buffer",
+     "buffer"},
     // static and volatile
     {".c", kC, "float sum = 0.0f", "static float sum = 0.0f"},
     {".c", kC, "float sum = 0.0f", "volatile float sum = 0.0f"},

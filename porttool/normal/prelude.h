@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "porttool/normal/normal_text.h"
+#include "porttool/scan/unit.h"
+
+namespace porttool {
+
+/// How a file declares the variables that a function of it uses, before its text: what they are is part of what it
+/// does, though it stands outside of units.
+///
+///     ; ; static volatile int ready ; ; float @ ( float x ) { while ( ! ready ) { } return x ; }
+///
+/// `places`: what declaring_tokens() gave; a local of the same name is another variable.
+void write_prelude(const ScannedFile& file, const Unit& unit, const std::vector<uint32_t>& places,
+                   const std::function<void(std::string_view word)>& sink);
+
+/// A text's prelude, and what follows it.
+Words prelude_of(const Words& text);
+Words without_prelude(const Words& text);
+
+}  // namespace porttool

@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/scan/variables.h"
+
+#include "porttool/language/words.h"
+
+namespace porttool {
+namespace {
+
+class VariableReader {
+public:
+    VariableReader(const HeadContext& context, std::vector<FileVariable>& out) : context_(context), out_(out) {}
+
+    void read(uint32_t first, uint32_t end) {
+        constexpr uint32_t kLongest = 256;  // words of a declaration that a person wrote
+        if (first >= end || end - first > kLongest || word_is(word(first), kNoConstant | kBlockHead)) return;
+        if (word(first) == "template" || word(first) == "#") return;
+        std::vector<uint32_t> names;
+        uint32_t at = first, words = 0;
+        for (; at < end && word(at) != "=" && word(at) != "{"; at = next(at, end)) {
+            if (word(at) == "(" && (at == first || !word_is(word(at - 1), kTakesArguments))) return;
+            if (!is_name(at)) continue;
+            ++words;
+            const std::string_view after = at + 1 < end ? word(at + 1) : ";";
+            const bool ends = after == ";" || after == "=" || after == "[" || after == "," || after == "{";
+            if (ends && words > 1 && !is_type_word(word(at))) names.push_back(at);
+        }
+        const bool group_size = word(first) == "layout" && words == 2 && names.size() == 1 && word(names[0]) == "in";
+        const bool forward = words == 2 && word_is(word(first), kOpensType);
+        if (forward) return;
+        for (const uint32_t name : names) add(group_size ? first : name, first, at);
+    }
+
+    void read_block(BlockPlace place) {
+        constexpr size_t kMost = 256;
+        const auto count = static_cast<uint32_t>(context_.structure.tokens.size());
+        if (place.close + 1 < count && is_name(place.close + 1)) return add(place.close + 1, place.first, place.open);
+        size_t members = 0;
+        for (uint32_t at = place.open + 1; at + 1 < place.close && members < kMost; ++at)
+            if (is_name(at) && (word(at + 1) == ";" || word(at + 1) == "[") && ++members > 0)
+                add(at, place.first, place.open);
+    }
+
+private:
+    std::string_view word(uint32_t at) const { return context_.lexed.view(context_.structure.tokens[at]); }
+    bool is_name(uint32_t at) const {
+        return context_.lexed.tokens[context_.structure.tokens[at]].kind == TokenKind::Identifier;
+    }
+    /// Steps over a bracketed group.
+    uint32_t next(uint32_t at, uint32_t end) const {
+        const uint32_t close = context_.structure.match[at];
+        return close != kNoMatch && close > at && close < end ? close + 1 : at + 1;
+    }
+    void add(uint32_t name, uint32_t first, uint32_t end) {
+        out_.push_back({context_.structure.tokens[name],
+                        {context_.structure.tokens[first], context_.structure.tokens[end - 1] + 1}});
+    }
+
+    const HeadContext& context_;
+    std::vector<FileVariable>& out_;
+};
+
+}  // namespace
+
+void read_variables(const HeadContext& context, uint32_t first, uint32_t end, std::vector<FileVariable>& out) {
+    VariableReader(context, out).read(first, end);
+}
+
+void read_block_variables(const HeadContext& context, BlockPlace place, std::vector<FileVariable>& out) {
+    VariableReader(context, out).read_block(place);
+}
+
+}  // namespace porttool
