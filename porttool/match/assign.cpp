@@ -234,7 +234,9 @@ private:
         out.names = differences_[s][c];
         out.other_role = other_role(source_[s], target_[chosen.target]);
         out.body_margin = body_margin(s, c);
-        out.wrong_operands = is_overloaded(source_[s], target_[chosen.target]) && chosen.resemblance.operands < 0.5f;
+        constexpr float kOperands = 0.67f;
+        out.wrong_operands =
+            is_overloaded(source_[s], target_[chosen.target]) && chosen.resemblance.operands < kOperands;
         out.only_one =
             source_names_.at(source_[s].folded_name) == 1 && target_names_.at(target_[chosen.target].folded_name) == 1;
         constexpr int kFew = 3;

@@ -148,6 +148,7 @@ private:
         const std::string subject = entry ? entries_.subject(file_.path) : std::string();
         const std::string_view shown = features.whole_file_main ? stem : entry ? std::string_view(subject) : name;
         features.entry = entry;
+        features.converts = converts(shown);
         features.called_as = terms_.id(kCalls, fold(leaf));
         features.folded_name = fold(shown);
         features.folded_leaf = fold(leaf_of(shown));

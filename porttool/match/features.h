@@ -44,6 +44,7 @@ struct UnitFeatures {
     bool works = false;            ///< the same, and more of it than a wrapper has
     bool beside_kernels = false;   ///< its side has kernels
     bool whole_file_main = false;  ///< a shader's main: the file's name is its name
+    bool converts = false;         ///< its name says from what to what
     bool overloaded = false;       ///< its file has another unit of this name
     bool lifecycle = false;        ///< a constructor or destructor
     std::string folded_name;       ///< qualified, letters and digits only

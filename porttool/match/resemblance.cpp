@@ -147,6 +147,8 @@ Resemblance compare_units(const UnitFeatures& a, const UnitFeatures& b) {
     out.same_name = name_likeness(a, b);
     out.words = dice(a.name_words, b.name_words);
     out.core = a.core == b.core ? 1.0f : 0.95f * dice(a.core_words, b.core_words);
+    out.reversed = a.converts && b.converts && a.all_words == b.all_words && a.ordered_words != b.ordered_words;
+    if (out.reversed) out.words = 0;
     out.contained =
         0.5f * contained_share(a.bags[kBody], b.bags[kBody]) + 0.5f * contained_share(a.bags[kShape], b.bags[kShape]);
     out.subject = subject_likeness(a, b, out.words);

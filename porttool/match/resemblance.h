@@ -11,11 +11,12 @@ namespace porttool {
 /// How two units resemble each other, signal by signal, each in [0, 1].
 struct Resemblance {
     std::array<float, kFamilies> families{};
-    float same_name = 0;  ///< 1: the whole names fold to one; less: the last parts do, or share their letters
-    float words = 0;      ///< share of the names' words, each counting the same
-    float subject = 0;    ///< the same, but the name of a file with one main may be the shorter one
-    float core = 0;       ///< the same of the words that tell what a function is about; 1: they are equal
-    float contained = 0;  ///< share of the source's body and shape that the target's has as well
+    float same_name = 0;    ///< 1: the whole names fold to one; less: the last parts do, or share their letters
+    float words = 0;        ///< share of the names' words, each counting the same
+    bool reversed = false;  ///< the two convert the other way round: `hex_to_u8`, `u8_to_hex`
+    float subject = 0;      ///< the same, but the name of a file with one main may be the shorter one
+    float core = 0;         ///< the same of the words that tell what a function is about; 1: they are equal
+    float contained = 0;    ///< share of the source's body and shape that the target's has as well
     float signature = 0;
     float operands = 0;  ///< share of the parameters that have one type, by their place
     float size = 0;

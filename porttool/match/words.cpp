@@ -109,6 +109,18 @@ bool tells_how(std::string_view word) {
     return is_short_type(word) || is_type_word(word) || kWords.contains(std::string(word));
 }
 
+bool converts(std::string_view name) {
+    for (size_t i = 1; i + 1 < name.size(); ++i) {
+        if (name[i] == '2' && !is_digit(name[i - 1]) && !is_digit(name[i + 1])) return true;
+        const bool to = lower(name[i]) == 't' && lower(name[i + 1]) == 'o' && i + 2 < name.size();
+        if (!to) continue;
+        const bool snake = name[i - 1] == '_' && name[i + 2] == '_';
+        const bool camel = name[i] == 'T' && name[i + 1] == 'o' && is_upper(name[i + 2]);
+        if (snake || camel) return true;
+    }
+    return false;
+}
+
 bool names_instruction_set(std::string_view word) {
     constexpr std::array<std::string_view, 24> kSets = {
         "sse",  "sse2", "sse3", "ssse3",   "sse4", "sse41", "sse42", "avx", "avx2",   "avx512", "neon",    "sve",

@@ -12,6 +12,9 @@ namespace porttool {
 /// Digits stay with the letters before them; the endings of verbs and plurals go (`dequantize` and `dequant` are one).
 std::vector<std::string> split_words(std::string_view name);
 
+/// True if a name converts one into another (`hex_to_u8`, `rgb2lab`), so that the order of its words counts.
+bool converts(std::string_view name);
+
 /// True for a word, as split_words() gives it, that tells how a function is made and not what it does: types (`f32`,
 /// `float4`), platforms (`cuda`, `avx2`), ways of working (`tiled`, `optimized`), verbs that fit everything (`run`).
 bool tells_how(std::string_view word);

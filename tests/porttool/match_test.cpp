@@ -400,6 +400,14 @@ TEST(Match, AKernelIsFoundInAFunctionByTheStringThatCreatesIt) {
                                  {"cl/coulomb.cl:field", "omp/coulomb.c:coulomb"}}));
 }
 
+TEST(Match, AConversionIsNotPortedByItsInverse) {
+    const Matching got = match(
+        {{"cl/convert.cl", "uint hex_to_u8(const uint* hex) { return (hex[0] & 15) * 16 + (hex[1] & 15); }\n"}},
+        {{"c/convert.c", "u8 u8_to_hex(const u8 v, u8* hex) { hex[0] = v >> 4; hex[1] = v & 15; return hex[0]; }\n"}});
+    for (const MatchedPair& pair : got.pairs) EXPECT_LT(pair.score, 0.9f);
+    EXPECT_TRUE(converts("rgb2lab") && converts("HsvToRgb") && !converts("total_of") && !converts("sha256_init"));
+}
+
 TEST(Match, AnOverloadForOtherTypesIsNoPort) {
     const Matching got = match({{"a/math.h",
                                  "float sum_of(float3 v, float w) { return (v.x + v.y + v.z) * w; }\n"
