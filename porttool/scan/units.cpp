@@ -39,8 +39,9 @@ private:
         uint32_t close;  ///< position of the closing brace, or the end of the file
         size_t prefix;   ///< how much of prefix_ holds in it
         bool is_class;
-        size_t unit;              ///< the innermost class around, as a unit
-        uint32_t namespaces = 0;  ///< length of the prefix that is namespaces
+        size_t unit;               ///< the innermost class around, as a unit
+        uint32_t namespaces = 0;   ///< length of the prefix that is namespaces
+        bool is_argument = false;  ///< of a macro
     };
 
     std::string_view word(uint32_t at) const {
@@ -61,6 +62,8 @@ private:
         }
         switch (lexed_.text[current.offset]) {
             case '(':
+                if (holds_program(at_)) return enter_argument();
+                [[fallthrough]];
             case '[':
                 at_ = inside(structure_.match[at_]) ? structure_.match[at_] + 1 : at_ + 1;
                 break;
@@ -87,6 +90,35 @@ private:
     }
 
     bool inside(uint32_t match) const { return match != kNoMatch && match < scopes_.back().close; }
+
+    /// True if a macro's argument, outside of any unit, is code that has functions of its own: kernels that the host
+    /// has as a string.
+    ///
+    ///     const char *kernels = STRINGIFY( __kernel void scale(__global float *x) { ... } )
+    bool holds_program(uint32_t open) const {
+        if (in_argument_ || scopes_.back().is_class || open == start_ || !inside(structure_.match[open])) return false;
+        if (lexed_.tokens[token(open - 1)].kind != TokenKind::Identifier) return false;
+        for (uint32_t at = open + 1; at < structure_.match[open]; ++at) {
+            if (word(at) == "{" && at > open + 1 && word(at - 1) == ")" && is_plain_head(open + 1, at - 1)) return true;
+            const bool opens = word(at) == "(" || word(at) == "[" || word(at) == "{";
+            if (opens && structure_.match[at] != kNoMatch) at = structure_.match[at];
+        }
+        return false;
+    }
+
+    /// True for `float f(...)` that ends at the bracket `close`: two words, and the parameters.
+    bool is_plain_head(uint32_t first, uint32_t close) const {
+        const uint32_t open = structure_.match[close];
+        const auto is_name = [&](uint32_t at) { return lexed_.tokens[token(at)].kind == TokenKind::Identifier; };
+        return open != kNoMatch && open >= first + 2 && is_name(open - 1) && is_name(open - 2);
+    }
+
+    void enter_argument() {
+        const uint32_t close = structure_.match[at_];
+        in_argument_ = true;
+        enter_scope(close, "", false);
+        scopes_.back().is_argument = true;
+    }
 
     void declare(uint32_t first, uint32_t end) {
         if (first < end) out_.declarations.push_back({token(first), token(end - 1) + 1});
@@ -225,6 +257,7 @@ private:
 
     void leave_scope() {
         const uint32_t close = scopes_.back().close;
+        if (scopes_.back().is_argument) in_argument_ = false;
         declare(start_, std::min(close, end_));
         if (close < end_) declare(close, close + 1);
         if (scopes_.size() > 1) scopes_.pop_back();
@@ -302,6 +335,7 @@ private:
     uint32_t start_ = 0;
     std::string prefix_;             ///< "A::B::", of the scope at hand
     size_t prefixes_ = 0;            ///< bytes of all names that are scopes
+    bool in_argument_ = false;       ///< within a scope that is a macro's argument
     bool assigned_ = false;          ///< the statement has an initialiser
     bool initialiser_list_ = false;  ///< ... a colon after a parameter list
     bool variable_ = false;          ///< ... a braced initialiser
