@@ -140,6 +140,45 @@ void name_missing(const std::vector<Statement>& here, const std::vector<size_t>&
     }
 }
 
+/// Those of a side's statements that the other side's list lacks.
+std::vector<size_t> unmatched(const std::vector<Statement>& here, const std::vector<size_t>& indices,
+                              const std::vector<std::string>& others) {
+    std::unordered_map<std::string_view, size_t> free;
+    for (const std::string& key : others) ++free[key];
+    std::vector<size_t> out;
+    for (const size_t i : indices) {
+        if (here[i].is_brace()) continue;
+        const auto found = free.find(here[i].key);
+        if (found != free.end() && found->second > 0)
+            --found->second;
+        else
+            out.push_back(i);
+    }
+    return out;
+}
+
+/// What is left once the two edits are laid side by side: the two statements that came on both sides and are most
+/// alike without being the same. "" if none are.
+std::string closest_difference(const StatementEdit& source, const StatementEdit& target) {
+    constexpr size_t kMost = 64, kLongest = 1000;
+    constexpr double kAlike = 0.5;
+    const auto here = unmatched(source.now, source.gained, chosen_keys(target.now, target.gained));
+    const auto there = unmatched(target.now, target.gained, chosen_keys(source.now, source.gained));
+    WordNumbers numbers;
+    double best = kAlike;
+    std::string out;
+    for (size_t a = 0; a < std::min(here.size(), kMost); ++a)
+        for (size_t b = 0; b < std::min(there.size(), kMost); ++b) {
+            const Statement &left = source.now[here[a]], &right = target.now[there[b]];
+            if (left.common.size() > kLongest || right.common.size() > kLongest) continue;
+            const double found = likeness(numbers.of(left), numbers.of(right));
+            if (found <= best) continue;
+            best = found;
+            out = "the source has " + quoted(left) + " where the port has " + quoted(right);
+        }
+    return out;
+}
+
 }  // namespace
 
 bool same_words(const StatementEdit& source, const StatementEdit& target) {
@@ -152,6 +191,7 @@ bool same_words(const StatementEdit& source, const StatementEdit& target) {
 
 std::vector<std::string> missing_statements(const StatementEdit& source, const StatementEdit& target) {
     std::vector<std::string> out;
+    if (std::string closest = closest_difference(source, target); !closest.empty()) out.push_back(std::move(closest));
     const auto source_gained = chosen_keys(source.now, source.gained),
                target_gained = chosen_keys(target.now, target.gained);
     const auto source_lost = chosen_keys(source.before, source.lost),

@@ -24,12 +24,25 @@ Side changed_side(const PairComparison& found) {
 
 Change larger_change(const PairComparison& found) { return std::max(found.changes.source, found.changes.target); }
 
+/// The first statement that the edit took away or brought in for good; one that it did both with has only moved.
+std::string headline_of(const Edit& edit, const std::string& otherwise) {
+    const auto is_in = [](const std::vector<std::string>& list, const std::string& statement) {
+        return std::find(list.begin(), list.end(), statement) != list.end();
+    };
+    constexpr size_t kMost = 200;
+    for (size_t i = 0; i < std::min(edit.lost.size(), kMost); ++i)
+        if (!is_in(edit.gained, edit.lost[i])) return "- " + edit.lost[i];
+    for (size_t i = 0; i < std::min(edit.gained.size(), kMost); ++i)
+        if (!is_in(edit.lost, edit.gained[i])) return "+ " + edit.gained[i];
+    return otherwise;
+}
+
 /// The statements that an edit took away and brought in, and the first of them in the message.
 void tell_edit(const Edit& edit, Finding& finding) {
     for (const std::string& statement : edit.lost) finding.details.push_back("- " + statement);
     for (const std::string& statement : edit.gained) finding.details.push_back("+ " + statement);
     if (finding.details.empty()) finding.details.emplace_back("the statements were rearranged");
-    finding.message += ": " + finding.details.front() + (finding.details.size() > 1 ? " ..." : "");
+    finding.message += ": " + headline_of(edit, finding.details.front()) + (finding.details.size() > 1 ? " ..." : "");
 }
 
 /// An edit that does not reach the compiled code is no drift. `same` says so, or is "".

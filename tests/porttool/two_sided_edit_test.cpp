@@ -249,6 +249,25 @@ TEST(TwoSidedEdit, HazardsAreThoseOfThePairsLanguages) {
                     "twice in C++"});
 }
 
+TEST(TwoSidedEdit, TheHeadlineIsWhatIsLeftAfterAlignment) {
+    const std::string before = "float f(float a, float b) { g(a); h(b); return a; }";
+    const auto first = [](const nlohmann::json& report) { return report["findings"][0]["message"].get<std::string>(); };
+    const auto moved = report_on(
+        {"", "k.cu", "k.cpp", {before, before}, {"float f(float a, float b) { h(b); g(a); return b; }", before}, {}});
+    EXPECT_NE(first(moved).find("- return a"), std::string::npos) << first(moved);
+    const auto differs = report_on({"",
+                                    "k.cu",
+                                    "k.cpp",
+                                    {before, before},
+                                    {"float f(float a, float b) { k(b); g(a); h(b); return a * 2.0f + b; }",
+                                     "float f(float a, float b) { k(b); g(a); h(b); return a * 2.0f - b; }"},
+                                    {}});
+    ASSERT_EQ(rules_of(differs), Names{"port-differs"});
+    EXPECT_NE(first(differs).find("the source has `return a * 2f + b` where the port has `return a * 2f - b`"),
+              std::string::npos)
+        << first(differs);
+}
+
 TEST(TwoSidedEdit, APortThatMovedAndWasEditedIsNotGone) {
     const std::string body =
         "(float a, float b) {\n    float c = a * b + a;\n    float d = c * c - b;\n    return c / d + a * d;\n}\n";
