@@ -360,14 +360,14 @@ private:
 
     void add_inlined(uint32_t s, uint32_t t) {
         constexpr float kLeast = 0.5f, kBase = 0.4f, kPerShare = 0.5f;
-        const Resemblance resemblance = compare_units(source_[s], target_[t]);
-        if (choice_[s] != kNobody || resemblance.contained < kLeast) return;
+        if (choice_[s] != kNobody) return;
+        const float contained = contained_in(source_[s], target_[t]);
+        if (contained < kLeast) return;
         Assignment pair;
         pair.source = s;
         pair.target = t;
-        pair.resemblance = resemblance;
         pair.shared = true;
-        pair.confidence = kBase + kPerShare * resemblance.contained;
+        pair.confidence = kBase + kPerShare * contained;
         choice_[s] = 0;
         settled_.push_back(pair);
     }

@@ -48,7 +48,7 @@ float confidence(const UnitFeatures& source, const UnitFeatures& target, const A
     if (!pair.other_role && source.launcher != target.launcher) z -= 1.5f;  // under one name: perhaps both in one
     // A file's entry point is named after the file, which holds other functions as well.
     constexpr float kHeld = 0.3f;
-    if (target.entry && !source.entry) z -= 5.0f * std::max(0.0f, kHeld - resemblance.contained);
+    if (target.entry && !source.entry) z -= 5.0f * std::max(0.0f, kHeld - contained_in(source, target));
     if (resemblance.reversed) z -= 2.5f;
     if (pair.wrong_operands) z -= 2.5f;
     if (source.works && !target.computes) z -= 1.5f;

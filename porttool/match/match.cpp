@@ -73,7 +73,7 @@ void add_unmapped(std::vector<std::string>& out, const std::vector<UnitFeatures>
     std::sort(out.begin(), out.end());
 }
 
-constexpr size_t kMostCandidates = 24;
+constexpr size_t kMostCandidates = 16;
 
 }  // namespace
 

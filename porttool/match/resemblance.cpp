@@ -126,6 +126,11 @@ float size_likeness(const UnitFeatures& a, const UnitFeatures& b) {
 
 }  // namespace
 
+float contained_in(const UnitFeatures& a, const UnitFeatures& b) {
+    return 0.5f * contained_share(a.bags[kBody], b.bags[kBody]) +
+           0.5f * contained_share(a.bags[kShape], b.bags[kShape]);
+}
+
 float cosine(const Bag& a, const Bag& b) {
     float sum = 0;
     for (size_t i = 0, k = 0; i < a.size() && k < b.size();) {
@@ -149,8 +154,6 @@ Resemblance compare_units(const UnitFeatures& a, const UnitFeatures& b) {
     out.core = a.core == b.core ? 1.0f : 0.95f * dice(a.core_words, b.core_words);
     out.reversed = a.converts && b.converts && a.all_words == b.all_words && a.ordered_words != b.ordered_words;
     if (out.reversed) out.words = 0;
-    out.contained =
-        0.5f * contained_share(a.bags[kBody], b.bags[kBody]) + 0.5f * contained_share(a.bags[kShape], b.bags[kShape]);
     out.subject = subject_likeness(a, b, out.words);
     out.size = size_likeness(a, b);
     float score = kNameWeight * out.same_name + kWordsWeight * out.subject + kSizeWeight * out.size;

@@ -16,7 +16,6 @@ struct Resemblance {
     bool reversed = false;  ///< the two convert the other way round: `hex_to_u8`, `u8_to_hex`
     float subject = 0;      ///< the same, but the name of a file with one main may be the shorter one
     float core = 0;         ///< the same of the words that tell what a function is about; 1: they are equal
-    float contained = 0;    ///< share of the source's body and shape that the target's has as well
     float signature = 0;
     float operands = 0;  ///< share of the parameters that have one type, by their place
     float size = 0;
@@ -25,6 +24,9 @@ struct Resemblance {
 };
 
 Resemblance compare_units(const UnitFeatures& a, const UnitFeatures& b);
+
+/// Share of the first one's body and shape that the second has as well.
+float contained_in(const UnitFeatures& a, const UnitFeatures& b);
 
 /// How alike two bodies are, in shape and words.
 inline float body_likeness(const Resemblance& resemblance) {
