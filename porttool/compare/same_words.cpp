@@ -160,17 +160,18 @@ std::vector<size_t> unmatched(const std::vector<Statement>& here, const std::vec
 /// What is left once the two edits are laid side by side: the two statements that came on both sides and are most
 /// alike without being the same. "" if none are.
 std::string closest_difference(const StatementEdit& source, const StatementEdit& target) {
-    constexpr size_t kMost = 64, kLongest = 1000;
+    constexpr size_t kMost = 64, kMostCells = 20'000'000;
     constexpr double kAlike = 0.5;
     const auto here = unmatched(source.now, source.gained, chosen_keys(target.now, target.gained));
     const auto there = unmatched(target.now, target.gained, chosen_keys(source.now, source.gained));
     WordNumbers numbers;
     double best = kAlike;
+    size_t cells = 0;
     std::string out;
     for (size_t a = 0; a < std::min(here.size(), kMost); ++a)
         for (size_t b = 0; b < std::min(there.size(), kMost); ++b) {
             const Statement &left = source.now[here[a]], &right = target.now[there[b]];
-            if (left.common.size() > kLongest || right.common.size() > kLongest) continue;
+            if ((cells += left.common.size() * right.common.size()) > kMostCells) return out;
             const double found = likeness(numbers.of(left), numbers.of(right));
             if (found <= best) continue;
             best = found;
