@@ -28,7 +28,7 @@ nlohmann::ordered_json figure_json(const std::optional<metrics::Figure>& figure)
             {"inputs", inputs}};
 }
 
-ordered_json place_json(const std::optional<Place>& place) {
+nlohmann::ordered_json place_json(const std::optional<Place>& place) {
     if (!place) return nullptr;
     return {{"id", place->id}, {"file", place->file}, {"line", place->line}, {"end_line", place->end_line}};
 }
