@@ -58,7 +58,7 @@ RecordedLock lock_if_readable(const CheckedProject& checked, std::ostream& err) 
 /// Takes the state at the merge base for what was in step. Returns what the change itself does to the gate.
 std::vector<BroughtIn> hold_against_base(CheckedProject& checked, const CheckChoice& choice, const MapFile& map_today,
                                          Workplace& place) {
-    Snapshot base = read_snapshot(without_files(checked.project), {Moment::Kind::MergeBase, choice.base}, place.disk);
+    Snapshot base = read_snapshot_beside(checked, {Moment::Kind::MergeBase, choice.base}, place.disk);
     if (!base.note.empty()) place.err << base.note << "\n";
     RecordedLock now = lock_if_readable(checked, place.err);
     const BaseRecord then = base_record(base, now, checked.states, place.err);

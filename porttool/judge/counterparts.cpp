@@ -16,8 +16,8 @@ namespace {
 
 using Files = std::vector<ScannedFile>;
 
-constexpr size_t kMostTokens = 1'000'000;  // of one side that are matched: about 100,000 lines
-constexpr float kMostOfPaired = 0.89f;     // a target that has its source already is a guess
+constexpr size_t kMostTokens = 500'000;  // of one side that are matched: about 50,000 lines
+constexpr float kMostOfPaired = 0.89f;   // a target that has its source already is a guess
 
 /// Files of one side, in their order, until there are too many tokens in them; those with more `better` first.
 Files limited(const Files& files, const std::vector<size_t>& better) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <set>
+#include <unordered_map>
 
 #include "porttool/read/git_repository.h"
 #include "porttool/scan/scan.h"
@@ -13,11 +14,30 @@
 namespace porttool {
 namespace {
 
-std::vector<ScannedFile> scan_all(const SourceSet& set) {
+using KnownFiles = std::unordered_map<std::string_view, const ScannedFile*>;  // by path
+
+KnownFiles by_path(const std::vector<ScannedFile>& files) {
+    KnownFiles out;
+    for (const ScannedFile& file : files) out.emplace(file.path, &file);
+    return out;
+}
+
+/// Scans files; those that are known with the same text are taken from there, and their paths noted in `same`.
+std::vector<ScannedFile> scan_all(const SourceSet& set, const KnownFiles& known, std::set<std::string>& same) {
     std::vector<ScannedFile> files;
     files.reserve(set.files.size());
-    for (const SourceText& source : set.files) files.push_back(scan_text(source.path, source.text));
+    for (const SourceText& source : set.files) {
+        const auto found = known.find(source.path);
+        const bool is_same = found != known.end() && found->second->lexed.text == source.text;
+        if (is_same) same.insert(source.path);
+        files.push_back(is_same ? *found->second : scan_text(source.path, source.text));
+    }
     return files;
+}
+
+std::vector<ScannedFile> scan_all(const SourceSet& set) {
+    std::set<std::string> same;
+    return scan_all(set, {}, same);
 }
 
 /// A bracket that is never closed stands for itself, as in a shell, which is rarely what was meant.
@@ -146,8 +166,9 @@ void fetch(Snapshot& snapshot) {
     if (!project.map.target_root.empty()) add_other_checkout(snapshot);
 }
 
-/// Scans what git has; globs that match nothing there are no mistake.
-void read_from_git(Snapshot& snapshot) {
+/// Scans what git has; globs that match nothing there are no mistake. Returns the files that are as `known` has them.
+BySide<std::set<std::string>> read_from_git(Snapshot& snapshot, const Snapshot* known) {
+    BySide<std::set<std::string>> same;
     fetch(snapshot);
     Project& project = snapshot.project;
     project.skipped.clear();
@@ -155,12 +176,16 @@ void read_from_git(Snapshot& snapshot) {
         std::vector<std::string> unmatched;
         const SourceSet files =
             read_globs(snapshot.git, root_of(project, side), globs_of(project.map, side), unmatched);
-        (side == Side::Source ? project.source : project.target) = scan_all(files);
+        const KnownFiles there = known == nullptr
+                                     ? KnownFiles()
+                                     : by_path(side == Side::Source ? known->project.source : known->project.target);
+        (side == Side::Source ? project.source : project.target) = scan_all(files, there, same[side]);
         project.skipped.insert(project.skipped.end(), files.skipped.begin(), files.skipped.end());
         if (snapshot.at.kind == Moment::Kind::Index && files.files.empty())
             throw CannotDo(std::string("--staged: the index holds no file of the ") + name_of(side) +
                            " side\nStage them with: git add; or check without --staged");
     }
+    return same;
 }
 
 }  // namespace
@@ -209,8 +234,15 @@ Snapshot read_snapshot(Project project, const Moment& at, const Disk& on_disk, D
     if (at.kind == Moment::Kind::WorkTree)
         read_work_tree(out.project, on_disk);
     else
-        read_from_git(out);
+        read_from_git(out, nullptr);
     if (depth == Depth::Normal) out.states = read_states(out.project);
+    return out;
+}
+
+Snapshot read_snapshot_beside(const Snapshot& known, const Moment& at, const Disk& on_disk) {
+    Snapshot out{without_files(known.project), {}, at, "", {}, &on_disk};
+    const BySide<std::set<std::string>> same = read_from_git(out, &known);
+    out.states = read_states(out.project, known.states, same);
     return out;
 }
 

@@ -50,6 +50,10 @@ FileText map_text_of(const Snapshot& snapshot);
 /// revision, or for its HEAD. Throws CannotDo.
 Snapshot read_snapshot(Project project, const Moment& at, const Disk& on_disk, Depth depth = Depth::Normal);
 
+/// The same of a commit, beside a snapshot of another moment under the same pairs: what is the same text there is not
+/// scanned again.
+Snapshot read_snapshot_beside(const Snapshot& known, const Moment& at, const Disk& on_disk);
+
 /// Adds to a snapshot of a commit the texts behind its lock, which are many and mostly not needed. Throws CannotDo.
 void read_base_texts(Snapshot& snapshot);
 

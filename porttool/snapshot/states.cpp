@@ -10,8 +10,9 @@ namespace porttool {
 namespace {
 
 void add_states(std::map<std::string, UnitState>& states, const std::vector<ScannedFile>& files,
-                const std::set<std::string>& named) {
+                const std::set<std::string>& named, const std::set<std::string>& same) {
     for (const ScannedFile& file : files) {
+        if (same.contains(file.path)) continue;
         for (const Unit& unit : file.units) {
             UnitState state = unit_state(file, unit);
             states.emplace(state.id, std::move(state));
@@ -26,15 +27,20 @@ void add_states(std::map<std::string, UnitState>& states, const std::vector<Scan
 
 }  // namespace
 
-States read_states(const Project& project) {
+States read_states(const Project& project) { return read_states(project, {}, {}); }
+
+States read_states(const Project& project, const States& known, const BySide<std::set<std::string>>& same) {
     std::set<std::string> named;
     for (const MapPair& pair : project.map.pairs) {
         named.insert(pair.source);
         named.insert(pair.targets.begin(), pair.targets.end());
     }
     States states;
-    add_states(states.source, project.source, named);
-    add_states(states.target, project.target, named);
+    for (const Side side : kBothSides) {
+        for (const auto& [id, state] : known[side])
+            if (same[side].contains(state.file)) states[side].emplace_hint(states[side].end(), id, state);
+        add_states(states[side], side == Side::Source ? project.source : project.target, named, same[side]);
+    }
     return states;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <string>
 
 #include "porttool/normal/unit_state.h"
@@ -16,5 +17,9 @@ using States = BySide<std::map<std::string, UnitState>>;
 
 /// The states of all units, and of whole files that the map names (`PATH:@file`).
 States read_states(const Project& project);
+
+/// The same, where `known` has read some files already, under the same pairs: those of `same`, by path, are as they
+/// were there.
+States read_states(const Project& project, const States& known, const BySide<std::set<std::string>>& same);
 
 }  // namespace porttool

@@ -21,8 +21,8 @@ function showSummary() {
   const count = drift.summary || { pairs: 0, in_step: 0, drifted: 0, review: 0, deferred: 0, ignored: 0 };
   const rest = [["drifted", count.drifted], ["review", count.review], ["deferred", count.deferred], ["ignored", count.ignored]]
     .filter(([, n]) => n > 0).map(([name, n]) => `${number(n)} ${NAMES[name]}`);
-  const unported = openFindings().filter((finding) => finding.rule === "unported").length;
-  if (unported > 0) rest.push(`${plural(unported, "new unit")} without a port`);
+  const fresh = openFindings().filter(({ rule }) => rule === "unported" || rule === "unpaired").length;
+  if (fresh > 0) rest.push(`${plural(fresh, "new unit")} in no pair`);
   const dp = totals.degree_of_portability;
   const since = (side) => (totals.change ? [" ", change(totals.change[side], 0, 0)] : []);
   put("summary",
