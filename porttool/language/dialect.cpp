@@ -164,7 +164,8 @@ Dialect::Dialect(const std::vector<std::pair<std::string, std::string>>& rows) {
     };
     for (const auto& [left, right] : rows) {  // a person's rows come first and so win
         const std::string* known = meaning(left);
-        const std::string name = known != nullptr ? *known : left;
+        const bool dropped = word_is(left, kDropped) || word_is(right, kDropped);  // "OUR_INLINE" = "inline"
+        const std::string name = dropped ? "" : known != nullptr ? *known : left;
         add(left, name);
         add(right, name);
     }

@@ -155,9 +155,7 @@ constexpr std::array kRows = {
 
     // What has no counterpart.
     WordRow{"__host__ __forceinline__ __forceinline __inline__ __inline __noinline__", kDropped | kHeadPromise},
-    WordRow{"readonly writeonly coherent OPENCL_FORCE_INLINE OPENCL_FORCE_NOT_INLINE LH2_DEVFUNC FUNC ccl_device "
-            "ccl_device_inline dpct sycl std glm",
-            kDropped},
+    WordRow{"readonly writeonly coherent dpct sycl std glm", kDropped},
 };
 
 struct Entry {

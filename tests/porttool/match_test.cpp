@@ -408,6 +408,15 @@ TEST(Match, AConversionIsNotPortedByItsInverse) {
     EXPECT_TRUE(converts("rgb2lab") && converts("HsvToRgb") && !converts("total_of") && !converts("sha256_init"));
 }
 
+TEST(Words, AProjectsOwnWordForInliningIsLeftToItsDialect) {
+    EXPECT_EQ(Dialect().find("OUR_INLINE"), nullptr);
+    const std::vector<std::pair<std::string, std::string>> rows = {{"OUR_INLINE", "inline"}};
+    const Dialect dialect(rows);
+    ASSERT_NE(dialect.find("OUR_INLINE"), nullptr);
+    EXPECT_EQ(*dialect.find("OUR_INLINE"), "");
+    EXPECT_EQ(*dialect.find("inline"), "");
+}
+
 TEST(Match, AnOverloadForOtherTypesIsNoPort) {
     const Matching got = match({{"a/math.h",
                                  "float sum_of(float3 v, float w) { return (v.x + v.y + v.z) * w; }\n"
