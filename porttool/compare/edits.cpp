@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "porttool/compare/edits.h"
 
+#include "porttool/compare/guarded_words.h"
 #include "porttool/compare/hints.h"
 #include "porttool/compare/positions.h"
 #include "porttool/compare/renaming.h"
@@ -71,6 +72,11 @@ EditComparison compare_edits(const PairTexts& written, const Dialect& dialect, c
                 target_before = without_hints(written.target_before), now_of_target = without_hints(written.target_now);
     const PairTexts texts{source_before, now_of_source, target_before, now_of_target};
     EditComparison out = compare_as_named(texts, dialect, languages);
+    if (const std::string guarded = guarded_difference(texts); !guarded.empty()) {
+        out.equivalent = false;
+        out.differences.insert(out.differences.begin(), guarded);
+        return out;
+    }
     if (out.equivalent) return out;
     const auto source = with_old_names(texts.source_before, texts.source_now, dialect);
     const auto target =

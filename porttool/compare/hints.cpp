@@ -12,7 +12,10 @@ namespace {
 /// Reads the pragmas of a text. Normal form has no line ends, so a pragma ends where its grammar does.
 class HintReader {
 public:
-    explicit HintReader(const Words& words) : words_(words) {}
+    explicit HintReader(const Words& words) : words_(words) {
+        for (const std::string_view word : words)
+            order_matters_ = order_matters_ || is_one_of(word, {"nowait", "ordered", "omp_get_thread_num"});
+    }
 
     Words run() {
         for (size_t i = 0; i < words_.size();) {
@@ -89,14 +92,14 @@ private:
         const size_t clauses = end;
         if (clauses == at + 1) return at;
         Words kept;
-        while (is_clause(end)) {
+        const bool loop = std::find(at_word(at), at_word(clauses), "for") != at_word(clauses);
+        while (is_clause(end, loop) || (word(end) == "," && is_clause(end + 1, loop))) {
+            if (word(end) == ",") ++end;
             const size_t next = word(end + 1) == "(" ? after_group(end + 1) : end + 1;
             if (!only_schedules(word(end))) kept.insert(kept.end(), at_word(end), at_word(next));
             end = next;
         }
-        const bool ordered = std::find(kept.begin(), kept.end(), "nowait") != kept.end() ||
-                             std::find(kept.begin(), kept.end(), "ordered") != kept.end();
-        if (ordered) {  // which thread takes what may matter then
+        if (order_matters_) {
             out_.insert(out_.end(), at_word(at - 2), at_word(end));
             return end;
         }
@@ -111,8 +114,9 @@ private:
 
     Words::const_iterator at_word(size_t i) const { return words_.begin() + static_cast<std::ptrdiff_t>(i); }
 
-    bool is_clause(size_t i) const {
-        if (word(i) == "nowait") return true;
+    /// `loop`: the directive says `for`, so that an `if` after it is a clause and no statement.
+    bool is_clause(size_t i, bool loop) const {
+        if (word(i) == "nowait" || (loop && word(i) == "if" && word(i + 1) == "(")) return true;
         if (word(i) == "ordered" && word(i + 1) != "{") return true;
         return word(i + 1) == "(" &&
                is_one_of(word(i), {"schedule", "num_threads", "collapse", "private", "firstprivate", "lastprivate",
@@ -125,6 +129,7 @@ private:
 
     const Words& words_;
     Words out_;
+    bool order_matters_ = false;  ///< somewhere in the text it shows which thread takes what
 };
 
 }  // namespace

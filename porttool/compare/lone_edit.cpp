@@ -34,6 +34,15 @@ Words without_idle_statements(const Words& tokens) {
     return out;
 }
 
+/// A prelude with a statement for each variable: `volatile int a, b;` declares two.
+Words single_declarations(const Words& prelude) {
+    Words block = {"{"};
+    block.insert(block.end(), prelude.begin(), prelude.end());
+    block.emplace_back("}");
+    block = single_fields(block);
+    return {block.begin() + 1, block.end() - 1};
+}
+
 /// How a prelude declares each variable: in plain words, and as written.
 std::map<std::string, Statement> declarations_of(const Words& text, const PlainStatements& plain) {
     const Translator translator = [&](const Words& statement, bool) {
@@ -47,7 +56,8 @@ std::map<std::string, Statement> declarations_of(const Words& text, const PlainS
         return out;
     };
     std::map<std::string, Statement> out;
-    for (Statement& statement : split_statements(prelude_of(text), translator)) {
+    const Words declarations = single_declarations(prelude_of(text));
+    for (Statement& statement : split_statements(declarations, translator)) {
         const std::vector<std::string>& words = statement.common;
         size_t name = words.size();
         for (size_t i = 0; i < words.size() && words[i] != "["; ++i)

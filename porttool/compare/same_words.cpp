@@ -18,21 +18,24 @@ std::vector<std::string> chosen_keys(const std::vector<Statement>& statements, c
     return out;
 }
 
-/// A changed spot within statements: what went, what came, and the words beside it.
+/// A changed spot within statements: what went, what came, the words beside it, and where in the old words it begins.
 struct Hunk {
     std::vector<std::string> lost, gained;
     std::string before, after;
+    size_t at = 0;
 
     bool same_edit(const Hunk& other) const {
         return lost == other.lost && gained == other.gained && (before == other.before || after == other.after);
     }
 };
 
-std::vector<Hunk> hunks(const StatementEdit& edit) {
-    std::vector<std::string> before, now;
-    for (const size_t i : edit.lost)
-        before.insert(before.end(), edit.before[i].common.begin(), edit.before[i].common.end());
-    for (const size_t i : edit.gained) now.insert(now.end(), edit.now[i].common.begin(), edit.now[i].common.end());
+std::vector<std::string> words_of(const std::vector<Statement>& statements, const std::vector<size_t>& indices) {
+    std::vector<std::string> out;
+    for (const size_t i : indices) out.insert(out.end(), statements[i].common.begin(), statements[i].common.end());
+    return out;
+}
+
+std::vector<Hunk> hunks(const std::vector<std::string>& before, const std::vector<std::string>& now) {
     std::vector<Hunk> out;
     bool open = false;
     std::string last;
@@ -46,6 +49,7 @@ std::vector<Hunk> hunks(const StatementEdit& edit) {
         if (!open) {
             out.emplace_back();
             out.back().before = last;
+            out.back().at = step.before;
         }
         open = true;
         if (step.kind == DiffStep::Remove)
@@ -114,9 +118,43 @@ bool same_statements(const StatementEdit& source, const StatementEdit& target) {
     return true;
 }
 
-bool same_hunks(const std::vector<Hunk>& a, const std::vector<Hunk>& b) {
-    return a.size() == b.size() &&
-           std::equal(a.begin(), a.end(), b.begin(), [](const Hunk& x, const Hunk& y) { return x.same_edit(y); });
+/// In how many places of a text the edit of a hunk could stand: what it took away, beside one of its neighbours.
+size_t places_for(const Hunk& hunk, const std::vector<std::string>& words) {
+    size_t places = 0;
+    for (size_t i = 0; i + hunk.lost.size() <= words.size(); ++i) {
+        if (!std::equal(hunk.lost.begin(), hunk.lost.end(), words.begin() + static_cast<std::ptrdiff_t>(i))) continue;
+        const size_t end = i + hunk.lost.size();
+        const bool beside =
+            (i > 0 ? words[i - 1] : "") == hunk.before || (end < words.size() && words[end] == hunk.after);
+        places += beside ? 1 : 0;
+    }
+    return places;
+}
+
+/// True if the edits did the same in the same places. The places are told by laying the old words of both sides side by
+/// side, and where that says nothing, by the edit's neighbours if only one place has them.
+///
+///     x > 0 && y > 0      source: x > 1 && y > 0      port: x > 0 && y > 1      the same words, another place
+bool same_hunks(const StatementEdit& source, const StatementEdit& target) {
+    const auto old_source = words_of(source.before, source.lost), old_target = words_of(target.before, target.lost);
+    const auto a = hunks(old_source, words_of(source.now, source.gained)),
+               b = hunks(old_target, words_of(target.now, target.gained));
+    if (a.size() != b.size()) return false;
+    constexpr size_t kNowhere = static_cast<size_t>(-1) / 2;      // no place, nor one before the first
+    std::vector<size_t> beside(old_source.size() + 1, kNowhere);  // the target's word for each of the source's
+    for (const DiffStep& step : diff(old_source, old_target))
+        if (step.kind == DiffStep::Keep) beside[step.before] = step.now;
+    size_t looked_through = 0;
+    for (size_t k = 0; k < a.size(); ++k) {
+        if (!a[k].same_edit(b[k])) return false;
+        bool aligned = false;
+        for (size_t i = a[k].at > 0 ? a[k].at - 1 : 0; i <= a[k].at + a[k].lost.size() && !aligned; ++i)
+            aligned = beside[std::min(i, old_source.size())] == i + b[k].at - a[k].at;
+        constexpr size_t kMost = 10'000'000;
+        if (!aligned && ((looked_through += old_target.size()) > kMost || places_for(a[k], old_target) > 1))
+            return false;
+    }
+    return true;
 }
 
 /// Says which statements of one side's list the other side's lacks, and of one that only moved (it is in `opposite`,
@@ -187,7 +225,7 @@ bool same_words(const StatementEdit& source, const StatementEdit& target) {
     if (chosen_keys(source.now, source.gained) == chosen_keys(target.now, target.gained) &&
         chosen_keys(source.before, source.lost) == chosen_keys(target.before, target.lost))
         return true;
-    return same_statements(source, target) && same_hunks(hunks(source), hunks(target));
+    return same_statements(source, target) && same_hunks(source, target);
 }
 
 std::vector<std::string> missing_statements(const StatementEdit& source, const StatementEdit& target) {

@@ -10,6 +10,19 @@
 namespace porttool {
 namespace {
 
+/// True for the bracket of `ALIGNED ( 16 ) float3 v`.
+bool is_macro_before_field(const Words& statement, size_t open) {
+    if (open != 1) return false;
+    int depth = 0;
+    for (size_t i = open; i < statement.size(); ++i) {
+        if (statement[i] == "(") ++depth;
+        if (statement[i] == ")" && --depth == 0)
+            return i + 2 < statement.size() && is_word_token(statement[i + 1]) &&
+                   !is_one_of(statement[i + 1], {"const", "volatile", "noexcept", "override", "final", "throw"});
+    }
+    return false;
+}
+
 /// True for a statement in a struct that declares a function, calls a macro, or names something without data.
 bool holds_no_data(const Words& statement) {
     if (is_one_of(statement[0], {"friend", "using", "typedef", "static_assert", "template", "static", "explicit",
@@ -21,10 +34,11 @@ bool holds_no_data(const Words& statement) {
         if (word == "operator") return true;
         if (word == "=" || word == "{") return false;
         const bool own_list = i > 0 && (word_is(statement[i - 1], kTakesArguments) || statement[i - 1] == "defined");
-        const bool points = i + 1 < statement.size() && statement[i + 1] == "*";
-        if (word == "(" && depth == 0 && !own_list && !points) return true;
-        if (word == "(" || word == "[") ++depth;
-        if (word == ")" || word == "]") --depth;
+        if (word == "(" && depth == 0 && i + 1 < statement.size() && statement[i + 1] == "*")
+            return false;  // to a function
+        if (word == "(" && depth == 0 && !own_list && !is_macro_before_field(statement, i)) return true;
+        if (word == "(" || word == "[" || word == "<") ++depth;
+        if ((word == ")" || word == "]" || word == ">") && depth > 0) --depth;
     }
     return false;
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "porttool/compare/edits.h"
+#include "porttool/compare/guarded_words.h"
 #include "porttool/compare/values.h"
 #include "porttool/language/language.h"
 #include "porttool/normal/locals.h"
@@ -50,6 +51,7 @@ bool are_twins(const UnitState& source, const UnitState& target, const Dialect& 
                const BySide<Language>& languages) {
     const Words left = source.text.words(), right = target.text.words(), none;
     const Numbered a(left), b(right);
+    if (!guarded_difference({none, left, none, right}).empty()) return false;
     const Meaning meaning({none, a.words(), none, b.words()}, dialect, languages);
     return statement_keys(a.words(), Side::Source, meaning) == statement_keys(b.words(), Side::Target, meaning);
 }

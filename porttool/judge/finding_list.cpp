@@ -30,6 +30,10 @@ std::string argument(const std::string& id, const Finding& finding) {
     return can_be_pasted(id) && !is_list ? shell_quoted(id) : finding.fingerprint;
 }
 
+FindingList::FindingList(const MapFile& map) : map_(map), sets_(map) {
+    for (const MapPair& pair : map.pairs) ports_of_[pair.source] += pair.targets.size();
+}
+
 Level FindingList::level_of(Rule rule) const { return level_in(rule, map_); }
 
 Finding& FindingList::begin(Rule rule, const std::string& source, const std::string& target,
@@ -44,7 +48,10 @@ Finding& FindingList::begin(Rule rule, const std::string& source, const std::str
     finding.fingerprint = print_of(parts);
     finding.remedy = rule_row(rule).remedy;
     const size_t id = finding.remedy.find("ID");
-    if (id != std::string::npos && !source.empty()) finding.remedy.replace(id, 2, argument(source, finding));
+    const auto ports = ports_of_.find(source);
+    const bool one_of_several = !target.empty() && ports != ports_of_.end() && ports->second > 1;
+    if (id != std::string::npos && !source.empty())
+        finding.remedy.replace(id, 2, argument(one_of_several ? source + "=" + target : source, finding));
     findings_.push_back(std::move(finding));
     return findings_.back();
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -21,7 +22,7 @@ std::string argument(const std::string& id, const Finding& finding);
 class FindingList {
 public:
     /// `map` must outlive it.
-    explicit FindingList(const MapFile& map) : map_(map), sets_(map) {}
+    explicit FindingList(const MapFile& map);
 
     /// Adds a finding outside pairs. Like all that are handed out, it stays valid until the next one is added.
     Finding& add(Rule rule, const std::string& id);
@@ -53,6 +54,7 @@ private:
 
     const MapFile& map_;
     TargetSets sets_;
+    std::map<std::string, size_t> ports_of_;  ///< how many targets a source has
     std::vector<Finding> findings_;
 };
 

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <set>
 
@@ -89,7 +90,10 @@ private:
                                           side_ == Side::Target ? "counterpart in the source"
                                           : set_.empty()        ? "port"
                                                                 : "port in " + set_);
-            if (side_ == Side::Target) finding.remedy = "Give it a counterpart: " + finding.remedy;
+            if (side_ == Side::Target)
+                finding.remedy.replace(0, std::string_view("Port it").size(), "Give it a counterpart");
+        } else if (is_told(unit, *candidate->second.unit)) {
+            return std::nullopt;
         } else {
             add_unpaired(unit, candidate->second);
         }
@@ -101,6 +105,16 @@ private:
         return std::nullopt;
     }
 
+    /// With `reference = "both"` two new units that look alike are one finding.
+    bool is_told(const UnitState& unit, const UnitState& candidate) const {
+        if (side_ == Side::Source) return false;
+        const auto all = findings_.from(0);
+        return std::any_of(all.begin(), all.end(), [&](const Finding& finding) {
+            return finding.rule == Rule::Unpaired && finding.side == Side::Source && finding.source && finding.target &&
+                   finding.source->id == candidate.id && finding.target->id == unit.id;
+        });
+    }
+
     void add_unpaired(const UnitState& unit, const Counterpart& candidate) {
         Finding& finding = findings_.add(Rule::Unpaired, unit, side_, set_);
         const Side there = other(side_);
@@ -109,10 +123,10 @@ private:
             side_ == Side::Source ? unit.id + "=" + candidate.unit->id : candidate.unit->id + "=" + unit.id;
         const bool by_itself = facts_.map.rules.contains(Rule::Unpaired);
         if (!by_itself && candidate.score >= kCertain) finding.level = Level::Error;
-        finding.message = fmt::format("new {} {} looks like {} ({:.2f}){}: porttool accept {}",
-                                      unit_kind_name(unit.kind), unit.name, candidate.unit->id, candidate.score,
-                                      candidate.partner.empty() ? "" : ", which is paired with " + candidate.partner,
-                                      argument(pair, finding));
+        finding.message = fmt::format(
+            "new {} {} looks like {} ({:.2f}){}: porttool accept {}", unit_kind_name(unit.kind),
+            side_ == Side::Source ? unit.name : unit.id, candidate.unit->id, candidate.score,
+            candidate.partner.empty() ? "" : ", which is paired with " + candidate.partner, argument(pair, finding));
         finding.remedy = "Compare the two once, then run the accept; if they are no pair, run: porttool ignore " +
                          argument(unit.id, finding) + " --reason TEXT";
     }

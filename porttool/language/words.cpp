@@ -117,6 +117,7 @@ constexpr std::array kRows = {
     WordRow{"__constant__ __constant", kConstant | kQualifier | kConstantStorage | kDropped},
     WordRow{"constinit", kConstant | kQualifier},
     WordRow{"consteval", kConstant},
+    WordRow{"CLK_LOCAL_MEM_FENCE", kDroppedName},
     WordRow{"volatile", kNoFunctionName | kTrailer | kQualifier | kDroppedName},
     WordRow{"mutable", kTrailer | kQualifier | kDroppedName},
     WordRow{"restrict", kTrailer | kQualifier | kDroppedName | kHeadPromise},

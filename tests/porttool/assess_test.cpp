@@ -31,6 +31,8 @@ const std::vector<Labelled>& labelled_pairs() {
          "float powers(float cosine, float f0) {\n    float left = 1.0 - cosine;\n    return f0 + left * left * "
          "left;\n}\n",
          "twin"},
+        {"wide", "__device__ long wide(int n) {\n    return 1ull << n;\n}\n",
+         "long wide(int n) {\n    return 1 << n;\n}\n", "differs"},
         {"LIMIT", "#define LIMIT 16\n", "const int LIMIT = 1 << 4;\n", "equivalent"},
         {"DEPTH", "#define DEPTH 8\n", "#define DEPTH 9\n", "differs"},
         {"Ray", "struct Ray { float3 o; float t; };\n", "struct Ray { vec3 o; float t; };\n", "twin"},
@@ -80,7 +82,7 @@ TEST(Assess, SaysOfEachPairWhatAReaderSaysAndWritesNothingWhereAMapIs) {
     EXPECT_EQ(labels(got.out), expected);
     EXPECT_EQ(disk.files, before);
     const CommandRun text = porttool_in_r(disk, {"init", "--assess"});
-    EXPECT_NE(text.out.find("8 pairs: 3 twin, 1 equivalent, 3 differs, 1 unlike\n"), std::string::npos) << text.out;
+    EXPECT_NE(text.out.find("9 pairs: 3 twin, 1 equivalent, 4 differs, 1 unlike\n"), std::string::npos) << text.out;
     EXPECT_NE(text.out.find("unlike   src/k.cu:store = port/k.comp:store"), std::string::npos) << text.out;
     const CommandRun globs =
         porttool_in_r(disk, {"init", "--assess", "--source", "src/*", "--target", "port/*", "--format", "json"});

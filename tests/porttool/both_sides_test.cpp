@@ -79,6 +79,52 @@ TEST(BothSides, TheSameStatementInAnotherPlaceIsAnotherEdit) {
     }
 }
 
+TEST(BothSides, TheSameWordsInAnotherPlaceOfAStatementAreAnotherEdit) {
+    struct Row {
+        const char *body, *source, *target;
+    };
+    const std::vector<Row> rows = {
+        {"if (m > 0 && n > 0) a *= x; return a;", "if (m > 1 && n > 0) a *= x; return a;",
+         "if (m > 0 && n > 1) a *= x; return a;"},
+        {"return load(m + 1) - load(m - 1);", "return load(m + 2) - load(m - 1);", "return load(m + 1) - load(m - 2);"},
+        {"return m / 2 + n / 2;", "return m / 4 + n / 2;", "return m / 2 + n / 4;"},
+        {"return a * x + a * m;", "return -a * x + a * m;", "return a * x + -a * m;"},
+        {"return clamp(m, 0, 1) + clamp(n, 0, 1);", "return clamp(m, 0, 2) + clamp(n, 0, 1);",
+         "return clamp(m, 0, 1) + clamp(n, 0, 2);"}};
+    for (const Row& row : rows) {
+        EXPECT_NE(found_in(row.body, row.source, row.target).find("port-differs"), std::string::npos) << row.source;
+        EXPECT_EQ(found_in(row.body, row.source, row.source), "") << row.source;
+        EXPECT_EQ(found_in(row.body, row.target, row.target), "") << row.target;
+    }
+}
+
+TEST(BothSides, WhatTheVocabularyDropsAndStillChangesValuesIsAnEditOfItsOwn) {
+    const std::string body = "a += x; return a;";
+    const auto in_cpp = [&](const std::string& source, const std::string& target) {
+        const auto text = [](const std::string& head, const std::string& inner) {
+            return head + "float f(float a, float x, int m, int n) {\n" + inner + "\n}\n";
+        };
+        return found(text("__device__ ", body), text("", body), text("__device__ ", source + body),
+                     text("", target + body), ".cpp");
+    };
+    EXPECT_EQ(in_cpp("volatile float q = x; ", "volatile float q = x; "), "");
+    EXPECT_NE(in_cpp("volatile float q = x; ", "float q = x; ").find("`volatile`"), std::string::npos);
+    EXPECT_NE(in_cpp("float q = x; ", "volatile float q = x; ").find("`volatile`"), std::string::npos);
+    EXPECT_EQ(in_cpp("long k = 1ull << n; ", "long k = 1ULL << n; "), "");
+    EXPECT_NE(in_cpp("long k = 1ull << n; ", "long k = 1 << n; ").find("64 bits"), std::string::npos);
+}
+
+TEST(BothSides, ABarrierIsOneInCudaAndInOpenCl) {
+    const std::string source = "__global__ void f(float* a) {\n    a[0] = 1.0f;\n    a[1] = a[0];\n}\n";
+    const std::string target = "__kernel void f(__global float* a) {\n    a[0] = 1.0f;\n    a[1] = a[0];\n}\n";
+    EXPECT_EQ(found(source, target, replaced(source, "    a[1]", "    __syncthreads();\n    a[1]"),
+                    replaced(target, "    a[1]", "    barrier(CLK_LOCAL_MEM_FENCE);\n    a[1]"), ".cl"),
+              "");
+    EXPECT_NE(found(source, target, replaced(source, "    a[1]", "    __syncthreads();\n    a[1]"),
+                    replaced(target, "a[1] = a[0]", "a[1] = a[0] + 0.0f"), ".cl"),
+              "");
+}
+
 TEST(BothSides, TheSamePlaceInABodyThatThePortSpellsOtherwiseIsTheSameEdit) {
     const std::string source = "float s = x; for (int i = 0; i < n; ++i) { a += step(i); a += s; } return a;";
     const std::string target = "float s = x; for (uint i = 0u; i < count; ++i) { a += step(i); a += s; } return a;";

@@ -162,6 +162,23 @@ TEST(Check, AWrongPortIsNamed) {
     }
 }
 
+/// Fields whose declaration has brackets are fields.
+TEST(Check, FieldsWithBracketsAreData) {
+    for (const auto& [from, to] : std::vector<std::pair<std::string, std::string>>{
+             {"ALIGNED(16) float3 v", "ALIGNED(16) float4 v"},
+             {"void (*v)(int)", "void (*v)(float)"},
+             {"std::function<void(int)> v", "std::function<void(float)> v"}}) {
+        const std::string text = "struct Ray { float t; " + from + "; float at(int i) const; };\n";
+        MemoryDisk disk;
+        disk.files = {{"/r/src/k.cu", text}, {"/r/port/k.cpp", text}};
+        run(disk, {"-C", "/r", "init", "--source", "src/*", "--target", "port/*"});
+        disk.files["/r/src/k.cu"] = replaced(text, from, to);
+        EXPECT_FALSE(check(disk)["findings"].empty()) << to;
+        disk.files["/r/src/k.cu"] = replaced(text, " float at(int i) const;", "");
+        EXPECT_TRUE(check(disk)["findings"].empty()) << from << ": a member function is no data";
+    }
+}
+
 /// The same words put in at another place are another program.
 TEST(Check, TheSameEditAtAnotherPlaceIsAWrongPort) {
     const std::string source =

@@ -81,6 +81,17 @@ void f(__global const float* restrict in, __global volatile float* out, __consta
     if (i < n) out[i] = x + tile[0] * w[0];
 }
 )";
+const std::string kNowaitBefore = R"(
+void f(float* a, float* b, int n) {
+    #pragma omp parallel
+    {
+        #pragma omp for schedule(static) nowait
+        for (int i = 0; i < n; ++i) a[i] += 1.0f;
+        #pragma omp for schedule(guided)
+        for (int i = 0; i < n; ++i) b[i] += a[i];
+    }
+}
+)";
 const std::string kGlsl = R"(
 layout(local_size_x = 64, local_size_y = 1) in;
 shared float tile[64];
@@ -190,6 +201,7 @@ const std::vector<LabelledEdit> kSilent = {
     {".c", kThreads, "schedule(static)", "schedule(dynamic, 16)"},
     {".c", kThreads, " schedule(static)", ""},
     {".cpp", kThreads, "parallel for schedule(static)", "parallel for simd schedule(guided)"},
+    {".c", replaced(kThreads, "parallel for", "parallel for if(n > 9),"), "schedule(static)", "schedule(dynamic)"},
     // another spelling of one type
     {".c", kC, "unsigned int k", "uint32_t k"},
     {".c", kC, "unsigned int k", "unsigned k"},
@@ -232,6 +244,8 @@ const std::vector<LabelledEdit> kHarmful = {
     {".glsl", kGlsl, "shared float tile", "float tile"},
     {".glsl", "layout(std430) coherent buffer B { float v[]; } b;\nvoid f() { b.v[0] = 1.0; }", "coherent buffer",
      "buffer"},
+    {".c", "static volatile int ready, done;\nint f(void) { return ready; }\n", "static volatile int ready, done",
+     "static int ready; static volatile int done"},
     // static and volatile
     {".c", kC, "float sum = 0.0f", "static float sum = 0.0f"},
     {".c", kC, "float sum = 0.0f", "volatile float sum = 0.0f"},
@@ -255,6 +269,7 @@ const std::vector<LabelledEdit> kHarmful = {
     {".c", kRace, "collapse(2)", "collapse(3)"},
     {".c", kRace, " nowait", ""},
     {".c", kRace, "nowait schedule(static)", "nowait schedule(dynamic)"},
+    {".c", kNowaitBefore, "schedule(guided)", "schedule(dynamic)"},
     {".c", kRace, "        #pragma omp barrier\n", ""},
     {".c", kRace, "        #pragma omp critical\n", ""},
     {".c", kRace, "#pragma omp critical", "#pragma omp master"},
