@@ -36,6 +36,7 @@ void declare_check(Declare& declare, Options& options) {
                  "With --base: take map, lock and suppressions from there, so that a change cannot settle itself");
     declare.flag("--staged", options.staged, "Take the index in place of the work tree");
     declare.flag("--spirv", options.spirv, "Compile edited GLSL; what gives the same SPIR-V is a note");
+    declare.flag("--no-cache", options.no_cache, "For scripts that give it to every command: check keeps no cache");
     declare.flag("--strict", options.strict, "Exit 1 for warnings too");
 }
 

@@ -70,6 +70,25 @@ std::string fitted(const std::string& text, size_t width) {
     return text.substr(0, at) + std::string(width - count, ' ');
 }
 
+/// Lines as rows of at most so many characters: what is longer goes on in the next row, after a sign.
+std::vector<std::string> wrapped(const std::vector<std::string>& lines, size_t width) {
+    const std::string sign = "> ";
+    std::vector<std::string> rows;
+    for (const std::string& line : lines) {
+        std::string rest = line;
+        for (bool first = true; first || !rest.empty(); first = false) {
+            const size_t room = first ? width : width - sign.size();
+            size_t at = 0;
+            for (size_t count = 0; at < rest.size() && count < room; ++count)
+                at += std::max<size_t>(1, utf8_length(std::string_view(rest).substr(at)));
+            at = std::min(at, rest.size());
+            rows.push_back((first ? "" : sign) + rest.substr(0, at));
+            rest.erase(0, at);
+        }
+    }
+    return rows;
+}
+
 size_t terminal_width() {
     constexpr size_t kUsual = 120, kLeast = 40;
     winsize size{};
@@ -185,8 +204,8 @@ private:
                                       item.side == Side::Source ? counterpart : item.target};
         say(fmt::format("\n[{}/{}] {}", at_ + 1, items_.size(), headline(item, counterpart)));
         const size_t width = (terminal_width() - 3) / 2;
-        const BySide<std::vector<std::string>> lines{shown_lines(checked_, Side::Source, ids.source),
-                                                     shown_lines(checked_, Side::Target, ids.target)};
+        const BySide<std::vector<std::string>> lines{wrapped(shown_lines(checked_, Side::Source, ids.source), width),
+                                                     wrapped(shown_lines(checked_, Side::Target, ids.target), width)};
         say(fitted(terminal_text(ids.source), width) + " | " + terminal_text(ids.target));
         const size_t most = std::max(lines.source.size(), lines.target.size());
         for (size_t i = 0; i < std::min(most, kMostLines); ++i)

@@ -12,7 +12,6 @@
 namespace porttool::testing {
 namespace {
 
-
 const std::string kGain = "__device__ float gain(float a, float b) {\n    float c = a * b;\n    return c + 1.0f;\n}\n";
 const std::string kGainPort = "float gain(float a, float b) {\n    float c = a * b;\n    return c + 2.0;\n}\n";
 const std::string kMixer =
@@ -101,6 +100,22 @@ TEST_F(Review, ShowsBothTextsAndWritesEachAnswerAtOnce) {
     EXPECT_TRUE(report["findings"].empty()) << report.dump(1);
     EXPECT_TRUE(items().empty());
     EXPECT_NE(porttool({"review"}).out.find("nothing to look at"), std::string::npos);
+}
+
+TEST_F(Review, ALongLineGoesOnInTheNextRow) {
+    std::string sum = "t";
+    for (int i = 0; i < 40; ++i) sum += " + part_" + std::to_string(i) + "(t)";
+    write("src/long.cu", "__device__ float long_sum(float t) { return " + sum + "; }\n");
+    const std::string shown = typed("s\ns\ns\ns\n");
+    std::string left;  // the rows of the left column, joined
+    for (size_t at = 0, end = 0; (end = shown.find(" | ", at)) != std::string::npos; at = shown.find('\n', end) + 1) {
+        std::string row = shown.substr(shown.rfind('\n', end) + 1, end - shown.rfind('\n', end) - 1);
+        row.erase(row.find_last_not_of(' ') + 1);
+        left += row.starts_with("> ") ? row.substr(2) : row;
+    }
+    std::erase(left, ' ');
+    std::erase(sum, ' ');
+    EXPECT_NE(left.find(sum), std::string::npos) << shown;
 }
 
 TEST_F(Review, GoesOnWhereItWasLeft) {
