@@ -178,7 +178,8 @@ TEST(TargetSets, ACopyInAnotherFolderIsWatchedWithoutNamesToo) {
                  {"/r/cpu/k.cpp", port_of(kSquares)},
                  {"/r/old/k.cpp", port_of(kSquares)}};
     run(two, {"-C", "/r", "init", "--source", "cuda/k.cu", "cuda/l.cu", "--target", "cpu/*", "old/*"});
-    for (const auto& pair : json::parse(porttool_with_ports(two, {"map", "--format", "json"}).out)["pairs"])
+    const json mapped = json::parse(porttool_with_ports(two, {"map", "--format", "json"}).out);
+    for (const auto& pair : mapped["pairs"])
         EXPECT_FALSE(pair["source"] == "cuda/k.cu:squares" && pair["target"] == "old/k.cpp:squares");
 }
 
