@@ -113,7 +113,9 @@ def main():
             bad = growth > MOST_GROWTH or peak > MOST_BYTES or code not in (0, 1)
             failed += bad
             rows.setdefault(command, []).append((growth, seconds, once[command][0], peak, construct["name"], code, bad))
-        print(construct["name"], file=sys.stderr)
+        # A long run that is cut off has said what it found.
+        worst = max(row[-1] for row in rows.values())
+        print(f"{construct['name']}: at most {worst[0]:.2f} times{', TOO MUCH' if any(row[-1][-1] for row in rows.values()) else ''}", file=sys.stderr, flush=True)
     print(f"| command | construct | {options.bytes} bytes | twice that | growth | peak | |\n| --- | --- | --- | --- | --- | --- | --- |")
     for command, found in rows.items():
         worst = {max(found)[4], max(found, key=lambda row: row[1])[4], max(found, key=lambda row: row[3])[4]}
