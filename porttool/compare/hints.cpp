@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "porttool/compare/brackets.h"
 #include "porttool/normal/declaration_words.h"
 
 namespace porttool {
@@ -30,14 +31,7 @@ private:
     std::string_view word(size_t i) const { return i < words_.size() ? words_[i] : std::string_view(); }
     bool is_loop(size_t i) const { return is_one_of(word(i), {"for", "while", "do", "#", "foreach", "__pragma"}); }
 
-    size_t after_group(size_t open) const {
-        int depth = 0;
-        for (size_t i = open; i < words_.size(); ++i) {
-            if (words_[i] == "(") ++depth;
-            if (words_[i] == ")" && --depth == 0) return i + 1;
-        }
-        return words_.size();
-    }
+    size_t after_group(size_t open) const { return after_parentheses(words_, open); }
 
     /// How many words the hint at `i` takes; 0 if none is there.
     size_t hint_at(size_t i) {

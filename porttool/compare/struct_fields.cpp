@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "porttool/compare/brackets.h"
 #include "porttool/language/words.h"
 #include "porttool/normal/declaration_words.h"
 
@@ -13,14 +14,9 @@ namespace {
 /// True for the bracket of `ALIGNED ( 16 ) float3 v`.
 bool is_macro_before_field(const Words& statement, size_t open) {
     if (open != 1) return false;
-    int depth = 0;
-    for (size_t i = open; i < statement.size(); ++i) {
-        if (statement[i] == "(") ++depth;
-        if (statement[i] == ")" && --depth == 0)
-            return i + 2 < statement.size() && is_word_token(statement[i + 1]) &&
-                   !is_one_of(statement[i + 1], {"const", "volatile", "noexcept", "override", "final", "throw"});
-    }
-    return false;
+    const size_t after = after_parentheses(statement, open);
+    return after + 1 < statement.size() && is_word_token(statement[after]) &&
+           !is_one_of(statement[after], {"const", "volatile", "noexcept", "override", "final", "throw"});
 }
 
 /// True for a statement in a struct that declares a function, calls a macro, or names something without data.

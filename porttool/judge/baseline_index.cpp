@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "porttool/judge/resolve.h"
 #include "porttool/read/target_sets.h"
 #include "porttool/scan/scan.h"
 
@@ -35,14 +36,6 @@ public:
 private:
     std::map<std::string, std::vector<const LockedUnit*>> by_key_;
 };
-
-constexpr size_t kOwnText = 12;  // tokens that make a text its own, without its names
-
-/// A name without the scopes that it stands in.
-std::string without_scopes(const std::string& name) {
-    const size_t scope = name.rfind("::");
-    return scope == std::string::npos ? name : name.substr(scope + 2);
-}
 
 /// With --base the base's own baseline stands beside that of the lock: what both say is one line, with its reason.
 std::vector<const LockedUnit*> distinct(const std::vector<LockedUnit>& lines, std::string_view side,
@@ -81,9 +74,9 @@ BaselineIndex::BaselineIndex(const std::vector<LockedUnit>& lines, Side side, co
     match([](const LockedUnit& l) { return l.id; }, [](const UnitState& u) { return u.id; });
     std::erase_if(free_lines, [&](const LockedUnit* line) { return all.contains(line->id); });  // left: what is gone
     match([](const LockedUnit& l) { return l.prints.renamed; },
-          [](const UnitState& u) { return u.text.size() < kOwnText ? std::string() : u.prints.renamed; });
-    match([](const LockedUnit& l) { return split_id(l.id).first + ":" + without_scopes(split_id(l.id).second); },
-          [](const UnitState& u) { return u.file + ":" + without_scopes(u.name); });
+          [](const UnitState& u) { return u.text.size() < kTokensOfOwnText ? std::string() : u.prints.renamed; });
+    match([](const LockedUnit& l) { return split_id(l.id).first + ":" + std::string(leaf_of(split_id(l.id).second)); },
+          [](const UnitState& u) { return u.file + ":" + std::string(leaf_of(u.name)); });
     match([](const LockedUnit& l) { return split_id(l.id).second; }, [](const UnitState& u) { return u.name; });
 }
 

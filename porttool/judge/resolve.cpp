@@ -6,6 +6,8 @@
 #include <deque>
 #include <unordered_map>
 
+#include "porttool/scan/scan.h"
+
 namespace porttool {
 namespace {
 
@@ -17,8 +19,6 @@ std::string plain_id(const std::string& id) {
                                       [](char c) { return c >= '0' && c <= '9'; });
     return numbered ? id.substr(0, mark) : id;
 }
-
-constexpr size_t kLongEnough = 12;  // tokens that make a text its own
 
 /// A text up to its body, without the names of the parameters.
 std::string signature_of(const NormalText& text) {
@@ -35,13 +35,6 @@ std::string signature_of(const NormalText& text) {
     std::string joined;
     for (const std::string_view word : out) joined.append(word) += ' ';
     return joined;
-}
-
-/// The name without its scopes and without #2.
-std::string unscoped_name(const std::string& name) {
-    const std::string plain = plain_id(name);
-    const size_t scope = plain.rfind("::");
-    return scope == std::string::npos ? plain : plain.substr(scope + 2);
 }
 
 /// How many words two texts share, of all that they have: 0 to 1.
@@ -130,7 +123,7 @@ void Resolver::follow_texts(const Names& gone) {
     std::multimap<std::string, const UnitState*> by_text;
     for (const auto& [id, unit] : units_) {
         if (!is_free(unit)) continue;
-        if (unit.text.size() >= kLongEnough) by_text.emplace(unit.prints.renamed, &unit);
+        if (unit.text.size() >= kTokensOfOwnText) by_text.emplace(unit.prints.renamed, &unit);
         by_text.emplace(unit.name + " " + unit.prints.written, &unit);
     }
     const auto follow = [&](const NamedUnit& name, const std::string& text) {
@@ -181,14 +174,14 @@ void Resolver::follow_likeness(const Names& gone) {
     constexpr size_t kMostWords = 20'000'000;  // beyond, what is gone is called gone
     std::unordered_map<std::string, std::vector<const UnitState*>> by_name, by_file;
     for (const auto& [id, unit] : units_) {
-        if (!is_free(unit) || unit.text.size() < kLongEnough) continue;
-        by_name[unscoped_name(unit.name)].push_back(&unit);
+        if (!is_free(unit) || unit.text.size() < kTokensOfOwnText) continue;
+        by_name[std::string(leaf_of(plain_id(unit.name)))].push_back(&unit);
         by_file[unit.file].push_back(&unit);
     }
     size_t words = 0;
     for (const NamedUnit* name : gone) {
         const NormalText before = base_text_(name->prints->written);
-        if (before.size() < kLongEnough) continue;
+        if (before.size() < kTokensOfOwnText) continue;
         const auto [file, unit_name] = split_id(name->id);
         const UnitState* best = nullptr;
         double likeness = 0, second = 0;
@@ -203,7 +196,7 @@ void Resolver::follow_likeness(const Names& gone) {
                 likeness = std::max(likeness, found);
             }
         };
-        if (const auto found = by_name.find(unscoped_name(unit_name)); found != by_name.end())
+        if (const auto found = by_name.find(std::string(leaf_of(plain_id(unit_name)))); found != by_name.end())
             try_all(found->second, kUnderItsName);
         if (const auto found = by_file.find(file); best == nullptr && found != by_file.end())
             try_all(found->second, kInItsFile);

@@ -13,6 +13,8 @@
 
 namespace porttool {
 
+inline constexpr size_t kTokensOfOwnText = 12;  ///< so many make a text a unit's own, whatever its names
+
 /// A unit that an id of the lock or the map leads to today.
 struct Resolved {
     const UnitState* unit = nullptr;

@@ -14,6 +14,7 @@
 #include "porttool/match/entry_names.h"
 #include "porttool/match/words.h"
 #include "porttool/normal/normal_form.h"
+#include "porttool/scan/scan.h"
 
 namespace porttool {
 namespace {

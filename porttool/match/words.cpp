@@ -171,11 +171,6 @@ std::string fold(std::string_view name) {
     return folded;
 }
 
-std::string_view leaf_of(std::string_view name) {
-    const size_t colons = name.rfind("::");
-    return colons == std::string_view::npos ? name : name.substr(colons + 2);
-}
-
 std::string_view file_stem(std::string_view path) {
     std::string_view file = path.substr(path.find_last_of('/') + 1);
     while (file.starts_with('.')) file.remove_prefix(1);

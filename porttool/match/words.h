@@ -28,9 +28,6 @@ bool marks_reference(std::string_view word);
 /// Letters and digits only, small; a leading `k` of a constant's name goes: `kMaxDepth` and `MAX_DEPTH` are one.
 std::string fold(std::string_view name);
 
-/// The last part of a qualified name: `B::f` of `A::B::f` is `f`.
-std::string_view leaf_of(std::string_view name);
-
 /// The file's name without folder and suffixes.
 std::string_view file_stem(std::string_view path);
 

@@ -177,6 +177,11 @@ std::pair<std::string, std::string> split_id(const std::string& id) {
     return {id.substr(0, colon), id.substr(colon + 1)};
 }
 
+std::string_view leaf_of(std::string_view name) {
+    const size_t colons = name.rfind("::");
+    return colons == std::string_view::npos ? name : name.substr(colons + 2);
+}
+
 Unit whole_file_unit(const ScannedFile& file) {
     Unit unit;
     unit.kind = UnitKind::File;

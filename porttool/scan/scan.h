@@ -20,6 +20,9 @@ std::string unit_id(const ScannedFile& file, const Unit& unit);
 /// The file and the name of an id whose name is `Glass::Evaluate` or `main`.
 std::pair<std::string, std::string> split_id(const std::string& id);
 
+/// The last part of a qualified name: `B::f` of `A::B::f` is `f`.
+std::string_view leaf_of(std::string_view name);
+
 /// The unit that stands for a whole file, named `@file`.
 Unit whole_file_unit(const ScannedFile& file);
 

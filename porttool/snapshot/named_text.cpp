@@ -41,21 +41,16 @@ std::optional<Named> find_file(const Disk& disk, const std::string& folder, cons
                    ": no such file or unit; paths are relative to -C or to the root, units are PATH:NAME");
 }
 
-std::string leaf(const std::string& name) {
-    const size_t colons = name.rfind("::");
-    return colons == std::string::npos ? name : name.substr(colons + 2);
-}
-
 /// The unit most like a name: one with the same last part, else the one with the fewest letters changed.
 std::string nearest_unit(const ScannedFile& file, const std::string& name) {
     std::vector<std::string> names, leaves;
     for (const Unit& unit : file.units) {
-        if (leaf(unit.name) == leaf(name)) return unit.name;
+        if (leaf_of(unit.name) == leaf_of(name)) return unit.name;
         names.push_back(unit.name);
-        leaves.push_back(leaf(unit.name));
+        leaves.emplace_back(leaf_of(unit.name));
     }
     if (const std::string near = nearest(name, names); !near.empty()) return near;
-    const std::string near = nearest(leaf(name), leaves);
+    const std::string near = nearest(std::string(leaf_of(name)), leaves);
     const auto at = std::find(leaves.begin(), leaves.end(), near);
     return near.empty() ? near : names[static_cast<size_t>(at - leaves.begin())];
 }

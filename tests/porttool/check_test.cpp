@@ -33,14 +33,6 @@ vec3 shade(Hit hit, vec3 throughput, float pdf) {
 }
 )";
 
-std::vector<std::string> rules(const nlohmann::json& report) {
-    std::vector<std::string> out;
-    for (const auto& finding : report["findings"]) out.push_back(finding["rule"]);
-    return out;
-}
-
-using Rules = std::vector<std::string>;
-
 TEST(Check, AFreshMapIsInStep) {
     MemoryDisk disk = started(kSource, kTarget);
     const auto report = check(disk);

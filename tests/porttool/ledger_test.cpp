@@ -11,14 +11,6 @@
 namespace porttool::testing {
 namespace {
 
-using Rules = std::vector<std::string>;
-
-Rules rules(const nlohmann::json& report) {
-    Rules out;
-    for (const auto& finding : report["findings"]) out.push_back(finding["rule"]);
-    return out;
-}
-
 CommandRun porttool(MemoryDisk& disk, std::vector<std::string> arguments) {
     arguments.insert(arguments.begin(), {"-C", "/r"});
     return run(disk, arguments);

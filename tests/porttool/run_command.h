@@ -38,6 +38,15 @@ inline nlohmann::json check(Disk& disk) {
     return nlohmann::json::parse(run(disk, {"-C", "/r", "check", "--format", "json"}).out);
 }
 
+using Rules = std::vector<std::string>;
+
+/// The rules of the findings of a report of `check`.
+inline Rules rules(const nlohmann::json& report) {
+    Rules out;
+    for (const auto& finding : report["findings"]) out.push_back(finding["rule"]);
+    return out;
+}
+
 inline std::string replaced(std::string text, const std::string& from, const std::string& to) {
     const size_t at = text.find(from);
     if (at == std::string::npos) throw std::runtime_error("'" + from + "' is not in the text");
