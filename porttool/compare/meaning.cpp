@@ -6,6 +6,7 @@
 #include <array>
 
 #include "porttool/compare/casts.h"
+#include "porttool/language/spelling.h"
 #include "porttool/language/words.h"
 #include "porttool/normal/normal_form.h"
 #include "porttool/normal/statements.h"
@@ -225,6 +226,7 @@ std::vector<std::string> Meaning::translate(const Words& statement, Side side, b
         if (const std::string storage = storage_of(tokens); !storage.empty()) out.push_back(storage);
     for (size_t i = 0; i < tokens.size(); ++i) {
         if (tokens[i] == "::" || (in_body && tokens[i] == "groupshared")) continue;
+        if (!in_body && names_inlining(tokens[i]) && (i + 1 == tokens.size() || tokens[i + 1] != "(")) continue;
         if (const std::string_view component = component_at(tokens, i, languages_[side]); !component.empty()) {
             out.insert(out.end(), {".", std::string(component)});
             i += tokens[i] == "[" ? 2 : 1;

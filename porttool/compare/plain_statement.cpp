@@ -127,7 +127,7 @@ size_t PlainStatements::after_idle(const Words& words, size_t i, bool in_head) c
     if (word == "extern" && at(words, i + 1).starts_with("\"")) return i + 2;
     if (word == "noexcept" && at(words, i + 1) == "(" && at(words, i + 2) != "false")
         return after_attribute(words, i + 1);
-    if (word_is(word, kHeadPromise)) return i + 1;
+    if (word_is(word, kHeadPromise) || (names_inlining(word) && at(words, i + 1) != "(")) return i + 1;
     const bool starts_parameter = i > 0 && is_one_of(words[i - 1], {"(", ","}) && is_word_token(at(words, i + 1));
     const bool in_is_default = traits_of(language_).literals == Literals::Shading;
     return word == "in" && starts_parameter && in_is_default ? i + 1 : i;

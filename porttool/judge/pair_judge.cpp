@@ -111,6 +111,7 @@ void PairJudge::report_gone(const JudgedPair& pair, bool is_recorded) {
             (is_recorded ? "both sides of this pair are gone: " : "the map names two units that are not there: ") +
                 source + " and " + target);
         finding.remedy = "Remove the [[pair]] from portmap.toml; if they were renamed, name the new ones there";
+        if (is_recorded) finding.level = std::min(finding.level, Level::Note);  // both sides did the same
     } else if (is_recorded && no_target) {
         const bool is_original = facts_.map.reference == Reference::Target;
         findings_.add(

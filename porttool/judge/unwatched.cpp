@@ -11,6 +11,7 @@
 #include "porttool/compare/compare_pair.h"
 #include "porttool/judge/baseline_index.h"
 #include "porttool/judge/counterparts.h"
+#include "porttool/judge/new_users.h"
 #include "porttool/judge/rules.h"
 #include "porttool/scan/scan.h"
 
@@ -50,6 +51,7 @@ public:
         for (const UnitState* unit : units_)
             if (baseline.find(*unit) == nullptr && !verdicts_.is_ignored(*unit)) fresh.push_back(unit);
         const Counterparts counterparts = find_counterparts(facts_, out.pairs, side_, sets_, set_, fresh);
+        find_told(fresh, counterparts);
         for (const UnitState* unit : units_) {
             const LockedUnit* line = baseline.find(*unit);
             const std::optional<std::string> said = judge_unit(*unit, line, counterparts);
@@ -77,6 +79,15 @@ private:
         }
     }
 
+    /// Which of the new units without a counterpart are told with the units that use them.
+    void find_told(const std::vector<const UnitState*>& fresh, const Counterparts& counterparts) {
+        std::vector<const UnitState*> unported;
+        for (const UnitState* unit : fresh)
+            if (!counterparts.contains(unit)) unported.push_back(unit);
+        const std::set<const UnitState*> lone(units_.begin(), units_.end()), is_fresh(fresh.begin(), fresh.end());
+        told_ = told_with_others({units_of(facts_, side_), lone, is_fresh, unported, facts_.files[side_]});
+    }
+
     /// What a person said of the unit, if anybody said something.
     std::optional<std::string> judge_unit(const UnitState& unit, const LockedUnit* line,
                                           const Counterparts& counterparts) {
@@ -90,6 +101,10 @@ private:
                                           side_ == Side::Target ? "counterpart in the source"
                                           : set_.empty()        ? "port"
                                                                 : "port in " + set_);
+            if (const auto told = told_.find(&unit); told != told_.end()) {
+                if (!facts_.map.rules.contains(Rule::Unported)) finding.level = std::min(finding.level, Level::Note);
+                finding.message += "; " + told->second;
+            }
             if (side_ == Side::Target)
                 finding.remedy.replace(0, std::string_view("Port it").size(), "Give it a counterpart");
         } else if (is_told(unit, *candidate->second.unit)) {
@@ -137,7 +152,8 @@ private:
     std::string set_;
     FindingList& findings_;
     Verdicts& verdicts_;
-    std::vector<const UnitState*> units_;  ///< that no pair leads to
+    std::vector<const UnitState*> units_;           ///< that no pair leads to
+    std::map<const UnitState*, std::string> told_;  ///< new ones whose lack is told with others, and how
 };
 
 }  // namespace

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "porttool/language/spelling.h"
 
+#include <algorithm>
 #include <array>
 
 #include "porttool/language/word_list.h"
@@ -63,6 +64,19 @@ std::string_view one_spelling(std::string_view word, Language language) {
     if (const std::string_view found = found_in(kTypeSpellings, word); !found.empty()) return found;
     const std::string_view found = found_in(kOtherSpellings, word);
     return found.empty() ? word : found;
+}
+
+bool names_inlining(std::string_view word) {
+    constexpr std::string_view kInline = "INLINE";
+    const auto small = [](char c) { return c >= 'a' && c <= 'z'; };
+    if (std::any_of(word.begin(), word.end(), small)) return false;
+    const size_t found = word.find(kInline);
+    if (found == std::string_view::npos) return false;
+    const size_t end = found + kInline.size();
+    const std::string_view before = word.substr(0, found);
+    const bool starts = before.empty() || before.back() == '_' || before.ends_with("FORCE") || before.ends_with("NO") ||
+                        before.ends_with("ALWAYS") || before.ends_with("NEVER");
+    return starts && (end == word.size() || word[end] == '_');
 }
 
 bool has_other_spellings(std::string_view type) { return !found_in(kTypeSpellings, type).empty(); }

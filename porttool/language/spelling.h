@@ -13,6 +13,9 @@ namespace porttool {
 /// across languages: two words of one spelling mean the same within one text. Others come back as they are.
 std::string_view one_spelling(std::string_view word, Language language);
 
+/// True for a macro that says by its name how a function is to be inlined: `FORCE_INLINE`, `OUR_NOINLINE`.
+bool names_inlining(std::string_view word);
+
 /// True for a type that one_spelling() knows, also as `std::uint32_t`.
 bool has_other_spellings(std::string_view type);
 

@@ -181,6 +181,8 @@ const std::vector<LabelledEdit> kSilent = {
     {".hip", kKernel, "__global__ void", "extern \"C\" __global__ void"},
     {".dp.cpp", kSycl, "SYCL_EXTERNAL void", "void"},
     {".cpp", kC, "int n, float s", "[[maybe_unused]] int n, float s"},
+    {".cl", kC, "float f(", "OUR_FORCE_NOT_INLINE float f("},
+    {".c", kC, "float f(", "static ALWAYS_INLINE float f("},
     // restrict
     {".cu", kKernel, "float* __restrict__ out", "float* out"},
     {".cl", kOpenCl, "float* restrict in", "float* in"},
@@ -324,6 +326,8 @@ const std::vector<LabelledEdit> kHarmful = {
     {".dp.cpp", kSycl, "memory_order::relaxed", "memory_order::acq_rel"},
     {".dp.cpp", kSycl, "memory_scope::device", "memory_scope::work_group"},
     {".cpp", kMember, "virtual float f", "float f"},
+    {".cpp", kC, "float f(", "INLINED_TARGET float f("},
+    {".cpp", kC, "float f(", "INLINE(avx) float f("},
     {".cpp", kC, "float f(", "__attribute__((optimize(\"fast-math\"))) float f("},
     {".cpp", kC, "float f(", "__attribute__((target(\"fma\"))) float f("},
     {".cpp", kC, "unsigned int k", "int k"},

@@ -178,6 +178,65 @@ TEST(Unwatched, TheBaselineIsCountedAndNeverListed) {
     EXPECT_EQ(got.out.find("hash_of"), std::string::npos);
 }
 
+/// Levels and ids of what is said of new units without a counterpart, sorted by id.
+std::vector<std::string> unported_in(const nlohmann::json& report) {
+    std::vector<std::string> out;
+    for (const auto& finding : report["findings"])
+        if (finding["rule"] == "unported")
+            out.push_back(finding["source"]["id"].get<std::string>() + " " + finding["level"].get<std::string>());
+    std::sort(out.begin(), out.end());
+    return out;
+}
+
+const std::string kMix = "__device__ float mix_in(float c) { return c * SCALE + 0.25f; }\n";
+
+TEST(Unwatched, WhatAWatchedUnitUsesIsToldWithIt) {
+    MemoryDisk disk = started(kLum + kHash, kLumPort);
+    const auto with = [&](const std::string& text) {
+        disk.files["/r/src/k.cu"] = text;
+        return check(disk);
+    };
+    const std::string uses = replaced(kLum, "return 0.2f", "return mix_in(c.x) + 0.2f");
+    const auto watched = with("#define SCALE 2.0f\n" + kMix + uses + kHash);
+    EXPECT_EQ(unported_in(watched), (std::vector<std::string>{"src/k.cu:SCALE note", "src/k.cu:mix_in note"}));
+    EXPECT_EQ(watched["verdict"], "drift") << "the edit that uses it is told";
+    EXPECT_EQ(watched["summary"]["unpaired_changed"], 2) << "nobody watches them all the same";
+
+    EXPECT_EQ(
+        unported_in(with("#define SCALE 2.0f\n" + kMix + kLum + replaced(kHash, "return seed", "return mix_in(seed)"))),
+        (std::vector<std::string>{"src/k.cu:SCALE note", "src/k.cu:mix_in note"}))
+        << "what uses it has no port either";
+    const std::string chooser =
+        "__device__ float choose(int i, float3 c) { return i == 0 ? lum(c) : i == 1 ? 0.5f : c.x; }\n";
+    MemoryDisk other = started(kLum + chooser, kLumPort);
+    other.files["/r/src/k.cu"] = "#define SCALE 2.0f\n" + kMix + kLum + replaced(chooser, "0.5f", "mix_in(c.x)");
+    EXPECT_EQ(unported_in(check(other)), (std::vector<std::string>{"src/k.cu:SCALE note", "src/k.cu:mix_in error"}))
+        << "what uses it has no port, but joins what has";
+    EXPECT_EQ(unported_in(with("#define SCALE 2.0f\n" + kMix + kLum + kHash)),
+              (std::vector<std::string>{"src/k.cu:SCALE note", "src/k.cu:mix_in error"}))
+        << "nothing uses the function";
+    EXPECT_EQ(unported_in(with(kMix + replaced(kLum, "0.2f", "mix_in.x") + kHash)),
+              (std::vector<std::string>{"src/k.cu:mix_in error"}))
+        << "a variable of its name is no call";
+    EXPECT_EQ(unported_in(with(kMix + "__device__ float mix_in(int c) { return c; }\n" + uses + kHash)),
+              (std::vector<std::string>{"src/k.cu:mix_in error", "src/k.cu:mix_in#2 error"}))
+        << "nobody knows which of the two is called";
+}
+
+TEST(Unwatched, OfAKernelAndItsLauncherTheKernelIsTold) {
+    MemoryDisk disk = started(kLum + "void step(int n) { printf(\"%d\", n); }\n", kLumPort);
+    const std::string kernel =
+        "__global__ void tint_rows(float* a, int n) {\n    int i = threadIdx.x;\n"
+        "    if (i < n) a[i] = a[i] * 3.0f;\n}\n";
+    const std::string launcher = "void tint(float* a, int n) { tint_rows<<<1, n>>>(a, n); }\n";
+    disk.files["/r/src/k.cu"] = kLum + "void step(int n) { printf(\"%d\", n); }\n" + kernel + launcher;
+    EXPECT_EQ(unported_in(check(disk)), (std::vector<std::string>{"src/k.cu:tint note", "src/k.cu:tint_rows error"}));
+    disk.files["/r/portmap.toml"] += "\n[rules]\nunported = \"warning\"\n";
+    EXPECT_EQ(unported_in(check(disk)),
+              (std::vector<std::string>{"src/k.cu:tint warning", "src/k.cu:tint_rows warning"}))
+        << "what [rules] says wins";
+}
+
 // ---- pairs that were never recorded
 
 const std::string kPairOfFresnel = "\n[[pair]]\nsource = \"src/k.cu:fresnel\"\ntarget = \"port/k.comp:fresnel\"\n";

@@ -1,0 +1,161 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/judge/new_users.h"
+
+#include <algorithm>
+#include <array>
+#include <unordered_map>
+
+#include "porttool/match/body_traits.h"
+#include "porttool/scan/scan.h"
+
+namespace porttool {
+namespace {
+
+/// How a user stands, the one that says most first.
+enum class UserKind : uint8_t { Watched, Unwatched, New, Unported };
+
+class UserSearch {
+public:
+    explicit UserSearch(const SideUnits& units) : units_(units) {}
+
+    std::map<const UnitState*, std::string> run() {
+        find_launchers();
+        find_names();
+        for (const auto& [id, unit] : units_.all)
+            if (unit.kind != UnitKind::File) read_uses(unit);
+        for (auto& [unit, users] : users_) tell(unit, users);
+        follow();
+        return std::move(told_);
+    }
+
+private:
+    using Users = std::array<std::vector<const UnitState*>, 4>;  ///< by UserKind, some of each
+
+    void find_launchers() {
+        if (units_.files == nullptr) return;
+        std::map<std::string, const UnitState*> functions;
+        for (const UnitState* unit : units_.unported)
+            if (unit->kind == UnitKind::Function) functions.emplace(unit->id, unit);
+        std::set<std::string> paths;
+        for (const auto& [id, unit] : functions) paths.insert(unit->file);
+        for (const ScannedFile& file : *units_.files) {
+            if (!paths.contains(file.path)) continue;
+            for (const Unit& unit : file.units) {
+                const auto found = functions.find(unit_id(file, unit));
+                if (found == functions.end()) continue;
+                const BodyTraits traits = read_body_traits(file, unit);
+                if (traits.launches && !traits.stores) told_.emplace(found->second, "it launches kernels");
+            }
+        }
+    }
+
+    /// The names by which the units are used. One that several units bear tells nothing.
+    void find_names() {
+        std::unordered_map<std::string_view, size_t> bearers;
+        for (const auto& [id, unit] : units_.all)
+            if (unit.kind != UnitKind::File) ++bearers[leaf(unit)];
+        for (const auto& [id, unit] : units_.all)
+            if (is_code(unit) && bearers[leaf(unit)] == 1) functions_.emplace(leaf(unit), &unit);
+        for (const UnitState* unit : units_.unported)
+            if (unit->kind != UnitKind::Kernel && bearers[leaf(*unit)] == 1) names_.emplace(leaf(*unit), unit);
+        for (const auto& [name, unit] : names_) lengths_[std::min(name.size(), lengths_.size() - 1)] = true;
+    }
+
+    static bool is_code(const UnitState& unit) {
+        return unit.kind == UnitKind::Function || unit.kind == UnitKind::Kernel;
+    }
+
+    static std::string_view leaf(const UnitState& unit) {
+        const std::string_view name = leaf_of(unit.name);
+        return name.substr(0, name.find('#'));
+    }
+
+    void read_uses(const UnitState& user) {
+        const UserKind kind = kind_of(user);
+        for (size_t i = 0; i < user.text.size(); ++i) {
+            const std::string_view word = user.text[i];
+            if (!lengths_[std::min(word.size(), lengths_.size() - 1)] || !is_word_token(word)) continue;
+            const auto found = names_.find(word);
+            if (found == names_.end() || found->second == &user || !is_use(*found->second, user.text, i)) continue;
+            constexpr size_t kMost = 8;
+            auto& users = users_[found->second][static_cast<size_t>(kind)];
+            if (users.size() < kMost && (users.empty() || users.back() != &user)) users.push_back(&user);
+            if (kind == UserKind::Unported) uses_[&user].insert(found->second);
+        }
+    }
+
+    UserKind kind_of(const UnitState& user) {
+        if (!units_.lone.contains(&user)) return UserKind::Watched;
+        if (!units_.fresh.contains(&user)) return UserKind::Unwatched;
+        if (open_.empty()) open_.insert(units_.unported.begin(), units_.unported.end());
+        return open_.contains(&user) ? UserKind::Unported : UserKind::New;
+    }
+
+    /// A function is used where it is called or handed to a template; any mention of a constant or a type is a use.
+    static bool is_use(const UnitState& used, const NormalText& text, size_t i) {
+        if (used.kind != UnitKind::Function) return true;
+        const std::string_view before = i > 0 ? text[i - 1] : std::string_view();
+        const std::string_view after = i + 1 < text.size() ? text[i + 1] : std::string_view();
+        return after == "(" || after == "<" || after == ">" || before == "<" || before == "&";
+    }
+
+    /// What has no port itself, but only joins what has ports, as a dispatcher does, says nothing of a new unit.
+    bool joins_ports(const UnitState& user) const {
+        std::set<const UnitState*> watched, others;
+        for (size_t i = 0; i < user.text.size(); ++i) {
+            const auto found = functions_.find(user.text[i]);
+            if (found == functions_.end() || found->second == &user || units_.fresh.contains(found->second)) continue;
+            (units_.lone.contains(found->second) ? others : watched).insert(found->second);
+        }
+        return !watched.empty() && watched.size() >= others.size();
+    }
+
+    void tell(const UnitState* unit, Users& users) {
+        constexpr std::array<const char*, 3> kSays = {" uses it, which is watched", " uses it, which has no port",
+                                                      " uses it, which is new as well"};
+        auto& unwatched = users[static_cast<size_t>(UserKind::Unwatched)];
+        if (std::any_of(unwatched.begin(), unwatched.end(), [&](const UnitState* user) { return joins_ports(*user); }))
+            unwatched.clear();
+        for (size_t kind = 0; kind < kSays.size(); ++kind)
+            if (!users[kind].empty() && told_.emplace(unit, users[kind][0]->id + kSays[kind]).second) return;
+    }
+
+    /// What only new units without a counterpart use is told with these, down from those that nothing uses.
+    void follow() {
+        std::vector<const UnitState*> open;
+        for (const UnitState* unit : units_.unported)
+            if (!is_used_by_new(unit) || told_.contains(unit)) open.push_back(unit);
+        while (!open.empty()) {
+            const UnitState* user = open.back();
+            open.pop_back();
+            const auto uses = uses_.find(user);
+            if (uses == uses_.end()) continue;
+            for (const UnitState* used : uses->second)
+                if (told_.emplace(used, user->id + " uses it, which has no port").second) open.push_back(used);
+        }
+    }
+
+    bool is_used_by_new(const UnitState* unit) const {
+        const auto users = users_.find(unit);
+        return users != users_.end() && !users->second[static_cast<size_t>(UserKind::Unported)].empty();
+    }
+
+    const SideUnits& units_;
+    std::set<const UnitState*> open_;
+    std::unordered_map<std::string_view, const UnitState*> functions_;  ///< all, where one alone bears the name
+    std::unordered_map<std::string_view, const UnitState*> names_;
+    std::array<bool, 65> lengths_ = {};  ///< of the names, the last for all that are longer
+    std::map<const UnitState*, Users> users_;
+    std::map<const UnitState*, std::set<const UnitState*>> uses_;  ///< of units without a counterpart
+    std::map<const UnitState*, std::string> told_;
+};
+
+}  // namespace
+
+std::map<const UnitState*, std::string> told_with_others(const SideUnits& units) {
+    if (units.unported.empty()) return {};
+    return UserSearch(units).run();
+}
+
+}  // namespace porttool

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "porttool/normal/unit_state.h"
+#include "porttool/scan/unit.h"
+
+namespace porttool {
+
+/// The units of one side, by how they stand to the other.
+struct SideUnits {
+    const std::map<std::string, UnitState>& all;
+    const std::set<const UnitState*>& lone;         ///< that no pair leads to
+    const std::set<const UnitState*>& fresh;        ///< of these, new
+    const std::vector<const UnitState*>& unported;  ///< of these, without a counterpart
+    const std::vector<ScannedFile>* files;          ///< of the side, if they are there
+};
+
+/// New units without a counterpart whose lack is no news of its own, with the clause that says why: what uses them is
+/// watched, and tells of the edit that brought them; or has no port itself; or they launch kernels, which is nobody's
+/// port. A kernel is always news, and so is what nothing uses by name.
+///
+///     float fresnel(float c) {...}        new, used by shade() alone: "shade.cu:shade uses it, which is watched"
+std::map<const UnitState*, std::string> told_with_others(const SideUnits& units);
+
+}  // namespace porttool
