@@ -3,6 +3,7 @@
 #include "porttool/compare/casts.h"
 
 #include <algorithm>
+#include <array>
 
 #include "porttool/language/words.h"
 
@@ -217,6 +218,8 @@ private:
 }  // namespace
 
 Words with_one_word_types(const Words& tokens) {
+    constexpr std::array<std::array<std::string_view, 2>, 4> kSized = {
+        {{"int8", "uint8"}, {"int16", "uint16"}, {"int32", "uint32"}, {"int64", "uint64"}}};
     Words out;
     for (size_t i = 0; i < tokens.size();) {
         size_t end = i, longs = 0;
@@ -231,6 +234,15 @@ Words with_one_word_types(const Words& tokens) {
             if (!word_is(token, kTypePart)) break;
         }
         const bool is_double = end < tokens.size() && tokens[end] == "double";
+        if (end == i + 1 && end < tokens.size() && (is_unsigned || is_signed)) {  // ISPC's `unsigned int8`
+            const std::string_view sized = tokens[end];
+            const auto known = std::find_if(kSized.begin(), kSized.end(), [&](auto& row) { return row[0] == sized; });
+            if (known != kSized.end()) {
+                out.push_back((*known)[is_unsigned ? 1 : 0]);
+                i = end + 1;
+                continue;
+            }
+        }
         if (end == i) end = i + 1;
         if (end == i + 1 && !is_unsigned && !is_signed) {
             out.push_back(tokens[i++]);

@@ -92,13 +92,28 @@ private:
 
     void compare_both() {
         const bool structs = pair_.source.kind == UnitKind::Struct && pair_.target.kind == UnitKind::Struct;
-        const auto text = [&](const Words& words) { return structs ? data_fields(words) : without_prelude(words); };
+        const auto text = [&](const Words& words) {
+            return structs ? data_fields(without_prelude(words)) : without_prelude(words);
+        };
         const Words source_before = text(before_.source), source_now = text(now_.source),
                     target_before = text(before_.target), target_now = text(now_.target);
         EditComparison edits = compare_edits({source_before, source_now, target_before, target_now}, dialect_,
                                              {pair_.source.language, pair_.target.language});
-        if (edits.equivalent) out_.standing = Standing::Equivalent;
+        if (edits.equivalent && declared_alike()) out_.standing = Standing::Equivalent;
         out_.missing = std::move(edits.differences);
+        if (edits.equivalent && out_.standing != Standing::Equivalent)
+            out_.missing = {
+                "the two sides declare what they use, or how they are called, otherwise than before, and "
+                "not alike"};
+    }
+
+    /// The files of both changed how they declare what the units use in one way.
+    bool declared_alike() const {
+        BySide<std::vector<std::string>> changes;
+        for (const Side side : kBothSides)
+            changes[side] = declaration_changes(before_[side], now_[side],
+                                                PlainStatements(pair_[side].kind, pair_[side].language, dialect_));
+        return changes.source == changes.target;
     }
 
     const BySide<PairedUnit>& pair_;

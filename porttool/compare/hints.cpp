@@ -13,8 +13,8 @@ namespace {
 /// Reads the pragmas of a text. Normal form has no line ends, so a pragma ends where its grammar does.
 class HintReader {
 public:
-    explicit HintReader(const Words& words) : words_(words) {
-        for (const std::string_view word : words)
+    explicit HintReader(Words words) : words_(std::move(words)) {
+        for (const std::string_view word : words_)
             order_matters_ = order_matters_ || is_one_of(word, {"nowait", "ordered", "omp_get_thread_num"});
     }
 
@@ -35,16 +35,9 @@ private:
 
     /// How many words the hint at `i` takes; 0 if none is there.
     size_t hint_at(size_t i) {
-        if (word(i) == "_Pragma" && word(i + 1) == "(" && word(i + 3) == ")") return is_hint_text(word(i + 2)) ? 4 : 0;
         if (word(i) != "#" || word(i + 1) != "pragma") return 0;
         const size_t end = after_hint(i + 2);
         return end > i + 2 ? end - i : 0;
-    }
-
-    static bool is_hint_text(std::string_view text) {
-        for (const std::string_view hint : {"\"unroll", "\"nounroll", "\"ivdep", "\"GCC ivdep", "\"GCC unroll"})
-            if (text.starts_with(hint)) return true;
-        return text == "\"omp simd\"";
     }
 
     /// Behind the pragma whose first word is at `at`, or `at` if it is no hint.
@@ -121,10 +114,41 @@ private:
         return is_one_of(clause, {"schedule", "proc_bind", "simdlen", "nontemporal"});
     }
 
-    const Words& words_;
+    Words words_;
     Words out_;
     bool order_matters_ = false;  ///< somewhere in the text it shows which thread takes what
 };
+
+/// The words of a pragma that stands as a string.
+void add_words_of(std::string_view text, Words& out) {
+    const auto part_of_word = [](char c) {
+        return c == '_' || c == '.' || (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+    };
+    for (size_t i = 0; i < text.size();) {
+        size_t end = i + 1;
+        while (part_of_word(text[i]) && end < text.size() && part_of_word(text[end])) ++end;
+        if (text[i] != ' ' && text[i] != '\t') out.push_back(text.substr(i, end - i));
+        i = end;
+    }
+}
+
+/// `_Pragma("omp simd")` is `#pragma omp simd`.
+Words with_pragma_lines(const Words& words) {
+    Words out;
+    for (size_t i = 0; i < words.size(); ++i) {
+        const bool is_pragma = words[i] == "_Pragma" && i + 3 < words.size() && words[i + 1] == "(" &&
+                               words[i + 3] == ")" && words[i + 2].size() > 2 && words[i + 2].front() == '"' &&
+                               words[i + 2].find('\\') == std::string_view::npos;
+        if (!is_pragma) {
+            out.push_back(words[i]);
+            continue;
+        }
+        out.insert(out.end(), {"#", "pragma"});
+        add_words_of(words[i + 2].substr(1, words[i + 2].size() - 2), out);
+        i += 3;
+    }
+    return out;
+}
 
 }  // namespace
 
@@ -132,7 +156,7 @@ Words without_hints(const Words& tokens) {
     if (std::find(tokens.begin(), tokens.end(), "pragma") == tokens.end() &&
         std::find(tokens.begin(), tokens.end(), "_Pragma") == tokens.end())
         return tokens;
-    return HintReader(tokens).run();
+    return HintReader(with_pragma_lines(tokens)).run();
 }
 
 }  // namespace porttool

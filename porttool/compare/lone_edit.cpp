@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "porttool/compare/lone_edit.h"
 
+#include <algorithm>
 #include <map>
 
 #include "porttool/compare/hints.h"
@@ -43,8 +44,12 @@ Words single_declarations(const Words& prelude) {
     return {block.begin() + 1, block.end() - 1};
 }
 
-/// How a prelude declares each variable: in plain words, and as written.
-std::map<std::string, Statement> declarations_of(const Words& text, const PlainStatements& plain) {
+/// What a prelude says: how it declares each variable, in plain words and as written, and what stands for itself.
+struct Prelude {
+    std::map<std::string, Statement> declared, said;
+};
+
+Prelude read_prelude(const Words& text, const PlainStatements& plain) {
     const Translator translator = [&](const Words& statement, bool) {
         std::vector<std::string> words = plain.translate(statement, true), out;
         for (size_t i = 0; i < words.size(); ++i) {
@@ -55,42 +60,67 @@ std::map<std::string, Statement> declarations_of(const Words& text, const PlainS
         }
         return out;
     };
-    std::map<std::string, Statement> out;
+    Prelude out;
     const Words declarations = single_declarations(prelude_of(text));
     for (Statement& statement : split_statements(declarations, translator)) {
         const std::vector<std::string>& words = statement.common;
+        if (words.empty()) continue;
+        if (words[0] == "#" || words[0] == "default" || words[0] == "template") {
+            std::string key = statement.key;
+            out.said.emplace(std::move(key), std::move(statement));
+            continue;
+        }
         size_t name = words.size();
         for (size_t i = 0; i < words.size() && words[i] != "["; ++i)
             if (is_word_token(words[i])) name = i;
         if (name == words.size()) continue;
         std::string key = words[name];
-        out.emplace(std::move(key), std::move(statement));
+        out.declared.emplace(std::move(key), std::move(statement));
     }
     return out;
 }
 
 /// Adds the variables that both texts use and that are declared otherwise now. One that only one text uses came or
-/// went with a statement.
+/// went with a statement. What a file says of the function itself, or of how it is compiled, is all there is.
 void add_changed_declarations(const Words& before, const Words& now, const PlainStatements& plain, Edit& edit) {
-    const auto old_ones = declarations_of(before, plain), new_ones = declarations_of(now, plain);
-    for (const auto& [name, declared] : old_ones) {
-        const auto found = new_ones.find(name);
-        if (found == new_ones.end() || found->second.key == declared.key) continue;
+    const Prelude old_one = read_prelude(before, plain), new_one = read_prelude(now, plain);
+    for (const auto& [name, declared] : old_one.declared) {
+        const auto found = new_one.declared.find(name);
+        if (found == new_one.declared.end() || found->second.key == declared.key) continue;
         edit.lost.push_back(declared.shown);
         edit.gained.push_back(found->second.shown);
     }
+    for (const auto& [key, said] : old_one.said)
+        if (!new_one.said.contains(key)) edit.lost.push_back(said.shown);
+    for (const auto& [key, said] : new_one.said)
+        if (!old_one.said.contains(key)) edit.gained.push_back(said.shown);
+}
+
+/// Without what differs between languages: of defaults their values, of an instantiation its arguments.
+std::string what_it_says(const Statement& said) {
+    std::string out = said.common[0];
+    bool counts = said.common[0] == "#";
+    for (size_t i = 1; i < said.common.size(); ++i) {
+        const std::string& word = said.common[i];
+        if (said.common[0] == "template" && (word == "<" || word == ">")) counts = word == "<";
+        if (said.common[0] == "default" && (word == "=" || word == ")")) counts = word == "=";
+        if (counts) out += " " + word;
+    }
+    return out;
 }
 
 }  // namespace
 
 LoneEdit lone_edit(const Words& before, const Words& now, UnitKind kind, Language language, const Dialect& dialect) {
-    const PlainStatements plain(kind, language, dialect);
+    PlainStatements plain(kind, language, dialect);
+    plain.note_vectors_of(before);
+    plain.note_vectors_of(now);
     const Translator translator = [&](const Words& statement, bool in_body) {
         return plain.translate(statement, in_body);
     };
     const auto is_code = kind == UnitKind::Function || kind == UnitKind::Kernel;
     const auto bare = [&](const Words& tokens) {
-        if (kind == UnitKind::Struct) return data_fields(tokens);
+        if (kind == UnitKind::Struct) return data_fields(without_prelude(tokens));
         return is_code ? without_idle_statements(without_hints(without_prelude(tokens))) : tokens;
     };
     const Words old_text = bare(before);
@@ -103,9 +133,36 @@ LoneEdit lone_edit(const Words& before, const Words& now, UnitKind kind, Languag
             out.means_nothing = named.lost.empty() && named.gained.empty();
         }
     if (!out.means_nothing) out.edit = shown_edit(edit);
-    if (is_code) add_changed_declarations(before, now, plain, out.edit);
-    out.means_nothing = out.means_nothing && out.edit.lost.empty();
+    add_changed_declarations(before, now, plain, out.edit);
+    out.means_nothing = out.means_nothing && out.edit.lost.empty() && out.edit.gained.empty();
     if (out.means_nothing) out.edit = edit_of(before, now);
+    return out;
+}
+
+std::vector<std::string> declaration_changes(const Words& before, const Words& now, const PlainStatements& plain) {
+    const Prelude old_one = read_prelude(before, plain), new_one = read_prelude(now, plain);
+    std::vector<std::string> out;
+    const auto add = [&](const Statement& from, const Statement& without, const char* sign) {
+        std::vector<std::string> left = without.common;
+        for (const std::string& word : from.common) {
+            const auto same = std::find(left.begin(), left.end(), word);
+            if (same == left.end())
+                out.push_back(sign + word);
+            else
+                left.erase(same);
+        }
+    };
+    for (const auto& [name, declared] : old_one.declared) {
+        const auto found = new_one.declared.find(name);
+        if (found == new_one.declared.end() || found->second.key == declared.key) continue;
+        add(declared, found->second, "- ");
+        add(found->second, declared, "+ ");
+    }
+    for (const auto& [key, said] : old_one.said)
+        if (!new_one.said.contains(key)) out.push_back("- " + what_it_says(said));
+    for (const auto& [key, said] : new_one.said)
+        if (!old_one.said.contains(key)) out.push_back("+ " + what_it_says(said));
+    std::sort(out.begin(), out.end());
     return out;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "porttool/compare/edits.h"
+#include "porttool/compare/plain_statement.h"
 #include "porttool/language/dialect.h"
 #include "porttool/language/language.h"
 #include "porttool/normal/normal_text.h"
@@ -23,5 +24,9 @@ struct LoneEdit {
 ///     now       float @ (const float* a) { return a[0]; }        means nothing
 ///     or now    float @ (const float* a) { return a[1]; }        `return a[1]` for `return a[0]`, no word of the head
 LoneEdit lone_edit(const Words& before, const Words& now, UnitKind kind, Language language, const Dialect& dialect);
+
+/// What an edit did to how its file declares what the unit uses, and to what the file says of the unit itself: the
+/// words that went and came, without names, sorted. Two sides that did the same have equal lists.
+std::vector<std::string> declaration_changes(const Words& before, const Words& now, const PlainStatements& plain);
 
 }  // namespace porttool

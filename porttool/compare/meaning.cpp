@@ -83,6 +83,26 @@ std::string_view component_at(const Words& tokens, size_t i, Language language) 
                                                                                 : std::string_view();
 }
 
+/// The closing brackets of `atomic_inc(p)`, which elsewhere is `atomicAdd(p, 1)`.
+std::set<size_t> atomic_steps(const Words& tokens) {
+    constexpr size_t kLongest = 64;
+    std::set<size_t> out;
+    for (size_t i = 0; i + 1 < tokens.size(); ++i) {
+        const bool is_step = tokens[i] == "atomic_inc" || tokens[i] == "atomic_dec" || tokens[i] == "AtomicInc";
+        if (!is_step || tokens[i + 1] != "(") continue;
+        int depth = 0;
+        for (size_t k = i + 1; k < tokens.size() && k < i + kLongest; ++k) {
+            if (tokens[k] == "(" || tokens[k] == "[" || tokens[k] == "{") ++depth;
+            if (tokens[k] == ")" || tokens[k] == "]" || tokens[k] == "}") --depth;
+            if (depth == 1 && tokens[k] == ",") break;
+            if (depth > 0) continue;
+            out.insert(k);
+            break;
+        }
+    }
+    return out;
+}
+
 /// The words of a unit's texts, by how they are used.
 struct MemberUses {
     explicit MemberUses(const std::array<const Words*, 2>& texts) {
@@ -136,6 +156,7 @@ void Meaning::note_names(const Words& tokens, Side side) {
     for (const std::string_view token : tokens)
         if (is_word_token(token) && dialect_.meaning(token) == nullptr)
             spellings_[side][folded(runtime_name(token))].insert(token);
+    note_vectors(tokens, vectors_[side]);
     for (auto& [name, scopes] : scopes_in(tokens, dialect_)) scopes_[side][name].insert(scopes.begin(), scopes.end());
 }
 
@@ -220,7 +241,9 @@ std::string Meaning::scoped(std::string_view scope, std::string_view name, Side 
 }
 
 std::vector<std::string> Meaning::translate(const Words& statement, Side side, bool in_body) const {
-    const Words tokens = with_one_word_types(statement);
+    Words tokens = with_one_word_types(statement);
+    write_plain_components(tokens, vectors_[side]);
+    const std::set<size_t> steps = atomic_steps(tokens);
     std::vector<std::string> out;
     if (in_body)
         if (const std::string storage = storage_of(tokens); !storage.empty()) out.push_back(storage);
@@ -233,6 +256,7 @@ std::vector<std::string> Meaning::translate(const Words& statement, Side side, b
             continue;
         }
         if (!is_word_token(tokens[i])) {
+            if (steps.contains(i)) out.insert(out.end(), {",", "1"});
             out.push_back(word(tokens[i], side));
             continue;
         }
@@ -246,7 +270,9 @@ std::vector<std::string> Meaning::translate(const Words& statement, Side side, b
         if (known != nullptr && known->empty() && chain.scope.empty() && is_qualifier(tokens, i)) continue;
         out.push_back(scoped(chain.scope, tokens[i], side));
     }
-    return with_functional_casts(out, dialect_);
+    out = with_common_phrases(with_functional_casts(out, dialect_));
+    drop_cast_to_declared_type(out);
+    return out;
 }
 
 }  // namespace porttool

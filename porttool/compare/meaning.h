@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "porttool/compare/phrases.h"
 #include "porttool/language/dialect.h"
 #include "porttool/language/language.h"
 #include "porttool/normal/normal_text.h"
@@ -52,6 +53,7 @@ private:
     BySide<Scopes> scopes_;                                 ///< by name
     std::map<std::string_view, std::string_view> renamed_;  ///< the source's scope for one of the port's
     BySide<std::set<std::string_view>> objects_;  ///< parameters whose members the other side names without an object
+    BySide<VectorNames> vectors_;                 ///< what each side declares as vectors
 };
 
 }  // namespace porttool

@@ -151,6 +151,7 @@ std::vector<std::string> PlainStatements::translate(const Words& statement, bool
         if (end == i) words.push_back(statement[i++]);
         i = std::max(i, end);
     }
+    write_plain_components(words, vectors_);
     Text out;
     for (const std::string_view word : with_one_word_types(words)) out.push_back(spelled(word));
     if (!is_code_) return out;
@@ -159,6 +160,7 @@ std::vector<std::string> PlainStatements::translate(const Words& statement, bool
         out.erase(out.end() - 2);  // f(void)
     out = with_functional_casts(with_c_casts(out, dialect_), dialect_);
     open_whole_value(out);
+    drop_cast_to_declared_type(out);
     write_steps_first(out);
     return out;
 }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "porttool/compare/phrases.h"
 #include "porttool/language/dialect.h"
 #include "porttool/language/language.h"
 #include "porttool/normal/normal_text.h"
@@ -25,6 +26,9 @@ public:
     PlainStatements(UnitKind kind, Language language, const Dialect& dialect)
         : is_code_(kind == UnitKind::Function || kind == UnitKind::Kernel), language_(language), dialect_(dialect) {}
 
+    /// What a text declares as vectors has components under several names.
+    void note_vectors_of(const Words& text) { note_vectors(text, vectors_); }
+
     /// `in_body`: not the function's head.
     std::vector<std::string> translate(const Words& statement, bool in_body) const;
 
@@ -35,6 +39,7 @@ private:
     bool is_code_;
     Language language_;
     const Dialect& dialect_;
+    VectorNames vectors_;
 };
 
 }  // namespace porttool

@@ -3,6 +3,8 @@
 #include "porttool/compare/struct_fields.h"
 
 #include <algorithm>
+#include <unordered_set>
+#include <utility>
 
 #include "porttool/compare/brackets.h"
 #include "porttool/language/words.h"
@@ -17,6 +19,17 @@ bool is_macro_before_field(const Words& statement, size_t open) {
     const size_t after = after_parentheses(statement, open);
     return after + 1 < statement.size() && is_word_token(statement[after]) &&
            !is_one_of(statement[after], {"const", "volatile", "noexcept", "override", "final", "throw"});
+}
+
+/// The name that a statement without data gives to a type, which fields may use: `typedef float T`, `using T = float`;
+/// "" for others.
+std::string_view named_for_fields(const Words& statement) {
+    const auto assigned = std::find(statement.begin(), statement.end(), "=");
+    if (statement[0] == "using") return assigned == statement.begin() + 2 ? statement[1] : std::string_view();
+    if (statement[0] == "typedef")
+        for (auto at = statement.rbegin(); at != statement.rend(); ++at)
+            if (is_word_token(*at)) return *at;
+    return {};
 }
 
 /// True for a statement in a struct that declares a function, calls a macro, or names something without data.
@@ -45,6 +58,7 @@ Words data_fields(const Words& tokens) {
     const auto open = std::find(tokens.begin(), tokens.end(), "{");
     if (open == tokens.end()) return tokens;
     Words out(tokens.begin(), open + 1), statement;
+    std::vector<std::pair<size_t, Words>> named;  // what may be used by fields, and where it stood
     int depth = 0;
     for (auto at = open + 1; at != tokens.end(); ++at) {
         const bool ends = depth == 0 && (*at == ";" || *at == "}");
@@ -61,11 +75,20 @@ Words data_fields(const Words& tokens) {
         if (!statement.empty() && !holds_no_data(statement)) {
             out.insert(out.end(), statement.begin(), statement.end());
             out.emplace_back(";");
+        } else if (!statement.empty() && !named_for_fields(statement).empty()) {
+            named.emplace_back(out.size(), statement);
         }
         statement.clear();
         if (*at != "}") continue;
         out.insert(out.end(), at, tokens.end());
         break;
+    }
+    const std::unordered_set<std::string_view> used(out.begin(), out.end());
+    for (auto last = named.rbegin(); last != named.rend(); ++last) {
+        Words& words = last->second;
+        if (!used.contains(named_for_fields(words))) continue;
+        words.emplace_back(";");
+        out.insert(out.begin() + static_cast<std::ptrdiff_t>(last->first), words.begin(), words.end());
     }
     return single_fields(out);
 }

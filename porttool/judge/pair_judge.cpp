@@ -155,7 +155,7 @@ void PairJudge::compare(JudgedPair& pair, const LockedPair& lock) {
     };
     const PairComparison found = compare_pair({paired(Side::Source), paired(Side::Target)}, dialect_, budget_);
     pair.equivalent = found.standing <= Standing::Equivalent;
-    report_hazards(pair, found.edits.source);
+    report_hazards(pair, found);
     if (!found.not_compared.empty()) return report_uncompared(pair, found);
     switch (found.standing) {
         case Standing::InStep:
@@ -173,11 +173,16 @@ void PairJudge::compare(JudgedPair& pair, const LockedPair& lock) {
     }
 }
 
-/// Built-ins that the source's edit brings in and that mean different things in different dialects.
-void PairJudge::report_hazards(const JudgedPair& pair, const Edit& edit) {
+/// Built-ins that the source's edit brings in and that mean different things in different dialects; and of edits that
+/// are one but for it, those that are less exact on one side.
+void PairJudge::report_hazards(const JudgedPair& pair, const PairComparison& found) {
+    const Edit& edit = found.edits.source;
     const auto language = [](const UnitState* unit) { return language_of_path(unit->file); };
     for (const std::string& hazard :
          hazards_of(edit.gained, edit.lost, language(pair.unit.source), language(pair.unit.target)))
+        findings_.add(Rule::DialectHazard, pair, {}, hazard, hazard);
+    if (found.standing != Standing::Equivalent) return;
+    for (const std::string& hazard : precision_hazards(found.edits.source.gained, found.edits.target.gained))
         findings_.add(Rule::DialectHazard, pair, {}, hazard, hazard);
 }
 

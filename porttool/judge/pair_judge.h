@@ -35,7 +35,7 @@ private:
 
     /// Both sides are there and recorded: what their edits mean to each other.
     void compare(JudgedPair& pair, const LockedPair& lock);
-    void report_hazards(const JudgedPair& pair, const Edit& edit);
+    void report_hazards(const JudgedPair& pair, const PairComparison& found);
     void report_idle(const JudgedPair& pair, const PairComparison& found);
     void report_uncompared(const JudgedPair& pair, const PairComparison& found);
     void report_values(const JudgedPair& pair, const PairComparison& found);

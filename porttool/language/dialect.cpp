@@ -104,6 +104,11 @@ constexpr std::array kBuiltIns = {
     DialectRow{"atomicAdd",
                "atomic_add atomic_inc AtomicAdd AtomicInc InterlockedAdd fetch_add atomic_fetch_add "
                "atomic_fetch_add_explicit"},
+    DialectRow{"atomicSub", "atomic_sub atomic_dec"},
+    DialectRow{"atomicExchange", "atomicExch atomic_xchg InterlockedExchange"},
+    DialectRow{"atomicAnd", "atomic_and InterlockedAnd"},
+    DialectRow{"atomicOr", "atomic_or InterlockedOr"},
+    DialectRow{"atomicXor", "atomic_xor InterlockedXor"},
     DialectRow{"atomicMin", "atomic_min InterlockedMin fetch_min"},
     DialectRow{"atomicMax", "atomic_max InterlockedMax fetch_max"},
     DialectRow{"atomicCompSwap", "atomicCAS atomic_cmpxchg InterlockedCompareExchange"},

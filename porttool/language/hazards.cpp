@@ -47,6 +47,27 @@ constexpr std::array kHazards = {
               "may round twice where it is not precise", "rounds once"},
 };
 
+/// Built-ins that give one value, and what gives it fast and less exactly; each separated by blanks.
+struct PrecisionRow {
+    std::string_view exact, fast;
+};
+
+constexpr std::array kPrecisions = {
+    PrecisionRow{"exp expf", "__expf native_exp half_exp"},
+    PrecisionRow{"exp2 exp2f", "native_exp2 half_exp2"},
+    PrecisionRow{"log logf", "__logf native_log half_log"},
+    PrecisionRow{"log2 log2f", "__log2f native_log2 half_log2"},
+    PrecisionRow{"sin sinf", "__sinf native_sin half_sin"},
+    PrecisionRow{"cos cosf", "__cosf native_cos half_cos"},
+    PrecisionRow{"tan tanf", "__tanf native_tan half_tan"},
+    PrecisionRow{"pow powf powr", "__powf native_powr half_powr"},
+    PrecisionRow{"sqrt sqrtf __fsqrt_rn", "native_sqrt half_sqrt"},
+    PrecisionRow{"rsqrt rsqrtf inversesqrt", "native_rsqrt half_rsqrt"},
+    PrecisionRow{"sincos sincosf", "__sincosf"},
+    PrecisionRow{"normalize", "fast_normalize"},
+    PrecisionRow{"length", "fast_length"},
+};
+
 /// A language's name for a reader; "" for one that is not known.
 std::string_view readable_name(Language language) {
     switch (language) {
@@ -112,6 +133,32 @@ std::vector<std::string> hazards_of(const std::vector<std::string>& gained, cons
         const std::string some(readable_name(as_some ? here : there)), others(readable_name(as_some ? there : here));
         out.push_back(std::string(row.subject) + " " + std::string(row.in_some) + " in " + some + " and " +
                       std::string(row.in_others) + " in " + others);
+    }
+    return out;
+}
+
+std::vector<std::string> precision_hazards(const std::vector<std::string>& source_gained,
+                                           const std::vector<std::string>& target_gained) {
+    const auto called = [](const std::vector<std::string>& statements, std::string_view words) {
+        std::string_view found;
+        for_each_word(words, [&](std::string_view word) {
+            if (found.empty() && calls(statements, word)) found = word;
+        });
+        return found;
+    };
+    std::vector<std::string> out;
+    for (const PrecisionRow& row : kPrecisions) {
+        const std::string_view source_exact = called(source_gained, row.exact),
+                               source_fast = called(source_gained, row.fast),
+                               target_exact = called(target_gained, row.exact),
+                               target_fast = called(target_gained, row.fast);
+        const bool source_is_exact = source_fast.empty() && target_exact.empty();
+        const std::string_view here = source_is_exact ? source_exact : source_fast,
+                               there = source_is_exact ? target_fast : target_exact;
+        const bool other_way = source_exact.empty() && target_fast.empty();
+        if (here.empty() || there.empty() || (!source_is_exact && !other_way)) continue;
+        out.push_back(std::string(here) + " of the source is " + std::string(there) + " in the port, which is " +
+                      (source_is_exact ? "less" : "more") + " exact");
     }
     return out;
 }

@@ -15,4 +15,9 @@ namespace porttool {
 std::vector<std::string> hazards_of(const std::vector<std::string>& gained, const std::vector<std::string>& lost,
                                     Language here, Language there);
 
+/// What the edits of both sides bring in as one, but not as exactly: `exp` here and `native_exp` there. The first
+/// letters of the sentence name the source's.
+std::vector<std::string> precision_hazards(const std::vector<std::string>& source_gained,
+                                           const std::vector<std::string>& target_gained);
+
 }  // namespace porttool

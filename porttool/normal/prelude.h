@@ -15,6 +15,10 @@ namespace porttool {
 ///
 ///     ; ; static volatile int ready ; ; float @ ( float x ) { while ( ! ready ) { } return x ; }
 ///
+/// A struct has the `#pragma pack` that holds for it. What a file says of the function itself comes with a word before
+/// it: `default @ ( float x , float s = 2f )`, `template void @ < float > ( float * )`, `# pragma STDC FP_CONTRACT
+/// OFF`.
+///
 /// `places`: what declaring_tokens() gave; a local of the same name is another variable.
 void write_prelude(const ScannedFile& file, const Unit& unit, const std::vector<uint32_t>& places,
                    const std::function<void(std::string_view word)>& sink);

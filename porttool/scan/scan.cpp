@@ -8,6 +8,7 @@
 #include "porttool/scan/brackets.h"
 #include "porttool/scan/branches.h"
 #include "porttool/scan/constants.h"
+#include "porttool/scan/file_pragmas.h"
 #include "porttool/scan/lexer.h"
 #include "porttool/scan/suppressions.h"
 #include "porttool/scan/units.h"
@@ -160,6 +161,8 @@ ScannedFile scan_text(std::string_view path, std::string_view text) {
     number_names(file.units);
     for (const Unit& unit : file.units) found.declarations.push_back(unit.tokens);
     file.variables = std::move(found.variables);
+    read_variable_pragmas(file.lexed, file.variables);
+    file.pragmas = read_file_pragmas(file.lexed, file.units);
     std::stable_sort(file.variables.begin(), file.variables.end(), [&](const FileVariable& a, const FileVariable& b) {
         return file.lexed.view(a.name_token) < file.lexed.view(b.name_token);
     });

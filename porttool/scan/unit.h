@@ -42,9 +42,20 @@ struct Unit {
 
 /// A variable that a file declares outside of units, and how: the words before its value. A GLSL block of variables
 /// counts for its instance, or for each of its members; the sizes of a GLSL kernel's groups are those of `layout`.
+/// Also what a file says beside it of a variable (`threadprivate`), and of a function apart from its definition:
+/// defaults of its arguments, explicit instantiations.
 struct FileVariable {
+    enum About : uint8_t { Declares, Says, SaysOfFunction };
     uint32_t name_token = 0;
     TokenRange tokens;
+    About about = Declares;
+};
+
+/// A pragma outside of functions, and for which tokens it holds.
+struct FilePragma {
+    TokenRange tokens;
+    uint32_t first = 0, end = 0;
+    bool lays_out = false;  ///< it is about structs, `pack`, else about functions
 };
 
 enum class LineClass : uint8_t { Blank, Comment, Directive, Declaration, Unit, Unclassified };
@@ -57,6 +68,7 @@ struct ScannedFile {
     std::vector<Unit> units;
     std::vector<LineClass> lines;         ///< lines[0] is line 1
     std::vector<FileVariable> variables;  ///< sorted by name
+    std::vector<FilePragma> pragmas;
     bool balanced = true;
 };
 

@@ -143,7 +143,10 @@ private:
 
     void end_statement() {
         const bool constants = (assigned_ || variable_) && add_constants();
-        if (!constants && !scopes_.back().is_class) read_variables(context_, start_, at_, out_.variables);
+        if (scopes_.back().is_class)
+            read_member_defaults(context_, start_, at_, out_.variables);
+        else if (!constants)
+            read_variables(context_, start_, at_, out_.variables);
         if (declares_old_parameters()) {
             ++at_;
             return;
@@ -276,13 +279,22 @@ private:
         return std::string(word(at));
     }
 
+    /// Behind the attributes that begin at `at`: `} __attribute__((packed)) name;`
+    uint32_t after_attributes(uint32_t at) const {
+        while (at + 1 < end_ && (word(at) == "__attribute__" || word(at) == "__attribute") && word(at + 1) == "(" &&
+               inside(structure_.match[at + 1]))
+            at = structure_.match[at + 1] + 1;
+        return std::min(at, end_);
+    }
+
     void enter_class(const Head& head, uint32_t close) {
         std::string name = head.name;
         if (name.empty()) name = trailing_name(close);
         if (name.empty()) return enter_scope(close, "", true);
-        const uint32_t end = std::min(close + 1, end_);
+        const uint32_t end = std::min(close + 1, end_), attributed = after_attributes(end);
         Unit unit = new_unit(UnitKind::Struct, name, head.first, end);
         unit.body = {token(at_) + 1, token(end - 1)};
+        unit.tokens.end = token(attributed - 1) + 1;
         if (head.name_at != kNoMatch) unit.name_token = token(head.name_at);
         const size_t index = add(std::move(unit));
         enter_scope(close, name, true, index);

@@ -14,11 +14,13 @@ public:
     void read(uint32_t first, uint32_t end) {
         constexpr uint32_t kLongest = 256;  // words of a declaration that a person wrote
         if (first >= end || end - first > kLongest || word_is(word(first), kNoConstant | kBlockHead)) return;
+        if (word(first) == "template" && word(first + 1) != "<") return read_instantiation(first + 1, end);
         if (word(first) == "template" || word(first) == "#") return;
         std::vector<uint32_t> names;
         uint32_t at = first, words = 0;
         for (; at < end && word(at) != "=" && word(at) != "{"; at = next(at, end)) {
-            if (word(at) == "(" && (at == first || !word_is(word(at - 1), kTakesArguments))) return;
+            if (word(at) == "(" && (at == first || !word_is(word(at - 1), kTakesArguments)))
+                return read_defaults(first, at, end);
             if (!is_name(at)) continue;
             ++words;
             const std::string_view after = at + 1 < end ? word(at + 1) : ";";
@@ -29,6 +31,14 @@ public:
         const bool forward = words == 2 && word_is(word(first), kOpensType);
         if (forward) return;
         for (const uint32_t name : names) add(group_size ? first : name, first, at);
+    }
+
+    void read_member(uint32_t first, uint32_t end) {
+        constexpr uint32_t kLongest = 256;
+        if (first >= end || end - first > kLongest) return;
+        for (uint32_t at = first; at < end && word(at) != "="; at = next(at, end))
+            if (word(at) == "(" && at > first && !word_is(word(at - 1), kTakesArguments))
+                return read_defaults(first, at, end);
     }
 
     void read_block(BlockPlace place) {
@@ -42,6 +52,26 @@ public:
     }
 
 private:
+    /// `float f(float x, float s = 2.0f)`: the declaration of a function with arguments that have defaults.
+    void read_defaults(uint32_t first, uint32_t open, uint32_t end) {
+        const uint32_t close = context_.structure.match[open];
+        if (open < first + 2 || close == kNoMatch || close >= end || !is_name(open - 1) || !is_name_or_sign(open - 2))
+            return;
+        for (uint32_t at = open + 1; at < close; at = next(at, close))
+            if (word(at) == "=") return add(open - 1, open - 1, close + 1, FileVariable::SaysOfFunction);
+    }
+
+    /// `template __global__ void f<float, 4>(float*)`
+    void read_instantiation(uint32_t first, uint32_t end) {
+        for (uint32_t at = first; at + 1 < end; ++at)
+            if (is_name(at) && at > first && (word(at + 1) == "<" || word(at + 1) == "("))
+                return add(at, first - 1, end, FileVariable::SaysOfFunction);
+    }
+
+    bool is_name_or_sign(uint32_t at) const {
+        return is_name(at) || word(at) == "*" || word(at) == "&" || word(at) == ">";
+    }
+
     std::string_view word(uint32_t at) const { return context_.lexed.view(context_.structure.tokens[at]); }
     bool is_name(uint32_t at) const {
         return context_.lexed.tokens[context_.structure.tokens[at]].kind == TokenKind::Identifier;
@@ -51,9 +81,10 @@ private:
         const uint32_t close = context_.structure.match[at];
         return close != kNoMatch && close > at && close < end ? close + 1 : at + 1;
     }
-    void add(uint32_t name, uint32_t first, uint32_t end) {
+    void add(uint32_t name, uint32_t first, uint32_t end, FileVariable::About about = FileVariable::Declares) {
         out_.push_back({context_.structure.tokens[name],
-                        {context_.structure.tokens[first], context_.structure.tokens[end - 1] + 1}});
+                        {context_.structure.tokens[first], context_.structure.tokens[end - 1] + 1},
+                        about});
     }
 
     const HeadContext& context_;
@@ -64,6 +95,10 @@ private:
 
 void read_variables(const HeadContext& context, uint32_t first, uint32_t end, std::vector<FileVariable>& out) {
     VariableReader(context, out).read(first, end);
+}
+
+void read_member_defaults(const HeadContext& context, uint32_t first, uint32_t end, std::vector<FileVariable>& out) {
+    VariableReader(context, out).read_member(first, end);
 }
 
 void read_block_variables(const HeadContext& context, BlockPlace place, std::vector<FileVariable>& out) {

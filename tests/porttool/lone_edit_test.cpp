@@ -142,6 +142,21 @@ float f(float x) {
 }
 )";
 
+const std::string kPragma = R"code(
+void f(float* a, int n) {
+    _Pragma("omp parallel for reduction(+:sum) schedule(static)") for (int i = 0; i < n; ++i) sum += a[i];
+}
+)code";
+/// What a file says apart from the definition.
+const std::string kApart = R"(
+#pragma STDC FP_CONTRACT OFF
+static int calls;
+#pragma omp threadprivate(calls)
+float f(float x, float s = 2.0f);
+template <int N> float f(float x, float s) { calls += 1; return x * s + N; }
+template float f<4>(float, float);
+)";
+
 const std::vector<LabelledEdit> kSilent = {
     // what a function does not use, or where the host binds what it uses
     {".glsl", "layout(std430, binding = 0) buffer B { float v[]; } b;\nvoid f() { b.v[0] = 1.0; }", "binding = 0",
@@ -204,8 +219,14 @@ const std::vector<LabelledEdit> kSilent = {
     {".c", kThreads, " schedule(static)", ""},
     {".cpp", kThreads, "parallel for schedule(static)", "parallel for simd schedule(guided)"},
     {".c", replaced(kThreads, "parallel for", "parallel for if(n > 9),"), "schedule(static)", "schedule(dynamic)"},
+    {".c", kPragma, "schedule(static)", "schedule(dynamic)"},
+    // one component of what the text declares as a vector
+    {".glsl", "float f(vec3 v) { return v.x; }", "v.x", "v.r"},
+    {".comp", "float f(vec4 v) { vec2 w = v.zw; return w.y; }", "v.zw", "v.pq"},
     // another spelling of one type
     {".c", kC, "unsigned int k", "uint32_t k"},
+    {".cpp", kC, "unsigned int k = (unsigned int)sum", "unsigned int k = sum"},
+    {".ispc", "float f(uniform uint8 n) { return n; }", "uint8", "unsigned int8"},
     {".c", kC, "unsigned int k", "unsigned k"},
     {".cpp", kC, "unsigned int k", "std::uint32_t k"},
     {".cu", kC, "unsigned int k", "uint k"},
@@ -235,6 +256,20 @@ const std::vector<LabelledEdit> kSilent = {
 };
 
 const std::vector<LabelledEdit> kHarmful = {
+    // what stands apart from the definition
+    {".cpp", kApart, "CONTRACT OFF", "CONTRACT ON"},
+    {".cpp", kApart, "#pragma STDC FP_CONTRACT OFF\n", ""},
+    {".cpp", kApart, "#pragma omp threadprivate(calls)\n", ""},
+    {".cpp", kApart, "s = 2.0f", "s = 3.0f"},
+    {".cpp", kApart, "float s = 2.0f", "float s"},
+    {".cpp", kApart, "f<4>", "f<8>"},
+    {".cpp", kApart, "template float f<4>(float, float);\n", ""},
+    {".cpp", "struct S { float f(float x, float s = 2.0f); };\nfloat S::f(float x, float s) { return x * s; }", "2.0f",
+     "3.0f"},
+    {".c", kPragma, " reduction(+:sum)", ""},
+    {".c", kPragma, "reduction(+:sum)", "reduction(*:sum)"},
+    {".glsl", "struct P { float r; float x; };\nfloat f(P v) { return v.x; }", "v.x", "v.r"},
+    {".glsl", "float f(vec3 v) { return v.x; }", "v.x", "v.g"},
     {".c", kGlobals, "static volatile int ready", "static int ready"},
     {".c", kGlobals, "static float cache", "float cache"},
     {".cu", kGlobals, "__device__ int counter", "__device__ volatile int counter"},
@@ -341,8 +376,9 @@ const std::vector<LabelledEdit> kHarmful = {
 
 /// The findings of the edit that weigh at least a warning; its file alone is edited.
 std::vector<std::string> rules_after(const LabelledEdit& edit, const std::string& rules) {
-    const bool is_entry = edit.suffix == ".comp";
-    const std::string name = is_entry ? "main" : "f", source = "s/k" + edit.suffix;
+    const bool is_entry = edit.suffix == ".comp" && edit.text.find("main()") != std::string::npos;
+    const bool is_member = edit.text.find("S::f") != std::string::npos;
+    const std::string name = is_entry ? "main" : is_member ? "S::f" : "f", source = "s/k" + edit.suffix;
     MemoryDisk disk;
     disk.files = {
         {"/r/" + source, edit.text},

@@ -1,0 +1,233 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/compare/phrases.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+
+#include "porttool/language/words.h"
+#include "porttool/normal/declaration_words.h"
+
+namespace porttool {
+namespace {
+
+using Text = std::vector<std::string>;
+
+std::string_view word(const Text& words, size_t i) { return i < words.size() ? words[i] : std::string_view(); }
+
+bool is_axis(std::string_view text) { return text == "x" || text == "y" || text == "z"; }
+
+/// How many words `W . x` takes at `i`; 0 if that is not there.
+bool is_index(const Text& words, size_t i, std::string_view name) {
+    return word(words, i) == name && word(words, i + 1) == "." && is_axis(word(words, i + 2));
+}
+
+/// `get_local_id(0)` and its like, under their common names.
+Text with_named_axes(const Text& words) {
+    constexpr std::array<std::string_view, 3> kAxes = {"x", "y", "z"};
+    Text out;
+    for (size_t i = 0; i < words.size(); ++i) {
+        out.push_back(words[i]);
+        const bool known = is_one_of(words[i], {"local_id", "group_id", "group_size", "group_count", "global_id"});
+        if (!known || (i > 0 && words[i - 1] == ".") || word(words, i + 1) != "(" || word(words, i + 3) != ")")
+            continue;
+        const std::string_view axis = word(words, i + 2);
+        if (axis != "0" && axis != "1" && axis != "2") continue;
+        out.insert(out.end(), {".", std::string(kAxes.at(static_cast<size_t>(axis[0] - '0')))});
+        i += 3;
+    }
+    return out;
+}
+
+/// How many words of a product of the group's number and size stand at `i`, along one axis; 0 if none does.
+size_t product_at(const Text& words, size_t i) {
+    const bool brackets = word(words, i) == "(";
+    const size_t first = i + (brackets ? 1 : 0);
+    const bool is_product = word(words, first + 3) == "*" && word(words, first + 2) == word(words, first + 6) &&
+                            ((is_index(words, first, "group_id") && is_index(words, first + 4, "group_size")) ||
+                             (is_index(words, first, "group_size") && is_index(words, first + 4, "group_id")));
+    if (!is_product || (brackets && word(words, first + 7) != ")")) return 0;
+    return brackets ? 9 : 7;
+}
+
+/// How many words at `i` are the number of the thread among all, along one axis.
+size_t global_id_at(const Text& words, size_t i) {
+    if (i > 0 && !is_one_of(words[i - 1], {"=", "(", ",", "[", "return", "+", "+=", "<", ">", "==", "&&", "||"}))
+        return 0;
+    size_t end = 0;
+    std::string_view axis, other;
+    if (const size_t product = product_at(words, i); product > 0) {
+        const size_t local = i + product + 1;
+        if (word(words, local - 1) != "+" || !is_index(words, local, "local_id")) return 0;
+        axis = word(words, i + (product == 9 ? 3 : 2));
+        other = word(words, local + 2);
+        end = local + 3;
+    } else if (is_index(words, i, "local_id") && word(words, i + 3) == "+") {
+        const size_t second = product_at(words, i + 4);
+        if (second == 0) return 0;
+        axis = word(words, i + 2);
+        other = word(words, i + 4 + (second == 9 ? 3 : 2));
+        end = i + 4 + second;
+    }
+    const bool goes_on = is_one_of(word(words, end), {"*", "/", "%", ".", "["});
+    return end > 0 && axis == other && !goes_on ? end - i : 0;
+}
+
+Text with_global_ids(const Text& words) {
+    Text out;
+    for (size_t i = 0; i < words.size();) {
+        const size_t length = global_id_at(words, i);
+        if (length == 0) {
+            out.push_back(words[i++]);
+            continue;
+        }
+        const bool local_first = words[i] == "local_id";
+        const std::string axis = words[local_first ? i + 2 : i + length - 1];
+        out.insert(out.end(), {"global_id", ".", axis});
+        i += length;
+    }
+    return out;
+}
+
+/// The number of components of `vec4`, `ivec2`; 0 for what is no vector.
+size_t vector_size(std::string_view type) {
+    for (const std::string_view family : {"vec", "ivec", "uvec"})
+        if (type.size() == family.size() + 1 && type.starts_with(family) && type.back() >= '2' && type.back() <= '4')
+            return static_cast<size_t>(type.back() - '0');
+    return 0;
+}
+
+/// An argument that has no effect and costs nothing to say twice: names, numbers and members.
+bool is_plain_value(const Text& argument) {
+    return !argument.empty() && std::all_of(argument.begin(), argument.end(), [](const std::string& each) {
+        return is_word_token(each) || is_number_token(each) || each == "." || each == "-";
+    });
+}
+
+/// The arguments of the constructor whose bracket is at `open`, if all are plain values; where it ends in `end`.
+std::vector<Text> plain_arguments(const Text& words, size_t open, size_t& end) {
+    constexpr size_t kLongest = 64;
+    std::vector<Text> out(1);
+    for (size_t i = open + 1; i < words.size() && i < open + kLongest; ++i) {
+        if (words[i] == ")") {
+            end = i + 1;
+            const bool plain = std::all_of(out.begin(), out.end(), is_plain_value);
+            return plain ? out : std::vector<Text>();
+        }
+        if (words[i] == "(" || words[i] == "[" || words[i] == "{") return {};
+        if (words[i] == ",")
+            out.emplace_back();
+        else
+            out.back().push_back(words[i]);
+    }
+    return {};
+}
+
+/// `xy` of the arguments `v . x` and `v . y`; "" if they are no components of one vector.
+std::string joint_components(const std::vector<Text>& arguments) {
+    std::string out;
+    for (const Text& argument : arguments) {
+        const size_t n = argument.size();
+        const bool is_component = n >= 3 && argument[n - 2] == "." && argument[n - 1].size() == 1 &&
+                                  std::string_view("xyzw").find(argument[n - 1][0]) != std::string_view::npos;
+        if (!is_component || n != arguments[0].size() ||
+            !std::equal(argument.begin(), argument.end() - 1, arguments[0].begin()))
+            return "";
+        out += argument[n - 1];
+    }
+    return out;
+}
+
+Text with_plain_constructors(const Text& words) {
+    Text out;
+    for (size_t i = 0; i < words.size(); ++i) {
+        const size_t size = word(words, i + 1) == "(" ? vector_size(words[i]) : 0;
+        size_t end = 0;
+        const std::vector<Text> arguments = size > 0 ? plain_arguments(words, i + 1, end) : std::vector<Text>();
+        if (arguments.size() != size || size == 0) {
+            out.push_back(words[i]);
+            continue;
+        }
+        if (const std::string components = joint_components(arguments); !components.empty()) {
+            out.insert(out.end(), arguments[0].begin(), arguments[0].end() - 1);
+            out.push_back(components);
+        } else {
+            const bool alike = std::all_of(arguments.begin(), arguments.end(),
+                                           [&](const Text& argument) { return argument == arguments[0]; });
+            if (alike) {
+                out.insert(out.end(), {words[i], "("});
+                out.insert(out.end(), arguments[0].begin(), arguments[0].end());
+                out.emplace_back(")");
+            } else {
+                out.insert(out.end(), words.begin() + static_cast<std::ptrdiff_t>(i),
+                           words.begin() + static_cast<std::ptrdiff_t>(end));
+            }
+        }
+        i = end - 1;
+    }
+    return out;
+}
+
+/// Every swizzle of colours or texture coordinates with the one of positions; made once.
+const std::map<std::string, std::string, std::less<>>& plain_swizzles() {
+    static const auto table = [] {
+        std::map<std::string, std::string, std::less<>> out;
+        constexpr std::string_view kPlain = "xyzw";
+        for (const std::string_view names : {"rgba", "stpq"}) {
+            std::vector<std::pair<std::string, std::string>> last = {{"", ""}};
+            for (size_t length = 1; length <= 4; ++length) {
+                std::vector<std::pair<std::string, std::string>> next;
+                for (const auto& [from, to] : last)
+                    for (size_t i = 0; i < names.size(); ++i) next.emplace_back(from + names[i], to + kPlain[i]);
+                out.insert(next.begin(), next.end());
+                last = std::move(next);
+            }
+        }
+        return out;
+    }();
+    return table;
+}
+
+bool is_vector_type(std::string_view type) {
+    const bool sized = type.size() > 1 && type.back() >= '2' && type.back() <= '4';
+    return sized && is_type_word(type) && (type.size() < 3 || type[type.size() - 2] != 'x') && !type.starts_with("mat");
+}
+
+}  // namespace
+
+Text with_common_phrases(const Text& words) { return with_plain_constructors(with_global_ids(with_named_axes(words))); }
+
+void drop_cast_to_declared_type(Text& words) {
+    const bool is_cast = words.size() > 6 && is_word_token(words[1]) && words[2] == "=" && words[3] == words[0] &&
+                         words[4] == "(" && words.back() == ")";
+    if (!is_cast || !is_one_of(words[0], {"int", "uint", "float", "double", "short", "size_t", "int8_t", "uint8_t",
+                                          "uint16_t", "int64", "uint64", "int64_t", "uint64_t", "bool", "half"}))
+        return;
+    int depth = 0;
+    for (size_t i = 4; i < words.size(); ++i) {
+        if (words[i] == "(" || words[i] == "[" || words[i] == "{") ++depth;
+        if (words[i] == ")" || words[i] == "]" || words[i] == "}") --depth;
+        if (depth == 1 && words[i] == ",") return;
+        if (depth == 0 && i + 1 < words.size()) return;
+    }
+    words.pop_back();
+    words.erase(words.begin() + 3, words.begin() + 5);
+}
+
+void note_vectors(const Words& text, VectorNames& names) {
+    for (size_t i = 0; i + 2 < text.size(); ++i)
+        if (is_word_token(text[i + 1]) && is_one_of(text[i + 2], {",", ")", ";", "="}) && is_vector_type(text[i]))
+            names.insert(text[i + 1]);
+}
+
+void write_plain_components(Words& statement, const VectorNames& names) {
+    for (size_t i = 1; i + 1 < statement.size() && !names.empty(); ++i) {
+        const bool of_member = i > 1 && is_one_of(statement[i - 2], {".", "->", "::"});
+        if (statement[i] != "." || of_member || !names.contains(statement[i - 1])) continue;
+        const auto found = plain_swizzles().find(statement[i + 1]);
+        if (found != plain_swizzles().end()) statement[i + 1] = found->second;
+    }
+}
+
+}  // namespace porttool

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+// What ports say in several words that stand for one thing.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <unordered_set>
+#include <vector>
+
+#include "porttool/normal/normal_text.h"
+
+namespace porttool {
+
+/// Writes phrases of common words in one way:
+///
+///     local_id ( 0 )                                       local_id . x
+///     group_id . x * group_size . x + local_id . x         global_id . x
+///     vec4 ( a , a , a , a )                               vec4 ( a )
+///     vec2 ( v . x , v . y )                               v . xy
+std::vector<std::string> with_common_phrases(const std::vector<std::string>& words);
+
+/// `int i = int ( x )`: the value is converted to the variable's type in any case, so the cast goes.
+void drop_cast_to_declared_type(std::vector<std::string>& words);
+
+/// The names that a text declares as vectors: `vec3 v`.
+using VectorNames = std::unordered_set<std::string_view>;
+void note_vectors(const Words& text, VectorNames& names);
+
+/// Writes the components of colours and texture coordinates of these as those of positions: `v . rg` is `v . xy`.
+void write_plain_components(Words& statement, const VectorNames& names);
+
+}  // namespace porttool
