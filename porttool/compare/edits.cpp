@@ -34,6 +34,8 @@ EditComparison compare_as_named(const PairTexts& texts, const Dialect& dialect, 
     const StatementEdit source = statement_edit(texts.source_before, texts.source_now, translator(Side::Source));
     const StatementEdit target = statement_edit(texts.target_before, texts.target_now, translator(Side::Target));
     EditComparison out;
+    out.equivalent = same_replacements(source, target);
+    if (out.equivalent) return out;
     const bool alike = same_words(source, target);
     out.differences = alike ? other_positions(source, target) : missing_statements(source, target);
     out.equivalent = alike && out.differences.empty();

@@ -83,6 +83,12 @@ std::string_view component_at(const Words& tokens, size_t i, Language language) 
                                                                                 : std::string_view();
 }
 
+/// `. x ( )`, as SYCL's vectors have it: the component itself.
+bool is_accessor(const Words& tokens, size_t i) {
+    return tokens[i] == "." && i + 3 < tokens.size() && tokens[i + 1].size() == 1 && tokens[i + 2] == "(" &&
+           tokens[i + 3] == ")" && std::string_view("xyzw").find(tokens[i + 1][0]) != std::string_view::npos;
+}
+
 /// The closing brackets of `atomic_inc(p)`, which elsewhere is `atomicAdd(p, 1)`.
 std::set<size_t> atomic_steps(const Words& tokens) {
     constexpr size_t kLongest = 64;
@@ -127,9 +133,19 @@ struct MemberUses {
     std::map<std::string_view, std::set<std::string_view>> members_of;
 };
 
+/// `HIPBLAS_OP_N` is `CUBLAS_OP_N`, `HIP_R_16F` is `CUDA_R_16F`.
+std::string shouted_runtime_name(std::string_view token) {
+    const std::string_view rest = token.substr(3);
+    if (rest.starts_with("_")) return "CUDA" + std::string(rest);
+    for (const std::string_view library : {"BLAS", "RAND", "FFT", "SPARSE", "SOLVER"})
+        if (rest.starts_with(library)) return "CU" + std::string(rest);
+    return std::string(token);
+}
+
 /// HIP's names for what CUDA's runtime and libraries have under the same names: `hipMalloc` is `cudaMalloc`.
 std::string runtime_name(std::string_view token) {
     constexpr std::string_view kPrefix = "hip";
+    if (token.starts_with("HIP")) return shouted_runtime_name(token);
     if (token.size() <= kPrefix.size() || !token.starts_with(kPrefix)) return std::string(token);
     const std::string_view rest = token.substr(kPrefix.size());
     if (rest[0] >= 'A' && rest[0] <= 'Z') return "cuda" + std::string(rest);
@@ -255,6 +271,11 @@ std::vector<std::string> Meaning::translate(const Words& statement, Side side, b
             i += tokens[i] == "[" ? 2 : 1;
             continue;
         }
+        if (is_accessor(tokens, i)) {
+            out.insert(out.end(), {".", std::string(tokens[i + 1])});
+            i += 3;
+            continue;
+        }
         if (!is_word_token(tokens[i])) {
             if (steps.contains(i)) out.insert(out.end(), {",", "1"});
             out.push_back(word(tokens[i], side));
@@ -270,7 +291,7 @@ std::vector<std::string> Meaning::translate(const Words& statement, Side side, b
         if (known != nullptr && known->empty() && chain.scope.empty() && is_qualifier(tokens, i)) continue;
         out.push_back(scoped(chain.scope, tokens[i], side));
     }
-    out = with_common_phrases(with_functional_casts(out, dialect_));
+    out = with_common_phrases(with_plain_launches(with_functional_casts(out, dialect_)));
     drop_cast_to_declared_type(out);
     return out;
 }

@@ -169,6 +169,68 @@ Text with_plain_constructors(const Text& words) {
     return out;
 }
 
+constexpr size_t kLongestLaunch = 512;  // words, of a configuration and of a kernel's name each
+
+/// Behind the bracket that closes the one at `open`; 0 if none does soon.
+size_t after_brackets(const Text& words, size_t open) {
+    int depth = 0;
+    for (size_t i = open; i < words.size() && i < open + kLongestLaunch; ++i) {
+        if (words[i] == "(" || words[i] == "[" || words[i] == "{") ++depth;
+        if (words[i] == ")" || words[i] == "]" || words[i] == "}") --depth;
+        if (depth == 0) return i + 1;
+    }
+    return 0;
+}
+
+/// What stands between commas in [first, end); `dim3 ( n )` of one number is `n`, and brackets around all of it go.
+std::vector<Text> launch_arguments(const Text& words, size_t first, size_t end) {
+    std::vector<Text> out(1);
+    int depth = 0;
+    for (size_t i = first; i < end; ++i) {
+        if (words[i] == "(" || words[i] == "[" || words[i] == "{") ++depth;
+        if (words[i] == ")" || words[i] == "]" || words[i] == "}") --depth;
+        if (depth == 0 && words[i] == ",")
+            out.emplace_back();
+        else
+            out.back().push_back(words[i]);
+    }
+    for (Text& argument : out) {
+        const bool is_named = is_one_of(word(argument, 0), {"dim3", "HIP_KERNEL_NAME", "cudakernelname"});
+        const size_t open = is_named ? 1 : 0;
+        if (word(argument, open) != "(" || after_brackets(argument, open) != argument.size()) continue;
+        const bool one =
+            !is_named || argument[0] != "dim3" || std::find(argument.begin(), argument.end(), ",") == argument.end();
+        if (one) argument = Text(argument.begin() + static_cast<std::ptrdiff_t>(open) + 1, argument.end() - 1);
+    }
+    return out;
+}
+
+/// Where the kernel's name begins that ends before `at`, template arguments and scopes included.
+size_t kernel_name_before(const Text& words, size_t at) {
+    size_t first = at;
+    if (first > 0 && words[first - 1] == ">") {
+        int depth = 0;
+        while (first > 0 && at - first < kLongestLaunch) {
+            --first;
+            if (words[first] == ">") ++depth;
+            if (words[first] == "<" && --depth == 0) break;
+        }
+    }
+    if (first == 0 || !is_word_token(words[first - 1])) return at;
+    --first;
+    while (first > 1 && words[first - 1] == "::" && is_word_token(words[first - 2])) first -= 2;
+    return first;
+}
+
+void add_launch(Text& out, std::vector<Text> arguments) {
+    out.insert(out.end(), {"hipLaunchKernelGGL", "("});
+    for (size_t i = 0; i < arguments.size(); ++i) {
+        if (i > 0) out.emplace_back(",");
+        out.insert(out.end(), arguments[i].begin(), arguments[i].end());
+    }
+    out.emplace_back(")");
+}
+
 /// Every swizzle of colours or texture coordinates with the one of positions; made once.
 const std::map<std::string, std::string, std::less<>>& plain_swizzles() {
     static const auto table = [] {
@@ -197,6 +259,40 @@ bool is_vector_type(std::string_view type) {
 }  // namespace
 
 Text with_common_phrases(const Text& words) { return with_plain_constructors(with_global_ids(with_named_axes(words))); }
+
+Text with_plain_launches(const Text& words) {
+    constexpr size_t kConfiguration = 4;
+    Text out;
+    for (size_t i = 0; i < words.size(); ++i) {
+        // The second is the first as a Meaning spells it.
+        if (is_one_of(words[i], {"hipLaunchKernelGGL", "cudalaunchkernelggl"}) && word(words, i + 1) == "(") {
+            if (const size_t end = after_brackets(words, i + 1); end > 0) {
+                add_launch(out, launch_arguments(words, i + 2, end - 1));
+                i = end - 1;
+                continue;
+            }
+        }
+        const bool opens = words[i] == "<" && word(words, i + 1) == "<" && word(words, i + 2) == "<";
+        size_t close = 0;
+        for (size_t k = i + 3; opens && close == 0 && k + 3 < words.size() && k < i + kLongestLaunch; ++k)
+            if (words[k] == ">" && words[k + 1] == ">" && words[k + 2] == ">" && words[k + 3] == "(") close = k;
+        const size_t end = close > 0 ? after_brackets(words, close + 3) : 0;
+        const size_t name = end > 0 ? kernel_name_before(out, out.size()) : out.size();
+        if (name == out.size()) {
+            out.push_back(words[i]);
+            continue;
+        }
+        std::vector<Text> arguments = {Text(out.begin() + static_cast<std::ptrdiff_t>(name), out.end())};
+        for (Text& each : launch_arguments(words, i + 3, close)) arguments.push_back(std::move(each));
+        while (arguments.size() < 1 + kConfiguration) arguments.push_back({"0"});
+        for (Text& each : launch_arguments(words, close + 4, end - 1))
+            if (!each.empty()) arguments.push_back(std::move(each));
+        out.erase(out.begin() + static_cast<std::ptrdiff_t>(name), out.end());
+        add_launch(out, std::move(arguments));
+        i = end - 1;
+    }
+    return out;
+}
 
 void drop_cast_to_declared_type(Text& words) {
     const bool is_cast = words.size() > 6 && is_word_token(words[1]) && words[2] == "=" && words[3] == words[0] &&

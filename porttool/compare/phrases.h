@@ -20,6 +20,10 @@ namespace porttool {
 ///     vec2 ( v . x , v . y )                               v . xy
 std::vector<std::string> with_common_phrases(const std::vector<std::string>& words);
 
+/// Writes HIP's and CUDA's two ways to launch a kernel in one: `k < < < g , b > > > ( a )` and
+/// `hipLaunchKernelGGL ( k , g , b , 0 , 0 , a )`.
+std::vector<std::string> with_plain_launches(const std::vector<std::string>& words);
+
 /// `int i = int ( x )`: the value is converted to the variable's type in any case, so the cast goes.
 void drop_cast_to_declared_type(std::vector<std::string>& words);
 

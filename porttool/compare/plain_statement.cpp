@@ -158,7 +158,7 @@ std::vector<std::string> PlainStatements::translate(const Words& statement, bool
     if (in_head && out.size() > 3 && out[out.size() - 1] == ")" && out[out.size() - 2] == "void" &&
         out[out.size() - 3] == "(")
         out.erase(out.end() - 2);  // f(void)
-    out = with_functional_casts(with_c_casts(out, dialect_), dialect_);
+    out = with_plain_launches(with_functional_casts(with_c_casts(out, dialect_), dialect_));
     open_whole_value(out);
     drop_cast_to_declared_type(out);
     write_steps_first(out);

@@ -3,6 +3,7 @@
 #include "porttool/compare/same_words.h"
 
 #include <algorithm>
+#include <map>
 #include <unordered_map>
 #include <unordered_set>
 
@@ -157,6 +158,42 @@ bool same_hunks(const StatementEdit& source, const StatementEdit& target) {
     return true;
 }
 
+using Replacements = std::map<std::vector<std::string>, std::vector<std::string>>;
+
+size_t occurrences(const std::vector<std::string>& of, const std::vector<std::string>& words) {
+    size_t count = 0;
+    for (auto at = words.begin(); (at = std::search(at, words.end(), of.begin(), of.end())) != words.end(); ++at)
+        ++count;
+    return count;
+}
+
+/// What an edit put in the place of what, if that is all that it did; else nothing.
+Replacements replacements_of(const StatementEdit& edit) {
+    constexpr size_t kMostWords = 20'000, kMostKinds = 16;
+    const auto all_words = [](const std::vector<Statement>& statements) {
+        std::vector<std::string> out;
+        for (const Statement& statement : statements) {
+            out.insert(out.end(), statement.common.begin(), statement.common.end());
+            out.emplace_back(";");
+        }
+        return out;
+    };
+    const auto before = all_words(edit.before), now = all_words(edit.now);
+    if (before.size() + now.size() > kMostWords) return {};
+    Replacements out;
+    std::map<std::vector<std::string>, size_t> counts;
+    for (const Hunk& hunk : hunks(before, now)) {
+        const bool names = std::any_of(hunk.lost.begin(), hunk.lost.end(),
+                                       [](const std::string& word) { return is_word_token(word); });
+        const auto known = out.try_emplace(hunk.lost, hunk.gained);
+        if (!names || known.first->second != hunk.gained || out.size() > kMostKinds) return {};
+        ++counts[hunk.lost];
+    }
+    for (const auto& [lost, count] : counts)
+        if (occurrences(lost, before) != count || occurrences(lost, now) > 0) return {};
+    return out;
+}
+
 /// Says which statements of one side's list the other side's lacks, and of one that only moved (it is in `opposite`,
 /// what the same side lost, or gained) in which block.
 void name_missing(const std::vector<Statement>& here, const std::vector<size_t>& indices,
@@ -226,6 +263,11 @@ bool same_words(const StatementEdit& source, const StatementEdit& target) {
         chosen_keys(source.before, source.lost) == chosen_keys(target.before, target.lost))
         return true;
     return same_statements(source, target) && same_hunks(source, target);
+}
+
+bool same_replacements(const StatementEdit& source, const StatementEdit& target) {
+    const Replacements here = replacements_of(source);
+    return !here.empty() && here == replacements_of(target);
 }
 
 std::vector<std::string> missing_statements(const StatementEdit& source, const StatementEdit& target) {

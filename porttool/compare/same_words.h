@@ -24,4 +24,11 @@ bool same_words(const StatementEdit& source, const StatementEdit& target);
 /// block.
 std::vector<std::string> missing_statements(const StatementEdit& source, const StatementEdit& target);
 
+/// True if all that both sides did was to put some words in the place of others wherever these stood: the same words in
+/// the same place of others on both sides, and none is left.
+///
+///     run(w, table)       run(w, table0, table1)          source
+///     go(1, table, 2)     go(1, table0, table1, 2)        port
+bool same_replacements(const StatementEdit& source, const StatementEdit& target);
+
 }  // namespace porttool

@@ -108,6 +108,14 @@ private:
         return out;
     }
 
+    /// What a project computes once more to check its kernels with resembles what ports them.
+    static bool is_reference_of(const UnitState& unit, const UnitState& counterpart) {
+        const std::vector<std::string> there = split_words(counterpart.name);
+        for (const std::string& word : split_words(unit.name))
+            if (marks_reference(word) && std::find(there.begin(), there.end(), word) == there.end()) return true;
+        return false;
+    }
+
     Matching match(const Settled& settled) const {
         return match_units(files_.source, files_.target, settled, dialect_);
     }
@@ -120,9 +128,10 @@ private:
             const auto open = open_.find(side_ == Side::Source ? pair.source : pair.target);
             const auto unit = there.find(side_ == Side::Source ? pair.target : pair.source);
             if (open == open_.end() || unit == there.end()) continue;
+            const auto partner = partner_.find(unit->first);
+            if (partner != partner_.end() && is_reference_of(*open->second, unit->second)) continue;
             Counterpart& best = out_[open->second];
             if (best.unit != nullptr && best.score >= pair.score) continue;
-            const auto partner = partner_.find(unit->first);
             best = {&unit->second, std::min(pair.score, most), partner == partner_.end() ? "" : partner->second};
             found.push_back(open->first);
         }

@@ -57,8 +57,15 @@ private:
             if (unit.kind != UnitKind::File) ++bearers[leaf(unit)];
         for (const auto& [id, unit] : units_.all)
             if (is_code(unit) && bearers[leaf(unit)] == 1) functions_.emplace(leaf(unit), &unit);
+        std::unordered_map<std::string_view, size_t> new_bearers;
         for (const UnitState* unit : units_.unported)
-            if (unit->kind != UnitKind::Kernel && bearers[leaf(*unit)] == 1) names_.emplace(leaf(*unit), unit);
+            if (!is_code(*unit)) ++new_bearers[leaf(*unit)];
+        for (const UnitState* unit : units_.unported) {
+            const std::string_view name = leaf(*unit);
+            constexpr size_t kMostBranches = 8;  // that define one constant
+            const bool known = bearers[name] == (is_code(*unit) ? 1 : new_bearers[name]);
+            if (unit->kind != UnitKind::Kernel && known && bearers[name] <= kMostBranches) names_.emplace(name, unit);
+        }
         for (const auto& [name, unit] : names_) lengths_[std::min(name.size(), lengths_.size() - 1)] = true;
     }
 
@@ -76,13 +83,17 @@ private:
         for (size_t i = 0; i < user.text.size(); ++i) {
             const std::string_view word = user.text[i];
             if (!lengths_[std::min(word.size(), lengths_.size() - 1)] || !is_word_token(word)) continue;
-            const auto found = names_.find(word);
-            if (found == names_.end() || found->second == &user || !is_use(*found->second, user.text, i)) continue;
-            constexpr size_t kMost = 8;
-            auto& users = users_[found->second][static_cast<size_t>(kind)];
-            if (users.size() < kMost && (users.empty() || users.back() != &user)) users.push_back(&user);
-            if (kind == UserKind::Unported) uses_[&user].insert(found->second);
+            const auto [first, last] = names_.equal_range(word);
+            for (auto used = first; used != last; ++used)
+                if (used->second != &user && is_use(*used->second, user.text, i)) add_use(*used->second, user, kind);
         }
+    }
+
+    void add_use(const UnitState& used, const UnitState& user, UserKind kind) {
+        constexpr size_t kMost = 8;
+        auto& users = users_[&used][static_cast<size_t>(kind)];
+        if (users.size() < kMost && (users.empty() || users.back() != &user)) users.push_back(&user);
+        if (kind == UserKind::Unported) uses_[&user].insert(&used);
     }
 
     UserKind kind_of(const UnitState& user) {
@@ -97,7 +108,8 @@ private:
         if (used.kind != UnitKind::Function) return true;
         const std::string_view before = i > 0 ? text[i - 1] : std::string_view();
         const std::string_view after = i + 1 < text.size() ? text[i + 1] : std::string_view();
-        return after == "(" || after == "<" || after == ">" || before == "<" || before == "&";
+        const bool template_argument = (before == "<" || before == ",") && (after == ">" || after == ",");
+        return after == "(" || after == "<" || before == "&" || (template_argument && (before == "<" || after == ">"));
     }
 
     /// What has no port itself, but only joins what has ports, as a dispatcher does, says nothing of a new unit.
@@ -144,7 +156,7 @@ private:
     const SideUnits& units_;
     std::set<const UnitState*> open_;
     std::unordered_map<std::string_view, const UnitState*> functions_;  ///< all, where one alone bears the name
-    std::unordered_map<std::string_view, const UnitState*> names_;
+    std::unordered_multimap<std::string_view, const UnitState*> names_;
     std::array<bool, 65> lengths_ = {};  ///< of the names, the last for all that are longer
     std::map<const UnitState*, Users> users_;
     std::map<const UnitState*, std::set<const UnitState*>> uses_;  ///< of units without a counterpart

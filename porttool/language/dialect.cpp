@@ -43,6 +43,7 @@ constexpr std::array kTypes = {
     DialectRow{"uint64", "uint64_t u_longlong ulonglong ulong u_int64 cl_ulong"},
     DialectRow{"int64", "int64_t longlong cl_long"},
     DialectRow{"half", "float16_t f16 half_t __half"},
+    DialectRow{"bfloat16", "__nv_bfloat16 nv_bfloat16 hip_bfloat16 __hip_bfloat16"},
     DialectRow{"half2", "f16vec2 __half2"},
     DialectRow{"size_t", "u_size_t std_size_t"},
     DialectRow{"float", "float32_t f32 real Float cl_float"},

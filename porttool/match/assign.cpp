@@ -3,7 +3,10 @@
 #include "porttool/match/assign.h"
 
 #include <algorithm>
+#include <iterator>
+#include <map>
 #include <unordered_map>
+#include <utility>
 
 #include "porttool/match/decide.h"
 #include "porttool/match/words.h"
@@ -288,17 +291,53 @@ private:
                 if (claimed_[t] == kNobody && target_[t].group == Group::Code && scores_[s][c] > best[t].score)
                     best[t] = {scores_[s][c], s, c};
             }
+        for (Choice& choice : best) {
+            const uint32_t s = choice.source;
+            const bool has_port = s != kNobody && choice_[s] != kNobody && !fixed_[s];
+            if (!has_port || !may_port_too(s, candidates_[s][choice.candidate])) choice.source = kNobody;
+        }
+        std::map<SecondForm, uint32_t> forms;
+        for (uint32_t t = 0; t < target_.size(); ++t)
+            if (best[t].source != kNobody) ++forms[form_of(t, best[t].source)];
         for (uint32_t t = 0; t < target_.size(); ++t) {
             const uint32_t s = best[t].source;
-            if (s == kNobody || choice_[s] == kNobody || claimed_[t] != kNobody || fixed_[s]) continue;
-            const Candidate& own = candidates_[s][choice_[s]];
-            if (own.target == t) continue;
-            const Candidate& candidate = candidates_[s][best[t].candidate];
-            const bool kernels = target_[t].kernel && target_[own.target].kernel && !source_[s].kernel;
-            if (!kernels && !is_copy(target_[t], target_[own.target])) continue;
-            if (!may_share(target_[t], source_[s], target_[own.target], candidate)) continue;
-            if (add_shared(s, best[t].candidate, target_[t], target_[own.target])) claimed_[t] = s;
+            if (s == kNobody) continue;
+            const uint32_t own = candidates_[s][choice_[s]].target;
+            constexpr uint32_t kFamily = 4;
+            const bool alone = !is_known_copy(s, t, own) && forms.at(form_of(t, s)) < kFamily;
+            if (!alone && add_shared(s, best[t].candidate, target_[t], target_[own])) claimed_[t] = s;
         }
+    }
+
+    /// True if a target may be one more port of a source that has one.
+    bool may_port_too(uint32_t s, const Candidate& candidate) const {
+        const UnitFeatures &unit = target_[candidate.target], &own = target_[candidates_[s][choice_[s]].target];
+        if (&unit == &own || !may_share(unit, source_[s], own, candidate)) return false;
+        return is_second_form(unit, own) || is_known_copy(s, candidate.target, candidates_[s][choice_[s]].target);
+    }
+
+    bool is_known_copy(uint32_t s, uint32_t t, uint32_t own) const {
+        const bool kernels = target_[t].kernel && target_[own].kernel && !source_[s].kernel;
+        return kernels || is_copy(target_[t], target_[own]);
+    }
+
+    /// Of one subject in another file, under a longer name: of a project that has its functions in two forms, where a
+    /// whole family of a file has the same words more.
+    static bool is_second_form(const UnitFeatures& a, const UnitFeatures& b) {
+        return a.file != b.file && a.core == b.core && !a.core.empty() && a.all_words.size() > b.all_words.size() &&
+               std::includes(a.all_words.begin(), a.all_words.end(), b.all_words.begin(), b.all_words.end());
+    }
+
+    /// A file, and the words that a name there has more than that of the port that its source has already.
+    using SecondForm = std::pair<uint32_t, std::vector<uint32_t>>;
+
+    SecondForm form_of(uint32_t t, uint32_t s) const {
+        const auto& longer = target_[t].all_words;
+        const auto& shorter = target_[candidates_[s][choice_[s]].target].all_words;
+        SecondForm form{target_[t].file, {}};
+        std::set_difference(longer.begin(), longer.end(), shorter.begin(), shorter.end(),
+                            std::back_inserter(form.second));
+        return form;
     }
 
     /// The same function once more, or for another instruction set: but for such a word the names are equal, and the

@@ -147,6 +147,12 @@ void f(float* a, int n) {
     _Pragma("omp parallel for reduction(+:sum) schedule(static)") for (int i = 0; i < n; ++i) sum += a[i];
 }
 )code";
+const std::string kLaunch = R"(
+void f(float* a, int n, hipStream_t s) {
+    fill<<<n, 64>>>(a, n);
+    my::add<float, 4><<<dim3(n, 1), 64, 0, s>>>(a);
+}
+)";
 /// What a file says apart from the definition.
 const std::string kApart = R"(
 #pragma STDC FP_CONTRACT OFF
@@ -220,6 +226,10 @@ const std::vector<LabelledEdit> kSilent = {
     {".cpp", kThreads, "parallel for schedule(static)", "parallel for simd schedule(guided)"},
     {".c", replaced(kThreads, "parallel for", "parallel for if(n > 9),"), "schedule(static)", "schedule(dynamic)"},
     {".c", kPragma, "schedule(static)", "schedule(dynamic)"},
+    // how a kernel is launched
+    {".hip", kLaunch, "fill<<<n, 64>>>(a, n)", "hipLaunchKernelGGL(fill, dim3(n), dim3(64), 0, 0, a, n)"},
+    {".hip", kLaunch, "my::add<float, 4><<<dim3(n, 1), 64, 0, s>>>(a)",
+     "hipLaunchKernelGGL((my::add<float, 4>), dim3(n, 1), 64, 0, s, a)"},
     // one component of what the text declares as a vector
     {".glsl", "float f(vec3 v) { return v.x; }", "v.x", "v.r"},
     {".comp", "float f(vec4 v) { vec2 w = v.zw; return w.y; }", "v.zw", "v.pq"},
@@ -256,6 +266,9 @@ const std::vector<LabelledEdit> kSilent = {
 };
 
 const std::vector<LabelledEdit> kHarmful = {
+    {".hip", kLaunch, "fill<<<n, 64>>>(a, n)", "hipLaunchKernelGGL(fill, n, 32, 0, 0, a, n)"},
+    {".hip", kLaunch, "fill<<<n, 64>>>(a, n)", "hipLaunchKernelGGL(fill, n, 64, 16, 0, a, n)"},
+    {".hip", kLaunch, "fill<<<n, 64>>>(a, n)", "fill<<<n, 64, 0, s>>>(a, n)"},
     // what stands apart from the definition
     {".cpp", kApart, "CONTRACT OFF", "CONTRACT ON"},
     {".cpp", kApart, "#pragma STDC FP_CONTRACT OFF\n", ""},

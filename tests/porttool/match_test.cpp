@@ -471,6 +471,29 @@ TEST(Match, OneSourceIsPortedByItsCopiesAndByVariantsForInstructionSets) {
                                  {"cl/rows.cl:best_of_row", "c/right.c:best_of_row_avx2"}}));
 }
 
+/// A project that has its functions in two forms, the second under names of its own: one word more throughout a file.
+TEST(Match, AFamilyInASecondFormIsPortedByBoth) {
+    const std::vector<std::string> names = {"reverse", "rotate", "append", "purge", "mirror", "title"};
+    const auto family = [&](const std::string& prefix, const std::string& type, size_t count) {
+        std::string out;
+        for (size_t i = 0; i < count; ++i)
+            out += "int " + prefix + names[i] + "(" + type +
+                   "* word, int n) { for (int i = 0; i < n; ++i) word[i] = " + names[i] + "_of(word, i); return n; }\n";
+        return out;
+    };
+    const auto ports = [&](size_t in_second_form) {
+        size_t count = 0;
+        for (const auto& [source, target] :
+             pairs(match({{"c/words.c", family("word_", "char", 6)}},
+                         {{"cl/words.cl", family("word_", "uchar", 6)},
+                          {"cl/fast.cl", family("rule_op_word_", "uint", in_second_form)}})))
+            count += target.starts_with("cl/fast.cl") ? 1 : 0;
+        return count;
+    };
+    EXPECT_EQ(ports(6), 6u);
+    EXPECT_EQ(ports(3), 0u) << "three are no family";
+}
+
 TEST(Match, OneFunctionIsPortedBySeveralKernels) {
     const auto kernel = [](const std::string& name, const std::string& type) {
         return "__kernel void kernel_" + name + "(__global " + type + "* x, __global " + type +

@@ -77,19 +77,20 @@ TEST(Scan, InitialisersAreNotBodies) {
 }
 
 TEST(Scan, KernelsThatTheHostHasAsAStringAreUnits) {
-    EXPECT_EQ(units_of("kernels.h",
-                       "#define TEXT(...) #__VA_ARGS__\n"
-                       "static const char *program =\n"
-                       "  \"#define HALF 0.5f\"\n"
-                       "  TEXT(\n"
-                       "    inline float half_of(float x) { return x * HALF; }\n"
-                       "    __kernel void halve(__global float *x) {\n"
-                       "      x[get_global_id(0)] = half_of(x[get_global_id(0)]);\n"
-                       "    }\n"
-                       "  )\n"
-                       "  TEXT(float twice(float x) { return x + x; });\n"
-                       "int after(void) { return 1; }\n"),
-              "constant 1-1 TEXT\nfunction 5-5 half_of\nkernel 6-8 halve\nfunction 10-10 twice\nfunction 11-11 after\n");
+    EXPECT_EQ(
+        units_of("kernels.h",
+                 "#define TEXT(...) #__VA_ARGS__\n"
+                 "static const char *program =\n"
+                 "  \"#define HALF 0.5f\"\n"
+                 "  TEXT(\n"
+                 "    inline float half_of(float x) { return x * HALF; }\n"
+                 "    __kernel void halve(__global float *x) {\n"
+                 "      x[get_global_id(0)] = half_of(x[get_global_id(0)]);\n"
+                 "    }\n"
+                 "  )\n"
+                 "  TEXT(float twice(float x) { return x + x; });\n"
+                 "int after(void) { return 1; }\n"),
+        "constant 1-1 TEXT\nfunction 5-5 half_of\nkernel 6-8 halve\nfunction 10-10 twice\nfunction 11-11 after\n");
     const char* none[] = {"auto f = call([](int a) { return a; });\n", "auto f = call(Foo(1) , { 1 });\n",
                           "int x = sum({1, 2}, max(a, b));\n",
                           "std::function<int(int)> f = bind(x, [&](int b) -> int { return b; });\n"};

@@ -109,6 +109,12 @@ TEST(Unwatched, ATargetThatHasItsSourceIsACandidateButNoneToBeSureOf) {
     EXPECT_EQ(report["verdict"], "review");
 }
 
+TEST(Unwatched, WhatChecksAKernelIsNoSourceOfItsPort) {
+    MemoryDisk disk = started(kFresnel, kFresnelPort);
+    disk.files["/r/src/check.cu"] = replaced(replaced(kFresnel, "fresnel", "fresnel_ref"), "__device__ ", "");
+    EXPECT_EQ(rules(check(disk)), Rules{"unported"});
+}
+
 TEST(Unwatched, ACommentThatSettlesUnportedSettlesUnpairedToo) {
     MemoryDisk disk = started(kLum, kLumPort);
     disk.files["/r/src/k.cu"] += "// porttool: ignore(unported) not yet\n" + kFresnel;
@@ -206,6 +212,10 @@ TEST(Unwatched, WhatAWatchedUnitUsesIsToldWithIt) {
         unported_in(with("#define SCALE 2.0f\n" + kMix + kLum + replaced(kHash, "return seed", "return mix_in(seed)"))),
         (std::vector<std::string>{"src/k.cu:SCALE note", "src/k.cu:mix_in note"}))
         << "what uses it has no port either";
+    EXPECT_EQ(
+        unported_in(with("#if FAST\n#define SCALE 2.0f\n#else\n#define SCALE 3.0f\n#endif\n" + kMix + uses + kHash)),
+        (std::vector<std::string>{"src/k.cu:SCALE note", "src/k.cu:SCALE#2 note", "src/k.cu:mix_in note"}))
+        << "both branches of a constant";
     const std::string chooser =
         "__device__ float choose(int i, float3 c) { return i == 0 ? lum(c) : i == 1 ? 0.5f : c.x; }\n";
     MemoryDisk other = started(kLum + chooser, kLumPort);
