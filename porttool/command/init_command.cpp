@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "porttool/command/commands.h"
+#include "porttool/compare/paired_names.h"
 #include "porttool/judge/assess.h"
 #include "porttool/judge/first_record.h"
 #include "porttool/match/match_sets.h"
@@ -124,7 +125,7 @@ std::string summary(const Matching& matching, const Project& project) {
 Outcome assess_map(const Options& options, Workplace& place) {
     const Snapshot now = read_snapshot(open_project(options, place, true), {}, place.disk);
     const LockFile lock = first_lock(now.project.map, now.states);
-    return {assessed_text(assess_pairs(lock, now.states, Dialect(now.project.map.dialect)), options), 0};
+    return {assessed_text(assess_pairs(lock, now.states, dialect_of_edits(now.project.map)), options), 0};
 }
 
 /// The pairs that the matcher finds between the sides of a map.
@@ -152,7 +153,7 @@ Outcome record_map(const Options& options, Workplace& place) {
         if (const std::vector<NewPair> pairs = suggested_pairs(now.project); !pairs.empty())
             map = add_pairs(now.project, pairs);
     LockFile lock = first_lock(now.project.map, now.states);
-    tell_differences(accept_differences(lock, now.states, Dialect(now.project.map.dialect), today()), place);
+    tell_differences(accept_differences(lock, now.states, dialect_of_edits(now.project.map), today()), place);
     store_lock(now.project, {lock, now.states, {}, map.empty() ? nullptr : &map, true}, place.disk);
     return {fmt::format("{} pairs of {} recorded as in step, {} source units without a port as the baseline.\n{}"
                         "Next: porttool check\n",

@@ -239,6 +239,10 @@ std::string Meaning::word(std::string_view token, Side side) const {
         return known->empty() ? std::string(token) : *known;
     }
     if (!is_word_token(token)) return std::string(token);
+    if (side == Side::Target) {
+        if (const std::string* name = dialect_.counterpart(token)) return word(*name, Side::Source);
+        if (dialect_.has_counterpart(token)) return "the target's " + std::string(token);
+    }
     // A name may be spelled after the manner of each side, as long as that leaves no two names alike.
     const std::string name = folded(runtime_name(token));
     for (const Side each : kBothSides)

@@ -146,7 +146,9 @@ std::string PlainStatements::spelled(std::string_view word) const {
 std::vector<std::string> PlainStatements::translate(const Words& statement, bool in_body) const {
     Words words;
     const bool in_head = is_code_ && !in_body;
-    for (size_t i = 0; i < statement.size();) {
+    const bool thrown_away = is_code_ && in_body && at(statement, 0) == "(" && at(statement, 1) == "void" &&
+                             at(statement, 2) == ")" && is_word_token(at(statement, 3));
+    for (size_t i = thrown_away ? 3 : 0; i < statement.size();) {
         const size_t end = is_code_ ? after_idle(statement, i, in_head) : i;
         if (end == i) words.push_back(statement[i++]);
         i = std::max(i, end);

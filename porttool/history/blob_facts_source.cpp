@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "porttool/compare/paired_names.h"
 #include "porttool/language/language.h"
 #include "porttool/read/lock_file.h"
 #include "porttool/read/lock_upgrade.h"
@@ -32,10 +33,12 @@ std::string version_key(const FileVersion& file) {
     return file.blob + (dot == std::string::npos ? std::string() : file.path.substr(dot));
 }
 
-void BlobFactsSource::use_dialect(const std::vector<std::pair<std::string, std::string>>& rows) {
-    dialect_ = Dialect(rows);
+void BlobFactsSource::use_dialect(const MapFile& map) {
+    dialect_ = dialect_of_edits(map);
     std::string text;
-    for (const auto& [left, right] : rows) text += left + "=" + right + "\n";
+    for (const auto& [left, right] : map.dialect) text += left + "=" + right + "\n";
+    for (const MapPair& pair : map.pairs)
+        for (const std::string& target : pair.targets) text += pair.source + "=" + target + "\n";
     dialect_key_ = BlobCache::key({text});
 }
 

@@ -27,7 +27,7 @@ public:
     BlobFactsSource(const Past& past, BlobCache& cache) : past_(past), cache_(cache) {}
 
     /// The vocabulary that edits are told in from now on.
-    void use_dialect(const std::vector<std::pair<std::string, std::string>>& rows);
+    void use_dialect(const MapFile& map);
 
     /// Facts of a file; those of one that cannot be scanned (binary) are all zero.
     const BlobFacts& facts(const FileVersion& file);

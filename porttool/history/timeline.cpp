@@ -94,7 +94,7 @@ private:
         map_ = std::move(map);
         has_map_ = true;
         globs_ = {SideGlobs(map_.source), SideGlobs(map_.target)};
-        blobs_.use_dialect(map_.dialect);
+        blobs_.use_dialect(map_);
         measurer_.use_dialect(map_.dialect);
     }
 

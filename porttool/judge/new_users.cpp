@@ -25,6 +25,8 @@ public:
         for (const auto& [id, unit] : units_.all)
             if (unit.kind != UnitKind::File) read_uses(unit);
         for (auto& [unit, users] : users_) tell(unit, users);
+        find_relatives();
+        climb();
         follow();
         return std::move(told_);
     }
@@ -45,7 +47,9 @@ private:
                 const auto found = functions.find(unit_id(file, unit));
                 if (found == functions.end()) continue;
                 const BodyTraits traits = read_body_traits(file, unit);
-                if (traits.launches && !traits.stores) told_.emplace(found->second, "it launches kernels");
+                if (!traits.launches || traits.stores) continue;
+                launchers_.insert(found->second);
+                told_.emplace(found->second, "it launches kernels");
             }
         }
     }
@@ -58,13 +62,11 @@ private:
         for (const auto& [id, unit] : units_.all)
             if (is_code(unit) && bearers[leaf(unit)] == 1) functions_.emplace(leaf(unit), &unit);
         std::unordered_map<std::string_view, size_t> new_bearers;
-        for (const UnitState* unit : units_.unported)
-            if (!is_code(*unit)) ++new_bearers[leaf(*unit)];
+        for (const UnitState* unit : units_.unported) ++new_bearers[leaf(*unit)];
         for (const UnitState* unit : units_.unported) {
             const std::string_view name = leaf(*unit);
-            constexpr size_t kMostBranches = 8;  // that define one constant
-            const bool known = bearers[name] == (is_code(*unit) ? 1 : new_bearers[name]);
-            if (unit->kind != UnitKind::Kernel && known && bearers[name] <= kMostBranches) names_.emplace(name, unit);
+            constexpr size_t kMost = 8;  // branches that define one constant, or overloads
+            if (bearers[name] == new_bearers[name] && bearers[name] <= kMost) names_.emplace(name, unit);
         }
         for (const auto& [name, unit] : names_) lengths_[std::min(name.size(), lengths_.size() - 1)] = true;
     }
@@ -91,9 +93,10 @@ private:
 
     void add_use(const UnitState& used, const UnitState& user, UserKind kind) {
         constexpr size_t kMost = 8;
+        if (kind == UserKind::Unported) uses_[&user].insert(&used);
+        if (used.kind == UnitKind::Kernel) return;  // news whoever uses it
         auto& users = users_[&used][static_cast<size_t>(kind)];
         if (users.size() < kMost && (users.empty() || users.back() != &user)) users.push_back(&user);
-        if (kind == UserKind::Unported) uses_[&user].insert(&used);
     }
 
     UserKind kind_of(const UnitState& user) {
@@ -105,7 +108,7 @@ private:
 
     /// A function is used where it is called or handed to a template; any mention of a constant or a type is a use.
     static bool is_use(const UnitState& used, const NormalText& text, size_t i) {
-        if (used.kind != UnitKind::Function) return true;
+        if (used.kind != UnitKind::Function && used.kind != UnitKind::Kernel) return true;
         const std::string_view before = i > 0 ? text[i - 1] : std::string_view();
         const std::string_view after = i + 1 < text.size() ? text[i + 1] : std::string_view();
         const bool template_argument = (before == "<" || before == ",") && (after == ">" || after == ",");
@@ -133,6 +136,71 @@ private:
             if (!users[kind].empty() && told_.emplace(unit, users[kind][0]->id + kSays[kind]).second) return;
     }
 
+    /// What belongs to a class of which nothing has a port, and one more variant of what has none.
+    void find_relatives() {
+        std::unordered_map<std::string_view, Family> classes, variants;
+        for (const auto& [id, unit] : units_.all) {
+            if (unit.kind == UnitKind::File) continue;
+            const std::string_view plain = plain_name(unit);
+            variants[plain].add(units_, unit);
+            if (unit.kind == UnitKind::Struct) classes[plain].add(units_, unit);
+        }
+        for (const auto& [id, unit] : units_.all)
+            if (const auto found = classes.find(class_of(unit));
+                found != classes.end() && found->second.files == unit.file)
+                found->second.add(units_, unit);
+        for (const UnitState* unit : units_.unported) {
+            if (unit->kind == UnitKind::Kernel) continue;
+            const auto around = classes.find(class_of(*unit));
+            if (around != classes.end() && !around->second.is_watched && around->second.files == unit->file)
+                told_.emplace(unit, "it belongs to " + std::string(around->first) + ", which has no port");
+            const Family& same = variants[plain_name(*unit)];
+            if (!same.is_watched && same.is_known && same.files == unit->file)
+                told_.emplace(unit, "other variants of it have no port");
+        }
+    }
+
+    /// Units of one name, or of one class.
+    struct Family {
+        bool is_watched = false, is_known = false;  ///< some of it has a port; some was there before
+        std::string_view files;                     ///< the file that holds it; "" once it is in several
+
+        void add(const SideUnits& units, const UnitState& unit) {
+            if (!is_any) files = unit.file;
+            if (files != unit.file) files = {};
+            is_any = true;
+            is_watched = is_watched || !units.lone.contains(&unit);
+            is_known = is_known || !units.fresh.contains(&unit);
+        }
+        bool is_any = false;
+    };
+
+    static std::string_view plain_name(const UnitState& unit) {
+        return std::string_view(unit.name).substr(0, unit.name.find('#'));
+    }
+
+    static std::string_view class_of(const UnitState& unit) {
+        const size_t colons = unit.name.rfind("::");
+        return colons == std::string::npos ? std::string_view() : std::string_view(unit.name).substr(0, colons);
+    }
+
+    /// What calls a new launcher, or names a new kernel, is on the way to the kernel, which is told.
+    void climb() {
+        std::map<const UnitState*, std::vector<const UnitState*>> users;
+        std::vector<const UnitState*> open;
+        for (const auto& [user, used] : uses_)
+            for (const UnitState* each : used) users[each].push_back(user);
+        for (const auto& [used, unused] : users)
+            if (used->kind == UnitKind::Kernel || launchers_.contains(used)) open.push_back(used);
+        while (!open.empty()) {
+            const UnitState* used = open.back();
+            open.pop_back();
+            for (const UnitState* user : users[used])
+                if (user->kind == UnitKind::Function && told_.emplace(user, "it leads to " + used->id).second)
+                    open.push_back(user);
+        }
+    }
+
     /// What only new units without a counterpart use is told with these, down from those that nothing uses.
     void follow() {
         std::vector<const UnitState*> open;
@@ -144,7 +212,9 @@ private:
             const auto uses = uses_.find(user);
             if (uses == uses_.end()) continue;
             for (const UnitState* used : uses->second)
-                if (told_.emplace(used, user->id + " uses it, which has no port").second) open.push_back(used);
+                if (used->kind != UnitKind::Kernel &&
+                    told_.emplace(used, user->id + " uses it, which has no port").second)
+                    open.push_back(used);
         }
     }
 
@@ -154,7 +224,7 @@ private:
     }
 
     const SideUnits& units_;
-    std::set<const UnitState*> open_;
+    std::set<const UnitState*> open_, launchers_;
     std::unordered_map<std::string_view, const UnitState*> functions_;  ///< all, where one alone bears the name
     std::unordered_multimap<std::string_view, const UnitState*> names_;
     std::array<bool, 65> lengths_ = {};  ///< of the names, the last for all that are longer

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "porttool/compare/paired_names.h"
 #include "porttool/language/hazards.h"
 #include "porttool/normal/prelude.h"
 
@@ -58,7 +59,7 @@ void soften(JudgedPair& pair, Finding& finding, const std::string& same) {
 }  // namespace
 
 PairJudge::PairJudge(const Case& facts, FindingList& findings)
-    : facts_(facts), findings_(findings), dialect_(facts.map.dialect) {
+    : facts_(facts), findings_(findings), dialect_(dialect_of_edits(facts.map)) {
     for (const SkippedFile& file : facts.skipped) unread_.emplace(file.file, file.reason);
 }
 

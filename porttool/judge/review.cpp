@@ -7,6 +7,7 @@
 #include <set>
 #include <tuple>
 
+#include "porttool/compare/paired_names.h"
 #include "porttool/judge/assess.h"
 #include "porttool/judge/settle.h"
 #include "porttool/match/match_sets.h"
@@ -35,7 +36,7 @@ Found suggested(const Matching& matching, Side side) {
 class Review {
 public:
     explicit Review(const CheckedProject& checked)
-        : checked_(checked), dialect_(checked.project.map.dialect), sets_(checked.project.map) {}
+        : checked_(checked), dialect_(dialect_of_edits(checked.project.map)), sets_(checked.project.map) {}
 
     std::vector<ReviewItem> run() {
         add_pairs();

@@ -198,4 +198,16 @@ const std::string* Dialect::find(std::string_view word) const {
     return found == names_.end() ? nullptr : &found->second;
 }
 
+void Dialect::add_counterparts(const std::vector<std::pair<std::string, std::string>>& names) {
+    for (const auto& [source, target] : names) {
+        counterparts_.emplace(target, source);
+        with_counterpart_.insert(source);
+    }
+}
+
+const std::string* Dialect::counterpart(std::string_view target_name) const {
+    const auto found = counterparts_.find(target_name);
+    return found == counterparts_.end() ? nullptr : &found->second;
+}
+
 }  // namespace porttool

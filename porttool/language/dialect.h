@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -26,13 +27,23 @@ public:
     /// True for a type, under whichever of its names, that numbers and vectors are cast to.
     bool is_number_type(std::string_view name) const;
 
+    /// Takes names that each side has of its own for one thing, as the two functions of a pair have: source, target.
+    void add_counterparts(const std::vector<std::pair<std::string, std::string>>& names);
+
+    /// What the source calls that which is called so in the target, or nullptr if no pair says it.
+    const std::string* counterpart(std::string_view target_name) const;
+
+    /// True for a name that has another counterpart in the target than its own name.
+    bool has_counterpart(std::string_view source_name) const { return with_counterpart_.contains(source_name); }
+
 private:
     struct Hash {
         using is_transparent = void;
         size_t operator()(std::string_view text) const { return std::hash<std::string_view>()(text); }
     };
     using Names = std::unordered_map<std::string, std::string, Hash, std::equal_to<>>;
-    Names names_, meanings_;
+    Names names_, meanings_, counterparts_;
+    std::unordered_set<std::string, Hash, std::equal_to<>> with_counterpart_;
 };
 
 }  // namespace porttool

@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 
+#include "porttool/compare/paired_names.h"
 #include "porttool/judge/assess.h"
 #include "porttool/read/id_patterns.h"
 #include "porttool/read/lock_lines.h"
@@ -27,7 +28,10 @@ size_t edits_of(const Finding& finding) {
 class MatrixBuilder {
 public:
     explicit MatrixBuilder(const CheckedProject& checked)
-        : checked_(checked), sets_(checked.project.map), lines_(checked.lock), dialect_(checked.project.map.dialect) {
+        : checked_(checked),
+          sets_(checked.project.map),
+          lines_(checked.lock),
+          dialect_(dialect_of_edits(checked.project.map)) {
         for (const Finding& finding : checked.judgement.findings)
             if (finding.level >= Level::Warning && !finding.verdict)
                 edits_[{finding.map_source, finding.map_target}] += edits_of(finding);

@@ -258,6 +258,7 @@ const std::vector<LabelledEdit> kSilent = {
     {".c", kStep, "a[0] = 1.0f;", "a[0] = 1.0f;;"},
     {".c", kStep, "a[0] = 1.0f;", "a[0] = 1.0f; (void)n;"},
     {".c", kStep, "i++", "++i"},
+    {".c", "void f(int* a) { advise(a, 4); }", "advise", "(void) advise"},
     {".cpp", kMember, "calls++", "++calls"},
     {".c", kStep, "    int i;", "    register int i;"},
     // defaults of a language

@@ -261,6 +261,32 @@ TEST(TwoSidedEdit, InTheMannerOfEachLanguage) {
         EXPECT_EQ(rules_of(report_on(row)), row.rules) << row.what << report_on(row).dump(1);
 }
 
+/// What the map pairs goes by either name, and by no name of another.
+TEST(TwoSidedEdit, TheNamesOfPairsAreOne) {
+    const std::string helpers = "int rows_cuda(int n) { return n * 2; }\nint lines_cuda(int n) { return n * 3; }\n";
+    const std::string ports =
+        "int rows_sycl(int n) { return n * 2; }\nint lines_sycl(int n) { return n * 3; }\nint rows_cuda(int n);\n";
+    const std::string before = "void f(int n) { g(n); }\n";
+    const auto rules = [&](const std::string& source, const std::string& target) {
+        MemoryDisk disk;
+        disk.files = {{"/r/s/k.cu", helpers + before},
+                      {"/r/t/k.cpp", ports + before},
+                      {"/r/portmap.toml",
+                       "version = 1\n[sides]\nsource = [\"s/*\"]\ntarget = [\"t/*\"]\n"
+                       "[[pair]]\nsource = \"s/k.cu:f\"\ntarget = \"t/k.cpp:f\"\n"
+                       "[[pair]]\nsource = \"s/k.cu:rows_cuda\"\ntarget = \"t/k.cpp:rows_sycl\"\n"
+                       "[[pair]]\nsource = \"s/k.cu:lines_cuda\"\ntarget = \"t/k.cpp:lines_sycl\"\n"}};
+        EXPECT_EQ(run(disk, {"-C", "/r", "init", "--force"}).exit_code, 0);
+        disk.files["/r/s/k.cu"] = helpers + replaced(before, "g(n);", "g(n); " + source);
+        disk.files["/r/t/k.cpp"] = ports + replaced(before, "g(n);", "g(n); " + target);
+        return rules_of(check(disk));
+    };
+    EXPECT_EQ(rules("rows_cuda(n + 1);", "rows_sycl(n + 1);"), Names{});
+    EXPECT_EQ(rules("rows_cuda(n + 1);", "lines_sycl(n + 1);"), Names{"port-differs"});
+    EXPECT_EQ(rules("rows_cuda(n + 1);", "rows_cuda(n + 1);"), Names{"port-differs"}) << "that is not its port";
+    EXPECT_EQ(rules("other_cuda(n + 1);", "other_sycl(n + 1);"), Names{"port-differs"}) << "no pair says it";
+}
+
 TEST(TwoSidedEdit, StructsAreComparedByTheirData) {
     const std::string kernel = "struct f { float3 o; float t; };\n";
     const std::string port =

@@ -229,8 +229,8 @@ TEST(Unwatched, WhatAWatchedUnitUsesIsToldWithIt) {
               (std::vector<std::string>{"src/k.cu:mix_in error"}))
         << "a variable of its name is no call";
     EXPECT_EQ(unported_in(with(kMix + "__device__ float mix_in(int c) { return c; }\n" + uses + kHash)),
-              (std::vector<std::string>{"src/k.cu:mix_in error", "src/k.cu:mix_in#2 error"}))
-        << "nobody knows which of the two is called";
+              (std::vector<std::string>{"src/k.cu:mix_in note", "src/k.cu:mix_in#2 note"}))
+        << "whichever of the two is called, both are new";
 }
 
 TEST(Unwatched, OfAKernelAndItsLauncherTheKernelIsTold) {
@@ -239,12 +239,38 @@ TEST(Unwatched, OfAKernelAndItsLauncherTheKernelIsTold) {
         "__global__ void tint_rows(float* a, int n) {\n    int i = threadIdx.x;\n"
         "    if (i < n) a[i] = a[i] * 3.0f;\n}\n";
     const std::string launcher = "void tint(float* a, int n) { tint_rows<<<1, n>>>(a, n); }\n";
-    disk.files["/r/src/k.cu"] = kLum + "void step(int n) { printf(\"%d\", n); }\n" + kernel + launcher;
-    EXPECT_EQ(unported_in(check(disk)), (std::vector<std::string>{"src/k.cu:tint note", "src/k.cu:tint_rows error"}));
-    disk.files["/r/portmap.toml"] += "\n[rules]\nunported = \"warning\"\n";
+    const std::string caller =
+        "int tint_all(float** a, int n) { for (int i = 0; i < n; ++i) tint(a[i], n); return n; }\n";
+    disk.files["/r/src/k.cu"] = kLum + "void step(int n) { printf(\"%d\", n); }\n" + kernel + launcher + caller;
     EXPECT_EQ(unported_in(check(disk)),
-              (std::vector<std::string>{"src/k.cu:tint warning", "src/k.cu:tint_rows warning"}))
+              (std::vector<std::string>{"src/k.cu:tint note", "src/k.cu:tint_all note", "src/k.cu:tint_rows error"}));
+    disk.files["/r/portmap.toml"] += "\n[rules]\nunported = \"warning\"\n";
+    EXPECT_EQ(unported_in(check(disk)), (std::vector<std::string>{"src/k.cu:tint warning", "src/k.cu:tint_all warning",
+                                                                  "src/k.cu:tint_rows warning"}))
         << "what [rules] says wins";
+}
+
+TEST(Unwatched, OneMoreVariantOfWhatHasNoPortIsNoNews) {
+    const std::string tile = "template <int N> struct Tile { int rows; int area(int n) { return n * rows; } };\n";
+    const std::string more =
+        "template <> struct Tile<8> { int rows[8]; int area(int n) { return n * rows[0] * 8; } };\n";
+    MemoryDisk disk = started(kLum + tile, kLumPort);
+    disk.files["/r/src/k.cu"] = kLum + tile + more;
+    EXPECT_EQ(unported_in(check(disk)),
+              (std::vector<std::string>{"src/k.cu:Tile#2 note", "src/k.cu:Tile::area#2 note"}));
+    disk = started(kLum, kLumPort);
+    disk.files["/r/src/k.cu"] = kLum + tile;
+    EXPECT_EQ(unported_in(check(disk)), (std::vector<std::string>{"src/k.cu:Tile error", "src/k.cu:Tile::area note"}))
+        << "the first is news, and what belongs to it is told with it";
+}
+
+TEST(Unwatched, AConstantOfAClassWithoutAPortIsToldWithTheClass) {
+    MemoryDisk disk = started(kLum + "struct Tile { int rows; static constexpr int width = 4; };\n", kLumPort);
+    disk.files["/r/src/k.cu"] = kLum +
+                                "struct Tile { int rows; static constexpr int width = 4; static constexpr int depth = "
+                                "8; };\nconstexpr int kDepth = 8;\n";
+    EXPECT_EQ(unported_in(check(disk)),
+              (std::vector<std::string>{"src/k.cu:Tile::depth note", "src/k.cu:kDepth error"}));
 }
 
 // ---- pairs that were never recorded
