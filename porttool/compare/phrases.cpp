@@ -231,6 +231,25 @@ void add_launch(Text& out, std::vector<Text> arguments) {
     out.emplace_back(")");
 }
 
+bool says_that_it_checks(std::string_view name) {
+    const auto same = [](char a, char b) { return (a >= 'A' && a <= 'Z' ? static_cast<char>(a + 32) : a) == b; };
+    for (const std::string_view part : {"check", "chk", "safecall"})
+        if (std::search(name.begin(), name.end(), part.begin(), part.end(), same) != name.end()) return true;
+    return false;
+}
+
+/// `cudaMalloc`, `hipFree`, `clFinish`: functions of runtimes that give back a status. A Meaning has them in small
+/// letters.
+bool is_runtime_call(std::string_view name) {
+    const auto is_upper = [](char c) { return c >= 'A' && c <= 'Z'; };
+    for (const std::string_view prefix : {"cuda", "hip", "cublas", "hipblas", "cufft", "hipfft", "curand", "hiprand",
+                                          "cusparse", "hipsparse", "cusolver", "nccl", "rccl"})
+        if (name.starts_with(prefix) && name.size() > prefix.size()) return true;
+    for (const std::string_view prefix : {"cl", "cu", "vk"})
+        if (name.starts_with(prefix) && name.size() > prefix.size() && is_upper(name[prefix.size()])) return true;
+    return false;
+}
+
 /// Every swizzle of colours or texture coordinates with the one of positions; made once.
 const std::map<std::string, std::string, std::less<>>& plain_swizzles() {
     static const auto table = [] {
@@ -292,6 +311,15 @@ Text with_plain_launches(const Text& words) {
         i = end - 1;
     }
     return out;
+}
+
+void drop_status_check(Text& words) {
+    if (words.size() < 6 || words[1] != "(" || words[3] != "(" || !says_that_it_checks(words[0]) ||
+        !is_runtime_call(words[2]) || after_brackets(words, 1) != words.size() ||
+        after_brackets(words, 3) + 1 != words.size())
+        return;
+    words.pop_back();
+    words.erase(words.begin(), words.begin() + 2);
 }
 
 void drop_cast_to_declared_type(Text& words) {

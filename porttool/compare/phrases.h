@@ -24,6 +24,10 @@ std::vector<std::string> with_common_phrases(const std::vector<std::string>& wor
 /// `hipLaunchKernelGGL ( k , g , b , 0 , 0 , a )`.
 std::vector<std::string> with_plain_launches(const std::vector<std::string>& words);
 
+/// `HIP_CHECK ( hipFree ( p ) )` is `hipFree ( p )`: what only looks at the status that a call of a runtime gives back,
+/// as its name says, changes no value. Only where it is the whole statement.
+void drop_status_check(std::vector<std::string>& words);
+
 /// `int i = int ( x )`: the value is converted to the variable's type in any case, so the cast goes.
 void drop_cast_to_declared_type(std::vector<std::string>& words);
 

@@ -162,6 +162,7 @@ std::vector<std::string> PlainStatements::translate(const Words& statement, bool
         out.erase(out.end() - 2);  // f(void)
     out = with_plain_launches(with_functional_casts(with_c_casts(out, dialect_), dialect_));
     open_whole_value(out);
+    drop_status_check(out);
     drop_cast_to_declared_type(out);
     write_steps_first(out);
     return out;

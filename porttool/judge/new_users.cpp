@@ -155,7 +155,8 @@ private:
             if (around != classes.end() && !around->second.is_watched && around->second.files == unit->file)
                 told_.emplace(unit, "it belongs to " + std::string(around->first) + ", which has no port");
             const Family& same = variants[plain_name(*unit)];
-            if (!same.is_watched && same.is_known && same.files == unit->file)
+            // One more overload of a function is another function.
+            if (!is_code(*unit) && !same.is_watched && same.is_known && same.files == unit->file)
                 told_.emplace(unit, "other variants of it have no port");
         }
     }

@@ -153,6 +153,13 @@ void f(float* a, int n, hipStream_t s) {
     my::add<float, 4><<<dim3(n, 1), 64, 0, s>>>(a);
 }
 )";
+const std::string kRuntime = R"(
+void f(float* a, int n) {
+    gpuErrchk(cudaMalloc(&a, n));
+    check_rows(own(a));
+    cudaFree(a);
+}
+)";
 /// What a file says apart from the definition.
 const std::string kApart = R"(
 #pragma STDC FP_CONTRACT OFF
@@ -226,6 +233,9 @@ const std::vector<LabelledEdit> kSilent = {
     {".cpp", kThreads, "parallel for schedule(static)", "parallel for simd schedule(guided)"},
     {".c", replaced(kThreads, "parallel for", "parallel for if(n > 9),"), "schedule(static)", "schedule(dynamic)"},
     {".c", kPragma, "schedule(static)", "schedule(dynamic)"},
+    // whether somebody looks at the status of a call
+    {".cu", kRuntime, "cudaFree(a);", "CUDA_CHECK(cudaFree(a));"},
+    {".cu", kRuntime, "gpuErrchk(cudaMalloc(&a, n))", "cudaMalloc(&a, n)"},
     // how a kernel is launched
     {".hip", kLaunch, "fill<<<n, 64>>>(a, n)", "hipLaunchKernelGGL(fill, dim3(n), dim3(64), 0, 0, a, n)"},
     {".hip", kLaunch, "my::add<float, 4><<<dim3(n, 1), 64, 0, s>>>(a)",
@@ -267,6 +277,9 @@ const std::vector<LabelledEdit> kSilent = {
 };
 
 const std::vector<LabelledEdit> kHarmful = {
+    {".cu", kRuntime, "check_rows(own(a));", "own(a);"},
+    {".cu", kRuntime, "cudaFree(a);", "CUDA_CHECK(cudaFree(b));"},
+    {".cu", kRuntime, "cudaFree(a);", "assert(cudaFree(a));"},
     {".hip", kLaunch, "fill<<<n, 64>>>(a, n)", "hipLaunchKernelGGL(fill, n, 32, 0, 0, a, n)"},
     {".hip", kLaunch, "fill<<<n, 64>>>(a, n)", "hipLaunchKernelGGL(fill, n, 64, 16, 0, a, n)"},
     {".hip", kLaunch, "fill<<<n, 64>>>(a, n)", "fill<<<n, 64, 0, s>>>(a, n)"},
