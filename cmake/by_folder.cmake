@@ -1,7 +1,8 @@
 # SPDX-FileCopyrightText: 2026 The porttool authors
 # SPDX-License-Identifier: Apache-2.0
-# Most of what a small file costs to compile is parsing headers, so in a release build the files of a folder are compiled
-# together, a few at a time. In all other builds each file stands alone, which shows an #include that is missing.
+# Most of what a small file costs to compile is parsing headers and the templates that it uses of them, so in a release
+# build the files of a folder are compiled together. In all other builds each file stands alone, which shows an #include
+# that is missing.
 include_guard()
 
 # compile_by_folder(TARGET): names in unnamed namespaces must then be unique among the target's files of one folder.
@@ -10,15 +11,28 @@ function(compile_by_folder target)
         return()
     endif()
     set(most_files 8)  # so that building again after an edit stays short
+    if(PORTTOOL_SANITIZED_TESTS)
+        set(most_files 24)  # most build everything then, and once
+    endif()
     get_target_property(sources ${target} SOURCES)
     list(FILTER sources INCLUDE REGEX "[.]cpp$")
+    set(folders "")
     foreach(source ${sources})
         cmake_path(GET source PARENT_PATH folder)
         string(MAKE_C_IDENTIFIER "in_${folder}" folder)
-        math(EXPR part "${files_of_${folder}} + 0")
-        math(EXPR files_of_${folder} "${part} + 1")
-        math(EXPR part "${part} / ${most_files}")
-        set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${folder}_${part})
+        list(APPEND folders ${folder})
+        list(APPEND files_of_${folder} ${source})
+    endforeach()
+    list(REMOVE_DUPLICATES folders)
+    foreach(folder ${folders})
+        list(LENGTH files_of_${folder} count)
+        math(EXPR parts "(${count} + ${most_files} - 1) / ${most_files}")
+        set(place 0)
+        foreach(source ${files_of_${folder}})
+            math(EXPR part "${place} * ${parts} / ${count}")
+            math(EXPR place "${place} + 1")
+            set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${folder}_${part})
+        endforeach()
     endforeach()
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
     # A class with a member of a local type is no danger where its file is compiled only once.

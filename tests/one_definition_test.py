@@ -7,7 +7,8 @@ this reads every .h and .cpp, follows the namespaces, and takes what is defined 
 enumerations, inline variables, and functions with the types of their parameters. What two files define under one name
 is reported. Unnamed namespaces, `static` functions and specialisations of templates are free; a header has no unnamed
 namespace, which would be another one in each file that includes it. The tests of each folder are one program.
-Release builds compile files of a folder together, so there the names of unnamed namespaces are told apart as well.
+Release builds compile files of a folder together, so there the names of unnamed namespaces are told apart as well; a
+test has them in a namespace named after its file.
 
 Not seen: names that macros make, and one header compiled in two ways.
 """
@@ -19,7 +20,8 @@ import unittest
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 HOUSE = ("application", "metrics", "packaging", "porttool", "render_system", "source_core", "target_core")
 # Files in whose place another one is taken: by the build, or (lanes) by a macro that also renames their namespace.
-TOGETHER = ("application/", "metrics/", "porttool/", "render_system/")  # cmake/by_folder.cmake
+TOGETHER = ("application/", "metrics/", "porttool/", "render_system/",  # cmake/by_folder.cmake
+            "tests/application/", "tests/metrics/", "tests/porttool/", "tests/render_system/")
 ALTERNATIVES = {"porttool/spirv/no_spirv.cpp", "target_core/device/lanes_avx2.h", "target_core/device/lanes_avx512.h",
                 "target_core/device/wide_lanes.h", "target_core/device/wide_trace.h"}
 
@@ -245,7 +247,8 @@ class OneDefinition(unittest.TestCase):
         self.assertEqual(found("porttool/a/x.cpp", "porttool/a/y.cpp"),
                          ["n::kMost in porttool/a is defined in porttool/a/x.cpp, porttool/a/y.cpp; rename one to what it is"])
         self.assertEqual(found("porttool/a/x.cpp", "porttool/b/y.cpp"), [])
-        self.assertEqual(found("tests/porttool/x.cpp", "tests/porttool/y.cpp"), [])
+        self.assertEqual(len(found("tests/porttool/x.cpp", "tests/porttool/y.cpp")), 1)
+        self.assertEqual(found("tests/physics/x.cpp", "tests/physics/y.cpp"), [])
 
     def test_unnamed_namespaces_in_headers(self):
         self.assertEqual(len(problems_in([("a.h", *definitions("namespace n { namespace { int x; } }"))])), 1)

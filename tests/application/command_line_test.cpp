@@ -10,6 +10,7 @@
 
 #include "application/command_table.h"
 
+namespace command_line_test {
 namespace {
 
 using namespace application;
@@ -181,3 +182,4 @@ TEST(CommandLine, HelpAndVersionOfTheProgram) {
 }
 
 }  // namespace
+}  // namespace command_line_test

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+namespace console_test {
 namespace {
 
 using application::ColorMode;
@@ -23,3 +24,4 @@ TEST(Color, RespectsNoColorUnlessAskedFor) {
 }
 
 }  // namespace
+}  // namespace console_test

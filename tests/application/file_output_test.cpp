@@ -10,6 +10,7 @@
 #include <fstream>
 #include <sstream>
 
+namespace file_output_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -92,3 +93,4 @@ TEST_F(FileOutput, AFullDiskIsAFailure) {
 }
 
 }  // namespace
+}  // namespace file_output_test

@@ -16,6 +16,7 @@
 #include "tests/application/skip_without_core.h"
 #include "tests/application/small_scene.h"
 
+namespace hostile_scene_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -140,3 +141,4 @@ TEST_F(HostileScene, BombsAreRefusedBeforeTheyTakeMemory) {
 }
 
 }  // namespace
+}  // namespace hostile_scene_test

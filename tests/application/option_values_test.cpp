@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+namespace option_values_test {
 namespace {
 
 using namespace application;
@@ -80,3 +81,4 @@ TEST(OptionValues, ASkyIsARadianceOrAFile) {
 }
 
 }  // namespace
+}  // namespace option_values_test

@@ -9,6 +9,7 @@
 #include "tests/application/run_pathtracer.h"
 #include "tests/application/small_scene.h"
 
+namespace pathtracer_cli_test {
 namespace {
 
 using nlohmann::json;
@@ -162,3 +163,4 @@ TEST_F(Pathtracer, InfoListsBothCoresWithOrWithoutADevice) {
 }
 
 }  // namespace
+}  // namespace pathtracer_cli_test

@@ -11,6 +11,7 @@
 #include "tests/application/run_pathtracer.h"
 #include "tests/application/skip_without_core.h"
 
+namespace pathtracer_cores_test {
 namespace {
 
 using nlohmann::json;
@@ -163,3 +164,4 @@ TEST_F(Cores, AnInterruptedRenderingLeavesNothingBehind) {
 }
 
 }  // namespace
+}  // namespace pathtracer_cores_test

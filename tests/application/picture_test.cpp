@@ -12,6 +12,7 @@
 #include <ctime>
 #include <limits>
 
+namespace picture_test {
 namespace {
 
 using namespace application;
@@ -114,3 +115,4 @@ TEST(Encoding, TellsNeitherDateNorProgram) {
 }
 
 }  // namespace
+}  // namespace picture_test

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+namespace progress_bar_test {
 namespace {
 
 using application::progress_line;
@@ -22,3 +23,4 @@ TEST(ProgressLine, NeverSaysDoneBeforeItIs) {
 }
 
 }  // namespace
+}  // namespace progress_bar_test

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+namespace stats_report_test {
 namespace {
 
 using namespace application;
@@ -122,3 +123,4 @@ TEST(StatsJson, AddsWhatWasAskedFor) {
 }
 
 }  // namespace
+}  // namespace stats_report_test

@@ -8,6 +8,7 @@
 #include "tests/application/run_pathtracer.h"
 #include "tests/application/skip_without_core.h"
 
+namespace threads_test {
 namespace {
 
 const std::string SCENE = "still_life";
@@ -67,3 +68,4 @@ TEST_P(Threads, ShareTheWorkOfABenchmark) {
 }
 
 }  // namespace
+}  // namespace threads_test

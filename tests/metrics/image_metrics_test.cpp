@@ -17,6 +17,7 @@
 #include "metrics/image/error.h"
 #include "metrics/image/ssim.h"
 
+namespace image_metrics_test {
 namespace {
 
 using metrics::ImageView8;
@@ -171,3 +172,4 @@ TEST(IdenticalPixels, ComparesBits) {
 }
 
 }  // namespace
+}  // namespace image_metrics_test

@@ -6,6 +6,7 @@
 
 #include <vector>
 
+namespace suggest_test {
 namespace {
 
 using metrics::suggest;
@@ -28,3 +29,4 @@ TEST(Suggest, SaysNothingWhereNothingIsNear) {
 }
 
 }  // namespace
+}  // namespace suggest_test

@@ -5,7 +5,7 @@
 
 #include "tests/porttool/run_command.h"
 
-namespace porttool::testing {
+namespace porttool::testing::assess_test {
 namespace {
 
 using nlohmann::json;
@@ -136,4 +136,4 @@ TEST(Verified, ItOutlivesTheSameEditOnBothSidesAndNoOther) {
 }
 
 }  // namespace
-}  // namespace porttool::testing
+}  // namespace porttool::testing::assess_test

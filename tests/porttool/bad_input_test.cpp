@@ -6,7 +6,7 @@
 #include "tests/porttool/fixtures.h"
 #include "tests/porttool/run_command.h"
 
-namespace porttool::testing {
+namespace porttool::testing::bad_input_test {
 namespace {
 
 const char* kSource = "__device__ float shade(float a, float b) {\n  float c = a * b;\n  return c * 0.5f;\n}\n";
@@ -128,4 +128,4 @@ TEST(BadInput, LoopsOfLinksPipesAndLargeFilesAreSkippedAndNamed) {
 }
 
 }  // namespace
-}  // namespace porttool::testing
+}  // namespace porttool::testing::bad_input_test

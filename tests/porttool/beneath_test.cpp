@@ -13,7 +13,7 @@
 #include "porttool/read/disk.h"
 #include "tests/porttool/fixtures.h"
 
-namespace porttool::testing {
+namespace porttool::testing::beneath_test {
 namespace {
 namespace fs = std::filesystem;
 
@@ -157,4 +157,4 @@ TEST(BeneathWriting, StaysBeneathToo) {
 }
 
 }  // namespace
-}  // namespace porttool::testing
+}  // namespace porttool::testing::beneath_test

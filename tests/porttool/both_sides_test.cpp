@@ -6,7 +6,7 @@
 #include "porttool/language/dialect.h"
 #include "tests/porttool/run_command.h"
 
-namespace porttool::testing {
+namespace porttool::testing::both_sides_test {
 namespace {
 
 using Edit = std::pair<std::string, std::string>;
@@ -237,4 +237,4 @@ TEST(BothSides, UnlikeFunctionsStillPairUnits) {
 }
 
 }  // namespace
-}  // namespace porttool::testing
+}  // namespace porttool::testing::both_sides_test

@@ -12,7 +12,7 @@
 #include "porttool/normal/diff.h"
 #include "tests/porttool/run_command.h"
 
-namespace porttool::testing {
+namespace porttool::testing::bounds_test {
 namespace {
 
 using Texts = std::vector<std::string>;
@@ -130,4 +130,4 @@ TEST(Bounds, DeepKeysOfTheMapAreRefused) {
 }
 
 }  // namespace
-}  // namespace porttool::testing
+}  // namespace porttool::testing::bounds_test

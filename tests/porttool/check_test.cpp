@@ -5,7 +5,7 @@
 
 #include "tests/porttool/run_command.h"
 
-namespace porttool::testing {
+namespace porttool::testing::check_test {
 namespace {
 
 const char* kSource = R"(
@@ -476,4 +476,4 @@ TEST(Check, RulesCanBeTurnedDownAndStrictTurnsWarningsUp) {
 }
 
 }  // namespace
-}  // namespace porttool::testing
+}  // namespace porttool::testing::check_test

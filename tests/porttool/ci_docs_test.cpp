@@ -8,7 +8,7 @@
 #include "porttool/command/options.h"
 #include "tests/porttool/fixtures.h"
 
-namespace porttool::testing {
+namespace porttool::testing::ci_docs_test {
 namespace {
 
 std::vector<std::string> yaml_texts() {
@@ -79,4 +79,4 @@ TEST(CiDocs, EveryCallIsOneThatPorttoolUnderstands) {
 }
 
 }  // namespace
-}  // namespace porttool::testing
+}  // namespace porttool::testing::ci_docs_test

@@ -7,7 +7,7 @@
 
 #include "tests/porttool/run_command.h"
 
-namespace porttool::testing {
+namespace porttool::testing::ci_reports_test {
 namespace {
 
 MemoryDisk drifted() {
@@ -102,4 +102,4 @@ TEST(CiReports, MarkdownIsATable) {
 }
 
 }  // namespace
-}  // namespace porttool::testing
+}  // namespace porttool::testing::ci_reports_test

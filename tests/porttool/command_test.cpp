@@ -7,7 +7,7 @@
 
 #include "tests/porttool/run_command.h"
 
-namespace porttool::testing {
+namespace porttool::testing::command_test {
 namespace {
 
 TEST(Command, ScanPrintsTheContractsFields) {
@@ -148,4 +148,4 @@ TEST(Command, OutputGoesToTheFile) {
 }
 
 }  // namespace
-}  // namespace porttool::testing
+}  // namespace porttool::testing::command_test

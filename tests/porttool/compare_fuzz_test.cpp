@@ -8,7 +8,7 @@
 #include "porttool/scan/scan.h"
 #include "tests/porttool/fixtures.h"
 
-namespace porttool::testing {
+namespace porttool::testing::compare_fuzz_test {
 namespace {
 
 /// Takes out, repeats, moves or garbles a few stretches.
@@ -108,4 +108,4 @@ TEST(CompareFuzz, FiguresAreInRangeAndSymmetricOnMutatedKernels) {
 }
 
 }  // namespace
-}  // namespace porttool::testing
+}  // namespace porttool::testing::compare_fuzz_test

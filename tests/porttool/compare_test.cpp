@@ -16,7 +16,7 @@
 #include "tests/porttool/fixtures.h"
 #include "tests/porttool/run_command.h"
 
-namespace porttool {
+namespace porttool::compare_test {
 namespace {
 
 using nlohmann::json;
@@ -562,4 +562,4 @@ TEST(Compare, OneTokenOfManyIsNotRoundedAway) {
 }
 
 }  // namespace
-}  // namespace porttool
+}  // namespace porttool::compare_test

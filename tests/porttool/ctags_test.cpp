@@ -9,7 +9,7 @@
 
 #include "tests/porttool/fixtures.h"
 
-namespace porttool::testing {
+namespace porttool::testing::ctags_test {
 namespace {
 
 std::string output_of(const std::string& command) {
@@ -82,4 +82,4 @@ TEST(Ctags, SeesNoFunctionThatWeMiss) {
 }
 
 }  // namespace
-}  // namespace porttool::testing
+}  // namespace porttool::testing::ctags_test

@@ -7,7 +7,7 @@
 
 #include "tests/porttool/fixtures.h"
 
-namespace porttool::testing {
+namespace porttool::testing::docs_test {
 namespace {
 
 std::vector<std::string> tested_lines() {
@@ -52,4 +52,4 @@ TEST(Docs, TheFirstStepsWorkAsWritten) {
 }
 
 }  // namespace
-}  // namespace porttool::testing
+}  // namespace porttool::testing::docs_test

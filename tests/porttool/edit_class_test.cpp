@@ -8,7 +8,7 @@
 #include "tests/porttool/fixtures.h"
 #include "tests/porttool/run_command.h"
 
-namespace porttool::testing {
+namespace porttool::testing::edit_class_test {
 namespace {
 
 const std::string kCuda = R"~(#define BIAS 0.125f
@@ -330,4 +330,4 @@ TEST(EditClass, OfOneSidesEditBesideTheValue) {
 }
 
 }  // namespace
-}  // namespace porttool::testing
+}  // namespace porttool::testing::edit_class_test

@@ -10,7 +10,7 @@
 #include "porttool/normal/statements.h"
 #include "tests/porttool/temporary_repository.h"
 
-namespace porttool::testing {
+namespace porttool::testing::effort_test {
 namespace {
 
 const std::string kMap =
@@ -423,4 +423,4 @@ TEST(EffortLedger, AMapNamesWhatItCannotRead) {
 }
 
 }  // namespace
-}  // namespace porttool::testing
+}  // namespace porttool::testing::effort_test

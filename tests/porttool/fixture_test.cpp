@@ -3,7 +3,7 @@
 // Each fixture holds the hard cases of one dialect; the list beside it was written down by reading the file.
 #include "tests/porttool/fixtures.h"
 
-namespace porttool::testing {
+namespace porttool::testing::fixture_test {
 namespace {
 
 class Fixture : public ::testing::TestWithParam<std::filesystem::path> {};
@@ -30,4 +30,4 @@ INSTANTIATE_TEST_SUITE_P(Dialects, Fixture, ::testing::ValuesIn(fixture_files())
 });
 
 }  // namespace
-}  // namespace porttool::testing
+}  // namespace porttool::testing::fixture_test

@@ -11,7 +11,7 @@
 #include "tests/porttool/fuzz_inputs.h"
 #include "tests/porttool/mutate.h"
 
-namespace porttool::testing {
+namespace porttool::testing::fuzz_test {
 namespace {
 
 void expect_all_hold(FuzzKind kind, uint64_t runs) {
@@ -149,4 +149,4 @@ TEST(ScanFuzz, OneLineOfAHundredMegabytes) {
 }
 
 }  // namespace
-}  // namespace porttool::testing
+}  // namespace porttool::testing::fuzz_test

@@ -8,7 +8,7 @@
 #include "tests/porttool/fixtures.h"
 #include "tests/porttool/run_command.h"
 
-namespace porttool::testing {
+namespace porttool::testing::git_test {
 namespace {
 
 class Git : public ::testing::Test {
@@ -364,4 +364,4 @@ TEST_F(Git, ARenamedGlobalConstantIsNoChangeOfCode) {
 }
 
 }  // namespace
-}  // namespace porttool::testing
+}  // namespace porttool::testing::git_test

@@ -7,7 +7,7 @@
 #include "porttool/read/id_patterns.h"
 #include "porttool/read/ignore_rules.h"
 
-namespace porttool {
+namespace porttool::glob_test {
 namespace {
 
 bool matches(const char* pattern, const char* path) { return Glob(pattern).matches(path); }
@@ -115,4 +115,4 @@ TEST(IgnoreRules, TheLastOfAllKindsDecides) {
 }
 
 }  // namespace
-}  // namespace porttool
+}  // namespace porttool::glob_test

@@ -8,7 +8,7 @@
 #include "porttool/read/blob_cache.h"
 #include "tests/porttool/temporary_repository.h"
 
-namespace porttool::testing {
+namespace porttool::testing::history_test {
 namespace {
 
 const std::string kMap =
@@ -506,4 +506,4 @@ TEST(BlobFacts, SurviveTheCache) {
 }
 
 }  // namespace
-}  // namespace porttool::testing
+}  // namespace porttool::testing::history_test

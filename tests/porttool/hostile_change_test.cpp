@@ -9,7 +9,7 @@
 #include "porttool/read/lock_file.h"
 #include "tests/porttool/temporary_repository.h"
 
-namespace porttool::testing {
+namespace porttool::testing::hostile_change_test {
 namespace {
 namespace fs = std::filesystem;
 
@@ -548,4 +548,4 @@ TEST_F(HostileChange, OutputGoesToWhatTheFileIs) {
 }
 
 }  // namespace
-}  // namespace porttool::testing
+}  // namespace porttool::testing::hostile_change_test

@@ -13,7 +13,7 @@
 #include "tests/porttool/hostile_strings.h"
 #include "tests/porttool/temporary_repository.h"
 
-namespace porttool::testing {
+namespace porttool::testing::hostile_text_test {
 namespace {
 
 using nlohmann::json;
@@ -583,4 +583,4 @@ TEST(ReadBack, RefusesWhatActs) {
 }
 
 }  // namespace
-}  // namespace porttool::testing
+}  // namespace porttool::testing::hostile_text_test

@@ -7,7 +7,7 @@
 
 #include "porttool/language/words.h"
 
-namespace porttool::testing {
+namespace porttool::testing::language_test {
 namespace {
 
 TEST(LanguageOfPath, TheLongestSuffixCounts) {
@@ -57,4 +57,4 @@ TEST(Words, TypesOfNumbersVectorsAndMatrices) {
 }
 
 }  // namespace
-}  // namespace porttool::testing
+}  // namespace porttool::testing::language_test

@@ -8,7 +8,7 @@
 #include "porttool/compare/constant_expression.h"
 #include "tests/porttool/temporary_repository.h"
 
-namespace porttool::testing {
+namespace porttool::testing::ledger_test {
 namespace {
 
 CommandRun porttool(MemoryDisk& disk, std::vector<std::string> arguments) {
@@ -277,4 +277,4 @@ TEST_F(LedgerInGit, ABaseNeedsNoLockThatCanBeRead) {
 }
 
 }  // namespace
-}  // namespace porttool::testing
+}  // namespace porttool::testing::ledger_test

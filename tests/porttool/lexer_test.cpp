@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace porttool {
+namespace porttool::lexer_test {
 namespace {
 
 std::vector<std::string> words(const std::string& text) {
@@ -66,4 +66,4 @@ TEST(Lexer, EndsWhatDoesNotCloseAtTheEndOfLineOrFile) {
 }
 
 }  // namespace
-}  // namespace porttool
+}  // namespace porttool::lexer_test

@@ -13,7 +13,7 @@
 #include "porttool/scan/scan.h"
 #include "tests/porttool/temporary_repository.h"
 
-namespace porttool::testing {
+namespace porttool::testing::lock_file_test {
 namespace {
 
 const std::string kPrint = "0123456789abcdef", kOther = "fedcba9876543210";
@@ -342,4 +342,4 @@ TEST_F(MergedLock, HistoryReadsLocksOfBothVersions) {
 }
 
 }  // namespace
-}  // namespace porttool::testing
+}  // namespace porttool::testing::lock_file_test

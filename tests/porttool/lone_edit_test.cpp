@@ -7,7 +7,7 @@
 #include "tests/porttool/fixtures.h"
 #include "tests/porttool/run_command.h"
 
-namespace porttool::testing {
+namespace porttool::testing::lone_edit_test {
 namespace {
 
 /// A file with one function `f`, in a language that the suffix tells, and what is edited in it.
@@ -440,4 +440,4 @@ TEST(LoneEdit, WhatCanChangeAValueIsFound) {
 }
 
 }  // namespace
-}  // namespace porttool::testing
+}  // namespace porttool::testing::lone_edit_test

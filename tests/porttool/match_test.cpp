@@ -15,7 +15,7 @@
 #include "porttool/text/text_numbers.h"
 #include "tests/porttool/fixtures.h"
 
-namespace porttool {
+namespace porttool::match_test {
 namespace {
 
 using Pairs = std::vector<std::pair<std::string, std::string>>;
@@ -559,4 +559,4 @@ TEST(Match, IsFastAndGrowsGently) {
 }
 
 }  // namespace
-}  // namespace porttool
+}  // namespace porttool::match_test

@@ -12,7 +12,7 @@
 #include "tests/porttool/fixtures.h"
 #include "tests/porttool/run_command.h"
 
-namespace porttool::testing {
+namespace porttool::testing::mutation_test {
 namespace {
 
 /// A place in a unit's body where an edit can be made, as offsets into the file without splices (our kernels have
@@ -331,4 +331,4 @@ TEST(HeadMutations, AnotherNameBehindAnOperatorIsFound) {
 }
 
 }  // namespace
-}  // namespace porttool::testing
+}  // namespace porttool::testing::mutation_test

@@ -4,7 +4,7 @@
 
 #include "tests/porttool/fixtures.h"
 
-namespace porttool::testing {
+namespace porttool::testing::normal_form_test {
 namespace {
 
 std::string print_of(const std::string& text) {
@@ -61,4 +61,4 @@ TEST(NormalForm, AVeryDeepBodyIsRead) {
 }
 
 }  // namespace
-}  // namespace porttool::testing
+}  // namespace porttool::testing::normal_form_test

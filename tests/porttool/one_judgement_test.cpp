@@ -5,7 +5,7 @@
 
 #include "tests/porttool/temporary_repository.h"
 
-namespace porttool::testing {
+namespace porttool::testing::one_judgement_test {
 namespace {
 
 /// A pair when last in step and now. Whether it drifted is told by what the code means, not by what porttool says.
@@ -145,4 +145,4 @@ TEST_F(OneJudgement, WhatIsTooLongToCompareIsOpenToBoth) {
 }
 
 }  // namespace
-}  // namespace porttool::testing
+}  // namespace porttool::testing::one_judgement_test

@@ -3,7 +3,7 @@
 // report and history measure alike: each commit is checked out and reported on, and history must say the same of it.
 #include "tests/porttool/temporary_repository.h"
 
-namespace porttool::testing {
+namespace porttool::testing::one_measurer_test {
 namespace {
 
 const std::string kShade =
@@ -142,4 +142,4 @@ TEST_F(OneMeasurer, ThisRepository) {
 }
 
 }  // namespace
-}  // namespace porttool::testing
+}  // namespace porttool::testing::one_measurer_test

@@ -6,7 +6,7 @@
 
 #include "tests/porttool/temporary_repository.h"
 
-namespace porttool::testing {
+namespace porttool::testing::output_test {
 namespace {
 
 using nlohmann::json;
@@ -206,4 +206,4 @@ TEST(Sizes, AFileAboveTheLimitIsSkippedWithTheReason) {
 }
 
 }  // namespace
-}  // namespace porttool::testing
+}  // namespace porttool::testing::output_test

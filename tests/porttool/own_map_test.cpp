@@ -8,7 +8,7 @@
 #include "tests/porttool/fixtures.h"
 #include "tests/porttool/run_command.h"
 
-namespace porttool::testing {
+namespace porttool::testing::own_map_test {
 namespace {
 
 MapFile own_map() {
@@ -136,4 +136,4 @@ TEST(OwnMap, ANewFunctionBesideTheTreeWalkIsNotCoveredByItsReason) {
 }
 
 }  // namespace
-}  // namespace porttool::testing
+}  // namespace porttool::testing::own_map_test

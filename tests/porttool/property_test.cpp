@@ -6,7 +6,7 @@
 #include "porttool/language/language.h"
 #include "tests/porttool/fixtures.h"
 
-namespace porttool::testing {
+namespace porttool::testing::property_test {
 namespace {
 
 std::vector<std::filesystem::path> corpus() {
@@ -84,4 +84,4 @@ TEST(ScanProperties, TheLineCountIsThatOfTheFile) {
 }
 
 }  // namespace
-}  // namespace porttool::testing
+}  // namespace porttool::testing::property_test

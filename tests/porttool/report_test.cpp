@@ -11,7 +11,7 @@
 #include "tests/porttool/fixtures.h"
 #include "tests/porttool/run_command.h"
 
-namespace porttool::testing {
+namespace porttool::testing::report_test {
 namespace {
 
 using nlohmann::json;
@@ -698,4 +698,4 @@ TEST(OwnReport, TheOneInTheDocsIsUpToDate) {
 }
 
 }  // namespace
-}  // namespace porttool::testing
+}  // namespace porttool::testing::report_test

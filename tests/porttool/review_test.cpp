@@ -9,7 +9,7 @@
 
 #include "tests/porttool/temporary_repository.h"
 
-namespace porttool::testing {
+namespace porttool::testing::review_test {
 namespace {
 
 const std::string kGain = "__device__ float gain(float a, float b) {\n    float c = a * b;\n    return c + 1.0f;\n}\n";
@@ -148,4 +148,4 @@ TEST_F(Review, WithoutATerminalItSaysWhatToDo) {
 }
 
 }  // namespace
-}  // namespace porttool::testing
+}  // namespace porttool::testing::review_test

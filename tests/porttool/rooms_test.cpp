@@ -8,6 +8,7 @@
 #include <fstream>
 #include <regex>
 
+namespace rooms_test {
 namespace {
 
 const std::vector<std::string> kRooms = {"text",     "language", "scan",  "normal", "read",
@@ -43,3 +44,4 @@ TEST(Rooms, EachIncludesOnlyThoseBeforeIt) {
 }
 
 }  // namespace
+}  // namespace rooms_test

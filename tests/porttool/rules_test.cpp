@@ -9,6 +9,7 @@
 #include <map>
 #include <regex>
 
+namespace rules_test {
 namespace {
 
 using namespace porttool;
@@ -41,3 +42,4 @@ TEST(Rules, ThePageTellsOfEach) {
 }
 
 }  // namespace
+}  // namespace rules_test

@@ -11,7 +11,7 @@
 #include "tests/porttool/fixtures.h"
 #include "tests/porttool/run_command.h"
 
-namespace porttool::testing {
+namespace porttool::testing::sarif_test {
 namespace {
 
 using nlohmann::json;
@@ -210,4 +210,4 @@ TEST(Sarif, FingerprintsDoNotFollowLines) {
 }
 
 }  // namespace
-}  // namespace porttool::testing
+}  // namespace porttool::testing::sarif_test

@@ -3,7 +3,7 @@
 // Small texts, one hard case each.
 #include "tests/porttool/fixtures.h"
 
-namespace porttool::testing {
+namespace porttool::testing::scan_test {
 namespace {
 
 TEST(Scan, MainOfAShaderIsAKernelAndThatOfAProgramIsNot) {
@@ -120,4 +120,4 @@ TEST(Scan, AFunctionCutOffByTheEndIsStillThere) {
 }
 
 }  // namespace
-}  // namespace porttool::testing
+}  // namespace porttool::testing::scan_test

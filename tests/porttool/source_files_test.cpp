@@ -6,7 +6,7 @@
 
 #include <filesystem>
 
-namespace porttool {
+namespace porttool::source_files_test {
 namespace {
 
 std::vector<std::string> names(const SourceSet& set) {
@@ -71,4 +71,4 @@ TEST(SourceFiles, LoopsOfSymbolicLinksEnd) {
 }
 
 }  // namespace
-}  // namespace porttool
+}  // namespace porttool::source_files_test

@@ -9,7 +9,7 @@
 #include "tests/porttool/fixtures.h"
 #include "tests/porttool/run_command.h"
 
-namespace porttool::testing {
+namespace porttool::testing::spirv_test {
 namespace {
 
 const char* kMath = R"(
@@ -245,4 +245,4 @@ TEST(OwnKernels, CompileForSpirv) {
 }
 
 }  // namespace
-}  // namespace porttool::testing
+}  // namespace porttool::testing::spirv_test

@@ -5,7 +5,7 @@
 
 #include "tests/porttool/temporary_repository.h"
 
-namespace porttool::testing {
+namespace porttool::testing::target_sets_test {
 namespace {
 
 using nlohmann::json;
@@ -214,4 +214,4 @@ TEST_F(TargetSetsInGit, ABaseKnowsWhichPortLackedWhat) {
 }
 
 }  // namespace
-}  // namespace porttool::testing
+}  // namespace porttool::testing::target_sets_test

@@ -7,7 +7,7 @@
 #include "tests/porttool/fixtures.h"
 #include "tests/porttool/run_command.h"
 
-namespace porttool::testing {
+namespace porttool::testing::two_sided_edit_test {
 namespace {
 
 using Names = std::vector<std::string>;
@@ -492,4 +492,4 @@ TEST(TwoSidedEdit, APortThatMovedAndWasEditedIsNotGone) {
 }
 
 }  // namespace
-}  // namespace porttool::testing
+}  // namespace porttool::testing::two_sided_edit_test

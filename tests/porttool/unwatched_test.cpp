@@ -5,7 +5,7 @@
 
 #include "tests/porttool/temporary_repository.h"
 
-namespace porttool::testing {
+namespace porttool::testing::unwatched_test {
 namespace {
 
 CommandRun porttool_at_r(Disk& disk, std::vector<std::string> arguments) {
@@ -498,4 +498,4 @@ TEST(SharedPort, AnEditOfAnOriginalIsNeverSettledByAnother) {
 }
 
 }  // namespace
-}  // namespace porttool::testing
+}  // namespace porttool::testing::unwatched_test

@@ -16,7 +16,7 @@
 #include "porttool/normal/unit_state.h"
 #include "porttool/scan/scan.h"
 
-namespace porttool {
+namespace porttool::worked_examples_test {
 namespace {
 
 /// Words of a text that lives on.
@@ -193,4 +193,4 @@ TEST(WorkedExamples, Edits) {
 }
 
 }  // namespace
-}  // namespace porttool
+}  // namespace porttool::worked_examples_test

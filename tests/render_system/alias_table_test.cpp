@@ -7,7 +7,7 @@
 #include <cmath>
 #include <random>
 
-namespace render_system::testing {
+namespace render_system::testing::alias_table_test {
 namespace {
 
 // What the table really chooses: each entry's own threshold, plus what aliases send its way, over all entries.
@@ -64,4 +64,4 @@ TEST(AliasTable, WithoutAnyWeightAllAreAlike) {
 }
 
 }  // namespace
-}  // namespace render_system::testing
+}  // namespace render_system::testing::alias_table_test

@@ -7,7 +7,7 @@
 
 #include "tests/render_system/gltf_file.h"
 
-namespace render_system::testing {
+namespace render_system::testing::camera_file_test {
 namespace {
 
 using nlohmann::json;
@@ -137,4 +137,4 @@ TEST(SkyFile, RefusesOtherFiles) {
 }
 
 }  // namespace
-}  // namespace render_system::testing
+}  // namespace render_system::testing::camera_file_test

@@ -8,7 +8,7 @@
 
 #include "render_system/host_scene.h"
 
-namespace render_system::testing {
+namespace render_system::testing::camera_test {
 namespace {
 
 constexpr float DEGREE = 0.017453293f;
@@ -86,4 +86,4 @@ TEST(Camera, TheDefaultViewOfASinglePointIsStillAView) {
 }
 
 }  // namespace
-}  // namespace render_system::testing
+}  // namespace render_system::testing::camera_test

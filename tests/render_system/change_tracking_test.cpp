@@ -6,7 +6,7 @@
 #include "render_system/texture.h"
 #include "tests/render_system/counting_core.h"
 
-namespace render_system::testing {
+namespace render_system::testing::change_tracking_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -266,4 +266,4 @@ TEST(RenderSystem, WithoutACoreNothingCanBeRendered) {
 }
 
 }  // namespace
-}  // namespace render_system::testing
+}  // namespace render_system::testing::change_tracking_test

@@ -6,7 +6,7 @@
 
 #include <new>
 
-namespace render_system::testing {
+namespace render_system::testing::checked_core_test {
 namespace {
 
 // Counts what reaches the work, and runs out of memory when told to.
@@ -120,4 +120,4 @@ TEST(CheckedCore, SaysTheNumberOfThreadsItself) {
 }
 
 }  // namespace
-}  // namespace render_system::testing
+}  // namespace render_system::testing::checked_core_test

@@ -6,7 +6,7 @@
 
 #include "tests/render_system/counting_core.h"
 
-namespace render_system::testing {
+namespace render_system::testing::core_choice_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -109,4 +109,4 @@ TEST_F(CoreChoiceTest, AnUnknownCoreIsNamedWithTheKnownOnes) {
 }
 
 }  // namespace
-}  // namespace render_system::testing
+}  // namespace render_system::testing::core_choice_test

@@ -17,7 +17,7 @@
 #include "render_system/scene_limits.h"
 #include "tests/render_system/gltf_file.h"
 
-namespace render_system::testing {
+namespace render_system::testing::hostile_scene_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -294,4 +294,4 @@ TEST(SceneLimits, AMatrixThatCancelsOutIsNotInvertible) {
 }
 
 }  // namespace
-}  // namespace render_system::testing
+}  // namespace render_system::testing::hostile_scene_test

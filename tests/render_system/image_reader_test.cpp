@@ -10,7 +10,7 @@
 #include "render_system/loader/load_error.h"
 #include "tests/render_system/gltf_file.h"
 
-namespace render_system::testing {
+namespace render_system::testing::image_reader_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -128,4 +128,4 @@ TEST(ImageReader, RefusesWhatItCannotDecode) {
 }
 
 }  // namespace
-}  // namespace render_system::testing
+}  // namespace render_system::testing::image_reader_test

@@ -9,7 +9,7 @@
 #include "render_system/scene_loader.h"
 #include "render_system/texture.h"
 
-namespace render_system::testing {
+namespace render_system::testing::light_table_test {
 namespace {
 
 constexpr double PI = 3.14159265358979323846;
@@ -235,4 +235,4 @@ TEST(AreaLight, EmitsOnTheSideWhoseCornersRunCounterClockwise) {
 }
 
 }  // namespace
-}  // namespace render_system::testing
+}  // namespace render_system::testing::light_table_test

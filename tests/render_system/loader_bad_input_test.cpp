@@ -6,7 +6,7 @@
 
 #include "tests/render_system/gltf_file.h"
 
-namespace render_system::testing {
+namespace render_system::testing::loader_bad_input_test {
 namespace {
 
 using nlohmann::json;
@@ -251,4 +251,4 @@ TEST(LoaderBadInput, LightsAndCamerasOutOfRange) {
 }
 
 }  // namespace
-}  // namespace render_system::testing
+}  // namespace render_system::testing::loader_bad_input_test

@@ -18,7 +18,7 @@
 #include "render_system/scene_limits.h"
 #include "tests/render_system/gltf_file.h"
 
-namespace render_system::testing {
+namespace render_system::testing::loader_fuzz_test {
 namespace {
 
 using nlohmann::json;
@@ -282,4 +282,4 @@ TEST(ImageFuzz, DamagedImages) {
 }
 
 }  // namespace
-}  // namespace render_system::testing
+}  // namespace render_system::testing::loader_fuzz_test

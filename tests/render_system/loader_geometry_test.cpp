@@ -7,7 +7,7 @@
 #include "render_system/core_checks.h"
 #include "tests/render_system/gltf_file.h"
 
-namespace render_system::testing {
+namespace render_system::testing::loader_geometry_test {
 namespace {
 
 using nlohmann::json;
@@ -371,4 +371,4 @@ TEST(LoaderGeometry, DoesNotReadMeshesThatTheSceneLeavesOut) {
 }
 
 }  // namespace
-}  // namespace render_system::testing
+}  // namespace render_system::testing::loader_geometry_test

@@ -7,7 +7,7 @@
 #include "render_system/texel.h"
 #include "tests/render_system/gltf_file.h"
 
-namespace render_system::testing {
+namespace render_system::testing::loader_material_test {
 namespace {
 
 using nlohmann::json;
@@ -309,4 +309,4 @@ TEST(LoaderMaterial, ReadsOnlyTheTexturesOfMaterialsInUse) {
 }
 
 }  // namespace
-}  // namespace render_system::testing
+}  // namespace render_system::testing::loader_material_test

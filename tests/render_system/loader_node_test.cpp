@@ -6,7 +6,7 @@
 
 #include "tests/render_system/gltf_file.h"
 
-namespace render_system::testing {
+namespace render_system::testing::loader_node_test {
 namespace {
 
 using nlohmann::json;
@@ -198,4 +198,4 @@ TEST(LoaderNode, ASpotWithoutConesHasTheExtensionsDefaults) {
 }
 
 }  // namespace
-}  // namespace render_system::testing
+}  // namespace render_system::testing::loader_node_test

@@ -9,7 +9,7 @@
 #include "render_system/core_checks.h"
 #include "render_system/texel.h"
 
-namespace render_system::testing {
+namespace render_system::testing::texture_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -139,4 +139,4 @@ TEST(Texture, TheMeanColourIsInLinearLight) {
 }
 
 }  // namespace
-}  // namespace render_system::testing
+}  // namespace render_system::testing::texture_test

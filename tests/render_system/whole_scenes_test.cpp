@@ -9,7 +9,7 @@
 #include "render_system/light_table.h"
 #include "render_system/scene_loader.h"
 
-namespace render_system::testing {
+namespace render_system::testing::whole_scenes_test {
 namespace {
 
 using ::testing::IsEmpty;
@@ -86,4 +86,4 @@ TEST(WholeScenes, Kitchen) {
 }
 
 }  // namespace
-}  // namespace render_system::testing
+}  // namespace render_system::testing::whole_scenes_test

@@ -15,7 +15,7 @@
 #include "metrics/code/tree_distance.h"
 #include "metrics/portability/performance_portability.h"
 
-namespace metrics {
+namespace metrics::similarity_test {
 namespace {
 
 using Symbols = std::vector<uint32_t>;
@@ -232,4 +232,4 @@ TEST(PerformancePortability, WorkedExample) {
 }
 
 }  // namespace
-}  // namespace metrics
+}  // namespace metrics::similarity_test

@@ -9,7 +9,7 @@
 #include <numeric>
 #include <random>
 
-namespace metrics {
+namespace metrics::winnowing_test {
 namespace {
 
 using Symbols = std::vector<uint32_t>;
@@ -233,4 +233,4 @@ TEST(Winnowing, EssentialMatchesCoverTheSame) {
 }
 
 }  // namespace
-}  // namespace metrics
+}  // namespace metrics::winnowing_test

@@ -7,6 +7,7 @@
 #include <array>
 #include <limits>
 
+namespace degree_test {
 namespace {
 
 using namespace metrics;
@@ -71,3 +72,4 @@ TEST(DegreeOfPortability, CarriesTheUncertaintyOfARecord) {
 }
 
 }  // namespace
+}  // namespace degree_test

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <vector>
 
+namespace port_fit_test {
 namespace {
 
 using namespace metrics;
@@ -81,3 +82,4 @@ TEST(PortFit, WidensWithScatterAndStaysAboveZero) {
 }
 
 }  // namespace
+}  // namespace port_fit_test

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+namespace reuse_test {
 namespace {
 
 using namespace metrics;
@@ -60,3 +61,4 @@ TEST(ReuseModel, SaysThatAStrangePortIsDearerThanNewCode) {
 }
 
 }  // namespace
+}  // namespace reuse_test
