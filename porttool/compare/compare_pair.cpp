@@ -25,8 +25,11 @@ public:
         if (!out_.not_compared.empty()) return std::move(out_);
         read_texts();
         out_.standing = standing();
-        if (out_.standing != Standing::Idle && !settled_by_values() && changed_both() && !out_.text_missing)
+        if (out_.standing == Standing::Idle || settled_by_values() || out_.text_missing) return std::move(out_);
+        if (changed_both())
             compare_both();
+        else if (has_caught_up())
+            out_.standing = Standing::CaughtUp;
         return std::move(out_);
     }
 
@@ -105,6 +108,19 @@ private:
             out_.missing = {
                 "the two sides declare what they use, or how they are called, otherwise than before, and "
                 "not alike"};
+    }
+
+    /// An edit of one side alone that says what the other side says. Beside the text, how the file declares what the
+    /// unit uses may have changed, which the other side's text does not tell.
+    bool has_caught_up() {
+        const Side side = changed(Side::Source) ? Side::Source : Side::Target;
+        const UnitKind kind = pair_[side].kind;
+        if (kind != UnitKind::Function && kind != UnitKind::Kernel) return false;
+        const PlainStatements plain(kind, pair_[side].language, dialect_);
+        if (!declaration_changes(before_[side], now_[side], plain).empty()) return false;
+        return now_says_what_other_says(
+            {without_prelude(before_[side]), without_prelude(now_[side]), without_prelude(now_[other(side)])}, side,
+            dialect_, {pair_.source.language, pair_.target.language});
     }
 
     /// The files of both changed how they declare what the units use in one way.

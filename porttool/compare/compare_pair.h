@@ -25,11 +25,12 @@ struct PairedUnit {
     const NormalText &before, &now;
 };
 
-/// How a pair stands, told by its texts alone; up to Equivalent it is in step.
+/// How a pair stands, told by its texts alone; up to CaughtUp it is in step.
 enum class Standing : uint8_t {
     InStep,         ///< neither side changed by more than its looks
     Idle,           ///< what was edited changes no value: qualifiers, hints, another spelling
     Equivalent,     ///< both sides changed, and alike
+    CaughtUp,       ///< one side changed, to what the other says already
     SourceChanged,  ///< the source changed, the port did not
     TargetChanged,
     ValuesDiffer,  ///< a constant or struct changed, and the two sides have different values or fields now

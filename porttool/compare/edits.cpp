@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "porttool/compare/edits.h"
 
+#include <algorithm>
+
 #include "porttool/compare/guarded_words.h"
 #include "porttool/compare/hints.h"
 #include "porttool/compare/positions.h"
 #include "porttool/compare/renaming.h"
 #include "porttool/compare/same_words.h"
+#include "porttool/normal/diff.h"
 
 namespace porttool {
 namespace {
@@ -86,6 +89,36 @@ EditComparison compare_edits(const PairTexts& written, const Dialect& dialect, c
                                  with_old_names(texts.target_before, texts.target_now, dialect), dialect);
     if (source == texts.source_now && target == texts.target_now) return out;
     return compare_as_named({texts.source_before, source, texts.target_before, target}, dialect, languages);
+}
+
+bool now_says_what_other_says(const LoneTexts& texts, Side side, const Dialect& dialect,
+                              const BySide<Language>& languages) {
+    constexpr size_t kLeastWords = 4, kMost = 100'000;  // of a statement that is none by chance; of all words
+    const Words before = without_hints(texts.before), now = without_hints(texts.now),
+                there = without_hints(texts.other);
+    if (before.size() + now.size() + there.size() > kMost) return false;
+    const bool source = side == Side::Source;
+    const PairTexts pair = source ? PairTexts{before, now, there, there} : PairTexts{there, there, before, now};
+    const Meaning meaning(pair, dialect, languages);
+    const auto translator = [&](Side each) {
+        return [&meaning, each](const Words& statement, bool in_body) {
+            return meaning.translate(statement, each, in_body);
+        };
+    };
+    const StatementEdit edit = statement_edit(before, now, translator(side));
+    const bool tells = std::any_of(edit.gained.begin(), edit.gained.end(),
+                                   [&](size_t i) { return edit.now[i].common.size() >= kLeastWords; });
+    if (!tells || (edit.gained.size() == 1 && edit.lost.size() == 1)) return false;
+    const std::vector<Statement> others = split_statements(there, translator(other(side)));
+    const auto in_common = [&](const std::vector<Statement>& here) {
+        Words left, right;
+        for (const Statement& statement : here) left.push_back(statement.key);
+        for (const Statement& statement : others) right.push_back(statement.key);
+        size_t kept = 0;
+        for (const DiffStep& step : diff(left, right)) kept += step.kind == DiffStep::Keep ? 1 : 0;
+        return kept;
+    };
+    return in_common(edit.now) >= in_common(edit.before) + edit.gained.size();
 }
 
 }  // namespace porttool

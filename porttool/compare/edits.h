@@ -47,4 +47,19 @@ Edit shown_edit(const StatementEdit& edit);
 /// What changed between two texts, as written.
 Edit edit_of(const Words& before, const Words& now);
 
+/// The texts of a side that changed alone, and that of the other.
+struct LoneTexts {
+    Words before, now, other;
+};
+
+/// True if all that the edit brought in stands in the other side's text at its place, where nothing of what it took
+/// away stood: the side has caught up. One statement that took the place of another is not enough: it may be so by
+/// chance.
+///
+///     before      a = f(x);                                source
+///     now         b = g(x, 2);  if (b > 1) {  a = f(b);  }
+///     other       b = g(x, 2);  if (b > 1) {  a = f(b);  }  port
+bool now_says_what_other_says(const LoneTexts& texts, Side side, const Dialect& dialect,
+                              const BySide<Language>& languages);
+
 }  // namespace porttool

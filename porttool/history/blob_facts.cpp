@@ -108,7 +108,7 @@ EditFacts edit_facts(const BySide<PairedUnit>& pair, const Dialect& dialect, Com
     const PairComparison found = compare_pair(pair, dialect, budget);
     const SideEdit source = side_edit(pair.source, dialect), target = side_edit(pair.target, dialect);
     EditFacts facts;
-    facts.in_step = found.standing <= Standing::Equivalent;
+    facts.in_step = found.standing <= Standing::CaughtUp;
     facts.similarity = overlap(source.changed, target.changed);
     facts.source_size = source.size;
     facts.target_size = target.size;

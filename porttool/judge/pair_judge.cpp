@@ -20,7 +20,7 @@ std::string one_side_changed(Side side) {
 }
 
 Side changed_side(const PairComparison& found) {
-    return found.standing == Standing::SourceChanged ? Side::Source : Side::Target;
+    return is_edit(found.changes.source) && !found.idle.source ? Side::Source : Side::Target;
 }
 
 Change larger_change(const PairComparison& found) { return std::max(found.changes.source, found.changes.target); }
@@ -155,7 +155,7 @@ void PairJudge::compare(JudgedPair& pair, const LockedPair& lock) {
                           before[side], unit.text};
     };
     const PairComparison found = compare_pair({paired(Side::Source), paired(Side::Target)}, dialect_, budget_);
-    pair.equivalent = found.standing <= Standing::Equivalent;
+    pair.equivalent = found.standing <= Standing::CaughtUp;
     report_hazards(pair, found);
     if (!found.not_compared.empty()) return report_uncompared(pair, found);
     switch (found.standing) {
@@ -164,6 +164,7 @@ void PairJudge::compare(JudgedPair& pair, const LockedPair& lock) {
             return;
         case Standing::Idle:
             return report_idle(pair, found);
+        case Standing::CaughtUp:
         case Standing::SourceChanged:
         case Standing::TargetChanged:
             return report_one(pair, found, before);
@@ -222,6 +223,9 @@ void PairJudge::report_one(JudgedPair& pair, const PairComparison& found, const 
         return;
     }
     tell_edit(found.edits[side], finding);
+    if (found.standing == Standing::CaughtUp)
+        return soften(pair, finding,
+                      side == Side::Source ? "says what the port says already" : "says what the source says already");
     const bool same_variables = prelude_of(before[side].words()) == prelude_of(pair.unit[side]->text.words());
     if (change == Change::Semantic && facts_.same_code && same_variables)
         soften(pair, finding, facts_.same_code(*pair.unit[side], side, before[side]));

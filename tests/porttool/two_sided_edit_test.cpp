@@ -287,6 +287,34 @@ TEST(TwoSidedEdit, TheNamesOfPairsAreOne) {
     EXPECT_EQ(rules("other_cuda(n + 1);", "other_sycl(n + 1);"), Names{"port-differs"}) << "no pair says it";
 }
 
+/// Half of all drift is older than the gate: a side that brings in what the other has all along is no new drift.
+TEST(TwoSidedEdit, ASideThatCatchesUpIsNoted) {
+    const std::string behind = "void f(float x) {\n    float a = h(x);\n    g(a);\n}\n";
+    const std::string ahead =
+        replaced(behind, "    g(a)", "    if (a > 1.0f) {\n        a = cut(a, 1.0f);\n    }\n    g(a)");
+    const auto levels = [](const std::string& source, const std::string& target, const std::string& source_now,
+                           const std::string& target_now) {
+        Names out;
+        const auto report = report_on({"", "k.cu", "k.cpp", {source, target}, {source_now, target_now}, {}});
+        for (const auto& finding : report["findings"])
+            out.push_back(finding["rule"].get<std::string>() + " " + finding["level"].get<std::string>());
+        return out;
+    };
+    EXPECT_EQ(levels(behind, ahead, ahead, ahead), Names{"source-changed note"});
+    EXPECT_EQ(levels(ahead, behind, ahead, ahead), Names{"target-changed note"});
+    EXPECT_EQ(levels(ahead, ahead, behind, ahead), Names{"source-changed error"}) << "it falls behind";
+    EXPECT_EQ(levels(behind, ahead, replaced(ahead, "g(a)", "g(x)"), ahead), Names{"source-changed error"})
+        << "and something else";
+    EXPECT_EQ(levels(behind, ahead, replaced(ahead, "1.0f)", "2.0f)"), ahead), Names{"source-changed error"})
+        << "not quite";
+    EXPECT_EQ(levels(replaced(behind, "h(x)", "h(2)"), behind, behind, behind), Names{"source-changed error"})
+        << "one statement for another may be so by chance";
+    EXPECT_EQ(levels("static volatile int r;\n" + replaced(behind, "h(x)", "h(r)"), replaced(ahead, "h(x)", "h(r)"),
+                     "static int r;\n" + replaced(ahead, "h(x)", "h(r)"), replaced(ahead, "h(x)", "h(r)")),
+              Names{"source-changed error"})
+        << "a declaration changed as well";
+}
+
 TEST(TwoSidedEdit, StructsAreComparedByTheirData) {
     const std::string kernel = "struct f { float3 o; float t; };\n";
     const std::string port =
