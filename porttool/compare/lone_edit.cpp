@@ -4,12 +4,15 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
+#include <string_view>
 
 #include "porttool/compare/hints.h"
 #include "porttool/compare/plain_statement.h"
 #include "porttool/compare/renaming.h"
 #include "porttool/compare/statement_edit.h"
 #include "porttool/compare/struct_fields.h"
+#include "porttool/language/words.h"
 #include "porttool/normal/prelude.h"
 
 namespace porttool {
@@ -96,6 +99,45 @@ void add_changed_declarations(const Words& before, const Words& now, const Plain
         if (!old_one.said.contains(key)) edit.gained.push_back(said.shown);
 }
 
+/// `float a, b[4]`: numbers that nothing is done to here.
+bool declares_numbers_alone(const Statement& statement) {
+    const std::vector<std::string>& words = statement.common;
+    if (words.size() < 2 || !is_type_word(words[0])) return false;
+    return std::all_of(words.begin() + 1, words.end(), [](const std::string& word) {
+        return is_word_token(word) || is_number_token(word) || word == "," || word == "[" || word == "]";
+    });
+}
+
+/// A text without such declarations, and these with the number of the statement that heads their block.
+struct ApartFromDeclarations {
+    std::vector<std::string> statements, declarations;
+
+    explicit ApartFromDeclarations(const std::vector<Statement>& text) {
+        std::vector<size_t> number(text.size());
+        std::set<std::string_view> seen;  // a name that was another's before is no matter of place
+        for (size_t i = 0; i < text.size(); ++i) {
+            number[i] = statements.size();
+            const bool in_block = text[i].head != Statement::kNoHead && text[i].head < i;
+            const bool is_new =
+                std::none_of(text[i].common.begin(), text[i].common.end(), [&](const std::string& word) {
+                    return is_word_token(word) && !is_type_word(word) && seen.contains(word);
+                });
+            seen.insert(text[i].common.begin(), text[i].common.end());
+            if (in_block && is_new && declares_numbers_alone(text[i]))
+                declarations.push_back(text[i].key + std::to_string(number[text[i].head]));
+            else
+                statements.push_back(text[i].key);
+        }
+        std::sort(declarations.begin(), declarations.end());
+    }
+};
+
+/// True if all that an edit did was to declare numbers earlier or later in the same block. They have no value there.
+bool only_moves_declarations(const StatementEdit& edit) {
+    const ApartFromDeclarations before(edit.before), now(edit.now);
+    return before.statements == now.statements && before.declarations == now.declarations;
+}
+
 /// Without what differs between languages: of defaults their values, of an instantiation its arguments.
 std::string what_it_says(const Statement& said) {
     std::string out = said.common[0];
@@ -126,7 +168,7 @@ LoneEdit lone_edit(const Words& before, const Words& now, UnitKind kind, Languag
     const Words old_text = bare(before);
     StatementEdit edit = statement_edit(old_text, bare(now), translator);
     LoneEdit out;
-    out.means_nothing = edit.lost.empty() && edit.gained.empty();
+    out.means_nothing = (edit.lost.empty() && edit.gained.empty()) || (is_code && only_moves_declarations(edit));
     if (!out.means_nothing && is_code)
         if (const Words renamed = with_old_names(before, now, dialect); renamed != now) {
             StatementEdit named = statement_edit(old_text, bare(renamed), translator);

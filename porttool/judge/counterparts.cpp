@@ -108,6 +108,18 @@ private:
         return out;
     }
 
+    /// True if the counterpart is named as its partner is, and not as the unit: `load_q8` is the port of `load_q8`, and
+    /// `load_q1` is one more of their kind.
+    static bool is_sibling(const UnitState& unit, const std::string& partner_id, const UnitState& counterpart) {
+        const auto subject = [](std::string_view name) {
+            std::vector<std::string> words = split_words(leaf_of(name));
+            std::erase_if(words, [](const std::string& word) { return tells_how(word); });
+            return words;
+        };
+        const std::vector<std::string> there = subject(counterpart.name);
+        return !there.empty() && there == subject(split_id(partner_id).second) && there != subject(unit.name);
+    }
+
     /// What a project computes once more to check its kernels with resembles what ports them.
     static bool is_reference_of(const UnitState& unit, const UnitState& counterpart) {
         const std::vector<std::string> there = split_words(counterpart.name);
@@ -129,7 +141,9 @@ private:
             const auto unit = there.find(side_ == Side::Source ? pair.target : pair.source);
             if (open == open_.end() || unit == there.end()) continue;
             const auto partner = partner_.find(unit->first);
-            if (partner != partner_.end() && is_reference_of(*open->second, unit->second)) continue;
+            if (partner != partner_.end() && (is_reference_of(*open->second, unit->second) ||
+                                              is_sibling(*open->second, partner->second, unit->second)))
+                continue;
             Counterpart& best = out_[open->second];
             if (best.unit != nullptr && best.score >= pair.score) continue;
             best = {&unit->second, std::min(pair.score, most), partner == partner_.end() ? "" : partner->second};

@@ -233,6 +233,8 @@ const std::vector<LabelledEdit> kSilent = {
     {".cpp", kThreads, "parallel for schedule(static)", "parallel for simd schedule(guided)"},
     {".c", replaced(kThreads, "parallel for", "parallel for if(n > 9),"), "schedule(static)", "schedule(dynamic)"},
     {".c", kPragma, "schedule(static)", "schedule(dynamic)"},
+    // where numbers without a value are declared
+    {".c", "void f(int* a) { g(a); int i, b[4]; h(a); i = 2; a[0] = i; }", "g(a); int i, b[4];", "int i, b[4]; g(a);"},
     // whether somebody looks at the status of a call
     {".cu", kRuntime, "cudaFree(a);", "CUDA_CHECK(cudaFree(a));"},
     {".cu", kRuntime, "gpuErrchk(cudaMalloc(&a, n))", "cudaMalloc(&a, n)"},
@@ -277,6 +279,10 @@ const std::vector<LabelledEdit> kSilent = {
 };
 
 const std::vector<LabelledEdit> kHarmful = {
+    {".c", "int i; void f(int* a) { if (a) { int i; i = 1; } i = 2; }", "if (a) { int i;", "int i; if (a) {"},
+    {".c", "int i; void f(int* a) { g(a, i); int i; i = 2; }", "g(a, i); int i;", "int i; g(a, i);"},
+    {".c", "void f(int* a) { g(a); int i = *a; h(a, i); }", "g(a); int i = *a;", "int i = *a; g(a);"},
+    {".cpp", "void f(int* a) { g(a); Guard b[4]; h(a); }", "g(a); Guard b[4];", "Guard b[4]; g(a);"},
     {".cu", kRuntime, "check_rows(own(a));", "own(a);"},
     {".cu", kRuntime, "cudaFree(a);", "CUDA_CHECK(cudaFree(b));"},
     {".cu", kRuntime, "cudaFree(a);", "assert(cudaFree(a));"},

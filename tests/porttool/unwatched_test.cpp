@@ -115,6 +115,17 @@ TEST(Unwatched, WhatChecksAKernelIsNoSourceOfItsPort) {
     EXPECT_EQ(rules(check(disk)), Rules{"unported"});
 }
 
+TEST(Unwatched, OneMoreOfAKindIsNoSourceOfItsSiblingsPort) {
+    const auto load = [](const std::string& name, const std::string& bits) {
+        return "void load_" + name +
+               "(const int* in, int* out, int n) {\n    for (int i = 0; i < n; ++i) out[i] = in[i] >> " + bits +
+               " & 15;\n}\n";
+    };
+    MemoryDisk disk = started(load("q8", "8"), load("q8", "8"));
+    disk.files["/r/src/k.cu"] += load("q1", "1");
+    EXPECT_EQ(rules(check(disk)), Rules{"unported"});
+}
+
 TEST(Unwatched, ACommentThatSettlesUnportedSettlesUnpairedToo) {
     MemoryDisk disk = started(kLum, kLumPort);
     disk.files["/r/src/k.cu"] += "// porttool: ignore(unported) not yet\n" + kFresnel;
