@@ -6,6 +6,8 @@
 #include <numeric>
 #include <utility>
 
+#include "metrics/code/run_matchers.h"
+
 namespace metrics {
 namespace {
 
@@ -70,14 +72,6 @@ std::vector<Group> shared_groups(const Side& a, const Side& b) {
     return groups;
 }
 
-/// An occurrence of a shared fingerprint on one side: where it stands, its rank among those of its side, and the
-/// occurrences on the other side.
-struct Place {
-    uint32_t at;
-    uint32_t rank, of;
-    std::span<const uint32_t> partners;
-};
-
 /// The occurrences on one side, ascending.
 std::vector<Place> places_in(const std::vector<Group>& groups, bool in_a) {
     std::vector<Place> places;
@@ -89,109 +83,6 @@ std::vector<Place> places_in(const std::vector<Group>& groups, bool in_a) {
     std::sort(places.begin(), places.end(), [](const Place& x, const Place& y) { return x.at < y.at; });
     return places;
 }
-
-/// Finds and extends matches; remembers on each diagonal (b - a) the last one, to extend nothing twice.
-class Matcher {
-public:
-    Matcher(const Side& a, const Side& b, const WinnowingParameters& parameters)
-        : a_(a), b_(b), k_(parameters.k), w_(parameters.w), last_(a.symbols.size() + b.symbols.size() + 1) {}
-
-    std::vector<TokenMatch> matches;
-
-    /// All pairs of each place, and the pairs beside them that have the same hash: where a k-gram comes twice in one
-    /// window the two sides may have selected different ones of it, on different diagonals.
-    void run(const std::vector<Place>& places) {
-        for (const Place& place : places)
-            for (const uint32_t partner : place.partners) {
-                match(place.at, partner);
-                match_beside(place.at, partner);
-            }
-    }
-
-private:
-    void match_beside(uint32_t i, uint32_t j) {
-        const std::vector<uint64_t>&x = a_.hashes, &y = b_.hashes;
-        for (uint32_t step = 1; step < w_; ++step) {
-            if (j + step < y.size() && y[j + step] == y[j]) match(i, j + step);
-            if (j >= step && y[j - step] == y[j]) match(i, j - step);
-            if (i + step < x.size() && x[i + step] == x[i]) match(i + step, j);
-            if (i >= step && x[i - step] == x[i]) match(i - step, j);
-        }
-    }
-
-    void match(uint32_t i, uint32_t j) {
-        TokenMatch& last = last_[j + a_.symbols.size() - i];
-        if (i >= last.a && i < last.a + last.length) return;
-        const std::span<const uint32_t> x = a_.symbols, y = b_.symbols;
-        uint32_t end = 0;
-        while (i + end < x.size() && j + end < y.size() && x[i + end] == y[j + end]) ++end;
-        if (end < k_) return;  // a collision of hashes
-        uint32_t before = 0;
-        while (before < i && before < j && x[i - before - 1] == y[j - before - 1]) ++before;
-        last = {i - before, j - before, before + end};
-        matches.push_back(last);
-    }
-
-    const Side& a_;
-    const Side& b_;
-    uint32_t k_, w_;
-    std::vector<TokenMatch> last_;
-};
-
-/// Holds the occurrences of very common fingerprints on one side against a few partners each, skipping what is covered.
-class CommonMatcher {
-public:
-    CommonMatcher(const Side& own, const Side& other, uint32_t k, std::vector<uint8_t> covered)
-        : own_(own), other_(other), k_(k), covered_(std::move(covered)) {}
-
-    std::vector<TokenMatch> matches;  ///< a: own side
-
-    void run(const std::vector<Place>& places) {
-        int64_t diagonal = 0;
-        for (const Place& place : places) {
-            if (is_covered(place.at)) continue;
-            TokenMatch best;
-            auto attempt = [&](int64_t partner) {
-                if (partner < 0 || partner >= static_cast<int64_t>(other_.hashes.size())) return;
-                const TokenMatch found = extend(place.at, static_cast<uint32_t>(partner));
-                if (found.length > best.length) best = found;
-            };
-            attempt(place.at + diagonal);
-            const size_t count = place.partners.size();
-            attempt(place.partners[std::min<size_t>(place.rank, count - 1)]);
-            constexpr size_t kSpread = 6;
-            for (size_t step = 0; step < kSpread; ++step)
-                attempt(place.partners[(static_cast<size_t>(place.rank) * count / place.of + step * count / kSpread) %
-                                       count]);
-            if (best.length < k_) continue;
-            diagonal = static_cast<int64_t>(best.b) - best.a;
-            std::fill_n(covered_.begin() + best.a, best.length, uint8_t{1});
-            matches.push_back(best);
-        }
-    }
-
-private:
-    bool is_covered(uint32_t at) const {
-        return std::find(covered_.begin() + at, covered_.begin() + at + k_, 0) == covered_.begin() + at + k_;
-    }
-
-    /// To the right as far as it goes; to the left as far as nothing is covered yet, which keeps the time linear.
-    TokenMatch extend(uint32_t i, uint32_t j) const {
-        const std::span<const uint32_t> x = own_.symbols, y = other_.symbols;
-        uint32_t end = 0;
-        while (i + end < x.size() && j + end < y.size() && x[i + end] == y[j + end]) ++end;
-        if (end < k_) return {};
-        uint32_t before = 0;
-        while (before < i && before < j && covered_[i - before - 1] == 0 && x[i - before - 1] == y[j - before - 1])
-            ++before;
-        return {i - before, j - before, before + end};
-    }
-
-    const Side& own_;
-    const Side& other_;
-    uint32_t k_;
-    std::vector<uint8_t> covered_;
-};
 
 bool by_place(const TokenMatch& x, const TokenMatch& y) {
     if (x.a != y.a) return x.a < y.a;
@@ -282,16 +173,16 @@ std::vector<uint32_t> winnow(std::span<const uint64_t> hashes, uint32_t w) {
 std::vector<TokenMatch> winnowing_matches(std::span<const uint32_t> a, std::span<const uint32_t> b,
                                           const WinnowingParameters& parameters) {
     const Side left(a, parameters), right(b, parameters);
-    constexpr size_t kMostPairs = 1024;
     std::vector<Group> common, rare;
     for (const Group& group : shared_groups(left, right))
-        (group.a.size() * group.b.size() > kMostPairs ? common : rare).push_back(group);
-    Matcher matcher(left, right, parameters);
-    matcher.run(places_in(rare, true));
+        (group.a.size() * group.b.size() > MOST_PAIRS ? common : rare).push_back(group);
+    Matcher matcher({left.symbols, left.hashes}, {right.symbols, right.hashes}, parameters);
+    for (const Place& place : places_in(rare, true))
+        for (const uint32_t partner : place.partners) matcher.run(place.at, partner);
     std::vector<TokenMatch> matches = std::move(matcher.matches);
     if (!common.empty()) {
-        CommonMatcher in_a(left, right, parameters.k, covered_in_a(matches, a.size()));
-        CommonMatcher in_b(right, left, parameters.k, covered_in_b(matches, b.size()));
+        CommonMatcher in_a(a, b, parameters.k, covered_in_a(matches, a.size()));
+        CommonMatcher in_b(b, a, parameters.k, covered_in_b(matches, b.size()));
         in_a.run(places_in(common, true));
         in_b.run(places_in(common, false));
         matches.insert(matches.end(), in_a.matches.begin(), in_a.matches.end());

@@ -169,7 +169,7 @@ size_t occurrences(const std::vector<std::string>& of, const std::vector<std::st
 
 /// What an edit put in the place of what, if that is all that it did; else nothing.
 Replacements replacements_of(const StatementEdit& edit) {
-    constexpr size_t kMostWords = 20'000, kMostKinds = 16;
+    constexpr size_t kMostInPlace = 20'000, kMostKinds = 16;
     const auto all_words = [](const std::vector<Statement>& statements) {
         std::vector<std::string> out;
         for (const Statement& statement : statements) {
@@ -179,7 +179,7 @@ Replacements replacements_of(const StatementEdit& edit) {
         return out;
     };
     const auto before = all_words(edit.before), now = all_words(edit.now);
-    if (before.size() + now.size() > kMostWords) return {};
+    if (before.size() + now.size() > kMostInPlace) return {};
     Replacements out;
     std::map<std::vector<std::string>, size_t> counts;
     for (const Hunk& hunk : hunks(before, now)) {

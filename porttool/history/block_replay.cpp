@@ -29,21 +29,25 @@ std::vector<MeasuredBlock> BlockReplay::blocks() {
 }
 
 MeasuredBlock BlockReplay::point_of(const Block& block) {
-    const PassageMeasure& found = measurer_.measure(passage(block, Side::Source), passage(block, Side::Target));
+    const PassageMeasure& found =
+        measurer_.measure(block.name, passage(block, Side::Source), passage(block, Side::Target));
     return measured_block(block.name, found, map_.weights);
 }
 
-NamedPassage BlockReplay::passage(const Block& block, Side side) {
-    const Selection& takes = block.takes[side];
-    std::string contents;
-    for (const auto& [path, names] : takes) {
-        contents += version_key({path, tree_[side].at(path)}) + "\n";
+PartedPassage BlockReplay::passage(const Block& block, Side side) {
+    PartedPassage out;
+    for (const auto& [path, names] : block.takes[side]) {
+        const FileVersion file{path, tree_[side].at(path)};
+        std::string contents = version_key(file) + "\n";
         for (const std::string& name : names) contents += " " + name + "\n";
+        out.push_back({path, std::move(contents), [this, file, &names] { return passage_of_file(file, names); }});
     }
-    const auto file_at = [this, side](const std::string& path) -> const ScannedFile& {
-        return blobs_.scanned({path, tree_[side].at(path)});
-    };
-    return {std::move(contents), [&takes, file_at] { return passage_of(takes, file_at); }};
+    return out;
+}
+
+Passage BlockReplay::passage_of_file(const FileVersion& file, const std::set<std::string>& names) {
+    return passage_of({{file.path, names}},
+                      [&](const std::string&) -> const ScannedFile& { return blobs_.scanned(file); });
 }
 
 }  // namespace porttool

@@ -34,7 +34,8 @@ public:
 
 private:
     MeasuredBlock point_of(const Block& block);
-    NamedPassage passage(const Block& block, Side side);
+    PartedPassage passage(const Block& block, Side side);
+    Passage passage_of_file(const FileVersion& file, const std::set<std::string>& names);
 
     BlobFactsSource& blobs_;
     PassageMeasurer& measurer_;

@@ -8,6 +8,7 @@
 #include "metrics/code/line_divergence.h"
 #include "metrics/code/string_tiling.h"
 #include "metrics/code/token_edit.h"
+#include "porttool/measure/line_shares.h"
 #include "porttool/measure/structure_tree.h"
 #include "porttool/measure/symbols.h"
 
@@ -61,21 +62,17 @@ std::string shortness(const Shares& shares, const WinnowingParameters& parameter
            std::to_string(parameters.guarantee()) + " are needed";
 }
 
-/// The code lines of each excerpt. A line is shared if at least half of its tokens are covered; one whose tokens all
-/// have no counterpart (`inline` alone) goes with the line after it, the last with the one before.
+/// The code lines of each excerpt.
 std::vector<std::vector<CodeLine>> lines_of(size_t excerpts, const std::vector<PlacedToken>& tokens,
                                             const SymbolSequence& sequence, const std::vector<uint8_t>& covered) {
-    struct Count {
-        uint32_t tokens = 0, covered = 0;
-    };
-    std::vector<Count> of_token(tokens.size());
+    std::vector<LineShare> of_token(tokens.size());
     for (size_t i = 0; i < sequence.symbols.size(); ++i)
         if (sequence.tokens[i] != kNoToken) of_token[sequence.tokens[i]] = {1, covered[i]};
     std::vector<std::vector<CodeLine>> out(excerpts);
-    std::vector<std::vector<Count>> counts(excerpts);
+    std::vector<std::vector<LineShare>> counts(excerpts);
     for (size_t i = 0; i < tokens.size(); ++i) {
         std::vector<CodeLine>& lines = out[tokens[i].excerpt];
-        std::vector<Count>& line_counts = counts[tokens[i].excerpt];
+        std::vector<LineShare>& line_counts = counts[tokens[i].excerpt];
         if (lines.empty() || lines.back().line != tokens[i].line) {
             lines.push_back({tokens[i].line, false});
             line_counts.push_back({});
@@ -84,14 +81,8 @@ std::vector<std::vector<CodeLine>> lines_of(size_t excerpts, const std::vector<P
         line_counts.back().covered += of_token[i].covered;
     }
     for (size_t excerpt = 0; excerpt < out.size(); ++excerpt) {
-        std::vector<CodeLine>& lines = out[excerpt];
-        bool next = false;
-        for (size_t i = lines.size(); i-- > 0;) {
-            const Count& count = counts[excerpt][i];
-            if (count.tokens > 0) next = 2 * count.covered >= count.tokens;
-            lines[i].shared = next;
-        }
-        for (size_t i = lines.size(); i-- > 0 && counts[excerpt][i].tokens == 0;) lines[i].shared = false;
+        const std::vector<bool> shared = shared_lines(counts[excerpt]);
+        for (size_t i = 0; i < shared.size(); ++i) out[excerpt][i].shared = shared[i];
     }
     return out;
 }

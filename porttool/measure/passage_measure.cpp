@@ -64,6 +64,19 @@ bool read_side(std::istringstream& stream, PassageSide& side) {
     return true;
 }
 
+std::string contents_of(const PartedPassage& passage) {
+    std::string all;
+    for (const PassagePart& part : passage) all += part.contents;
+    return all;
+}
+
+Passage whole(const PartedPassage& passage) {
+    Passage all;
+    for (const PassagePart& part : passage)
+        for (const Excerpt& excerpt : part.read()) all.push_back(excerpt);
+    return all;
+}
+
 }  // namespace
 
 PassageMeasure measure_passages(const Passage& source, const Passage& target, const Dialect& dialect) {
@@ -96,19 +109,31 @@ void PassageMeasurer::use_dialect(const std::vector<std::pair<std::string, std::
     std::string text;
     for (const auto& [left, right] : rows) text += left + "=" + right + "\n";
     dialect_key_ = BlobCache::key({text});
+    trackers_.clear();
+    parts_.emplace(dialect_);
 }
 
-const PassageMeasure& PassageMeasurer::measure(const NamedPassage& source, const NamedPassage& target) {
+const PassageMeasure& PassageMeasurer::measure(const std::string& name, const PartedPassage& source,
+                                               const PartedPassage& target) {
     // Another word for another meaning of the figures.
-    const std::string key = BlobCache::key({"passages", source.contents, target.contents, dialect_key_});
+    const std::string key = BlobCache::key({"passages", contents_of(source), contents_of(target), dialect_key_});
     if (const auto known = known_.find(key); known != known_.end()) return known->second;
-    std::optional<PassageMeasure> found;
-    if (const std::string* line = cache_.find(key)) found = read_passage_measure(*line);
-    if (!found) {
-        found = measure_passages(source.read(), target.read(), dialect_);
-        cache_.put(key, facts_line(*found));
+    std::optional<PassageMeasure> measured;
+    if (const std::string* line = cache_.find(key)) measured = read_passage_measure(*line);
+    if (!measured) {
+        measured = found(name, source, target);
+        cache_.put(key, facts_line(*measured));
     }
-    return known_.emplace(key, std::move(*found)).first->second;
+    return known_.emplace(key, std::move(*measured)).first->second;
+}
+
+PassageMeasure PassageMeasurer::found(const std::string& name, const PartedPassage& source,
+                                      const PartedPassage& target) {
+    const bool is_small = source.size() <= 1 && target.size() <= 1;  // where one part has changed, half has
+    if (!parts_) parts_.emplace(dialect_);
+    if (!is_small)
+        if (auto tracked = trackers_[name].measure({&source, &target}, *parts_)) return std::move(*tracked);
+    return measure_passages(whole(source), whole(target), dialect_);
 }
 
 std::string facts_line(const PassageMeasure& measure) {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <unordered_map>
@@ -11,17 +11,13 @@
 
 #include "metrics/portability/degree.h"
 #include "porttool/measure/measure.h"
+#include "porttool/measure/passage_tracker.h"
 #include "porttool/read/blob_cache.h"
 #include "porttool/scan/side.h"
 
 namespace porttool {
 
-/// One of two passages held against each other: its figures, and each line of code in order, shared or not.
-struct PassageSide {
-    SideMeasure measure;
-    std::vector<bool> shared;
-};
-
+/// Two passages held against each other.
 using PassageMeasure = BySide<PassageSide>;
 
 /// A functional block, or both sides as a whole (no name), with its figures.
@@ -43,13 +39,8 @@ MeasuredBlock measured_block(const std::string& name, PassageMeasure found, cons
 /// The code lines of each excerpt of a passage, with what a measurement of the passage says of them.
 std::vector<std::vector<CodeLine>> measured_lines(const Passage& passage, const PassageSide& found);
 
-/// A passage that is read only where it must be measured. `contents`: equal only where the passages are.
-struct NamedPassage {
-    std::string contents;
-    std::function<Passage()> read;
-};
-
-/// The same measurement, taken once for the same contents and dialect.
+/// The same measurement, taken once for the same contents and dialect; what follows another one under its name costs
+/// little where little has changed.
 class PassageMeasurer {
 public:
     explicit PassageMeasurer(BlobCache& cache) : cache_(cache) {}  ///< which must outlive it
@@ -57,11 +48,15 @@ public:
     /// The vocabulary that is measured in from now on.
     void use_dialect(const std::vector<std::pair<std::string, std::string>>& rows);
 
-    const PassageMeasure& measure(const NamedPassage& source, const NamedPassage& target);
+    const PassageMeasure& measure(const std::string& name, const PartedPassage& source, const PartedPassage& target);
 
 private:
+    PassageMeasure found(const std::string& name, const PartedPassage& source, const PartedPassage& target);
+
     BlobCache& cache_;
     Dialect dialect_;
+    std::optional<PartStore> parts_;
+    std::map<std::string, PassageTracker> trackers_;  ///< by name
     std::string dialect_key_;
     std::unordered_map<std::string, PassageMeasure> known_;
 };

@@ -64,12 +64,24 @@ SymbolSequence SymbolTable::sequence(const std::vector<PlacedToken>& tokens, Voc
     return out;
 }
 
-uint32_t SymbolTable::number(std::string_view text) {
+bool SymbolTable::has_moved_word(const std::vector<PlacedToken>& tokens) const {
+    return std::any_of(tokens.begin(), tokens.end(),
+                       [this](const PlacedToken& token) { return words_[token.word].moved; });
+}
+
+/// `moved` becomes true where the number is not made of the text alone.
+uint32_t SymbolTable::number(std::string_view text, bool& moved) {
     const uint32_t place = texts_.number(text);
-    if (place < numbers_.size()) return numbers_[place];
+    if (place < numbers_.size()) {
+        moved |= moved_[place];
+        return numbers_[place];
+    }
     constexpr uint32_t kLargest = metrics::FIRST_SEPARATOR - 1;
     uint32_t number = static_cast<uint32_t>(hash_text(text)) & kLargest;
-    while (number == kAnyName || taken_.number(number, place) != place) number = (number + 1) & kLargest;
+    moved_.push_back(false);
+    for (; number == kAnyName || taken_.number(number, place) != place; number = (number + 1) & kLargest)
+        moved_.back() = moved_.back() || number != kAnyName;
+    moved |= moved_.back();
     numbers_.push_back(number);
     return number;
 }
@@ -80,12 +92,12 @@ uint32_t SymbolTable::word(std::string_view text, TokenKind kind) {
     Word word;
     word.name = kind == TokenKind::Identifier;
     word.scope = text == "::";
-    word.raw = number(text);
+    word.raw = number(text, word.moved);
     const std::string* known = dialect_.find(text);
     if (known != nullptr)
-        word.dialect = known->empty() ? kNothing : number(*known);
+        word.dialect = known->empty() ? kNothing : number(*known, word.moved);
     else
-        word.dialect = kind == TokenKind::Number ? number(number_value(text)) : word.raw;
+        word.dialect = kind == TokenKind::Number ? number(number_value(text), word.moved) : word.raw;
     const bool folds = word.name && known == nullptr && !word_is(text, kKeyword);
     word.blind = folds ? kAnyName : word.dialect;
     words_.push_back(word);

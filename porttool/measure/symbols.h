@@ -49,6 +49,9 @@ public:
     /// keeps those of the two passages apart.
     SymbolSequence sequence(const std::vector<PlacedToken>& tokens, Vocabulary vocabulary, uint32_t side) const;
 
+    /// True if the number of a word among the tokens is not made of the word alone, since another one had it before.
+    bool has_moved_word(const std::vector<PlacedToken>& tokens) const;
+
 private:
     struct Word {
         uint32_t raw = 0;
@@ -56,10 +59,11 @@ private:
         uint32_t blind = 0;
         bool name = false;
         bool scope = false;  ///< `::`
+        bool moved = false;  ///< a number of it was taken
     };
     static constexpr uint32_t kNothing = 0xFFFFFFFFu;
 
-    uint32_t number(std::string_view text);
+    uint32_t number(std::string_view text, bool& moved);
     uint32_t word(std::string_view text, TokenKind kind);
 
     const Dialect& dialect_;
@@ -67,7 +71,8 @@ private:
     std::vector<Word> words_;
     TextNumbers texts_;  ///< words as written and common ones
     std::vector<uint32_t> numbers_;
-    KeyNumbers taken_;  ///< the numbers in use
+    std::vector<bool> moved_;  ///< of the same texts: their number was taken
+    KeyNumbers taken_;         ///< the numbers in use
 };
 
 }  // namespace porttool

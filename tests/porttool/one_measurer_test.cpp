@@ -1,6 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The porttool authors
 // SPDX-License-Identifier: Apache-2.0
 // report and history measure alike: each commit is checked out and reported on, and history must say the same of it.
+#include <random>
+
+#include "porttool/measure/passage_measure.h"
+#include "porttool/scan/scan.h"
 #include "tests/porttool/temporary_repository.h"
 
 namespace porttool::testing::one_measurer_test {
@@ -139,6 +143,65 @@ TEST_F(OneMeasurer, ThisRepository) {
                          report = json({"report"}, own);
     ASSERT_FALSE(report["blocks"].empty());
     expect_alike(report, history["commits"].back(), true);
+}
+
+/// A side of files that change, as parts of a passage.
+class ChangingSide {
+public:
+    explicit ChangingSide(std::string suffix) : suffix_(std::move(suffix)) {}
+
+    void change(std::mt19937& random) {
+        const std::string path = std::string(1, static_cast<char>('a' + random() % 6)) + suffix_;
+        if (random() % 5 == 0) {
+            files_.erase(path);
+            return;
+        }
+        std::string text;
+        for (uint32_t functions = random() % 6; functions > 0; --functions) {
+            const std::string name = "f" + std::to_string(random() % 8);
+            text += "float " + name + "(float a, float b) {\n";
+            for (uint32_t lines = random() % 9; lines > 0; --lines)
+                text += random() % 3 == 0 ? "    inline\n    a = min(a, b) * " + std::to_string(random() % 3) + ".5f;\n"
+                                          : "    b = std::max(a + b, 1.0f) - dot(a, b);\n    store(a, b);\n";
+            text += "    return a;\n}\n";
+        }
+        files_[path] = {std::to_string(++versions_), scan_text(path, text)};
+    }
+
+    PartedPassage passage() const {
+        PartedPassage out;
+        for (const auto& [path, file] : files_)
+            out.push_back({path, file.first + suffix_, [&kept = file.second] { return Passage{{&kept, nullptr}}; }});
+        return out;
+    }
+
+    Passage whole() const {
+        Passage out;
+        for (const auto& [path, file] : files_) out.push_back({&file.second, nullptr});
+        return out;
+    }
+
+private:
+    std::string suffix_;
+    int versions_ = 0;
+    std::map<std::string, std::pair<std::string, ScannedFile>> files_;
+};
+
+TEST(PassageTracker, MeasuresWhatChangesAsIfItWereNew) {
+    std::mt19937 random(3);
+    BlobCache cache;
+    PassageMeasurer measurer(cache);
+    measurer.use_dialect({});
+    BySide<ChangingSide> sides{ChangingSide(".cu"), ChangingSide(".cpp")};
+    int measured = 0;
+    for (int round = 0; round < 200; ++round) {
+        sides[random() % 2 == 0 ? Side::Source : Side::Target].change(random);
+        const PassageMeasure& found = measurer.measure("", sides.source.passage(), sides.target.passage());
+        const PassageMeasure wanted = measure_passages(sides.source.whole(), sides.target.whole(), Dialect());
+        ASSERT_EQ(facts_line(found), facts_line(wanted)) << round;
+        measured += wanted.source.measure.moss_percent && *wanted.source.measure.moss_percent > 0 ? 1 : 0;
+    }
+    EXPECT_GT(measured, 100);
 }
 
 }  // namespace
