@@ -34,6 +34,8 @@ void declare_ignore(Declare& declare, Options& options);
 Outcome run_ignore(const Options& options, Workplace& place);
 /// Takes a pair, SOURCE and TARGET, out of the map; its units are then what the baseline has.
 Outcome run_reject(const Options& options, Workplace& place);
+void declare_sync(Declare& declare, Options& options);
+Outcome run_sync(const Options& options, Workplace& place);
 void declare_review(Declare& declare, Options& options);
 Outcome run_review(const Options& options, Workplace& place);
 void declare_compare(Declare& declare, Options& options);

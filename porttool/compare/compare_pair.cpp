@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "porttool/compare/compare_pair.h"
 
+#include "porttool/compare/learned_words.h"
 #include "porttool/compare/lone_edit.h"
 #include "porttool/compare/struct_fields.h"
 #include "porttool/compare/values.h"
@@ -100,8 +101,14 @@ private:
         };
         const Words source_before = text(before_.source), source_now = text(now_.source),
                     target_before = text(before_.target), target_now = text(now_.target);
-        EditComparison edits = compare_edits({source_before, source_now, target_before, target_now}, dialect_,
-                                             {pair_.source.language, pair_.target.language});
+        const PairTexts texts{source_before, source_now, target_before, target_now};
+        const BySide<Language> languages{pair_.source.language, pair_.target.language};
+        EditComparison edits = compare_edits(texts, dialect_, languages);
+        if (!edits.equivalent) {
+            const LearnedWords said = in_words_of_target(texts, dialect_);
+            const PairTexts learned{said.before, said.now, target_before, target_now};
+            edits.equivalent = said.any && compare_edits(learned, dialect_, languages).equivalent;
+        }
         if (edits.equivalent && declared_alike()) out_.standing = Standing::Equivalent;
         out_.missing = std::move(edits.differences);
         if (edits.equivalent && out_.standing != Standing::Equivalent)

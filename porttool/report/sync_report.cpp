@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/report/sync_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <nlohmann/json.hpp>
+
+#include "porttool/text/sink/json.h"
+#include "porttool/text/sink/terminal.h"
+
+namespace porttool {
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json patch_or_null(const std::string& text) { return text.empty() ? ordered_json(nullptr) : ordered_json(text); }
+
+/// A patch for a reader: its line ends act, nothing else does.
+void add_lines(const std::string& patch, std::string& out) {
+    for (size_t first = 0; first < patch.size();) {
+        const size_t end = std::min(patch.find('\n', first), patch.size());
+        out += "    ";
+        for (size_t at = first; at < end;) {
+            const size_t tab = std::min(patch.find('\t', at), end);
+            out += terminal_text(patch.substr(at, tab - at));
+            if (tab < end) out += '\t';
+            at = tab + 1;
+        }
+        out += '\n';
+        first = end + 1;
+    }
+}
+
+}  // namespace
+
+std::string sync_json(const SyncResult& result) {
+    ordered_json proposals = ordered_json::array();
+    for (const Proposal& one : result.proposals) {
+        ordered_json left = ordered_json::array();
+        for (const LeftItem& item : one.left)
+            left.push_back(
+                {{"message", item.message}, {"source_line", item.source_line}, {"target_line", item.target_line}});
+        proposals.push_back({{"source", one.id.source},
+                             {"target", one.id.target},
+                             {"state", proposal_state_name(one.state)},
+                             {"patch", patch_or_null(one.patch)},
+                             {"map_patch", patch_or_null(one.map_patch)},
+                             {"left", std::move(left)},
+                             {"why", one.why}});
+    }
+    return json_text({{"proposals", std::move(proposals)}, {"verified", nullptr}}, 1) + "\n";
+}
+
+std::string sync_patch(const SyncResult& result) {
+    std::string out;
+    for (const Proposal& one : result.proposals) out += one.patch;
+    return out;
+}
+
+std::string sync_table(const SyncResult& result) {
+    std::string out;
+    std::array<size_t, kProposalStates.size()> counts{};
+    for (const Proposal& one : result.proposals) {
+        ++counts.at(static_cast<size_t>(one.state));
+        out += fmt::format("{}: {} = {}", proposal_state_name(one.state), terminal_text(one.id.source),
+                           terminal_text(one.id.target));
+        for (const std::string& why : one.why) out += "; " + terminal_text(why);
+        out += "\n";
+        for (const LeftItem& item : one.left)
+            out += fmt::format("    left for you, source line {}, port line {}: {}\n", item.source_line,
+                               item.target_line, terminal_text(item.message));
+        add_lines(one.patch, out);
+    }
+    return out + fmt::format("{} proposed, {} in part, {} left for you, {} not due\n", counts[0], counts[1], counts[2],
+                             counts[3]);
+}
+
+}  // namespace porttool

@@ -1,0 +1,217 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/sync/examples.h"
+
+#include <algorithm>
+
+#include "porttool/language/words.h"
+#include "porttool/normal/normal_form.h"
+#include "porttool/normal/normal_text.h"
+
+namespace porttool {
+namespace {
+
+/// True for a run of words that can stand by itself: its brackets close within it, and no statement ends in it.
+bool stands_alone(const std::vector<std::string>& words, size_t first, size_t end) {
+    int depth = 0;
+    for (size_t i = first; i < end; ++i) {
+        const std::string& word = words[i];
+        if (word == ";" || word == "{" || word == "}") return false;
+        if (word == "(" || word == "[") ++depth;
+        if ((word == ")" || word == "]") && --depth < 0) return false;
+    }
+    return depth == 0;
+}
+
+/// An operator or a comma at an end binds a phrase to what stands beside it.
+bool is_bound(const std::string& word) {
+    return !is_word_token(word) && !is_number_token(word) && word != ")" && word != "]" && word != "(" && word != "*" &&
+           word != "&" && word != "-" && word != "!" && word != "~";
+}
+
+/// The same of the target's words at either end: `std ::` belongs to what follows it, `[ i ]` to what it follows.
+bool are_bound(const std::vector<std::string>& words) {
+    if (words.empty()) return false;
+    const std::string &first = words.front(), &last = words.back();
+    return is_bound(first) || is_bound(last) || first == "[" || first == ")" || first == "]" || last == "(" ||
+           last == "*" || last == "&" || last == "-" || last == "!" || last == "~";
+}
+
+/// True for what is one value by itself: a name with what is called, indexed or picked of it.
+bool is_primary(const std::vector<std::string>& words, size_t first, size_t end) {
+    if (!is_word_token(words[first])) return false;
+    int depth = 0;
+    for (size_t i = first; i < end; ++i) {
+        const std::string& word = words[i];
+        if (word == "(" || word == "[") ++depth;
+        if (word == ")" || word == "]") --depth;
+        if (depth > 0 || word == ")" || word == "]") continue;
+        const bool name = is_word_token(word) || is_number_token(word);
+        const bool after_name = i > first && (is_word_token(words[i - 1]) || is_number_token(words[i - 1]));
+        if (name ? after_name : word != "." && word != "->" && word != "::") return false;
+    }
+    return true;
+}
+
+/// A name with what picks a member of it: `aux ->` where the other side has `aux .`, or nothing.
+bool is_prefix(const std::vector<std::string>& words, size_t first, size_t end) {
+    if (end - first < 2 || !is_word_token(words[first])) return false;
+    for (size_t i = first; i < end; ++i) {
+        const bool picks = words[i] == "." || words[i] == "->" || words[i] == "::";
+        if ((i - first) % 2 == 0 ? !is_word_token(words[i]) : !picks) return false;
+    }
+    return (end - first) % 2 == 0;
+}
+
+/// A number says its value, not where it is used: that it stands for another one is true of that place alone.
+bool changes_number(const std::vector<std::string>& source, size_t first, size_t end,
+                    const std::vector<std::string>& target) {
+    if (end - first != 1 || target.size() != 1) return false;
+    return is_number_token(source[first]) || is_number_token(target[0]);
+}
+
+bool picks_member(const std::string& word) { return word == "." || word == "->" || word == "::"; }
+
+bool is_hexadecimal(std::string_view number) { return number.size() > 1 && (number[1] == 'x' || number[1] == 'X'); }
+
+bool is_real(std::string_view number) {
+    return !is_hexadecimal(number) &&
+           (number.find('.') != std::string_view::npos || number.find_first_of("eE") != std::string_view::npos ||
+            number.back() == 'f' || number.back() == 'F');
+}
+
+/// The mark of a number's type: 'f' or 'u'; for one without 'r' or 'i', as it is real or whole.
+char mark_of(std::string_view number) {
+    const char last = number.empty() ? ' ' : number.back();
+    if (is_real(number)) return last == 'f' || last == 'F' ? 'f' : 'r';
+    return last == 'u' || last == 'U' ? 'u' : 'i';
+}
+
+}  // namespace
+
+std::string joined(const std::vector<std::string>& words, size_t first, size_t end) {
+    std::string out;
+    for (size_t i = first; i < end; ++i) {
+        out += words[i];
+        out += '\x1f';
+    }
+    return out;
+}
+
+void Examples::learn(const AlignedText& source, const AlignedText& target, const Alignment& alignment) {
+    for (size_t c = 0; c < source.clauses.size(); ++c) {
+        const size_t other = alignment.clause_of[c];
+        if (other == Alignment::kNone || source.clauses[c].closes) continue;
+        const Clause &here = source.clauses[c], &there = target.clauses[other];
+        // Where a run of the source's words ends in the target; kNone where the word beside it has no counterpart.
+        const auto before = [&](size_t i) {
+            if (i == here.first) return there.first;
+            const size_t k = alignment.word_of[i - 1];
+            return k == Alignment::kNone ? k : k + 1;
+        };
+        for (size_t i = here.first; i < here.end; ++i)
+            if (const size_t k = alignment.word_of[i]; k != Alignment::kNone && is_number_token(source.words[i]) &&
+                                                       is_number_token(target.words[k]) &&
+                                                       number_value(source.words[i]) == number_value(target.words[k]))
+                ++marks_[{mark_of(source.words[i]), mark_of(target.words[k])}];
+        const auto after = [&](size_t i) { return i == here.end ? there.end : alignment.word_of[i]; };
+        // What a function gives back, and how it is called, is true of its head alone.
+        size_t from = here.first;
+        if (c == 0)
+            while (from < here.end && source.words[from] != "(") ++from;
+        for (size_t i = from; i < here.end; ++i) {
+            const size_t first = before(i);
+            if (first == Alignment::kNone || is_bound(source.words[i])) continue;
+            for (size_t end = i + 1; end <= std::min(here.end, i + kLongest); ++end) {
+                const size_t last = after(end);
+                if (last == Alignment::kNone || last < first || last - first > 2 * kLongest) continue;
+                if (is_prefix(source.words, i, end) && (last == first || is_prefix(target.words, first, last)) &&
+                    (i == here.first || !picks_member(source.words[i - 1]))) {
+                    note(source, i, end, target, first, last);
+                    continue;
+                }
+                if (last == first || is_bound(source.words[end - 1]) || !stands_alone(source.words, i, end) ||
+                    !stands_alone(target.words, first, last))
+                    continue;
+                const std::vector<std::string> said(target.words.begin() + static_cast<std::ptrdiff_t>(first),
+                                                    target.words.begin() + static_cast<std::ptrdiff_t>(last));
+                if (end - i > 1 && said.size() != end - i &&
+                    (!is_primary(source.words, i, end) || !is_primary(target.words, first, last)))
+                    continue;
+                if (changes_number(source.words, i, end, said) || (end - i < said.size() && are_bound(said))) continue;
+                if (end == i + 1 && said.size() != 1 && word_is(source.words[i], kKeyword)) continue;
+                note(source, i, end, target, first, last);
+            }
+        }
+    }
+}
+
+std::string Examples::number(std::string_view written) const {
+    const char mark = mark_of(written);
+    const auto times = [&](char there) {
+        const auto found = marks_.find({mark, there});
+        return found == marks_.end() ? size_t{0} : found->second;
+    };
+    std::string out(written);
+    const char other = mark == 'f' ? 'r' : mark == 'r' ? 'f' : mark == 'u' ? 'i' : 'u';
+    if (times(other) <= times(mark)) return out;
+    if (mark == 'f' || mark == 'u')
+        out.pop_back();
+    else
+        out += other;
+    return out;
+}
+
+void Examples::note(const AlignedText& source, size_t first, size_t end, const AlignedText& target, size_t there,
+                    size_t there_end) {
+    Said& known = phrases_[joined(source.words, first, end)];
+    ++known.times[joined(target.words, there, there_end)];
+    ++known.all;
+    if (end - first != 1 || there_end - there != 1) return;
+    const std::string &here = source.words[first], &said = target.words[there];
+    if (here == said || !is_word_token(here) || !is_word_token(said)) return;
+    // `hipFree` is `cudaFree`: what both end with, from a capital letter on, is the name.
+    size_t same = 0;
+    while (same < std::min(here.size(), said.size()) && here[here.size() - 1 - same] == said[said.size() - 1 - same])
+        ++same;
+    while (same > 0 && (here[here.size() - same] < 'A' || here[here.size() - same] > 'Z')) --same;
+    constexpr size_t kShortest = 4;
+    if (same >= kShortest && same < here.size() && same < said.size())
+        begins_[here.substr(0, here.size() - same)][said.substr(0, said.size() - same)].insert(here);
+}
+
+std::string Examples::renamed(std::string_view word) const {
+    for (size_t cut = word.size() - 1; cut > 0; --cut) {
+        const auto found = begins_.find(word.substr(0, cut));
+        if (found == begins_.end() || found->second.size() != 1 || found->second.begin()->second.size() < 2) continue;
+        return found->second.begin()->first + std::string(word.substr(cut));
+    }
+    return {};
+}
+
+Examples::Phrase Examples::longest(const std::vector<std::string>& words, size_t at, size_t end) const {
+    std::string key;
+    Phrase out;
+    for (size_t i = at; i < std::min(end, at + kLongest); ++i) {
+        key += words[i];
+        key += '\x1f';
+        const auto found = phrases_.find(key);
+        if (found == phrases_.end()) continue;
+        const auto& times = found->second.times;
+        const auto most = std::max_element(times.begin(), times.end(), [](const auto& a, const auto& b) {
+            return a.second != b.second ? a.second < b.second : a.first > b.first;
+        });
+        if (4 * most->second < 3 * found->second.all) continue;  // said in several ways: which one depends on more
+        out.length = i + 1 - at;
+        out.seen = most->second;
+        out.target.clear();
+        for (size_t k = 0; k < most->first.size();) {
+            const size_t cut = most->first.find('\x1f', k);
+            out.target.push_back(most->first.substr(k, cut - k));
+            k = cut + 1;
+        }
+    }
+    return out;
+}
+
+}  // namespace porttool

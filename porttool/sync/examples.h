@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <set>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "porttool/compare/alignment.h"
+
+namespace porttool {
+
+/// How one side says what the other says, learned from pairs that are in step.
+///
+///     source    i = get_global_id ( 0 ) ;              info -> x * 2
+///     target    i = item . get_global_id ( 2 ) ;       x * 2
+///     learned   get_global_id ( 0 ) -> item . get_global_id ( 2 )        info -> x  ->  x
+class Examples {
+public:
+    static constexpr size_t kLongest = 12;  ///< words of a phrase
+
+    /// Takes what two texts that stand for each other say alike.
+    void learn(const AlignedText& source, const AlignedText& target, const Alignment& alignment);
+
+    /// The longest phrase known from words[at] on, as the target says it.
+    struct Phrase {
+        size_t length = 0;  ///< in words of the source; 0 if none is known
+        std::vector<std::string> target;
+        size_t seen = 0;
+    };
+    Phrase longest(const std::vector<std::string>& words, size_t at, size_t end) const;
+
+    bool empty() const { return phrases_.empty(); }
+
+    /// How the target writes a number that the source writes so: with or without the mark of a float or of an unsigned.
+    std::string number(std::string_view written) const;
+
+    /// A name that begins as names do which the target begins otherwise: where `hipFree` and `hipMalloc` are `cudaFree`
+    /// and `cudaMalloc`, `hipMemset` is `cudaMemset`. "" if there is no such rule.
+    std::string renamed(std::string_view word) const;
+
+private:
+    void note(const AlignedText& source, size_t first, size_t end, const AlignedText& target, size_t there,
+              size_t there_end);
+
+    struct Said {
+        std::unordered_map<std::string, size_t> times;  ///< by the target's words
+        size_t all = 0;
+    };
+    std::unordered_map<std::string, Said> phrases_;  ///< by the source's words
+    /// How names begin, by the source; which of its names say so.
+    std::map<std::string, std::map<std::string, std::set<std::string>>, std::less<>> begins_;
+    std::map<std::pair<char, char>, size_t> marks_;  ///< how often a number with that mark has that one there; ' ' none
+};
+
+/// Words with \x1f between them.
+std::string joined(const std::vector<std::string>& words, size_t first, size_t end);
+
+}  // namespace porttool

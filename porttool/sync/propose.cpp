@@ -1,0 +1,342 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/sync/propose.h"
+
+#include <algorithm>
+#include <functional>
+#include <optional>
+
+#include "porttool/compare/compare_pair.h"
+#include "porttool/judge/settle.h"
+#include "porttool/normal/unit_state.h"
+#include "porttool/read/lock_lines.h"
+#include "porttool/scan/scan.h"
+#include "porttool/sync/file_text.h"
+#include "porttool/sync/known_words.h"
+#include "porttool/sync/transplant.h"
+#include "porttool/sync/unified_diff.h"
+#include "porttool/text/utf8.h"
+
+namespace porttool {
+namespace {
+
+constexpr size_t kMostWords = 5000;         ///< of a unit; a longer one is a person's
+constexpr size_t kMostWordsOfFile = 40000;  ///< that are learned from beside a pair
+
+/// A file of the side that is written, as the patches before have left it.
+struct Draft {
+    std::string bytes, original;
+    ScannedFile scanned;
+};
+
+const Unit* unit_named(const ScannedFile& file, const std::string& id) {
+    for (const Unit& unit : file.units)
+        if (unit_id(file, unit) == id) return &unit;
+    return nullptr;
+}
+
+/// One side of a pair that is carried from.
+struct EditedUnit {
+    UnitWords before, now;
+    const ScannedFile* file;
+    const Unit* unit;
+};
+
+class Proposer {
+public:
+    Proposer(const CheckedProject& checked, WriteSide write, const Disk& disk)
+        : checked_(checked), write_(write), disk_(disk), dialect_(checked.project.map.dialect), lines_(checked.lock) {}
+
+    SyncResult run(const std::vector<size_t>& pairs) {
+        for (const size_t i : pairs) note_brought(checked_.judgement.pairs[i]);
+        for (const size_t i : pairs) result_.proposals.push_back(propose_pair(checked_.judgement.pairs[i]));
+        for (const auto& [path, draft] : drafts_)
+            if (draft.bytes != draft.original) result_.files_with_partial[path] = {draft.original, draft.bytes};
+        return std::move(result_);
+    }
+
+private:
+    const std::vector<ScannedFile>& files(Side side) const {
+        return side == Side::Source ? checked_.project.source : checked_.project.target;
+    }
+
+    const ScannedFile* file_of(Side side, const UnitState& unit) const {
+        for (const ScannedFile& file : files(side))
+            if (file.path == unit.file) return &file;
+        return nullptr;
+    }
+
+    /// The file as the patches so far have left it. Throws CannotDo if it cannot be read.
+    Draft& draft_of(Side side, const ScannedFile& file) {
+        auto found = drafts_.find(file.path);
+        if (found != drafts_.end()) return found->second;
+        const std::string root = side == Side::Target ? target_root(checked_.project) : checked_.project.root;
+        FileText read = disk_.read(TreePath{root, file.path}, kLargestSource);
+        if (!read.error.empty()) throw CannotDo(file.path + " " + read.error);
+        Draft draft{read.bytes, read.bytes, scan_text(file.path, read.bytes)};
+        return drafts_.emplace(file.path, std::move(draft)).first->second;
+    }
+
+    /// Names that an edit brings in: what other edits of the same run may use.
+    void note_brought(const JudgedPair& pair) {
+        for (const Side side : kBothSides) {
+            const UnitState* unit = pair.unit[side];
+            const LockedPair* line = lines_.find(pair.id.source, pair.id.target);
+            if (unit == nullptr || line == nullptr || unit->kind != UnitKind::Struct) continue;
+            const Fingerprints& prints = side == Side::Source ? line->source_prints : line->target_prints;
+            if (prints.written == unit->prints.written) continue;
+            std::set<std::string, std::less<>> old;
+            const NormalText before = text_behind(checked_, prints.written);
+            for (const std::string_view word : before.words()) old.emplace(word);
+            for (const std::string_view word : unit->text.words())
+                if (is_word_token(word) && !old.contains(word)) brought_.emplace(word);
+        }
+    }
+
+    Proposal propose_pair(const JudgedPair& pair) {
+        Proposal out;
+        out.id = pair.id;
+        const auto refuse = [&](std::string why) {
+            out.left.push_back({std::move(why), line_of(pair, Side::Source), line_of(pair, Side::Target)});
+            return out;
+        };
+        if (pair.unit.source == nullptr || pair.unit.target == nullptr)
+            return refuse(std::string(pair.unit.source == nullptr ? "the source" : "the port") +
+                          " is gone; name the unit that stands for it in portmap.toml");
+        const LockedPair* line = lines_.find(pair.id.source, pair.id.target);
+        if (line == nullptr) return refuse("this pair was never recorded as in step, so no edit of it is known");
+        const BySide<const Fingerprints*> recorded{&line->source_prints, &line->target_prints};
+        BySide<NormalText> before;
+        BySide<bool> edited{};
+        for (const Side side : kBothSides) {
+            edited[side] = is_edit(classify(*recorded[side], pair.unit[side]->prints));
+            before[side] = text_behind(checked_, recorded[side]->written);
+        }
+        const PairComparison found = compare(pair, *line, before, pair.unit.source->text, pair.unit.source->prints,
+                                             pair.unit.target->text, pair.unit.target->prints);
+        if (found.standing <= Standing::Equivalent) {
+            out.state = ProposalState::Already;
+            out.why.emplace_back(found.standing == Standing::InStep ? "in step"
+                                 : found.standing == Standing::Idle ? "the edit changes no value"
+                                                                    : "both sides changed alike");
+            return out;
+        }
+        Side to = edited.source ? Side::Target : Side::Source;
+        if (edited.source && edited.target && checked_.project.map.reference == Reference::Target) to = Side::Source;
+        if (write_ == WriteSide::Source) to = Side::Source;
+        if (write_ == WriteSide::Target) to = Side::Target;
+        const Side from = to == Side::Target ? Side::Source : Side::Target;
+        if (!edited[from]) {
+            out.state = ProposalState::Already;
+            out.why.emplace_back(from == Side::Source ? "the source did not change" : "the port did not change");
+            return out;
+        }
+        if (before[from].empty())
+            return refuse("the text before the edit is not in portmap.base/; restore it from git");
+        if (pair.unit[from]->text.size() > kMostWords || pair.unit[to]->text.size() > kMostWords)
+            return refuse("too long to be carried: more than 5000 words");
+        carry(pair, *line, before, from, out);
+        return out;
+    }
+
+    static uint32_t line_of(const JudgedPair& pair, Side side) {
+        return pair.unit[side] == nullptr ? 0 : pair.unit[side]->start_line;
+    }
+
+    PairComparison compare(const JudgedPair& pair, const LockedPair& line, const BySide<NormalText>& before,
+                           const NormalText& source, const Fingerprints& source_prints, const NormalText& target,
+                           const Fingerprints& target_prints) {
+        const auto paired = [&](Side side, const Fingerprints& was, const Fingerprints& prints,
+                                const NormalText& text) {
+            const UnitState& unit = *pair.unit[side];
+            return PairedUnit{unit.id, unit.kind, language_of_path(unit.file), was, prints, before[side], text};
+        };
+        CompareBudget budget;
+        return compare_pair({paired(Side::Source, line.source_prints, source_prints, source),
+                             paired(Side::Target, line.target_prints, target_prints, target)},
+                            dialect_, budget);
+    }
+
+    void carry(const JudgedPair& pair, const LockedPair& line, const BySide<NormalText>& before, Side from,
+               Proposal& out) {
+        const Side to = from == Side::Source ? Side::Target : Side::Source;
+        const auto refuse = [&](std::string why) {
+            out.left.push_back({std::move(why), line_of(pair, Side::Source), line_of(pair, Side::Target)});
+        };
+        const ScannedFile* file = file_of(from, *pair.unit[from]);
+        const ScannedFile* other = file_of(to, *pair.unit[to]);
+        const Unit* unit = file == nullptr ? nullptr : unit_named(*file, pair.unit[from]->id);
+        if (unit == nullptr || other == nullptr) return refuse("a whole file is not carried");
+        Draft& draft = draft_of(to, *other);
+        const Unit* port = unit_named(draft.scanned, pair.unit[to]->id);
+        if (port == nullptr) return refuse("an edit before this one in the same file has hidden the port");
+
+        const bool record = unit->kind == UnitKind::Struct;
+        const UnitWords was = words_of_record(before[from]), is = words_of_unit(*file, *unit);
+        const UnitWords there = words_of_unit(draft.scanned, *port);
+        WordKeys keys(dialect_);
+        const AlignedText old_text = keys.text(was.words, record), new_text = keys.text(is.words, record),
+                          port_text = keys.text(there.words, record);
+        const Alignment edit = align(old_text, new_text, {0.5, false});
+        const Alignment across = align(old_text, port_text, {});
+        Examples examples;
+        examples.learn(old_text, port_text, across);
+        std::set<std::string, std::less<>> brought = brought_;
+        for (const std::string& name : local_names(*file, *unit))
+            if (std::find(was.words.begin(), was.words.end(), name) == was.words.end()) brought.insert(name);
+        const KnownWords known({files(from), *file}, {files(to), draft.scanned}, dialect_);
+        const UnitNames& names = unit_names(from);
+        const std::set<std::string, std::less<>> lone = lone_names(from);
+        std::optional<Examples> beside;
+        const std::function<const Examples&()> of_file = [&]() -> const Examples& {
+            if (!beside) beside = learn_beside(pair, from);
+            return *beside;
+        };
+        const EditTranslator translator(examples, of_file, names, lone, known, brought);
+        const auto written = [&](size_t i) {
+            return is.words[i] == "@" || is.is_added(i) ? is.words[i] : std::string(file->lexed.view(is.tokens[i]));
+        };
+        const Transplant found = transplant({old_text, new_text, port_text, edit, across}, translator, written);
+        for (const LeftOver& left : found.left) {
+            const uint32_t here = line_at(*file, is, left.source_word),
+                           else_where = line_at(draft.scanned, there, left.target_word);
+            out.left.push_back(
+                {left.message, from == Side::Source ? here : else_where, from == Side::Source ? else_where : here});
+        }
+        // Where more is left than carried, a part of the port would only be in the way.
+        constexpr size_t kFew = 2;
+        if (found.left.size() > std::max(kFew, found.size())) return;
+        if (found.empty()) {
+            out.state = out.left.empty() ? ProposalState::Already : ProposalState::Refused;
+            if (out.left.empty()) out.why.emplace_back("the port has it already");
+            return;
+        }
+        const std::vector<TextEdit> edits =
+            rewrite_unit(found, {*file, is, new_text.clauses}, {draft.scanned, there, port_text.clauses});
+        finish(pair, line, before, to, draft, edits, out);
+    }
+
+    /// Units that came without a counterpart: what calls them cannot be ported before they are.
+    std::set<std::string, std::less<>> lone_names(Side from) const {
+        std::set<std::string, std::less<>> out;
+        for (const Finding& finding : checked_.judgement.findings) {
+            if (!is_of_new_unit(finding) || finding.side != from) continue;
+            const auto unit = checked_.states[from].find(finding.map_source);
+            if (unit != checked_.states[from].end()) out.emplace(leaf_of(unit->second.name));
+        }
+        return out;
+    }
+
+    /// What the units of one side are called on the other.
+    const UnitNames& unit_names(Side from) {
+        UnitNames& out = names_[from];
+        if (!out.empty()) return out;
+        for (const JudgedPair& pair : checked_.judgement.pairs) {
+            const Side to = from == Side::Source ? Side::Target : Side::Source;
+            if (pair.unit[from] == nullptr || pair.unit[to] == nullptr) continue;
+            out[std::string(leaf_of(pair.unit[from]->name))].emplace(leaf_of(pair.unit[to]->name));
+        }
+        return out;
+    }
+
+    static uint32_t line_at(const ScannedFile& file, const UnitWords& words, size_t word) {
+        while (word < words.size() && words.is_added(word)) ++word;
+        return word < words.size() ? file.lexed.tokens[words.tokens[word]].line : 0;
+    }
+
+    /// What other pairs of the same two files say alike.
+    Examples learn_beside(const JudgedPair& pair, Side from) const {
+        const Side to = from == Side::Source ? Side::Target : Side::Source;
+        Examples out;
+        WordKeys keys(dialect_);
+        size_t words = 0;
+        for (const JudgedPair& other : checked_.judgement.pairs) {
+            if (other.changed || &other == &pair || other.unit.source == nullptr || other.unit.target == nullptr)
+                continue;
+            if (other.unit.source->file != pair.unit.source->file && other.unit.target->file != pair.unit.target->file)
+                continue;
+            words += other.unit.source->text.size() + other.unit.target->text.size();
+            if (words > kMostWordsOfFile) break;
+            const bool record = other.unit.source->kind == UnitKind::Struct;
+            const UnitWords here = words_of_record(other.unit[from]->text),
+                            there = words_of_record(other.unit[to]->text);
+            const AlignedText a = keys.text(here.words, record), b = keys.text(there.words, record);
+            out.learn(a, b, align(a, b, {}));
+        }
+        return out;
+    }
+
+    /// Makes the new text, and holds it to the gate before anybody sees it.
+    void finish(const JudgedPair& pair, const LockedPair& line, const BySide<NormalText>& before, Side to, Draft& draft,
+                const std::vector<TextEdit>& edits, Proposal& out) {
+        const auto refuse = [&](std::string why) {
+            out.state = ProposalState::Refused;
+            out.left.push_back({std::move(why), line_of(pair, Side::Source), line_of(pair, Side::Target)});
+        };
+        const std::optional<std::string> edited = edit_file(draft.bytes, draft.scanned.lexed.text, edits);
+        if (!edited) return refuse("the port's line goes on behind a backslash there");
+        const std::string& now = *edited;
+        ScannedFile scanned = scan_text(draft.scanned.path, now);
+        const Unit* unit = unit_named(scanned, pair.unit[to]->id);
+        if (unit == nullptr || scanned.balanced != draft.scanned.balanced ||
+            !others_stayed(draft.scanned, scanned, *unit))
+            return refuse("the port made of this edit could not be read back");
+        const UnitState state = unit_state(scanned, *unit);
+        const bool to_target = to == Side::Target;
+        const PairComparison found = compare(pair, line, before, to_target ? pair.unit.source->text : state.text,
+                                             to_target ? pair.unit.source->prints : state.prints,
+                                             to_target ? state.text : pair.unit.target->text,
+                                             to_target ? state.prints : pair.unit.target->prints);
+        out.state = out.left.empty() ? ProposalState::Proposed : ProposalState::Partial;
+        if (out.left.empty() && found.standing > Standing::Equivalent) {
+            out.state = ProposalState::Partial;
+            out.left.push_back({"check would still ask about it: " + reason(found), line_of(pair, Side::Source),
+                                line_of(pair, Side::Target)});
+        }
+        out.patch = unified_diff(draft.scanned.path, draft.bytes, now);
+        if (out.patch.empty()) return refuse("nothing came of it");
+        draft.bytes = now;
+        draft.scanned = std::move(scanned);
+    }
+
+    /// True if all units but one are as they were.
+    static bool others_stayed(const ScannedFile& before, const ScannedFile& now, const Unit& edited) {
+        std::map<std::string, std::string> prints;
+        for (const Unit& unit : now.units) prints[unit_id(now, unit)] = unit_state(now, unit).prints.written;
+        return std::all_of(before.units.begin(), before.units.end(), [&](const Unit& unit) {
+            if (unit.name == edited.name) return true;
+            const auto found = prints.find(unit_id(before, unit));
+            return found != prints.end() && found->second == unit_state(before, unit).prints.written;
+        });
+    }
+
+    static std::string reason(const PairComparison& found) {
+        if (!found.missing.empty()) return found.missing.front();
+        if (!found.values.empty()) return found.values;
+        return found.not_compared.empty() ? "the two edits are not the same" : found.not_compared;
+    }
+
+    const CheckedProject& checked_;
+    WriteSide write_;
+    const Disk& disk_;
+    Dialect dialect_;
+    LinesByPair lines_;
+    std::set<std::string, std::less<>> brought_;
+    BySide<UnitNames> names_;
+    std::map<std::string, Draft> drafts_;
+    SyncResult result_;
+};
+
+}  // namespace
+
+bool SyncResult::any_left() const {
+    return std::any_of(proposals.begin(), proposals.end(), [](const Proposal& p) {
+        return p.state == ProposalState::Partial || p.state == ProposalState::Refused;
+    });
+}
+
+SyncResult propose(const CheckedProject& checked, const std::vector<size_t>& pairs, WriteSide write, const Disk& disk) {
+    return Proposer(checked, write, disk).run(pairs);
+}
+
+}  // namespace porttool

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "porttool/judge/check_project.h"
+
+namespace porttool {
+
+/// What there is to say of a pair: a port of the whole edit, of a part of it, none, or that none is due.
+enum class ProposalState : uint8_t { Proposed, Partial, Refused, Already };
+inline constexpr std::array<std::string_view, 4> kProposalStates = {"proposed", "partial", "refused", "already"};
+constexpr std::string_view proposal_state_name(ProposalState state) {
+    return kProposalStates.at(static_cast<size_t>(state));
+}
+
+/// Something that a person must do; lines are those of the files as they stand, 0 where none is known.
+struct LeftItem {
+    std::string message;
+    uint32_t source_line = 0, target_line = 0;
+};
+
+struct Proposal {
+    BySide<std::string> id;
+    ProposalState state = ProposalState::Refused;
+    std::string patch;      ///< of the side that is written, relative to its root; "" for none
+    std::string map_patch;  ///< of the project's own files, where that side lies elsewhere
+    std::vector<LeftItem> left;
+    std::vector<std::string> why;
+};
+
+/// A file that proposals write, as it is and as it becomes.
+struct ProposedFile {
+    std::string before, now;
+};
+
+/// The proposals of one run, in the order in which their patches apply.
+struct SyncResult {
+    std::vector<Proposal> proposals;
+    std::map<std::string, ProposedFile> files;  ///< of whole proposals
+    std::map<std::string, ProposedFile> files_with_partial;
+    /// True if something is left for a person.
+    bool any_left() const;
+};
+
+/// Which side is written: the one that did not change, or, where both did, the one that is not the contract.
+enum class WriteSide : uint8_t { Other, Source, Target };
+
+/// Proposes ports of the pairs, by their places in the judgement. Throws CannotDo.
+SyncResult propose(const CheckedProject& checked, const std::vector<size_t>& pairs, WriteSide write, const Disk& disk);
+
+}  // namespace porttool

@@ -1,0 +1,554 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/sync/rewrite.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "porttool/language/words.h"
+#include "porttool/normal/normal_text.h"
+
+namespace porttool {
+namespace {
+
+constexpr size_t kNone = Clause::kNone;
+
+std::string_view blanks_before(const LexedText& text, size_t offset) {
+    size_t first = offset;
+    while (first > 0 && (text.text[first - 1] == ' ' || text.text[first - 1] == '\t')) --first;
+    return std::string_view(text.text).substr(first, offset - first);
+}
+
+bool starts_line(const LexedText& text, size_t offset) {
+    const size_t first = offset - blanks_before(text, offset).size();
+    return first == 0 || text.text[first - 1] == '\n';
+}
+
+size_t line_end(const LexedText& text, size_t offset) {
+    const size_t end = text.text.find('\n', offset);
+    return end == std::string::npos ? text.text.size() : end;
+}
+
+class UnitRewriter {
+public:
+    UnitRewriter(const Transplant& transplant, const PlacedUnit& source, const PlacedUnit& target)
+        : transplant_(transplant), source_(source), target_(target), unit_(indent_unit(target.file.lexed)) {}
+
+    std::vector<TextEdit> run() {
+        style_ = brace_style();
+        note_braces();
+        for (const WordsReplaced& one : transplant_.replaced) replace(one);
+        for (const ClausesAdded& one : transplant_.added) add(one);
+        for (const size_t clause : transplant_.removed) remove(clause);
+        indent_moved();
+        add_braces();
+        std::stable_sort(edits_.begin(), edits_.end(),
+                         [](const TextEdit& a, const TextEdit& b) { return a.first < b.first; });
+        return merged();
+    }
+
+private:
+    const LexedText& text() const { return target_.file.lexed; }
+    const Token& token(size_t word) const { return text().tokens[target_.words.tokens[word]]; }
+    size_t start_of(size_t word) const { return token(word).offset; }
+    size_t end_of(size_t word) const { return token(word).offset + token(word).length; }
+    bool is_added(size_t word) const { return target_.words.is_added(word); }
+
+    /// The nearest word with a place before `word`; kNone if none.
+    size_t placed_before(size_t word) const {
+        while (word > 0)
+            if (!is_added(--word)) return word;
+        return kNone;
+    }
+    size_t placed_from(size_t word) const {
+        while (word < target_.words.size() && is_added(word)) ++word;
+        return word < target_.words.size() ? word : kNone;
+    }
+
+    // Spaces.
+
+    /// What stands between two neighbouring words of the source's new text.
+    std::string source_gap(size_t word) const {
+        const UnitWords& words = source_.words;
+        if (word == 0 || words.is_added(word)) return {};
+        size_t before = word;
+        do --before;
+        while (before > 0 && words.is_added(before));
+        if (words.is_added(before)) return {};
+        const LexedText& lexed = source_.file.lexed;
+        const Token &a = lexed.tokens[words.tokens[before]], &b = lexed.tokens[words.tokens[word]];
+        const size_t end = a.offset + a.length;
+        return b.offset < end ? std::string() : lexed.text.substr(end, b.offset - end);
+    }
+
+    /// The white space before a carried word: "", a blank, or a line end.
+    std::string gap(const std::vector<CarriedWord>& words, size_t i) const {
+        const CarriedWord &word = words[i], &before = words[i - 1];
+        if (word.from != CarriedWord::kNoSource && before.from != CarriedWord::kNoSource &&
+            word.from == before.from + 1) {
+            const std::string written = source_gap(word.from);
+            if (written.find('\n') != std::string::npos) return "\n";
+            return written.empty() ? (must_part(before.text, word.text) ? " " : "") : " ";
+        }
+        return stand_apart(before.text, word.text) ? " " : "";
+    }
+
+    static bool must_part(const std::string& a, const std::string& b) {
+        return (is_word_token(a) || is_number_token(a)) && (is_word_token(b) || is_number_token(b));
+    }
+
+    std::string said(const CarriedWord& word) const {
+        if (word.text != "@") return word.text;
+        for (size_t i = 0; i < target_.words.size(); ++i)
+            if (target_.words.words[i] == "@" && !is_added(i)) return std::string(text().view(token(i)));
+        return word.text;
+    }
+
+    std::string written(const std::vector<CarriedWord>& words, const std::string& indent) const {
+        std::string out;
+        for (size_t i = 0; i < words.size(); ++i) {
+            if (is_unwritten_brace(words[i])) continue;
+            if (i > 0) {
+                const std::string between = gap(words, i);
+                out += between == "\n" ? "\n" + indent + continuation(words, i) : between;
+            }
+            out += said(words[i]);
+        }
+        return out;
+    }
+
+    /// How much deeper than its first line the source writes the line that begins with words[i].
+    std::string continuation(const std::vector<CarriedWord>& words, size_t i) const {
+        if (words[i].text == "#" || words[i].from == CarriedWord::kNoSource) return {};
+        const LexedText& lexed = source_.file.lexed;
+        const auto blanks_of_line = [&](size_t word) {
+            const Token& token = lexed.tokens[source_.words.tokens[word]];
+            size_t at = lexed.line_starts[token.line - 1], count = 0;
+            for (; at < lexed.text.size() && (lexed.text[at] == ' ' || lexed.text[at] == '\t'); ++at)
+                count += lexed.text[at] == '\t' ? 4 : 1;
+            return count;
+        };
+        size_t first = i;
+        while (first > 0 && words[first - 1].from != CarriedWord::kNoSource &&
+               !source_.words.is_added(words[first - 1].from))
+            --first;
+        if (source_.words.is_added(words[first].from) || source_.words.is_added(words[i].from)) return unit_;
+        const size_t base = blanks_of_line(words[first].from), here = blanks_of_line(words[i].from);
+        if (here <= base) return {};
+        return unit_ == "\t" ? std::string((here - base + 3) / 4, '\t') : std::string(here - base, ' ');
+    }
+
+    bool is_unwritten_brace(const CarriedWord& word) const {
+        if (word.from == CarriedWord::kNoSource || (word.text != "{" && word.text != "}")) return false;
+        return hidden_.contains(word.from) || (source_.words.is_added(word.from) && !opened_.contains(word.from));
+    }
+
+    // Words within a clause.
+
+    void replace(const WordsReplaced& one) {
+        const size_t before = placed_before(one.first), after = placed_from(one.end);
+        const std::string indent = indent_of_line(before == kNone ? after : before);
+        std::string now = written(one.words, indent);
+        if (one.first == one.end) return insert(one, before, after, now);
+        const size_t first = placed_from(one.first), last = placed_before(one.end);
+        if (first == kNone || last == kNone || last < first) return insert(one, before, after, now);
+        if (!now.empty()) return put(start_of(first), end_of(last), now);
+        cut(before, first, last, after);
+    }
+
+    void insert(const WordsReplaced& one, size_t before, size_t after, const std::string& now) {
+        const bool begins_clause = std::any_of(target_.clauses.begin(), target_.clauses.end(),
+                                               [&](const Clause& clause) { return clause.first == one.first; });
+        if (begins_clause && after != kNone && !now.empty())
+            return put(start_of(after), start_of(after), now + after_new(one, after));
+        if (before == kNone || now.empty()) {
+            if (after != kNone && !now.empty()) put(start_of(after), start_of(after), now + " ");
+            return;
+        }
+        const std::string lead = before_new(one, before), trail = after_new(one, after);
+        const size_t end = end_of(before);
+        const size_t next = after == kNone ? end : start_of(after);
+        const std::string between = text().text.substr(end, next > end ? next - end : 0);
+        if (between.find('\n') != std::string::npos || between.find('/') != std::string::npos || after == kNone)
+            return put(end, end, lead + now);
+        put(end, next, lead + now + trail);
+    }
+
+    std::string before_new(const WordsReplaced& one, size_t before) const {
+        if (one.words.front().from == one.source_first && one.source_first < one.source_end) {
+            const std::string there = source_gap(one.source_first);
+            if (!there.empty()) return " ";
+            return must_part(target_.words.words[before], one.words.front().text) ? " " : "";
+        }
+        return stand_apart(target_.words.words[before], one.words.front().text) ? " " : "";
+    }
+    std::string after_new(const WordsReplaced& one, size_t after) const {
+        if (after == kNone) return {};
+        const std::string& next = target_.words.words[after];
+        if (one.words.back().from == one.source_end - 1 && one.source_end < source_.words.size()) {
+            const std::string there = source_gap(one.source_end);
+            if (!there.empty()) return " ";
+            return must_part(one.words.back().text, next) ? " " : "";
+        }
+        return stand_apart(one.words.back().text, next) ? " " : "";
+    }
+
+    /// Takes words away, and the white space on one side of them.
+    void cut(size_t before, size_t first, size_t last, size_t after) {
+        size_t from = start_of(first), to = end_of(last);
+        if (before == kNone || after == kNone) return put(from, to, "");
+        const bool line = starts_line(text(), from);
+        const std::string rest = text().text.substr(to, start_of(after) - to);
+        const bool plain = rest.find_first_not_of(" \t") == std::string::npos;
+        if (plain && (line || stand_apart(target_.words.words[before], target_.words.words[after]) == false ||
+                      text().text[from - 1] == ' ')) {
+            to = start_of(after);
+            if (!line && !stand_apart(target_.words.words[before], target_.words.words[after]))
+                from -= blanks_before(text(), from).size();
+        } else if (!line) {
+            from -= blanks_before(text(), from).size();
+        }
+        put(from, to, "");
+    }
+
+    // Clauses.
+
+    size_t clause_before(size_t word) const {
+        size_t out = kNone;
+        for (size_t c = 0; c < target_.clauses.size() && target_.clauses[c].end <= word; ++c) out = c;
+        return out;
+    }
+
+    size_t parent_at(size_t clause) const {
+        if (clause == kNone) return kNone;
+        const Clause& one = target_.clauses[clause];
+        return one.opens ? clause : one.inside;
+    }
+
+    std::string indent_of_line(size_t word) const {
+        if (word == kNone) return {};
+        size_t at = start_of(word);
+        while (at > 0 && text().text[at - 1] != '\n') --at;
+        size_t end = at;
+        while (end < text().text.size() && (text().text[end] == ' ' || text().text[end] == '\t')) ++end;
+        return text().text.substr(at, end - at);
+    }
+
+    /// The indentation of what stands in a block: as its other lines have it.
+    std::string indent_in(size_t head) const {
+        for (size_t c = 0; c < target_.clauses.size(); ++c) {
+            const Clause& one = target_.clauses[c];
+            if (one.inside != head || one.closes || removed(c)) continue;
+            const size_t first = placed_from(one.first);
+            if (first == kNone || first >= one.end || !starts_line(text(), start_of(first))) continue;
+            const std::string_view word = target_.words.words[first];
+            if (word == "#" || word == "case" || word == "default") continue;
+            return std::string(blanks_before(text(), start_of(first)));
+        }
+        return head == kNone ? std::string() : indent_of_line(placed_from(target_.clauses[head].first)) + unit_;
+    }
+
+    bool removed(size_t clause) const {
+        return std::find(transplant_.removed.begin(), transplant_.removed.end(), clause) != transplant_.removed.end();
+    }
+
+    /// True if the source begins this clause on a line of its own.
+    bool on_own_line(size_t source_clause) const {
+        size_t first = source_.clauses[source_clause].first;
+        while (first < source_.words.size() && source_.words.is_added(first)) ++first;
+        return source_gap(first).find('\n') != std::string::npos;
+    }
+
+    size_t blank_lines_before(size_t source_clause) const {
+        const std::string gap = source_gap(source_.clauses[source_clause].first);
+        const size_t first = gap.find('\n');
+        if (first == std::string::npos) return 0;
+        const size_t next = gap.find_first_not_of(" \t", first + 1);
+        return next != std::string::npos && gap[next] == '\n' ? 1 : 0;
+    }
+
+    void add(const ClausesAdded& one) {
+        size_t before = clause_before(one.before);
+        if (before == kNone) return;
+        const size_t parent = parent_at(before);
+        if (parent != kNone && is_added(target_.clauses[parent].end - 1)) braced_.insert(parent);
+        const std::string base =
+            parent == kNone ? indent_of_line(placed_from(target_.clauses[before].first)) : indent_in(parent);
+        std::string out;
+        std::string indent = base;
+        for (size_t k = new_blocks_around(one.clauses.front().source); k > 0; --k) indent += unit_;
+        bool first = true;
+        for (const ClauseAdded& clause : one.clauses) {
+            const Clause& from = source_.clauses[clause.source];
+            if (from.closes && indent.size() >= unit_.size()) indent.resize(indent.size() - unit_.size());
+            const std::string code = written(clause.words, indent);
+            if (!code.empty()) {
+                const bool own_line = on_own_line(clause.source);
+                const bool joins = !own_line && !first;
+                if (joins)
+                    out += " " + code;
+                else if (first && from.closes)
+                    out += "\n" + indent + code;
+                else
+                    out += (!first || blank_fits(before) ? std::string(blank_lines_before(clause.source), '\n') : "") +
+                           "\n" + indent + code;
+                first = false;
+            }
+            if (from.opens) indent += unit_;
+        }
+        const size_t last = placed_before(one.before);
+        if (last == kNone || out.empty()) return;
+        const size_t end = end_of(last), next = placed_from(one.before);
+        const size_t eol = line_end(text(), end);
+        if (next != kNone && start_of(next) < eol) return put(end, end, on_one_line(out));
+        put(eol, eol, out);
+    }
+
+    /// Below the head of a block no blank line is wanted.
+    bool blank_fits(size_t before) const { return !target_.clauses[before].opens; }
+
+    static std::string on_one_line(const std::string& text) {
+        std::string out;
+        for (const char c : text) {
+            if (c == '\n' || c == '\t' || c == ' ') {
+                if (out.empty() || out.back() != ' ') out += ' ';
+            } else {
+                out += c;
+            }
+        }
+        return out;
+    }
+
+    /// A new block around what the target has gets its braces written, even where the source leaves them out, unless
+    /// it holds one statement there, too.
+    void note_braces() {
+        std::map<size_t, size_t> place;  // before which word of the target a new clause goes
+        for (const ClausesAdded& one : transplant_.added)
+            for (const ClauseAdded& clause : one.clauses) place[clause.source] = one.before;
+        for (const auto& [clause, before] : place) {
+            const Clause& from = source_.clauses[clause];
+            new_.insert(clause);
+            if (from.closes && from.partner != kNone && !place.contains(from.partner)) {
+                const size_t head = transplant_.stands_for[from.partner];
+                if (head != kNone && !is_added(target_.clauses[head].end - 1)) opened_.insert(from.first);
+            }
+            if (!from.opens || from.partner == kNone) continue;
+            const auto end = place.find(from.partner);
+            const bool single = end != place.end() && holds_one(clause, before, end->second);
+            const bool written = !source_.words.is_added(from.end - 1);
+            const bool wanted = !single || (style_ == 0 ? written : style_ > 0);
+            if (wanted == written) continue;
+            std::set<size_t>& braces = wanted ? opened_ : hidden_;
+            braces.insert(from.end - 1);
+            braces.insert(source_.clauses[from.partner].first);
+        }
+    }
+
+    /// 1 where the target puts every single statement that is controlled into braces, -1 where none, 0 where both.
+    int brace_style() const {
+        size_t with = 0, without = 0;
+        for (size_t c = 0; c < target_.clauses.size(); ++c) {
+            const Clause& one = target_.clauses[c];
+            const std::string& head = target_.words.words[one.first];
+            if (!one.opens || one.partner != c + 2 || !(word_is(head, kControls) || head == "else")) continue;
+            ++(is_added(one.end - 1) ? without : with);
+        }
+        return with > 0 && without == 0 ? 1 : without > 0 && with == 0 ? -1 : 0;
+    }
+
+    bool holds_one(size_t head, size_t first, size_t end) const {
+        size_t count = 0;
+        for (size_t c = 0; c < target_.clauses.size(); ++c) {
+            const Clause& one = target_.clauses[c];
+            if (one.first < first || one.end > end || removed(c)) continue;
+            if (one.opens || one.closes) return false;
+            ++count;
+        }
+        for (const ClausesAdded& one : transplant_.added)
+            for (const ClauseAdded& clause : one.clauses) {
+                if (source_.clauses[clause.source].inside != head || source_.clauses[clause.source].closes) continue;
+                if (source_.clauses[clause.source].opens) return false;
+                ++count;
+            }
+        return count == 1;
+    }
+
+    /// How many new blocks of the source a new clause stands in.
+    size_t new_blocks_around(size_t clause) const {
+        const Clause& one = source_.clauses[clause];
+        size_t count = 0;
+        for (size_t head = one.closes ? one.partner : one.inside; head != kNone; head = source_.clauses[head].inside)
+            count += new_.contains(head);
+        return count;
+    }
+
+    void remove(size_t clause) {
+        const Clause& one = target_.clauses[clause];
+        if (one.inside != kNone && is_added(target_.clauses[one.inside].end - 1) && !removed(one.inside))
+            braced_.insert(one.inside);
+        const size_t first = placed_from(one.first), last = placed_before(one.end);
+        if (first == kNone || last == kNone || first >= one.end || last < one.first) return;
+        size_t from = start_of(first), to = end_of(last);
+        const size_t eol = line_end(text(), to);
+        const std::string rest = text().text.substr(to, eol - to);
+        const size_t code = rest.find_first_not_of(" \t");
+        const bool ends_line = code == std::string::npos || rest.compare(code, 2, "//") == 0;
+        if (starts_line(text(), from) && ends_line) {
+            from -= blanks_before(text(), from).size();
+            to = std::min(eol + 1, text().text.size());
+            const bool blank_above = from >= 2 && text().text[from - 1] == '\n' && text().text[from - 2] == '\n';
+            const bool blank_below = to < text().text.size() && text().text[to] == '\n';
+            if (blank_above && blank_below) ++to;
+        } else if (code != std::string::npos || starts_line(text(), from)) {
+            while (to < eol && text().text[to] == ' ') ++to;
+        } else {
+            from -= blanks_before(text(), from).size();
+        }
+        put(from, to, "");
+    }
+
+    /// Clauses that stand deeper or less deep than before are indented so.
+    void indent_moved() {
+        std::vector<int> change(target_.clauses.size() + 1, 0);
+        for (const ClausesAdded& one : transplant_.added) {
+            int depth = 0;
+            for (const ClauseAdded& clause : one.clauses) {
+                const Clause& from = source_.clauses[clause.source];
+                depth += from.opens ? 1 : from.closes ? -1 : 0;
+            }
+            size_t c = 0;
+            while (c < target_.clauses.size() && target_.clauses[c].first < one.before) ++c;
+            for (; c < target_.clauses.size(); ++c) change[c] += depth;
+        }
+        int removed_depth = 0;
+        for (size_t c = 0; c < target_.clauses.size(); ++c) {
+            const Clause& one = target_.clauses[c];
+            if (removed(c)) {
+                removed_depth += one.opens ? -1 : one.closes ? 1 : 0;
+            } else if (change[c] + removed_depth != 0) {
+                indent(one, change[c] + removed_depth);
+            }
+        }
+    }
+
+    void indent(const Clause& clause, int levels) {
+        size_t last_line = 0;
+        for (size_t i = clause.first; i < clause.end; ++i) {
+            if (is_added(i) || token(i).line == last_line) continue;
+            last_line = token(i).line;
+            const size_t at = start_of(i);
+            if (!starts_line(text(), at) || target_.words.words[i] == "#") continue;
+            if (levels > 0) {
+                std::string more;
+                for (int k = 0; k < levels; ++k) more += unit_;
+                put(at, at, more);
+            } else {
+                const size_t blanks =
+                    std::min(blanks_before(text(), at).size(), unit_.size() * static_cast<size_t>(-levels));
+                put(at - blanks, at, "");
+            }
+        }
+    }
+
+    /// Braces around blocks of one statement that are no longer that.
+    void add_braces() {
+        for (const size_t head : braced_) {
+            const Clause& one = target_.clauses[head];
+            const size_t last = placed_before(one.end);
+            if (last == kNone || one.partner == kNone) continue;
+            put(end_of(last), end_of(last), " {", -1);
+            const size_t inner = placed_before(target_.clauses[one.partner].first);
+            if (inner == kNone) continue;
+            const size_t eol = line_end(text(), end_of(inner));
+            const size_t next = placed_from(target_.clauses[one.partner].first);
+            const bool shares_line = next != kNone && start_of(next) < eol;
+            const std::string indent = indent_of_line(placed_from(one.first));
+            put(shares_line ? end_of(inner) : eol, shares_line ? end_of(inner) : eol,
+                shares_line ? " }" : "\n" + indent + "}", 1);
+        }
+    }
+
+    void put(size_t first, size_t end, std::string text, int order = 0) {
+        if (first == end && text.empty()) return;
+        if (order < 0)
+            edits_.insert(edits_.begin(), {first, end, std::move(text)});
+        else
+            edits_.push_back({first, end, std::move(text)});
+    }
+
+    /// Edits of places that touch become one.
+    std::vector<TextEdit> merged() {
+        std::vector<TextEdit> out;
+        for (TextEdit& edit : edits_) {
+            if (!out.empty() && edit.first < out.back().end) {
+                out.back().end = std::max(out.back().end, edit.end);
+                out.back().text += edit.text;
+            } else {
+                out.push_back(std::move(edit));
+            }
+        }
+        return out;
+    }
+
+    const Transplant& transplant_;
+    const PlacedUnit &source_, &target_;
+    std::string unit_;
+    std::vector<TextEdit> edits_;
+    std::set<size_t> braced_;  ///< heads of the target whose block gets braces
+    std::set<size_t> new_;     ///< clauses of the source that the target gets
+    int style_ = 0;
+    std::set<size_t> hidden_;  ///< braces of the source that are not written
+    std::set<size_t> opened_;  ///< braces of the source's normal form that are written in the target
+};
+
+}  // namespace
+
+std::string indent_unit(const LexedText& text) {
+    std::map<size_t, size_t> steps;
+    size_t before = 0, tabs = 0;
+    for (const uint32_t start : text.line_starts) {
+        size_t blanks = 0;
+        while (start + blanks < text.text.size() && text.text[start + blanks] == ' ') ++blanks;
+        if (start < text.text.size() && text.text[start] == '\t') ++tabs;
+        if (start + blanks >= text.text.size() || text.text[start + blanks] == '\n') continue;
+        if (blanks > before && blanks - before <= 8 && blanks - before >= 2) ++steps[blanks - before];
+        before = blanks;
+    }
+    size_t best = 4, most = 0;
+    for (const auto& [step, times] : steps)
+        if (times > most) {
+            best = step;
+            most = times;
+        }
+    return tabs > most ? "\t" : std::string(best, ' ');
+}
+
+std::vector<TextEdit> rewrite_unit(const Transplant& transplant, const PlacedUnit& source, const PlacedUnit& target) {
+    return UnitRewriter(transplant, source, target).run();
+}
+
+std::string with_edits(std::string_view text, const std::vector<TextEdit>& edits) {
+    std::string out;
+    size_t at = 0;
+    for (const TextEdit& edit : edits) {
+        out += text.substr(at, edit.first - at);
+        out += edit.text;
+        at = edit.end;
+    }
+    out += text.substr(at);
+    return out;
+}
+
+bool stand_apart(std::string_view word, std::string_view next) {
+    const auto one_of = [](std::string_view text, std::initializer_list<std::string_view> list) {
+        return std::find(list.begin(), list.end(), text) != list.end();
+    };
+    if (one_of(next, {")", "]", ",", ";", ".", "->", "::", "[", "++", "--"})) return false;
+    if (one_of(word, {"(", "[", ".", "->", "::", "!", "~", "@"})) return false;
+    if (next == "(") return !is_word_token(word) || word_is(word, kControls) || word == "return";
+    if (next == "<" || word == "<" || next == ">") return true;
+    return true;
+}
+
+}  // namespace porttool

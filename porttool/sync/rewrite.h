@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "porttool/sync/transplant.h"
+#include "porttool/sync/unit_words.h"
+
+namespace porttool {
+
+/// Bytes [first, end) of a text that become `text`.
+struct TextEdit {
+    size_t first = 0, end = 0;
+    std::string text;
+};
+
+/// A unit in its file, as words and clauses.
+struct PlacedUnit {
+    const ScannedFile& file;
+    const UnitWords& words;
+    const std::vector<Clause>& clauses;
+};
+
+/// How a file indents its blocks: blanks, or a tab.
+std::string indent_unit(const LexedText& text);
+
+/// The edits of the target's file that make its unit what the transplant says, in the manner of the lines around:
+/// their indentation, braces where a block is no single statement any more. White space within what is new, and its
+/// line breaks, are the source's. Sorted, without overlap.
+std::vector<TextEdit> rewrite_unit(const Transplant& transplant, const PlacedUnit& source, const PlacedUnit& target);
+
+/// The text with all edits.
+std::string with_edits(std::string_view text, const std::vector<TextEdit>& edits);
+
+/// Words as code, where nothing tells how they are spaced.
+bool stand_apart(std::string_view word, std::string_view next);
+
+}  // namespace porttool

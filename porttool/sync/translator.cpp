@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/sync/translator.h"
+
+#include "porttool/language/words.h"
+#include "porttool/normal/normal_text.h"
+
+namespace porttool {
+namespace {
+
+/// A number of the normal form as code has it: `1f` is `1.0f`.
+std::string written_number(const std::string& word) {
+    const bool marked = word.size() > 1 && word.back() == 'f' && is_number_token(word) && word[1] != 'x';
+    if (!marked || word.find_first_of(".e") != std::string::npos) return word;
+    return word.substr(0, word.size() - 1) + ".0f";
+}
+
+/// Adds a phrase; where the target says it in the same words, each keeps its source.
+void add_phrase(const Examples::Phrase& phrase, const std::vector<std::string>& words, size_t at,
+                const std::function<std::string(size_t)>& written, CarriedWords& out) {
+    const bool same = phrase.target.size() == phrase.length;
+    for (size_t k = 0; k < phrase.target.size(); ++k) {
+        const bool kept = same && phrase.target[k] == words[at + k];
+        out.words.push_back(
+            {kept ? written(at + k) : written_number(phrase.target[k]), same ? at + k : CarriedWord::kNoSource});
+    }
+    if (!same && !phrase.target.empty()) out.words[out.words.size() - phrase.target.size()].from = at;
+}
+
+/// A phrase that begins with the scope that was just written goes on from there.
+void drop_prefix_there(const std::vector<CarriedWord>& written, std::vector<std::string>& phrase) {
+    const size_t size = written.size();
+    if (size < 2 || phrase.size() < 3 || phrase[1] != "::" || written[size - 1].text != "::" ||
+        written[size - 2].text != phrase[0])
+        return;
+    phrase.erase(phrase.begin(), phrase.begin() + 2);
+}
+
+}  // namespace
+
+CarriedWords EditTranslator::carry(const std::vector<std::string>& words, size_t first, size_t end,
+                                   const std::function<std::string(size_t)>& written) const {
+    CarriedWords out;
+    for (size_t i = first; i < end;) {
+        if (is_number_token(words[i])) {
+            out.words.push_back({pair_.number(written(i)), i});
+            ++i;
+            continue;
+        }
+        if (lone_.contains(words[i])) {
+            out.unknown.push_back(words[i]);
+            out.words.push_back({words[i], i});
+            ++i;
+            continue;
+        }
+        Examples::Phrase phrase = pair_.longest(words, i, end);
+        if (phrase.length == 0 && is_word_token(words[i]) && !brought_.contains(words[i]))
+            phrase = file_().longest(words, i, end);
+        if (phrase.length > 0) {
+            drop_prefix_there(out.words, phrase.target);
+            add_phrase(phrase, words, i, written, out);
+            i += phrase.length;
+            continue;
+        }
+        if (!is_word_token(words[i])) {
+            out.words.push_back({written(i), i});
+            ++i;
+            continue;
+        }
+        const bool member = i > first && (words[i - 1] == "." || words[i - 1] == "->");
+        const std::string said = member ? this->member(words[i]) : word(words[i]);
+        if (said.empty()) out.unknown.push_back(words[i]);
+        out.words.push_back({said.empty() ? words[i] : said, i});
+        ++i;
+    }
+    return out;
+}
+
+std::vector<std::string> EditTranslator::meaning(const std::vector<std::string>& words, size_t first,
+                                                 size_t end) const {
+    std::vector<std::string> out;
+    for (size_t i = first; i < end; ++i) {
+        if (i + 1 < end && words[i + 1] == "::") {
+            ++i;
+            continue;
+        }
+        if (words[i] == "::") continue;
+        std::string word = known_.meaning(words[i]);
+        if (!word.empty()) out.push_back(std::move(word));
+    }
+    return out;
+}
+
+/// A field that the source does not declare is of a type that both sides have from elsewhere.
+std::string EditTranslator::member(std::string_view text) const {
+    if (!known_.is_of_source(text)) return std::string(text);
+    return word(text);
+}
+
+std::string EditTranslator::word(std::string_view text) const {
+    if (const auto unit = units_.find(text); unit != units_.end() && unit->second.size() == 1)
+        return *unit->second.begin();
+    if (brought_.contains(text) || roles_of(text) != 0 || known_.in_file(text)) return std::string(text);
+    if (std::string said = known_.in_dialect(text); !said.empty()) return said;
+    if (std::string said = pair_.renamed(text); !said.empty()) return said;
+    if (std::string said = file_().renamed(text); !said.empty()) return said;
+    if (known_.anywhere(text)) return std::string(text);
+    return known_.in_other_manner(text);
+}
+
+}  // namespace porttool

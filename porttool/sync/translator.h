@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <map>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "porttool/sync/examples.h"
+#include "porttool/sync/known_words.h"
+
+namespace porttool {
+
+/// A word as the target is to have it.
+struct CarriedWord {
+    static constexpr size_t kNoSource = static_cast<size_t>(-1);
+    std::string text;
+    size_t from = kNoSource;  ///< the word of the source's new text that it stands for
+};
+
+/// Words in the target's manner, and those that it could not say there.
+struct CarriedWords {
+    std::vector<CarriedWord> words;
+    std::vector<std::string> unknown;
+};
+
+/// What the target calls the units of the source, by the last part of their names.
+using UnitNames = std::map<std::string, std::set<std::string>, std::less<>>;
+
+/// Says in the target's manner what the source says: as the pair does elsewhere, else as other pairs of its files do,
+/// else in the words of the dialect that the target's files use, else with the same words where the target knows them.
+class EditTranslator {
+public:
+    /// All must outlive it. `lone`: names of units that have no counterpart yet; `brought`: names that the edit itself
+    /// brings in.
+    EditTranslator(const Examples& pair, const std::function<const Examples&()>& file, const UnitNames& units,
+                   const std::set<std::string, std::less<>>& lone, const KnownWords& known,
+                   const std::set<std::string, std::less<>>& brought)
+        : pair_(pair), file_(file), units_(units), lone_(lone), known_(known), brought_(brought) {}
+
+    /// words[first, end) of the source. `written`: how the source writes each of its words.
+    CarriedWords carry(const std::vector<std::string>& words, size_t first, size_t end,
+                       const std::function<std::string(size_t)>& written) const;
+
+    /// What words mean whatever the side: without scopes, and without what has no counterpart elsewhere.
+    std::vector<std::string> meaning(const std::vector<std::string>& words, size_t first, size_t end) const;
+
+private:
+    /// How the target says the word alone; "" if that is not known.
+    std::string word(std::string_view text) const;
+    std::string member(std::string_view text) const;
+
+    const Examples& pair_;
+    const std::function<const Examples&()>& file_;
+    const UnitNames& units_;
+    const std::set<std::string, std::less<>>& lone_;
+    const KnownWords& known_;
+    const std::set<std::string, std::less<>>& brought_;
+};
+
+}  // namespace porttool

@@ -1,0 +1,495 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/sync/transplant.h"
+
+#include <algorithm>
+#include <optional>
+#include <set>
+
+#include "porttool/language/words.h"
+#include "porttool/normal/normal_form.h"
+#include "porttool/normal/normal_text.h"
+
+namespace porttool {
+namespace {
+
+constexpr size_t kNothing = Alignment::kNone;
+constexpr double kSure = 0.45;  ///< clauses less alike may stand for something else
+
+/// A run of words that the edit took away, and the run that came in its place.
+struct Hunk {
+    size_t first = 0, end = 0;          ///< before
+    size_t now_first = 0, now_end = 0;  ///< now
+};
+
+class EditCarrier {
+public:
+    EditCarrier(const EditTexts& texts, const EditTranslator& translator,
+                const std::function<std::string(size_t)>& written)
+        : texts_(texts), translator_(translator), written_(written), origin_(texts.now.clauses.size(), kNothing) {
+        for (size_t c = 0; c < texts.before.clauses.size(); ++c)
+            if (const size_t now = texts.edit.clause_of[c]; now != kNothing) origin_[now] = c;
+        stands_for_.insert(texts.across.clause_of.begin(), texts.across.clause_of.end());
+    }
+
+    Transplant run() {
+        for (size_t c = 0; c < origin_.size();) {
+            if (origin_[c] != kNothing) {
+                change(origin_[c], c);
+                ++c;
+                continue;
+            }
+            size_t end = c;
+            while (end < origin_.size() && origin_[end] == kNothing) ++end;
+            add(c, end);
+            c = end;
+        }
+        for (size_t c = 0; c < texts_.before.clauses.size(); ++c)
+            if (texts_.edit.clause_of[c] == kNothing) remove(c);
+        drop_open_blocks();
+        for (const size_t was : origin_) out_.stands_for.push_back(was == kNothing ? kNothing : counterpart(was));
+        return std::move(out_);
+    }
+
+private:
+    const Clause& before(size_t c) const { return texts_.before.clauses[c]; }
+    const Clause& now(size_t c) const { return texts_.now.clauses[c]; }
+    const Clause& target(size_t c) const { return texts_.target.clauses[c]; }
+    size_t counterpart(size_t c) const { return texts_.across.clause_of[c]; }
+
+    std::string old_word(size_t i) const { return texts_.before.words[i]; }
+    CarriedWords carry_old(size_t first, size_t end) const {
+        return translator_.carry(texts_.before.words, first, end, [this](size_t i) { return old_word(i); });
+    }
+    CarriedWords carry_new(size_t first, size_t end) const {
+        return translator_.carry(texts_.now.words, first, end, written_);
+    }
+
+    /// True if the target's words [first, end) say just that; with `values` numbers of one value are the same.
+    bool says(size_t first, size_t end, const std::vector<CarriedWord>& words, bool values = false) const {
+        if (end < first || end - first != words.size()) return false;
+        for (size_t i = 0; i < words.size(); ++i) {
+            const std::string &there = texts_.target.words[first + i], &here = words[i].text;
+            if (there == here) continue;
+            if (!is_number_token(there) || !is_number_token(here)) return false;
+            if (values ? number_value(there) != number_value(here) : normal_number(there) != normal_number(here))
+                return false;
+        }
+        return true;
+    }
+
+    void leave(std::string message, size_t source_word, size_t target_word) {
+        out_.left.push_back({std::move(message), source_word, target_word});
+    }
+
+    static std::string shown(const std::vector<std::string>& words, size_t first, size_t end) {
+        std::string out;
+        constexpr size_t kMost = 12;
+        for (size_t i = first; i < std::min(end, first + kMost); ++i) out += (i > first ? " " : "") + words[i];
+        return end > first + kMost ? out + " ..." : out;
+    }
+
+    static std::string listed(std::vector<std::string> words) {
+        std::sort(words.begin(), words.end());
+        words.erase(std::unique(words.begin(), words.end()), words.end());
+        std::string out;
+        for (const std::string& word : words) out += (out.empty() ? "`" : ", `") + word + "`";
+        return out;
+    }
+
+    // A clause that stayed, perhaps with other words.
+
+    void change(size_t was, size_t is) {
+        const std::vector<Hunk> hunks = hunks_of(before(was), now(is));
+        if (hunks.empty()) return;
+        const size_t there = counterpart(was);
+        if (there == kNothing || texts_.across.likeness[was] < kSure) {
+            if (there == kNothing && stands_in_target(is)) {
+                ++out_.already;
+                return;
+            }
+            if (there != kNothing && was == 0) return change_words(hunks, was, there);
+            leave("the port has nothing that clearly stands for `" +
+                      shown(texts_.before.words, before(was).first, before(was).end) + "`, which became `" +
+                      shown(texts_.now.words, now(is).first, now(is).end) + "`",
+                  now(is).first, near(was));
+            return;
+        }
+        if (const CarriedWords whole = carry_new(now(is).first, now(is).end);
+            says(target(there).first, target(there).end, whole.words)) {
+            ++out_.already;
+            return;
+        }
+        change_words(hunks, was, there);
+    }
+
+    /// A clause is changed as a whole or not at all.
+    void change_words(const std::vector<Hunk>& hunks, size_t was, size_t there) {
+        const size_t made = out_.replaced.size(), left = out_.left.size();
+        for (const Hunk& hunk : hunks) change_run(hunk, was, there);
+        if (out_.left.size() > left) out_.replaced.resize(made);
+    }
+
+    std::vector<Hunk> hunks_of(const Clause& was, const Clause& is) const {
+        std::vector<Hunk> out;
+        const auto kept = [&](size_t i) {
+            const size_t k = texts_.edit.word_of[i];
+            return k != kNothing && texts_.before.exact[i] == texts_.now.exact[k];
+        };
+        size_t i = was.first, k = is.first;
+        while (i < was.end || k < is.end) {
+            if (i < was.end && kept(i) && texts_.edit.word_of[i] == k) {
+                ++i, ++k;
+                continue;
+            }
+            Hunk hunk{i, i, k, k};
+            while (hunk.end < was.end && !kept(hunk.end)) ++hunk.end;
+            hunk.now_end = hunk.end < was.end ? texts_.edit.word_of[hunk.end] : is.end;
+            out.push_back(hunk);
+            i = hunk.end;
+            k = hunk.now_end;
+        }
+        return out;
+    }
+
+    void change_run(Hunk hunk, size_t was, size_t there) {
+        if (is_neutral(hunk)) return;
+        if (hunk.first == hunk.end ? insert_run(hunk, was, there) : replace_run(hunk)) return;
+        const Clause &here = before(was), &other = target(there);
+        // Out to words that stand for words of the target.
+        while (hunk.first > here.first && word_of(hunk.first - 1) == kNothing) --hunk.first, --hunk.now_first;
+        while (hunk.end < here.end && word_of(hunk.end) == kNothing) ++hunk.end, ++hunk.now_end;
+        const size_t first = hunk.first == here.first ? other.first : word_of(hunk.first - 1) + 1;
+        const size_t end = hunk.end == here.end ? other.end : word_of(hunk.end);
+        const CarriedWords now = carry_new(hunk.now_first, hunk.now_end);
+        if (end < first) return leave_run(hunk, first, "its neighbours stand in another order there");
+        if (says(first, end, now.words) && !(now.words.empty() && first == end && hunk.first != hunk.end)) {
+            ++out_.already;
+            return;
+        }
+        if (hunk.first == hunk.end && first != end)
+            return leave_run(hunk, first, "the port has words of its own there");
+        if (!says(first, end, carry_old(hunk.first, hunk.end).words, true) && !is_name_alone(hunk, first, end))
+            return leave_run(hunk, first,
+                             "the port says `" + shown(texts_.target.words, first, end) + "` there, not `" +
+                                 shown(texts_.before.words, hunk.first, hunk.end) + "`");
+        put(hunk, first, end, now);
+    }
+
+    size_t word_of(size_t i) const { return texts_.across.word_of[i]; }
+
+    void put(const Hunk& hunk, size_t first, size_t end, const CarriedWords& now) {
+        if (!now.unknown.empty())
+            return leave_run(hunk, first, "nothing tells how the port says " + listed(now.unknown));
+        out_.replaced.push_back({first, end, now.words, hunk.now_first, hunk.now_end});
+    }
+
+    /// Words that each stand for one of the target's are replaced there, whatever stands around these.
+    bool replace_run(const Hunk& hunk) {
+        const size_t first = word_of(hunk.first);
+        for (size_t i = hunk.first; i < hunk.end; ++i)
+            if (word_of(i) == kNothing || word_of(i) != first + (i - hunk.first)) return false;
+        const size_t end = first + (hunk.end - hunk.first);
+        if (has_own_prefix(hunk.first, first)) return false;
+        if (!says(first, end, carry_old(hunk.first, hunk.end).words, true) && !is_name_alone(hunk, first, end))
+            return false;
+        const CarriedWords now = carry_new(hunk.now_first, hunk.now_end);
+        if (says(first, end, now.words))
+            ++out_.already;
+        else
+            put(hunk, first, end, now);
+        return true;
+    }
+
+    /// True where the target picks the word of something that the source does not name: `std :: max` for `max`.
+    bool has_own_prefix(size_t i, size_t there) const {
+        const auto picks = [](const std::vector<std::string>& words, size_t at) {
+            return at > 0 && (words[at - 1] == "::" || words[at - 1] == "." || words[at - 1] == "->");
+        };
+        return picks(texts_.target.words, there) && !picks(texts_.before.words, i);
+    }
+
+    /// New words go between the nearest words that stand for some of the target's, if it has nothing of its own there.
+    /// Else an argument goes beside the one that it stands beside in the source.
+    bool insert_run(const Hunk& hunk, size_t was, size_t there) {
+        const Clause &here = before(was), &other = target(there);
+        size_t left = hunk.first, right = hunk.first;
+        while (left > here.first && word_of(left - 1) == kNothing) --left;
+        while (right < here.end && word_of(right) == kNothing) ++right;
+        const size_t first = left == here.first ? other.first : word_of(left - 1) + 1;
+        const size_t end = right == here.end ? other.end : word_of(right);
+        if (end < first) return false;
+        const CarriedWords now = carry_new(hunk.now_first, hunk.now_end);
+        if (says(first, end, now.words)) {
+            ++out_.already;
+            return true;
+        }
+        const std::vector<std::string>& words = texts_.now.words;
+        size_t place = first;
+        if (first != end) {
+            const bool after_left = left == hunk.first && words[hunk.now_first] == ",";
+            const bool before_right = right == hunk.first && words[hunk.now_end - 1] == ",";
+            if (after_left == before_right) return false;
+            place = after_left ? first : end;
+        } else if (left != hunk.first && right != hunk.first) {
+            return false;
+        }
+        put(hunk, place, place, now);
+        return true;
+    }
+
+    /// True for an edit of words that have no counterpart on the other side, or mean the same there: scopes, address
+    /// spaces, spellings.
+    bool is_neutral(const Hunk& hunk) const {
+        return translator_.meaning(texts_.before.words, hunk.first, hunk.end) ==
+               translator_.meaning(texts_.now.words, hunk.now_first, hunk.now_end);
+    }
+
+    /// True where one name stands for one name, of which nothing else is known.
+    bool is_name_alone(const Hunk& hunk, size_t first, size_t end) const {
+        return hunk.end == hunk.first + 1 && end == first + 1 && is_word_token(texts_.before.words[hunk.first]) &&
+               is_word_token(texts_.target.words[first]);
+    }
+
+    void leave_run(const Hunk& hunk, size_t target_word, const std::string& why) {
+        const std::string was = shown(texts_.before.words, hunk.first, hunk.end);
+        const std::string is = shown(texts_.now.words, hunk.now_first, hunk.now_end);
+        leave((was.empty()  ? "the source gained `" + is + "`"
+               : is.empty() ? "the source lost `" + was + "`"
+                            : "the source has `" + is + "` for `" + was + "`") +
+                  "; " + why,
+              std::min(hunk.now_first, texts_.now.words.size() - 1), target_word);
+    }
+
+    // Clauses that came.
+
+    /// The counterpart of the nearest clause at or before c that has one, within the block that c stands in.
+    size_t target_before(size_t c) const {
+        while (counterpart(c) == kNothing) {
+            if (before(c).opens || c == 0) return kNothing;
+            const size_t from = before(c).closes && before(c).partner != Clause::kNone ? before(c).partner : c;
+            if (from == 0) return kNothing;
+            c = from - 1;
+        }
+        return counterpart(c);
+    }
+    size_t target_after(size_t c) const {
+        while (counterpart(c) == kNothing) {
+            if (before(c).closes) return kNothing;
+            const size_t from = before(c).opens && before(c).partner != Clause::kNone ? before(c).partner : c;
+            if (from + 1 >= texts_.before.clauses.size()) return kNothing;
+            c = from + 1;
+        }
+        return counterpart(c);
+    }
+
+    /// A word of the target near where a clause of the source's old text would stand.
+    size_t near(size_t c) const {
+        for (size_t i = c + 1; i-- > 0;)
+            if (counterpart(i) != kNothing) return target(counterpart(i)).first;
+        return 0;
+    }
+
+    /// True if the target has a clause like that of the source's new text which stands for none of its old one.
+    bool stands_in_target(size_t is) const {
+        const CarriedWords words = carry_new(now(is).first, now(is).end);
+        for (const Clause& clause : texts_.target.clauses)
+            if (says(clause.first, clause.end, words.words)) return true;
+        return false;
+    }
+
+    void add(size_t first, size_t end) {
+        const size_t was_before = first == 0 ? kNothing : origin_[first - 1];
+        const size_t was_after = end == origin_.size() ? kNothing : origin_[end];
+        const size_t left = was_before == kNothing ? kNothing : target_before(was_before);
+        const size_t right = was_after == kNothing ? kNothing : target_after(was_after);
+        const std::string what = shown(texts_.now.words, now(first).first, now(end - 1).end);
+        const size_t close = was_before == kNothing ? 0 : near(was_before);
+        const auto give_up = [&](const std::string& why) {
+            leave("the source gained `" + what + "`; " + why, now(first).first, close);
+        };
+        if (left == kNothing && right == kNothing)
+            return give_up("the port has nothing that stands for its neighbours");
+        if (left != kNothing && right != kNothing && right <= left)
+            return give_up("its neighbours stand in another order in the port");
+        std::vector<ClauseAdded> clauses = carried_clauses(first, end);
+        // What the port has of its own between the two neighbours.
+        std::vector<size_t> own;
+        const size_t from = left == kNothing ? own_start(right) : left + 1;
+        const size_t to = right == kNothing ? own_end(left) : right;
+        for (size_t c = from; c < to; ++c)
+            if (!stands_for_something(c)) own.push_back(c);
+        if (!own.empty() && drop_those_there(own, clauses)) {
+            if (clauses.empty()) return;
+            return give_up("the port has a part of it already");
+        }
+        std::optional<size_t> place = place_among(left, right, own, clauses, was_before, was_after);
+        if (!place) return give_up("the port has statements of its own there, and which comes first matters");
+        std::vector<std::string> unknown;
+        for (size_t c = first; c < end; ++c) {
+            const CarriedWords carried = carry_new(now(c).first, now(c).end);
+            if (!moved_from(c)) unknown.insert(unknown.end(), carried.unknown.begin(), carried.unknown.end());
+        }
+        if (!unknown.empty()) return give_up("nothing tells how the port says " + listed(unknown));
+        out_.added.push_back({*place, std::move(clauses)});
+    }
+
+    /// A block comes whole or not at all: what opens one goes with what closes it.
+    void drop_open_blocks() {
+        const auto lacks_partner = [&](const ClausesAdded& one) {
+            return std::any_of(one.clauses.begin(), one.clauses.end(), [&](const ClauseAdded& clause) {
+                const size_t partner = now(clause.source).partner;
+                return partner != Clause::kNone && origin_[partner] == kNothing && !is_added(partner);
+            });
+        };
+        for (auto found = out_.added.begin();;) {
+            found = std::find_if(out_.added.begin(), out_.added.end(), lacks_partner);
+            if (found == out_.added.end()) return;
+            const Clause& first = now(found->clauses.front().source);
+            leave("the source gained `" + shown(texts_.now.words, first.first, first.end) +
+                      "`; the other end of its block has no sure place in the port",
+                  first.first, std::min(found->before, texts_.target.words.size() - 1));
+            out_.added.erase(found);
+        }
+    }
+
+    bool is_added(size_t clause) const {
+        return std::any_of(out_.added.begin(), out_.added.end(), [&](const ClausesAdded& one) {
+            return std::any_of(one.clauses.begin(), one.clauses.end(),
+                               [&](const ClauseAdded& added) { return added.source == clause; });
+        });
+    }
+
+    size_t own_start(size_t right) const {
+        size_t c = right;
+        while (c > 0 && !target(c - 1).opens && !stands_for_something(c - 1)) --c;
+        return c;
+    }
+    size_t own_end(size_t left) const {
+        size_t c = left + 1;
+        while (c < texts_.target.clauses.size() && !target(c).closes && !stands_for_something(c)) ++c;
+        return c;
+    }
+
+    bool stands_for_something(size_t there) const { return stands_for_.contains(there); }
+
+    /// A clause that went elsewhere with the same words: the target's words for it are known.
+    std::optional<size_t> moved_from(size_t is) const {
+        for (size_t c = 0; c < texts_.before.clauses.size(); ++c) {
+            if (texts_.edit.clause_of[c] != kNothing || counterpart(c) == kNothing || before(c).closes) continue;
+            if (before(c).size() != now(is).size() || before(c).size() < 4) continue;
+            bool same = true;
+            for (size_t k = 0; k < now(is).size() && same; ++k)
+                same = texts_.before.exact[before(c).first + k] == texts_.now.exact[now(is).first + k];
+            if (same) return c;
+        }
+        return std::nullopt;
+    }
+
+    std::vector<ClauseAdded> carried_clauses(size_t first, size_t end) const {
+        std::vector<ClauseAdded> out;
+        for (size_t c = first; c < end; ++c) {
+            ClauseAdded one{{}, c};
+            if (const auto from = moved_from(c)) {
+                const Clause& there = target(counterpart(*from));
+                const bool same = there.size() == now(c).size();
+                for (size_t i = there.first; i < there.end; ++i)
+                    one.words.push_back(
+                        {texts_.target.words[i], same ? now(c).first + (i - there.first) : CarriedWord::kNoSource});
+            } else {
+                one.words = carry_new(now(c).first, now(c).end).words;
+            }
+            out.push_back(std::move(one));
+        }
+        return out;
+    }
+
+    /// Drops clauses that stand among the target's own; true if any does.
+    bool drop_those_there(const std::vector<size_t>& own, std::vector<ClauseAdded>& clauses) {
+        const size_t all = clauses.size();
+        size_t at = 0;
+        std::erase_if(clauses, [&](const ClauseAdded& clause) {
+            if (now(clause.source).closes) return false;
+            for (size_t i = at; i < own.size(); ++i)
+                if (says(target(own[i]).first, target(own[i]).end, clause.words)) {
+                    at = i + 1;
+                    return true;
+                }
+            return false;
+        });
+        if (clauses.size() < all &&
+            std::all_of(clauses.begin(), clauses.end(), [&](const ClauseAdded& c) { return now(c.source).closes; }))
+            clauses.clear();
+        if (clauses.empty()) ++out_.already;
+        return clauses.size() < all;
+    }
+
+    /// Before which word of the target new clauses go, between the counterparts of their neighbours; none if the order
+    /// among the port's own clauses there matters.
+    std::optional<size_t> place_among(size_t left, size_t right, const std::vector<size_t>& own,
+                                      const std::vector<ClauseAdded>& clauses, size_t was_before,
+                                      size_t was_after) const {
+        if (own.empty()) return left != kNothing ? target(left).end : target(right).first;
+        const bool beside_left = left != kNothing && counterpart(was_before) == left;
+        const bool beside_right = right != kNothing && counterpart(was_after) == right;
+        if (!beside_left && !beside_right) return std::nullopt;
+        std::set<std::string> names;
+        for (const ClauseAdded& clause : clauses)
+            for (const CarriedWord& word : clause.words)
+                if (is_word_token(word.text) && !is_type_word(word.text) && !word_is(word.text, kKeyword))
+                    names.insert(word.text);
+        for (const size_t c : own)
+            for (size_t i = target(c).first; i < target(c).end; ++i)
+                if (names.contains(texts_.target.words[i])) return std::nullopt;
+        return beside_left ? target(left).end : target(right).first;
+    }
+
+    // Clauses that went.
+
+    void remove(size_t was) {
+        const Clause& clause = before(was);
+        const size_t there = counterpart(was);
+        if (there == kNothing) {
+            if (clause.closes) return;
+            leave("the source lost `" + shown(texts_.before.words, clause.first, clause.end) +
+                      "`; the port has nothing that clearly stands for it",
+                  place_now(was), near(was));
+            return;
+        }
+        if (!clause.closes) {
+            const CarriedWords old = carry_old(clause.first, clause.end);
+            if (texts_.across.likeness[was] < 0.8 && !says(target(there).first, target(there).end, old.words, true)) {
+                leave("the source lost `" + shown(texts_.before.words, clause.first, clause.end) +
+                          "`; whether the port's `" +
+                          shown(texts_.target.words, target(there).first, target(there).end) +
+                          "` is to go is not certain",
+                      place_now(was), target(there).first);
+                return;
+            }
+        }
+        out_.removed.push_back(there);
+    }
+
+    /// A word of the source's new text near where a clause of its old one stood.
+    size_t place_now(size_t was) const {
+        for (size_t i = was; i-- > 0;)
+            if (texts_.edit.clause_of[i] != kNothing) return now(texts_.edit.clause_of[i]).first;
+        return 0;
+    }
+
+    const EditTexts& texts_;
+    const EditTranslator& translator_;
+    const std::function<std::string(size_t)>& written_;
+    std::set<size_t> stands_for_;  ///< clauses of the target that have a counterpart
+    std::vector<size_t> origin_;   ///< of each clause of now, the one before
+    Transplant out_;
+};
+
+}  // namespace
+
+Transplant transplant(const EditTexts& texts, const EditTranslator& translator,
+                      const std::function<std::string(size_t)>& written) {
+    return EditCarrier(texts, translator, written).run();
+}
+
+}  // namespace porttool

@@ -1,0 +1,14 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace porttool {
+
+/// A unified diff that `git apply` takes, three lines of context around each change; "" for equal texts. A file that
+/// was not there before has an empty text and `is_new`.
+std::string unified_diff(const std::string& path, std::string_view before, std::string_view now, bool is_new = false);
+
+}  // namespace porttool

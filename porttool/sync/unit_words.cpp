@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/sync/unit_words.h"
+
+#include "porttool/normal/normal_form.h"
+#include "porttool/normal/prelude.h"
+
+namespace porttool {
+
+UnitWords words_of_unit(const ScannedFile& file, const Unit& unit) {
+    UnitWords out;
+    write_normal_form(file, unit, [&](std::string_view text, uint32_t token) {
+        out.words.emplace_back(text);
+        out.tokens.push_back(token);
+    });
+    // A brace that was added goes by the token after it, which is written next, or by the last one.
+    for (size_t i = 0; i < out.size(); ++i) {
+        const bool brace = out.words[i] == "{" || out.words[i] == "}";
+        const bool next_too = i + 1 < out.size() && out.tokens[i + 1] == out.tokens[i];
+        const bool last_too = i > 0 && out.tokens[i - 1] == out.tokens[i];
+        if (brace && (next_too || last_too || file.lexed.view(out.tokens[i]) != out.words[i]))
+            out.tokens[i] = UnitWords::kNoToken;
+    }
+    return out;
+}
+
+UnitWords words_of_record(const NormalText& text) {
+    UnitWords out;
+    for (const std::string_view word : without_prelude(text.words())) out.words.emplace_back(word);
+    return out;
+}
+
+}  // namespace porttool

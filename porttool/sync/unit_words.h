@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "porttool/normal/normal_text.h"
+#include "porttool/scan/unit.h"
+
+namespace porttool {
+
+/// A unit's words in normal form, without its prelude, each with the token of the file that it was made from.
+struct UnitWords {
+    static constexpr uint32_t kNoToken = 0xFFFFFFFFu;
+
+    std::vector<std::string> words;
+    /// kNoToken for a brace that the normal form adds. Empty where the text was recorded and its file is not known.
+    std::vector<uint32_t> tokens;
+
+    size_t size() const { return words.size(); }
+    bool is_added(size_t i) const { return !tokens.empty() && tokens[i] == kNoToken; }
+};
+
+UnitWords words_of_unit(const ScannedFile& file, const Unit& unit);
+UnitWords words_of_record(const NormalText& text);
+
+}  // namespace porttool
