@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "porttool/compare/compare_pair.h"
+#include "porttool/compare/paired_names.h"
 #include "porttool/judge/settle.h"
 #include "porttool/normal/unit_state.h"
 #include "porttool/read/lock_lines.h"
@@ -336,7 +337,14 @@ bool SyncResult::any_left() const {
 }
 
 SyncResult propose(const CheckedProject& checked, const std::vector<size_t>& pairs, WriteSide write, const Disk& disk) {
-    return Proposer(checked, write, disk).run(pairs);
+    SyncResult out = Proposer(checked, write, disk).run(pairs);
+    std::vector<size_t> whole;
+    for (size_t i = 0; i < pairs.size(); ++i)
+        if (out.proposals[i].state == ProposalState::Proposed) whole.push_back(pairs[i]);
+    const bool all = std::none_of(out.proposals.begin(), out.proposals.end(),
+                                  [](const Proposal& one) { return one.state == ProposalState::Partial; });
+    out.files = all ? out.files_with_partial : Proposer(checked, write, disk).run(whole).files_with_partial;
+    return out;
 }
 
 }  // namespace porttool
