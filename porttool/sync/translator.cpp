@@ -67,7 +67,7 @@ CarriedWords EditTranslator::carry(const std::vector<std::string>& words, size_t
             ++i;
             continue;
         }
-        const bool member = i > first && (words[i - 1] == "." || words[i - 1] == "->");
+        const bool member = i > 0 && (words[i - 1] == "." || words[i - 1] == "->");
         const std::string said = member ? this->member(words[i]) : word(words[i]);
         if (said.empty()) out.unknown.push_back(words[i]);
         out.words.push_back({said.empty() ? words[i] : said, i});
