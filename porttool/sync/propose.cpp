@@ -204,6 +204,13 @@ private:
             out.left.push_back(
                 {left.message, from == Side::Source ? here : else_where, from == Side::Source ? else_where : here});
         }
+        for (const std::string& name : lone)
+            if (const auto call = std::find(is.words.begin(), is.words.end(), name); call != is.words.end()) {
+                const uint32_t line = line_at(*file, is, static_cast<size_t>(call - is.words.begin()));
+                const uint32_t place = pair.unit[to]->start_line;
+                out.left.push_back({"it uses `" + name + "`, which came without a port; port that, too",
+                                    from == Side::Source ? line : place, from == Side::Source ? place : line});
+            }
         // Where more is left than carried, a part of the port would only be in the way.
         constexpr size_t kFew = 2;
         if (found.left.size() > std::max(kFew, found.size())) return;

@@ -91,6 +91,12 @@ std::vector<std::string> EditTranslator::meaning(const std::vector<std::string>&
     return out;
 }
 
+bool EditTranslator::are_qualifiers(const std::vector<std::string>& words, size_t first, size_t end) const {
+    for (size_t i = first; i < end; ++i)
+        if (!word_is(words[i], kQualifier) || !known_.in_file(words[i])) return false;
+    return true;
+}
+
 /// A field that the source does not declare is of a type that both sides have from elsewhere.
 std::string EditTranslator::member(std::string_view text) const {
     if (!known_.is_of_source(text)) return std::string(text);

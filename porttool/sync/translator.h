@@ -48,6 +48,9 @@ public:
     /// What words mean whatever the side: without scopes, and without what has no counterpart elsewhere.
     std::vector<std::string> meaning(const std::vector<std::string>& words, size_t first, size_t end) const;
 
+    /// True for qualifiers alone that the target's file has as well.
+    bool are_qualifiers(const std::vector<std::string>& words, size_t first, size_t end) const;
+
 private:
     /// How the target says the word alone; "" if that is not known.
     std::string word(std::string_view text) const;

@@ -241,6 +241,9 @@ private:
     /// True for an edit of words that have no counterpart on the other side, or mean the same there: scopes, address
     /// spaces, spellings.
     bool is_neutral(const Hunk& hunk) const {
+        if (translator_.are_qualifiers(texts_.before.words, hunk.first, hunk.end) &&
+            translator_.are_qualifiers(texts_.now.words, hunk.now_first, hunk.now_end))
+            return false;  // beside what is due the port gets them, too
         return translator_.meaning(texts_.before.words, hunk.first, hunk.end) ==
                translator_.meaning(texts_.now.words, hunk.now_first, hunk.now_end);
     }
