@@ -15,6 +15,7 @@ namespace porttool {
 struct Outcome {
     std::string text;
     int exit_code = 0;
+    bool is_exact = false;  ///< the bytes of files, whatever their encoding: not made UTF-8
 };
 
 // Each command stands in a file of its own: its options, and what carries it out.

@@ -28,8 +28,11 @@ struct Options : CheckChoice {
     std::vector<std::string> bench;       ///< report's bench files, FILE or FILE=MRAYS each
     std::vector<std::string> fail_under;  ///< report's bars, BLOCK=PERCENT each
     std::string from, to = "HEAD";        ///< effort's revisions
-    std::string to_side;                  ///< sync's
-    std::string since;                    ///< history's
+    std::string to_side;                  ///< sync's, as are those that follow
+    bool apply = false, partial = false;
+    std::string verify, verify_timeout;
+    bool verifies = false;
+    std::string since;  ///< history's
     bool no_cache = false;
     bool spirv = false;  ///< ask glslang whether an edit reaches the compiled code
 };

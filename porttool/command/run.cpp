@@ -52,7 +52,8 @@ int run_command(const Options& options, Disk& disk, std::ostream& out, std::ostr
     const std::string path = to_file ? output_path(options, disk) : std::string();
     Workplace place{disk, err};
     const Outcome outcome = find_command(options.command)->run(options, place);
-    const std::string text = as_utf8(outcome.text);  // a source in Latin-1 must not break the format
+    // A source in Latin-1 must not break the format, unless the format is the source's own.
+    const std::string text = outcome.is_exact ? outcome.text : as_utf8(outcome.text);
     if (!to_file)
         print(out, text);
     else if (const std::string failure = disk.write(path, text); !failure.empty())

@@ -1,10 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The porttool authors
 // SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <optional>
 
 #include "porttool/command/commands.h"
 #include "porttool/command/named.h"
 #include "porttool/report/sync_report.h"
+#include "porttool/sync/apply.h"
+#include "porttool/sync/verify.h"
 #include "porttool/text/sink/terminal.h"
 
 namespace porttool {
@@ -27,6 +32,64 @@ std::vector<size_t> chosen_pairs(const Options& options, const Judgement& judgem
     return out;
 }
 
+/// True where that text names a pair, and so is no command.
+bool is_id(const Judgement& judgement, const std::string& text) { return !named_by(judgement, text).pairs.empty(); }
+
+/// The command that was asked for; "" for none. Throws CannotDo.
+std::string verify_command(const Options& options, const CheckedProject& checked) {
+    if (!options.verifies) return {};
+    if (is_id(checked.judgement, options.verify))
+        throw CannotDo("--verify takes what follows for its command, and " + terminal_text(options.verify) +
+                       " is a pair\nPut ids first, or write --verify=COMMAND");
+    const std::string& command = options.verify.empty() ? checked.project.map.verify : options.verify;
+    if (command.empty())
+        throw CannotDo(
+            "--verify names no command, and neither does portmap.toml: put verify = \"...\" into [sync], or "
+            "write --verify COMMAND");
+    return command;
+}
+
+/// How long it may take. Throws CannotDo.
+std::chrono::milliseconds verify_limit(const Options& options) {
+    const std::string text = options.verify_timeout.empty() ? "10m" : options.verify_timeout;
+    const auto limit = parse_duration(text);
+    if (!limit)
+        throw CannotDo("--verify-timeout " + terminal_text(text) + ": expected a time above 0 such as 90s, 10m or 1h");
+    return *limit;
+}
+
+void require_together(const Options& options) {
+    if ((options.partial || options.force) && !options.apply)
+        throw CannotDo(std::string(options.partial ? "--partial" : "--force") + " says how to --apply; add that");
+    if (!options.verify_timeout.empty() && !options.verifies)
+        throw CannotDo("--verify-timeout says how long --verify may take; add that");
+    if (options.all && !options.paths.empty()) throw CannotDo("--all takes every pair; leave out the ids, or --all");
+}
+
+/// The files of what is proposed, with those of partial proposals where these are asked for.
+std::vector<WrittenFile> files_to_write(const SyncResult& result, bool partial, const Project& project) {
+    return written_files(partial ? result.files_with_partial : result.files, project);
+}
+
+/// Runs the command on what would be written; partial proposals are tried where nothing else is there to try. None if
+/// there is no command or nothing to try.
+std::optional<Verification> verified(const Options& options, const CheckedProject& checked, const SyncResult& result,
+                                     Workplace& place) {
+    const std::string command = verify_command(options, checked);
+    const std::chrono::milliseconds limit = verify_limit(options);
+    std::vector<WrittenFile> files = files_to_write(result, options.partial, checked.project);
+    if (files.empty()) files = files_to_write(result, true, checked.project);
+    if (command.empty() || files.empty()) return std::nullopt;
+    return verify(files, command, limit, place.disk);
+}
+
+/// Writes the files, and says which. Throws CannotDo.
+void write_files(const std::vector<WrittenFile>& files, bool force, Workplace& place) {
+    apply(files, force, place.disk);
+    for (const WrittenFile& file : files) place.err << "wrote " << terminal_text(file.place.path) << "\n";
+    if (files.empty()) place.err << "nothing to write\n";
+}
+
 }  // namespace
 
 void declare_sync(Declare& declare, Options& options) {
@@ -36,20 +99,35 @@ void declare_sync(Declare& declare, Options& options) {
         .some_revision();
     declare.flag("--staged", options.staged, "Take the index in place of the work tree");
     declare.choice("--to", options.to_side, {"source", "target"}, "The side that is written, whichever changed");
+    declare.flag("--apply", options.apply, "Write what is proposed into the work tree: all files or none");
+    declare.flag("--partial", options.partial, "With --apply: also what is certain of the others");
+    declare.flag("--force", options.force, "With --apply: also over changes that are not committed");
+    declare.text_or_alone(
+        "--verify", options.verify, options.verifies, "CMD",
+        "Run CMD, or [sync] verify of the map, on a copy with the patches; without this nothing runs");
+    declare.text("--verify-timeout", options.verify_timeout, "T", "How long that may take: 90s, 5m, 1h (10m)");
 }
 
 Outcome run_sync(const Options& options, Workplace& place) {
     require_format(options.format, {"text", "json", "patch"});
-    if (options.all && !options.paths.empty()) throw CannotDo("--all takes every pair; leave out the ids, or --all");
+    require_together(options);
     const CheckedProject checked = check_project(options, place);
     const WriteSide write = options.to_side == "source"   ? WriteSide::Source
                             : options.to_side == "target" ? WriteSide::Target
                                                           : WriteSide::Other;
-    const SyncResult result = propose(checked, chosen_pairs(options, checked.judgement), write, place.disk);
-    const int code = result.any_left() ? 1 : 0;
-    if (options.format == "json") return {sync_json(result), code};
-    if (options.format == "patch") return {sync_patch(result), code};
-    return {sync_table(result), code};
+    SyncResult result = propose(checked, chosen_pairs(options, checked.judgement), write, place.disk);
+    const std::optional<Verification> verification = verified(options, checked, result, place);
+    const bool failed = verification && !verification->passed();
+    if (failed) {
+        take_back(result, *verification);
+        place.err << failure_of(*verification) << (options.apply ? "; nothing was written\n" : "\n");
+    } else if (options.apply) {
+        write_files(files_to_write(result, options.partial, checked.project), options.force, place);
+    }
+    const int code = result.any_left() || failed ? 1 : 0;
+    if (options.format == "json") return {sync_json(result, verification), code};
+    if (options.format == "patch") return {sync_patch(result), code, true};
+    return {sync_table(result, verification), code};
 }
 
 }  // namespace porttool

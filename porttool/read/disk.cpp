@@ -11,10 +11,12 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <limits>
 
 #include "porttool/read/refusals.h"
 #include "porttool/read/replace_file.h"
 #include "porttool/read/write_guard.h"
+#include "porttool/text/sink/terminal.h"
 
 namespace porttool {
 namespace fs = std::filesystem;
@@ -54,6 +56,28 @@ std::string too_large(uint64_t size, uint64_t limit) {
     return "is " + std::to_string(size / kMebibyte) + " MiB, more than the " + std::to_string(limit / kMebibyte) +
            " MiB that are read of one file";
 }
+
+std::string Disk::write_all(const std::vector<FileToWrite>& files) {
+    struct Before {
+        const TreePath& place;
+        FileText old;
+    };
+    std::vector<Before> written;
+    for (const FileToWrite& file : files) {
+        FileText old = read(file.place, std::numeric_limits<uint64_t>::max());
+        const std::string failure = write(file.place, file.bytes);
+        if (failure.empty()) {
+            written.push_back({file.place, std::move(old)});
+            continue;
+        }
+        for (auto one = written.rbegin(); one != written.rend(); ++one)
+            (void)(one->old.error.empty() ? write(one->place, one->old.bytes) : remove(one->place));
+        return terminal_text(join_path(file.place.root, file.place.path)) + ": " + failure;
+    }
+    return {};
+}
+
+bool Disk::is_read_only(const TreePath&) const { return false; }
 
 FileText RealDisk::read(const std::string& path, uint64_t limit) const {
     const Descriptor file(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
@@ -103,6 +127,18 @@ bool RealDisk::exists(const std::string& path) const {
 std::string RealDisk::write(const std::string& path, const std::string& bytes) { return replace_file(path, bytes); }
 
 std::string RealDisk::write(const TreePath& path, const std::string& bytes) { return replace_file(path, bytes); }
+
+std::string RealDisk::write_all(const std::vector<FileToWrite>& files) { return replace_files(files); }
+
+bool RealDisk::is_read_only(const TreePath& path) const {
+    const OpenedBeneath opened = open_beneath(path, O_PATH);
+    struct stat status {};
+    constexpr mode_t kAnyWrites = S_IWUSR | S_IWGRP | S_IWOTH;
+    if (!opened.error.empty() || ::fstat(opened.file.get(), &status) != 0) return false;
+    // The system lets root write anywhere; the owner has said what may be written.
+    return (status.st_mode & kAnyWrites) == 0 ||
+           ::faccessat(opened.file.get(), "", W_OK, AT_EMPTY_PATH | AT_EACCESS) != 0;
+}
 
 std::string RealDisk::remove(const TreePath& path) {
     const FolderBeneath at = folder_beneath(path);

@@ -49,6 +49,12 @@ struct TakenGuard {
     std::string error;
 };
 
+/// A file with what it becomes.
+struct FileToWrite {
+    TreePath place;
+    std::string bytes;
+};
+
 /// The only way to the disk. A path is the user's own, from the command line, absolute or relative to the working
 /// directory; a TreePath was written by somebody else, and does not lead out of its root. All are `/`-separated.
 class Disk {
@@ -66,6 +72,10 @@ public:
     virtual std::string write(const std::string& path, const std::string& bytes) = 0;
     /// The same beneath a root; makes the file's folder there.
     virtual std::string write(const TreePath& path, const std::string& bytes) = 0;
+    /// Replaces all of these files, or, where one of them fails, none. Returns which one and why, or "".
+    virtual std::string write_all(const std::vector<FileToWrite>& files);
+    /// True for a file that is there and that its owner has closed to writing.
+    virtual bool is_read_only(const TreePath& path) const;
     /// Removes a file, or an empty folder; what is not there is no error.
     virtual std::string remove(const TreePath& path) = 0;
     /// Waits until no other process holds the guard of this file.
@@ -82,6 +92,8 @@ public:
     bool exists(const std::string& path) const override;
     std::string write(const std::string& path, const std::string& bytes) override;
     std::string write(const TreePath& path, const std::string& bytes) override;
+    std::string write_all(const std::vector<FileToWrite>& files) override;
+    bool is_read_only(const TreePath& path) const override;
     std::string remove(const TreePath& path) override;
     TakenGuard guard(const TreePath& path) override;
 };

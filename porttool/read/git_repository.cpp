@@ -57,6 +57,18 @@ bool GitRepository::is_shallow() const { return git_repository_is_shallow(handle
 
 std::string GitRepository::own_folder() const { return git_repository_commondir(handle_->repository()); }
 
+std::string GitRepository::work_tree() const {
+    std::string out = git_repository_workdir(handle_->repository());
+    if (out.size() > 1 && out.ends_with('/')) out.pop_back();
+    return out;
+}
+
+bool GitRepository::is_as_committed(const std::string& path) const {
+    unsigned flags = 0;
+    const std::string within = handle_->opened.prefix + path;
+    return git_status_file(&flags, handle_->repository(), within.c_str()) == 0 && flags == GIT_STATUS_CURRENT;
+}
+
 const std::string& GitRepository::folder() const { return handle_->opened.prefix; }
 
 std::optional<GitCommit> GitRepository::commit(const std::string& revision) const {

@@ -59,6 +59,11 @@ public:
     /// The repository's own folder (`.git`, that of the main work tree): what is kept there is no part of any commit.
     std::string own_folder() const;
 
+    /// The folder of the whole work tree that the root lies in, without a slash at its end.
+    std::string work_tree() const;
+    /// True if the file stands in the work tree and in the index as HEAD has it.
+    bool is_as_committed(const std::string& path) const;
+
     /// Where the root lies in its repository: "sub/folder/", or "" for its root and outside of any repository.
     const std::string& folder() const;
 

@@ -43,7 +43,8 @@ public:
     MapFile read() {
         const toml::table root = parse();
         only(root,
-             {"version", "sides", "pair", "ignore", "block", "rules", "dialect", "spirv", "cost", "reuse", "effort"},
+             {"version", "sides", "pair", "ignore", "block", "rules", "dialect", "spirv", "cost", "reuse", "effort",
+              "sync"},
              "portmap.toml");
         const auto version = root["version"].value<int64_t>();
         if (!version || *version != 1)
@@ -69,6 +70,10 @@ public:
         if (const toml::table* spirv = section(root, "spirv")) {
             only(*spirv, {"include", "preamble"}, "[spirv]");
             map_.shaders = {list(*spirv, "include", false), list(*spirv, "preamble", false)};
+        }
+        if (const toml::table* sync = section(root, "sync")) {
+            only(*sync, {"verify"}, "[sync]");
+            if (sync->get("verify") != nullptr) map_.verify = text(*sync, "verify");
         }
         if (const toml::table* dialect = section(root, "dialect"))
             for (const auto& [key, node] : *dialect) map_.dialect.emplace_back(key.str(), text(*dialect, key.str()));

@@ -88,6 +88,7 @@ struct MapFile {
     metrics::LineWeights weights;    ///< [cost]
     metrics::ReuseSettings reuse;    ///< [reuse]
     std::vector<MapEffort> efforts;  ///< [[effort]]
+    std::string verify;              ///< [sync]: the command that `sync --verify` runs; "" for none
     std::map<std::string, int>
         key_lines;  ///< where keys of [sides], [rules], [dialect] and [spirv] stand: "rules.orphaned"
 };

@@ -15,9 +15,13 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <limits>
+#include <map>
+#include <set>
+#include <utility>
 #include <vector>
 
-#include "porttool/read/disk.h"
+#include "porttool/text/sink/terminal.h"
 
 namespace porttool {
 namespace fs = std::filesystem;
@@ -51,19 +55,31 @@ void keep_permissions(int folder, const std::string& name, const Descriptor& fil
         (void)::fchmod(file.get(), before.st_mode & 07777);
 }
 
-/// Writes `name` in an open folder by way of a temporary.
-std::string replace_in(int folder, const std::string& name, const std::string& bytes) {
-    const std::string temporary = temporary_name(name);
+/// Writes a temporary beside `name` in an open folder. Returns why it could not, and then leaves none.
+std::string stage_in(int folder, const std::string& name, const std::string& temporary, const std::string& bytes) {
     (void)::unlinkat(folder, temporary.c_str(), 0);  // of a killed process that had our number
     const Descriptor file(
         ::openat(folder, temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, kNewFile));
     if (!file.valid()) return cannot_be_written(errno);
     std::string reason = put_bytes(file, bytes);
     if (reason.empty()) keep_permissions(folder, name, file);
-    if (reason.empty() && ::renameat(folder, temporary.c_str(), folder, name.c_str()) != 0)
-        reason = cannot_be_written(errno);
     if (!reason.empty()) (void)::unlinkat(folder, temporary.c_str(), 0);
     return reason;
+}
+
+/// Gives a temporary its file's name, or removes it.
+std::string put_in_place(int folder, const std::string& name, const std::string& temporary) {
+    if (::renameat(folder, temporary.c_str(), folder, name.c_str()) == 0) return {};
+    std::string reason = cannot_be_written(errno);
+    (void)::unlinkat(folder, temporary.c_str(), 0);
+    return reason;
+}
+
+/// Writes `name` in an open folder by way of a temporary.
+std::string replace_in(int folder, const std::string& name, const std::string& bytes) {
+    const std::string temporary = temporary_name(name);
+    const std::string reason = stage_in(folder, name, temporary, bytes);
+    return reason.empty() ? put_in_place(folder, name, temporary) : reason;
 }
 
 std::string append(const std::string& path, const std::string& bytes) {
@@ -123,7 +139,98 @@ FolderBeneath folder_to_write(const TreePath& path) {
     return folder_beneath(path);
 }
 
+/// One of several files, on the way to being replaced. No folder stays open: there may be more than descriptors.
+struct Staged {
+    const TreePath& place;
+    std::string temporary;  ///< beside it
+    FileText before;
+};
+
+/// Holds back every signal that can be held.
+class SignalsHeld {
+public:
+    SignalsHeld() {
+        sigset_t all;
+        ::sigfillset(&all);
+        ::pthread_sigmask(SIG_SETMASK, &all, &before_);
+    }
+    ~SignalsHeld() { ::pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+    SignalsHeld(const SignalsHeld&) = delete;
+    SignalsHeld& operator=(const SignalsHeld&) = delete;
+
+private:
+    sigset_t before_{};
+};
+
+std::string refused(const TreePath& place, const std::string& reason) {
+    return terminal_text(join_path(place.root, place.path)) + ": " + reason;
+}
+
+void drop_temporary(const Staged& file) {
+    const FolderBeneath at = folder_beneath(file.place);
+    if (at.error.empty()) (void)::unlinkat(at.folder.get(), file.temporary.c_str(), 0);
+}
+
+void restore(const Staged& file) {
+    const FolderBeneath at = folder_beneath(file.place);
+    if (!at.error.empty()) return;
+    if (file.before.error.empty())
+        (void)replace_in(at.folder.get(), at.name, file.before.bytes);
+    else
+        (void)::unlinkat(at.folder.get(), at.name.c_str(), 0);
+}
+
+/// Removes what killed processes left beside these files.
+void sweep_beside(const std::vector<FileToWrite>& files) {
+    std::map<std::pair<std::string, std::string>, std::set<std::string, std::less<>>> names;
+    for (const FileToWrite& file : files) {
+        const size_t slash = file.place.path.find_last_of('/');
+        const std::string folder = slash == std::string::npos ? "" : file.place.path.substr(0, slash + 1);
+        names[{file.place.root, folder}].insert(file.place.path.substr(folder.size()));
+    }
+    for (const auto& [folder, here] : names) {
+        const FolderBeneath at = folder_beneath({folder.first, folder.second + *here.begin(), Links::None});
+        if (!at.error.empty()) continue;
+        sweep_temporaries(
+            at.folder.get(), [&](std::string_view file) { return here.contains(file); }, false);
+    }
+}
+
+/// Writes the temporary of each; on a failure none is left.
+std::string stage_all(const std::vector<FileToWrite>& files, std::vector<Staged>& staged) {
+    for (const FileToWrite& file : files) {
+        const FolderBeneath at = folder_to_write(file.place);
+        Staged one{file.place, temporary_name(at.name), {}};
+        const std::string reason =
+            at.error.empty() ? stage_in(at.folder.get(), at.name, one.temporary, file.bytes) : at.error;
+        if (!reason.empty()) {
+            for (const Staged& other : staged) drop_temporary(other);
+            return refused(file.place, reason);
+        }
+        one.before = RealDisk().read(file.place, std::numeric_limits<uint64_t>::max());
+        staged.push_back(std::move(one));
+    }
+    return {};
+}
+
 }  // namespace
+
+std::string replace_files(const std::vector<FileToWrite>& files) {
+    const SignalsHeld held;
+    sweep_beside(files);
+    std::vector<Staged> staged;
+    if (std::string failure = stage_all(files, staged); !failure.empty()) return failure;
+    for (size_t i = 0; i < staged.size(); ++i) {
+        const FolderBeneath at = folder_beneath(staged[i].place);
+        const std::string reason =
+            at.error.empty() ? put_in_place(at.folder.get(), at.name, staged[i].temporary) : at.error;
+        if (reason.empty()) continue;
+        for (size_t k = i; k < staged.size(); ++k) drop_temporary(staged[k]);
+        for (size_t k = i; k-- > 0;) restore(staged[k]);
+        return refused(files[i].place, reason);
+    }
+    return {};
+}
 
 std::string replace_file(const std::string& path, const std::string& bytes) {
     std::error_code error;

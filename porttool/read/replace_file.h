@@ -5,8 +5,9 @@
 #include <functional>
 #include <string>
 #include <string_view>
+#include <vector>
 
-#include "porttool/read/beneath.h"
+#include "porttool/read/disk.h"
 
 namespace porttool {
 
@@ -17,6 +18,10 @@ std::string replace_file(const std::string& path, const std::string& bytes);
 
 /// The same beneath a root, with the file's folder where that is missing.
 std::string replace_file(const TreePath& path, const std::string& bytes);
+
+/// Replaces several files: every temporary is written before the first takes its file's name, and no signal that can be
+/// held ends the process in between. Where one fails, all are as they were. Returns which one and why, or "".
+std::string replace_files(const std::vector<FileToWrite>& files);
 
 /// Removes temporaries of `replace_file` that killed processes left in an open folder: those of files for which
 /// `is_swept` holds, and whose process is no more, or, where `all`, of any process.

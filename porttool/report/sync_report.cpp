@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "porttool/text/sink/json.h"
@@ -16,10 +17,21 @@ namespace {
 
 using nlohmann::ordered_json;
 
-ordered_json patch_or_null(const std::string& text) { return text.empty() ? ordered_json(nullptr) : ordered_json(text); }
+ordered_json patch_or_null(const std::string& text) {
+    return text.empty() ? ordered_json(nullptr) : ordered_json(text);
+}
 
-/// A patch for a reader: its line ends act, nothing else does.
-void add_lines(const std::string& patch, std::string& out) {
+ordered_json verified_or_null(const std::optional<Verification>& verification) {
+    if (!verification) return nullptr;
+    constexpr double kMilliseconds = 1000;
+    return {{"command", verification->command},
+            {"exit_code", verification->exit_code},
+            {"seconds", std::round(verification->seconds * kMilliseconds) / kMilliseconds},
+            {"output_tail", verification->output_tail}};
+}
+
+/// A patch, or what a command printed, for a reader: its line ends act, nothing else does.
+void add_lines(std::string_view patch, std::string& out) {
     for (size_t first = 0; first < patch.size();) {
         const size_t end = std::min(patch.find('\n', first), patch.size());
         out += "    ";
@@ -36,7 +48,7 @@ void add_lines(const std::string& patch, std::string& out) {
 
 }  // namespace
 
-std::string sync_json(const SyncResult& result) {
+std::string sync_json(const SyncResult& result, const std::optional<Verification>& verification) {
     ordered_json proposals = ordered_json::array();
     for (const Proposal& one : result.proposals) {
         ordered_json left = ordered_json::array();
@@ -51,7 +63,7 @@ std::string sync_json(const SyncResult& result) {
                              {"left", std::move(left)},
                              {"why", one.why}});
     }
-    return json_text({{"proposals", std::move(proposals)}, {"verified", nullptr}}, 1) + "\n";
+    return json_text({{"proposals", std::move(proposals)}, {"verified", verified_or_null(verification)}}, 1) + "\n";
 }
 
 std::string sync_patch(const SyncResult& result) {
@@ -60,7 +72,7 @@ std::string sync_patch(const SyncResult& result) {
     return out;
 }
 
-std::string sync_table(const SyncResult& result) {
+std::string sync_table(const SyncResult& result, const std::optional<Verification>& verification) {
     std::string out;
     std::array<size_t, kProposalStates.size()> counts{};
     for (const Proposal& one : result.proposals) {
@@ -73,6 +85,11 @@ std::string sync_table(const SyncResult& result) {
             out += fmt::format("    left for you, source line {}, port line {}: {}\n", item.source_line,
                                item.target_line, terminal_text(item.message));
         add_lines(one.patch, out);
+    }
+    if (verification) {
+        out += fmt::format("{} in {:.1f} s: {}\n", verification->passed() ? "verified" : "failed",
+                           verification->seconds, terminal_text(verification->command));
+        if (!verification->passed()) add_lines(verification->output_tail, out);
     }
     return out + fmt::format("{} proposed, {} in part, {} left for you, {} not due\n", counts[0], counts[1], counts[2],
                              counts[3]);

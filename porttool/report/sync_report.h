@@ -2,16 +2,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "porttool/sync/propose.h"
+#include "porttool/sync/verify.h"
 
 namespace porttool {
 
-std::string sync_json(const SyncResult& result);
+std::string sync_json(const SyncResult& result, const std::optional<Verification>& verification);
 /// The patches alone, in the order in which they apply.
 std::string sync_patch(const SyncResult& result);
-/// Each pair with what is proposed and what is left for a person.
-std::string sync_table(const SyncResult& result);
+/// Each pair with what is proposed and what is left for a person, and how the verification ended, if there was one.
+std::string sync_table(const SyncResult& result, const std::optional<Verification>& verification);
 
 }  // namespace porttool

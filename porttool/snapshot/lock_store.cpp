@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <set>
+#include <vector>
 
 #include "porttool/read/lock_upgrade.h"
 #include "porttool/text/sink/terminal.h"
@@ -39,46 +40,6 @@ std::string read_base(const Project& project, const Disk& disk, const std::strin
     std::erase(file.bytes, '\r');
     return file.error.empty() ? std::move(file.bytes) : std::string();
 }
-
-/// Files that are all written, or are all as they were.
-class Transaction {
-public:
-    explicit Transaction(Disk& disk) : disk_(disk) {}
-    Transaction(const Transaction&) = delete;
-    Transaction& operator=(const Transaction&) = delete;
-    ~Transaction() {
-        if (done_) return;
-        for (auto file = before_.rbegin(); file != before_.rend(); ++file) {
-            if (file->bytes)
-                disk_.write(file->place, *file->bytes);
-            else
-                disk_.remove(file->place);
-        }
-    }
-
-    /// Notes a folder that is made by writing into it.
-    void will_make(const TreePath& folder) {
-        if (disk_.kind(folder) == FileKind::None) before_.push_back({folder, std::nullopt});
-    }
-    void write(const TreePath& place, const std::string& bytes) {
-        FileText old = disk_.read(place, kLargestFile);
-        before_.push_back({place, old.error.empty() ? std::optional(std::move(old.bytes)) : std::nullopt});
-        const std::string failure = disk_.write(place, bytes);
-        if (failure.empty()) return;
-        if (!before_.back().bytes) before_.pop_back();  // what stands there is not ours to remove
-        throw CannotDo(terminal_text(join_path(place.root, place.path)) + ": " + failure);
-    }
-    void done() { done_ = true; }
-
-private:
-    struct Before {
-        TreePath place;
-        std::optional<std::string> bytes;  ///< nothing: it was not there
-    };
-    Disk& disk_;
-    std::vector<Before> before_;
-    bool done_ = false;
-};
 
 std::set<std::string> prints_of(const LockFile& lock) {
     std::set<std::string> out;
@@ -138,17 +99,20 @@ std::unique_ptr<WriteGuard> guard_lock(const ProjectChoice& choice, Workplace& p
 void store_lock(const Project& project, const NewRecord& record, Disk& disk) {
     require_own_base(project, disk);
     const std::set<std::string> needed = prints_of(record.lock);
-    Transaction files(disk);
-    files.will_make(base_folder(project));
+    std::vector<FileToWrite> files;
     for (const auto& [print, text] : texts_behind(needed, record))
-        if (const std::string recorded = text->recorded(); read_base(project, disk, print) != recorded)
-            files.write(base_file(project, print), recorded);
-    files.write(beside_map(project, "portmap.lock"), lock_text(record.lock));
+        if (std::string recorded = text->recorded(); read_base(project, disk, print) != recorded)
+            files.push_back({base_file(project, print), std::move(recorded)});
+    files.push_back({beside_map(project, "portmap.lock"), lock_text(record.lock)});
     if (record.map_text != nullptr) {
         const std::string name = project.map_path.substr(project.map_path.find_last_of('/') + 1);
-        files.write(beside_map(project, name), *record.map_text);
+        files.push_back({beside_map(project, name), *record.map_text});
     }
-    files.done();
+    const bool makes_folder = disk.kind(base_folder(project)) == FileKind::None;
+    if (const std::string failure = disk.write_all(files); !failure.empty()) {
+        if (makes_folder) disk.remove(base_folder(project));
+        throw CannotDo(failure);
+    }
     if (!record.clears) return;
     for (const DirectoryEntry& entry : disk.list(base_folder(project)).entries)
         if (is_fingerprint(entry.name) && !needed.contains(entry.name)) disk.remove(base_file(project, entry.name));

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/read/borrowed_repository.h"
+
+#include "porttool/read/disk.h"
+#include "porttool/read/git_open.h"
+
+namespace porttool {
+namespace {
+
+using Repository = GitOwned<git_repository, git_repository_free>;
+using Commit = GitOwned<git_commit, git_commit_free>;
+using Tree = GitOwned<git_tree, git_tree_free>;
+using Index = GitOwned<git_index, git_index_free>;
+
+}  // namespace
+
+std::string borrow_repository(const GitRepository& other, const std::string& folder) {
+    const std::optional<GitCommit> head = other.commit("HEAD");
+    const auto id = head ? git_oid_of(head->id) : std::nullopt;
+    if (!id) return "HEAD names no commit yet; commit once";
+    git_repository* made = nullptr;
+    if (git_repository_init(&made, folder.c_str(), 0) != 0) return git_last_error();
+    git_repository_free(made);
+    RealDisk disk;
+    const std::string ours = join_path(folder, ".git");
+    const std::string objects = join_path(other.own_folder(), "objects") + "\n";
+    if (const std::string failure = disk.write(join_path(ours, "objects/info/alternates"), objects); !failure.empty())
+        return failure;
+    const FileText shallow = disk.read(join_path(other.own_folder(), "shallow"), kLargestFile);
+    if (shallow.error.empty()) (void)disk.write(join_path(ours, "shallow"), shallow.bytes);
+
+    const Repository repository(open_work_tree(ours));
+    git_commit* commit = nullptr;
+    if (!repository || git_commit_lookup(&commit, repository.get(), &*id) != 0) return git_last_error();
+    const Commit commit_owner(commit);
+    git_tree* tree = nullptr;
+    git_index* index = nullptr;
+    if (git_commit_tree(&tree, commit) != 0) return git_last_error();
+    const Tree tree_owner(tree);
+    if (git_repository_index(&index, repository.get()) != 0) return git_last_error();
+    const Index index_owner(index);
+    const bool done = git_repository_set_head_detached(repository.get(), &*id) == 0 &&
+                      git_index_read_tree(index, tree) == 0 && git_index_write(index) == 0;
+    return done ? std::string() : git_last_error();
+}
+
+}  // namespace porttool

@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/sync/apply.h"
+
+#include <algorithm>
+#include <set>
+
+#include "porttool/read/git_repository.h"
+#include "porttool/text/sink/terminal.h"
+
+namespace porttool {
+namespace {
+
+constexpr const char* kNothing = "; nothing was written";
+
+std::string shown(const TreePath& place) { return terminal_text(place.path); }
+
+/// Throws unless the file is what the proposals were made for, and may be written.
+void require_writable(const WrittenFile& file, const Disk& disk) {
+    if (disk.is_read_only(file.place))
+        throw CannotDo(shown(file.place) + " is read-only" + kNothing + ". Make it writable: chmod u+w");
+    const FileText there = disk.read(file.place, kLargestFile);
+    const bool is_new = file.before.empty() && disk.kind(file.place) == FileKind::None;
+    if (!is_new && (!there.error.empty() || there.bytes != file.before))
+        throw CannotDo(shown(file.place) + (there.error.empty() ? " changed meanwhile" : " " + there.error) + kNothing +
+                       ". Run sync again");
+}
+
+/// Throws where a file that stands there holds what no commit does, and would be lost.
+void require_committed(const WrittenFile& file, const Disk& disk) {
+    if (disk.kind(file.place) == FileKind::None) return;
+    const size_t slash = file.place.path.find_last_of('/');
+    const std::string folder = slash == std::string::npos ? std::string() : file.place.path.substr(0, slash);
+    const GitRepository repository(join_path(file.place.root, folder));  // that of a submodule, in one
+    if (!repository.error().empty())
+        throw CannotDo(shown(file.place) + " is in no git repository, so that its text could be lost" + kNothing +
+                       ". To write all the same, add --force");
+    if (!repository.is_as_committed(file.place.path.substr(slash + 1)))
+        throw CannotDo(shown(file.place) + " has changes that are not committed" + kNothing +
+                       ". Commit them, or add --force");
+}
+
+}  // namespace
+
+std::vector<WrittenFile> written_files(const std::map<std::string, ProposedFile>& files, const Project& project) {
+    std::set<std::string_view> of_target;
+    if (target_root(project) != project.root)
+        for (const ScannedFile& file : project.target) of_target.insert(file.path);
+    std::vector<WrittenFile> out;
+    for (const auto& [path, file] : files)
+        out.push_back({{of_target.contains(path) ? target_root(project) : project.root, path}, file.before, file.now});
+    return out;
+}
+
+void apply(const std::vector<WrittenFile>& files, bool force, Disk& disk) {
+    std::vector<FileToWrite> all;
+    for (const WrittenFile& file : files) {
+        require_writable(file, disk);
+        if (!force) require_committed(file, disk);
+        all.push_back({file.place, file.now});
+    }
+    if (const std::string failure = disk.write_all(all); !failure.empty()) throw CannotDo(failure + kNothing);
+}
+
+}  // namespace porttool

@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "porttool/read/disk.h"
+#include "porttool/snapshot/project.h"
+#include "porttool/sync/propose.h"
+
+namespace porttool {
+
+/// A file that proposals write, and where.
+struct WrittenFile {
+    TreePath place;
+    std::string before;  ///< "" for one that is new
+    std::string now;
+};
+
+/// The files of proposals with the roots that they lie beneath.
+std::vector<WrittenFile> written_files(const std::map<std::string, ProposedFile>& files, const Project& project);
+
+/// Writes all of them, or none. Throws CannotDo for a file that is closed to writing, that is not any more what the
+/// proposals were made for, or, unless forced, that holds what no commit does.
+void apply(const std::vector<WrittenFile>& files, bool force, Disk& disk);
+
+}  // namespace porttool
