@@ -32,15 +32,12 @@ std::vector<size_t> chosen_pairs(const Options& options, const Judgement& judgem
     return out;
 }
 
-/// True where that text names a pair, and so is no command.
-bool is_id(const Judgement& judgement, const std::string& text) { return !named_by(judgement, text).pairs.empty(); }
-
 /// The command that was asked for; "" for none. Throws CannotDo.
 std::string verify_command(const Options& options, const CheckedProject& checked) {
     if (!options.verifies) return {};
-    if (is_id(checked.judgement, options.verify))
+    if (!options.verify.empty() && !named_by(checked.judgement, options.verify).pairs.empty())
         throw CannotDo("--verify takes what follows for its command, and " + terminal_text(options.verify) +
-                       " is a pair\nPut ids first, or write --verify=COMMAND");
+                       " is a pair; put ids before --verify");
     const std::string& command = options.verify.empty() ? checked.project.map.verify : options.verify;
     if (command.empty())
         throw CannotDo(
@@ -66,19 +63,13 @@ void require_together(const Options& options) {
     if (options.all && !options.paths.empty()) throw CannotDo("--all takes every pair; leave out the ids, or --all");
 }
 
-/// The files of what is proposed, with those of partial proposals where these are asked for.
-std::vector<WrittenFile> files_to_write(const SyncResult& result, bool partial, const Project& project) {
-    return written_files(partial ? result.files_with_partial : result.files, project);
-}
-
-/// Runs the command on what would be written; partial proposals are tried where nothing else is there to try. None if
-/// there is no command or nothing to try.
+/// Runs the command on what would be written; partial proposals are tried where there is nothing else to try. None if
+/// there is no command, or nothing at all to try.
 std::optional<Verification> verified(const Options& options, const CheckedProject& checked, const SyncResult& result,
-                                     Workplace& place) {
+                                     std::vector<WrittenFile> files, Workplace& place) {
     const std::string command = verify_command(options, checked);
     const std::chrono::milliseconds limit = verify_limit(options);
-    std::vector<WrittenFile> files = files_to_write(result, options.partial, checked.project);
-    if (files.empty()) files = files_to_write(result, true, checked.project);
+    if (files.empty()) files = written_files(result.files_with_partial, checked.project);
     if (command.empty() || files.empty()) return std::nullopt;
     return verify(files, command, limit, place.disk);
 }
@@ -115,14 +106,21 @@ Outcome run_sync(const Options& options, Workplace& place) {
     const WriteSide write = options.to_side == "source"   ? WriteSide::Source
                             : options.to_side == "target" ? WriteSide::Target
                                                           : WriteSide::Other;
-    SyncResult result = propose(checked, chosen_pairs(options, checked.judgement), write, place.disk);
-    const std::optional<Verification> verification = verified(options, checked, result, place);
+    const std::vector<size_t> pairs = chosen_pairs(options, checked.judgement);
+    SyncResult result = propose(checked, pairs, write, place.disk);
+    std::vector<WrittenFile> files;
+    if (options.apply || options.verifies)
+        files = written_files(
+            options.partial ? result.files_with_partial : whole_files(result, checked, pairs, write, place.disk),
+            checked.project);
+    if (options.apply) require_applicable(files, options.force, place.disk);  // before anybody waits for a command
+    const std::optional<Verification> verification = verified(options, checked, result, files, place);
     const bool failed = verification && !verification->passed();
     if (failed) {
         take_back(result, *verification);
         place.err << failure_of(*verification) << (options.apply ? "; nothing was written\n" : "\n");
     } else if (options.apply) {
-        write_files(files_to_write(result, options.partial, checked.project), options.force, place);
+        write_files(files, options.force, place);
     }
     const int code = result.any_left() || failed ? 1 : 0;
     if (options.format == "json") return {sync_json(result, verification), code};

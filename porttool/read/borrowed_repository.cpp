@@ -4,6 +4,7 @@
 
 #include "porttool/read/disk.h"
 #include "porttool/read/git_open.h"
+#include "porttool/read/source_files.h"
 
 namespace porttool {
 namespace {

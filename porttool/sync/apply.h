@@ -19,11 +19,19 @@ struct WrittenFile {
     std::string now;
 };
 
+/// The files of whole proposals alone: those of `result`, or, where it has partial ones as well, of what is proposed
+/// without them. A proposal that needs what a partial one brings is then none.
+std::map<std::string, ProposedFile> whole_files(const SyncResult& result, const CheckedProject& checked,
+                                                std::vector<size_t> pairs, WriteSide write, const Disk& disk);
+
 /// The files of proposals with the roots that they lie beneath.
 std::vector<WrittenFile> written_files(const std::map<std::string, ProposedFile>& files, const Project& project);
 
-/// Writes all of them, or none. Throws CannotDo for a file that is closed to writing, that is not any more what the
-/// proposals were made for, or, unless forced, that holds what no commit does.
+/// Throws CannotDo for a file that is closed to writing, that is not any more what the proposals were made for, or,
+/// unless forced, that holds what no commit does.
+void require_applicable(const std::vector<WrittenFile>& files, bool force, const Disk& disk);
+
+/// Writes all of them, or none. Throws CannotDo, as above too.
 void apply(const std::vector<WrittenFile>& files, bool force, Disk& disk);
 
 }  // namespace porttool

@@ -115,7 +115,7 @@ bool take_output(int pipe, std::string& tail) {
         if (got < 0 && errno == EINTR) continue;
         if (got <= 0) return got < 0 && errno == EAGAIN;
         tail.append(buffer.data(), static_cast<size_t>(got));
-        if (tail.size() > 2 * kTail) tail.erase(0, tail.size() - kTail);
+        if (tail.size() > 4 * kTail) tail.erase(0, tail.size() - 2 * kTail);
     }
 }
 

@@ -54,8 +54,6 @@ void take_back(SyncResult& result, const Verification& verification) {
         one.state = ProposalState::Partial;
         one.left.push_back({failure_of(verification), 0, 0});
     }
-    result.files.clear();
-    result.files_with_partial.clear();
 }
 
 }  // namespace porttool

@@ -30,7 +30,7 @@ Verification verify(const std::vector<WrittenFile>& files, const std::string& co
 /// What a person is told of a verification that failed.
 std::string failure_of(const Verification& verification);
 
-/// Takes back what a failed verification was run on: what was proposed is left for a person, and no file is written.
+/// Takes back what a failed verification was run on: what was proposed is left for a person.
 void take_back(SyncResult& result, const Verification& verification);
 
 }  // namespace porttool
