@@ -106,13 +106,9 @@ Outcome run_sync(const Options& options, Workplace& place) {
     const WriteSide write = options.to_side == "source"   ? WriteSide::Source
                             : options.to_side == "target" ? WriteSide::Target
                                                           : WriteSide::Other;
-    const std::vector<size_t> pairs = chosen_pairs(options, checked.judgement);
-    SyncResult result = propose(checked, pairs, write, place.disk);
-    std::vector<WrittenFile> files;
-    if (options.apply || options.verifies)
-        files = written_files(
-            options.partial ? result.files_with_partial : whole_files(result, checked, pairs, write, place.disk),
-            checked.project);
+    SyncResult result = propose(checked, chosen_pairs(options, checked.judgement), write, place.disk);
+    const std::vector<WrittenFile> files =
+        written_files(options.partial ? result.files_with_partial : result.files, checked.project);
     if (options.apply) require_applicable(files, options.force, place.disk);  // before anybody waits for a command
     const std::optional<Verification> verification = verified(options, checked, result, files, place);
     const bool failed = verification && !verification->passed();

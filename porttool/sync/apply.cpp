@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "porttool/sync/apply.h"
 
-#include <algorithm>
 #include <set>
 
 #include "porttool/read/git_repository.h"
@@ -41,27 +40,6 @@ void require_committed(const WrittenFile& file, const Disk& disk) {
 }
 
 }  // namespace
-
-std::map<std::string, ProposedFile> whole_files(const SyncResult& result, const CheckedProject& checked,
-                                                std::vector<size_t> pairs, WriteSide write, const Disk& disk) {
-    const auto keep_whole = [&](const SyncResult& found) {
-        std::vector<size_t> whole;
-        for (size_t i = 0; i < pairs.size(); ++i)
-            if (found.proposals[i].state == ProposalState::Proposed) whole.push_back(pairs[i]);
-        pairs = std::move(whole);
-    };
-    const auto has_partial = [](const SyncResult& found) {
-        return std::any_of(found.proposals.begin(), found.proposals.end(),
-                           [](const Proposal& one) { return one.state == ProposalState::Partial; });
-    };
-    if (!has_partial(result)) return result.files_with_partial;
-    SyncResult again = result;
-    while (has_partial(again)) {  // each time there are fewer pairs
-        keep_whole(again);
-        again = propose(checked, pairs, write, disk);
-    }
-    return std::move(again.files_with_partial);
-}
 
 std::vector<WrittenFile> written_files(const std::map<std::string, ProposedFile>& files, const Project& project) {
     std::set<std::string_view> of_target;

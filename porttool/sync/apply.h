@@ -19,11 +19,6 @@ struct WrittenFile {
     std::string now;
 };
 
-/// The files of whole proposals alone: those of `result`, or, where it has partial ones as well, of what is proposed
-/// without them. A proposal that needs what a partial one brings is then none.
-std::map<std::string, ProposedFile> whole_files(const SyncResult& result, const CheckedProject& checked,
-                                                std::vector<size_t> pairs, WriteSide write, const Disk& disk);
-
 /// The files of proposals with the roots that they lie beneath.
 std::vector<WrittenFile> written_files(const std::map<std::string, ProposedFile>& files, const Project& project);
 

@@ -14,10 +14,10 @@
 namespace porttool::testing {
 namespace {
 
-const std::string kSource =
+const std::string kTwoUnits =
     "__device__ float shade(float a, float b) {\n    float c = a * b;\n    return c * 0.5f;\n}\n"
     "__device__ float fade(float a, float b) {\n    float d = a - b;\n    return d * 3.0f;\n}\n";
-const std::string kTarget =
+const std::string kTwoPorts =
     "float shade(float a, float b) {\n    float c = a * b;\n    return c * 0.5;\n}\n"
     "float fade(float a, float b) {\n    float d = a - b;\n    return d * 3.0;\n}\n";
 
@@ -29,8 +29,8 @@ protected:
         cache = root.string() + "_cache";
         std::filesystem::remove_all(cache);
         ::setenv("XDG_CACHE_HOME", cache.c_str(), 1);
-        write("src/k.cu", kSource);
-        write("port/k.comp", kTarget);
+        write("src/k.cu", kTwoUnits);
+        write("port/k.comp", kTwoPorts);
         ASSERT_EQ(porttool({"init", "--source", "src/*", "--target", "port/*"}).exit_code, 0);
         commit("one");
     }
@@ -69,7 +69,7 @@ protected:
 
 bool holds(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
-const std::string kPorted = replaced(kTarget, "c * 0.5", "c * 0.25");
+const std::string kOnePorted = replaced(kTwoPorts, "c * 0.5", "c * 0.25");
 
 TEST_F(SyncCommand, JsonHasTheFieldsOfTheContract) {
     edit_source();
@@ -84,7 +84,7 @@ TEST_F(SyncCommand, JsonHasTheFieldsOfTheContract) {
     EXPECT_TRUE(one["map_patch"].is_null());
     EXPECT_EQ(one["left"], nlohmann::json::array());
     EXPECT_TRUE(one["why"].is_array());
-    EXPECT_EQ(port(), kTarget) << "without --apply nothing is written";
+    EXPECT_EQ(port(), kTwoPorts) << "without --apply nothing is written";
 }
 
 TEST_F(SyncCommand, NothingPending) {
@@ -94,7 +94,7 @@ TEST_F(SyncCommand, NothingPending) {
     EXPECT_TRUE(one["patch"].is_null());
     EXPECT_EQ(porttool({"sync", "--format", "patch"}).out, "");
     EXPECT_EQ(porttool({"sync", "--apply"}).exit_code, 0);
-    EXPECT_EQ(port(), kTarget);
+    EXPECT_EQ(port(), kTwoPorts);
 }
 
 TEST_F(SyncCommand, PatchesApplyOneAfterAnother) {
@@ -107,12 +107,12 @@ TEST_F(SyncCommand, PatchesApplyOneAfterAnother) {
         write("one.patch", one["patch"]);
         git("apply one.patch");
     }
-    EXPECT_EQ(port(), replaced(kPorted, "d * 3.0", "d * 4.0"));
+    EXPECT_EQ(port(), replaced(kOnePorted, "d * 3.0", "d * 4.0"));
     EXPECT_EQ(porttool({"check", "--strict"}).exit_code, 0);
     git("checkout -q port");
     write("all.patch", porttool({"sync", "--format", "patch"}).out);
     git("apply all.patch");
-    EXPECT_EQ(port(), replaced(kPorted, "d * 3.0", "d * 4.0"));
+    EXPECT_EQ(port(), replaced(kOnePorted, "d * 3.0", "d * 4.0"));
 }
 
 TEST_F(SyncCommand, AnIdOfEitherSideChoosesThePair) {
@@ -147,21 +147,21 @@ TEST_F(SyncCommand, ApplyWritesWhatIsProposed) {
     edit_source();
     const CommandRun got = porttool({"sync", "--apply"});
     EXPECT_EQ(got.exit_code, 0) << got.err;
-    EXPECT_EQ(port(), kPorted);
+    EXPECT_EQ(port(), kOnePorted);
     EXPECT_TRUE(holds(got.err, "wrote port/k.comp")) << got.err;
     EXPECT_EQ(porttool({"check", "--strict"}).exit_code, 0);
     EXPECT_EQ(porttool({"sync", "--apply"}).exit_code, 0) << "nothing is due any more";
-    EXPECT_EQ(port(), kPorted);
+    EXPECT_EQ(port(), kOnePorted);
 }
 
 TEST_F(SyncCommand, ApplyKeepsWhatNoCommitHolds) {
     edit_source();
-    write("port/k.comp", kTarget + "// a note\n");
+    write("port/k.comp", kTwoPorts + "// a note\n");
     EXPECT_TRUE(holds(error_of({"--apply"}), "not committed"));
     git("add port");
     EXPECT_TRUE(holds(error_of({"--apply"}), "not committed")) << "nor does the index count";
     EXPECT_EQ(porttool({"sync", "--apply", "--force"}).exit_code, 0);
-    EXPECT_EQ(port(), kPorted + "// a note\n");
+    EXPECT_EQ(port(), kOnePorted + "// a note\n");
 }
 
 TEST_F(SyncCommand, ApplyOutsideOfGitNeedsForce) {
@@ -169,7 +169,7 @@ TEST_F(SyncCommand, ApplyOutsideOfGitNeedsForce) {
     std::filesystem::remove_all(root / ".git");
     EXPECT_TRUE(holds(error_of({"--apply"}), "no git repository"));
     EXPECT_EQ(porttool({"sync", "--apply", "--force"}).exit_code, 0);
-    EXPECT_EQ(port(), kPorted);
+    EXPECT_EQ(port(), kOnePorted);
 }
 
 TEST_F(SyncCommand, ApplyLeavesAReadOnlyFile) {
@@ -248,7 +248,7 @@ TEST_F(SyncCommand, VerifyRunsOnACopyWithThePatches) {
     EXPECT_TRUE(holds(tail, "return c * 0.25f;")) << "with what is not committed: " << tail;
     EXPECT_TRUE(holds(tail, " M port/k.comp\n M src/k.cu\n")) << tail;
     EXPECT_TRUE(holds(tail, std::filesystem::canonical(cache).string())) << tail;
-    EXPECT_EQ(port(), kTarget);
+    EXPECT_EQ(port(), kTwoPorts);
     EXPECT_EQ(std::system(("test -z \"$(git -C '" + root.string() + "' worktree list | tail -n +2)\"").c_str()), 0);
 }
 
@@ -282,11 +282,11 @@ TEST_F(SyncCommand, AFailedVerificationIsNeverApplied) {
     EXPECT_EQ(got["proposals"][0]["state"], "partial");
     ASSERT_EQ(got["proposals"][0]["left"].size(), 1u);
     EXPECT_TRUE(holds(got["proposals"][0]["left"][0]["message"], "exit code 3"));
-    EXPECT_EQ(port(), kTarget);
+    EXPECT_EQ(port(), kTwoPorts);
     EXPECT_EQ(sync({"--apply", "--partial", "--verify", "false"}, 1)["verified"]["exit_code"], 1);
-    EXPECT_EQ(port(), kTarget) << "--partial does not change that";
+    EXPECT_EQ(port(), kTwoPorts) << "--partial does not change that";
     EXPECT_EQ(sync({"--apply", "--verify", "true"}, 0)["verified"]["exit_code"], 0);
-    EXPECT_EQ(port(), kPorted);
+    EXPECT_EQ(port(), kOnePorted);
 }
 
 TEST_F(SyncCommand, AVerificationThatHangsIsStopped) {
@@ -299,7 +299,7 @@ TEST_F(SyncCommand, AVerificationThatHangsIsStopped) {
     EXPECT_EQ(got["verified"]["exit_code"], 124);
     EXPECT_EQ(got["verified"]["output_tail"], "on\n");
     EXPECT_TRUE(holds(got["proposals"][0]["left"][0]["message"], "--verify-timeout"));
-    EXPECT_EQ(port(), kTarget);
+    EXPECT_EQ(port(), kTwoPorts);
     std::this_thread::sleep_for(std::chrono::milliseconds(1000));
     EXPECT_FALSE(std::filesystem::exists(mark)) << "what it had started has ended, too";
 }

@@ -1,0 +1,383 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+// What sync proposes, against ports that were written by hand: each test has the port as a person would make it.
+#include "tests/porttool/fixtures.h"
+#include "tests/porttool/run_command.h"
+
+namespace porttool::testing {
+namespace {
+
+/// A text without white space, which is a port's own affair.
+std::string dense(const std::string& text) {
+    std::string out;
+    for (const char c : text)
+        if (c != ' ' && c != '\t' && c != '\n' && c != '\r') out += c;
+    return out;
+}
+
+struct EditCase {
+    std::string source = "k.cu", target = "k.glsl";  ///< names of the files
+    std::string before, after;                       ///< of the source
+    std::string port, ported;                        ///< as it is, and as a person would leave it
+};
+
+/// What sync made of an edit.
+struct Synced {
+    nlohmann::json proposal;
+    int exit_code = 0;
+    std::string port;  ///< after --apply
+    std::string state() const { return proposal["state"]; }
+    std::string why() const { return proposal.dump(1); }
+};
+
+Synced synced(const EditCase& one) {
+    MemoryDisk disk;
+    const std::string source = "/r/src/" + one.source, target = "/r/port/" + one.target;
+    disk.files = {{source, one.before}, {target, one.port}};
+    EXPECT_EQ(run(disk, {"-C", "/r", "init", "--source", "src/*", "--target", "port/*"}).exit_code, 0);
+    disk.files[source] = one.after;
+    const CommandRun got = run(disk, {"-C", "/r", "sync", "--format", "json"});
+    EXPECT_NE(got.exit_code, 2) << got.err;
+    Synced out;
+    out.exit_code = got.exit_code;
+    if (got.exit_code == 2) return out;
+    const nlohmann::json all = nlohmann::json::parse(got.out);
+    EXPECT_LE(all["proposals"].size(), 1u);
+    out.proposal = all["proposals"].empty()
+                       ? nlohmann::json{{"state", "already"}, {"patch", nullptr}, {"left", nlohmann::json::array()}}
+                       : all["proposals"][0];
+    EXPECT_EQ(disk.files[target], one.port) << "without --apply nothing is written";
+    run(disk, {"-C", "/r", "sync", "--apply", "--force"});
+    out.port = disk.files[target];
+    const bool whole = out.state() == "proposed";
+    EXPECT_EQ(whole || out.state() == "partial", out.proposal["patch"].is_string()) << out.why();
+    EXPECT_EQ(out.state() == "partial" || out.state() == "refused", !out.proposal["left"].empty()) << out.why();
+    EXPECT_EQ(out.exit_code, out.proposal["left"].empty() ? 0 : 1);
+    if (!whole) EXPECT_EQ(out.port, one.port) << "only what is proposed is written";
+    if (whole) EXPECT_EQ(run(disk, {"-C", "/r", "check", "--strict"}).exit_code, 0) << out.port;
+    return out;
+}
+
+/// The port must be proposed, word for word.
+void expect_ported(const EditCase& one) {
+    const Synced got = synced(one);
+    EXPECT_EQ(got.state(), "proposed") << got.why();
+    EXPECT_EQ(dense(got.port), dense(one.ported)) << got.port;
+}
+
+/// Another text than the hand-made one must not be proposed.
+void expect_not_wrong(const EditCase& one) {
+    const Synced got = synced(one);
+    if (got.state() == "proposed") EXPECT_EQ(dense(got.port), dense(one.ported)) << got.port;
+}
+
+/// A person has to see to it.
+void expect_left(const EditCase& one) {
+    const Synced got = synced(one);
+    EXPECT_TRUE(got.state() == "refused" || got.state() == "partial") << got.why() << got.port;
+}
+
+const std::string kWeighSource =
+    "__device__ float weigh(const Hit* hit, float scale, int count) {\n"
+    "    float sum = 0.0f;\n"
+    "    for (int i = 0; i < count; i++) {\n"
+    "        sum += hit->t * scale;\n"
+    "    }\n"
+    "    if (sum > 1.0f) sum = 1.0f;\n"
+    "    float gain = sqrtf(sum);\n"
+    "    return gain * 0.5f;\n"
+    "}\n";
+const std::string kWeighPort =
+    "float weigh(in Hit hit, float scale, int count)\n"
+    "{\n"
+    "  float total = 0.0;\n"
+    "  for (int i = 0; i < count; i++)\n"
+    "  {\n"
+    "    total += hit.t * scale;\n"
+    "  }\n"
+    "  if (total > 1.0) total = 1.0;\n"
+    "  float gain = sqrt(total);\n"
+    "  return gain * 0.5;\n"
+    "}\n";
+
+/// An edit of that kernel, with what it makes of the port.
+EditCase weighed(const std::string& from, const std::string& to, const std::string& there, const std::string& becomes) {
+    return {"k.cu",       "k.glsl",
+            kWeighSource, replaced(kWeighSource, from, to),
+            kWeighPort,   replaced(kWeighPort, there, becomes)};
+}
+
+TEST(SyncEdit, AConstantChanges) {
+    expect_ported(weighed("gain * 0.5f", "gain * 0.25f", "gain * 0.5", "gain * 0.25"));
+    expect_ported(weighed("sum > 1.0f", "sum > 2.0f", "total > 1.0", "total > 2.0"));
+}
+
+TEST(SyncEdit, AnOperatorChanges) {
+    expect_ported(weighed("i < count", "i <= count", "i < count", "i <= count"));
+    expect_ported(weighed("gain * 0.5f", "gain / 0.5f", "gain * 0.5", "gain / 0.5"));
+}
+
+TEST(SyncEdit, AStatementComesBetweenNeighbours) {
+    expect_ported(weighed("    float gain =", "    sum = sum * scale;\n    float gain =", "  float gain =",
+                          "  total = total * scale;\n  float gain ="));
+    expect_ported(weighed("        sum += hit->t * scale;\n", "        sum += hit->t * scale;\n        sum *= 0.5f;\n",
+                          "    total += hit.t * scale;\n", "    total += hit.t * scale;\n    total *= 0.5;\n"));
+}
+
+TEST(SyncEdit, AStatementComesFirstOrLastInABlock) {
+    expect_ported(weighed("        sum += hit->t", "        scale *= 0.5f;\n        sum += hit->t",
+                          "    total += hit.t", "    scale *= 0.5;\n    total += hit.t"));
+    expect_ported(weighed("    float sum = 0.0f;\n", "    scale = scale + 1.0f;\n    float sum = 0.0f;\n",
+                          "  float total = 0.0;\n", "  scale = scale + 1.0;\n  float total = 0.0;\n"));
+}
+
+TEST(SyncEdit, AStatementGoes) {
+    expect_ported(weighed("    if (sum > 1.0f) sum = 1.0f;\n", "", "  if (total > 1.0) total = 1.0;\n", ""));
+    expect_ported(weighed("        sum += hit->t * scale;\n", "", "    total += hit.t * scale;\n", ""));
+}
+
+TEST(SyncEdit, ANewIfStandsAroundAStatement) {
+    expect_ported(weighed("        sum += hit->t * scale;\n", "        if (scale > 0.0f) sum += hit->t * scale;\n",
+                          "    total += hit.t * scale;\n", "    if (scale > 0.0) total += hit.t * scale;\n"));
+    const EditCase braces =
+        weighed("        sum += hit->t * scale;\n",
+                "        if (scale > 0.0f) {\n            sum += hit->t * scale;\n        }\n",
+                "    total += hit.t * scale;\n", "    if (scale > 0.0)\n    {\n      total += hit.t * scale;\n    }\n");
+    expect_ported(braces);
+}
+
+TEST(SyncEdit, ANewIfThatLeaves) {
+    expect_ported(weighed("    float gain =", "    if (sum < 0.0f) return 0.0f;\n    float gain =", "  float gain =",
+                          "  if (total < 0.0) return 0.0;\n  float gain ="));
+}
+
+TEST(SyncEdit, WordsOfTheTwoLanguages) {
+    expect_ported(weighed("gain * 0.5f", "fmaxf(gain, 0.5f)", "gain * 0.5", "max(gain, 0.5)"));
+    expect_ported(weighed("return gain * 0.5f", "return gain * fminf(hit->t, 1.0f)", "return gain * 0.5",
+                          "return gain * min(hit.t, 1.0)"));
+}
+
+TEST(SyncEdit, ANewLocal) {
+    expect_ported(weighed(
+        "    float gain = sqrtf(sum);\n", "    float half_sum = sum * 0.5f;\n    float gain = sqrtf(half_sum);\n",
+        "  float gain = sqrt(total);\n", "  float half_sum = total * 0.5;\n  float gain = sqrt(half_sum);\n"));
+}
+
+TEST(SyncEdit, ANewParameter) {
+    expect_ported(weighed("float scale, int count) {", "float scale, float bias, int count) {",
+                          "float scale, int count)", "float scale, float bias, int count)"));
+    expect_ported(EditCase{
+        "k.cu", "k.glsl", kWeighSource,
+        replaced(replaced(kWeighSource, "int count) {", "int count, float bias) {"), "gain * 0.5f", "gain + bias"),
+        kWeighPort,
+        replaced(replaced(kWeighPort, "int count)", "int count, float bias)"), "gain * 0.5", "gain + bias")});
+}
+
+TEST(SyncEdit, AMemberIsSpelledOtherwise) {
+    const EditCase one{"k.cl",
+                       "k.cpp",
+                       "float aim(const Aux* aux, float a) {\n    float b = aux->x * a;\n    return b + aux->y;\n}\n",
+                       "float aim(const Aux* aux, float a) {\n    float b = aux->x * a;\n    b += aux->y * 2.0f;\n    "
+                       "return b + aux->y;\n}\n",
+                       "float aim(const Aux& aux, float a) {\n    float b = aux.x * a;\n    return b + aux.y;\n}\n",
+                       "float aim(const Aux& aux, float a) {\n    float b = aux.x * a;\n    b += aux.y * 2.0f;\n    "
+                       "return b + aux.y;\n}\n"};
+    expect_ported(one);
+}
+
+TEST(SyncEdit, AWordThatTheTargetDoesNotKnowIsLeft) {
+    expect_left(weighed("gain * 0.5f", "gain * source_only_table[count]", "gain * 0.5", "gain * 0.5"));
+    expect_left(weighed("gain * 0.5f", "source_only_call(gain)", "gain * 0.5", "gain * 0.5"));
+    expect_left(weighed("gain * 0.5f", "gain * hit->unheard_of", "gain * 0.5", "gain * 0.5"));
+    const Synced left = synced(weighed("gain * 0.5f", "source_only_call(gain)", "gain * 0.5", "gain * 0.5"));
+    ASSERT_FALSE(left.proposal["left"].empty());
+    const auto& item = left.proposal["left"][0];
+    EXPECT_NEAR(item["source_line"].get<int>(), 8, 3) << item;
+    EXPECT_NEAR(item["target_line"].get<int>(), 10, 3) << item;
+    EXPECT_NE(item["message"].get<std::string>().find("source_only_call"), std::string::npos) << item;
+}
+
+TEST(SyncEdit, ThePortHasItAlready) {
+    // It went ahead: the source catches up with a port that was recorded with the statement.
+    EditCase one = weighed("    float gain =", "    sum = sum * scale;\n    float gain =", "  float gain =",
+                           "  total = total * scale;\n  float gain =");
+    one.port = one.ported;
+    const Synced got = synced(one);
+    EXPECT_EQ(got.state(), "already") << got.why();
+    EXPECT_EQ(got.port, one.port);
+    EditCase constant = weighed("gain * 0.5f", "gain * 0.25f", "gain * 0.5", "gain * 0.25");
+    constant.port = constant.ported;
+    EXPECT_EQ(synced(constant).state(), "already");
+}
+
+TEST(SyncEdit, AnEditThatChangesNothingIsNotDue) {
+    for (const EditCase& one : {weighed("    float gain =", "    // root\n    float gain =", "gain", "gain"),
+                                weighed("    float gain =", "    const float gain =", "gain", "gain"),
+                                weighed("i++", "++i", "gain", "gain")}) {
+        const Synced got = synced({one.source, one.target, one.before, one.after, kWeighPort, kWeighPort});
+        EXPECT_EQ(got.state(), "already") << got.why();
+        EXPECT_EQ(got.port, kWeighPort);
+    }
+}
+
+TEST(SyncEdit, TwoLinesThatAreAlikeAreNotMixedUp) {
+    const std::string twice =
+        "__device__ float both(float a, float b) {\n    float c = a * 2.0f;\n    c = c + b;\n    a = a + 1.0f;\n    c "
+        "= c + b;\n    return c * a;\n}\n";
+    const std::string port =
+        "float both(float a, float b) {\n    float c = a * 2.0;\n    c = c + b;\n    a = a + 1.0;\n    c = c + b;\n    "
+        "return c * a;\n}\n";
+    const std::string second = "    a = a + 1.0f;\n    c = c + b;\n", there = "    a = a + 1.0;\n    c = c + b;\n";
+    expect_ported({"k.cu", "k.glsl", twice, replaced(twice, second, "    a = a + 1.0f;\n    c = c - b;\n"), port,
+                   replaced(port, there, "    a = a + 1.0;\n    c = c - b;\n")});
+    expect_ported({"k.cu", "k.glsl", twice, replaced(twice, second, "    a = a + 1.0f;\n"), port,
+                   replaced(port, there, "    a = a + 1.0;\n")});
+}
+
+TEST(SyncEdit, ABareNumberInThePortIsNotGuessed) {
+    const std::string source =
+        "int pick(int kind, int a) {\n    if (kind == KIND_FLAT) return a;\n    return a + 1;\n}\n";
+    const std::string port = "int pick(int kind, int a) {\n    if (kind == 3) return a;\n    return a + 1;\n}\n";
+    expect_left({"k.c", "k.cpp", source, replaced(source, "KIND_FLAT", "KIND_ROUND"), port, port});
+}
+
+TEST(SyncEdit, AnInvertedBranchIsNotWidenedWrongly) {
+    const std::string source =
+        "float cut(float a, float b) {\n    if (a > b) {\n        a = b;\n    }\n    return a;\n}\n";
+    const std::string port =
+        "float cut(float a, float b) {\n    if (!(a > b)) return a;\n    a = b;\n    return a;\n}\n";
+    expect_not_wrong({"k.c", "k.cpp", source,
+                      replaced(source, "        a = b;\n", "        a = b;\n        b = 0.0f;\n"), port,
+                      replaced(port, "    a = b;\n", "    a = b;\n    b = 0.0f;\n")});
+}
+
+TEST(SyncEdit, AVectorStatementThatIsAChannelLoopIsNotGuessed) {
+    const std::string source = "float4 tint(float4 a, float b) {\n    float4 c = a * b;\n    return c;\n}\n";
+    const std::string port =
+        "void tint(const float* a, float b, float* c) {\n    for (int k = 0; k < 4; k++) c[k] = a[k] * b;\n}\n";
+    expect_not_wrong({"k.cl", "k.cpp", source, replaced(source, "a * b", "a * b + b"), port,
+                      replaced(port, "a[k] * b", "a[k] * b + b")});
+}
+
+TEST(SyncEdit, TheOriginalFollowsThePortWhereThatIsAsked) {
+    MemoryDisk disk = started(kWeighSource, kWeighPort);
+    disk.files["/r/port/k.comp"] = replaced(kWeighPort, "gain * 0.5", "gain * 0.25");
+    EXPECT_EQ(run(disk, {"-C", "/r", "sync", "--apply", "--force", "--to", "source"}).exit_code, 0);
+    EXPECT_EQ(disk.files["/r/src/k.cu"], replaced(kWeighSource, "gain * 0.5f", "gain * 0.25f"));
+}
+
+TEST(SyncEdit, BothSidesEdited) {
+    // Elsewhere: what the port did stays, what the source did comes.
+    MemoryDisk disk = started(kWeighSource, kWeighPort);
+    const std::string port = replaced(kWeighPort, "total > 1.0", "total > 4.0");
+    disk.files["/r/src/k.cu"] = replaced(kWeighSource, "gain * 0.5f", "gain * 0.25f");
+    disk.files["/r/port/k.comp"] = port;
+    const CommandRun got = run(disk, {"-C", "/r", "sync", "--format", "json"});
+    ASSERT_NE(got.exit_code, 2) << got.err;
+    const nlohmann::json one = nlohmann::json::parse(got.out)["proposals"][0];
+    if (one["patch"].is_string())
+        EXPECT_NE(one["patch"].get<std::string>().find("+  return gain * 0.25;"), std::string::npos) << one;
+    run(disk, {"-C", "/r", "sync", "--apply", "--force", "--partial"});
+    EXPECT_NE(disk.files["/r/port/k.comp"].find("total > 4.0"), std::string::npos) << "a person's edit is kept";
+    // In one place: nobody knows which is right.
+    disk.files["/r/port/k.comp"] = replaced(kWeighPort, "gain * 0.5", "gain * 0.125");
+    const CommandRun other = run(disk, {"-C", "/r", "sync", "--format", "json"});
+    EXPECT_EQ(other.exit_code, 1) << other.out;
+    EXPECT_NE(nlohmann::json::parse(other.out)["proposals"][0]["state"], "proposed");
+}
+
+/// The bytes of the port after an edit of a constant, with every line end of both sides written so.
+std::string ported_bytes(const std::string& source, const std::string& port) {
+    MemoryDisk disk = started(source, port);
+    disk.files["/r/src/k.cu"] = replaced(source, "sum > 1.0f", "sum > 2.0f");
+    disk.files["/r/src/k.cu"] = replaced(disk.files["/r/src/k.cu"], "return gain", "sum = 0.0f; return gain");
+    EXPECT_EQ(run(disk, {"-C", "/r", "sync", "--apply", "--force"}).exit_code, 0);
+    return disk.files["/r/port/k.comp"];
+}
+
+std::string with_ends(const std::string& text, const std::string& end) {
+    std::string out;
+    for (const char c : text) out += c == '\n' ? end : std::string(1, c);
+    return out;
+}
+
+TEST(SyncEdit, LineEndsAndTabsStay) {
+    const std::string plain = ported_bytes(kWeighSource, kWeighPort);
+    EXPECT_EQ(dense(plain), dense(replaced(replaced(kWeighPort, "total > 1.0", "total > 2.0"), "return gain",
+                                           "total = 0.0; return gain")));
+    EXPECT_EQ(ported_bytes(kWeighSource, with_ends(kWeighPort, "\r\n")), with_ends(plain, "\r\n"));
+    EXPECT_EQ(ported_bytes(with_ends(kWeighSource, "\r\n"), kWeighPort), plain);
+    std::string tabs;
+    for (size_t i = 0; i < kWeighPort.size(); ++i) {
+        if (kWeighPort.compare(i, 2, "  ") == 0)
+            tabs += '\t', ++i;
+        else
+            tabs += kWeighPort[i];
+    }
+    const std::string tabbed = ported_bytes(kWeighSource, tabs);
+    EXPECT_EQ(tabbed.find("  "), std::string::npos) << tabbed;
+    EXPECT_EQ(dense(tabbed), dense(plain));
+}
+
+TEST(SyncEdit, AFileWithoutANewlineAtItsEnd) {
+    const std::string source = "__device__ float f(float a) { return a * 2.0f; }",
+                      port = "float f(float a) { return a * 2.0; }";
+    MemoryDisk disk = started(source, port);
+    disk.files["/r/src/k.cu"] = replaced(source, "2.0f", "3.0f");
+    const CommandRun got = run(disk, {"-C", "/r", "sync", "--format", "patch"});
+    EXPECT_NE(got.out.find("-" + port + "\n\\ No newline at end of file\n"), std::string::npos) << got.out;
+    EXPECT_EQ(run(disk, {"-C", "/r", "sync", "--apply", "--force"}).exit_code, 0);
+    EXPECT_EQ(disk.files["/r/port/k.comp"], replaced(port, "2.0", "3.0"));
+}
+
+TEST(SyncEdit, BytesThatAreNoUtf8StayInThePatch) {
+    const std::string source = "__device__ float f(float a) { return a * 2.0f; }\n";
+    const std::string port = "// M\xFCller\nfloat f(float a) { return a * 2.0; }\n";
+    MemoryDisk disk = started(source, port);
+    disk.files["/r/src/k.cu"] = replaced(source, "2.0f", "3.0f");
+    const CommandRun got = run(disk, {"-C", "/r", "sync", "--format", "patch"});
+    EXPECT_NE(got.out.find(" // M\xFCller\n"), std::string::npos) << got.out;
+}
+
+TEST(SyncEdit, AFunctionThatIsTooLong) {
+    std::string body;
+    for (int i = 0; i < 1300; ++i) body += "    a = a + " + std::to_string(i) + ";\n";
+    const std::string text = "int f(int a) {\n" + body + "    return a;\n}\n";
+    const Synced got = synced({"k.c", "k.cpp", text, replaced(text, "return a;", "return a + 1;"), text, text});
+    EXPECT_EQ(got.state(), "refused") << got.why();
+    EXPECT_NE(got.why().find("5000"), std::string::npos) << got.why();
+}
+
+TEST(SyncEdit, TheTextBeforeIsGone) {
+    MemoryDisk disk = started(kWeighSource, kWeighPort);
+    disk.files["/r/src/k.cu"] = replaced(kWeighSource, "gain * 0.5f", "gain * 0.25f");
+    for (auto file = disk.files.begin(); file != disk.files.end();)
+        file = file->first.starts_with("/r/portmap.base/") ? disk.files.erase(file) : std::next(file);
+    const CommandRun got = run(disk, {"-C", "/r", "sync", "--format", "json"});
+    EXPECT_EQ(got.exit_code, 1);
+    const nlohmann::json one = nlohmann::json::parse(got.out)["proposals"][0];
+    EXPECT_EQ(one["state"], "refused");
+    EXPECT_NE(one["left"][0]["message"].get<std::string>().find("portmap.base"), std::string::npos);
+}
+
+TEST(SyncEdit, OtherUnitsOfTheFileStay) {
+    const std::string more = "\n__device__ float other(float a) {\n    return a * 0.5f;\n}\n";
+    const std::string there = "\nfloat other(float a)\n{\n  return a * 0.5; // half\n}\n";
+    const Synced got = synced({"k.cu", "k.glsl", kWeighSource + more,
+                               replaced(kWeighSource, "gain * 0.5f", "gain * 0.25f") + more, kWeighPort + there, ""});
+    EXPECT_EQ(got.state(), "proposed") << got.why();
+    EXPECT_EQ(got.port, replaced(kWeighPort, "gain * 0.5", "gain * 0.25") + there);
+}
+
+TEST(SyncEdit, CommentsOfThePortStay) {
+    const std::string noted =
+        replaced(kWeighPort, "  return gain * 0.5;", "  // half of it\n  return gain * 0.5; // PORT: no macro");
+    EditCase one = weighed("gain * 0.5f", "gain * 0.25f", "gain", "gain");
+    one.port = noted;
+    const Synced got = synced(one);
+    EXPECT_EQ(got.state(), "proposed") << got.why();
+    EXPECT_EQ(got.port, replaced(noted, "gain * 0.5", "gain * 0.25"));
+}
+
+}  // namespace
+}  // namespace porttool::testing
