@@ -14,7 +14,7 @@
 namespace porttool {
 namespace {
 
-constexpr size_t kMostClausePairs = 4'000'000;  // about a tenth of a second
+constexpr size_t kMostClausePairs = 1'500'000;  // about 50 ms
 constexpr size_t kMostWordPairs = 1'000'000;
 
 using Aliases =

@@ -206,17 +206,22 @@ private:
         }
         for (const std::string& name : lone)
             if (const auto call = std::find(is.words.begin(), is.words.end(), name); call != is.words.end()) {
-                const uint32_t line = line_at(*file, is, static_cast<size_t>(call - is.words.begin()));
+                const uint32_t call_line = line_at(*file, is, static_cast<size_t>(call - is.words.begin()));
                 const uint32_t place = pair.unit[to]->start_line;
                 out.left.push_back({"it uses `" + name + "`, which came without a port; port that, too",
-                                    from == Side::Source ? line : place, from == Side::Source ? place : line});
+                                    from == Side::Source ? call_line : place,
+                                    from == Side::Source ? place : call_line});
             }
         // Where more is left than carried, a part of the port would only be in the way.
         constexpr size_t kFew = 2;
         if (found.left.size() > std::max(kFew, found.size())) return;
         if (found.empty()) {
-            out.state = out.left.empty() ? ProposalState::Already : ProposalState::Refused;
-            if (out.left.empty()) out.why.emplace_back("the port has it already");
+            if (!out.left.empty()) return;
+            if (found.already == 0)
+                return refuse(
+                    "what the edit changed has no counterpart in the port's language; look whether it needs one");
+            out.state = ProposalState::Already;
+            out.why.emplace_back("the port has it already");
             return;
         }
         const std::vector<TextEdit> edits =
