@@ -10,6 +10,7 @@
 #include "porttool/judge/check_project.h"
 #include "porttool/judge/rules.h"
 #include "porttool/read/lock_lines.h"
+#include "porttool/report/sync_report.h"
 #include "porttool/text/sink/terminal.h"
 
 namespace porttool {
@@ -63,6 +64,15 @@ void explain_edits(const CheckedProject& checked, const JudgedPair& pair, std::s
         out += fmt::format("{:<{}} | {}\n", i < left.size() ? left[i] : "", kWidth, i < right.size() ? right[i] : "");
 }
 
+/// What `sync` would propose for a pair that is out of step.
+void explain_proposal(const CheckedProject& checked, const JudgedPair& pair, const Disk& disk, std::string& out) {
+    if (!pair.changed || pair.equivalent) return;
+    const auto place = static_cast<size_t>(&pair - checked.judgement.pairs.data());
+    const SyncResult result = propose(checked, {place}, WriteSide::Other, disk);
+    if (result.proposals.front().state != ProposalState::Already)
+        out += "porttool sync:\n" + sync_table(result, std::nullopt);
+}
+
 }  // namespace
 
 void declare_explain(Declare& declare, Options& options) {
@@ -87,6 +97,7 @@ Outcome run_explain(const Options& options, Workplace& place) {
         for (const JudgedPair* pair : named.pairs) {
             explain_pair(checked, *pair, out);
             explain_edits(checked, *pair, out);
+            explain_proposal(checked, *pair, place.disk, out);
         }
     }
     return {out, 0};

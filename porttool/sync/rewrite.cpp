@@ -36,7 +36,8 @@ public:
         : transplant_(transplant), source_(source), target_(target), unit_(indent_unit(target.file.lexed)) {}
 
     std::vector<TextEdit> run() {
-        style_ = brace_style();
+        // Of two manners that both sides keep to, the target's; else what the source has.
+        style_ = brace_style(source_) * brace_style(target_) < 0 ? brace_style(target_) : 0;
         note_braces();
         for (const WordsReplaced& one : transplant_.replaced) replace(one);
         for (const ClausesAdded& one : transplant_.added) add(one);
@@ -345,14 +346,14 @@ private:
         }
     }
 
-    /// 1 where the target puts every single statement that is controlled into braces, -1 where none, 0 where both.
-    int brace_style() const {
+    /// 1 where a unit puts every single statement that is controlled into braces, -1 where none, 0 where both.
+    static int brace_style(const PlacedUnit& unit) {
         size_t with = 0, without = 0;
-        for (size_t c = 0; c < target_.clauses.size(); ++c) {
-            const Clause& one = target_.clauses[c];
-            const std::string& head = target_.words.words[one.first];
+        for (size_t c = 0; c < unit.clauses.size(); ++c) {
+            const Clause& one = unit.clauses[c];
+            const std::string& head = unit.words.words[one.first];
             if (!one.opens || one.partner != c + 2 || !(word_is(head, kControls) || head == "else")) continue;
-            ++(is_added(one.end - 1) ? without : with);
+            ++(unit.words.is_added(one.end - 1) ? without : with);
         }
         return with > 0 && without == 0 ? 1 : without > 0 && with == 0 ? -1 : 0;
     }
