@@ -10,19 +10,19 @@
 namespace porttool {
 namespace {
 
-constexpr const char* kNothing = "; nothing was written";
+constexpr const char* kNoneWritten = "; nothing was written";
 
 std::string shown(const TreePath& place) { return terminal_text(place.path); }
 
 /// Throws unless the file is what the proposals were made for, and may be written.
 void require_writable(const WrittenFile& file, const Disk& disk) {
     if (disk.is_read_only(file.place))
-        throw CannotDo(shown(file.place) + " is read-only" + kNothing + ". Make it writable: chmod u+w");
+        throw CannotDo(shown(file.place) + " is read-only" + kNoneWritten + ". Make it writable: chmod u+w");
     const FileText there = disk.read(file.place, kLargestFile);
     const bool is_new = file.before.empty() && disk.kind(file.place) == FileKind::None;
     if (!is_new && (!there.error.empty() || there.bytes != file.before))
-        throw CannotDo(shown(file.place) + (there.error.empty() ? " changed meanwhile" : " " + there.error) + kNothing +
-                       ". Run sync again");
+        throw CannotDo(shown(file.place) + (there.error.empty() ? " changed meanwhile" : " " + there.error) +
+                       kNoneWritten + ". Run sync again");
 }
 
 /// Throws where a file that stands there holds what no commit does, and would be lost.
@@ -32,10 +32,10 @@ void require_committed(const WrittenFile& file, const Disk& disk) {
     const std::string folder = slash == std::string::npos ? std::string() : file.place.path.substr(0, slash);
     const GitRepository repository(join_path(file.place.root, folder));  // that of a submodule, in one
     if (!repository.error().empty())
-        throw CannotDo(shown(file.place) + " is in no git repository, so that its text could be lost" + kNothing +
+        throw CannotDo(shown(file.place) + " is in no git repository, so that its text could be lost" + kNoneWritten +
                        ". To write all the same, add --force");
     if (!repository.is_as_committed(file.place.path.substr(slash + 1)))
-        throw CannotDo(shown(file.place) + " has changes that are not committed" + kNothing +
+        throw CannotDo(shown(file.place) + " has changes that are not committed" + kNoneWritten +
                        ". Commit them, or add --force");
 }
 
@@ -62,7 +62,7 @@ void apply(const std::vector<WrittenFile>& files, bool force, Disk& disk) {
     require_applicable(files, force, disk);
     std::vector<FileToWrite> all;
     for (const WrittenFile& file : files) all.push_back({file.place, file.now});
-    if (const std::string failure = disk.write_all(all); !failure.empty()) throw CannotDo(failure + kNothing);
+    if (const std::string failure = disk.write_all(all); !failure.empty()) throw CannotDo(failure + kNoneWritten);
 }
 
 }  // namespace porttool
