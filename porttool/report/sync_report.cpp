@@ -33,7 +33,8 @@ ordered_json verified_or_null(const std::optional<Verification>& verification) {
 /// A patch, or what a command printed, for a reader: its line ends act, nothing else does.
 void add_lines(std::string_view patch, std::string& out) {
     for (size_t first = 0; first < patch.size();) {
-        const size_t end = std::min(patch.find('\n', first), patch.size());
+        const size_t next = std::min(patch.find('\n', first), patch.size());
+        const size_t end = next > first && patch[next - 1] == '\r' ? next - 1 : next;
         out += "    ";
         for (size_t at = first; at < end;) {
             const size_t tab = std::min(patch.find('\t', at), end);
@@ -42,7 +43,7 @@ void add_lines(std::string_view patch, std::string& out) {
             at = tab + 1;
         }
         out += '\n';
-        first = end + 1;
+        first = next + 1;
     }
 }
 

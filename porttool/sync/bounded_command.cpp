@@ -28,11 +28,14 @@ using Clock = std::chrono::steady_clock;
 constexpr int kTimedOut = 124, kSignalled = 128;
 constexpr size_t kTail = 8192;  ///< bytes of output that are kept
 
-/// What ends us while a command runs, and must end the command first.
+/// What ends us while a command runs, and must end the command first; not what we ignore, as under nohup.
 sigset_t ending_signals() {
     sigset_t set;
     ::sigemptyset(&set);
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT}) ::sigaddset(&set, signal);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT}) {
+        struct sigaction action {};
+        if (::sigaction(signal, nullptr, &action) == 0 && action.sa_handler != SIG_IGN) ::sigaddset(&set, signal);
+    }
     return set;
 }
 

@@ -17,7 +17,7 @@ struct CommandEnd {
 
 /// Runs a command line of the user's own by `/bin/sh -c` in a folder, with nothing on its stdin, and without the
 /// variables by which git points a hook at a repository. It and all that it started end with the time that it has, with
-/// its shell, and with us. Throws CannotDo if there is no shell to start.
+/// its shell, and where a signal other than SIGKILL ends us. Throws CannotDo if there is no shell to start.
 CommandEnd run_bounded(const std::string& command, const std::string& folder, std::chrono::milliseconds limit);
 
 }  // namespace porttool
