@@ -51,6 +51,24 @@ Statement make_statement(const Words& tokens, std::vector<std::string> common, s
     return statement;
 }
 
+/// True for a text that ends as what stands before a lambda's body: `[&](int i)`, `[=]`, `[this]() mutable`.
+bool ends_lambda_head(const Words& words) {
+    size_t end = words.size();
+    while (end > 0 && (words[end - 1] == "mutable" || words[end - 1] == "noexcept")) --end;
+    if (end > 0 && words[end - 1] == ")") {
+        int depth = 0;
+        while (end > 0) {
+            --end;
+            depth += words[end] == ")" ? 1 : words[end] == "(" ? -1 : 0;
+            if (depth == 0) break;
+        }
+    }
+    if (end == 0 || words[end - 1] != "]") return false;
+    while (end > 0 && words[end - 1] != "[") --end;
+    // What stands before the bracket tells a capture from an index.
+    return end > 1 && !is_word_token(words[end - 2]) && words[end - 2] != "]" && words[end - 2] != ")";
+}
+
 }  // namespace
 
 std::string folded(std::string_view word) {
@@ -71,6 +89,7 @@ std::vector<Statement> split_statements(const Words& tokens, const Translator& t
     std::vector<Statement> out;
     Words current;
     std::vector<size_t> heads;  // of the blocks that are open
+    std::vector<int> outside;   // of each that is a lambda's body how many parentheses are open around it, else 0
     int parens = 0;
     bool in_body = false;
     auto head = [&] { return heads.empty() ? Statement::kNoHead : heads.back(); };
@@ -81,7 +100,9 @@ std::vector<Statement> split_statements(const Words& tokens, const Translator& t
     for (const std::string_view token : tokens) {
         if (token == "(") ++parens;
         if (token == ")") --parens;
-        if (parens > 0 || (token != ";" && token != "{" && token != "}")) {
+        // The body of a lambda that is an argument is a block as any other.
+        const bool opens_lambda = token == "{" && parens > 0 && ends_lambda_head(current);
+        if (!opens_lambda && (parens > 0 || (token != ";" && token != "{" && token != "}"))) {
             current.push_back(token);
             continue;
         }
@@ -89,11 +110,17 @@ std::vector<Statement> split_statements(const Words& tokens, const Translator& t
         finish();
         if (token == "{") {
             heads.push_back(headless ? head() : out.size() - 1);
+            outside.push_back(opens_lambda ? parens : 0);
+            if (opens_lambda) parens = 0;
             in_body = true;
         } else if (token == "}") {
             // A closing brace counts: a statement moved out of a block is another program.
             out.push_back({"}", {"}"}, "}", head()});
-            if (!heads.empty()) heads.pop_back();
+            if (!heads.empty()) {
+                heads.pop_back();
+                if (outside.back() > 0) parens = outside.back();
+                outside.pop_back();
+            }
         }
     }
     finish();

@@ -72,6 +72,18 @@ bool changes_number(const std::vector<std::string>& source, size_t first, size_t
 
 bool picks_member(const std::string& word) { return word == "." || word == "->" || word == "::"; }
 
+/// True if two runs of words of one length have the same operators: `a > b` does not stand for `a <= b`.
+bool same_operators(const std::vector<std::string>& source, size_t first, size_t end,
+                    const std::vector<std::string>& target, size_t there) {
+    for (size_t i = first; i < end; ++i) {
+        const std::string &here = source[i], &other = target[there + (i - first)];
+        const bool name = is_word_token(here) || is_number_token(here);
+        if (name != (is_word_token(other) || is_number_token(other))) return false;
+        if (!name && here != other && !(picks_member(here) && picks_member(other))) return false;
+    }
+    return true;
+}
+
 bool is_hexadecimal(std::string_view number) { return number.size() > 1 && (number[1] == 'x' || number[1] == 'X'); }
 
 bool is_real(std::string_view number) {
@@ -135,6 +147,8 @@ void Examples::learn(const AlignedText& source, const AlignedText& target, const
                     continue;
                 const std::vector<std::string> said(target.words.begin() + static_cast<std::ptrdiff_t>(first),
                                                     target.words.begin() + static_cast<std::ptrdiff_t>(last));
+                if (end - i > 1 && said.size() == end - i && !same_operators(source.words, i, end, target.words, first))
+                    continue;
                 if (end - i > 1 && said.size() != end - i &&
                     (!is_primary(source.words, i, end) || !is_primary(target.words, first, last)))
                     continue;

@@ -138,11 +138,26 @@ bool KnownWords::speaks(std::string_view runtime) const {
                        [&](std::string_view word) { return runtime_of(word) == runtime; });
 }
 
+/// True if the target's file calls the built-ins of the dialect in a scope alone, as `sycl::max`.
+bool KnownWords::scopes_builtins() const {
+    const LexedText& lexed = to_.edited.lexed;
+    size_t scoped = 0;
+    for (uint32_t i = 1; i + 1 < lexed.tokens.size(); ++i) {
+        if (lexed.tokens[i].kind != TokenKind::Identifier || lexed.view(i + 1) != "(" || is_type_word(lexed.view(i)) ||
+            dialect_.meaning(lexed.view(i)) == nullptr || roles_of(lexed.view(i)) != 0)
+            continue;
+        if (lexed.view(i - 1) != "::") return false;
+        ++scoped;
+    }
+    return scoped > 0;
+}
+
 bool KnownWords::anywhere(std::string_view word) const {
     read_all();
     if (all_words_.contains(word)) return true;
     if (is_of_source(word)) return false;
     const Language here = from_.edited.language, there = to_.edited.language;
+    if (dialect_.meaning(word) != nullptr && scopes_builtins()) return false;
     if (const std::string_view runtime = runtime_of(word); !runtime.empty() && !speaks(runtime)) return false;
     if (here == there) return true;
     const bool both_c = traits_of(here).literals == Literals::C && traits_of(there).literals == Literals::C;

@@ -27,6 +27,8 @@ public:
     KnownWords(const FilesOfSide& from, const FilesOfSide& to, const Dialect& dialect);
 
     bool in_file(std::string_view word) const { return file_words_.contains(word); }
+    /// True for a language without casts in C's manner.
+    bool lacks_casts() const { return to_.edited.language == Language::Glsl; }
     /// What a word means in any language; "" if it has no counterpart elsewhere.
     std::string meaning(const std::string& word) const {
         const std::string* known = dialect_.meaning(word);
@@ -48,6 +50,7 @@ private:
     void read_all() const;
     void read_own() const;
     bool speaks(std::string_view runtime) const;
+    bool scopes_builtins() const;
     static std::string usual(const Uses* words);
 
     FilesOfSide from_, to_;

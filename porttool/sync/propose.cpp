@@ -182,12 +182,18 @@ private:
         const Alignment across = align(old_text, port_text, {});
         Examples examples;
         examples.learn(old_text, port_text, across);
-        std::set<std::string, std::less<>> brought = brought_;
+        std::set<std::string, std::less<>> brought = brought_, lone = lone_names(from);
+        const std::set<std::string, std::less<>> unported = lone;
         for (const std::string& name : local_names(*file, *unit))
-            if (std::find(was.words.begin(), was.words.end(), name) == was.words.end()) brought.insert(name);
+            if (std::find(was.words.begin(), was.words.end(), name) == was.words.end()) {
+                // A name that the port has for something else cannot be taken.
+                if (std::find(there.words.begin(), there.words.end(), name) == there.words.end())
+                    brought.insert(name);
+                else
+                    lone.insert(name);
+            }
         const KnownWords known({files(from), *file}, {files(to), draft.scanned}, dialect_);
         const UnitNames& names = unit_names(from);
-        const std::set<std::string, std::less<>> lone = lone_names(from);
         std::optional<Examples> beside;
         const std::function<const Examples&()> of_file = [&]() -> const Examples& {
             if (!beside) beside = learn_beside(pair, from);
@@ -204,7 +210,7 @@ private:
             out.left.push_back(
                 {left.message, from == Side::Source ? here : else_where, from == Side::Source ? else_where : here});
         }
-        for (const std::string& name : lone)
+        for (const std::string& name : unported)
             if (const auto call = std::find(is.words.begin(), is.words.end(), name); call != is.words.end()) {
                 const uint32_t call_line = line_at(*file, is, static_cast<size_t>(call - is.words.begin()));
                 const uint32_t place = pair.unit[to]->start_line;

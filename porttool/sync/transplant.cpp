@@ -30,6 +30,7 @@ public:
         for (size_t c = 0; c < texts.before.clauses.size(); ++c)
             if (const size_t now = texts.edit.clause_of[c]; now != kNothing) origin_[now] = c;
         stands_for_.insert(texts.across.clause_of.begin(), texts.across.clause_of.end());
+        find_doubtful();
     }
 
     Transplant run() {
@@ -45,7 +46,7 @@ public:
             c = end;
         }
         for (size_t c = 0; c < texts_.before.clauses.size(); ++c)
-            if (texts_.edit.clause_of[c] == kNothing) remove(c);
+            if (texts_.edit.clause_of[c] == kNothing && !held_.contains(c)) remove(c);
         drop_open_blocks();
         for (const size_t was : origin_) out_.stands_for.push_back(was == kNothing ? kNothing : counterpart(was));
         return std::move(out_);
@@ -97,12 +98,44 @@ private:
         return out;
     }
 
+    /// Branches that the port takes on another condition, or that may be the other ones of two: what stands in them
+    /// there is not known.
+    void find_doubtful() {
+        doubtful_.assign(texts_.before.clauses.size(), false);
+        for (size_t c = 0; c < doubtful_.size(); ++c) {
+            const Clause& clause = before(c);
+            if (!clause.opens || counterpart(c) == kNothing) continue;
+            const std::string& head = texts_.before.words[clause.first];
+            if (head == "else") {
+                // Of the branch before it: that ends where this one begins.
+                const size_t closing = c == 0 ? Clause::kNone : c - 1;
+                const size_t branch = closing == Clause::kNone ? closing : before(closing).partner;
+                doubtful_[c] = branch != Clause::kNone && before(closing).closes && doubtful_[branch];
+            } else if (head == "if" || head == "while" || head == "switch") {
+                const Clause& there = target(counterpart(c));
+                doubtful_[c] = !says(there.first, there.end, carry_old(clause.first, clause.end).words, true);
+            }
+        }
+    }
+
+    /// True if a clause of the source's old text stands in such a branch; `c` may be none.
+    bool is_doubtful(size_t c) const {
+        for (; c != Clause::kNone; c = before(c).inside)
+            if (doubtful_[c]) return true;
+        return false;
+    }
+
     // A clause that stayed, perhaps with other words.
 
     void change(size_t was, size_t is) {
         const std::vector<Hunk> hunks = hunks_of(before(was), now(is));
         if (hunks.empty()) return;
         const size_t there = counterpart(was);
+        if (there != kNothing && is_doubtful(was))
+            return leave("the source has `" + shown(texts_.now.words, now(is).first, now(is).end) + "` for `" +
+                             shown(texts_.before.words, before(was).first, before(was).end) +
+                             "`; the port's condition there is another one",
+                         now(is).first, target(there).first);
         if (there == kNothing || texts_.across.likeness[was] < kSure) {
             if (there == kNothing && stands_in_target(is)) {
                 ++out_.already;
@@ -201,6 +234,15 @@ private:
         return true;
     }
 
+    /// True if a word of the source and the one that stands for it are of a kind: both names, or the same.
+    bool says_alike(size_t i) const {
+        const std::string &here = texts_.before.words[i], &there = texts_.target.words[word_of(i)];
+        if (is_word_token(here)) return is_word_token(there);
+        if (is_number_token(here)) return is_number_token(there) && number_value(here) == number_value(there);
+        return here == there || texts_.before.common[i] == texts_.target.common[word_of(i)] || here == "." ||
+               here == "->";
+    }
+
     /// True where the target picks the word of something that the source does not name: `std :: max` for `max`.
     bool has_own_prefix(size_t i, size_t there) const {
         const auto picks = [](const std::vector<std::string>& words, size_t at) {
@@ -219,6 +261,10 @@ private:
         const size_t first = left == here.first ? other.first : word_of(left - 1) + 1;
         const size_t end = right == here.end ? other.end : word_of(right);
         if (end < first) return false;
+        if ((left > here.first && !says_alike(left - 1)) || (right < here.end && !says_alike(right))) {
+            leave_run(hunk, first, "the port says something else beside it");
+            return true;
+        }
         const CarriedWords now = carry_new(hunk.now_first, hunk.now_end);
         if (says(first, end, now.words)) {
             ++out_.already;
@@ -309,6 +355,8 @@ private:
         const std::string what = shown(texts_.now.words, now(first).first, now(end - 1).end);
         const size_t close = was_before == kNothing ? 0 : near(was_before);
         const auto give_up = [&](const std::string& why) {
+            for (size_t c = was_before == kNothing ? 0 : was_before + 1; c < before_end(was_after); ++c)
+                held_.insert(c);
             leave("the source gained `" + what + "`; " + why, now(first).first, close);
         };
         if (left == kNothing && right == kNothing)
@@ -316,6 +364,10 @@ private:
         if (left != kNothing && right != kNothing && right <= left)
             return give_up("its neighbours stand in another order in the port");
         std::vector<ClauseAdded> clauses = carried_clauses(first, end);
+        if (leaves_loop(first, end, left != kNothing ? left : right))
+            return give_up("the port has a loop of its own around it, which it would leave");
+        if (was_before != kNothing && was_after != kNothing && depends_on_merged(first, end, was_before, was_after))
+            return give_up("the port has one of its neighbours within another statement");
         // What the port has of its own between the two neighbours.
         std::vector<size_t> own;
         const size_t from = left == kNothing ? own_start(right) : left + 1;
@@ -361,6 +413,42 @@ private:
             return std::any_of(one.clauses.begin(), one.clauses.end(),
                                [&](const ClauseAdded& added) { return added.source == clause; });
         });
+    }
+
+    /// True if new clauses end what is around them, and that is a loop which the port alone has.
+    bool leaves_loop(size_t first, size_t end, size_t there) const {
+        bool leaves = false;
+        for (size_t i = now(first).first; i < now(end - 1).end; ++i)
+            leaves |=
+                texts_.now.words[i] == "return" || texts_.now.words[i] == "break" || texts_.now.words[i] == "continue";
+        if (!leaves) return false;
+        for (size_t c = target(there).opens ? there : target(there).inside; c != Clause::kNone; c = target(c).inside)
+            if (word_is(texts_.target.words[target(c).first], kLoopHead) && !stands_for_something(c)) return true;
+        return false;
+    }
+
+    /// True if a neighbour without a counterpart, which the port may have within another statement, shares names.
+    bool depends_on_merged(size_t first, size_t end, size_t was_before, size_t was_after) const {
+        std::set<std::string> names;
+        for (size_t i = now(first).first; i < now(end - 1).end; ++i)
+            if (is_name(texts_.now.words[i])) names.insert(texts_.now.words[i]);
+        const auto shares = [&](size_t c) {
+            const Clause& clause = before(c);
+            if (counterpart(c) != kNothing || clause.closes || clause.opens || texts_.edit.clause_of[c] == kNothing)
+                return false;
+            for (size_t i = clause.first; i < clause.end; ++i)
+                if (names.contains(texts_.before.words[i])) return true;
+            return false;
+        };
+        return shares(was_before) || shares(was_after);
+    }
+
+    static bool is_name(const std::string& word) {
+        return is_word_token(word) && !is_type_word(word) && !word_is(word, kKeyword);
+    }
+
+    size_t before_end(size_t was_after) const {
+        return was_after == kNothing ? texts_.before.clauses.size() : was_after;
     }
 
     size_t own_start(size_t right) const {
@@ -483,6 +571,8 @@ private:
     const EditTexts& texts_;
     const EditTranslator& translator_;
     const std::function<std::string(size_t)>& written_;
+    std::vector<bool> doubtful_;   ///< heads of the source's old text
+    std::set<size_t> held_;        ///< clauses of the source's old text whose successor is left
     std::set<size_t> stands_for_;  ///< clauses of the target that have a counterpart
     std::vector<size_t> origin_;   ///< of each clause of now, the one before
     Transplant out_;
