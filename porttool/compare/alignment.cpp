@@ -101,9 +101,10 @@ private:
     double likeness(const std::vector<Bag>& a, const std::vector<Bag>& b, size_t i, size_t k) const {
         const Clause &x = a_.clauses[i], &y = b_.clauses[k];
         if ((a_.words[x.first] == "return") != (b_.words[y.first] == "return")) return 0;
-        if (x.opens != y.opens) return likeness_of(a[i], b[k]) * 0.8;
+        const std::string &head = a_.words[x.first], &other = b_.words[y.first];
+        if (x.opens != y.opens)
+            return word_is(head, kControls) || word_is(other, kControls) ? 0 : likeness_of(a[i], b[k]) * 0.8;
         if (x.opens) {
-            const std::string &head = a_.words[x.first], &other = b_.words[y.first];
             if (head != other && (word_is(head, kControls) || word_is(other, kControls))) return 0;
         }
         return likeness_of(a[i], b[k]);

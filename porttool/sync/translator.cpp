@@ -48,7 +48,7 @@ CarriedWords EditTranslator::carry(const std::vector<std::string>& words, size_t
             continue;
         }
         if (known_.lacks_casts() && words[i] == "(" && i + 2 < words.size() && is_type_word(words[i + 1]) &&
-            words[i + 2] == ")" && (i == 0 || !is_word_token(words[i - 1])))
+            words[i + 2] == ")" && (i == 0 || !is_word_token(words[i - 1]) || words[i - 1] == "return"))
             out.unknown.push_back("(" + words[i + 1] + ")");
         if (lone_.contains(words[i])) {
             out.unknown.push_back(words[i]);

@@ -209,11 +209,46 @@ private:
         put(hunk, first, end, now);
     }
 
+    /// How many indices follow a word: 2 for `m [ i ] [ j ]`.
+    template <class WordAt>
+    static size_t indices_after(size_t i, size_t end, const WordAt& at) {
+        size_t count = 0;
+        for (++i; i < end && at(i) == "["; ++count) {
+            int depth = 0;
+            for (; i < end; ++i) {
+                depth += at(i) == "[" ? 1 : at(i) == "]" ? -1 : 0;
+                if (depth == 0) break;
+            }
+            ++i;
+        }
+        return count;
+    }
+
+    /// A name that the new words index otherwise than the target always does: a flat array that is one of rows there.
+    std::string indexed_otherwise(const std::vector<CarriedWord>& words) const {
+        const auto here = [&](size_t i) -> const std::string& { return words[i].text; };
+        const auto there = [&](size_t i) -> const std::string& { return texts_.target.words[i]; };
+        for (size_t i = 0; i + 1 < words.size(); ++i) {
+            if (!is_word_token(words[i].text) || words[i + 1].text != "[") continue;
+            const size_t count = indices_after(i, words.size(), here);
+            bool any = false, same = false;
+            for (size_t k = 0; k + 1 < texts_.target.words.size() && !same; ++k) {
+                if (there(k) != words[i].text || there(k + 1) != "[") continue;
+                any = true;
+                same = indices_after(k, texts_.target.words.size(), there) == count;
+            }
+            if (any && !same) return words[i].text;
+        }
+        return {};
+    }
+
     size_t word_of(size_t i) const { return texts_.across.word_of[i]; }
 
     void put(const Hunk& hunk, size_t first, size_t end, const CarriedWords& now) {
         if (!now.unknown.empty())
             return leave_run(hunk, first, "nothing tells how the port says " + listed(now.unknown));
+        if (const std::string name = indexed_otherwise(now.words); !name.empty())
+            return leave_run(hunk, first, "the port has `" + name + "` with other indices");
         out_.replaced.push_back({first, end, now.words, hunk.now_first, hunk.now_end});
     }
 
@@ -359,13 +394,15 @@ private:
                 held_.insert(c);
             leave("the source gained `" + what + "`; " + why, now(first).first, close);
         };
+        const size_t block = was_before == kNothing     ? Clause::kNone
+                             : before(was_before).opens ? was_before
+                                                        : before(was_before).inside;
+        if (is_doubtful(block)) return give_up("the port's condition there is another one");
         if (left == kNothing && right == kNothing)
             return give_up("the port has nothing that stands for its neighbours");
         if (left != kNothing && right != kNothing && right <= left)
             return give_up("its neighbours stand in another order in the port");
         std::vector<ClauseAdded> clauses = carried_clauses(first, end);
-        if (leaves_loop(first, end, left != kNothing ? left : right))
-            return give_up("the port has a loop of its own around it, which it would leave");
         if (was_before != kNothing && was_after != kNothing && depends_on_merged(first, end, was_before, was_after))
             return give_up("the port has one of its neighbours within another statement");
         // What the port has of its own between the two neighbours.
@@ -380,11 +417,17 @@ private:
         }
         std::optional<size_t> place = place_among(left, right, own, clauses, was_before, was_after);
         if (!place) return give_up("the port has statements of its own there, and which comes first matters");
+        if (!is_in_counterpart(block, *place)) return give_up("the block around it has no counterpart in the port");
+        if (leaves_loop(first, end, *place))
+            return give_up("the port has a loop of its own around it, which it would leave");
         std::vector<std::string> unknown;
         for (size_t c = first; c < end; ++c) {
             const CarriedWords carried = carry_new(now(c).first, now(c).end);
             if (!moved_from(c)) unknown.insert(unknown.end(), carried.unknown.begin(), carried.unknown.end());
         }
+        for (const ClauseAdded& clause : clauses)
+            if (const std::string name = indexed_otherwise(clause.words); !name.empty())
+                return give_up("the port has `" + name + "` with other indices");
         if (!unknown.empty()) return give_up("nothing tells how the port says " + listed(unknown));
         out_.added.push_back({*place, std::move(clauses)});
     }
@@ -415,14 +458,30 @@ private:
         });
     }
 
+    /// The head of the block of the target that a place is in.
+    size_t block_at(size_t place) const {
+        size_t c = 0;
+        while (c < texts_.target.clauses.size() && target(c).first < place) ++c;
+        if (c == texts_.target.clauses.size()) return Clause::kNone;
+        return target(c).closes ? target(c).partner : target(c).inside;
+    }
+
+    /// True if the nearest block around a place that stands for one of the source's stands for `block`.
+    bool is_in_counterpart(size_t block, size_t place) const {
+        size_t there = block_at(place);
+        while (there != Clause::kNone && !stands_for_something(there)) there = target(there).inside;
+        // Blocks of the source that came with the edit, or that the port never had, are passed over as well.
+        return block == Clause::kNone ? there == Clause::kNone : counterpart(block) == there && there != Clause::kNone;
+    }
+
     /// True if new clauses end what is around them, and that is a loop which the port alone has.
-    bool leaves_loop(size_t first, size_t end, size_t there) const {
+    bool leaves_loop(size_t first, size_t end, size_t place) const {
         bool leaves = false;
         for (size_t i = now(first).first; i < now(end - 1).end; ++i)
             leaves |=
                 texts_.now.words[i] == "return" || texts_.now.words[i] == "break" || texts_.now.words[i] == "continue";
         if (!leaves) return false;
-        for (size_t c = target(there).opens ? there : target(there).inside; c != Clause::kNone; c = target(c).inside)
+        for (size_t c = block_at(place); c != Clause::kNone; c = target(c).inside)
             if (word_is(texts_.target.words[target(c).first], kLoopHead) && !stands_for_something(c)) return true;
         return false;
     }

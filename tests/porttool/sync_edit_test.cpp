@@ -391,5 +391,100 @@ TEST(SyncEdit, CommentsOfThePortStay) {
     EXPECT_EQ(got.port, replaced(noted, "gain * 0.5", "gain * 0.25"));
 }
 
+/// An edit of `shade` in OpenCL, whose port to C++ is another text.
+EditCase shaded(const std::string& before, const std::string& from, const std::string& to, const std::string& port,
+                const std::string& there = "", const std::string& becomes = "") {
+    return {"k.cl", "k.cpp",
+            before, replaced(before, from, to),
+            port,   there.empty() ? port : replaced(port, there, becomes)};
+}
+
+TEST(SyncEdit, ABranchThatThePortHasTheOtherWayRound) {
+    const std::string source =
+        "float shade(float a, float b, float c) {\n    if (a > b) {\n        c = b;\n    } else {\n        c = a;\n    "
+        "}\n"
+        "    return a + b + c;\n}\n";
+    const std::string port =
+        "float shade(float a, float b, float c) {\n    if (a <= b) {\n        c = a;\n    } else {\n        c = b;\n   "
+        " }\n"
+        "    return a + b + c;\n}\n";
+    expect_not_wrong(shaded(source, "        c = b;\n", "        c = b;\n        b = 1.0f;\n", port, "        c = b;\n",
+                            "        c = b;\n        b = 1.0f;\n"));
+    expect_not_wrong(shaded(source, "a > b", "a > b && c > 0.0f", port, "a <= b", "a <= b || c <= 0.0f"));
+    const std::string guarded =
+        "float shade(float a, float b) {\n    if (a > b) {\n        a = b * 3.0f;\n        b = a;\n    }\n    return "
+        "a;\n}\n";
+    const std::string leaves =
+        "float shade(float a, float b) {\n    if (a <= b) return a;\n    a = b * 3.0f;\n    b = a;\n    return a;\n}\n";
+    expect_not_wrong(shaded(guarded, "a > b", "a > b && b > 0.0f", leaves, "a <= b", "a <= b || b <= 0.0f"));
+}
+
+TEST(SyncEdit, AnIndexThatThePortWritesOtherwise) {
+    expect_not_wrong(shaded("float shade(const float* m, int i, int j, int w) {\n    return m[i * w + j];\n}\n",
+                            "m[i * w + j]", "m[i * w + j] + m[(i + 1) * w + j]",
+                            "float shade(const float m[4][4], int i, int j, int w) {\n    return m[i][j];\n}\n",
+                            "m[i][j]", "m[i][j] + m[i + 1][j]"));
+}
+
+TEST(SyncEdit, AThreadThatLeavesIsARoundOfALoop) {
+    expect_not_wrong(shaded(
+        "__kernel void shade(__global float* o, int n) {\n    int i = get_global_id(0);\n    if (i >= n) return;\n"
+        "    o[i] = o[i] * 2.0f;\n}\n",
+        "    o[i] = ", "    if (o[i] < 0.0f) return;\n    o[i] = ",
+        "void shade(float* o, int n) {\n    for (int i = 0; i < n; i++) {\n        o[i] = o[i] * 2.0f;\n    }\n}\n",
+        "        o[i] = ", "        if (o[i] < 0.0f) continue;\n        o[i] = "));
+}
+
+TEST(SyncEdit, ALoopThatRunsDownwards) {
+    expect_not_wrong(shaded(
+        "float shade(int n) {\n    float s = 0.0f;\n    for (int i = 0; i < n; ++i) s += 1.0f;\n    return s;\n}\n",
+        "i < n", "i < n - 1",
+        "float shade(int n) {\n    float s = 0.0f;\n    for (int i = n - 1; i >= 0; --i) s += 1.0f;\n    return "
+        "s;\n}\n",
+        "i = n - 1", "i = n - 2"));
+}
+
+TEST(SyncEdit, AStatementThatComesBetweenTwoThatThePortHasInOne) {
+    const std::string port = "float shade(float a) {\n    float b = a, c = b;\n    return c;\n}\n";
+    expect_not_wrong(shaded("float shade(float a) {\n    float b = a;\n    float c = b;\n    return c;\n}\n",
+                            "    float c = b;", "    b = b * 2.0f;\n    float c = b;", port, "float b = a, c = b;",
+                            "float b = a;\n    b = b * 2.0f;\n    float c = b;"));
+}
+
+TEST(SyncEdit, ANewLocalWhoseNameThePortHasForAnother) {
+    const std::string source = "float shade(const Hit* hit) {\n    float dir = hit->t;\n    return dir;\n}\n";
+    const std::string port = "float shade(const Hit& hit) {\n    float localDir = hit.t;\n    return localDir;\n}\n";
+    expect_left(shaded(source, "return dir;", "float localDir = 2.0f;\n    return dir * localDir;", port));
+}
+
+TEST(SyncEdit, ACastIsWrittenAsThePortsLanguageHasIt) {
+    EditCase one{
+        "k.cl", "k.glsl", "float shade(int a) {\n    return 2.0f;\n}\n", "", "float shade(int a) {\n  return 2.0;\n}\n",
+        ""};
+    one.after = replaced(one.before, "2.0f", "(float)a");
+    one.ported = replaced(one.port, "2.0", "float(a)");
+    expect_not_wrong(one);
+}
+
+TEST(SyncEdit, AWordThatThePortAlwaysQualifies) {
+    const std::string source = "float shade(float a, float b) {\n    return fmin(a, 1.0f) * b;\n}\n";
+    const std::string port = "float shade(float a, float b) {\n    return sycl::fmin(a, 1.0f) * b;\n}\n";
+    expect_not_wrong(shaded(source, "* b", "* fmin(b, 2.0f)", port, "* b", "* sycl::fmin(b, 2.0f)"));
+    expect_not_wrong(shaded(source, "* b", "* fabs(b)", port, "* b", "* sycl::fabs(b)"));
+}
+
+TEST(SyncEdit, APartialPatchTakesNothingAwayWhoseSuccessorIsLeft) {
+    const EditCase one = weighed("return gain * 0.5f", "return gain * source_only_call(hit->t)", "gain", "gain");
+    const Synced got = synced(one);
+    if (got.proposal["patch"].is_string()) {
+        EXPECT_EQ(got.proposal["patch"].get<std::string>().find("\n-  return gain"), std::string::npos) << got.why();
+    }
+    const Synced added =
+        synced(weighed("        sum += hit->t * scale;", "        sum += source_only_call(hit->t);", "gain", "gain"));
+    if (added.proposal["patch"].is_string()) {
+        EXPECT_EQ(added.proposal["patch"].get<std::string>().find("\n-    total +="), std::string::npos) << added.why();
+    }
+}
+
 }  // namespace
 }  // namespace porttool::testing
