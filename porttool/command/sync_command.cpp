@@ -119,7 +119,7 @@ Outcome run_sync(const Options& options, Workplace& place) {
         write_files(files, options.force, place);
     }
     const int code = result.any_left() || failed ? 1 : 0;
-    if (options.format == "json") return {sync_json(result, verification), code};
+    if (options.format == "json") return {sync_json(result, verification), fits_json(result) ? code : 1};
     if (options.format == "patch") return {sync_patch(result), code, true};
     return {sync_table(result, verification), code};
 }

@@ -11,6 +11,7 @@
 
 #include "porttool/text/sink/json.h"
 #include "porttool/text/sink/terminal.h"
+#include "porttool/text/utf8.h"
 
 namespace porttool {
 namespace {
@@ -51,7 +52,12 @@ void add_lines(std::string_view patch, std::string& out) {
 
 std::string sync_json(const SyncResult& result, const std::optional<Verification>& verification) {
     ordered_json proposals = ordered_json::array();
-    for (const Proposal& one : result.proposals) {
+    for (Proposal one : result.proposals) {
+        if (!is_utf8(one.patch)) {  // JSON cannot hold it
+            one.patch.clear();
+            one.state = ProposalState::Refused;
+            one.left.push_back({"the patch has bytes that are no UTF-8; --format patch prints it, --apply writes it"});
+        }
         ordered_json left = ordered_json::array();
         for (const LeftItem& item : one.left)
             left.push_back(
@@ -65,6 +71,11 @@ std::string sync_json(const SyncResult& result, const std::optional<Verification
                              {"why", one.why}});
     }
     return json_text({{"proposals", std::move(proposals)}, {"verified", verified_or_null(verification)}}, 1) + "\n";
+}
+
+bool fits_json(const SyncResult& result) {
+    return std::all_of(result.proposals.begin(), result.proposals.end(),
+                       [](const Proposal& one) { return is_utf8(one.patch); });
 }
 
 std::string sync_patch(const SyncResult& result) {

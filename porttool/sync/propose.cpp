@@ -16,7 +16,7 @@
 #include "porttool/sync/known_words.h"
 #include "porttool/sync/transplant.h"
 #include "porttool/sync/unified_diff.h"
-#include "porttool/text/utf8.h"
+#include "porttool/text/sink/terminal.h"
 
 namespace porttool {
 namespace {
@@ -75,6 +75,10 @@ private:
         FileText read = disk_.read(TreePath{root, file.path}, kLargestSource);
         if (!read.error.empty()) throw CannotDo(file.path + " " + read.error);
         Draft draft{read.bytes, read.bytes, scan_text(file.path, read.bytes)};
+        if (draft.scanned.lexed.text != file.lexed.text)
+            throw CannotDo(terminal_text(file.path) +
+                           " is not as it was judged: with --staged the index and the work tree differ\n"
+                           "Stage it, or sync without --staged");
         return drafts_.emplace(file.path, std::move(draft)).first->second;
     }
 
@@ -356,12 +360,18 @@ bool SyncResult::any_left() const {
 
 SyncResult propose(const CheckedProject& checked, const std::vector<size_t>& pairs, WriteSide write, const Disk& disk) {
     SyncResult out = Proposer(checked, write, disk).run(pairs);
-    std::vector<size_t> whole;
-    for (size_t i = 0; i < pairs.size(); ++i)
-        if (out.proposals[i].state == ProposalState::Proposed) whole.push_back(pairs[i]);
-    const bool all = std::none_of(out.proposals.begin(), out.proposals.end(),
-                                  [](const Proposal& one) { return one.state == ProposalState::Partial; });
-    out.files = all ? out.files_with_partial : Proposer(checked, write, disk).run(whole).files_with_partial;
+    std::vector<size_t> whole = pairs;
+    SyncResult last = out;
+    // What leans on a partial proposal may be none without it.
+    for (;;) {
+        std::vector<size_t> next;
+        for (size_t i = 0; i < whole.size(); ++i)
+            if (last.proposals[i].state != ProposalState::Partial) next.push_back(whole[i]);
+        if (next.size() == whole.size()) break;
+        whole = std::move(next);
+        last = Proposer(checked, write, disk).run(whole);
+    }
+    out.files = std::move(last.files_with_partial);
     return out;
 }
 
