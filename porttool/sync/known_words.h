@@ -29,6 +29,14 @@ public:
     bool in_file(std::string_view word) const { return file_words_.contains(word); }
     /// True for a language without casts in C's manner.
     bool lacks_casts() const { return to_.edited.language == Language::Glsl; }
+    /// True for a language whose types have functions of their own.
+    bool has_methods() const {
+        const Language language = to_.edited.language;
+        return language != Language::C && language != Language::OpenCl && language != Language::Glsl &&
+               language != Language::Ispc;
+    }
+    /// True for one with C's literals of structs, `(T){1, 2}`.
+    bool has_literals() const { return to_.edited.language == Language::C || to_.edited.language == Language::OpenCl; }
     /// What a word means in any language; "" if it has no counterpart elsewhere.
     std::string meaning(const std::string& word) const {
         const std::string* known = dialect_.meaning(word);

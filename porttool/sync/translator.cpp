@@ -50,6 +50,10 @@ CarriedWords EditTranslator::carry(const std::vector<std::string>& words, size_t
         if (known_.lacks_casts() && words[i] == "(" && i + 2 < words.size() && is_type_word(words[i + 1]) &&
             words[i + 2] == ")" && (i == 0 || !is_word_token(words[i - 1]) || words[i - 1] == "return"))
             out.unknown.push_back("(" + words[i + 1] + ")");
+        // A literal of a whole struct, which C++ writes otherwise.
+        if (!known_.has_literals() && words[i] == "(" && i + 3 < words.size() && is_word_token(words[i + 1]) &&
+            words[i + 2] == ")" && words[i + 3] == "{")
+            out.unknown.push_back("(" + words[i + 1] + "){");
         if (lone_.contains(words[i])) {
             out.unknown.push_back(words[i]);
             out.words.push_back({words[i], i});
@@ -71,7 +75,8 @@ CarriedWords EditTranslator::carry(const std::vector<std::string>& words, size_t
             continue;
         }
         const bool member = i > 0 && (words[i - 1] == "." || words[i - 1] == "->");
-        const std::string said = member ? this->member(words[i]) : word(words[i]);
+        const bool called = member && i + 1 < words.size() && words[i + 1] == "(" && !known_.has_methods();
+        const std::string said = called ? std::string() : member ? this->member(words[i]) : word(words[i]);
         if (said.empty()) out.unknown.push_back(words[i]);
         out.words.push_back({said.empty() ? words[i] : said, i});
         ++i;
