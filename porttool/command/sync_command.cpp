@@ -15,6 +15,12 @@
 namespace porttool {
 namespace {
 
+/// True for a pair that is out of step, also by a side that is gone.
+bool is_due(const JudgedPair& pair) {
+    const bool gone = pair.unit.source == nullptr || pair.unit.target == nullptr;
+    return gone ? pair.standing != PairStanding::InStep : pair.changed && !pair.equivalent;
+}
+
 /// The pairs that the command line names, by their places in the judgement; without ids those that changed.
 std::vector<size_t> chosen_pairs(const Options& options, const Judgement& judgement) {
     std::vector<size_t> out;
@@ -26,7 +32,7 @@ std::vector<size_t> chosen_pairs(const Options& options, const Judgement& judgem
     }
     if (options.paths.empty())
         for (size_t i = 0; i < judgement.pairs.size(); ++i)
-            if (judgement.pairs[i].changed && !judgement.pairs[i].equivalent) out.push_back(i);
+            if (is_due(judgement.pairs[i])) out.push_back(i);
     std::sort(out.begin(), out.end());
     out.erase(std::unique(out.begin(), out.end()), out.end());
     return out;

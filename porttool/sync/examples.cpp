@@ -160,6 +160,13 @@ void Examples::learn(const AlignedText& source, const AlignedText& target, const
     }
 }
 
+bool Examples::knows_mark_of(std::string_view written) const {
+    const char mark = mark_of(written);
+    return std::any_of(marks_.begin(), marks_.end(), [&](const auto& row) { return row.first.first == mark; });
+}
+
+std::string Examples::marked(const std::string& written) { return mark_of(written) == 'r' ? written + "f" : written; }
+
 std::string Examples::number(std::string_view written) const {
     const char mark = mark_of(written);
     const auto times = [&](char there) {

@@ -37,6 +37,10 @@ public:
 
     /// How the target writes a number that the source writes so: with or without the mark of a float or of an unsigned.
     std::string number(std::string_view written) const;
+    /// True if a number with that mark was seen.
+    bool knows_mark_of(std::string_view written) const;
+    /// A real number with the mark of a float.
+    static std::string marked(const std::string& written);
 
     /// A name that begins as names do which the target begins otherwise: where `hipFree` and `hipMalloc` are `cudaFree`
     /// and `cudaMalloc`, `hipMemset` is `cudaMemset`. "" if there is no such rule.

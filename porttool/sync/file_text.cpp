@@ -12,6 +12,7 @@ std::vector<size_t> places(std::string_view bytes, std::string_view scanned) {
     size_t at = bytes.starts_with("\xEF\xBB\xBF") ? 3 : 0;
     for (const char c : scanned) {
         while (at < bytes.size() && bytes[at] != c) ++at;
+        if (at == bytes.size()) return {};  // the scanned text is not that of these bytes
         // A line end that was written as two bytes begins with the first.
         out.push_back(c == '\n' && at > 0 && bytes[at - 1] == '\r' && (out.empty() || out.back() < at - 1) ? at - 1
                                                                                                            : at);
@@ -37,6 +38,7 @@ std::optional<std::string> edit_file(std::string_view bytes, std::string_view sc
                                      const std::vector<TextEdit>& edits) {
     if (bytes == scanned) return with_edits(bytes, edits);
     const std::vector<size_t> place = places(bytes, scanned);
+    if (place.empty()) return std::nullopt;
     const size_t first_end = bytes.find('\n');
     const bool two = first_end != std::string_view::npos && first_end > 0 && bytes[first_end - 1] == '\r';
     std::vector<TextEdit> moved;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 #include <utility>
 
 #include "porttool/language/words.h"
@@ -54,9 +55,30 @@ std::string meaning_of(std::string_view word, const Dialect& dialect) {
 
 KnownWords::KnownWords(const FilesOfSide& from, const FilesOfSide& to, const Dialect& dialect)
     : from_(from), to_(to), dialect_(dialect) {
-    for (const Token& token : to.edited.lexed.tokens)
-        if (token.kind == TokenKind::Identifier) file_words_.insert(to.edited.lexed.view(token));
+    add_known(to.edited, file_words_);
+    const LexedText& lexed = to.edited.lexed;
+    for (uint32_t i = 0; i + 1 < lexed.tokens.size(); ++i)
+        if (lexed.view(i + 1) == "(") called_.insert(lexed.view(i));
     note(to.edited, by_meaning_);
+}
+
+void KnownWords::add_known(const ScannedFile& file, std::unordered_set<std::string_view>& words) {
+    const LexedText& lexed = file.lexed;
+    uint32_t at = 0;
+    const auto add_until = [&](uint32_t end, const std::set<std::string, std::less<>>& locals) {
+        for (; at < end; ++at) {
+            const Token& token = lexed.tokens[at];
+            const bool live = token.kind == TokenKind::Identifier && (token.flags & kDead) == 0;
+            if (live && !locals.contains(lexed.view(token))) words.insert(lexed.view(token));
+        }
+    };
+    for (const Unit& unit : file.units) {
+        if (unit.kind != UnitKind::Function && unit.kind != UnitKind::Kernel) continue;
+        add_until(std::max(at, unit.tokens.first), {});
+        const std::vector<std::string> names = local_names(file, unit);
+        add_until(std::max(at, unit.tokens.end), {names.begin(), names.end()});
+    }
+    add_until(static_cast<uint32_t>(lexed.tokens.size()), {});
 }
 
 void KnownWords::note(const ScannedFile& file, std::map<std::string, Uses, std::less<>>& by_meaning) const {
@@ -75,11 +97,12 @@ std::string KnownWords::usual(const Uses* words) {
     return {};
 }
 
-std::string KnownWords::in_dialect(std::string_view word) const {
+std::string KnownWords::in_dialect(std::string_view word, bool called) const {
     const std::string* meaning = dialect_.meaning(word);
     if (meaning == nullptr || meaning->empty() || !runtime_of(word).empty()) return {};
     const auto here = by_meaning_.find("=" + *meaning);
-    return usual(here == by_meaning_.end() ? nullptr : &here->second);
+    std::string said = usual(here == by_meaning_.end() ? nullptr : &here->second);
+    return called_.contains(said) == called ? said : std::string();
 }
 
 std::string KnownWords::in_other_manner(std::string_view word) const {
@@ -99,8 +122,7 @@ void KnownWords::read_all() const {
     if (all_read_) return;
     all_read_ = true;
     for (const ScannedFile& file : to_.all) {
-        for (const Token& token : file.lexed.tokens)
-            if (token.kind == TokenKind::Identifier) all_words_.insert(file.lexed.view(token));
+        add_known(file, all_words_);
         note(file, all_by_meaning_);
     }
 }

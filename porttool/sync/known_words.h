@@ -37,13 +37,19 @@ public:
     }
     /// True for one with C's literals of structs, `(T){1, 2}`.
     bool has_literals() const { return to_.edited.language == Language::C || to_.edited.language == Language::OpenCl; }
+    /// True where a real number without a mark is a float in the source's language and none in the target's.
+    bool needs_float_marks() const {
+        return traits_of(from_.edited.language).literals == Literals::Shading &&
+               traits_of(to_.edited.language).literals == Literals::C;
+    }
     /// What a word means in any language; "" if it has no counterpart elsewhere.
     std::string meaning(const std::string& word) const {
         const std::string* known = dialect_.meaning(word);
         return known == nullptr ? word : *known;
     }
-    /// The word that the target's file uses for what means the same by the dialect; "" if none or several do.
-    std::string in_dialect(std::string_view word) const;
+    /// The word that the target's file uses for what means the same by the dialect, as a function or not; "" if none or
+    /// several do.
+    std::string in_dialect(std::string_view word, bool called) const;
     /// The same name in the target's manner (`base_color`, `baseColor`), if it stands somewhere there; else "".
     std::string in_other_manner(std::string_view word) const;
     /// True for what a file of the source's side declares.
@@ -54,6 +60,8 @@ public:
 private:
     using Uses = std::map<std::string_view, size_t>;  ///< a word, and how often it is used
 
+    /// Adds a file's words, without names that mean something in one function alone.
+    static void add_known(const ScannedFile& file, std::unordered_set<std::string_view>& words);
     void note(const ScannedFile& file, std::map<std::string, Uses, std::less<>>& by_meaning) const;
     void read_all() const;
     void read_own() const;
@@ -63,7 +71,7 @@ private:
 
     FilesOfSide from_, to_;
     const Dialect& dialect_;
-    std::unordered_set<std::string_view> file_words_;
+    std::unordered_set<std::string_view> file_words_, called_;
     std::map<std::string, Uses, std::less<>> by_meaning_;  ///< of the edited file
     // Read when first asked for.
     mutable std::map<std::string, Uses, std::less<>> all_by_meaning_;

@@ -184,6 +184,10 @@ private:
                           port_text = keys.text(there.words, record);
         const Alignment edit = align(old_text, new_text, {0.5, false});
         const Alignment across = align(old_text, port_text, {});
+        if (holds_a_part(pair, from, across))
+            return refuse(
+                "this is one of several ports and holds a part of it alone; whether the edit is in that part is not "
+                "told");
         Examples examples;
         examples.learn(old_text, port_text, across);
         std::set<std::string, std::less<>> brought = brought_, lone = lone_names(from);
@@ -250,16 +254,48 @@ private:
         return out;
     }
 
+    /// How many arguments a function takes.
+    static size_t arguments_of(const NormalText& text) {
+        size_t commas = 0, words = 0;
+        int depth = 0;
+        bool named = false;
+        for (size_t i = 0; i < text.size(); ++i) {
+            const std::string_view word = text[i];
+            if (!named) {
+                named = word == "@";
+                continue;
+            }
+            depth += word == "(" || word == "<" ? 1 : word == ")" || word == ">" ? -1 : 0;
+            if (word == "{" || (depth == 0 && word == ")")) break;
+            if (depth == 1 && word == ",") ++commas;
+            ++words;
+        }
+        return words <= 1 ? 0 : commas + 1;
+    }
+
     /// What the units of one side are called on the other.
     const UnitNames& unit_names(Side from) {
         UnitNames& out = names_[from];
-        if (!out.empty()) return out;
+        if (!out.names.empty()) return out;
         for (const JudgedPair& pair : checked_.judgement.pairs) {
             const Side to = from == Side::Source ? Side::Target : Side::Source;
             if (pair.unit[from] == nullptr || pair.unit[to] == nullptr) continue;
-            out[std::string(leaf_of(pair.unit[from]->name))].emplace(leaf_of(pair.unit[to]->name));
+            const std::string name(leaf_of(pair.unit[from]->name));
+            out.names[name].emplace(leaf_of(pair.unit[to]->name));
+            if (arguments_of(pair.unit[from]->text) != arguments_of(pair.unit[to]->text))
+                out.other_parameters.insert(name);
         }
         return out;
+    }
+
+    /// True for one of several counterparts that has less than most of the unit.
+    bool holds_a_part(const JudgedPair& pair, Side from, const Alignment& across) const {
+        const auto of_unit = [&](const JudgedPair& other) { return other.id[from] == pair.id[from]; };
+        if (std::count_if(checked_.judgement.pairs.begin(), checked_.judgement.pairs.end(), of_unit) < 2) return false;
+        const auto found = std::count_if(across.clause_of.begin(), across.clause_of.end(),
+                                         [](size_t there) { return there != Alignment::kNone; });
+        constexpr double kMost = 0.8;
+        return static_cast<double>(found) < kMost * static_cast<double>(across.clause_of.size());
     }
 
     static uint32_t line_at(const ScannedFile& file, const UnitWords& words, size_t word) {
@@ -302,7 +338,7 @@ private:
         ScannedFile scanned = scan_text(draft.scanned.path, now);
         const Unit* unit = unit_named(scanned, pair.unit[to]->id);
         if (unit == nullptr || scanned.balanced != draft.scanned.balanced ||
-            !others_stayed(draft.scanned, scanned, *unit))
+            !others_stayed(draft.scanned, scanned, *unit_named(draft.scanned, pair.unit[to]->id)))
             return refuse("the port made of this edit could not be read back");
         const UnitState state = unit_state(scanned, *unit);
         const bool to_target = to == Side::Target;
@@ -323,13 +359,19 @@ private:
     }
 
     /// True if all units but one are as they were.
-    static bool others_stayed(const ScannedFile& before, const ScannedFile& now, const Unit& edited) {
-        std::map<std::string, std::string> prints;
-        for (const Unit& unit : now.units) prints[unit_id(now, unit)] = unit_state(now, unit).prints.written;
+    static bool others_stayed(const ScannedFile& before, const ScannedFile& now, const Unit& edited_before) {
+        std::map<std::string_view, std::string_view> texts;
+        const auto text_of = [](const ScannedFile& file, const Unit& unit) {
+            const Token &first = file.lexed.tokens[unit.tokens.first], &last = file.lexed.tokens[unit.tokens.end - 1];
+            return std::string_view(file.lexed.text).substr(first.offset, last.offset + last.length - first.offset);
+        };
+        for (const Unit& unit : now.units) texts[unit.name] = text_of(now, unit);
         return std::all_of(before.units.begin(), before.units.end(), [&](const Unit& unit) {
-            if (unit.name == edited.name) return true;
-            const auto found = prints.find(unit_id(before, unit));
-            return found != prints.end() && found->second == unit_state(before, unit).prints.written;
+            // What holds the edited unit, as its class, changed with it.
+            if (unit.tokens.first <= edited_before.tokens.first && edited_before.tokens.end <= unit.tokens.end)
+                return true;
+            const auto found = texts.find(unit.name);
+            return found != texts.end() && found->second == text_of(before, unit);
         });
     }
 

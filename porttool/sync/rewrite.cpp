@@ -301,9 +301,24 @@ private:
         const size_t last = placed_before(one.before);
         if (last == kNone || out.empty()) return;
         const size_t end = end_of(last), next = placed_from(one.before);
-        const size_t eol = line_end(text(), end);
+        const size_t eol = end_of_comments(end);
         if (next != kNone && start_of(next) < eol) return put(end, end, on_one_line(out));
         put(eol, eol, out);
+    }
+
+    /// The end of the line, or of the line that a comment which begins on it ends on.
+    size_t end_of_comments(size_t offset) const {
+        const std::string& all = text().text;
+        size_t eol = line_end(text(), offset);
+        for (size_t at = offset; at < eol;) {
+            const size_t open = all.find("/*", at);
+            if (open >= eol || all.find("//", at) < open) break;
+            const size_t close = all.find("*/", open + 2);
+            if (close == std::string::npos) break;
+            at = close + 2;
+            eol = line_end(text(), at);
+        }
+        return eol;
     }
 
     /// Below the head of a block no blank line is wanted.

@@ -8,13 +8,6 @@
 namespace porttool {
 namespace {
 
-/// A number of the normal form as code has it: `1f` is `1.0f`.
-std::string written_number(const std::string& word) {
-    const bool marked = word.size() > 1 && word.back() == 'f' && is_number_token(word) && word[1] != 'x';
-    if (!marked || word.find_first_of(".e") != std::string::npos) return word;
-    return word.substr(0, word.size() - 1) + ".0f";
-}
-
 /// Adds a phrase; where the target says it in the same words, each keeps its source.
 void add_phrase(const Examples::Phrase& phrase, const std::vector<std::string>& words, size_t at,
                 const std::function<std::string(size_t)>& written, CarriedWords& out) {
@@ -25,6 +18,14 @@ void add_phrase(const Examples::Phrase& phrase, const std::vector<std::string>& 
             {kept ? written(at + k) : written_number(phrase.target[k]), same ? at + k : CarriedWord::kNoSource});
     }
     if (!same && !phrase.target.empty()) out.words[out.words.size() - phrase.target.size()].from = at;
+}
+
+/// True for several components of a vector by their letters: `xy`, `rgba`.
+bool is_swizzle(std::string_view word) {
+    if (word.size() < 2 || word.size() > 4) return false;
+    for (const std::string_view letters : {"xyzw", "rgba", "stpq"})
+        if (word.find_first_not_of(letters) == std::string_view::npos) return true;
+    return false;
 }
 
 /// A phrase that begins with the scope that was just written goes on from there.
@@ -38,12 +39,18 @@ void drop_prefix_there(const std::vector<CarriedWord>& written, std::vector<std:
 
 }  // namespace
 
+std::string written_number(const std::string& word) {
+    const bool marked = word.size() > 1 && word.back() == 'f' && is_number_token(word) && word[1] != 'x';
+    if (!marked || word.find_first_of(".e") != std::string::npos) return word;
+    return word.substr(0, word.size() - 1) + ".0f";
+}
+
 CarriedWords EditTranslator::carry(const std::vector<std::string>& words, size_t first, size_t end,
                                    const std::function<std::string(size_t)>& written) const {
     CarriedWords out;
     for (size_t i = first; i < end;) {
         if (is_number_token(words[i])) {
-            out.words.push_back({pair_.number(written(i)), i});
+            out.words.push_back({number(written(i)), i});
             ++i;
             continue;
         }
@@ -54,6 +61,8 @@ CarriedWords EditTranslator::carry(const std::vector<std::string>& words, size_t
         if (!known_.has_literals() && words[i] == "(" && i + 3 < words.size() && is_word_token(words[i + 1]) &&
             words[i + 2] == ")" && words[i + 3] == "{")
             out.unknown.push_back("(" + words[i + 1] + "){");
+        if (units_.other_parameters.contains(words[i]) && i + 1 < words.size() && words[i + 1] == "(")
+            out.unknown.push_back(words[i] + "()");
         if (lone_.contains(words[i])) {
             out.unknown.push_back(words[i]);
             out.words.push_back({words[i], i});
@@ -75,8 +84,9 @@ CarriedWords EditTranslator::carry(const std::vector<std::string>& words, size_t
             continue;
         }
         const bool member = i > 0 && (words[i - 1] == "." || words[i - 1] == "->");
-        const bool called = member && i + 1 < words.size() && words[i + 1] == "(" && !known_.has_methods();
-        const std::string said = called ? std::string() : member ? this->member(words[i]) : word(words[i]);
+        const bool method = member && i + 1 < words.size() && words[i + 1] == "(" && !known_.has_methods();
+        const bool called = i + 1 < words.size() && words[i + 1] == "(";
+        const std::string said = method ? std::string() : member ? this->member(words[i]) : word(words[i], called);
         if (said.empty()) out.unknown.push_back(words[i]);
         out.words.push_back({said.empty() ? words[i] : said, i});
         ++i;
@@ -105,17 +115,26 @@ bool EditTranslator::are_qualifiers(const std::vector<std::string>& words, size_
     return true;
 }
 
-/// A field that the source does not declare is of a type that both sides have from elsewhere.
-std::string EditTranslator::member(std::string_view text) const {
-    if (!known_.is_of_source(text)) return std::string(text);
-    return word(text);
+/// As the pair writes numbers, else as its files do; a float of a shading language is one of C's.
+std::string EditTranslator::number(const std::string& written) const {
+    if (pair_.knows_mark_of(written)) return pair_.number(written);
+    if (file_().knows_mark_of(written)) return file_().number(written);
+    return known_.needs_float_marks() ? Examples::marked(written) : written;
 }
 
-std::string EditTranslator::word(std::string_view text) const {
-    if (const auto unit = units_.find(text); unit != units_.end() && unit->second.size() == 1)
+/// A field that the source does not declare is of a type that both sides have from elsewhere.
+std::string EditTranslator::member(std::string_view text) const {
+    if (is_swizzle(text) && !known_.in_file(text)) return {};
+    if (!known_.is_of_source(text)) return std::string(text);
+    return word(text, false);
+}
+
+std::string EditTranslator::word(std::string_view text, bool called) const {
+    if (const auto unit = units_.names.find(text); unit != units_.names.end() && unit->second.size() == 1)
         return *unit->second.begin();
-    if (brought_.contains(text) || roles_of(text) != 0 || known_.in_file(text)) return std::string(text);
-    if (std::string said = known_.in_dialect(text); !said.empty()) return said;
+    if (brought_.contains(text) || word_is(text, kKeyword | kTypePart | kConstant) || known_.in_file(text))
+        return std::string(text);
+    if (std::string said = known_.in_dialect(text, called); !said.empty()) return said;
     if (std::string said = pair_.renamed(text); !said.empty()) return said;
     if (std::string said = file_().renamed(text); !said.empty()) return said;
     if (known_.anywhere(text)) return std::string(text);

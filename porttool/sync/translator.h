@@ -28,7 +28,13 @@ struct CarriedWords {
 };
 
 /// What the target calls the units of the source, by the last part of their names.
-using UnitNames = std::map<std::string, std::set<std::string>, std::less<>>;
+struct UnitNames {
+    std::map<std::string, std::set<std::string>, std::less<>> names;
+    std::set<std::string, std::less<>> other_parameters;  ///< those that take another number of arguments there
+};
+
+/// A number of the normal form as code has it: `1f` is `1.0f`.
+std::string written_number(const std::string& word);
 
 /// Says in the target's manner what the source says: as the pair does elsewhere, else as other pairs of its files do,
 /// else in the words of the dialect that the target's files use, else with the same words where the target knows them.
@@ -53,7 +59,8 @@ public:
 
 private:
     /// How the target says the word alone; "" if that is not known.
-    std::string word(std::string_view text) const;
+    std::string word(std::string_view text, bool called) const;
+    std::string number(const std::string& written) const;
     std::string member(std::string_view text) const;
 
     const Examples& pair_;

@@ -118,6 +118,21 @@ private:
         }
     }
 
+    /// True for a statement that the target has more often than the source: one of them may not be all.
+    bool is_said_more_often(size_t was, size_t there) const {
+        constexpr size_t kShortest = 3;
+        if (before(was).opens || before(was).closes || before(was).size() < kShortest) return false;
+        const auto times = [](const AlignedText& text, const Clause& clause) {
+            return std::count_if(text.clauses.begin(), text.clauses.end(), [&](const Clause& other) {
+                return other.size() == clause.size() &&
+                       std::equal(text.exact.begin() + static_cast<std::ptrdiff_t>(other.first),
+                                  text.exact.begin() + static_cast<std::ptrdiff_t>(other.end),
+                                  text.exact.begin() + static_cast<std::ptrdiff_t>(clause.first));
+            });
+        };
+        return times(texts_.target, target(there)) > times(texts_.before, before(was));
+    }
+
     /// True if a clause of the source's old text stands in such a branch; `c` may be none.
     bool is_doubtful(size_t c) const {
         for (; c != Clause::kNone; c = before(c).inside)
@@ -131,6 +146,11 @@ private:
         const std::vector<Hunk> hunks = hunks_of(before(was), now(is));
         if (hunks.empty()) return;
         const size_t there = counterpart(was);
+        if (there != kNothing && is_said_more_often(was, there))
+            return leave("the source has `" + shown(texts_.now.words, now(is).first, now(is).end) + "` for `" +
+                             shown(texts_.before.words, before(was).first, before(was).end) +
+                             "`; the port says that in more places",
+                         now(is).first, target(there).first);
         if (there != kNothing && is_doubtful(was))
             return leave("the source has `" + shown(texts_.now.words, now(is).first, now(is).end) + "` for `" +
                              shown(texts_.before.words, before(was).first, before(was).end) +
@@ -259,6 +279,10 @@ private:
             if (word_of(i) == kNothing || word_of(i) != first + (i - hunk.first)) return false;
         const size_t end = first + (hunk.end - hunk.first);
         if (has_own_prefix(hunk.first, first)) return false;
+        const bool lists = std::find(texts_.before.words.begin() + static_cast<std::ptrdiff_t>(hunk.first),
+                                     texts_.before.words.begin() + static_cast<std::ptrdiff_t>(hunk.end),
+                                     ",") != texts_.before.words.begin() + static_cast<std::ptrdiff_t>(hunk.end);
+        if ((lists || hunk.now_first == hunk.now_end) && !stands_between_counterparts(hunk, first, end)) return false;
         if (!says(first, end, carry_old(hunk.first, hunk.end).words, true) && !is_name_alone(hunk, first, end))
             return false;
         const CarriedWords now = carry_new(hunk.now_first, hunk.now_end);
@@ -284,6 +308,12 @@ private:
             return at > 0 && (words[at - 1] == "::" || words[at - 1] == "." || words[at - 1] == "->");
         };
         return picks(texts_.target.words, there) && !picks(texts_.before.words, i);
+    }
+
+    /// True if nothing of the target's own stands beside words that are taken away: they may belong together there.
+    bool stands_between_counterparts(const Hunk& hunk, size_t first, size_t end) const {
+        const bool left = hunk.first > 0 && first > 0 && word_of(hunk.first - 1) == first - 1;
+        return left && hunk.end < texts_.before.words.size() && word_of(hunk.end) == end;
     }
 
     /// New words go between the nearest words that stand for some of the target's, if it has nothing of its own there.
@@ -606,6 +636,10 @@ private:
                   place_now(was), near(was));
             return;
         }
+        if (!clause.closes && (is_said_more_often(was, there) || is_doubtful(clause.inside)))
+            return leave("the source lost `" + shown(texts_.before.words, clause.first, clause.end) +
+                             "`; the port says that in more places, or under another condition",
+                         place_now(was), target(there).first);
         if (!clause.closes) {
             const CarriedWords old = carry_old(clause.first, clause.end);
             if (texts_.across.likeness[was] < 0.8 && !says(target(there).first, target(there).end, old.words, true)) {
