@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <memory>
 #include <optional>
 
 #include "porttool/compare/compare_pair.h"
@@ -200,7 +201,7 @@ private:
                 else
                     lone.insert(name);
             }
-        const KnownWords known({files(from), *file}, {files(to), draft.scanned}, dialect_);
+        const KnownWords& known = known_words(from, *file, *other);
         const UnitNames& names = unit_names(from);
         std::optional<Examples> beside;
         const std::function<const Examples&()> of_file = [&]() -> const Examples& {
@@ -252,6 +253,17 @@ private:
             if (unit != checked_.states[from].end()) out.emplace(leaf_of(unit->second.name));
         }
         return out;
+    }
+
+    /// The words of a file, as it was before this run.
+    const KnownWords& known_words(Side from, const ScannedFile& file, const ScannedFile& other) {
+        std::unique_ptr<KnownWords>& known = known_[{&file, &other}];
+        if (!known) {
+            const Side to = from == Side::Source ? Side::Target : Side::Source;
+            known =
+                std::make_unique<KnownWords>(FilesOfSide{files(from), file}, FilesOfSide{files(to), other}, dialect_);
+        }
+        return *known;
     }
 
     /// How many arguments a function takes.
@@ -388,6 +400,7 @@ private:
     LinesByPair lines_;
     std::set<std::string, std::less<>> brought_;
     BySide<UnitNames> names_;
+    std::map<std::pair<const ScannedFile*, const ScannedFile*>, std::unique_ptr<KnownWords>> known_;
     std::map<std::string, Draft> drafts_;
     SyncResult result_;
 };
