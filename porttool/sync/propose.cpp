@@ -37,17 +37,14 @@ const Unit* unit_named(const ScannedFile& file, const std::string& id) {
     return nullptr;
 }
 
-/// One side of a pair that is carried from.
-struct EditedUnit {
-    UnitWords before, now;
-    const ScannedFile* file;
-    const Unit* unit;
-};
-
 class Proposer {
 public:
     Proposer(const CheckedProject& checked, WriteSide write, const Disk& disk)
-        : checked_(checked), write_(write), disk_(disk), dialect_(checked.project.map.dialect), lines_(checked.lock) {}
+        : checked_(checked),
+          write_(write),
+          disk_(disk),
+          dialect_(dialect_of_edits(checked.project.map)),
+          lines_(checked.lock) {}
 
     SyncResult run(const std::vector<size_t>& pairs) {
         for (const size_t i : pairs) note_brought(checked_.judgement.pairs[i]);
@@ -203,11 +200,7 @@ private:
             }
         const KnownWords& known = known_words(from, *file, *other);
         const UnitNames& names = unit_names(from);
-        std::optional<Examples> beside;
-        const std::function<const Examples&()> of_file = [&]() -> const Examples& {
-            if (!beside) beside = learn_beside(pair, from);
-            return *beside;
-        };
+        const std::function<const Examples&()> of_file = [&]() -> const Examples& { return beside(pair, from); };
         const EditTranslator translator(examples, of_file, names, lone, known, brought);
         const auto written = [&](size_t i) {
             return is.words[i] == "@" || is.is_added(i) ? is.words[i] : std::string(file->lexed.view(is.tokens[i]));
@@ -315,6 +308,13 @@ private:
         return word < words.size() ? file.lexed.tokens[words.tokens[word]].line : 0;
     }
 
+    /// What the pairs beside one say alike. Those that changed do not count, so it is the same for each of two files.
+    const Examples& beside(const JudgedPair& pair, Side from) {
+        const auto [found, is_new] = beside_[from].try_emplace({pair.unit.source->file, pair.unit.target->file});
+        if (is_new) found->second = learn_beside(pair, from);
+        return found->second;
+    }
+
     /// What other pairs of the same two files say alike.
     Examples learn_beside(const JudgedPair& pair, Side from) const {
         const Side to = from == Side::Source ? Side::Target : Side::Source;
@@ -401,6 +401,7 @@ private:
     std::set<std::string, std::less<>> brought_;
     BySide<UnitNames> names_;
     std::map<std::pair<const ScannedFile*, const ScannedFile*>, std::unique_ptr<KnownWords>> known_;
+    BySide<std::map<std::pair<std::string, std::string>, Examples>> beside_;  ///< by the files of source and target
     std::map<std::string, Draft> drafts_;
     SyncResult result_;
 };
