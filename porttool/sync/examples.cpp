@@ -224,7 +224,6 @@ Examples::Phrase Examples::longest(const std::vector<std::string>& words, size_t
         });
         if (4 * most->second < 3 * found->second.all) continue;  // said in several ways: which one depends on more
         out.length = i + 1 - at;
-        out.seen = most->second;
         out.target.clear();
         for (size_t k = 0; k < most->first.size();) {
             const size_t cut = most->first.find('\x1f', k);

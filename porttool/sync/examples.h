@@ -29,11 +29,8 @@ public:
     struct Phrase {
         size_t length = 0;  ///< in words of the source; 0 if none is known
         std::vector<std::string> target;
-        size_t seen = 0;
     };
     Phrase longest(const std::vector<std::string>& words, size_t at, size_t end) const;
-
-    bool empty() const { return phrases_.empty(); }
 
     /// How the target writes a number that the source writes so: with or without the mark of a float or of an unsigned.
     std::string number(std::string_view written) const;

@@ -279,9 +279,8 @@ private:
             if (word_of(i) == kNothing || word_of(i) != first + (i - hunk.first)) return false;
         const size_t end = first + (hunk.end - hunk.first);
         if (has_own_prefix(hunk.first, first)) return false;
-        const bool lists = std::find(texts_.before.words.begin() + static_cast<std::ptrdiff_t>(hunk.first),
-                                     texts_.before.words.begin() + static_cast<std::ptrdiff_t>(hunk.end),
-                                     ",") != texts_.before.words.begin() + static_cast<std::ptrdiff_t>(hunk.end);
+        bool lists = false;
+        for (size_t i = hunk.first; i < hunk.end; ++i) lists |= texts_.before.words[i] == ",";
         if ((lists || hunk.now_first == hunk.now_end) && !stands_between_counterparts(hunk, first, end)) return false;
         if (!says(first, end, carry_old(hunk.first, hunk.end).words, true) && !is_name_alone(hunk, first, end))
             return false;
@@ -452,8 +451,9 @@ private:
             return give_up("the port has a loop of its own around it, which it would leave");
         std::vector<std::string> unknown;
         for (size_t c = first; c < end; ++c) {
+            if (moved_from(c)) continue;
             const CarriedWords carried = carry_new(now(c).first, now(c).end);
-            if (!moved_from(c)) unknown.insert(unknown.end(), carried.unknown.begin(), carried.unknown.end());
+            unknown.insert(unknown.end(), carried.unknown.begin(), carried.unknown.end());
         }
         for (const ClauseAdded& clause : clauses)
             if (const std::string name = indexed_otherwise(clause.words); !name.empty())
@@ -574,8 +574,8 @@ private:
                 const Clause& there = target(counterpart(*from));
                 const bool same = there.size() == now(c).size();
                 for (size_t i = there.first; i < there.end; ++i)
-                    one.words.push_back(
-                        {texts_.target.words[i], same ? now(c).first + (i - there.first) : CarriedWord::kNoSource});
+                    one.words.push_back({written_number(texts_.target.words[i]),
+                                         same ? now(c).first + (i - there.first) : CarriedWord::kNoSource});
             } else {
                 one.words = carry_new(now(c).first, now(c).end).words;
             }
@@ -616,8 +616,7 @@ private:
         std::set<std::string> names;
         for (const ClauseAdded& clause : clauses)
             for (const CarriedWord& word : clause.words)
-                if (is_word_token(word.text) && !is_type_word(word.text) && !word_is(word.text, kKeyword))
-                    names.insert(word.text);
+                if (is_name(word.text)) names.insert(word.text);
         for (const size_t c : own)
             for (size_t i = target(c).first; i < target(c).end; ++i)
                 if (names.contains(texts_.target.words[i])) return std::nullopt;

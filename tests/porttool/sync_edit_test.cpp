@@ -419,6 +419,14 @@ TEST(SyncEdit, ABranchThatThePortHasTheOtherWayRound) {
     expect_not_wrong(shaded(guarded, "a > b", "a > b && b > 0.0f", leaves, "a <= b", "a <= b || b <= 0.0f"));
 }
 
+TEST(SyncEdit, AStatementThatMovedKeepsItsNumbers) {
+    const std::string text =
+        "float shade(float a, float b) {\n    float c = a * 2.0f;\n    float d = b * 3.0f;\n    return c + d;\n}\n";
+    const std::string before = "    float c = a * 2.0f;\n    float d = b * 3.0f;\n",
+                      now = "    float d = b * 3.0f;\n    float c = a * 2.0f;\n";
+    expect_ported(shaded(text, before, now, text, before, now));
+}
+
 TEST(SyncEdit, AnIndexThatThePortWritesOtherwise) {
     expect_not_wrong(shaded("float shade(const float* m, int i, int j, int w) {\n    return m[i * w + j];\n}\n",
                             "m[i * w + j]", "m[i * w + j] + m[(i + 1) * w + j]",
