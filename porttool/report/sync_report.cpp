@@ -53,8 +53,9 @@ void add_lines(std::string_view patch, std::string& out) {
 std::string sync_json(const SyncResult& result, const std::optional<Verification>& verification) {
     ordered_json proposals = ordered_json::array();
     for (Proposal one : result.proposals) {
-        if (!is_utf8(one.patch)) {  // JSON cannot hold it
+        if (!is_utf8(one.patch) || !is_utf8(one.record_patch)) {  // JSON cannot hold it
             one.patch.clear();
+            one.record_patch.clear();
             one.state = ProposalState::Refused;
             one.left.push_back({"the patch has bytes that are no UTF-8; --format patch prints it, --apply writes it"});
         }
@@ -65,8 +66,8 @@ std::string sync_json(const SyncResult& result, const std::optional<Verification
         proposals.push_back({{"source", one.id.source},
                              {"target", one.id.target},
                              {"state", proposal_state_name(one.state)},
-                             {"patch", patch_or_null(one.patch)},
-                             {"map_patch", patch_or_null(one.map_patch)},
+                             {"patch", patch_or_null(whole_patch(one))},
+                             {"map_patch", patch_or_null(map_patch(one))},
                              {"left", std::move(left)},
                              {"why", one.why}});
     }
@@ -75,12 +76,12 @@ std::string sync_json(const SyncResult& result, const std::optional<Verification
 
 bool fits_json(const SyncResult& result) {
     return std::all_of(result.proposals.begin(), result.proposals.end(),
-                       [](const Proposal& one) { return is_utf8(one.patch); });
+                       [](const Proposal& one) { return is_utf8(one.patch) && is_utf8(one.record_patch); });
 }
 
 std::string sync_patch(const SyncResult& result) {
     std::string out;
-    for (const Proposal& one : result.proposals) out += one.patch;
+    for (const Proposal& one : result.proposals) out += whole_patch(one);
     return out;
 }
 
@@ -97,6 +98,8 @@ std::string sync_table(const SyncResult& result, const std::optional<Verificatio
             out += fmt::format("    left for you, source line {}, port line {}: {}\n", item.source_line,
                                item.target_line, terminal_text(item.message));
         add_lines(one.patch, out);
+        if (!one.record_patch.empty())
+            out += "    with the lines of its new pairs in portmap.toml, portmap.lock, portmap.base/\n";
     }
     if (verification) {
         out += fmt::format("{} in {:.1f} s: {}\n", verification->passed() ? "verified" : "failed",

@@ -4,82 +4,42 @@
 
 #include <algorithm>
 #include <functional>
-#include <memory>
 #include <optional>
 
 #include "porttool/compare/compare_pair.h"
-#include "porttool/compare/paired_names.h"
 #include "porttool/judge/settle.h"
 #include "porttool/normal/unit_state.h"
 #include "porttool/read/lock_lines.h"
 #include "porttool/scan/scan.h"
 #include "porttool/sync/file_text.h"
+#include "porttool/sync/knowledge.h"
 #include "porttool/sync/known_words.h"
+#include "porttool/sync/new_units.h"
 #include "porttool/sync/transplant.h"
-#include "porttool/sync/unified_diff.h"
-#include "porttool/text/sink/terminal.h"
 
 namespace porttool {
 namespace {
 
-constexpr size_t kMostWords = 5000;         ///< of a unit; a longer one is a person's
-constexpr size_t kMostWordsOfFile = 40000;  ///< that are learned from beside a pair
-
-/// A file of the side that is written, as the patches before have left it.
-struct Draft {
-    std::string bytes, original;
-    ScannedFile scanned;
-};
-
-const Unit* unit_named(const ScannedFile& file, const std::string& id) {
-    for (const Unit& unit : file.units)
-        if (unit_id(file, unit) == id) return &unit;
-    return nullptr;
-}
+constexpr size_t kMostWords = 5000;  ///< of a unit; a longer one is a person's
 
 class Proposer {
 public:
     Proposer(const CheckedProject& checked, WriteSide write, const Disk& disk)
         : checked_(checked),
           write_(write),
-          disk_(disk),
-          dialect_(dialect_of_edits(checked.project.map)),
-          lines_(checked.lock) {}
+          lines_(checked.lock),
+          knowledge_(checked),
+          drafts_(checked, disk),
+          new_units_(checked, disk, knowledge_, drafts_, brought_) {}
 
     SyncResult run(const std::vector<size_t>& pairs) {
         for (const size_t i : pairs) note_brought(checked_.judgement.pairs[i]);
         for (const size_t i : pairs) result_.proposals.push_back(propose_pair(checked_.judgement.pairs[i]));
-        for (const auto& [path, draft] : drafts_)
-            if (draft.bytes != draft.original) result_.files_with_partial[path] = {draft.original, draft.bytes};
+        result_.files_with_partial = drafts_.files();
         return std::move(result_);
     }
 
 private:
-    const std::vector<ScannedFile>& files(Side side) const {
-        return side == Side::Source ? checked_.project.source : checked_.project.target;
-    }
-
-    const ScannedFile* file_of(Side side, const UnitState& unit) const {
-        for (const ScannedFile& file : files(side))
-            if (file.path == unit.file) return &file;
-        return nullptr;
-    }
-
-    /// The file as the patches so far have left it. Throws CannotDo if it cannot be read.
-    Draft& draft_of(Side side, const ScannedFile& file) {
-        auto found = drafts_.find(file.path);
-        if (found != drafts_.end()) return found->second;
-        const std::string root = side == Side::Target ? target_root(checked_.project) : checked_.project.root;
-        FileText read = disk_.read(TreePath{root, file.path}, kLargestSource);
-        if (!read.error.empty()) throw CannotDo(file.path + " " + read.error);
-        Draft draft{read.bytes, read.bytes, scan_text(file.path, read.bytes)};
-        if (draft.scanned.lexed.text != file.lexed.text)
-            throw CannotDo(terminal_text(file.path) +
-                           " is not as it was judged: with --staged the index and the work tree differ\n"
-                           "Stage it, or sync without --staged");
-        return drafts_.emplace(file.path, std::move(draft)).first->second;
-    }
-
     /// Names that an edit brings in: what other edits of the same run may use.
     void note_brought(const JudgedPair& pair) {
         for (const Side side : kBothSides) {
@@ -138,7 +98,7 @@ private:
             return refuse("the text before the edit is not in portmap.base/; restore it from git");
         if (pair.unit[from]->text.size() > kMostWords || pair.unit[to]->text.size() > kMostWords)
             return refuse("too long to be carried: more than 5000 words");
-        carry(pair, *line, before, from, out);
+        carry_with_new_units(pair, *line, before, from, out);
         return out;
     }
 
@@ -157,27 +117,76 @@ private:
         CompareBudget budget;
         return compare_pair({paired(Side::Source, line.source_prints, source_prints, source),
                              paired(Side::Target, line.target_prints, target_prints, target)},
-                            dialect_, budget);
+                            knowledge_.dialect(), budget);
+    }
+
+    /// Carries an edit, and before it the new units that it uses; those that the port does not come to use are left
+    /// out.
+    void carry_with_new_units(const JudgedPair& pair, const LockedPair& line, const BySide<NormalText>& before,
+                              Side from, Proposal& out) {
+        const Proposal blank = out;
+        std::set<std::string> excluded;
+        constexpr int kMostRounds = 4;
+        for (int round = 0; round < kMostRounds; ++round) {
+            const size_t made = new_units_.count();
+            drafts_.begin();
+            out = blank;
+            new_units_.port(text_words(pair.unit[from]->text), pair, from, excluded);
+            carry(pair, line, before, from, out);
+            const bool writes = out.state == ProposalState::Proposed || out.state == ProposalState::Partial;
+            const std::set<std::string> unused =
+                writes ? new_units_.unused(made, ported_words(pair, other_side(from))) : std::set<std::string>();
+            if (writes && unused.empty()) {
+                out.is_elsewhere = from == Side::Source && target_root(checked_.project) != checked_.project.root;
+                out.patch = drafts_.patch();
+                out.record_patch = drafts_.record_patch();
+                for (std::string& told : new_units_.told(made)) out.why.push_back(std::move(told));
+                return;
+            }
+            drafts_.take_back();
+            new_units_.take_back(made);
+            if (!writes) return;
+            excluded.insert(unused.begin(), unused.end());
+        }
+        out = blank;
+        out.state = ProposalState::Refused;
+        out.left.push_back({"it uses units that came without a port; port these first", line_of(pair, Side::Source),
+                            line_of(pair, Side::Target)});
+    }
+
+    static std::vector<std::string> text_words(const NormalText& text) {
+        std::vector<std::string> out;
+        for (const std::string_view word : text.words()) out.emplace_back(word);
+        return out;
+    }
+
+    /// The port's words as they have become.
+    std::vector<std::string> ported_words(const JudgedPair& pair, Side to) {
+        const ScannedFile* other = knowledge_.file_of(to, pair.unit[to]->file);
+        if (other == nullptr) return {};
+        const ScannedFile& now = drafts_.of(to, *other).scanned;
+        const Unit* port = unit_named(now, pair.unit[to]->id);
+        return port == nullptr ? std::vector<std::string>() : words_of_unit(now, *port).words;
     }
 
     void carry(const JudgedPair& pair, const LockedPair& line, const BySide<NormalText>& before, Side from,
                Proposal& out) {
-        const Side to = from == Side::Source ? Side::Target : Side::Source;
+        const Side to = other_side(from);
         const auto refuse = [&](std::string why) {
             out.left.push_back({std::move(why), line_of(pair, Side::Source), line_of(pair, Side::Target)});
         };
-        const ScannedFile* file = file_of(from, *pair.unit[from]);
-        const ScannedFile* other = file_of(to, *pair.unit[to]);
+        const ScannedFile* file = knowledge_.file_of(from, pair.unit[from]->file);
+        const ScannedFile* other = knowledge_.file_of(to, pair.unit[to]->file);
         const Unit* unit = file == nullptr ? nullptr : unit_named(*file, pair.unit[from]->id);
         if (unit == nullptr || other == nullptr) return refuse("a whole file is not carried");
-        Draft& draft = draft_of(to, *other);
+        Draft& draft = drafts_.of(to, *other);
         const Unit* port = unit_named(draft.scanned, pair.unit[to]->id);
         if (port == nullptr) return refuse("an edit before this one in the same file has hidden the port");
 
         const bool record = unit->kind == UnitKind::Struct;
         const UnitWords was = words_of_record(before[from]), is = words_of_unit(*file, *unit);
         const UnitWords there = words_of_unit(draft.scanned, *port);
-        WordKeys keys(dialect_);
+        WordKeys keys(knowledge_.dialect());
         const AlignedText old_text = keys.text(was.words, record), new_text = keys.text(is.words, record),
                           port_text = keys.text(there.words, record);
         const Alignment edit = align(old_text, new_text, {0.5, false});
@@ -188,8 +197,10 @@ private:
                 "told");
         Examples examples;
         examples.learn(old_text, port_text, across);
-        std::set<std::string, std::less<>> brought = brought_, lone = lone_names(from);
-        const std::set<std::string, std::less<>> unported = lone;
+        const std::set<std::string, std::less<>> from_elsewhere = new_units_.brought();
+        std::set<std::string, std::less<>> brought = from_elsewhere, lone;
+        const std::map<std::string, std::string, std::less<>> unported = new_units_.unported(from);
+        for (const auto& [name, why] : unported) lone.insert(name);
         for (const std::string& name : local_names(*file, *unit))
             if (std::find(was.words.begin(), was.words.end(), name) == was.words.end()) {
                 // A name that the port has for something else cannot be taken.
@@ -198,25 +209,31 @@ private:
                 else
                     lone.insert(name);
             }
-        const KnownWords& known = known_words(from, *file, *other);
-        const UnitNames& names = unit_names(from);
-        const std::function<const Examples&()> of_file = [&]() -> const Examples& { return beside(pair, from); };
-        const EditTranslator translator(examples, of_file, names, lone, known, brought);
+        const KnownWords& known = knowledge_.known_words(from, *file, *other);
+        const UnitNames& names = knowledge_.unit_names(from);
+        const std::function<const Examples&()> of_file = [&]() -> const Examples& {
+            return knowledge_.beside(pair.unit.source->file, pair.unit.target->file, from);
+        };
         const auto written = [&](size_t i) {
             return is.words[i] == "@" || is.is_added(i) ? is.words[i] : std::string(file->lexed.view(is.tokens[i]));
         };
-        const Transplant found = transplant({old_text, new_text, port_text, edit, across}, translator, written);
+        const EditTexts texts{old_text, new_text, port_text, edit, across};
+        Transplant found;
+        // What uses a new name can only be carried with what declares it.
+        do found = transplant(texts, EditTranslator(examples, of_file, names, lone, known, brought), written);
+        while (lose_undeclared(is.words, found, from_elsewhere, brought, lone));
         for (const LeftOver& left : found.left) {
             const uint32_t here = line_at(*file, is, left.source_word),
                            else_where = line_at(draft.scanned, there, left.target_word);
             out.left.push_back(
                 {left.message, from == Side::Source ? here : else_where, from == Side::Source ? else_where : here});
         }
-        for (const std::string& name : unported)
+        for (const auto& [name, why] : unported)
             if (const auto call = std::find(is.words.begin(), is.words.end(), name); call != is.words.end()) {
                 const uint32_t call_line = line_at(*file, is, static_cast<size_t>(call - is.words.begin()));
                 const uint32_t place = pair.unit[to]->start_line;
-                out.left.push_back({"it uses `" + name + "`, which came without a port; port that, too",
+                out.left.push_back({"it uses `" + name + "`, which came without a port; port that, too" +
+                                        (why.empty() ? why : ": " + why),
                                     from == Side::Source ? call_line : place,
                                     from == Side::Source ? place : call_line});
             }
@@ -237,62 +254,6 @@ private:
         finish(pair, line, before, to, draft, edits, out);
     }
 
-    /// Units that came without a counterpart: what calls them cannot be ported before they are.
-    std::set<std::string, std::less<>> lone_names(Side from) const {
-        std::set<std::string, std::less<>> out;
-        for (const Finding& finding : checked_.judgement.findings) {
-            if (!is_of_new_unit(finding) || finding.side != from) continue;
-            const auto unit = checked_.states[from].find(finding.map_source);
-            if (unit != checked_.states[from].end()) out.emplace(leaf_of(unit->second.name));
-        }
-        return out;
-    }
-
-    /// The words of a file, as it was before this run.
-    const KnownWords& known_words(Side from, const ScannedFile& file, const ScannedFile& other) {
-        std::unique_ptr<KnownWords>& known = known_[{&file, &other}];
-        if (!known) {
-            const Side to = from == Side::Source ? Side::Target : Side::Source;
-            known =
-                std::make_unique<KnownWords>(FilesOfSide{files(from), file}, FilesOfSide{files(to), other}, dialect_);
-        }
-        return *known;
-    }
-
-    /// How many arguments a function takes.
-    static size_t arguments_of(const NormalText& text) {
-        size_t commas = 0, words = 0;
-        int depth = 0;
-        bool named = false;
-        for (size_t i = 0; i < text.size(); ++i) {
-            const std::string_view word = text[i];
-            if (!named) {
-                named = word == "@";
-                continue;
-            }
-            depth += word == "(" || word == "<" ? 1 : word == ")" || word == ">" ? -1 : 0;
-            if (word == "{" || (depth == 0 && word == ")")) break;
-            if (depth == 1 && word == ",") ++commas;
-            ++words;
-        }
-        return words <= 1 ? 0 : commas + 1;
-    }
-
-    /// What the units of one side are called on the other.
-    const UnitNames& unit_names(Side from) {
-        UnitNames& out = names_[from];
-        if (!out.names.empty()) return out;
-        for (const JudgedPair& pair : checked_.judgement.pairs) {
-            const Side to = from == Side::Source ? Side::Target : Side::Source;
-            if (pair.unit[from] == nullptr || pair.unit[to] == nullptr) continue;
-            const std::string name(leaf_of(pair.unit[from]->name));
-            out.names[name].emplace(leaf_of(pair.unit[to]->name));
-            if (arguments_of(pair.unit[from]->text) != arguments_of(pair.unit[to]->text))
-                out.other_parameters.insert(name);
-        }
-        return out;
-    }
-
     /// True for one of several counterparts that has less than most of the unit.
     bool holds_a_part(const JudgedPair& pair, Side from, const Alignment& across) const {
         const auto of_unit = [&](const JudgedPair& other) { return other.id[from] == pair.id[from]; };
@@ -303,38 +264,32 @@ private:
         return static_cast<double>(found) < kMost * static_cast<double>(across.clause_of.size());
     }
 
+    /// Makes names strange that the edit declares where that was not carried. False if there is none.
+    static bool lose_undeclared(const std::vector<std::string>& words, const Transplant& found,
+                                const std::set<std::string, std::less<>>& from_elsewhere,
+                                std::set<std::string, std::less<>>& brought, std::set<std::string, std::less<>>& lone) {
+        if (found.left.empty()) return false;
+        std::set<size_t> carried;
+        for (const WordsReplaced& one : found.replaced)
+            for (const CarriedWord& word : one.words) carried.insert(word.from);
+        for (const ClausesAdded& one : found.added)
+            for (const ClauseAdded& clause : one.clauses)
+                for (const CarriedWord& word : clause.words) carried.insert(word.from);
+        bool any = false;
+        for (auto name = brought.begin(); name != brought.end();) {
+            const auto first = std::find(words.begin(), words.end(), *name);
+            const bool is_lost = !from_elsewhere.contains(*name) && first != words.end() &&
+                                 !carried.contains(static_cast<size_t>(first - words.begin()));
+            if (is_lost) lone.insert(*name);
+            any |= is_lost;
+            name = is_lost ? brought.erase(name) : std::next(name);
+        }
+        return any;
+    }
+
     static uint32_t line_at(const ScannedFile& file, const UnitWords& words, size_t word) {
         while (word < words.size() && words.is_added(word)) ++word;
         return word < words.size() ? file.lexed.tokens[words.tokens[word]].line : 0;
-    }
-
-    /// What the pairs beside one say alike. Those that changed do not count, so it is the same for each of two files.
-    const Examples& beside(const JudgedPair& pair, Side from) {
-        const auto [found, is_new] = beside_[from].try_emplace({pair.unit.source->file, pair.unit.target->file});
-        if (is_new) found->second = learn_beside(pair, from);
-        return found->second;
-    }
-
-    /// What other pairs of the same two files say alike.
-    Examples learn_beside(const JudgedPair& pair, Side from) const {
-        const Side to = from == Side::Source ? Side::Target : Side::Source;
-        Examples out;
-        WordKeys keys(dialect_);
-        size_t words = 0;
-        for (const JudgedPair& other : checked_.judgement.pairs) {
-            if (other.changed || &other == &pair || other.unit.source == nullptr || other.unit.target == nullptr)
-                continue;
-            if (other.unit.source->file != pair.unit.source->file && other.unit.target->file != pair.unit.target->file)
-                continue;
-            words += other.unit.source->text.size() + other.unit.target->text.size();
-            if (words > kMostWordsOfFile) break;
-            const bool record = other.unit.source->kind == UnitKind::Struct;
-            const UnitWords here = words_of_record(other.unit[from]->text),
-                            there = words_of_record(other.unit[to]->text);
-            const AlignedText a = keys.text(here.words, record), b = keys.text(there.words, record);
-            out.learn(a, b, align(a, b, {}));
-        }
-        return out;
     }
 
     /// Makes the new text, and holds it to the gate before anybody sees it.
@@ -364,10 +319,8 @@ private:
             out.left.push_back({"check would still ask about it: " + reason(found), line_of(pair, Side::Source),
                                 line_of(pair, Side::Target)});
         }
-        out.patch = unified_diff(draft.scanned.path, draft.bytes, now);
-        if (out.patch.empty()) return refuse("nothing came of it");
-        draft.bytes = now;
-        draft.scanned = std::move(scanned);
+        if (draft.bytes == now) return refuse("nothing came of it");
+        drafts_.write(draft, now, std::move(scanned));
     }
 
     /// True if all units but one are as they were.
@@ -395,18 +348,23 @@ private:
 
     const CheckedProject& checked_;
     WriteSide write_;
-    const Disk& disk_;
-    Dialect dialect_;
     LinesByPair lines_;
     std::set<std::string, std::less<>> brought_;
-    BySide<UnitNames> names_;
-    std::map<std::pair<const ScannedFile*, const ScannedFile*>, std::unique_ptr<KnownWords>> known_;
-    BySide<std::map<std::pair<std::string, std::string>, Examples>> beside_;  ///< by the files of source and target
-    std::map<std::string, Draft> drafts_;
+    Knowledge knowledge_;
+    Drafts drafts_;
+    NewUnits new_units_;
     SyncResult result_;
 };
 
 }  // namespace
+
+std::string whole_patch(const Proposal& proposal) {
+    return proposal.is_elsewhere ? proposal.patch : proposal.patch + proposal.record_patch;
+}
+
+std::string map_patch(const Proposal& proposal) {
+    return proposal.is_elsewhere ? proposal.record_patch : std::string();
+}
 
 bool SyncResult::any_left() const {
     return std::any_of(proposals.begin(), proposals.end(), [](const Proposal& p) {

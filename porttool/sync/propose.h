@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "porttool/judge/check_project.h"
+#include "porttool/sync/drafts.h"
 
 namespace porttool {
 
@@ -28,16 +29,16 @@ struct LeftItem {
 struct Proposal {
     BySide<std::string> id;
     ProposalState state = ProposalState::Refused;
-    std::string patch;      ///< of the side that is written, relative to its root; "" for none
-    std::string map_patch;  ///< of the project's own files, where that side lies elsewhere
+    std::string patch;          ///< of the side that is written, relative to its root; "" for none
+    std::string record_patch;   ///< of the project's own files, relative to its root: the pairs that come with it
+    bool is_elsewhere = false;  ///< the side that is written has a root of its own
     std::vector<LeftItem> left;
     std::vector<std::string> why;
 };
 
-/// A file that proposals write, as it is and as it becomes.
-struct ProposedFile {
-    std::string before, now;
-};
+/// All that a proposal changes beneath the root of the side that is written, and what it changes elsewhere.
+std::string whole_patch(const Proposal& proposal);
+std::string map_patch(const Proposal& proposal);
 
 /// The proposals of one run, in the order in which their patches apply.
 struct SyncResult {

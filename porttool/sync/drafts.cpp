@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/sync/drafts.h"
+
+#include "porttool/scan/scan.h"
+#include "porttool/sync/unified_diff.h"
+#include "porttool/text/sink/terminal.h"
+
+namespace porttool {
+
+const Unit* unit_named(const ScannedFile& file, const std::string& id) {
+    for (const Unit& unit : file.units)
+        if (unit_id(file, unit) == id) return &unit;
+    return nullptr;
+}
+
+Draft& Drafts::of(Side side, const ScannedFile& file) {
+    auto found = drafts_.find(file.path);
+    if (found != drafts_.end()) return found->second;
+    const std::string root = side == Side::Target ? target_root(checked_.project) : checked_.project.root;
+    FileText read = disk_.read(TreePath{root, file.path}, kLargestSource);
+    if (!read.error.empty()) throw CannotDo(file.path + " " + read.error);
+    Draft draft{read.bytes, read.bytes, scan_text(file.path, read.bytes)};
+    if (draft.scanned.lexed.text != file.lexed.text)
+        throw CannotDo(terminal_text(file.path) +
+                       " is not as it was judged: with --staged the index and the work tree differ\n"
+                       "Stage it, or sync without --staged");
+    return drafts_.emplace(file.path, std::move(draft)).first->second;
+}
+
+void Drafts::write(Draft& draft, std::string bytes, ScannedFile scanned) {
+    bytes_before_.try_emplace(draft.scanned.path, draft.bytes);
+    draft.bytes = std::move(bytes);
+    draft.scanned = std::move(scanned);
+}
+
+void Drafts::begin() {
+    bytes_before_.clear();
+    records_before_ = records_;
+}
+
+void Drafts::take_back() {
+    for (auto& [path, bytes] : bytes_before_) {
+        Draft& draft = drafts_.at(path);
+        draft.bytes = std::move(bytes);
+        draft.scanned = scan_text(path, draft.bytes);
+    }
+    bytes_before_.clear();
+    records_ = records_before_;
+}
+
+std::string Drafts::patch() const {
+    std::string out;
+    for (const auto& [path, bytes] : bytes_before_) out += unified_diff(path, bytes, drafts_.at(path).bytes);
+    return out;
+}
+
+std::string Drafts::record_patch() const {
+    std::string out;
+    for (const auto& [path, file] : records_) {
+        const auto before = records_before_.find(path);
+        const bool was_written = before != records_before_.end();
+        out +=
+            unified_diff(path, was_written ? before->second.now : file.before, file.now, file.is_new && !was_written);
+    }
+    return out;
+}
+
+std::map<std::string, ProposedFile> Drafts::files() const {
+    std::map<std::string, ProposedFile> out;
+    for (const auto& [path, draft] : drafts_)
+        if (draft.bytes != draft.original) out[path] = {draft.original, draft.bytes};
+    for (const auto& [path, file] : records_) out[path] = {file.before, file.now};
+    return out;
+}
+
+}  // namespace porttool

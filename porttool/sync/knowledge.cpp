@@ -1,0 +1,144 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/sync/knowledge.h"
+
+#include "porttool/compare/paired_names.h"
+#include "porttool/scan/scan.h"
+#include "porttool/sync/unit_words.h"
+
+namespace porttool {
+namespace {
+
+constexpr size_t kMostWordsOfFile = 40000;  ///< that are learned from beside a pair
+constexpr size_t kMostHeads = 2000;         ///< that are learned from all over a project
+
+/// How many arguments a function takes.
+size_t arguments_of(const NormalText& text) {
+    size_t commas = 0, words = 0;
+    int depth = 0;
+    bool named = false;
+    for (size_t i = 0; i < text.size(); ++i) {
+        const std::string_view word = text[i];
+        if (!named) {
+            named = word == "@";
+            continue;
+        }
+        depth += word == "(" || word == "<" ? 1 : word == ")" || word == ">" ? -1 : 0;
+        if (word == "{" || (depth == 0 && word == ")")) break;
+        if (depth == 1 && word == ",") ++commas;
+        ++words;
+    }
+    return words <= 1 ? 0 : commas + 1;
+}
+
+std::map<std::string, const Unit*> units_by_id(const ScannedFile& file) {
+    std::map<std::string, const Unit*> out;
+    for (const Unit& unit : file.units) out.emplace(unit_id(file, unit), &unit);
+    return out;
+}
+
+}  // namespace
+
+Knowledge::Knowledge(const CheckedProject& checked)
+    : checked_(checked), dialect_(dialect_of_edits(checked.project.map)) {
+    for (const Side side : kBothSides)
+        for (const ScannedFile& file : files(side)) by_path_[side].emplace(file.path, &file);
+}
+
+const ScannedFile* Knowledge::file_of(Side side, const std::string& path) const {
+    const auto found = by_path_[side].find(path);
+    return found == by_path_[side].end() ? nullptr : found->second;
+}
+
+const KnownWords& Knowledge::known_words(Side from, const ScannedFile& file, const ScannedFile& other) {
+    std::unique_ptr<KnownWords>& known = known_[{&file, &other}];
+    if (!known)
+        known = std::make_unique<KnownWords>(FilesOfSide{files(from), file},
+                                             FilesOfSide{files(other_side(from)), other}, dialect_);
+    return *known;
+}
+
+const UnitNames& Knowledge::unit_names(Side from) {
+    std::optional<UnitNames>& out = names_[from];
+    if (out) return *out;
+    out.emplace();
+    for (const JudgedPair& pair : checked_.judgement.pairs) {
+        const Side to = other_side(from);
+        if (pair.unit[from] == nullptr || pair.unit[to] == nullptr) continue;
+        const std::string name(leaf_of(pair.unit[from]->name));
+        out->names[name].emplace(leaf_of(pair.unit[to]->name));
+        if (arguments_of(pair.unit[from]->text) != arguments_of(pair.unit[to]->text))
+            out->other_parameters.insert(name);
+    }
+    return *out;
+}
+
+const Examples& Knowledge::beside(const std::string& source_file, const std::string& target_file, Side from) {
+    const auto [found, is_new] = beside_[from].try_emplace({source_file, target_file});
+    if (!is_new) return found->second;
+    const Side to = other_side(from);
+    WordKeys keys(dialect_);
+    size_t words = 0;
+    for (const JudgedPair& other : checked_.judgement.pairs) {
+        if (other.changed || other.unit.source == nullptr || other.unit.target == nullptr) continue;
+        if (other.unit.source->file != source_file && other.unit.target->file != target_file) continue;
+        words += other.unit.source->text.size() + other.unit.target->text.size();
+        if (words > kMostWordsOfFile) break;
+        const bool record = other.unit.source->kind == UnitKind::Struct;
+        const UnitWords here = words_of_record(other.unit[from]->text), there = words_of_record(other.unit[to]->text);
+        const AlignedText a = keys.text(here.words, record), b = keys.text(there.words, record);
+        found->second.learn(a, b, align(a, b, {}));
+    }
+    return found->second;
+}
+
+void Knowledge::learn_heads(Side from, const ScannedFile* file, const ScannedFile* other, HeadManners& out) const {
+    const Side to = other_side(from);
+    std::map<const ScannedFile*, std::map<std::string, const Unit*>> units;
+    const auto unit_of = [&](const ScannedFile& in, const std::string& id) -> const Unit* {
+        const auto [found, is_new] = units.try_emplace(&in);
+        if (is_new) found->second = units_by_id(in);
+        const auto unit = found->second.find(id);
+        return unit == found->second.end() ? nullptr : unit->second;
+    };
+    size_t count = 0;
+    for (const JudgedPair& pair : checked_.judgement.pairs) {
+        if (pair.changed || pair.unit[from] == nullptr || pair.unit[to] == nullptr) continue;
+        if (file != nullptr && (pair.unit[from]->file != file->path || pair.unit[to]->file != other->path)) continue;
+        const ScannedFile *here = file_of(from, pair.unit[from]->file), *there = file_of(to, pair.unit[to]->file);
+        if (here == nullptr || there == nullptr || ++count > kMostHeads) continue;
+        const Unit *unit = unit_of(*here, pair.unit[from]->id), *port = unit_of(*there, pair.unit[to]->id);
+        if (unit != nullptr && port != nullptr) out.learn(*here, *unit, *there, *port);
+    }
+}
+
+const HeadManners& Knowledge::heads_beside(Side from, const ScannedFile& file, const ScannedFile& other) {
+    const auto [found, is_new] = heads_beside_.try_emplace({&file, &other});
+    if (is_new) learn_heads(from, &file, &other, found->second);
+    return found->second;
+}
+
+const HeadManners& Knowledge::heads(Side from) {
+    if (!heads_[from]) learn_heads(from, nullptr, nullptr, heads_[from].emplace());
+    return *heads_[from];
+}
+
+void Knowledge::set_fresh(const std::vector<FreshIds>& pairs) {
+    MapFile map;
+    map.dialect = checked_.project.map.dialect;
+    map.pairs = checked_.project.map.pairs;
+    for (const Side from : kBothSides) {
+        (void)unit_names(from);
+        for (const std::string& name : fresh_names_[from]) names_[from]->names.erase(name);
+        fresh_names_[from].clear();
+    }
+    for (const FreshIds& pair : pairs) {
+        const std::string name(leaf_of(split_id(pair.id[pair.from]).second));
+        names_[pair.from]->names[name] = {std::string(leaf_of(split_id(pair.id[other_side(pair.from)]).second))};
+        fresh_names_[pair.from].insert(name);
+        map.pairs.push_back({pair.id.source, {pair.id.target}});
+    }
+    dialect_ = dialect_of_edits(map);
+}
+
+}  // namespace porttool

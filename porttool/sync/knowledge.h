@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+// What the pairs of a project tell of how one side says what the other says; each thing is learned when it is asked
+// for.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "porttool/judge/check_project.h"
+#include "porttool/sync/examples.h"
+#include "porttool/sync/head_manner.h"
+#include "porttool/sync/known_words.h"
+#include "porttool/sync/translator.h"
+
+namespace porttool {
+
+constexpr Side other_side(Side side) { return side == Side::Source ? Side::Target : Side::Source; }
+
+class Knowledge {
+public:
+    /// Must outlive it.
+    explicit Knowledge(const CheckedProject& checked);
+    Knowledge(const Knowledge&) = delete;
+    Knowledge& operator=(const Knowledge&) = delete;
+
+    const Dialect& dialect() const { return dialect_; }
+    const std::vector<ScannedFile>& files(Side side) const {
+        return side == Side::Source ? checked_.project.source : checked_.project.target;
+    }
+    const ScannedFile* file_of(Side side, const std::string& path) const;
+
+    /// The words of a file, as it was before this run.
+    const KnownWords& known_words(Side from, const ScannedFile& file, const ScannedFile& other);
+    /// What the units of one side are called on the other.
+    const UnitNames& unit_names(Side from);
+    /// What other pairs of the same two files say alike. Those that changed do not count, so it is the same for each
+    /// pair of two files.
+    const Examples& beside(const std::string& source_file, const std::string& target_file, Side from);
+    /// How heads are written: by the pairs of two files of the sides `from` and the other, by all pairs.
+    const HeadManners& heads_beside(Side from, const ScannedFile& file, const ScannedFile& other);
+    const HeadManners& heads(Side from);
+
+    /// Pairs that this run brings, in place of those that it brought before: their names are known, and one to the
+    /// dialect.
+    struct FreshIds {
+        Side from;
+        BySide<std::string> id;
+    };
+    void set_fresh(const std::vector<FreshIds>& pairs);
+
+private:
+    void learn_heads(Side from, const ScannedFile* file, const ScannedFile* other, HeadManners& out) const;
+
+    const CheckedProject& checked_;
+    Dialect dialect_;
+    BySide<std::optional<UnitNames>> names_;
+    BySide<std::set<std::string>> fresh_names_;
+    std::map<std::pair<const ScannedFile*, const ScannedFile*>, std::unique_ptr<KnownWords>> known_;
+    BySide<std::map<std::pair<std::string, std::string>, Examples>> beside_;  ///< by the files of source and target
+    std::map<std::pair<const ScannedFile*, const ScannedFile*>, HeadManners> heads_beside_;
+    BySide<std::optional<HeadManners>> heads_;
+    BySide<std::map<std::string_view, const ScannedFile*>> by_path_;
+};
+
+}  // namespace porttool

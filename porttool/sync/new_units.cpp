@@ -1,0 +1,424 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/sync/new_units.h"
+
+#include <algorithm>
+
+#include "porttool/judge/assess.h"
+#include "porttool/judge/settle.h"
+#include "porttool/language/words.h"
+#include "porttool/normal/statements.h"
+#include "porttool/normal/unit_state.h"
+#include "porttool/read/git_repository.h"
+#include "porttool/scan/scan.h"
+#include "porttool/sync/file_text.h"
+#include "porttool/sync/name_manner.h"
+#include "porttool/sync/new_unit.h"
+#include "porttool/sync/unit_extent.h"
+#include "porttool/sync/unit_place.h"
+
+namespace porttool {
+namespace {
+
+constexpr size_t kMostNewUnits = 64;    ///< that one run ports
+constexpr size_t kDeepest = 8;          ///< new units that use one another
+constexpr size_t kMostNewWords = 2000;  ///< of one
+
+std::string plain_name(std::string_view name) {
+    const std::string_view leaf = leaf_of(name);
+    return std::string(leaf.substr(0, leaf.find('#')));
+}
+
+std::string_view text_of(const ScannedFile& file, const Unit& unit) {
+    const Token &first = file.lexed.tokens[unit.tokens.first], &last = file.lexed.tokens[unit.tokens.end - 1];
+    return std::string_view(file.lexed.text).substr(first.offset, last.offset + last.length - first.offset);
+}
+
+std::set<std::string> words_within(const ScannedFile& file, TokenRange range) {
+    std::set<std::string> out;
+    for (uint32_t i = range.first; i < range.end; ++i)
+        if (file.lexed.tokens[i].kind == TokenKind::Identifier) out.emplace(file.lexed.view(i));
+    return out;
+}
+
+/// The one unit that a text has more than before, if all others are as they were; else nullptr.
+const Unit* only_new_unit(const ScannedFile& before, const ScannedFile& now) {
+    if (now.units.size() != before.units.size() + 1 || now.balanced != before.balanced ||
+        now.variables.size() != before.variables.size() + (now.variables.size() > before.variables.size() ? 1 : 0))
+        return nullptr;
+    const Unit* out = nullptr;
+    for (size_t i = 0, k = 0; k < now.units.size(); ++k) {
+        const bool same = i < before.units.size() && before.units[i].name == now.units[k].name &&
+                          before.units[i].kind == now.units[k].kind &&
+                          text_of(before, before.units[i]) == text_of(now, now.units[k]);
+        if (same) {
+            ++i;
+        } else if (out == nullptr) {
+            out = &now.units[k];
+        } else {
+            return nullptr;
+        }
+    }
+    return out;
+}
+
+/// The words of a new unit that nobody there would know; none if all is well.
+std::set<std::string> strange_words(const ScannedFile& file, const Unit& unit, const KnownWords& known,
+                                    const UnitNames& names, const std::set<std::string, std::less<>>& brought) {
+    const LexedText& lexed = file.lexed;
+    const std::set<std::string, std::less<>> own = names_within(file, unit);
+    std::set<std::string_view> units;
+    for (const auto& [source, targets] : names.names)
+        for (const std::string& target : targets) units.insert(target);
+    std::set<std::string> out;
+    for (uint32_t i = unit.tokens.first; i < unit.tokens.end; ++i) {
+        if (lexed.tokens[i].kind != TokenKind::Identifier || i == unit.name_token) continue;
+        const std::string_view word = lexed.view(i);
+        const bool member = i > 0 && (lexed.view(i - 1) == "." || lexed.view(i - 1) == "->");
+        if (own.contains(word) || units.contains(word) || brought.contains(word) || roles_of(word) != 0 ||
+            is_type_word(word) || known.in_file(word) || (member && !known.is_of_source(word)) || known.anywhere(word))
+            continue;
+        out.emplace(word);
+    }
+    return out;
+}
+
+std::string indented_lines(const std::string& text, const std::string& indent) {
+    if (indent.empty()) return text;
+    std::string out;
+    for (size_t at = 0; at < text.size();) {
+        const size_t end = std::min(text.find('\n', at), text.size());
+        if (end > at && text[at] != '#') out += indent;
+        out += text.substr(at, end - at) + (end < text.size() ? "\n" : "");
+        at = end + 1;
+    }
+    return out;
+}
+
+/// A function's state with a head that says nothing: how heads are written there, pairs have told.
+UnitState without_head(UnitState state) {
+    if (state.kind != UnitKind::Function) return state;
+    const Words words = state.text.words();
+    size_t i = 0;
+    while (i < words.size() && words[i] != "@") ++i;
+    while (i < words.size() && words[i] != "{") ++i;
+    NormalText text;
+    for (const std::string_view word : {"void", "@", "(", ")"}) text.add(word);
+    for (; i < words.size(); ++i) text.add(words[i]);
+    state.text = std::move(text);
+    return state;
+}
+
+/// True for a unit whose port a device runs, so that what it calls is marked.
+bool runs_on_device(const ScannedFile* file, const UnitState& port) {
+    if (file == nullptr || (file->language != Language::Cuda && file->language != Language::Hip)) return false;
+    if (port.kind == UnitKind::Kernel) return true;
+    const Unit* unit = unit_named(*file, port.id);
+    if (unit == nullptr) return false;
+    for (uint32_t i = unit->tokens.first; i < unit->name_token; ++i)
+        if (file->lexed.view(i) == "__device__" || file->lexed.view(i) == "__global__") return true;
+    return false;
+}
+
+}  // namespace
+
+/// A new unit, and the file that its port is to go to.
+struct NewUnits::Wanted {
+    const UnitState& state;
+    const std::string& name;
+    const ScannedFile& file;
+    const Unit& unit;
+    const ScannedFile& other;
+    const JudgedPair& user;
+    Side from;
+    std::set<std::string> fresh_uses;
+};
+
+const std::map<std::string, std::vector<const UnitState*>, std::less<>>& NewUnits::fresh_units(Side from) const {
+    auto& out = fresh_[from];
+    if (fresh_read_[from]) return out;
+    fresh_read_[from] = true;
+    std::set<std::string_view> seen;
+    for (const Finding& finding : checked_.judgement.findings) {
+        if (!is_of_new_unit(finding) || finding.side != from) continue;
+        const auto unit = checked_.states[from].find(finding.map_source);
+        if (unit != checked_.states[from].end() && seen.insert(unit->first).second)
+            out[plain_name(unit->second.name)].push_back(&unit->second);
+    }
+    if (!is_contract(checked_.judgement.reference, from)) find_in_head(from, out);
+    return out;
+}
+
+/// No baseline says what is new on the side that is not the contract: what HEAD does not have is.
+void NewUnits::find_in_head(Side from, std::map<std::string, std::vector<const UnitState*>, std::less<>>& out) const {
+    std::set<std::string> paired;
+    for (const JudgedPair& pair : checked_.judgement.pairs)
+        if (pair.unit[from] != nullptr) paired.insert(pair.unit[from]->id);
+    std::set<std::string> wanted;
+    for (const auto& [id, state] : checked_.states[from])
+        if (!paired.contains(id) && state.kind != UnitKind::File) wanted.insert(state.file);
+    if (wanted.empty()) return;
+    const GitRepository repository(from == Side::Target ? target_root(checked_.project) : checked_.project.root);
+    if (!repository.error().empty()) return;
+    const GitFiles head =
+        repository.files_at_base("HEAD", [&](const std::string& path) { return wanted.contains(path); });
+    if (!head.error.empty()) return;
+    std::map<std::string, std::set<std::string>> old;
+    for (const auto& [path, text] : head.files) {
+        const ScannedFile scanned = scan_text(path, text);
+        for (const Unit& unit : scanned.units) old[path].insert(unit_id(scanned, unit));
+    }
+    for (const auto& [id, state] : checked_.states[from])
+        if (!paired.contains(id) && old.contains(state.file) && !old.at(state.file).contains(id))
+            out[plain_name(state.name)].push_back(&state);
+}
+
+void NewUnits::port(const std::vector<std::string>& words, const JudgedPair& user, Side from,
+                    const std::set<std::string>& excluded) {
+    if (!excluded.empty())
+        earlier_.merge(reasons_);
+    else
+        earlier_.clear();
+    reasons_.clear();
+    usable_.clear();
+    excluded_ = excluded;
+    const auto& fresh = fresh_units(from);
+    if (fresh.empty()) return;
+    std::set<std::string> open;
+    for (const std::string& word : words) {
+        if (!fresh.contains(word) || reasons_.contains(word) || usable_.contains(word)) continue;
+        if (std::string why = port_one(word, user, from, open); !why.empty()) reasons_[word] = std::move(why);
+    }
+}
+
+std::map<std::string, std::string, std::less<>> NewUnits::unported(Side from) const {
+    std::map<std::string, std::string, std::less<>> out;
+    for (const auto& [name, units] : fresh_units(from)) {
+        if (usable_.contains(name)) continue;
+        const auto first = earlier_.find(name), why = reasons_.find(name);
+        if (first != earlier_.end())
+            out[name] = first->second;
+        else
+            out[name] = why == reasons_.end() ? std::string() : why->second;
+    }
+    return out;
+}
+
+std::set<std::string, std::less<>> NewUnits::brought() const {
+    std::set<std::string, std::less<>> out = brought_;
+    for (const Made& made : made_)
+        if (usable_.contains(made.name)) out.insert(made.fields.begin(), made.fields.end());
+    return out;
+}
+
+bool NewUnits::can_be_used(const Made& made, const JudgedPair& user) {
+    const Side to = other_side(made.from);
+    const ScannedFile* port = knowledge_.file_of(to, made.port().file);
+    const ScannedFile* file = knowledge_.file_of(to, user.unit[to]->file);
+    if (port == nullptr || file == nullptr) return false;
+    if (port != file) return includes(knowledge_.files(to), *file, *port);
+    const ScannedFile& now = drafts_.of(to, *file).scanned;
+    const Unit *helper = unit_named(now, made.port().id), *own = unit_named(now, user.unit[to]->id);
+    return helper != nullptr && own != nullptr && helper->tokens.first < own->tokens.first;
+}
+
+/// Ports a unit, and before it those that it uses. Returns why that could not be, or "".
+std::string NewUnits::port_one(const std::string& name, const JudgedPair& user, Side from,
+                               std::set<std::string>& open) {
+    const Side to = other_side(from);
+    const std::string& set = from == Side::Source ? sets_.of_id(user.id.target) : std::string();
+    for (const Made& made : made_)
+        if (made.from == from && made.name == name && made.target_set == set) {
+            if (!can_be_used(made, user)) return "its port stands where this one cannot use it";
+            usable_.insert(name);
+            return {};
+        }
+    if (excluded_.contains(name)) return "nothing that is certain uses it";
+    const auto& units = fresh_units(from).at(name);
+    if (units.size() > 1) return "there are several of that name";
+    const UnitState& state = *units.front();
+    if (made_.size() >= kMostNewUnits || open.size() >= kDeepest || state.text.size() > kMostNewWords)
+        return "too much came with it";
+    if (!open.insert(name).second) return "it and another new one use each other";
+    const ScannedFile* file = knowledge_.file_of(from, state.file);
+    const Unit* unit = file == nullptr ? nullptr : unit_named(*file, state.id);
+    if (unit == nullptr || user.unit[to] == nullptr) return "it could not be read";
+    std::set<std::string> uses;
+    std::string why;
+    const std::set<std::string, std::less<>> own = names_within(*file, *unit);
+    for (const std::string& word : words_within(*file, unit->tokens)) {
+        if (word == name || !fresh_units(from).contains(word) || own.contains(word)) continue;
+        why = port_one(word, user, from, open);
+        if (!why.empty()) why = "it uses `" + word + "`, which came without a port as well: " + why;
+        if (!why.empty()) break;
+        uses.insert(word);
+    }
+    open.erase(name);
+    if (!why.empty()) return why;
+    why = "nothing of its file has a port there that its user could see";
+    for (const ScannedFile* other : places(state, user, from)) {
+        why = write({state, name, *file, *unit, *other, user, from, uses});
+        if (why.empty()) break;
+    }
+    if (why.empty()) usable_.insert(name);
+    return why;
+}
+
+/// The files that the port may go to: where the ports of its neighbours are, that of its user first.
+std::vector<const ScannedFile*> NewUnits::places(const UnitState& unit, const JudgedPair& user, Side from) const {
+    const Side to = other_side(from);
+    std::map<std::string, size_t> ports;
+    const std::string& set = sets_.of_id(user.id.target);
+    for (const JudgedPair& pair : checked_.judgement.pairs)
+        if (pair.unit[from] != nullptr && pair.unit[to] != nullptr && pair.unit[from]->file == unit.file &&
+            (from == Side::Target || sets_.of_id(pair.id.target) == set))
+            ++ports[pair.unit[to]->file];
+    std::vector<std::pair<size_t, std::string>> order;
+    const std::string& own = user.unit[to]->file;
+    for (const auto& [path, count] : ports)
+        if (path != own) order.emplace_back(count, path);
+    std::sort(order.rbegin(), order.rend());
+    std::vector<const ScannedFile*> out;
+    const ScannedFile* file = knowledge_.file_of(to, own);
+    if (file != nullptr && ports.contains(own)) out.push_back(file);
+    for (const auto& [count, path] : order)
+        if (const ScannedFile* other = knowledge_.file_of(to, path);
+            other != nullptr && file != nullptr && includes(knowledge_.files(to), *file, *other))
+            out.push_back(other);
+    return out;
+}
+
+std::string NewUnits::write(const Wanted& wanted) {
+    const Side from = wanted.from, to = other_side(from);
+    Draft& draft = drafts_.of(to, wanted.other);
+    std::vector<StandsFor> pairs;
+    std::vector<std::pair<std::string, std::string>> alike;  // names
+    const auto add = [&](const std::string& here, const std::string& there) {
+        const StandsFor one{unit_named(wanted.file, here), unit_named(draft.scanned, there)};
+        if (one.source == nullptr || one.port == nullptr) return;
+        pairs.push_back(one);
+        if (one.source->kind == wanted.unit.kind && one.port->kind == wanted.unit.kind)
+            alike.emplace_back(plain_name(one.source->name), plain_name(one.port->name));
+    };
+    for (const JudgedPair& pair : checked_.judgement.pairs)
+        if (pair.unit[from] != nullptr && pair.unit[to] != nullptr && pair.unit[from]->file == wanted.file.path &&
+            pair.unit[to]->file == wanted.other.path)
+            add(pair.unit[from]->id, pair.unit[to]->id);
+    for (const Made& made : made_)
+        if (made.from == from && made.unit().file == wanted.file.path && made.port().file == wanted.other.path)
+            add(made.unit().id, made.port().id);
+
+    const std::string port_name = name_in_manner(wanted.name, alike);
+    const KnownWords& known = knowledge_.known_words(from, wanted.file, wanted.other);
+    for (const auto& [id, state] : checked_.states[to]) {
+        const std::string there = plain_name(state.name);
+        if (there == port_name || (state.file == wanted.other.path && folded(there) == folded(wanted.name)))
+            return "the port has `" + id + "`, which may be its counterpart";
+    }
+    if (known.in_file(port_name) || roles_of(port_name) != 0)
+        return "`" + port_name + "` means something else in the port";
+
+    UnitNames names = knowledge_.unit_names(from);
+    names.names[wanted.name] = {port_name};
+    std::set<std::string, std::less<>> lone, brought = this->brought();
+    for (const auto& [name, why] : unported(from))
+        if (name != wanted.name) lone.insert(name);
+    brought.merge(names_within(wanted.file, wanted.unit));
+    const Examples none;
+    const std::function<const Examples&()> beside = [&]() -> const Examples& {
+        const bool forward = from == Side::Source;
+        return knowledge_.beside(forward ? wanted.file.path : wanted.other.path,
+                                 forward ? wanted.other.path : wanted.file.path, from);
+    };
+    const EditTranslator translator(none, beside, names, lone, known, brought);
+    const bool on_device = wanted.unit.kind == UnitKind::Function &&
+                           runs_on_device(knowledge_.file_of(to, wanted.user.unit[to]->file), *wanted.user.unit[to]);
+    const NewUnit made = port_new_unit(
+        {wanted.file, wanted.unit, port_name, on_device},
+        {knowledge_.heads_beside(from, wanted.file, wanted.other), knowledge_.heads(from), translator, draft.scanned});
+    if (!made.failure.empty()) return made.failure;
+
+    const ScannedFile alone = scan_text(wanted.other.path, made.text);
+    const std::set<std::string> uses = words_within(alone, {0, static_cast<uint32_t>(alone.lexed.tokens.size())});
+    const Unit* user = unit_named(draft.scanned, wanted.user.unit[to]->id);
+    const UnitPlace place = place_of_new_unit({wanted.file, wanted.unit, draft.scanned, pairs, user, uses});
+    if (!place.found) return place.failure;
+    const std::string blank(place.blank_lines, '\n'), text = indented_lines(made.text, place.indent);
+    const TextEdit edit{place.offset, place.offset, place.below ? "\n" + blank + text : text + "\n" + blank};
+    const std::optional<std::string> now = edit_file(draft.bytes, draft.scanned.lexed.text, {edit});
+    return now ? settle(wanted, draft, *now, port_name, wanted.fresh_uses)
+               : std::string("the port's line goes on behind a backslash there");
+}
+
+/// Holds the new text to the gate, and takes it with the record of its pair.
+std::string NewUnits::settle(const Wanted& wanted, Draft& draft, const std::string& now, const std::string& port_name,
+                             const std::set<std::string>& uses) {
+    ScannedFile scanned = scan_text(draft.scanned.path, now);
+    const Unit* unit = only_new_unit(draft.scanned, scanned);
+    if (unit == nullptr || plain_name(unit->name) != port_name || unit->kind != wanted.unit.kind)
+        return "what was made of it could not be read back";
+    const Side from = wanted.from;
+    UnitNames names = knowledge_.unit_names(from);
+    names.names[wanted.name] = {port_name};
+    const std::set<std::string> strange =
+        strange_words(scanned, *unit, knowledge_.known_words(from, wanted.file, wanted.other), names, brought());
+    if (!strange.empty()) return "nothing tells what `" + *strange.begin() + "` is in the port";
+    const UnitState port = unit_state(scanned, *unit);
+    const bool forward = from == Side::Source;
+    Made made{from,      {forward ? wanted.state : port, forward ? port : wanted.state}, wanted.name,
+              port_name, forward ? sets_.of_path(draft.scanned.path) : std::string(),    uses};
+    if (wanted.unit.kind != UnitKind::Function) made.fields = names_within(wanted.file, wanted.unit);
+    made_.push_back(std::move(made));
+    tell_knowledge();
+    CompareBudget budget;
+    const FreshPair& pair = made_.back().pair;
+    if (!says_the_same(assess(without_head(pair.source), without_head(pair.target), knowledge_.dialect(), budget))) {
+        take_back(made_.size() - 1);
+        return "check would not take what was made of it for the same";
+    }
+    std::vector<FreshPair> all;
+    for (const Made& one : made_) all.push_back(one.pair);
+    try {
+        drafts_.write_record(record_of(checked_, all, disk_));
+    } catch (const CannotDo& error) {
+        take_back(made_.size() - 1);
+        return error.what();
+    }
+    drafts_.write(draft, now, std::move(scanned));
+    return {};
+}
+
+void NewUnits::tell_knowledge() {
+    std::vector<Knowledge::FreshIds> ids;
+    for (const Made& made : made_) ids.push_back({made.from, {made.pair.source.id, made.pair.target.id}});
+    knowledge_.set_fresh(ids);
+}
+
+void NewUnits::take_back(size_t count) {
+    if (made_.size() == count) return;
+    made_.erase(made_.begin() + static_cast<std::ptrdiff_t>(count), made_.end());
+    tell_knowledge();
+}
+
+std::set<std::string> NewUnits::unused(size_t first, const std::vector<std::string>& words) const {
+    std::set<std::string> out;
+    for (size_t i = first; i < made_.size(); ++i) out.insert(made_[i].name);
+    // One uses only those before it.
+    for (size_t i = made_.size(); i-- > first;) {
+        const Made& made = made_[i];
+        const bool in_port = std::find(words.begin(), words.end(), made.port_name) != words.end();
+        if (in_port) out.erase(made.name);
+        if (!out.contains(made.name))
+            for (const std::string& used : made.uses) out.erase(used);
+    }
+    return out;
+}
+
+std::vector<std::string> NewUnits::told(size_t first) const {
+    std::vector<std::string> out;
+    for (size_t i = first; i < made_.size(); ++i)
+        out.push_back("`" + made_[i].unit().id + "` came without a port, and gets `" + made_[i].port().id + "`");
+    return out;
+}
+
+}  // namespace porttool

@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/sync/pair_record.h"
+
+#include "porttool/judge/settle.h"
+#include "porttool/snapshot/lock_store.h"
+#include "porttool/snapshot/map_edit.h"
+
+namespace porttool {
+namespace {
+
+/// A disk that reads as another does, and keeps what is written to itself.
+class KeptWrites final : public Disk {
+public:
+    explicit KeptWrites(const Disk& disk) : disk_(disk) {}
+    std::vector<FileToWrite> written;
+
+    FileText read(const std::string& path, uint64_t limit) const override { return disk_.read(path, limit); }
+    FileText read(const TreePath& path, uint64_t limit) const override { return disk_.read(path, limit); }
+    FolderList list(const TreePath& path) const override { return disk_.list(path); }
+    FileKind kind(const TreePath& path) const override { return disk_.kind(path); }
+    bool is_directory(const std::string& path) const override { return disk_.is_directory(path); }
+    bool exists(const std::string& path) const override { return disk_.exists(path); }
+    bool is_read_only(const TreePath& path) const override { return disk_.is_read_only(path); }
+    std::string write(const std::string&, const std::string&) override { return "this disk is for reading"; }
+    std::string write(const TreePath& path, const std::string& bytes) override { return write_all({{path, bytes}}); }
+    std::string write_all(const std::vector<FileToWrite>& files) override {
+        written.insert(written.end(), files.begin(), files.end());
+        return {};
+    }
+    std::string remove(const TreePath&) override { return {}; }
+    TakenGuard guard(const TreePath&) override { return {nullptr, "this disk is for reading"}; }
+
+private:
+    const Disk& disk_;
+};
+
+/// The project without its files.
+Project bare(const Project& project) {
+    Project out;
+    out.root = project.root;
+    out.map_path = project.map_path;
+    out.map_name = project.map_name;
+    out.has_map = project.has_map;
+    out.map_text = project.map_text;
+    out.map = project.map;
+    return out;
+}
+
+std::vector<FileToWrite> new_texts(const CheckedProject& checked, const std::vector<FreshPair>& pairs,
+                                   const Disk& disk) {
+    Project project = bare(checked.project);
+    std::vector<NewPair> lines;
+    std::vector<JudgedPair> judged;
+    States states;
+    for (const FreshPair& pair : pairs) {
+        lines.push_back({pair.source.id, pair.target.id});
+        JudgedPair one{{pair.source.id, pair.target.id}, {&pair.source, &pair.target}};
+        one.changed = true;
+        judged.push_back(one);
+        states.source.emplace(pair.source.id, pair.source);
+        states.target.emplace(pair.target.id, pair.target);
+    }
+    const std::string map_text = add_pairs(project, lines);
+    const LockFile* stands =
+        checked.against_base ? (checked.in_project ? &*checked.in_project : nullptr) : &checked.lock;
+    KeptWrites kept(disk);
+    if (stands == nullptr) {
+        const std::string name = project.map_path.substr(project.map_path.find_last_of('/') + 1);
+        return {{beside_map(project, name), map_text}};
+    }
+    LockFile lock = *stands;
+    std::vector<const JudgedPair*> accepted;
+    for (const JudgedPair& one : judged) accepted.push_back(&one);
+    accept_pairs(lock, accepted, TargetSets(project.map), Looked::AtNone, "", "");
+    store_lock(project, {lock, states, checked.texts, &map_text}, kept);
+    return std::move(kept.written);
+}
+
+}  // namespace
+
+std::map<std::string, RecordFile> record_of(const CheckedProject& checked, const std::vector<FreshPair>& pairs,
+                                            const Disk& disk) {
+    if (!checked.project.has_map) throw CannotDo("there is no portmap.toml to name its pair in");
+    std::map<std::string, RecordFile> out;
+    for (FileToWrite& file : new_texts(checked, pairs, disk)) {
+        if (file.place.root != checked.project.root) throw CannotDo("portmap.toml lies outside of the project");
+        RecordFile one{"", std::move(file.bytes), disk.kind(file.place) == FileKind::None};
+        if (!one.is_new) {
+            FileText there = disk.read(file.place, kLargestFile);
+            if (!there.error.empty()) throw CannotDo(file.place.path + " " + there.error);
+            one.before = std::move(there.bytes);
+        }
+        const bool is_map = file.place.path.ends_with(".toml");
+        if (is_map && one.before != checked.project.map_text)
+            throw CannotDo("portmap.toml is not as it was judged: the index and the work tree differ");
+        if (one.before != one.now) out[file.place.path] = std::move(one);
+    }
+    return out;
+}
+
+}  // namespace porttool

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+// The lines of portmap.toml, portmap.lock and portmap.base/ that new pairs need.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "porttool/judge/check_project.h"
+
+namespace porttool {
+
+/// Two units that become a pair, in step as they are.
+struct FreshPair {
+    UnitState source, target;
+};
+
+/// A project's own file, by its path relative to the root.
+struct RecordFile {
+    std::string before, now;
+    bool is_new = false;
+};
+
+/// The project's own files as they become with these pairs. Throws CannotDo where they cannot be gone on with, as
+/// where the map is not on the disk as it was judged.
+std::map<std::string, RecordFile> record_of(const CheckedProject& checked, const std::vector<FreshPair>& pairs,
+                                            const Disk& disk);
+
+}  // namespace porttool
