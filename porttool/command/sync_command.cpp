@@ -112,7 +112,8 @@ Outcome run_sync(const Options& options, Workplace& place) {
     const WriteSide write = options.to_side == "source"   ? WriteSide::Source
                             : options.to_side == "target" ? WriteSide::Target
                                                           : WriteSide::Other;
-    SyncResult result = propose(checked, chosen_pairs(options, checked.judgement), write, place.disk);
+    SyncResult result = propose(checked, chosen_pairs(options, checked.judgement), write, place.disk,
+                                options.base.empty() ? "HEAD" : options.base);
     const std::vector<WrittenFile> files =
         written_files(options.partial ? result.files_with_partial : result.files, checked.project);
     if (options.apply) require_applicable(files, options.force, place.disk);  // before anybody waits for a command

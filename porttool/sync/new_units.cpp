@@ -9,7 +9,6 @@
 #include "porttool/language/words.h"
 #include "porttool/normal/statements.h"
 #include "porttool/normal/unit_state.h"
-#include "porttool/read/git_repository.h"
 #include "porttool/scan/scan.h"
 #include "porttool/sync/file_text.h"
 #include "porttool/sync/name_manner.h"
@@ -145,26 +144,21 @@ const std::map<std::string, std::vector<const UnitState*>, std::less<>>& NewUnit
         if (unit != checked_.states[from].end() && seen.insert(unit->first).second)
             out[plain_name(unit->second.name)].push_back(&unit->second);
     }
-    if (!is_contract(checked_.judgement.reference, from)) find_in_head(from, out);
+    if (!is_contract(checked_.judgement.reference, from)) find_since_commit(from, out);
     return out;
 }
 
-/// No baseline says what is new on the side that is not the contract: what HEAD does not have is.
-void NewUnits::find_in_head(Side from, std::map<std::string, std::vector<const UnitState*>, std::less<>>& out) const {
+/// No baseline says what is new on the side that is not the contract: what the commit before does not have is.
+void NewUnits::find_since_commit(Side from,
+                                 std::map<std::string, std::vector<const UnitState*>, std::less<>>& out) const {
     std::set<std::string> paired;
     for (const JudgedPair& pair : checked_.judgement.pairs)
         if (pair.unit[from] != nullptr) paired.insert(pair.unit[from]->id);
     std::set<std::string> wanted;
     for (const auto& [id, state] : checked_.states[from])
         if (!paired.contains(id) && state.kind != UnitKind::File) wanted.insert(state.file);
-    if (wanted.empty()) return;
-    const GitRepository repository(from == Side::Target ? target_root(checked_.project) : checked_.project.root);
-    if (!repository.error().empty()) return;
-    const GitFiles head =
-        repository.files_at_base("HEAD", [&](const std::string& path) { return wanted.contains(path); });
-    if (!head.error.empty()) return;
     std::map<std::string, std::set<std::string>> old;
-    for (const auto& [path, text] : head.files) {
+    for (const auto& [path, text] : earlier_files_.read(from, wanted)) {
         const ScannedFile scanned = scan_text(path, text);
         for (const Unit& unit : scanned.units) old[path].insert(unit_id(scanned, unit));
     }

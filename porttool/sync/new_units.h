@@ -9,6 +9,7 @@
 
 #include "porttool/read/target_sets.h"
 #include "porttool/sync/drafts.h"
+#include "porttool/sync/earlier_files.h"
 #include "porttool/sync/knowledge.h"
 
 namespace porttool {
@@ -18,9 +19,10 @@ namespace porttool {
 class NewUnits {
 public:
     /// All must outlive it. `brought`: names that other edits of the run bring in.
-    NewUnits(const CheckedProject& checked, const Disk& disk, Knowledge& knowledge, Drafts& drafts,
-             const std::set<std::string, std::less<>>& brought)
+    NewUnits(const CheckedProject& checked, const EarlierFiles& earlier, const Disk& disk, Knowledge& knowledge,
+             Drafts& drafts, const std::set<std::string, std::less<>>& brought)
         : checked_(checked),
+          earlier_files_(earlier),
           disk_(disk),
           knowledge_(knowledge),
           drafts_(drafts),
@@ -60,7 +62,7 @@ private:
 
     /// By name; several where a name is overloaded.
     const std::map<std::string, std::vector<const UnitState*>, std::less<>>& fresh_units(Side from) const;
-    void find_in_head(Side from, std::map<std::string, std::vector<const UnitState*>, std::less<>>& out) const;
+    void find_since_commit(Side from, std::map<std::string, std::vector<const UnitState*>, std::less<>>& out) const;
     std::string port_one(const std::string& name, const JudgedPair& user, Side from, std::set<std::string>& open);
     std::string write(const Wanted& wanted);
     std::string settle(const Wanted& wanted, Draft& draft, const std::string& now, const std::string& port_name,
@@ -70,6 +72,7 @@ private:
     void tell_knowledge();
 
     const CheckedProject& checked_;
+    const EarlierFiles& earlier_files_;
     const Disk& disk_;
     Knowledge& knowledge_;
     Drafts& drafts_;

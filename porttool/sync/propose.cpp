@@ -12,6 +12,7 @@
 #include "porttool/read/lock_lines.h"
 #include "porttool/scan/scan.h"
 #include "porttool/sync/file_text.h"
+#include "porttool/sync/include_carrier.h"
 #include "porttool/sync/knowledge.h"
 #include "porttool/sync/known_words.h"
 #include "porttool/sync/new_units.h"
@@ -24,16 +25,24 @@ constexpr size_t kMostWords = 5000;  ///< of a unit; a longer one is a person's
 
 class Proposer {
 public:
-    Proposer(const CheckedProject& checked, WriteSide write, const Disk& disk)
+    Proposer(const CheckedProject& checked, WriteSide write, const Disk& disk, const std::string& commit)
         : checked_(checked),
           write_(write),
           lines_(checked.lock),
+          earlier_(checked, commit),
           knowledge_(checked),
           drafts_(checked, disk),
-          new_units_(checked, disk, knowledge_, drafts_, brought_) {}
+          new_units_(checked, earlier_, disk, knowledge_, drafts_, brought_),
+          includes_(checked, earlier_, knowledge_, drafts_) {}
 
-    SyncResult run(const std::vector<size_t>& pairs) {
-        for (const size_t i : pairs) note_brought(checked_.judgement.pairs[i]);
+    /// `keeps_back`: pairs of structs whose new fields nothing else may use.
+    SyncResult run(const std::vector<size_t>& pairs, const std::set<size_t>& keeps_back) {
+        for (const size_t i : pairs) {
+            const JudgedPair& pair = checked_.judgement.pairs[i];
+            if (!keeps_back.contains(i)) note_brought(pair);
+            for (const Side side : kBothSides)
+                if (pair.unit[side] != nullptr) includes_.expect(side, pair.unit[side]->file);
+        }
         for (const size_t i : pairs) result_.proposals.push_back(propose_pair(checked_.judgement.pairs[i]));
         result_.files_with_partial = drafts_.files();
         return std::move(result_);
@@ -51,8 +60,12 @@ private:
             std::set<std::string, std::less<>> old;
             const NormalText before = text_behind(checked_, prints.written);
             for (const std::string_view word : before.words()) old.emplace(word);
-            for (const std::string_view word : unit->text.words())
-                if (is_word_token(word) && !old.contains(word)) brought_.emplace(word);
+            const Words words = unit->text.words();
+            for (size_t i = 0; i + 1 < words.size(); ++i) {
+                const std::string_view next = words[i + 1];  // of a field; types are known otherwise, or not
+                const bool declares = next == ";" || next == "," || next == "[" || next == "=" || next == ":";
+                if (declares && is_word_token(words[i]) && !old.contains(words[i])) brought_.emplace(words[i]);
+            }
         }
     }
 
@@ -137,6 +150,7 @@ private:
             const std::set<std::string> unused =
                 writes ? new_units_.unused(made, ported_words(pair, other_side(from))) : std::set<std::string>();
             if (writes && unused.empty()) {
+                includes_.carry(pair, from);
                 out.is_elsewhere = from == Side::Source && target_root(checked_.project) != checked_.project.root;
                 out.patch = drafts_.patch();
                 out.record_patch = drafts_.record_patch();
@@ -350,9 +364,11 @@ private:
     WriteSide write_;
     LinesByPair lines_;
     std::set<std::string, std::less<>> brought_;
+    EarlierFiles earlier_;
     Knowledge knowledge_;
     Drafts drafts_;
     NewUnits new_units_;
+    IncludeCarrier includes_;
     SyncResult result_;
 };
 
@@ -372,8 +388,33 @@ bool SyncResult::any_left() const {
     });
 }
 
-SyncResult propose(const CheckedProject& checked, const std::vector<size_t>& pairs, WriteSide write, const Disk& disk) {
-    SyncResult out = Proposer(checked, write, disk).run(pairs);
+namespace {
+
+/// Proposes, and again where a struct turns out to get no port: what uses its new fields then has none either.
+SyncResult propose_all(const CheckedProject& checked, const std::vector<size_t>& pairs, WriteSide write,
+                       const Disk& disk, const std::string& commit) {
+    std::set<size_t> kept_back;
+    constexpr int kMostRounds = 4;  // then no struct is counted on
+    for (int round = 0;; ++round) {
+        SyncResult out = Proposer(checked, write, disk, commit).run(pairs, kept_back);
+        const size_t known = kept_back.size();
+        for (size_t i = 0; i < pairs.size(); ++i) {
+            const JudgedPair& pair = checked.judgement.pairs[pairs[i]];
+            const bool is_whole =
+                out.proposals[i].state == ProposalState::Proposed || out.proposals[i].state == ProposalState::Already;
+            const UnitState* unit = pair.unit.source != nullptr ? pair.unit.source : pair.unit.target;
+            const bool is_last = round == kMostRounds;
+            if ((!is_whole || is_last) && unit != nullptr && unit->kind == UnitKind::Struct) kept_back.insert(pairs[i]);
+        }
+        if (kept_back.size() == known) return out;
+    }
+}
+
+}  // namespace
+
+SyncResult propose(const CheckedProject& checked, const std::vector<size_t>& pairs, WriteSide write, const Disk& disk,
+                   const std::string& commit) {
+    SyncResult out = propose_all(checked, pairs, write, disk, commit);
     std::vector<size_t> whole = pairs;
     SyncResult last = out;
     // What leans on a partial proposal may be none without it.
@@ -383,7 +424,7 @@ SyncResult propose(const CheckedProject& checked, const std::vector<size_t>& pai
             if (last.proposals[i].state != ProposalState::Partial) next.push_back(whole[i]);
         if (next.size() == whole.size()) break;
         whole = std::move(next);
-        last = Proposer(checked, write, disk).run(whole);
+        last = propose_all(checked, whole, write, disk, commit);
     }
     out.files = std::move(last.files_with_partial);
     return out;

@@ -53,6 +53,8 @@ struct SyncResult {
 enum class WriteSide : uint8_t { Other, Source, Target };
 
 /// Proposes ports of the pairs, by their places in the judgement. Throws CannotDo.
-SyncResult propose(const CheckedProject& checked, const std::vector<size_t>& pairs, WriteSide write, const Disk& disk);
+/// `commit`: what stands in for "before" where the lock tells nothing, as of includes.
+SyncResult propose(const CheckedProject& checked, const std::vector<size_t>& pairs, WriteSide write, const Disk& disk,
+                   const std::string& commit = "HEAD");
 
 }  // namespace porttool

@@ -360,6 +360,70 @@ TEST_F(SyncNewUnit, APlaceAboveWhatItUsesIsNotTaken) {
                  "static inline void Darken"));
 }
 
+TEST_F(SyncNewUnit, LocalsThatNeverChangeAreConstWhereThoseOfThePortAre) {
+    const std::string source =
+        "float one(float x) {\n    float a = x * 2.0;\n    float b = a + x;\n    return b * a;\n}\n\n"
+        "float two(float x) {\n    float a = x * 3.0;\n    a += x;\n    float b = a + x;\n    return b * a + "
+        "one(x);\n}\n";
+    const std::string target =
+        "inline float one(float x) {\n    const float a = x * 2.0f;\n    const float b = a + x;\n    return b * "
+        "a;\n}\n\n"
+        "inline float two(float x) {\n    float a = x * 3.0f;\n    a += x;\n    const float b = a + x;\n"
+        "    return b * a + one(x);\n}\n";
+    start("k.glsl", source, "k.cpp", target);
+    edit("float two(",
+         "float three(float x) {\n    float m = x - 1.0;\n    float sum = m * m;\n    sum += x;\n"
+         "    return sum * m;\n}\n\nfloat two(");
+    edit("b * a + one(x)", "b * a + one(x) * three(x)");
+    expect_ported(replaced(replaced(target, "inline float two(",
+                                    "inline float three(float x) {\n    const float m = x - 1.0f;\n"
+                                    "    float sum = m * m;\n    sum += x;\n    return sum * m;\n}\n\n"
+                                    "inline float two("),
+                           "b * a + one(x)", "b * a + one(x) * three(x)"));
+}
+
+const std::string kTimed =
+    "#include <stdio.h>\n#include <stdlib.h>\n#include \"shapes.h\"\n"
+    "float shade(float a) {\n    float b = a * 2.0f;\n    return b;\n}\n";
+const std::string kTimedPort =
+    "#include <cstdio>\n#include <stdlib.h>\n#include <sycl/sycl.hpp>\n#include \"cpu_shapes.h\"\n"
+    "float shade(float a) {\n    float b = a * 2.0f;\n    return b;\n}\n";
+
+TEST_F(SyncNewUnit, IncludesComeAlong) {
+    write("s/shapes.h", "inline float area(float a) { return a * a * 3.0f; }\n");
+    write("t/cpu_shapes.h", "inline float area(float a) { return a * a * 3.0f; }\n");
+    write("s/noise.h", "inline float noise(float a) { return a / 3.0f - 1.0f; }\n");
+    write("t/cpu_noise.h", "inline float noise(float a) { return a / 3.0f - 1.0f; }\n");
+    start("k.cu", kTimed, "k.cpp", kTimedPort);
+    edit("#include <stdlib.h>\n",
+         "#include <stdlib.h>\n#include <math.h>\n#include <cuda_fp16.h>\n#include <chrono>\n");
+    edit("#include \"shapes.h\"\n", "#include \"shapes.h\"\n#include \"noise.h\"\n");
+    edit("a * 2.0f", "noise(a) * 2.0f");
+    expect_ported(replaced(replaced(replaced(kTimedPort, "a * 2.0f", "noise(a) * 2.0f"), "#include <stdlib.h>\n",
+                                    "#include <stdlib.h>\n#include <math.h>\n#include <chrono>\n"),
+                           "#include \"cpu_shapes.h\"\n", "#include \"cpu_shapes.h\"\n#include \"cpu_noise.h\"\n"));
+}
+
+TEST_F(SyncNewUnit, AnIncludeThatThePortHasOrThatStandsInABranchStaysOut) {
+    start("k.cu", kTimed, "k.cpp",
+          replaced(kTimedPort, "#include <stdlib.h>\n", "#include <cmath>\n#include <stdlib.h>\n"));
+    edit("#include <stdlib.h>\n", "#include <stdlib.h>\n#include <math.h>\n#ifdef LOG\n#include <chrono>\n#endif\n");
+    edit("a * 2.0f", "a * 4.0f");
+    expect_ported(replaced(replaced(kTimedPort, "#include <stdlib.h>\n", "#include <cmath>\n#include <stdlib.h>\n"),
+                           "a * 2.0f", "a * 4.0f"));
+}
+
+TEST_F(SyncNewUnit, AFieldThatIsLeftIsNotUsed) {
+    const std::string source =
+        "struct Hit { float t; float u; };\nfloat shade(Hit hit) {\n    float b = hit.t * 2.0f;\n    return b;\n}\n";
+    start("k.cu", source, "k.cpp", source);
+    edit("float u; };", "float u; half_word packed; };");
+    edit("hit.t * 2.0f", "hit.t * 2.0f + hit.packed");
+    write("s/words.cuh", "typedef unsigned short half_word;\n");
+    const nlohmann::json all = proposals(1);
+    for (const auto& one : all) EXPECT_NE(one["state"], "proposed") << one.dump(1);
+}
+
 TEST(SyncNames, FollowThoseBesideThem) {
     EXPECT_EQ(name_in_manner("sheenWeight", {{"schlick", "Schlick"}, {"evaluateAll", "EvaluateAll"}}), "SheenWeight");
     EXPECT_EQ(name_in_manner("sheen_weight", {{"evaluate_all", "evaluateAll"}, {"draw", "draw"}, {"set_it", "setIt"}}),
