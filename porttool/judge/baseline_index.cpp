@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <functional>
-#include <set>
+#include <map>
 #include <string>
+#include <unordered_map>
+#include <unordered_set>
 #include <utility>
 
 #include "porttool/judge/resolve.h"
@@ -20,10 +22,10 @@ class FreeLines {
 public:
     using Key = std::function<std::string(const LockedUnit&)>;
 
-    FreeLines(const std::vector<const LockedUnit*>& lines, const std::set<const LockedUnit*>& used, const Key& key) {
+    FreeLines(const std::vector<const LockedUnit*>& lines, const Key& key) {
         for (const bool with_reason : {false, true})
             for (const LockedUnit* line : lines)
-                if (!used.contains(line) && line->reason.empty() != with_reason) by_key_[key(*line)].push_back(line);
+                if (line->reason.empty() != with_reason) by_key_[key(*line)].push_back(line);
     }
     const LockedUnit* take(const std::string& key) {
         const auto found = by_key_.find(key);
@@ -34,7 +36,7 @@ public:
     }
 
 private:
-    std::map<std::string, std::vector<const LockedUnit*>> by_key_;
+    std::unordered_map<std::string, std::vector<const LockedUnit*>> by_key_;
 };
 
 /// With --base the base's own baseline stands beside that of the lock: what both say is one line, with its reason.
@@ -56,17 +58,20 @@ std::vector<const LockedUnit*> distinct(const std::vector<LockedUnit>& lines, st
 BaselineIndex::BaselineIndex(const std::vector<LockedUnit>& lines, Side side, const std::string& set,
                              const std::vector<const UnitState*>& units, const std::map<std::string, UnitState>& all) {
     std::vector<const LockedUnit*> free_lines = distinct(lines, side_word(side), set);
-    std::set<const LockedUnit*> used;
+    std::vector<const UnitState*> open = units;
     const auto match = [&](const FreeLines::Key& of_line, const std::function<std::string(const UnitState&)>& of_unit) {
-        FreeLines free(free_lines, used, of_line);
-        for (const UnitState* unit : units) {
-            if (found_.contains(unit)) continue;
+        if (open.empty() || free_lines.empty()) return;
+        FreeLines free(free_lines, of_line);
+        std::unordered_set<const LockedUnit*> used;
+        std::erase_if(open, [&](const UnitState* unit) {
             const std::string key = of_unit(*unit);
             const LockedUnit* line = key.empty() ? nullptr : free.take(key);
-            if (line == nullptr) continue;
+            if (line == nullptr) return false;
             found_[unit] = line;
             used.insert(line);
-        }
+            return true;
+        });
+        std::erase_if(free_lines, [&](const LockedUnit* line) { return used.contains(line); });
     };
     match([](const LockedUnit& l) { return l.id + " " + l.prints.written; },
           [](const UnitState& u) { return u.id + " " + u.prints.written; });

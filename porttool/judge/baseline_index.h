@@ -3,6 +3,7 @@
 #pragma once
 
 #include <map>
+#include <unordered_map>
 #include <vector>
 
 #include "porttool/normal/unit_state.h"
@@ -26,7 +27,7 @@ public:
     const LockedUnit* find(const UnitState& unit) const;
 
 private:
-    std::map<const UnitState*, const LockedUnit*> found_;
+    std::unordered_map<const UnitState*, const LockedUnit*> found_;
 };
 
 }  // namespace porttool

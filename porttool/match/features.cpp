@@ -90,7 +90,11 @@ class FeatureReader {
 public:
     FeatureReader(const ScannedFile& file, const EntryNames& entries, const Dialect& dialect, TermNumbers& terms,
                   Counts& counts)
-        : file_(file), entries_(entries), dialect_(dialect), terms_(terms), counts_(counts) {}
+        : file_(file), entries_(entries), dialect_(dialect), terms_(terms), counts_(counts) {
+        std::vector<uint32_t> words = name_ids({file_.path.substr(0, file_.path.rfind('.')), stage_word(file_.path)});
+        std::sort(words.begin(), words.end());
+        path_words_ = std::make_shared<const std::vector<uint32_t>>(std::move(words));
+    }
 
     UnitFeatures read(const Unit& unit) {
         UnitFeatures features;
@@ -168,8 +172,7 @@ private:
         features.ordered_words = name_ids({shown, stage});
         features.all_words = features.ordered_words;
         std::sort(features.all_words.begin(), features.all_words.end());
-        features.path_words = name_ids({file_.path.substr(0, file_.path.rfind('.')), stage_word(file_.path)});
-        std::sort(features.path_words.begin(), features.path_words.end());
+        features.path_words = path_words_;
         // The place also carries the name: a class here is a file there.
         count_name_words(kPlace, shown, 1);
     }
@@ -325,6 +328,7 @@ private:
     const Dialect& dialect_;
     TermNumbers& terms_;
     Counts& counts_;
+    std::shared_ptr<const std::vector<uint32_t>> path_words_;
     std::vector<uint64_t> shape_;
     std::vector<uint32_t> callees_;
 };

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -50,17 +51,17 @@ struct UnitFeatures {
     std::string folded_name;       ///< qualified, letters and digits only
     std::string folded_leaf;
     std::array<Bag, kFamilies> bags;
-    std::vector<uint32_t> name_words;       ///< sorted term ids, without words that stand in most names of the side
-    std::vector<uint32_t> all_words;        ///< sorted term ids, a word as often as the qualified name has it
-    std::vector<uint32_t> ordered_words;    ///< term ids of the qualified name's words, as they follow each other
-    std::string core;                       ///< what the name is about, in one word, see name_cores.h
-    std::vector<uint32_t> core_words;       ///< sorted term ids
-    std::vector<uint32_t> path_words;       ///< sorted term ids (of names) of the words of folders and file
-    std::vector<uint32_t> parameter_types;  ///< sorted term ids
-    std::vector<uint32_t> operands;         ///< term ids of the parameters' types, in order
-    bool entry = false;                     ///< named after its file, as a family of files has functions of its name
-    std::vector<uint32_t> callees;          ///< sorted term ids (of calls) of the whole names that it calls
-    uint32_t called_as = 0;                 ///< the term id under which others call it
+    std::vector<uint32_t> name_words;     ///< sorted term ids, without words that stand in most names of the side
+    std::vector<uint32_t> all_words;      ///< sorted term ids, a word as often as the qualified name has it
+    std::vector<uint32_t> ordered_words;  ///< term ids of the qualified name's words, as they follow each other
+    std::string core;                     ///< what the name is about, in one word, see name_cores.h
+    std::vector<uint32_t> core_words;     ///< sorted term ids
+    std::shared_ptr<const std::vector<uint32_t>> path_words;  ///< sorted term ids (of names) of folders and file
+    std::vector<uint32_t> parameter_types;                    ///< sorted term ids
+    std::vector<uint32_t> operands;                           ///< term ids of the parameters' types, in order
+    bool entry = false;             ///< named after its file, as a family of files has functions of its name
+    std::vector<uint32_t> callees;  ///< sorted term ids (of calls) of the whole names that it calls
+    uint32_t called_as = 0;         ///< the term id under which others call it
     uint32_t parameters = 0;
     uint32_t size = 0;  ///< tokens of the body
     std::string value;  ///< of a constant, normalised

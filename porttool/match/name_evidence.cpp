@@ -32,7 +32,7 @@ WordList missing(const UnitFeatures& from, const UnitFeatures& in, const TermNum
     std::set_difference(from.all_words.begin(), from.all_words.end(), in.all_words.begin(), in.all_words.end(),
                         std::back_inserter(words));
     std::erase_if(words, [&](uint32_t word) {
-        if (std::binary_search(in.path_words.begin(), in.path_words.end(), word)) return true;
+        if (std::binary_search(in.path_words->begin(), in.path_words->end(), word)) return true;
         const std::string_view text = terms.text(word);
         return text.size() >= kLongEnough && in.folded_name.find(text) != std::string::npos;
     });

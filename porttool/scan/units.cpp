@@ -33,6 +33,9 @@ private:
     static constexpr size_t kNoUnit = static_cast<size_t>(-1);
     // Scopes in scopes, and many small units in a scope of a long name, would fill the memory with their names.
     static constexpr size_t kLongestPrefix = 1024, kDeepestPrefix = 16;
+    // Classes within more than so many others are text of the one around them, not units: nobody writes them, and a
+    // file of nothing else would be one small unit for every dozen bytes.
+    static constexpr size_t kDeepestClass = 64;
     static constexpr size_t kMostPrefixes(size_t text) { return 8 * text + 262'144; }
 
     struct Scope {
@@ -290,6 +293,7 @@ private:
     void enter_class(const Head& head, uint32_t close) {
         std::string name = head.name;
         if (name.empty()) name = trailing_name(close);
+        if (scopes_.size() > kDeepestClass) return next_statement(std::min(close + 1, scopes_.back().close));
         if (name.empty()) return enter_scope(close, "", true);
         const uint32_t end = std::min(close + 1, end_), attributed = after_attributes(end);
         Unit unit = new_unit(UnitKind::Struct, name, head.first, end);

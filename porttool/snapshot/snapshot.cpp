@@ -29,8 +29,12 @@ std::vector<ScannedFile> scan_all(const SourceSet& set, const KnownFiles& known,
     for (const SourceText& source : set.files) {
         const auto found = known.find(source.path);
         const bool is_same = found != known.end() && found->second->lexed.text == source.text;
-        if (is_same) same.insert(source.path);
-        files.push_back(is_same ? *found->second : scan_text(source.path, source.text));
+        if (is_same) {
+            same.insert(source.path);
+            files.push_back(*found->second);
+        } else {
+            files.push_back(scan_text(source.path, source.text));
+        }
     }
     return files;
 }

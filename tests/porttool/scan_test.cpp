@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The porttool authors
 // SPDX-License-Identifier: Apache-2.0
 // Small texts, one hard case each.
+#include "porttool/normal/unit_state.h"
 #include "tests/porttool/fixtures.h"
 
 namespace porttool::testing::scan_test {
@@ -107,6 +108,23 @@ TEST(Scan, EnumsCarryValues) {
 TEST(Scan, IncludeGuardsAndQualifierWordsCarryNone) {
     EXPECT_EQ(units_of("a.h", "#ifndef A_H\n#define A_H\n#define INLINE static inline\n#define PI 3.14f\n#endif\n"),
               "constant 4-4 PI\n");
+}
+
+TEST(Scan, ClassesWithinMoreThan64OthersAreTextOfTheOneAround) {
+    std::string text, closing;
+    for (int k = 0; k < 100; ++k) {
+        text += "struct S" + std::to_string(k) + " {\n";
+        closing += "};\n";
+    }
+    const auto scanned = [&](const std::string& deepest) {
+        return scan_text("a.cpp", text + deepest + closing + "int after() { return 1; }\n");
+    };
+    const ScannedFile file = scanned("int x;\n"), edited = scanned("int y;\n");
+    ASSERT_EQ(file.units.size(), 65u);
+    EXPECT_EQ(file.units[63].end_line, 201u - 63u);
+    EXPECT_EQ(file.units[64].name, "after");
+    for (size_t k = 0; k < 65; ++k)
+        EXPECT_EQ(unit_state(file, file.units[k]).text == unit_state(edited, edited.units[k]).text, k != 63) << k;
 }
 
 TEST(Scan, EmptyAndOddFilesHaveNoUnits) {
