@@ -28,6 +28,11 @@ Draft& Drafts::of(Side side, const ScannedFile& file) {
     return drafts_.emplace(file.path, std::move(draft)).first->second;
 }
 
+const Draft* Drafts::find(const std::string& path) const {
+    const auto found = drafts_.find(path);
+    return found == drafts_.end() ? nullptr : &found->second;
+}
+
 void Drafts::write(Draft& draft, std::string bytes, ScannedFile scanned) {
     bytes_before_.try_emplace(draft.scanned.path, draft.bytes);
     draft.bytes = std::move(bytes);

@@ -31,6 +31,8 @@ public:
 
     /// The file as the patches so far have left it. Throws CannotDo if it cannot be read.
     Draft& of(Side side, const ScannedFile& file);
+    /// The same of a file that some patch, or a question, has touched; else nullptr.
+    const Draft* find(const std::string& path) const;
     void write(Draft& draft, std::string bytes, ScannedFile scanned);
     /// What the project's own files become; in place of what was said of them before.
     void write_record(std::map<std::string, RecordFile> files) { records_ = std::move(files); }

@@ -11,6 +11,7 @@
 #include "porttool/normal/unit_state.h"
 #include "porttool/read/lock_lines.h"
 #include "porttool/scan/scan.h"
+#include "porttool/sync/call_carrier.h"
 #include "porttool/sync/file_text.h"
 #include "porttool/sync/include_carrier.h"
 #include "porttool/sync/knowledge.h"
@@ -33,7 +34,8 @@ public:
           knowledge_(checked),
           drafts_(checked, disk),
           new_units_(checked, earlier_, disk, knowledge_, drafts_, brought_),
-          includes_(checked, earlier_, knowledge_, drafts_) {}
+          includes_(checked, earlier_, knowledge_, drafts_),
+          calls_(checked, knowledge_, drafts_) {}
 
     /// `keeps_back`: pairs of structs whose new fields nothing else may use.
     SyncResult run(const std::vector<size_t>& pairs, const std::set<size_t>& keeps_back) {
@@ -44,6 +46,7 @@ public:
                 if (pair.unit[side] != nullptr) includes_.expect(side, pair.unit[side]->file);
         }
         for (const size_t i : pairs) result_.proposals.push_back(propose_pair(checked_.judgement.pairs[i]));
+        calls_.tell(pairs, result_.proposals);
         result_.files_with_partial = drafts_.files();
         return std::move(result_);
     }
@@ -51,22 +54,27 @@ public:
 private:
     /// Names that an edit brings in: what other edits of the same run may use.
     void note_brought(const JudgedPair& pair) {
-        for (const Side side : kBothSides) {
-            const UnitState* unit = pair.unit[side];
-            const LockedPair* line = lines_.find(pair.id.source, pair.id.target);
-            if (unit == nullptr || line == nullptr || unit->kind != UnitKind::Struct) continue;
-            const Fingerprints& prints = side == Side::Source ? line->source_prints : line->target_prints;
-            if (prints.written == unit->prints.written) continue;
-            std::set<std::string, std::less<>> old;
-            const NormalText before = text_behind(checked_, prints.written);
-            for (const std::string_view word : before.words()) old.emplace(word);
-            const Words words = unit->text.words();
-            for (size_t i = 0; i + 1 < words.size(); ++i) {
-                const std::string_view next = words[i + 1];  // of a field; types are known otherwise, or not
-                const bool declares = next == ";" || next == "," || next == "[" || next == "=" || next == ":";
-                if (declares && is_word_token(words[i]) && !old.contains(words[i])) brought_.emplace(words[i]);
-            }
+        for (const Side side : kBothSides) brought_.merge(new_members(pair, side));
+    }
+
+    /// The fields and methods that a struct has gained on one side. Their types are known otherwise, or not.
+    std::set<std::string, std::less<>> new_members(const JudgedPair& pair, Side side) const {
+        std::set<std::string, std::less<>> out, old;
+        const UnitState* unit = pair.unit[side];
+        const LockedPair* line = lines_.find(pair.id.source, pair.id.target);
+        if (unit == nullptr || line == nullptr || unit->kind != UnitKind::Struct) return out;
+        const Fingerprints& prints = side == Side::Source ? line->source_prints : line->target_prints;
+        if (prints.written == unit->prints.written) return out;
+        const NormalText before = text_behind(checked_, prints.written);
+        for (const std::string_view word : before.words()) old.emplace(word);
+        const Words words = unit->text.words();
+        for (size_t i = 1; i + 1 < words.size(); ++i) {
+            const std::string_view next = words[i + 1], last = words[i - 1];
+            const bool field = next == ";" || next == "," || next == "[" || next == "=" || next == ":";
+            const bool method = next == "(" && (is_word_token(last) || last == "*" || last == "&");
+            if ((field || method) && is_word_token(words[i]) && !old.contains(words[i])) out.emplace(words[i]);
         }
+        return out;
     }
 
     Proposal propose_pair(const JudgedPair& pair) {
@@ -138,6 +146,7 @@ private:
     void carry_with_new_units(const JudgedPair& pair, const LockedPair& line, const BySide<NormalText>& before,
                               Side from, Proposal& out) {
         const Proposal blank = out;
+        calls_.begin(pair, from, before[from]);
         std::set<std::string> excluded;
         constexpr int kMostRounds = 4;
         for (int round = 0; round < kMostRounds; ++round) {
@@ -151,6 +160,7 @@ private:
                 writes ? new_units_.unused(made, ported_words(pair, other_side(from))) : std::set<std::string>();
             if (writes && unused.empty()) {
                 includes_.carry(pair, from);
+                calls_.carry(pair, from, before[from]);
                 out.is_elsewhere = from == Side::Source && target_root(checked_.project) != checked_.project.root;
                 out.patch = drafts_.patch();
                 out.record_patch = drafts_.record_patch();
@@ -211,7 +221,8 @@ private:
                 "told");
         Examples examples;
         examples.learn(old_text, port_text, across);
-        const std::set<std::string, std::less<>> from_elsewhere = new_units_.brought();
+        std::set<std::string, std::less<>> from_elsewhere = new_units_.brought();
+        from_elsewhere.merge(new_members(pair, from));
         std::set<std::string, std::less<>> brought = from_elsewhere, lone;
         const std::map<std::string, std::string, std::less<>> unported = new_units_.unported(from);
         for (const auto& [name, why] : unported) lone.insert(name);
@@ -369,6 +380,7 @@ private:
     Drafts drafts_;
     NewUnits new_units_;
     IncludeCarrier includes_;
+    CallCarrier calls_;
     SyncResult result_;
 };
 

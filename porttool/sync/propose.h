@@ -2,39 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
 #include <map>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "porttool/judge/check_project.h"
 #include "porttool/sync/drafts.h"
+#include "porttool/sync/proposal.h"
 
 namespace porttool {
-
-/// What there is to say of a pair: a port of the whole edit, of a part of it, none, or that none is due.
-enum class ProposalState : uint8_t { Proposed, Partial, Refused, Already };
-inline constexpr std::array<std::string_view, 4> kProposalStates = {"proposed", "partial", "refused", "already"};
-constexpr std::string_view proposal_state_name(ProposalState state) {
-    return kProposalStates.at(static_cast<size_t>(state));
-}
-
-/// Something that a person must do; lines are those of the files as they stand, 0 where none is known.
-struct LeftItem {
-    std::string message;
-    uint32_t source_line = 0, target_line = 0;
-};
-
-struct Proposal {
-    BySide<std::string> id;
-    ProposalState state = ProposalState::Refused;
-    std::string patch;          ///< of the side that is written, relative to its root; "" for none
-    std::string record_patch;   ///< of the project's own files, relative to its root: the pairs that come with it
-    bool is_elsewhere = false;  ///< the side that is written has a root of its own
-    std::vector<LeftItem> left;
-    std::vector<std::string> why;
-};
 
 /// All that a proposal changes beneath the root of the side that is written, and what it changes elsewhere.
 std::string whole_patch(const Proposal& proposal);

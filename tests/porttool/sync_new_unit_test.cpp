@@ -126,7 +126,7 @@ protected:
         EXPECT_EQ(target(), expected);
         const CommandRun check = porttool({"check", "--strict"});
         EXPECT_EQ(check.exit_code, 0) << check.out;
-        EXPECT_EQ(json({"check"})["summary"]["unpaired_changed"], 0);
+        EXPECT_EQ(json({"check"})["summary"]["unpaired_changed"], edited_without_pair);
         // The same by --apply.
         git("checkout -q t portmap.toml portmap.lock");
         git("clean -qfd portmap.base");
@@ -146,6 +146,7 @@ protected:
     }
 
     std::string source_path, target_path;
+    int edited_without_pair = 0;  ///< units of the source
 };
 
 const std::string kSheen =
@@ -411,6 +412,52 @@ TEST_F(SyncNewUnit, AnIncludeThatThePortHasOrThatStandsInABranchStaysOut) {
     edit("a * 2.0f", "a * 4.0f");
     expect_ported(replaced(replaced(kTimedPort, "#include <stdlib.h>\n", "#include <cmath>\n#include <stdlib.h>\n"),
                            "a * 2.0f", "a * 4.0f"));
+}
+
+const std::string kRoot =
+    "__device__ float root(float a, float b) {\n    return sqrtf(a * b);\n}\n"
+    "__device__ float shade(float a) {\n    float b = root(a, 2.0f);\n    return b;\n}\n"
+    "__global__ void probe(float* out) { out[0] = root(1.0f, 2.0f); }\n";
+const std::string kRootPort =
+    "float root(float, float b);\n"
+    "inline float root(float a, float b)\n{\n    return std::sqrt(a * b);\n}\n"
+    "inline float shade(float a)\n{\n    float b = root(a, 2.0f);\n    return b;\n}\n"
+    "inline float check_root() { return std::abs(root(root(4.0f, 1.0f), 9.0f)) - 6.0f; }\n";
+
+TEST_F(SyncNewUnit, ANewParameterReachesDeclarationsAndCallsOfThePortsOwn) {
+    start("k.cu", kRoot, "k.cpp", kRootPort);
+    edit("root(float a, float b)", "root(float a, float scale, float b)");
+    edit("sqrtf(a * b)", "sqrtf(a * b) * scale");
+    edit("root(a, 2.0f)", "root(a, a, 2.0f)");
+    edit("root(1.0f, 2.0f)", "root(1.0f, 1.0f, 2.0f)");
+    edited_without_pair = 1;
+    expect_ported(
+        "float root(float, float scale, float b);\n"
+        "inline float root(float a, float scale, float b)\n{\n    return std::sqrt(a * b) * scale;\n}\n"
+        "inline float shade(float a)\n{\n    float b = root(a, a, 2.0f);\n    return b;\n}\n"
+        "inline float check_root() { return std::abs(root(root(4.0f, 1.0f, 1.0f), 1.0f, 9.0f)) - 6.0f; }\n");
+}
+
+TEST_F(SyncNewUnit, ACallWhoseNewArgumentIsNotCertainIsLeft) {
+    start("k.cu", kRoot, "k.cpp", kRootPort);
+    edit("root(float a, float b)", "root(float a, float b, float scale)");
+    edit("sqrtf(a * b)", "sqrtf(a * b) * scale");
+    edit("root(a, 2.0f)", "root(a, 2.0f, a)");
+    edit("root(1.0f, 2.0f)", "root(1.0f, 2.0f, out[0])");
+    const std::string before = target();
+    const nlohmann::json all = proposals(1);
+    EXPECT_NE(all.dump().find("`root` takes 3 arguments now; it is called with 2 in `t/k.cpp:check_root`, line 11"),
+              std::string::npos)
+        << all.dump(1);
+}
+
+TEST_F(SyncNewUnit, ANewArgumentForAFunctionThatIsLeftIsLeft) {
+    start("k.cu", kRoot, "k.cpp", kRootPort);
+    edit("root(float a, float b)", "root(float a, float b, half_word scale)");
+    edit("sqrtf(a * b)", "sqrtf(a * b) * noise_table[scale]");
+    edit("root(a, 2.0f)", "root(a, 2.0f, 1)");
+    const nlohmann::json all = proposals(1);
+    for (const auto& one : all) EXPECT_NE(one["state"], "proposed") << one.dump(1);
 }
 
 TEST_F(SyncNewUnit, AFieldThatIsLeftIsNotUsed) {
