@@ -16,12 +16,13 @@
 namespace porttool {
 namespace {
 
-std::string formatted(const Judgement& judgement, const Project& project, const Options& options) {
+std::string formatted(const CheckedProject& checked, const Options& options, const Disk& disk) {
+    const Judgement& judgement = checked.judgement;
     if (options.format == "json") return check_json(judgement);
     if (options.format == "junit") return check_junit(judgement);
     if (options.format == "markdown") return check_markdown(judgement);
-    const auto folder = [&] { return GitRepository(project.root).folder(); };
-    if (options.format == "sarif") return check_sarif(judgement, folder());
+    const auto folder = [&] { return GitRepository(checked.project.root).folder(); };
+    if (options.format == "sarif") return check_sarif(judgement, folder(), proposed_fixes(checked, disk));
     if (options.format == "github") return check_github(judgement, folder());
     if (options.format == "gitlab") return check_gitlab(judgement, folder());
     const bool terminal = isatty(STDOUT_FILENO) != 0 && options.output.empty() && std::getenv("NO_COLOR") == nullptr;
@@ -58,7 +59,7 @@ Outcome run_check(const Options& options, Workplace& place) {
         for (const std::string& line : spirv->obstacles()) place.err << terminal_text(line) << "\n";
     const GateResult result = checked.judgement.result();
     const bool fails = result == GateResult::Drift || (result == GateResult::Review && options.strict);
-    return {formatted(checked.judgement, checked.project, options), fails ? 1 : 0};
+    return {formatted(checked, options, place.disk), fails ? 1 : 0};
 }
 
 }  // namespace porttool

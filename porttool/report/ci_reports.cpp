@@ -58,7 +58,7 @@ ordered_json sarif_rule(Rule rule) {
 
 }  // namespace
 
-std::string check_sarif(const Judgement& judgement, const std::string& folder) {
+std::string check_sarif(const Judgement& judgement, const std::string& folder, const std::vector<ProposedFix>& fixes) {
     ordered_json results = ordered_json::array(), rules = ordered_json::array();
     for (size_t i = 0; i < kRuleNames.size(); ++i)  // all of them: a viewer shows what was looked for
         rules.push_back(sarif_rule(static_cast<Rule>(i)));
@@ -80,6 +80,12 @@ std::string check_sarif(const Judgement& judgement, const std::string& folder) {
             result["suppressions"] = ordered_json::array({{{"kind", f.settled_in_source ? "inSource" : "external"},
                                                            {"status", "accepted"},
                                                            {"justification", sarif_message(f.verdict_reason)}}});
+        const auto fix = std::find_if(fixes.begin(), fixes.end(), [&](const ProposedFix& one) {
+            return one.source == f.map_source && one.target == f.map_target;
+        });
+        if (fix != fixes.end() && is_open(f) && f.level != Level::Note)
+            if (ordered_json one = sarif_fix(*fix, folder); !one.is_null())
+                result["fixes"] = ordered_json::array({std::move(one)});
         results.push_back(std::move(result));
     }
     return dumped(

@@ -3,8 +3,10 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "porttool/judge/judge.h"
+#include "porttool/report/sarif_fixes.h"
 
 namespace porttool {
 
@@ -12,8 +14,9 @@ namespace porttool {
 // repository's root.
 
 /// SARIF 2.1.0 for code scanning: one rule entry per rule, the changed source as first location, the counterpart as
-/// related location, relative URIs under %SRCROOT%, settled findings as suppressions.
-std::string check_sarif(const Judgement& judgement, const std::string& folder = "");
+/// related location, relative URIs under %SRCROOT%, settled findings as suppressions, proposed ports as fixes.
+std::string check_sarif(const Judgement& judgement, const std::string& folder = "",
+                        const std::vector<ProposedFix>& fixes = {});
 /// JUnit XML: one test case a finding, or one that passed.
 std::string check_junit(const Judgement& judgement);
 /// Workflow commands that GitHub shows as annotations.

@@ -128,6 +128,24 @@ private:
             need(is_one_of(suppression.at("kind"), {"inSource", "external"}), "kind of a suppression");
             need(is_one_of(suppression.at("status"), {"accepted", "underReview", "rejected"}), "status");
         }
+        for (const json& fix : result.value("fixes", json::array())) read_fix(fix, bases);
+    }
+
+    void read_fix(const json& fix, const json& bases) {
+        read_message(fix.at("description"));
+        need(!fix.at("artifactChanges").empty(), "artifactChanges");
+        for (const json& change : fix.at("artifactChanges")) {
+            need(bases.contains(change.at("artifactLocation").at("uriBaseId").get<std::string>()),
+                 "uriBaseId of a fix");
+            need(!change.at("replacements").empty(), "replacements");
+            for (const json& one : change.at("replacements")) {
+                const json& region = one.at("deletedRegion");
+                need(region.at("startLine") >= 1 && region.at("endLine") >= region.at("startLine"), "lines of a fix");
+                need(region.at("startColumn") == 1 && region.at("endColumn") == 1, "columns of a fix");
+                need(region.at("endLine") > region.at("startLine") || one.contains("insertedContent"),
+                     "a fix of nothing");
+            }
+        }
     }
 
     void read_location(const json& location, const json& bases) {
@@ -207,6 +225,59 @@ TEST(Sarif, FingerprintsDoNotFollowLines) {
     ASSERT_EQ(before.size(), 1u);
     EXPECT_EQ(before[0]["partialFingerprints"], after[0]["partialFingerprints"]);
     EXPECT_NE(before[0]["locations"], after[0]["locations"]);
+}
+
+/// A text with the replacements of whole lines made, the last first.
+std::string fixed(const std::string& text, const json& replacements) {
+    std::vector<std::string> lines;
+    std::istringstream stream(text);
+    for (std::string line; std::getline(stream, line);) lines.push_back(line + "\n");
+    for (auto one = replacements.rbegin(); one != replacements.rend(); ++one) {
+        const auto first = lines.begin() + ((*one)["deletedRegion"]["startLine"].get<int>() - 1);
+        const auto end = lines.begin() + ((*one)["deletedRegion"]["endLine"].get<int>() - 1);
+        const auto place = lines.erase(first, end);
+        if (one->contains("insertedContent")) lines.insert(place, (*one)["insertedContent"]["text"].get<std::string>());
+    }
+    std::string out;
+    for (const std::string& line : lines) out += line;
+    return out;
+}
+
+TEST(Sarif, AFixIsThePortThatSyncWrites) {
+    const std::string source = replaced(kSource, "{ float b = a * 2.0f; return b; }",
+                                        "{\n    float b = a * 2.0f;\n    float c = b;\n    return c;\n}");
+    const std::string target = replaced(kTarget, "{ float b = a * 2.0; return b; }",
+                                        "{\n    float b = a * 2.0;\n    float c = b;\n    return c;\n}");
+    const std::vector<std::pair<std::string, std::string>> edits = {
+        {"2.0f", "2.5f"},
+        {"    float c = b;\n", "    float c = b;\n    c = c * 3.0f;\n    b = c;\n"},
+        {"b = a * 2.0f;\n    float c = b;\n", "c = a * 2.0f;\n"},
+        {"3.5f", "4.5f"}};
+    for (const auto& [from, to] : edits) {
+        MemoryDisk disk = started(source, target);
+        disk.files["/r/src/k.cu"] = replaced(source, from, to);
+        const json log = sarif(disk);
+        EXPECT_EQ(problems_of(log), std::vector<std::string>()) << log.dump(1);
+        const json result = log["runs"][0]["results"][0];
+        if (!result.contains("fixes")) {
+            EXPECT_EQ(run(disk, {"-C", "/r", "sync", "-q"}).exit_code, 1) << from;
+            continue;
+        }
+        const json change = result["fixes"][0]["artifactChanges"][0];
+        EXPECT_EQ(change["artifactLocation"]["uri"], "port/k.comp");
+        const std::string ported = fixed(target, change["replacements"]);
+        EXPECT_EQ(run(disk, {"-C", "/r", "sync", "--apply", "--force"}).exit_code, 0);
+        EXPECT_EQ(disk.files["/r/port/k.comp"], ported) << from;
+        EXPECT_NE(ported, target);
+    }
+}
+
+TEST(Sarif, NoFixForWhatIsSettledOrLeft) {
+    MemoryDisk disk = started(kSource, kTarget);
+    disk.files["/r/src/k.cu"] = replaced(replaced(kSource, "2.0f", "2.5f"), "a - 1.5f", "noise_table[a]");
+    run(disk, {"-C", "/r", "ignore", "src/k.cu:f", "--reason", "measured"});
+    for (const json& result : sarif(disk)["runs"][0]["results"])
+        EXPECT_FALSE(result.contains("fixes")) << result.dump(1);
 }
 
 }  // namespace

@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/report/sarif_fixes.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "porttool/normal/diff.h"
+#include "porttool/text/sink/sarif.h"
+#include "porttool/text/utf8.h"
+
+namespace porttool {
+namespace {
+
+using nlohmann::ordered_json;
+
+/// Lines with their ends.
+Words ended_lines(std::string_view text) {
+    Words out;
+    while (!text.empty()) {
+        const size_t end = text.find('\n');
+        out.push_back(text.substr(0, end == std::string_view::npos ? text.size() : end + 1));
+        text.remove_prefix(out.back().size());
+    }
+    return out;
+}
+
+/// Whole lines that others take the place of; null where that cannot be said so.
+ordered_json replacements(const ProposedFile& file) {
+    if (!is_utf8(file.before) || !is_utf8(file.now)) return nullptr;
+    const Words before = ended_lines(file.before), now = ended_lines(file.now);
+    const std::vector<DiffStep> steps = diff(before, now);
+    ordered_json out = ordered_json::array();
+    for (size_t i = 0; i < steps.size(); ++i) {
+        if (steps[i].kind == DiffStep::Keep) continue;
+        const size_t first = steps[i].before;
+        size_t end = first;
+        std::string text;
+        for (; i < steps.size() && steps[i].kind != DiffStep::Keep; ++i) {
+            if (steps[i].kind == DiffStep::Remove) end = steps[i].before + 1;
+            if (steps[i].kind == DiffStep::Add) text += now[steps[i].now];
+        }
+        const bool open_end = end > first && before[end - 1].back() != '\n';
+        const bool behind_all = first > 0 && first == before.size() && before.back().back() != '\n';
+        if (open_end || behind_all) return nullptr;
+        ordered_json one = {
+            {"deletedRegion", {{"startLine", first + 1}, {"startColumn", 1}, {"endLine", end + 1}, {"endColumn", 1}}}};
+        if (!text.empty()) one["insertedContent"] = {{"text", text}};
+        out.push_back(std::move(one));
+    }
+    return out;
+}
+
+}  // namespace
+
+std::vector<ProposedFix> proposed_fixes(const CheckedProject& checked, const Disk& disk) {
+    constexpr size_t kMost = 20;
+    std::vector<ProposedFix> out;
+    size_t tried = 0;
+    for (size_t i = 0; i < checked.judgement.pairs.size() && tried < kMost; ++i) {
+        const JudgedPair& pair = checked.judgement.pairs[i];
+        const bool unsettled = pair.standing == PairStanding::Drifted || pair.standing == PairStanding::Review;
+        if (!unsettled || !pair.changed || pair.equivalent) continue;
+        ++tried;
+        try {
+            SyncResult result = propose(checked, {i}, WriteSide::Other, disk);
+            const Proposal& one = result.proposals.front();
+            if (one.state == ProposalState::Proposed && one.record_patch.empty())
+                out.push_back({pair.id.source, pair.id.target, std::move(result.files)});
+        } catch (const CannotDo&) {
+            continue;  // a check goes on without
+        }
+    }
+    return out;
+}
+
+ordered_json sarif_fix(const ProposedFix& fix, const std::string& folder) {
+    ordered_json changes = ordered_json::array();
+    for (const auto& [path, file] : fix.files) {
+        ordered_json all = replacements(file);
+        if (all.is_null() || all.empty()) return nullptr;
+        const std::string place = std::filesystem::path(folder + path).lexically_normal().generic_string();
+        changes.push_back({{"artifactLocation", {{"uri", uri_path(place)}, {"uriBaseId", "%SRCROOT%"}}},
+                           {"replacements", std::move(all)}});
+    }
+    if (changes.empty()) return nullptr;
+    return {{"description", {{"text", "The port of this edit, as porttool sync proposes it"}}},
+            {"artifactChanges", std::move(changes)}};
+}
+
+}  // namespace porttool
