@@ -8,27 +8,9 @@
 
 namespace metrics {
 
-const size_t GrowingCoverage::kMostPairs = MOST_PAIRS;
-
-PrintedSequence::PrintedSequence(std::vector<uint32_t> text, const WinnowingParameters& parameters)
-    : symbols(std::move(text)), hashes(kgram_hashes(symbols, parameters)) {
-    for (const uint32_t place : winnow(hashes, parameters.w)) prints.emplace_back(hashes[place], place);
-    std::sort(prints.begin(), prints.end());
-}
-
 std::array<GrowingCoverage::Covered, 2> GrowingCoverage::update(const Members& a, const Members& b) {
     const std::array<const Members*, 2> lists = {&a, &b};
-    for (size_t side = 0; side < 2; ++side) {
-        std::set<uint32_t> gone;
-        for (const auto& [number, known] : known_[side]) gone.insert(number);
-        for (const Member& member : *lists[side]) gone.erase(member.number);
-        for (const uint32_t number : gone) remove(side, number);
-        for (uint32_t order = 0; order < lists[side]->size(); ++order) {
-            const Member& member = (*lists[side])[order];
-            if (!known_[side].contains(member.number)) add(side, member);
-            known_[side].at(member.number).order = order;
-        }
-    }
+    for (size_t side = 0; side < 2; ++side) list(side, *lists[side]);
     regroup();
     for (const Pair& pair : changed_) match_again(pair);
     touched_.clear();
@@ -40,7 +22,7 @@ std::array<GrowingCoverage::Covered, 2> GrowingCoverage::update(const Members& a
         uint32_t separator = 0xFFFFFFFEu - static_cast<uint32_t>(side);
         for (const Member& member : *lists[side]) {
             Known& known = known_[side].at(member.number);
-            if (known.stale) cover(side, known, member.number);
+            if (known.stale) cover(known);
             if (!texts[side].empty()) {
                 texts[side].push_back(separator);
                 covered[side].symbols.push_back(0);
@@ -53,6 +35,25 @@ std::array<GrowingCoverage::Covered, 2> GrowingCoverage::update(const Members& a
     }
     if (!common_.empty()) add_common_matches(texts, covered);
     return covered;
+}
+
+void GrowingCoverage::list(size_t side, const Members& members) {
+    constexpr uint32_t kGone = 0xFFFFFFFFu;
+    for (auto& [number, known] : known_[side]) known.order = kGone;
+    std::vector<const Member*> fresh;
+    for (uint32_t order = 0; order < members.size(); ++order)
+        if (const auto known = known_[side].find(members[order].number); known != known_[side].end())
+            known->second.order = order;
+        else
+            fresh.push_back(&members[order]);
+    std::vector<uint32_t> gone;
+    for (const auto& [number, known] : known_[side])
+        if (known.order == kGone) gone.push_back(number);
+    for (const uint32_t number : gone) remove(side, number);
+    for (const Member* member : fresh) {
+        add(side, *member);
+        known_[side].at(member->number).order = static_cast<uint32_t>(member - members.data());
+    }
 }
 
 void GrowingCoverage::remove(size_t side, uint32_t number) {
@@ -68,61 +69,73 @@ void GrowingCoverage::remove(size_t side, uint32_t number) {
         touched_.push_back(hash);
     }
     for (const uint32_t partner : gone->second.partners) {
-        Known& other = known_[1 - side].at(partner);
-        other.partners.erase(number);
-        other.stale = true;
-        matches_.erase(side == 0 ? Pair(number, partner) : Pair(partner, number));
+        const auto matches = matches_.find(side == 0 ? Pair(number, partner) : Pair(partner, number));
+        count(1 - side, partner, matches->second, -1);
+        matches_.erase(matches);
+        known_[1 - side].at(partner).partners.erase(number);
     }
     known_[side].erase(gone);
 }
 
 void GrowingCoverage::add(size_t side, const Member& member) {
-    known_[side][member.number].sequence = member.sequence;
+    Known& known = known_[side][member.number];
+    known.sequence = member.sequence;
+    known.steps.resize(member.sequence->symbols.size() + 1);
     for (const auto& [hash, place] : member.sequence->prints) {
         groups_[hash].places[side].push_back({member.number, place});
         touched_.push_back(hash);
     }
-    added_[side].insert(member.number);
+    added_[side].push_back(member.number);
 }
 
-/// Finds the pairs of sequences whose matches of rare fingerprints may be others now.
+/// Finds the pairs of sequences whose matches of rare fingerprints may be others now: those with a new sequence, and
+/// those with a fingerprint that became rare, or common.
 void GrowingCoverage::regroup() {
-    std::sort(touched_.begin(), touched_.end());
-    touched_.erase(std::unique(touched_.begin(), touched_.end()), touched_.end());
     for (const uint64_t hash : touched_) {
         const auto at = groups_.find(hash);
+        if (at == groups_.end()) continue;
         Group& group = at->second;
-        const bool was_common = group.common;
-        group.common = group.is_common();
-        if (group.common)
-            common_.insert(hash);
-        else if (was_common)
-            common_.erase(hash);
-        // Pairs that both were there before have changed only where the fingerprint became rare, or common.
-        const bool turned = was_common != group.common;
-        std::array<std::set<uint32_t>, 2> fresh, old;
-        if (!group.common || turned)
-            for (size_t side = 0; side < 2; ++side)
-                for (const Occurrence& one : group.places[side])
-                    (added_[side].contains(one.number) ? fresh : old)[side].insert(one.number);
-        const auto add_pairs = [&](const std::set<uint32_t>& in_a, const std::set<uint32_t>& in_b) {
-            for (const uint32_t one : in_a)
-                for (const uint32_t other : in_b) changed_.insert({one, other});
-        };
-        if (turned) add_pairs(old[0], old[1]);
-        if (!group.common) {
-            add_pairs(fresh[0], fresh[1]);
-            add_pairs(fresh[0], old[1]);
-            add_pairs(old[0], fresh[1]);
+        if (group.common != group.is_common()) {
+            group.common = !group.common;
+            if (group.common)
+                common_.insert(hash);
+            else
+                common_.erase(hash);
+            note_turned(group);
         }
         if (group.places[0].empty() && group.places[1].empty()) groups_.erase(at);
     }
+    for (size_t side = 0; side < 2; ++side)
+        for (const uint32_t number : added_[side]) note_fresh(side, number);
+    std::sort(changed_.begin(), changed_.end());
+    changed_.erase(std::unique(changed_.begin(), changed_.end()), changed_.end());
+}
+
+void GrowingCoverage::note_turned(const Group& group) {
+    std::array<std::set<uint32_t>, 2> numbers;
+    for (size_t side = 0; side < 2; ++side)
+        for (const Occurrence& one : group.places[side]) numbers[side].insert(one.number);
+    for (const uint32_t one : numbers[0])
+        for (const uint32_t other : numbers[1]) changed_.emplace_back(one, other);
+}
+
+void GrowingCoverage::note_fresh(size_t side, uint32_t number) {
+    std::vector<uint32_t> partners;
+    for (const auto& [hash, place] : known_[side].at(number).sequence->prints) {
+        const Group& group = groups_.at(hash);
+        if (!group.common)
+            for (const Occurrence& one : group.places[1 - side]) partners.push_back(one.number);
+    }
+    std::sort(partners.begin(), partners.end());
+    partners.erase(std::unique(partners.begin(), partners.end()), partners.end());
+    for (const uint32_t partner : partners)
+        changed_.push_back(side == 0 ? Pair(number, partner) : Pair(partner, number));
 }
 
 void GrowingCoverage::match_again(const Pair& pair) {
     Known &a = known_[0].at(pair.first), &b = known_[1].at(pair.second);
     const PrintedSequence &left = *a.sequence, &right = *b.sequence;
-    Matcher matcher({left.symbols, left.hashes}, {right.symbols, right.hashes}, parameters_);
+    matcher_.start({left.symbols, left.hashes}, {right.symbols, right.hashes});
     for (size_t i = 0, k = 0; i < left.prints.size() && k < right.prints.size();) {
         const uint64_t hash = left.prints[i].first;
         if (hash != right.prints[k].first) {
@@ -134,30 +147,45 @@ void GrowingCoverage::match_again(const Pair& pair) {
         while (k_end < right.prints.size() && right.prints[k_end].first == hash) ++k_end;
         if (!common_.contains(hash))
             for (size_t x = i; x < i_end; ++x)
-                for (size_t y = k; y < k_end; ++y) matcher.run(left.prints[x].second, right.prints[y].second);
+                for (size_t y = k; y < k_end; ++y) matcher_.run(left.prints[x].second, right.prints[y].second);
         i = i_end;
         k = k_end;
     }
-    a.stale = b.stale = true;
-    if (matcher.matches.empty()) {
-        matches_.erase(pair);
+    const auto known = matches_.find(pair);
+    if (known != matches_.end()) {
+        for (size_t side = 0; side < 2; ++side) count(side, side == 0 ? pair.first : pair.second, known->second, -1);
+        matches_.erase(known);
+    }
+    std::vector<TokenMatch> found = matcher_.take();
+    if (found.empty()) {
         a.partners.erase(pair.second);
         b.partners.erase(pair.first);
-    } else {
-        matches_[pair] = std::move(matcher.matches);
-        a.partners.insert(pair.second);
-        b.partners.insert(pair.first);
+        return;
+    }
+    for (size_t side = 0; side < 2; ++side) count(side, side == 0 ? pair.first : pair.second, found, 1);
+    matches_.emplace(pair, std::move(found));
+    a.partners.insert(pair.second);
+    b.partners.insert(pair.first);
+}
+
+/// Takes matches in (by = 1), or out again (-1).
+void GrowingCoverage::count(size_t side, uint32_t number, const std::vector<TokenMatch>& matches, int32_t by) {
+    Known& known = known_[side].at(number);
+    known.stale = true;
+    for (const TokenMatch& match : matches) {
+        const uint32_t first = side == 0 ? match.a : match.b;
+        known.steps[first] += by;
+        known.steps[first + match.length] -= by;
     }
 }
 
-void GrowingCoverage::cover(size_t side, Known& known, uint32_t number) {
-    std::vector<TokenMatch> all;
-    for (const uint32_t partner : known.partners) {
-        const std::vector<TokenMatch>& some = matches_.at(side == 0 ? Pair(number, partner) : Pair(partner, number));
-        all.insert(all.end(), some.begin(), some.end());
+void GrowingCoverage::cover(Known& known) {
+    known.covered.resize(known.sequence->symbols.size());
+    int32_t depth = 0;
+    for (size_t i = 0; i < known.covered.size(); ++i) {
+        depth += known.steps[i];
+        known.covered[i] = depth > 0 ? 1 : 0;
     }
-    const size_t size = known.sequence->symbols.size();
-    known.covered = side == 0 ? covered_in_a(all, size) : covered_in_b(all, size);
     known.stale = false;
 }
 

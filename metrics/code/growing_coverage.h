@@ -12,25 +12,16 @@
 #include <utility>
 #include <vector>
 
-#include "metrics/code/winnowing.h"
+#include "metrics/code/run_matchers.h"
 
 namespace metrics {
-
-/// A sequence without separators, and what matching needs to know of it.
-struct PrintedSequence {
-    PrintedSequence(std::vector<uint32_t> text, const WinnowingParameters& parameters);
-
-    std::vector<uint32_t> symbols;
-    std::vector<uint64_t> hashes;                       ///< of each run of k symbols
-    std::vector<std::pair<uint64_t, uint32_t>> prints;  ///< fingerprints with their places, by hash, then place
-};
 
 /// Which symbols of two lists of sequences winnowing_matches() would cover if a separator stood between the sequences
 /// of each list. Kept up to date as sequences come and go: what did not change is not matched again, except for very
 /// common fingerprints, whose matches depend on all the rest.
 class GrowingCoverage {
 public:
-    explicit GrowingCoverage(const WinnowingParameters& parameters) : parameters_(parameters) {}
+    explicit GrowingCoverage(const WinnowingParameters& parameters) : parameters_(parameters), matcher_(parameters) {}
 
     /// A sequence in its list; the number tells it from the others of its list, and stands for the same sequence
     /// always.
@@ -51,9 +42,11 @@ public:
 private:
     struct Known {
         std::shared_ptr<const PrintedSequence> sequence;
-        uint32_t order = 0;            ///< in its list
-        std::set<uint32_t> partners;   ///< those of the other list that share a rare fingerprint's run with it
-        std::vector<uint8_t> covered;  ///< by the matches of rare fingerprints
+        uint32_t order = 0;           ///< in its list
+        std::set<uint32_t> partners;  ///< those of the other list that share a rare fingerprint's run with it
+        /// How many matches of rare fingerprints start here, less those that have ended just before.
+        std::vector<int32_t> steps;
+        std::vector<uint8_t> covered;  ///< by these
         bool stale = true;             ///< `covered` is to be made anew
     };
     struct Occurrence {
@@ -64,16 +57,19 @@ private:
         std::array<std::vector<Occurrence>, 2> places;
         bool common = false;
 
-        bool is_common() const { return places[0].size() * places[1].size() > kMostPairs; }
+        bool is_common() const { return places[0].size() * places[1].size() > MOST_PAIRS; }
     };
     using Pair = std::pair<uint32_t, uint32_t>;  ///< numbers in either list
-    static const size_t kMostPairs;
 
+    void list(size_t side, const Members& members);
     void remove(size_t side, uint32_t number);
     void add(size_t side, const Member& member);
     void regroup();
+    void note_turned(const Group& group);
+    void note_fresh(size_t side, uint32_t number);
     void match_again(const Pair& pair);
-    void cover(size_t side, Known& known, uint32_t number);
+    void count(size_t side, uint32_t number, const std::vector<TokenMatch>& matches, int32_t by);
+    static void cover(Known& known);
     void add_common_matches(const std::array<std::vector<uint32_t>, 2>& texts, std::array<Covered, 2>& covered);
 
     WinnowingParameters parameters_;
@@ -81,10 +77,11 @@ private:
     std::unordered_map<uint64_t, Group> groups_;
     std::unordered_set<uint64_t> common_;
     std::map<Pair, std::vector<TokenMatch>> matches_;  ///< of rare fingerprints, by places in the two sequences
+    Matcher matcher_;
     // Within one update.
     std::vector<uint64_t> touched_;
-    std::array<std::set<uint32_t>, 2> added_;
-    std::set<Pair> changed_;
+    std::array<std::vector<uint32_t>, 2> added_;
+    std::vector<Pair> changed_;
 };
 
 }  // namespace metrics

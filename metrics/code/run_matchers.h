@@ -29,13 +29,23 @@ struct Place {
     std::span<const uint32_t> partners;
 };
 
-/// Finds and extends matches; remembers on each diagonal (b - a) the last one, to extend nothing twice.
+/// Finds and extends matches of two texts, and then of two others; remembers on each diagonal (b - a) the last one, to
+/// extend nothing twice.
 class Matcher {
 public:
-    Matcher(const HashedSymbols& a, const HashedSymbols& b, const WinnowingParameters& parameters)
-        : a_(a), b_(b), k_(parameters.k), w_(parameters.w), last_(a.symbols.size() + b.symbols.size() + 1) {}
+    explicit Matcher(const WinnowingParameters& parameters) : k_(parameters.k), w_(parameters.w) {}
 
-    std::vector<TokenMatch> matches;
+    void start(const HashedSymbols& a, const HashedSymbols& b) {
+        a_ = a;
+        b_ = b;
+        last_.resize(std::max(last_.size(), a.symbols.size() + b.symbols.size() + 1));
+    }
+
+    /// The matches since the start.
+    std::vector<TokenMatch> take() {
+        for (const TokenMatch& match : matches_) last_[match.b + a_.symbols.size() - match.a] = {};
+        return std::exchange(matches_, {});
+    }
 
     /// A pair, and those beside it that have the same hash: where a k-gram comes twice in one window the two sides may
     /// have selected different ones of it, on different diagonals.
@@ -65,12 +75,12 @@ private:
         uint32_t before = 0;
         while (before < i && before < j && x[i - before - 1] == y[j - before - 1]) ++before;
         last = {i - before, j - before, before + end};
-        matches.push_back(last);
+        matches_.push_back(last);
     }
 
-    const HashedSymbols a_, b_;
+    HashedSymbols a_, b_;
     uint32_t k_, w_;
-    std::vector<TokenMatch> last_;
+    std::vector<TokenMatch> matches_, last_;
 };
 
 /// Holds the occurrences of very common fingerprints on one side against a few partners each, skipping what is covered.

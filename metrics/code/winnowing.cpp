@@ -18,34 +18,38 @@ uint64_t spread(uint64_t x) {
     return x ^ (x >> 31);
 }
 
-/// A sequence with its hashes, and its fingerprints sorted by hash, then place.
+using Prints = std::vector<std::pair<uint64_t, uint32_t>>;  // hashes with their places
+
+/// A sequence with its hashes, and the places of its fingerprints by hash, then place.
 struct Side {
-    Side(std::span<const uint32_t> text, const WinnowingParameters& parameters)
-        : symbols(text), hashes(kgram_hashes(text, parameters)) {
-        std::vector<std::pair<uint64_t, uint32_t>> prints;
-        for (size_t first = 0; first < text.size();) {
-            const auto end = static_cast<size_t>(std::find_if(text.begin() + static_cast<ptrdiff_t>(first), text.end(),
-                                                              [](uint32_t s) { return s >= FIRST_SEPARATOR; }) -
-                                                 text.begin());
-            if (end - first >= parameters.k) add_prints(first, end - first + 1 - parameters.k, parameters.w, prints);
-            first = end + 1;
-        }
-        std::sort(prints.begin(), prints.end());
-        by_hash.reserve(prints.size());
-        for (const auto& [hash, place] : prints) by_hash.push_back(place);
-    }
-
     std::span<const uint32_t> symbols;
-    std::vector<uint64_t> hashes;
+    std::span<const uint64_t> hashes;
     std::vector<uint32_t> by_hash;
-
-private:
-    /// Winnows the hashes of one run.
-    void add_prints(size_t first, size_t count, uint32_t w, std::vector<std::pair<uint64_t, uint32_t>>& prints) const {
-        for (const uint32_t place : winnow(std::span(hashes).subspan(first, count), w))
-            prints.emplace_back(hashes[first + place], static_cast<uint32_t>(first + place));
-    }
 };
+
+std::vector<uint32_t> places_of(const Prints& prints) {
+    std::vector<uint32_t> places;
+    places.reserve(prints.size());
+    for (const auto& [hash, place] : prints) places.push_back(place);
+    return places;
+}
+
+/// The places of the fingerprints of all runs between separators.
+std::vector<uint32_t> places_of(std::span<const uint32_t> text, std::span<const uint64_t> hashes,
+                                const WinnowingParameters& parameters) {
+    Prints prints;
+    for (size_t first = 0; first < text.size();) {
+        const auto end = static_cast<size_t>(std::find_if(text.begin() + static_cast<ptrdiff_t>(first), text.end(),
+                                                          [](uint32_t s) { return s >= FIRST_SEPARATOR; }) -
+                                             text.begin());
+        if (end - first >= parameters.k)
+            for (const uint32_t place : winnow(hashes.subspan(first, end - first + 1 - parameters.k), parameters.w))
+                prints.emplace_back(hashes[first + place], static_cast<uint32_t>(first + place));
+        first = end + 1;
+    }
+    std::sort(prints.begin(), prints.end());
+    return places_of(prints);
+}
 
 /// The fingerprints of either side that have one hash: ranges of Side::by_hash.
 struct Group {
@@ -130,6 +134,28 @@ private:
     std::vector<uint32_t> next_;
 };
 
+std::vector<TokenMatch> matches_of(const Side& left, const Side& right, const WinnowingParameters& parameters) {
+    std::vector<Group> common, rare;
+    for (const Group& group : shared_groups(left, right))
+        (group.a.size() * group.b.size() > MOST_PAIRS ? common : rare).push_back(group);
+    Matcher matcher(parameters);
+    matcher.start({left.symbols, left.hashes}, {right.symbols, right.hashes});
+    for (const Place& place : places_in(rare, true))
+        for (const uint32_t partner : place.partners) matcher.run(place.at, partner);
+    std::vector<TokenMatch> matches = matcher.take();
+    if (!common.empty()) {
+        CommonMatcher in_a(left.symbols, right.symbols, parameters.k, covered_in_a(matches, left.symbols.size()));
+        CommonMatcher in_b(right.symbols, left.symbols, parameters.k, covered_in_b(matches, right.symbols.size()));
+        in_a.run(places_in(common, true));
+        in_b.run(places_in(common, false));
+        matches.insert(matches.end(), in_a.matches.begin(), in_a.matches.end());
+        for (const TokenMatch& match : in_b.matches) matches.push_back({match.b, match.a, match.length});
+    }
+    std::sort(matches.begin(), matches.end(), by_place);
+    matches.erase(std::unique(matches.begin(), matches.end()), matches.end());
+    return matches;
+}
+
 }  // namespace
 
 std::vector<uint64_t> kgram_hashes(std::span<const uint32_t> symbols, const WinnowingParameters& parameters) {
@@ -170,27 +196,22 @@ std::vector<uint32_t> winnow(std::span<const uint64_t> hashes, uint32_t w) {
     return selected;
 }
 
+PrintedSequence::PrintedSequence(std::vector<uint32_t> text, const WinnowingParameters& parameters)
+    : symbols(std::move(text)), hashes(kgram_hashes(symbols, parameters)) {
+    for (const uint32_t place : winnow(hashes, parameters.w)) prints.emplace_back(hashes[place], place);
+    std::sort(prints.begin(), prints.end());
+}
+
 std::vector<TokenMatch> winnowing_matches(std::span<const uint32_t> a, std::span<const uint32_t> b,
                                           const WinnowingParameters& parameters) {
-    const Side left(a, parameters), right(b, parameters);
-    std::vector<Group> common, rare;
-    for (const Group& group : shared_groups(left, right))
-        (group.a.size() * group.b.size() > MOST_PAIRS ? common : rare).push_back(group);
-    Matcher matcher({left.symbols, left.hashes}, {right.symbols, right.hashes}, parameters);
-    for (const Place& place : places_in(rare, true))
-        for (const uint32_t partner : place.partners) matcher.run(place.at, partner);
-    std::vector<TokenMatch> matches = std::move(matcher.matches);
-    if (!common.empty()) {
-        CommonMatcher in_a(a, b, parameters.k, covered_in_a(matches, a.size()));
-        CommonMatcher in_b(b, a, parameters.k, covered_in_b(matches, b.size()));
-        in_a.run(places_in(common, true));
-        in_b.run(places_in(common, false));
-        matches.insert(matches.end(), in_a.matches.begin(), in_a.matches.end());
-        for (const TokenMatch& match : in_b.matches) matches.push_back({match.b, match.a, match.length});
-    }
-    std::sort(matches.begin(), matches.end(), by_place);
-    matches.erase(std::unique(matches.begin(), matches.end()), matches.end());
-    return matches;
+    const std::vector<uint64_t> in_a = kgram_hashes(a, parameters), in_b = kgram_hashes(b, parameters);
+    return matches_of({a, in_a, places_of(a, in_a, parameters)}, {b, in_b, places_of(b, in_b, parameters)}, parameters);
+}
+
+std::vector<TokenMatch> winnowing_matches(const PrintedSequence& a, const PrintedSequence& b,
+                                          const WinnowingParameters& parameters) {
+    return matches_of({a.symbols, a.hashes, places_of(a.prints)}, {b.symbols, b.hashes, places_of(b.prints)},
+                      parameters);
 }
 
 std::vector<uint8_t> covered_in_a(std::span<const TokenMatch> matches, size_t size) {

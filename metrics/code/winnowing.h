@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace metrics {
@@ -45,6 +46,19 @@ std::vector<uint32_t> winnow(std::span<const uint64_t> hashes, uint32_t w);
 /// against a few of the others only, so that it still counts as found, if not always in its longest run.
 std::vector<TokenMatch> winnowing_matches(std::span<const uint32_t> a, std::span<const uint32_t> b,
                                           const WinnowingParameters& parameters = {});
+
+/// A sequence without separators, and what matching needs to know of it.
+struct PrintedSequence {
+    PrintedSequence(std::vector<uint32_t> text, const WinnowingParameters& parameters);
+
+    std::vector<uint32_t> symbols;
+    std::vector<uint64_t> hashes;                       ///< of each run of k symbols
+    std::vector<std::pair<uint64_t, uint32_t>> prints;  ///< fingerprints with their places, by hash, then place
+};
+
+/// The same for prepared sequences.
+std::vector<TokenMatch> winnowing_matches(const PrintedSequence& a, const PrintedSequence& b,
+                                          const WinnowingParameters& parameters);
 
 /// 1 for each symbol of a side that lies in a match, else 0. `size` is the number of symbols of that side.
 std::vector<uint8_t> covered_in_a(std::span<const TokenMatch> matches, size_t size);

@@ -42,15 +42,28 @@ void BlobFactsSource::use_dialect(const MapFile& map) {
     dialect_key_ = BlobCache::key({text});
 }
 
+std::string BlobFactsSource::text_of_blob(const std::string& path, const std::string& blob) const {
+    const std::lock_guard lock(git_mutex_);
+    return read_blob(past_, path, blob);
+}
+
 ScannedFile BlobFactsSource::scan(const FileVersion& file) const {
-    const std::string text = read_blob(past_, file.path, file.blob);
+    const std::string text = text_of_blob(file.path, file.blob);
     return scan_text(file.path, unreadable_reason(text).empty() ? text : std::string());
 }
 
-const ScannedFile& BlobFactsSource::scanned(const FileVersion& file) {
-    auto& kept = scanned_[file.path];
-    if (kept.first != file.blob) kept = {file.blob, scan(file)};
-    return kept.second;
+std::shared_ptr<const ScannedFile> BlobFactsSource::kept(const FileVersion& file) const {
+    const std::lock_guard lock(scanned_mutex_);
+    const auto found = scanned_.find(file.path);
+    return found != scanned_.end() && found->second.first == file.blob ? found->second.second : nullptr;
+}
+
+std::shared_ptr<const ScannedFile> BlobFactsSource::scanned(const FileVersion& file) {
+    if (auto known = kept(file)) return known;
+    auto fresh = std::make_shared<const ScannedFile>(scan(file));
+    const std::lock_guard lock(scanned_mutex_);
+    scanned_[file.path] = {file.blob, fresh};
+    return fresh;
 }
 
 const BlobFacts& BlobFactsSource::facts(const FileVersion& file) {
@@ -60,7 +73,7 @@ const BlobFacts& BlobFactsSource::facts(const FileVersion& file) {
     std::optional<BlobFacts> facts;
     if (const std::string* line = cache_.find(key)) facts = read_blob_facts(*line);
     if (!facts) {
-        facts = blob_facts(scanned(file));
+        facts = blob_facts(*scanned(file));
         cache_.put(key, facts_line(*facts));
     }
     for (const UnitFacts& unit : facts->units) places_.emplace(unit.prints.written, UnitPlace{file, unit.name});
@@ -68,10 +81,9 @@ const BlobFacts& BlobFactsSource::facts(const FileVersion& file) {
 }
 
 NormalText BlobFactsSource::text_at(const UnitPlace& place) const {
-    const auto kept = scanned_.find(place.file.path);
-    const bool is_kept = kept != scanned_.end() && kept->second.first == place.file.blob;
-    const ScannedFile file = is_kept ? ScannedFile() : scan(place.file);
-    const ScannedFile& there = is_kept ? kept->second.second : file;
+    std::shared_ptr<const ScannedFile> file = kept(place.file);
+    if (!file) file = std::make_shared<const ScannedFile>(scan(place.file));
+    const ScannedFile& there = *file;
     const auto unit =
         std::find_if(there.units.begin(), there.units.end(), [&](const Unit& one) { return one.name == place.unit; });
     return unit_state(there, unit == there.units.end() ? whole_file_unit(there) : *unit).text;
@@ -83,7 +95,7 @@ const NormalText& BlobFactsSource::text_of(const std::string& print, const BaseB
     if (place != places_.end()) return texts_.emplace(print, text_at(place->second)).first->second;
     const std::string blob = base_blob(print);
     NormalText text;
-    if (!blob.empty()) text = text_of_print(print, read_blob(past_, "portmap.base/" + print, blob), kNormalForm);
+    if (!blob.empty()) text = text_of_print(print, text_of_blob("portmap.base/" + print, blob), kNormalForm);
     return texts_.emplace(print, std::move(text)).first->second;
 }
 

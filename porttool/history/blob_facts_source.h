@@ -3,6 +3,8 @@
 #pragma once
 
 #include <map>
+#include <memory>
+#include <mutex>
 #include <string>
 #include <unordered_map>
 
@@ -32,8 +34,10 @@ public:
     /// Facts of a file; those of one that cannot be scanned (binary) are all zero.
     const BlobFacts& facts(const FileVersion& file);
 
-    /// A file as a whole, for as long as no other version of it is asked for.
-    const ScannedFile& scanned(const FileVersion& file);
+    /// A file as a whole; the version of it that was asked for last is kept. May be called from several threads.
+    std::shared_ptr<const ScannedFile> scanned(const FileVersion& file);
+    /// The same where it is kept; otherwise nothing.
+    std::shared_ptr<const ScannedFile> kept(const FileVersion& file) const;
 
     /// A unit of a pair, by the prints of its texts: when last in step, and now.
     struct UnitInTime {
@@ -51,6 +55,7 @@ private:
         std::string unit;
     };
 
+    std::string text_of_blob(const std::string& path, const std::string& blob) const;
     ScannedFile scan(const FileVersion& file) const;
     const NormalText& text_of(const std::string& print, const BaseBlob& base_blob);
     NormalText text_at(const UnitPlace& place) const;
@@ -60,9 +65,10 @@ private:
     Dialect dialect_;
     std::string dialect_key_;
     std::unordered_map<std::string, BlobFacts> facts_;
-    std::unordered_map<std::string, UnitPlace> places_;                   ///< where a text with this print stands
-    std::unordered_map<std::string, NormalText> texts_;                   ///< by print, those that were asked for
-    std::map<std::string, std::pair<std::string, ScannedFile>> scanned_;  ///< by path, the version scanned last
+    std::unordered_map<std::string, UnitPlace> places_;  ///< where a text with this print stands
+    std::unordered_map<std::string, NormalText> texts_;  ///< by print, those that were asked for
+    mutable std::mutex scanned_mutex_, git_mutex_;
+    std::map<std::string, std::pair<std::string, std::shared_ptr<const ScannedFile>>> scanned_;  ///< by path, the last
 };
 
 }  // namespace porttool

@@ -6,11 +6,11 @@ namespace porttool {
 
 void BlockReplay::plan(const FilePairs& pairs) {
     BySide<SideFiles> files;
-    everything_ = {};
+    auto plan = std::make_shared<Plan>();
     for (const Side side : kBothSides) {
         for (const auto& [path, blob] : tree_[side]) {
             files[side].paths.push_back(path);
-            everything_.takes[side][path];
+            plan->everything.takes[side][path];
         }
         files[side].units = [this, side](const std::string& path) {
             std::vector<std::string> names;
@@ -19,35 +19,48 @@ void BlockReplay::plan(const FilePairs& pairs) {
             return names;
         };
     }
-    blocks_ = find_blocks(map_, files, pairs);  // a pattern that matches nothing then is no error now
+    plan->blocks = find_blocks(map_, files, pairs);  // a pattern that matches nothing then is no error now
+    plan_ = std::move(plan);
 }
 
-std::vector<MeasuredBlock> BlockReplay::blocks() {
-    std::vector<MeasuredBlock> out;
-    for (const Block& block : blocks_.blocks) out.push_back(point_of(block));
-    return out;
+std::future<BlockFigures> BlockReplay::figures() {
+    std::vector<Task> blocks;
+    for (const Block& block : plan_->blocks.blocks) blocks.push_back(task_of(block));
+    return measuring_.add([this, rows = map_.dialect, weights = map_.weights, blocks = std::move(blocks),
+                           all = task_of(plan_->everything)] {
+        measurer_.use_dialect(rows);
+        BlockFigures out;
+        for (const Task& block : blocks) out.blocks.push_back(measured(block, weights));
+        out.totals = measured(all, weights);
+        return out;
+    });
 }
 
-MeasuredBlock BlockReplay::point_of(const Block& block) {
-    const PassageMeasure& found =
-        measurer_.measure(block.name, passage(block, Side::Source), passage(block, Side::Target));
-    return measured_block(block.name, found, map_.weights);
+BlockReplay::Task BlockReplay::task_of(const Block& block) const {
+    return {block.name, {passage(block, Side::Source), passage(block, Side::Target)}};
 }
 
-PartedPassage BlockReplay::passage(const Block& block, Side side) {
+MeasuredBlock BlockReplay::measured(const Task& task, const metrics::LineWeights& weights) {
+    const PassageMeasure& found = measurer_.measure(task.name, task.passages.source, task.passages.target);
+    return measured_block(task.name, found, weights);
+}
+
+/// Each part holds on to its file where that is at hand: the walk may be commits ahead when it is measured.
+PartedPassage BlockReplay::passage(const Block& block, Side side) const {
     PartedPassage out;
     for (const auto& [path, names] : block.takes[side]) {
-        const FileVersion file{path, tree_[side].at(path)};
-        std::string contents = version_key(file) + "\n";
+        const FileVersion version{path, tree_[side].at(path)};
+        std::string contents = version_key(version) + "\n";
         for (const std::string& name : names) contents += " " + name + "\n";
-        out.push_back({path, std::move(contents), [this, file, &names] { return passage_of_file(file, names); }});
+        auto read = [&blobs = blobs_, plan = plan_, version, &names, file = blobs_.kept(version)]() {
+            PartText text{file ? file : blobs.scanned(version), {}};
+            text.passage = passage_of({{version.path, names}},
+                                      [&](const std::string&) -> const ScannedFile& { return *text.file; });
+            return text;
+        };
+        out.push_back({path, std::move(contents), std::move(read)});
     }
     return out;
-}
-
-Passage BlockReplay::passage_of_file(const FileVersion& file, const std::set<std::string>& names) {
-    return passage_of({{file.path, names}},
-                      [&](const std::string&) -> const ScannedFile& { return blobs_.scanned(file); });
 }
 
 }  // namespace porttool

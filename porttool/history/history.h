@@ -10,6 +10,12 @@
 
 namespace porttool {
 
+/// The figures of a commit.
+struct BlockFigures {
+    std::vector<MeasuredBlock> blocks;
+    MeasuredBlock totals;
+};
+
 /// A commit that touched the sides or the map, with the state that it left.
 struct HistoryPoint {
     GitCommit commit;

@@ -3,6 +3,8 @@
 #include "porttool/history/timeline.h"
 
 #include <algorithm>
+#include <deque>
+#include <future>
 #include <set>
 
 #include "porttool/history/block_replay.h"
@@ -27,7 +29,6 @@ public:
         : past_(past),
           place_(place),
           blobs_(past, cache),
-          measurer_(cache),
           drift_([this](const PairId& id, const BySide<Fingerprints>& before, const BySide<const UnitFacts*>& now) {
               return blobs_.edits(
                   {{id.first, before.source, *now.source}, {id.second, before.target, *now.target}},
@@ -36,7 +37,8 @@ public:
                       return renewed != renewed_.end() ? renewed->second : blob_at("portmap.base/" + print);
                   },
                   budget_);
-          }) {
+          }),
+          blocks_(blobs_, cache, map_, files_) {
         if (past.has_map_today) use_map(past.map_today, past.map_name);
     }
 
@@ -65,16 +67,17 @@ public:
         return true;
     }
 
-    HistoryPoint point(const GitCommit& commit) {
+    /// All but the figures.
+    HistoryPoint point(const GitCommit& commit) const {
         HistoryPoint out;
         out.commit = commit;
-        out.blocks = blocks_.blocks();
-        out.totals = blocks_.totals();
         out.pairs = there_.size();
         out.open_pairs = drift_.open_count();
         out.debt = drift_.debt(commit.time);
         return out;
     }
+
+    std::future<BlockFigures> figures() { return blocks_.figures(); }
 
     bool has_map() const { return has_map_; }
     const MapFile& map() const { return map_; }
@@ -95,7 +98,6 @@ private:
         has_map_ = true;
         globs_ = {SideGlobs(map_.source), SideGlobs(map_.target)};
         blobs_.use_dialect(map_);
-        measurer_.use_dialect(map_.dialect);
     }
 
     /// Reads the commit's own map if it is another than before; true if the map changed.
@@ -244,7 +246,6 @@ private:
     const Past& past_;
     Workplace& place_;
     BlobFactsSource blobs_;
-    PassageMeasurer measurer_;
     CompareBudget budget_;  ///< of the commit
     DriftReplay drift_;
     std::map<std::string, std::string> tree_;  ///< all files of the commit: path to blob
@@ -257,10 +258,42 @@ private:
     std::map<PairId, const LockedPair*> locked_;
     std::set<PairId> relocked_;  ///< by this commit
     SideBlobs files_;
-    BlockReplay blocks_{blobs_, measurer_, map_, files_};
+    BlockReplay blocks_;
     FilePairs file_pairs_;  ///< as the blocks were planned with
     std::vector<PairPlan> pairs_;
     std::set<PairId> there_;  ///< those of which both sides are there
+};
+
+/// What each commit of a chain changed, in their order; read ahead in another thread.
+class ChainChanges {
+public:
+    ChainChanges(const Past& past, const std::vector<GitCommit>& chain) : git_(past.root), chain_(chain) {
+        while (begun_ < chain_.size() && ahead_.size() < Reader::kMostWaiting) begin();
+    }
+
+    std::vector<GitChange> next() {
+        std::vector<GitChange> changes = ahead_.front().get();
+        ahead_.pop_front();
+        if (begun_ < chain_.size()) begin();
+        return changes;
+    }
+
+private:
+    using Reader = InTurn<std::vector<GitChange>>;
+
+    void begin() {
+        const std::string before = begun_ == 0 ? std::string() : chain_[begun_ - 1].id;
+        ahead_.push_back(reader_.add([this, before, now = chain_[begun_].id] {
+            return git_.changes(before, now, [](const std::string&) { return true; });
+        }));
+        ++begun_;
+    }
+
+    GitRepository git_;  ///< of the other thread
+    const std::vector<GitCommit>& chain_;
+    size_t begun_ = 0;
+    std::deque<std::future<std::vector<GitChange>>> ahead_;
+    Reader reader_;
 };
 
 /// The place in the chain from which on commits are shown: after the newest one that `since` has, or, for a date, from
@@ -297,17 +330,22 @@ History history_of(const Past& past, const std::string& since, BlobCache& cache,
     history.cut = chain.cut;
     history.oldest = chain.commits.front();
     Timeline timeline(past, cache, place);
-    std::string before;
+    ChainChanges changes(past, chain.commits);
+    std::vector<std::future<BlockFigures>> figures;
     for (size_t i = 0; i < chain.commits.size(); ++i) {
         const GitCommit& commit = chain.commits[i];
         const double debt_before = timeline.debt(commit.time);
-        const bool touched =
-            timeline.step(commit, past.git->changes(before, commit.id, [](const std::string&) { return true; }));
-        before = commit.id;
+        const bool touched = timeline.step(commit, changes.next());
         const bool last = i + 1 == chain.commits.size();
         if (!timeline.has_map() || !(last || (touched && i >= first))) continue;
         history.points.push_back(timeline.point(commit));
         history.points.back().debt_before = debt_before;
+        figures.push_back(timeline.figures());
+    }
+    for (size_t i = 0; i < figures.size(); ++i) {
+        BlockFigures found = figures[i].get();
+        history.points[i].blocks = std::move(found.blocks);
+        history.points[i].totals = std::move(found.totals);
     }
     if (!timeline.has_map())
         throw CannotDo(

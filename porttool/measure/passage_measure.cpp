@@ -70,12 +70,19 @@ std::string contents_of(const PartedPassage& passage) {
     return all;
 }
 
-Passage whole(const PartedPassage& passage) {
-    Passage all;
-    for (const PassagePart& part : passage)
-        for (const Excerpt& excerpt : part.read()) all.push_back(excerpt);
-    return all;
-}
+/// A passage read part by part.
+struct WholePassage {
+    explicit WholePassage(const PartedPassage& parted) {
+        for (const PassagePart& part : parted) {
+            PartText text = part.read();
+            passage.insert(passage.end(), text.passage.begin(), text.passage.end());
+            files.push_back(std::move(text.file));
+        }
+    }
+
+    Passage passage;
+    std::vector<std::shared_ptr<const ScannedFile>> files;
+};
 
 }  // namespace
 
@@ -105,10 +112,12 @@ std::vector<std::vector<CodeLine>> measured_lines(const Passage& passage, const 
 }
 
 void PassageMeasurer::use_dialect(const std::vector<std::pair<std::string, std::string>>& rows) {
-    dialect_ = Dialect(rows);
     std::string text;
     for (const auto& [left, right] : rows) text += left + "=" + right + "\n";
-    dialect_key_ = BlobCache::key({text});
+    const std::string key = BlobCache::key({text});
+    if (key == dialect_key_) return;
+    dialect_key_ = key;
+    dialect_ = Dialect(rows);
     trackers_.clear();
     parts_.emplace(dialect_);
 }
@@ -129,11 +138,9 @@ const PassageMeasure& PassageMeasurer::measure(const std::string& name, const Pa
 
 PassageMeasure PassageMeasurer::found(const std::string& name, const PartedPassage& source,
                                       const PartedPassage& target) {
-    const bool is_small = source.size() <= 1 && target.size() <= 1;  // where one part has changed, half has
     if (!parts_) parts_.emplace(dialect_);
-    if (!is_small)
-        if (auto tracked = trackers_[name].measure({&source, &target}, *parts_)) return std::move(*tracked);
-    return measure_passages(whole(source), whole(target), dialect_);
+    if (auto tracked = trackers_[name].measure({&source, &target}, *parts_)) return std::move(*tracked);
+    return measure_passages(WholePassage(source).passage, WholePassage(target).passage, dialect_);
 }
 
 std::string facts_line(const PassageMeasure& measure) {

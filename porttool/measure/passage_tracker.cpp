@@ -42,6 +42,17 @@ std::vector<LineShare> line_shares(const PreparedExcerpt& excerpt, const uint8_t
     return lines;
 }
 
+/// What is covered of at most one sequence on each side.
+std::array<Covered, 2> covered_at_once(const GrowingCoverage::Members& a, const GrowingCoverage::Members& b) {
+    std::vector<metrics::TokenMatch> matches;
+    if (!a.empty() && !b.empty())
+        matches = metrics::winnowing_matches(*a.front().sequence, *b.front().sequence, kWinnowing);
+    std::array<Covered, 2> out;
+    if (!a.empty()) out[0] = {metrics::covered_in_a(matches, a.front().sequence->symbols.size()), {0}};
+    if (!b.empty()) out[1] = {metrics::covered_in_b(matches, b.front().sequence->symbols.size()), {0}};
+    return out;
+}
+
 std::optional<double>& percent_of(SideMeasure& figures, Vocabulary vocabulary) {
     if (vocabulary == Vocabulary::Dialect) return figures.moss_percent;
     return vocabulary == Vocabulary::Blind ? figures.moss_percent_blind : figures.moss_percent_raw;
@@ -53,7 +64,8 @@ std::shared_ptr<const PreparedPart> PartStore::part(const PassagePart& part) {
     std::weak_ptr<const PreparedPart>& known = known_[part.contents];
     if (auto found = known.lock()) return found;
     auto made = std::make_shared<PreparedPart>();
-    for (const Excerpt& excerpt : part.read()) {
+    const PartText text = part.read();
+    for (const Excerpt& excerpt : text.passage) {
         const std::vector<PlacedToken> tokens = table_.place({excerpt});
         if (tokens.empty()) continue;
         made->moved |= table_.has_moved_word(tokens);
@@ -90,6 +102,8 @@ std::array<Covered, 2> PassageTracker::update(size_t vocabulary) {
             for (size_t i = 0; i < part->prepared->excerpts.size(); ++i)
                 members[side].push_back(
                     {part->first + static_cast<uint32_t>(i), part->prepared->excerpts[i].sequences[vocabulary]});
+    const bool is_small = members.source.size() <= 1 && members.target.size() <= 1;  // whatever changed, half has
+    if (is_small) return covered_at_once(members.source, members.target);
     return coverage_[vocabulary].update(members.source, members.target);
 }
 

@@ -18,11 +18,17 @@
 
 namespace porttool {
 
+/// A passage with the file that it is of.
+struct PartText {
+    std::shared_ptr<const ScannedFile> file;
+    Passage passage;
+};
+
 /// What a passage takes of one file; read only where it must be measured. `contents`: equal only where the text is.
 struct PassagePart {
     std::string path;
     std::string contents;
-    std::function<Passage()> read;
+    std::function<PartText()> read;
 };
 
 using PartedPassage = std::vector<PassagePart>;

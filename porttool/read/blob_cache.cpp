@@ -54,16 +54,18 @@ std::string BlobCache::key(std::initializer_list<std::string_view> parts) {
 }
 
 const std::string* BlobCache::find(const std::string& key) {
+    const std::lock_guard lock(*mutex_);
     const auto found = entries_.find(key);
     if (found == entries_.end()) return nullptr;
     used_.insert(key);
     return &found->second;
 }
 
-const std::string& BlobCache::put(const std::string& key, std::string value) {
+void BlobCache::put(const std::string& key, std::string value) {
+    const std::lock_guard lock(*mutex_);
     changed_ = true;
     used_.insert(key);
-    return entries_[key] = std::move(value);
+    entries_.try_emplace(key, std::move(value));
 }
 
 std::string BlobCache::file(size_t limit) const {

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <map>
+#include <memory>
+#include <mutex>
 #include <set>
 #include <string>
 #include <string_view>
@@ -12,7 +13,7 @@ namespace porttool {
 
 /// What was computed from contents that never change, by a hash of these contents: a cache that may be deleted at any
 /// time. Its file has one line an entry, each with a checksum; a line that is damaged, and a file of another version,
-/// count as not there.
+/// count as not there. Several threads may find and put at once.
 class BlobCache {
 public:
     BlobCache() = default;
@@ -23,8 +24,8 @@ public:
 
     /// The value of a key, or nullptr.
     const std::string* find(const std::string& key);
-    /// `value` must not contain line breaks.
-    const std::string& put(const std::string& key, std::string value);
+    /// `value` must not contain line breaks. What a key has already stays.
+    void put(const std::string& key, std::string value);
 
     /// True if there is something to store.
     bool changed() const { return changed_; }
@@ -32,6 +33,7 @@ public:
     std::string file(size_t limit) const;
 
 private:
+    std::unique_ptr<std::mutex> mutex_ = std::make_unique<std::mutex>();
     std::unordered_map<std::string, std::string> entries_;
     std::set<std::string> used_;
     bool changed_ = false;

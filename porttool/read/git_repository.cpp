@@ -13,7 +13,6 @@ using Object = GitOwned<git_object, git_object_free>;
 using Commit = GitOwned<git_commit, git_commit_free>;
 using Tree = GitOwned<git_tree, git_tree_free>;
 using Blob = GitOwned<git_blob, git_blob_free>;
-using Diff = GitOwned<git_diff, git_diff_free>;
 
 std::string text_of(const git_oid& id) {
     std::string text(GIT_OID_HEXSZ, '0');
@@ -40,9 +39,77 @@ GitCommit described(git_commit* commit) {
     return {text_of(*git_commit_id(commit)), git_commit_time(commit), summary != nullptr ? summary : ""};
 }
 
-bool is_file(const git_diff_file& file) {
-    return file.mode == GIT_FILEMODE_BLOB || file.mode == GIT_FILEMODE_BLOB_EXECUTABLE;
+Tree tree_at(git_repository* repository, const git_oid& id) {
+    git_tree* tree = nullptr;
+    return git_tree_lookup(&tree, repository, &id) == 0 ? Tree(tree) : nullptr;
 }
+
+/// The tree of a folder ("sub/folder/") within another; nothing where it has none.
+Tree folder_of(git_repository* repository, const git_tree* tree, const std::string& folder) {
+    git_tree_entry* entry = nullptr;
+    if (tree == nullptr || git_tree_entry_bypath(&entry, tree, folder.substr(0, folder.size() - 1).c_str()) != 0)
+        return nullptr;
+    const GitOwned<git_tree_entry, git_tree_entry_free> owner(entry);
+    return git_tree_entry_type(entry) == GIT_OBJECT_TREE ? tree_at(repository, *git_tree_entry_id(entry)) : nullptr;
+}
+
+/// What differs between two trees. Folders that are equal are not looked into, so that a commit of a large tree costs
+/// what it changes (a diff of libgit2 costs several times as much).
+class TreeComparison {
+public:
+    TreeComparison(git_repository* repository, const WantsFile& wants) : repository_(repository), wants_(wants) {}
+
+    std::vector<GitChange> out;
+
+    /// Either may be nothing. `path`: of the folder, "" or with a slash at its end.
+    void compare(const git_tree* before, const git_tree* now, const std::string& path) {
+        constexpr size_t kLongestPath = 4096;  // of a work tree; a made-up commit may nest deeper
+        if (path.size() > kLongestPath) return;
+        const size_t before_count = before == nullptr ? 0 : git_tree_entrycount(before);
+        const size_t now_count = now == nullptr ? 0 : git_tree_entrycount(now);
+        for (size_t i = 0, k = 0; i < before_count || k < now_count;) {
+            const git_tree_entry* old_one = i < before_count ? git_tree_entry_byindex(before, i) : nullptr;
+            const git_tree_entry* new_one = k < now_count ? git_tree_entry_byindex(now, k) : nullptr;
+            int order = old_one == nullptr ? 1 : -1;
+            if (old_one != nullptr && new_one != nullptr) order = git_tree_entry_cmp(old_one, new_one);
+            if (order > 0) old_one = nullptr;
+            if (order < 0) new_one = nullptr;
+            i += old_one != nullptr ? 1 : 0;
+            k += new_one != nullptr ? 1 : 0;
+            if (order != 0 || !is_same(old_one, new_one)) note(old_one, new_one, path);
+        }
+    }
+
+private:
+    static bool is_same(const git_tree_entry* a, const git_tree_entry* b) {
+        return git_oid_equal(git_tree_entry_id(a), git_tree_entry_id(b)) != 0 &&
+               git_tree_entry_filemode(a) == git_tree_entry_filemode(b);
+    }
+
+    static bool is_file(const git_tree_entry* entry) {
+        if (entry == nullptr) return false;
+        const git_filemode_t mode = git_tree_entry_filemode(entry);
+        return mode == GIT_FILEMODE_BLOB || mode == GIT_FILEMODE_BLOB_EXECUTABLE;
+    }
+
+    Tree folder(const git_tree_entry* entry) const {
+        const bool is_folder = entry != nullptr && git_tree_entry_type(entry) == GIT_OBJECT_TREE;
+        return is_folder ? tree_at(repository_, *git_tree_entry_id(entry)) : nullptr;
+    }
+
+    void note(const git_tree_entry* before, const git_tree_entry* now, const std::string& path) {
+        const std::string name = path + git_tree_entry_name(now != nullptr ? now : before);
+        const Tree old_folder = folder(before), new_folder = folder(now);
+        if (old_folder || new_folder) {
+            compare(old_folder.get(), new_folder.get(), name + "/");
+        } else if ((is_file(before) || is_file(now)) && wants_(name)) {
+            out.push_back({name, is_file(now) ? text_of(*git_tree_entry_id(now)) : std::string()});
+        }
+    }
+
+    git_repository* repository_;
+    const WantsFile& wants_;
+};
 
 }  // namespace
 
@@ -109,30 +176,20 @@ GitChain GitRepository::first_parents(const std::string& newest) const {
 
 std::vector<GitChange> GitRepository::changes(const std::string& older, const std::string& newer,
                                               const WantsFile& wants) const {
-    std::vector<GitChange> out;
     git_repository* repository = handle_->repository();
-    const Tree before = older.empty() ? nullptr : tree_of(repository, older), now = tree_of(repository, newer);
-    if (!now) return out;
+    const Tree now = tree_of(repository, newer);
+    if (!now) return {};
+    const Tree before = older.empty() ? nullptr : tree_of(repository, older);
     const std::string& prefix = handle_->opened.prefix;
-    git_diff_options options = GIT_DIFF_OPTIONS_INIT;
-    options.flags = GIT_DIFF_DISABLE_PATHSPEC_MATCH | GIT_DIFF_SKIP_BINARY_CHECK;
-    std::string folder = prefix;
-    char* pathspec = folder.data();
-    if (!prefix.empty()) options.pathspec = {&pathspec, 1};
-    git_diff* raw = nullptr;
-    if (git_diff_tree_to_tree(&raw, repository, before.get(), now.get(), &options) != 0) return out;
-    const Diff diff(raw);
-    for (size_t i = 0; i < git_diff_num_deltas(raw); ++i) {
-        const git_diff_delta* delta = git_diff_get_delta(raw, i);
-        const std::string path = delta->new_file.path != nullptr ? delta->new_file.path : delta->old_file.path;
-        if (!path.starts_with(prefix)) continue;
-        const std::string below = path.substr(prefix.size());
-        if (!wants(below)) continue;
-        const bool there = delta->status != GIT_DELTA_DELETED && is_file(delta->new_file);
-        if (there || is_file(delta->old_file)) out.push_back({below, there ? text_of(delta->new_file.id) : ""});
-    }
-    std::sort(out.begin(), out.end(), [](const GitChange& a, const GitChange& b) { return a.path < b.path; });
-    return out;
+    TreeComparison comparison(repository, wants);
+    if (prefix.empty())
+        comparison.compare(before.get(), now.get(), "");
+    else
+        comparison.compare(folder_of(repository, before.get(), prefix).get(),
+                           folder_of(repository, now.get(), prefix).get(), "");
+    std::sort(comparison.out.begin(), comparison.out.end(),
+              [](const GitChange& a, const GitChange& b) { return a.path < b.path; });
+    return std::move(comparison.out);
 }
 
 std::optional<std::string> GitRepository::find_blob(const std::string& text) const {

@@ -165,26 +165,28 @@ public:
                                           : "    b = std::max(a + b, 1.0f) - dot(a, b);\n    store(a, b);\n";
             text += "    return a;\n}\n";
         }
-        files_[path] = {std::to_string(++versions_), scan_text(path, text)};
+        files_[path] = {std::to_string(++versions_), std::make_shared<const ScannedFile>(scan_text(path, text))};
     }
 
     PartedPassage passage() const {
         PartedPassage out;
         for (const auto& [path, file] : files_)
-            out.push_back({path, file.first + suffix_, [&kept = file.second] { return Passage{{&kept, nullptr}}; }});
+            out.push_back({path, file.first + suffix_, [kept = file.second] {
+                               return PartText{kept, {{kept.get(), nullptr}}};
+                           }});
         return out;
     }
 
     Passage whole() const {
         Passage out;
-        for (const auto& [path, file] : files_) out.push_back({&file.second, nullptr});
+        for (const auto& [path, file] : files_) out.push_back({file.second.get(), nullptr});
         return out;
     }
 
 private:
     std::string suffix_;
     int versions_ = 0;
-    std::map<std::string, std::pair<std::string, ScannedFile>> files_;
+    std::map<std::string, std::pair<std::string, std::shared_ptr<const ScannedFile>>> files_;
 };
 
 TEST(PassageTracker, MeasuresWhatChangesAsIfItWereNew) {

@@ -222,6 +222,17 @@ TEST(Winnowing, CoverageIsOfTheOwnSide) {
     EXPECT_DOUBLE_EQ(100.0 * static_cast<double>(count(covered_in_b(matches, 60))) / 60, 40);
 }
 
+TEST(Winnowing, PreparedSequencesMatchAsTheirSymbols) {
+    std::mt19937 random(8);
+    for (int round = 0; round < 200; ++round) {
+        const WinnowingParameters parameters{
+            .k = 1 + round % 9u, .w = 1 + round % 5u, .hash_bits = round % 2 ? 64u : 5u};
+        const Symbols a = random_symbols(random, random() % 300, 3), b = random_symbols(random, random() % 300, 3);
+        EXPECT_EQ(winnowing_matches(PrintedSequence(a, parameters), PrintedSequence(b, parameters), parameters),
+                  winnowing_matches(a, b, parameters));
+    }
+}
+
 TEST(Winnowing, EssentialMatchesCoverTheSame) {
     std::mt19937 random(4);
     const Symbols a = random_symbols(random, 2000, 3), b = random_symbols(random, 1500, 3);
