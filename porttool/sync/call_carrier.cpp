@@ -74,17 +74,14 @@ CallCarrier::CallCarrier(const CheckedProject& checked, Knowledge& knowledge, Dr
 }
 
 /// What goes wrong where a name means several functions is not told.
-bool CallCarrier::is_only_one(const JudgedPair& pair, Side side) const {
-    const std::string name = function_name(pair.unit[side]->name);
+bool CallCarrier::is_only_one(const JudgedPair& pair, Side side) {
     const auto set_of = [&](const std::string& path) {
         return side == Side::Target ? sets_.of_path(path) : std::string();
     };
-    const std::string set = set_of(pair.unit[side]->file);
-    size_t count = 0;
-    for (const auto& [id, state] : checked_.states[side])
-        count += state.kind != UnitKind::File && state.name.size() >= name.size() &&
-                 function_name(state.name) == name && set_of(state.file) == set;
-    return count == 1;
+    if (counts_[side].empty())
+        for (const auto& [id, state] : checked_.states[side])
+            if (state.kind != UnitKind::File) ++counts_[side][{set_of(state.file), function_name(state.name)}];
+    return counts_[side][{set_of(pair.unit[side]->file), function_name(pair.unit[side]->name)}] == 1;
 }
 
 std::vector<std::string> CallCarrier::parameters_now(const JudgedPair& pair, Side to) {
@@ -113,14 +110,14 @@ template <class Take>
 void CallCarrier::each_site(const JudgedPair& pair, Side side, const Take& take) {
     const std::string name = function_name(pair.unit[side]->name);
     const std::string& set = sets_.of_path(pair.unit[side]->file);
+    const ScannedFile* own = knowledge_.file_of(side, pair.unit[side]->file);
+    const Unit* unit = own == nullptr ? nullptr : unit_named(*own, pair.unit[side]->id);
+    const bool of_class = unit != nullptr && unit->name.size() > unit->namespace_length + name.size() + 2;
     for (const ScannedFile& file : knowledge_.files(side)) {
         if (side == Side::Target && sets_.of_path(file.path) != set) continue;
         if (file.lexed.text.find(name) == std::string::npos) continue;
         const Draft* draft = drafts_.find(file.path);
         const ScannedFile& now = draft == nullptr ? file : draft->scanned;
-        const ScannedFile* own = knowledge_.file_of(side, pair.unit[side]->file);
-        const Unit* unit = own == nullptr ? nullptr : unit_named(*own, pair.unit[side]->id);
-        const bool of_class = unit != nullptr && unit->name.size() > unit->namespace_length + name.size() + 2;
         for (const CallSite& site : call_sites(now, name, of_class)) take(file, now, site);
     }
 }

@@ -45,7 +45,7 @@ private:
     };
 
     std::vector<std::string> parameters_now(const JudgedPair& pair, Side to);
-    bool is_only_one(const JudgedPair& pair, Side side) const;
+    bool is_only_one(const JudgedPair& pair, Side side);
     std::string certain_argument(const JudgedPair& pair, Side from, size_t count, size_t place);
     void edit_sites(const JudgedPair& pair, Side to, size_t old_count, const std::vector<Added>& added);
     template <class Take>
@@ -58,7 +58,8 @@ private:
     Knowledge& knowledge_;
     Drafts& drafts_;
     TargetSets sets_;
-    BySide<std::map<std::string, std::vector<size_t>>> paired_;  ///< the pairs of a unit, by its id
+    BySide<std::map<std::string, std::vector<size_t>>> paired_;             ///< the pairs of a unit, by its id
+    BySide<std::map<std::pair<std::string, std::string>, size_t>> counts_;  ///< of units, by port and name
     std::vector<std::string> before_;
     std::vector<Changed> changed_;  ///< by proposals
     std::vector<Changed> wanted_;   ///< by edits of the source

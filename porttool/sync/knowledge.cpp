@@ -40,7 +40,10 @@ std::map<std::string, const Unit*> units_by_id(const ScannedFile& file) {
 }  // namespace
 
 Knowledge::Knowledge(const CheckedProject& checked)
-    : checked_(checked), dialect_(dialect_of_edits(checked.project.map)) {
+    : checked_(checked),
+      dialect_(dialect_of_edits(checked.project.map)),
+      base_(dialect_),
+      words_{SideWords(checked.project.source, dialect_), SideWords(checked.project.target, dialect_)} {
     for (const Side side : kBothSides)
         for (const ScannedFile& file : files(side)) by_path_[side].emplace(file.path, &file);
 }
@@ -53,8 +56,8 @@ const ScannedFile* Knowledge::file_of(Side side, const std::string& path) const 
 const KnownWords& Knowledge::known_words(Side from, const ScannedFile& file, const ScannedFile& other) {
     std::unique_ptr<KnownWords>& known = known_[{&file, &other}];
     if (!known)
-        known = std::make_unique<KnownWords>(FilesOfSide{files(from), file},
-                                             FilesOfSide{files(other_side(from)), other}, dialect_);
+        known = std::make_unique<KnownWords>(WordsOfSide{words_[from], file},
+                                             WordsOfSide{words_[other_side(from)], other}, dialect_);
     return *known;
 }
 
@@ -124,21 +127,27 @@ const HeadManners& Knowledge::heads(Side from) {
 }
 
 void Knowledge::set_fresh(const std::vector<FreshIds>& pairs) {
-    MapFile map;
-    map.dialect = checked_.project.map.dialect;
-    map.pairs = checked_.project.map.pairs;
     for (const Side from : kBothSides) {
         (void)unit_names(from);
         for (const std::string& name : fresh_names_[from]) names_[from]->names.erase(name);
         fresh_names_[from].clear();
     }
+    dialect_ = base_;
+    std::vector<std::pair<std::string, std::string>> counterparts;
     for (const FreshIds& pair : pairs) {
-        const std::string name(leaf_of(split_id(pair.id[pair.from]).second));
-        names_[pair.from]->names[name] = {std::string(leaf_of(split_id(pair.id[other_side(pair.from)]).second))};
-        fresh_names_[pair.from].insert(name);
-        map.pairs.push_back({pair.id.source, {pair.id.target}});
+        const std::string source(leaf_of(split_id(pair.id.source).second)),
+            target(leaf_of(split_id(pair.id.target).second));
+        const std::string &here = pair.from == Side::Source ? source : target,
+                          &there = pair.from == Side::Source ? target : source;
+        // As dialect_of_edits() has it of the map with these pairs; nothing else has their names.
+        const bool is_plain = source != target && !names_.source->names.contains(target) &&
+                              !names_.target->names.contains(source) && base_.meaning(source) == nullptr &&
+                              base_.meaning(target) == nullptr;
+        if (is_plain) counterparts.emplace_back(source, target);
+        names_[pair.from]->names[here] = {there};
+        fresh_names_[pair.from].insert(here);
     }
-    dialect_ = dialect_of_edits(map);
+    dialect_.add_counterparts(counterparts);
 }
 
 }  // namespace porttool

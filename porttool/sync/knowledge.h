@@ -59,6 +59,8 @@ private:
 
     const CheckedProject& checked_;
     Dialect dialect_;
+    Dialect base_;  ///< without pairs that this run brings
+    BySide<SideWords> words_;
     BySide<std::optional<UnitNames>> names_;
     BySide<std::set<std::string>> fresh_names_;
     std::map<std::pair<const ScannedFile*, const ScannedFile*>, std::unique_ptr<KnownWords>> known_;

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <set>
-#include <utility>
 
 #include "porttool/language/words.h"
 #include "porttool/normal/normal_text.h"
@@ -51,18 +50,14 @@ std::string meaning_of(std::string_view word, const Dialect& dialect) {
     return known != nullptr ? "=" + *known : folded(word);
 }
 
-}  // namespace
-
-KnownWords::KnownWords(const FilesOfSide& from, const FilesOfSide& to, const Dialect& dialect)
-    : from_(from), to_(to), dialect_(dialect) {
-    add_known(to.edited, file_words_);
-    const LexedText& lexed = to.edited.lexed;
-    for (uint32_t i = 0; i + 1 < lexed.tokens.size(); ++i)
-        if (lexed.view(i + 1) == "(") called_.insert(lexed.view(i));
-    note(to.edited, by_meaning_);
+void add_identifiers(const LexedText& lexed, TokenRange range, SideWords::Words& words) {
+    for (uint32_t i = range.first; i < range.end; ++i)
+        if (lexed.tokens[i].kind == TokenKind::Identifier) words.insert(lexed.view(i));
 }
 
-void KnownWords::add_known(const ScannedFile& file, std::unordered_set<std::string_view>& words) {
+}  // namespace
+
+void SideWords::add_known(const ScannedFile& file, Words& words) {
     const LexedText& lexed = file.lexed;
     uint32_t at = 0;
     const auto add_until = [&](uint32_t end, const std::set<std::string, std::less<>>& locals) {
@@ -81,11 +76,57 @@ void KnownWords::add_known(const ScannedFile& file, std::unordered_set<std::stri
     add_until(static_cast<uint32_t>(lexed.tokens.size()), {});
 }
 
-void KnownWords::note(const ScannedFile& file, std::map<std::string, Uses, std::less<>>& by_meaning) const {
+void SideWords::note(const ScannedFile& file, const Dialect& dialect, ByMeaning& by_meaning) {
     std::map<std::string_view, size_t> uses;
     for (const Token& token : file.lexed.tokens)
         if (token.kind == TokenKind::Identifier) ++uses[file.lexed.view(token)];
-    for (const auto& [word, times] : uses) by_meaning[meaning_of(word, dialect_)][word] += times;
+    for (const auto& [word, times] : uses) by_meaning[meaning_of(word, dialect)][word] += times;
+}
+
+void SideWords::read() const {
+    if (read_) return;
+    read_ = true;
+    for (const ScannedFile& file : files_) {
+        add_known(file, known_);
+        note(file, dialect_, by_meaning_);
+    }
+}
+
+const SideWords::Words& SideWords::known() const {
+    read();
+    return known_;
+}
+
+const SideWords::ByMeaning& SideWords::by_meaning() const {
+    read();
+    return by_meaning_;
+}
+
+const SideWords::Words& SideWords::declared() const {
+    if (declared_read_) return declared_;
+    declared_read_ = true;
+    for (const ScannedFile& file : files_) {
+        const LexedText& lexed = file.lexed;
+        for (const Unit& unit : file.units) {
+            if (unit.name_token < lexed.tokens.size()) declared_.insert(lexed.view(unit.name_token));
+            if (unit.kind == UnitKind::Struct) add_identifiers(lexed, unit.tokens, declared_);
+        }
+        for (const FileVariable& variable : file.variables) declared_.insert(lexed.view(variable.name_token));
+        for (const Directive& directive : lexed.directives)
+            if (directive.kind == DirectiveKind::Define && directive.first_token + 2 < directive.end_token)
+                declared_.insert(lexed.view(directive.first_token + 2));
+    }
+    return declared_;
+}
+
+KnownWords::KnownWords(const WordsOfSide& from, const WordsOfSide& to, const Dialect& dialect)
+    : from_(from), to_(to), dialect_(dialect) {
+    SideWords::add_known(to.edited, file_words_);
+    const LexedText& lexed = to.edited.lexed;
+    for (uint32_t i = 0; i + 1 < lexed.tokens.size(); ++i)
+        if (lexed.view(i + 1) == "(") called_.insert(lexed.view(i));
+    SideWords::note(to.edited, dialect, by_meaning_);
+    for (const Unit& unit : from.edited.units) add_identifiers(from.edited.lexed, unit.parameters, parameters_);
 }
 
 std::string KnownWords::usual(const Uses* words) {
@@ -108,8 +149,7 @@ std::string KnownWords::in_dialect(std::string_view word, bool called) const {
 std::string KnownWords::in_other_manner(std::string_view word) const {
     if (dialect_.meaning(word) != nullptr && from_.edited.language == to_.edited.language) return {};
     const std::string name = folded(word);
-    read_all();
-    for (const std::map<std::string, Uses, std::less<>>* words : {&by_meaning_, &std::as_const(all_by_meaning_)})
+    for (const SideWords::ByMeaning* words : {&by_meaning_, &to_.all.by_meaning()})
         if (const auto found = words->find(name); found != words->end()) {
             std::string said = usual(&found->second);
             // A macro is no variable of its name.
@@ -118,40 +158,8 @@ std::string KnownWords::in_other_manner(std::string_view word) const {
     return {};
 }
 
-void KnownWords::read_all() const {
-    if (all_read_) return;
-    all_read_ = true;
-    for (const ScannedFile& file : to_.all) {
-        add_known(file, all_words_);
-        note(file, all_by_meaning_);
-    }
-}
-
-/// What the source's side declares: units, macros, variables of files, fields, locals of the edited file.
-void KnownWords::read_own() const {
-    if (own_read_) return;
-    own_read_ = true;
-    const auto add_words = [&](const LexedText& lexed, TokenRange range) {
-        for (uint32_t i = range.first; i < range.end; ++i)
-            if (lexed.tokens[i].kind == TokenKind::Identifier) own_words_.insert(lexed.view(i));
-    };
-    for (const ScannedFile& file : from_.all) {
-        const LexedText& lexed = file.lexed;
-        for (const Unit& unit : file.units) {
-            if (unit.name_token < lexed.tokens.size()) own_words_.insert(lexed.view(unit.name_token));
-            if (unit.kind == UnitKind::Struct) add_words(lexed, unit.tokens);
-        }
-        for (const FileVariable& variable : file.variables) own_words_.insert(lexed.view(variable.name_token));
-        for (const Directive& directive : lexed.directives)
-            if (directive.kind == DirectiveKind::Define && directive.first_token + 2 < directive.end_token)
-                own_words_.insert(lexed.view(directive.first_token + 2));
-    }
-    for (const Unit& unit : from_.edited.units) add_words(from_.edited.lexed, unit.parameters);
-}
-
 bool KnownWords::is_of_source(std::string_view word) const {
-    read_own();
-    return own_words_.contains(word);
+    return parameters_.contains(word) || from_.all.declared().contains(word);
 }
 
 /// True if the target's file has words of that run time.
@@ -175,8 +183,7 @@ bool KnownWords::scopes_builtins() const {
 }
 
 bool KnownWords::anywhere(std::string_view word) const {
-    read_all();
-    if (all_words_.contains(word)) return true;
+    if (to_.all.known().contains(word)) return true;
     if (is_of_source(word)) return false;
     const Language here = from_.edited.language, there = to_.edited.language;
     if (dialect_.meaning(word) != nullptr && scopes_builtins()) return false;

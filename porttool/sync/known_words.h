@@ -13,9 +13,39 @@
 
 namespace porttool {
 
-/// The files of one side, and the one of them that an edit is in.
-struct FilesOfSide {
-    const std::vector<ScannedFile>& all;
+/// The words of all files of one side, read when they are first asked for.
+class SideWords {
+public:
+    using Uses = std::map<std::string_view, size_t>;  ///< a word, and how often it is used
+    using ByMeaning = std::map<std::string, Uses, std::less<>>;
+    using Words = std::unordered_set<std::string_view>;
+
+    /// Both must outlive it.
+    SideWords(const std::vector<ScannedFile>& files, const Dialect& dialect) : files_(files), dialect_(dialect) {}
+    const std::vector<ScannedFile>& files() const { return files_; }
+
+    /// All but names that mean something in one function alone.
+    const Words& known() const;
+    const ByMeaning& by_meaning() const;
+    /// What the side declares: units, macros, variables of files, fields.
+    const Words& declared() const;
+
+    static void add_known(const ScannedFile& file, Words& words);
+    static void note(const ScannedFile& file, const Dialect& dialect, ByMeaning& by_meaning);
+
+private:
+    void read() const;
+
+    const std::vector<ScannedFile>& files_;
+    const Dialect& dialect_;
+    mutable ByMeaning by_meaning_;
+    mutable Words known_, declared_;
+    mutable bool read_ = false, declared_read_ = false;
+};
+
+/// The words of one side, and the file of it that an edit is in.
+struct WordsOfSide {
+    const SideWords& all;
     const ScannedFile& edited;
 };
 
@@ -24,7 +54,7 @@ struct FilesOfSide {
 class KnownWords {
 public:
     /// All must outlive it.
-    KnownWords(const FilesOfSide& from, const FilesOfSide& to, const Dialect& dialect);
+    KnownWords(const WordsOfSide& from, const WordsOfSide& to, const Dialect& dialect);
 
     bool in_file(std::string_view word) const { return file_words_.contains(word); }
     /// True for a language without casts in C's manner.
@@ -58,25 +88,16 @@ public:
     bool anywhere(std::string_view word) const;
 
 private:
-    using Uses = std::map<std::string_view, size_t>;  ///< a word, and how often it is used
+    using Uses = SideWords::Uses;
 
-    /// Adds a file's words, without names that mean something in one function alone.
-    static void add_known(const ScannedFile& file, std::unordered_set<std::string_view>& words);
-    void note(const ScannedFile& file, std::map<std::string, Uses, std::less<>>& by_meaning) const;
-    void read_all() const;
-    void read_own() const;
     bool speaks(std::string_view runtime) const;
     bool scopes_builtins() const;
     static std::string usual(const Uses* words);
 
-    FilesOfSide from_, to_;
+    WordsOfSide from_, to_;
     const Dialect& dialect_;
-    std::unordered_set<std::string_view> file_words_, called_;
-    std::map<std::string, Uses, std::less<>> by_meaning_;  ///< of the edited file
-    // Read when first asked for.
-    mutable std::map<std::string, Uses, std::less<>> all_by_meaning_;
-    mutable std::unordered_set<std::string_view> all_words_, own_words_;
-    mutable bool all_read_ = false, own_read_ = false;
+    SideWords::Words file_words_, called_, parameters_;
+    SideWords::ByMeaning by_meaning_;  ///< of the edited file
 };
 
 }  // namespace porttool

@@ -282,6 +282,20 @@ std::vector<const ScannedFile*> NewUnits::places(const UnitState& unit, const Ju
     return out;
 }
 
+/// The id of a unit that has the name already, or in its file the same in another manner; "" if none has.
+std::string NewUnits::possible_counterpart(const Wanted& wanted, const std::string& port_name) {
+    const Side to = other_side(wanted.from);
+    if (by_name_[to].empty())
+        for (const auto& [id, state] : checked_.states[to]) {
+            by_name_[to][plain_name(state.name)].push_back(&state);
+            by_file_[to][state.file].push_back(&state);
+        }
+    if (const auto found = by_name_[to].find(port_name); found != by_name_[to].end()) return found->second.front()->id;
+    for (const UnitState* state : by_file_[to][wanted.other.path])
+        if (folded(plain_name(state->name)) == folded(wanted.name)) return state->id;
+    return {};
+}
+
 std::string NewUnits::write(const Wanted& wanted) {
     const Side from = wanted.from, to = other_side(from);
     Draft& draft = drafts_.of(to, wanted.other);
@@ -304,11 +318,8 @@ std::string NewUnits::write(const Wanted& wanted) {
 
     const std::string port_name = name_in_manner(wanted.name, alike);
     const KnownWords& known = knowledge_.known_words(from, wanted.file, wanted.other);
-    for (const auto& [id, state] : checked_.states[to]) {
-        const std::string there = plain_name(state.name);
-        if (there == port_name || (state.file == wanted.other.path && folded(there) == folded(wanted.name)))
-            return "the port has `" + id + "`, which may be its counterpart";
-    }
+    if (const std::string id = possible_counterpart(wanted, port_name); !id.empty())
+        return "the port has `" + id + "`, which may be its counterpart";
     if (known.in_file(port_name) || roles_of(port_name) != 0)
         return "`" + port_name + "` means something else in the port";
 
@@ -373,7 +384,7 @@ std::string NewUnits::settle(const Wanted& wanted, Draft& draft, const std::stri
     std::vector<FreshPair> all;
     for (const Made& one : made_) all.push_back(one.pair);
     try {
-        drafts_.write_record(record_of(checked_, all, disk_));
+        drafts_.write_record(record_.with(all));
     } catch (const CannotDo& error) {
         take_back(made_.size() - 1);
         return error.what();

@@ -23,7 +23,7 @@ public:
              Drafts& drafts, const std::set<std::string, std::less<>>& brought)
         : checked_(checked),
           earlier_files_(earlier),
-          disk_(disk),
+          record_(checked, disk),
           knowledge_(knowledge),
           drafts_(drafts),
           brought_(brought),
@@ -68,18 +68,21 @@ private:
     std::string settle(const Wanted& wanted, Draft& draft, const std::string& now, const std::string& port_name,
                        const std::set<std::string>& uses);
     std::vector<const ScannedFile*> places(const UnitState& unit, const JudgedPair& user, Side from) const;
+    std::string possible_counterpart(const Wanted& wanted, const std::string& port_name);
     bool can_be_used(const Made& made, const JudgedPair& user);
     void tell_knowledge();
 
     const CheckedProject& checked_;
     const EarlierFiles& earlier_files_;
-    const Disk& disk_;
+    PairRecord record_;
     Knowledge& knowledge_;
     Drafts& drafts_;
     const std::set<std::string, std::less<>>& brought_;
     TargetSets sets_;
     mutable BySide<std::map<std::string, std::vector<const UnitState*>, std::less<>>> fresh_;
     mutable BySide<bool> fresh_read_{};
+    BySide<std::map<std::string, std::vector<const UnitState*>, std::less<>>> by_name_;  ///< all units of a side
+    BySide<std::map<std::string, std::vector<const UnitState*>, std::less<>>> by_file_;
     std::vector<Made> made_;
     /// Of those that could not be ported for this user, and could not before some were excluded.
     std::map<std::string, std::string, std::less<>> reasons_, earlier_;

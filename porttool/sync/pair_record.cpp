@@ -47,24 +47,27 @@ Project bare(const Project& project) {
     return out;
 }
 
-std::vector<FileToWrite> new_texts(const CheckedProject& checked, const std::vector<FreshPair>& pairs,
-                                   const Disk& disk) {
-    Project project = bare(checked.project);
-    std::vector<NewPair> lines;
+}  // namespace
+
+std::vector<FileToWrite> PairRecord::new_texts(const std::vector<FreshPair>& pairs) {
+    Project project = bare(checked_.project);
+    std::string map_text = project.map_text;
+    if (!map_text.empty() && map_text.back() != '\n') map_text += '\n';
     std::vector<JudgedPair> judged;
     States states;
     for (const FreshPair& pair : pairs) {
-        lines.push_back({pair.source.id, pair.target.id});
+        map_text += pair_text({pair.source.id, pair.target.id});
         JudgedPair one{{pair.source.id, pair.target.id}, {&pair.source, &pair.target}};
         one.changed = true;
         judged.push_back(one);
         states.source.emplace(pair.source.id, pair.source);
         states.target.emplace(pair.target.id, pair.target);
     }
-    const std::string map_text = add_pairs(project, lines);
+    if (!map_goes_on_) (void)add_pairs(project, {{pairs.front().source.id, pairs.front().target.id}});
+    map_goes_on_ = true;
     const LockFile* stands =
-        checked.against_base ? (checked.in_project ? &*checked.in_project : nullptr) : &checked.lock;
-    KeptWrites kept(disk);
+        checked_.against_base ? (checked_.in_project ? &*checked_.in_project : nullptr) : &checked_.lock;
+    KeptWrites kept(disk_);
     if (stands == nullptr) {
         const std::string name = project.map_path.substr(project.map_path.find_last_of('/') + 1);
         return {{beside_map(project, name), map_text}};
@@ -73,26 +76,23 @@ std::vector<FileToWrite> new_texts(const CheckedProject& checked, const std::vec
     std::vector<const JudgedPair*> accepted;
     for (const JudgedPair& one : judged) accepted.push_back(&one);
     accept_pairs(lock, accepted, TargetSets(project.map), Looked::AtNone, "", "");
-    store_lock(project, {lock, states, checked.texts, &map_text}, kept);
+    store_lock(project, {lock, states, checked_.texts, &map_text}, kept);
     return std::move(kept.written);
 }
 
-}  // namespace
-
-std::map<std::string, RecordFile> record_of(const CheckedProject& checked, const std::vector<FreshPair>& pairs,
-                                            const Disk& disk) {
-    if (!checked.project.has_map) throw CannotDo("there is no portmap.toml to name its pair in");
+std::map<std::string, RecordFile> PairRecord::with(const std::vector<FreshPair>& pairs) {
+    if (!checked_.project.has_map) throw CannotDo("there is no portmap.toml to name its pair in");
     std::map<std::string, RecordFile> out;
-    for (FileToWrite& file : new_texts(checked, pairs, disk)) {
-        if (file.place.root != checked.project.root) throw CannotDo("portmap.toml lies outside of the project");
-        RecordFile one{"", std::move(file.bytes), disk.kind(file.place) == FileKind::None};
+    for (FileToWrite& file : new_texts(pairs)) {
+        if (file.place.root != checked_.project.root) throw CannotDo("portmap.toml lies outside of the project");
+        RecordFile one{"", std::move(file.bytes), disk_.kind(file.place) == FileKind::None};
         if (!one.is_new) {
-            FileText there = disk.read(file.place, kLargestFile);
+            FileText there = disk_.read(file.place, kLargestFile);
             if (!there.error.empty()) throw CannotDo(file.place.path + " " + there.error);
             one.before = std::move(there.bytes);
         }
         const bool is_map = file.place.path.ends_with(".toml");
-        if (is_map && one.before != checked.project.map_text)
+        if (is_map && one.before != checked_.project.map_text)
             throw CannotDo("portmap.toml is not as it was judged: the index and the work tree differ");
         if (one.before != one.now) out[file.place.path] = std::move(one);
     }

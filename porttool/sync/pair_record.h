@@ -22,9 +22,22 @@ struct RecordFile {
     bool is_new = false;
 };
 
-/// The project's own files as they become with these pairs. Throws CannotDo where they cannot be gone on with, as
-/// where the map is not on the disk as it was judged.
-std::map<std::string, RecordFile> record_of(const CheckedProject& checked, const std::vector<FreshPair>& pairs,
-                                            const Disk& disk);
+/// The project's own files as they become with new pairs.
+class PairRecord {
+public:
+    /// Both must outlive it.
+    PairRecord(const CheckedProject& checked, const Disk& disk) : checked_(checked), disk_(disk) {}
+
+    /// With these pairs. Throws CannotDo where the files cannot be gone on with, as where the map is not on the disk as
+    /// it was judged.
+    std::map<std::string, RecordFile> with(const std::vector<FreshPair>& pairs);
+
+private:
+    std::vector<FileToWrite> new_texts(const std::vector<FreshPair>& pairs);
+
+    const CheckedProject& checked_;
+    const Disk& disk_;
+    bool map_goes_on_ = false;  ///< a pair can stand at its end
+};
 
 }  // namespace porttool
