@@ -18,7 +18,7 @@ packages=(
     # Scenes, pictures and the command line
     libglm-dev libtinygltf-dev libopenimageio-dev libstb-dev libcli11-dev nlohmann-json3-dev libfmt-dev
     # The tool
-    libgit2-dev libtomlplusplus-dev libjemalloc-dev
+    libgit2-dev zlib1g-dev libtomlplusplus-dev libjemalloc-dev
     # Tests and style
     libgtest-dev libgmock-dev universal-ctags similarity-tester clang-format
     python3-jsonschema python3-yaml cmark-gfm python3-pyte

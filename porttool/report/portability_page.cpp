@@ -3,10 +3,13 @@
 #include "porttool/report/portability_page.h"
 
 #include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <utility>
 #include <vector>
 
 #include "porttool/measure/alignment.h"
+#include "porttool/report/packed.h"
 #include "porttool/report/page.h"
 #include "porttool/text/sink/json.h"
 #include "porttool/text/utf8.h"
@@ -63,12 +66,14 @@ std::string_view line_at(const TextLines& texts, const std::string& file, uint32
                                                                             : found->second[line - 1];
 }
 
-/// source line, target line (0: none), and where something differs the marks of both.
+/// source line, target line (0: none, else how far behind the last one), and where something differs the marks of both.
 ordered_json rows_json(const RowSide& source, const RowSide& target, const BySide<TextLines>& texts,
                        const Dialect& dialect) {
     ordered_json out = ordered_json::array();
+    BySide<uint32_t> last{0, 0};
+    const auto step = [&](Side side, uint32_t line) { return line == 0 ? 0 : line - std::exchange(last[side], line); };
     for (const AlignedRow& aligned : align_units(source.excerpt, target.excerpt, dialect)) {
-        ordered_json one = {aligned.source_line, aligned.target_line};
+        ordered_json one = {step(Side::Source, aligned.source_line), step(Side::Target, aligned.target_line)};
         if (!aligned.source_marks.empty() || !aligned.target_marks.empty()) {
             one.push_back(marks_json(aligned.source_marks, line_at(texts.source, source.file, aligned.source_line)));
             one.push_back(marks_json(aligned.target_marks, line_at(texts.target, target.file, aligned.target_line)));
@@ -78,8 +83,51 @@ ordered_json rows_json(const RowSide& source, const RowSide& target, const BySid
     return out;
 }
 
+/// [first, last] pairs as steps: from the last span's end to the first line, and on to the last.
+void pack_spans(ordered_json& spans) {
+    ordered_json steps = ordered_json::array();
+    uint32_t at = 0;
+    for (const ordered_json& span : spans) {
+        const auto first = span[0].get<uint32_t>(), last = span[1].get<uint32_t>();
+        steps.push_back(first - at);
+        steps.push_back(last - first);
+        at = last;
+    }
+    spans = std::move(steps);
+}
+
+/// Leaves out which lines of a file are code where the totals say the same, and of units, and writes all spans as
+/// steps.
+void pack(ordered_json& data) {
+    for (const char* side : {"source", "target"}) {
+        std::map<std::string, ordered_json> code;
+        for (ordered_json& file : data["totals"]["lines"][side]) code[file["file"]] = file["code"];
+        for (ordered_json& block : data["blocks"])
+            for (ordered_json& file : block["lines"][side]) {
+                pack_spans(file["shared"]);
+                if (code[file["file"]] == file["code"])
+                    file.erase("code");
+                else
+                    pack_spans(file["code"]);
+            }
+        for (ordered_json& file : data["totals"]["lines"][side])
+            for (const char* spans : {"code", "shared"}) pack_spans(file[spans]);
+        for (ordered_json& row : data["units"]) {
+            ordered_json& unit = row[side];
+            if (unit.is_null()) continue;
+            pack_spans(unit["shared"]);
+            if (unit["kind"] == "file")
+                pack_spans(unit["code"]);
+            else
+                unit.erase("code");
+        }
+    }
+}
+
+/// What the page shows: the JSON of the report, packed, with the rows of each pair and all texts. data.js unpacks it.
 ordered_json page_data(const WholeReport& whole, const SideTexts& texts) {
     ordered_json data = portability_json(whole);
+    pack(data);
     const BySide<TextLines> lines = {split(texts.source), split(texts.target)};
     const Dialect dialect(whole.map.dialect);
     for (size_t i = 0; i < whole.report.rows.size(); ++i) {
@@ -108,7 +156,7 @@ std::string page_text(std::string_view bytes) {
 }
 
 std::string portability_html(const WholeReport& whole, const SideTexts& texts) {
-    const std::string data = json_in_script(page_data(whole, texts));
+    const std::string data = packed(json_text(page_data(whole, texts), -1));
     return filled_page(
         "portability.html",
         {{"@STYLE@", page_file("portability.css")}, {"@DATA@", data}, {"@SCRIPT@", page_file("script.js")}});

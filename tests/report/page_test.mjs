@@ -52,6 +52,9 @@ function repositoryOf(name, files) {
 
 const browser = await chromium.launch({ executablePath, args: ["--no-sandbox"] });
 
+// The page unpacks itself after it has loaded.
+const ready = (tab) => tab.waitForFunction(() => document.documentElement.dataset.ready !== undefined);
+
 // Opens a page and collects what must not happen: errors, and requests for anything but the page.
 async function open(url, { width = 1280, height = 900, colorScheme = "light" } = {}) {
   const tab = await browser.newPage({ viewport: { width, height }, colorScheme, reducedMotion: "reduce" });
@@ -60,6 +63,7 @@ async function open(url, { width = 1280, height = 900, colorScheme = "light" } =
   tab.on("pageerror", (error) => tab.trouble.push(error.message));
   tab.on("request", (request) => { if (!request.url().startsWith(url.split("#")[0]) && !request.url().startsWith("data:")) tab.trouble.push(request.url()); });
   await tab.goto(url);
+  await ready(tab);
   return tab;
 }
 

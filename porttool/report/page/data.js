@@ -1,6 +1,53 @@
 // The report as porttool wrote it, and ways into it. Addresses after # name what is shown, so that they can be sent on.
 
-const report = JSON.parse(byId("data").textContent);
+// How it is packed: portability_page.cpp.
+async function unpacked(text) {
+  const bytes = Uint8Array.from(atob(text), (character) => character.charCodeAt(0));
+  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate"));
+  return JSON.parse(await new Response(stream).text());
+}
+
+// Steps from one span to the next as [first, last] pairs.
+function spansOf(steps) {
+  const spans = [];
+  for (let i = 0, at = 0; i < steps.length; i += 2) {
+    const first = at + steps[i];
+    at = first + steps[i + 1];
+    spans.push([first, at]);
+  }
+  return spans;
+}
+
+function unpackLines(report, side) {
+  const code = new Map();
+  for (const file of report.totals.lines[side]) {
+    Object.assign(file, { code: spansOf(file.code), shared: spansOf(file.shared) });
+    code.set(file.file, file.code);
+  }
+  for (const block of report.blocks)
+    for (const file of block.lines[side])
+      Object.assign(file, { code: file.code ? spansOf(file.code) : code.get(file.file), shared: spansOf(file.shared) });
+  for (const unit of report.units.map((row) => row[side]).filter(Boolean)) {
+    unit.shared = spansOf(unit.shared);
+    if (unit.code) unit.code = spansOf(unit.code);
+  }
+}
+
+function unpackRows(rows) {
+  const last = [0, 0];
+  for (const cells of rows)
+    for (const side of [0, 1])
+      if (cells[side] > 0) cells[side] = last[side] += cells[side];
+}
+
+async function readReport() {
+  const report = await unpacked(byId("data").textContent);
+  for (const side of ["source", "target"]) unpackLines(report, side);
+  for (const row of report.units) unpackRows(row.rows || []);
+  return report;
+}
+
+const report = await readReport();
 const rowsByKey = new Map(report.units.map((row) => [row.key, row]));
 const blocksByName = new Map(report.blocks.map((block) => [block.name, block]));
 

@@ -82,3 +82,4 @@ addEventListener("resize", () => {
   paintMap();
 });
 follow();
+document.documentElement.dataset.ready = "";

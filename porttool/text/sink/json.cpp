@@ -27,17 +27,4 @@ std::string json_text(const nlohmann::ordered_json& value, int indent) {
     return without_log_commands(without_invisible(text, escaped), "\\u0023");
 }
 
-std::string json_in_script(const nlohmann::ordered_json& value) {
-    const std::string json = json_text(value, -1);
-    std::string out;
-    out.reserve(json.size() + json.size() / 64);
-    for (const char c : json) {
-        if (c == '<')
-            out += "\\u003c";
-        else
-            out += c;
-    }
-    return out;
-}
-
 }  // namespace porttool

@@ -11,7 +11,4 @@ namespace porttool {
 /// UTF-8 becomes U+FFFD. What would act where the document itself is shown, as U+202E or `##[`, is written as \u202e.
 std::string json_text(const nlohmann::ordered_json& value, int indent);
 
-/// The same in one line, for a script element of HTML: without `<` it can neither end the element nor open a comment.
-std::string json_in_script(const nlohmann::ordered_json& value);
-
 }  // namespace porttool
