@@ -8,7 +8,9 @@
 #include "porttool/command/commands.h"
 #include "porttool/command/named.h"
 #include "porttool/report/sync_report.h"
+#include "porttool/snapshot/lock_store.h"
 #include "porttool/sync/apply.h"
+#include "porttool/sync/apply_journal.h"
 #include "porttool/sync/verify.h"
 #include "porttool/text/sink/terminal.h"
 
@@ -81,8 +83,13 @@ std::optional<Verification> verified(const Options& options, const CheckedProjec
 }
 
 /// Writes the files, and says which. Throws CannotDo.
-void write_files(const std::vector<WrittenFile>& files, bool force, Workplace& place) {
-    apply(files, force, place.disk);
+void write_files(const std::vector<WrittenFile>& files, const Options& options, const Project& project,
+                 Workplace& place) {
+    const auto brings_pairs = [](const WrittenFile& file) { return file.place.path.ends_with("portmap.lock"); };
+    // The files are held against those that the proposals were made for once nobody else writes them.
+    const bool guards = std::any_of(files.begin(), files.end(), brings_pairs);
+    const auto guard = guards ? guard_lock(options, place) : nullptr;
+    apply(files, project.root, options.force, place.disk);
     for (const WrittenFile& file : files) place.err << "wrote " << terminal_text(file.place.path) << "\n";
     if (files.empty()) place.err << "nothing to write\n";
 }
@@ -109,6 +116,7 @@ Outcome run_sync(const Options& options, Workplace& place) {
     require_format(options.format, {"text", "json", "patch"});
     require_together(options);
     const CheckedProject checked = check_project(options, place);
+    place.err << ApplyJournal(checked.project.root, place.disk).take_interrupted();
     const WriteSide write = options.to_side == "source"   ? WriteSide::Source
                             : options.to_side == "target" ? WriteSide::Target
                                                           : WriteSide::Other;
@@ -123,7 +131,7 @@ Outcome run_sync(const Options& options, Workplace& place) {
         take_back(result, *verification);
         place.err << failure_of(*verification) << (options.apply ? "; nothing was written\n" : "\n");
     } else if (options.apply) {
-        write_files(files, options.force, place);
+        write_files(files, options, checked.project, place);
     }
     const int code = result.any_left() || failed ? 1 : 0;
     if (options.format == "json") return {sync_json(result, verification), fits_json(result) ? code : 1};

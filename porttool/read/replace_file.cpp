@@ -180,22 +180,6 @@ void restore(const Staged& file) {
         (void)::unlinkat(at.folder.get(), at.name.c_str(), 0);
 }
 
-/// Removes what killed processes left beside these files.
-void sweep_beside(const std::vector<FileToWrite>& files) {
-    std::map<std::pair<std::string, std::string>, std::set<std::string, std::less<>>> names;
-    for (const FileToWrite& file : files) {
-        const size_t slash = file.place.path.find_last_of('/');
-        const std::string folder = slash == std::string::npos ? "" : file.place.path.substr(0, slash + 1);
-        names[{file.place.root, folder}].insert(file.place.path.substr(folder.size()));
-    }
-    for (const auto& [folder, here] : names) {
-        const FolderBeneath at = folder_beneath({folder.first, folder.second + *here.begin(), Links::None});
-        if (!at.error.empty()) continue;
-        sweep_temporaries(
-            at.folder.get(), [&](std::string_view file) { return here.contains(file); }, false);
-    }
-}
-
 /// Writes the temporary of each; on a failure none is left.
 std::string stage_all(const std::vector<FileToWrite>& files, std::vector<Staged>& staged) {
     for (const FileToWrite& file : files) {
@@ -215,9 +199,26 @@ std::string stage_all(const std::vector<FileToWrite>& files, std::vector<Staged>
 
 }  // namespace
 
+void sweep_beside(const std::vector<TreePath>& files) {
+    std::map<std::pair<std::string, std::string>, std::set<std::string, std::less<>>> names;
+    for (const TreePath& place : files) {
+        const size_t slash = place.path.find_last_of('/');
+        const std::string folder = slash == std::string::npos ? "" : place.path.substr(0, slash + 1);
+        names[{place.root, folder}].insert(place.path.substr(folder.size()));
+    }
+    for (const auto& [folder, here] : names) {
+        const FolderBeneath at = folder_beneath({folder.first, folder.second + *here.begin(), Links::None});
+        if (!at.error.empty()) continue;
+        sweep_temporaries(
+            at.folder.get(), [&](std::string_view file) { return here.contains(file); }, false);
+    }
+}
+
 std::string replace_files(const std::vector<FileToWrite>& files) {
     const SignalsHeld held;
-    sweep_beside(files);
+    std::vector<TreePath> places;
+    for (const FileToWrite& file : files) places.push_back(file.place);
+    sweep_beside(places);
     std::vector<Staged> staged;
     if (std::string failure = stage_all(files, staged); !failure.empty()) return failure;
     for (size_t i = 0; i < staged.size(); ++i) {

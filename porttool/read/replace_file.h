@@ -23,6 +23,9 @@ std::string replace_file(const TreePath& path, const std::string& bytes);
 /// held ends the process in between. Where one fails, all are as they were. Returns which one and why, or "".
 std::string replace_files(const std::vector<FileToWrite>& files);
 
+/// Removes what killed processes left beside these files.
+void sweep_beside(const std::vector<TreePath>& files);
+
 /// Removes temporaries of `replace_file` that killed processes left in an open folder: those of files for which
 /// `is_swept` holds, and whose process is no more, or, where `all`, of any process.
 void sweep_temporaries(int folder, const std::function<bool(std::string_view file)>& is_swept, bool all);

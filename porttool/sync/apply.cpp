@@ -5,6 +5,7 @@
 #include <set>
 
 #include "porttool/read/git_repository.h"
+#include "porttool/sync/apply_journal.h"
 #include "porttool/text/sink/terminal.h"
 
 namespace porttool {
@@ -58,11 +59,19 @@ void require_applicable(const std::vector<WrittenFile>& files, bool force, const
     }
 }
 
-void apply(const std::vector<WrittenFile>& files, bool force, Disk& disk) {
+void apply(const std::vector<WrittenFile>& files, const std::string& root, bool force, Disk& disk) {
     require_applicable(files, force, disk);
     std::vector<FileToWrite> all;
-    for (const WrittenFile& file : files) all.push_back({file.place, file.now});
-    if (const std::string failure = disk.write_all(all); !failure.empty()) throw CannotDo(failure + kNoneWritten);
+    std::vector<TreePath> places;
+    for (const WrittenFile& file : files) {
+        all.push_back({file.place, file.now});
+        places.push_back(file.place);
+    }
+    ApplyJournal journal(root, disk);
+    journal.begin(places);
+    const std::string failure = disk.write_all(all);
+    journal.end();
+    if (!failure.empty()) throw CannotDo(failure + kNoneWritten);
 }
 
 }  // namespace porttool

@@ -26,7 +26,7 @@ std::vector<WrittenFile> written_files(const std::map<std::string, ProposedFile>
 /// unless forced, that holds what no commit does.
 void require_applicable(const std::vector<WrittenFile>& files, bool force, const Disk& disk);
 
-/// Writes all of them, or none. Throws CannotDo, as above too.
-void apply(const std::vector<WrittenFile>& files, bool force, Disk& disk);
+/// Writes all of them, or none. `root`: of the project. Throws CannotDo, as above too.
+void apply(const std::vector<WrittenFile>& files, const std::string& root, bool force, Disk& disk);
 
 }  // namespace porttool

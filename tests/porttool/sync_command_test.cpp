@@ -3,6 +3,8 @@
 // The command sync: what it prints, writes, runs and refuses. What it proposes is tested in sync_edit_test.cpp.
 #include <signal.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <chrono>
 #include <thread>
@@ -233,6 +235,28 @@ TEST_F(SyncCommand, TheRealDiskWritesAllFilesOrNone) {
     EXPECT_EQ(others, 0u);
     EXPECT_EQ(disk.write_all({{{root.string(), "a"}, "2"}, {{root.string(), "new/b"}, "2"}}), "");
     EXPECT_EQ(read_text(root / "a") + read_text(root / "new/b"), "22");
+}
+
+TEST_F(SyncCommand, TellsOfAnApplyThatWasKilled) {
+    edit_source();
+    // A process that is no more: a child that has ended, and was waited for.
+    const pid_t child = ::fork();
+    if (child == 0) ::_exit(0);
+    ::waitpid(child, nullptr, 0);
+    const std::string number = std::to_string(child), end(1, '\0');
+    write(".git/porttool/apply",
+          number + end + root.string() + end + "port/k.comp" + end + root.string() + end + "portmap.lock" + end);
+    write("port/k.comp.porttool-" + number + ".1", "half");
+    const CommandRun got = porttool({"sync"});
+    EXPECT_TRUE(holds(got.err,
+                      "was killed while it wrote; some of these files have its text, some not:\n"
+                      "    port/k.comp\n    portmap.lock\n"))
+        << got.err;
+    EXPECT_FALSE(std::filesystem::exists(root / ("port/k.comp.porttool-" + number + ".1")));
+    EXPECT_EQ(porttool({"sync"}).err, "") << "it is told once";
+    EXPECT_EQ(porttool({"sync", "--apply"}).exit_code, 0);
+    EXPECT_EQ(port(), kOnePorted);
+    EXPECT_EQ(porttool({"sync"}).err, "");
 }
 
 TEST_F(SyncCommand, VerifyRunsOnACopyWithThePatches) {
