@@ -160,6 +160,11 @@ void Examples::learn(const AlignedText& source, const AlignedText& target, const
     }
 }
 
+bool Examples::is_said_variously(const std::string& word) const {
+    const auto found = phrases_.find(word + '\x1f');
+    return found != phrases_.end() && found->second.times.size() > 1;
+}
+
 bool Examples::knows_mark_of(std::string_view written) const {
     const char mark = mark_of(written);
     return std::any_of(marks_.begin(), marks_.end(), [&](const auto& row) { return row.first.first == mark; });

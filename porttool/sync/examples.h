@@ -32,6 +32,9 @@ public:
     };
     Phrase longest(const std::vector<std::string>& words, size_t at, size_t end) const;
 
+    /// True for a phrase that the target says in several ways, however often each.
+    bool is_said_variously(const std::string& word) const;
+
     /// How the target writes a number that the source writes so: with or without the mark of a float or of an unsigned.
     std::string number(std::string_view written) const;
     /// True if a number with that mark was seen.

@@ -8,6 +8,7 @@
 
 #include "porttool/compare/compare_pair.h"
 #include "porttool/judge/settle.h"
+#include "porttool/language/words.h"
 #include "porttool/normal/unit_state.h"
 #include "porttool/read/lock_lines.h"
 #include "porttool/scan/scan.h"
@@ -234,6 +235,8 @@ private:
                 else
                     lone.insert(name);
             }
+        for (const std::string& name : declared_twice(was.words))
+            if (examples.is_said_variously(name)) lone.insert(name);
         const KnownWords& known = knowledge_.known_words(from, *file, *other);
         const UnitNames& names = knowledge_.unit_names(from);
         const std::function<const Examples&()> of_file = [&]() -> const Examples& {
@@ -287,6 +290,18 @@ private:
                                          [](size_t there) { return there != Alignment::kNone; });
         constexpr double kMost = 0.8;
         return static_cast<double>(found) < kMost * static_cast<double>(across.clause_of.size());
+    }
+
+    /// Names that a text declares in more than one block: which of them a word is, nothing here tells.
+    static std::set<std::string> declared_twice(const std::vector<std::string>& words) {
+        std::set<std::string> once, out;
+        for (size_t i = 1; i + 1 < words.size(); ++i) {
+            const std::string &last = words[i - 1], &next = words[i + 1];
+            const bool typed = is_word_token(last) && (!word_is(last, kKeyword) || is_type_word(last));
+            if (!typed || !is_word_token(words[i]) || (next != "=" && next != ";" && next != "[")) continue;
+            if (!once.insert(words[i]).second) out.insert(words[i]);
+        }
+        return out;
     }
 
     /// Makes names strange that the edit declares where that was not carried. False if there is none.

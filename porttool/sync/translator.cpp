@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "porttool/sync/translator.h"
 
+#include <algorithm>
+
 #include "porttool/language/words.h"
 #include "porttool/normal/normal_text.h"
 
@@ -69,9 +71,11 @@ CarriedWords EditTranslator::carry(const std::vector<std::string>& words, size_t
             ++i;
             continue;
         }
-        Examples::Phrase phrase = pair_.longest(words, i, end);
+        size_t stop = i;  // no phrase goes over what is not known
+        while (stop < std::min(end, i + Examples::kLongest) && !lone_.contains(words[stop])) ++stop;
+        Examples::Phrase phrase = pair_.longest(words, i, stop);
         if (phrase.length == 0 && is_word_token(words[i]) && !brought_.contains(words[i]))
-            phrase = file_().longest(words, i, end);
+            phrase = file_().longest(words, i, stop);
         if (phrase.length > 0) {
             drop_prefix_there(out.words, phrase.target);
             add_phrase(phrase, words, i, written, out);

@@ -459,6 +459,21 @@ TEST(SyncEdit, AStatementThatComesBetweenTwoThatThePortHasInOne) {
                             "float b = a;\n    b = b * 2.0f;\n    float c = b;"));
 }
 
+TEST(SyncEdit, OneNameInTwoBlocksIsNotMixedUp) {
+    const std::string source =
+        "__device__ float f(float a, float b) {\n    float sum = 0.0f;\n    {\n        float v = a * 2.0f;\n"
+        "        sum += v * v + v;\n        sum += v / 3.0f - v;\n        sum -= v * 5.0f + v * v * v;\n    }\n"
+        "    {\n        float v = b + 1.0f;\n        sum *= v;\n    }\n    return sum;\n}\n";
+    const std::string port =
+        "float f(float a, float b) {\n    float sum = 0.0;\n    {\n        float p = a * 2.0;\n"
+        "        sum += p * p + p;\n        sum += p / 3.0 - p;\n        sum -= p * 5.0 + p * p * p;\n    }\n"
+        "    {\n        float q = b + 1.0;\n        sum *= q;\n    }\n    return sum;\n}\n";
+    expect_not_wrong({"k.cu", "k.glsl", source, replaced(source, "sum *= v;", "sum *= v + 4.0f * v;"), port,
+                      replaced(port, "sum *= q;", "sum *= q + 4.0 * q;")});
+    expect_not_wrong({"k.cu", "k.glsl", source, replaced(source, "sum *= v;\n", "sum *= v;\n        sum += v;\n"), port,
+                      replaced(port, "sum *= q;\n", "sum *= q;\n        sum += q;\n")});
+}
+
 TEST(SyncEdit, ANewLocalWhoseNameThePortHasForAnother) {
     const std::string source = "float shade(const Hit* hit) {\n    float dir = hit->t;\n    return dir;\n}\n";
     const std::string port = "float shade(const Hit& hit) {\n    float localDir = hit.t;\n    return localDir;\n}\n";
