@@ -222,6 +222,13 @@ const MutationStock& map_stock() {
                                          "?",
                                          "version = 2\n",
                                          "target_root = \"../x\"\n",
+                                         "reference = \"target\"\n",
+                                         "reference = \"both\"\n",
+                                         "[sides.targets]\n",
+                                         "a = [\"port/**\"]\nb = [\"port/**\"]\n",
+                                         "target = [\"port/k.comp:shade\", \"port/k.comp:main\"]\n",
+                                         "qualifiers = \"warning\"\n",
+                                         "[sync]\nverify = \"true\"\n",
                                          "source = ",
                                          "target = ",
                                          "\x1b[31m",
@@ -302,6 +309,14 @@ const std::vector<std::vector<const char*>>& base_commands() {
                                                                    {"explain", "src/k.cu:Hit"},
                                                                    {"ignore", "src/k.cu:shade", "--reason", "because"},
                                                                    {"report", "--format", "json"},
+                                                                   {"review", "--format", "json"},
+                                                                   {"map", "--format", "json"},
+                                                                   {"map", "--write", "0.1"},
+                                                                   {"init", "--assess", "--format", "json"},
+                                                                   {"accept", "src/k.cu:shade=port/k.comp:shade"},
+                                                                   {"sync", "--all", "--format", "json"},
+                                                                   {"sync", "--all", "--to", "source"},
+                                                                   {"sync", "--all", "--apply", "--partial", "--force"},
                                                                    {"init", "--force"}};
     return commands;
 }
