@@ -95,11 +95,28 @@ def measure(tool, construct, size):
         return repository.rows
 
 
+def growth(once, twice):
+    return max(twice[0], LEAST_SECONDS) / max(once[0], LEAST_SECONDS)
+
+
+def measure_twice(tool, construct, size):
+    """The rows of a size and of twice that. What else a machine does only adds to a time: what is beyond the bound is
+    measured again, up to twice, and the least time of each size counts."""
+    once, twice = (measure(tool, construct, part) for part in (size, 2 * size))
+    for _ in range(2):
+        if all(growth(once[command], twice[command]) <= MOST_GROWTH for command in twice):
+            break
+        for rows, part in ((once, size), (twice, 2 * size)):
+            for command, (seconds, peak, code) in measure(tool, construct, part).items():
+                rows[command] = (min(seconds, rows[command][0]), max(peak, rows[command][1]), code)
+    return once, twice
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("--porttool", default="build/release/bin/porttool")
     parser.add_argument("--bytes", type=int, default=2 << 20, help="the smaller size of each text")
-    parser.add_argument("--only", default="", help="constructs whose name holds this")
+    parser.add_argument("--only", action="append", default=[], help="constructs whose name holds this; may be given again")
     parser.add_argument("--all", action="store_true", help="a row for every construct")
     options = parser.parse_args()
     if not os.path.exists(options.porttool):
@@ -108,23 +125,23 @@ def main():
     constructs = json.loads((pathlib.Path(__file__).parent / "constructs.json").read_text(encoding="utf-8"))
     rows, failed = {}, 0
     for construct in constructs:
-        if options.only not in construct["name"]:
+        if options.only and not any(part in construct["name"] for part in options.only):
             continue
-        once, twice = (measure(tool, construct, size) for size in (options.bytes, 2 * options.bytes))
+        once, twice = measure_twice(tool, construct, options.bytes)
         for command, (seconds, peak, code) in twice.items():
-            growth = max(seconds, LEAST_SECONDS) / max(once[command][0], LEAST_SECONDS)
-            bad = growth > MOST_GROWTH or peak > MOST_BYTES or code not in (0, 1)
+            times = growth(once[command], twice[command])
+            bad = times > MOST_GROWTH or peak > MOST_BYTES or code not in (0, 1)
             failed += bad
-            rows.setdefault(command, []).append((growth, seconds, once[command][0], peak, construct["name"], code, bad))
+            rows.setdefault(command, []).append((times, seconds, once[command][0], peak, construct["name"], code, bad))
         # A long run that is cut off has said what it found.
         worst = max(row[-1] for row in rows.values())
         print(f"{construct['name']}: at most {worst[0]:.2f} times{', TOO MUCH' if any(row[-1][-1] for row in rows.values()) else ''}", file=sys.stderr, flush=True)
     print(f"| command | construct | {options.bytes} bytes | twice that | growth | peak | |\n| --- | --- | --- | --- | --- | --- | --- |")
     for command, found in rows.items():
         worst = {max(found)[4], max(found, key=lambda row: row[1])[4], max(found, key=lambda row: row[3])[4]}
-        for growth, seconds, before, peak, name, code, bad in sorted(found, reverse=True):
+        for times, seconds, before, peak, name, code, bad in sorted(found, reverse=True):
             if options.all or bad or name in worst:
-                print(f"| {command} | {name} | {before:.2f} s | {seconds:.2f} s | {growth:.2f} | {peak / 2**20:.0f} MiB |"
+                print(f"| {command} | {name} | {before:.2f} s | {seconds:.2f} s | {times:.2f} | {peak / 2**20:.0f} MiB |"
                       f" {'exit ' + str(code) if code not in (0, 1) else 'TOO MUCH' if bad else ''} |")
     print(f"\n{sum(len(found) for found in rows.values())} runs of twice the size, {failed} beyond the bounds")
     return 1 if failed else 0
