@@ -2,8 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "porttool/compare/compare_pair.h"
 
+#include <algorithm>
+#include <string>
+#include <vector>
+
 #include "porttool/compare/learned_words.h"
 #include "porttool/compare/lone_edit.h"
+#include "porttool/compare/method_calls.h"
 #include "porttool/compare/struct_fields.h"
 #include "porttool/compare/values.h"
 #include "porttool/normal/prelude.h"
@@ -35,6 +40,8 @@ public:
     }
 
 private:
+    using Text = std::vector<std::string>;
+
     bool edited(Side side) const { return is_edit(out_.changes[side]); }
     bool changed(Side side) const { return edited(side) && !out_.idle[side]; }
     bool changed_both() const { return changed(Side::Source) && changed(Side::Target); }
@@ -104,17 +111,35 @@ private:
         const PairTexts texts{source_before, source_now, target_before, target_now};
         const BySide<Language> languages{pair_.source.language, pair_.target.language};
         EditComparison edits = compare_edits(texts, dialect_, languages);
-        if (!edits.equivalent) {
-            const LearnedWords said = in_words_of_target(texts, dialect_);
-            const PairTexts learned{said.before, said.now, target_before, target_now};
-            edits.equivalent = said.any && compare_edits(learned, dialect_, languages).equivalent;
-        }
+        if (!edits.equivalent) edits.equivalent = alike_in_words_of_pair(texts, languages);
         if (edits.equivalent && declared_alike()) out_.standing = Standing::Equivalent;
         out_.missing = std::move(edits.differences);
         if (edits.equivalent && out_.standing != Standing::Equivalent)
             out_.missing = {
                 "the two sides declare what they use, or how they are called, otherwise than before, and "
                 "not alike"};
+    }
+
+    /// True if the edits are one in the words that the pair itself teaches, and in functions for the other's methods.
+    bool alike_in_words_of_pair(const PairTexts& texts, const BySide<Language>& languages) const {
+        const LearnedWords said = in_words_of_target(texts, dialect_);
+        const PairTexts learned{said.before, said.now, texts.target_before, texts.target_now};
+        if (said.any && compare_edits(learned, dialect_, languages).equivalent) return true;
+        CalledFunctions of_source, of_target;
+        for (const Words* text : {&learned.source_before, &learned.source_now}) of_source.add(*text);
+        for (const Words* text : {&learned.target_before, &learned.target_now}) of_target.add(*text);
+        bool any = false;
+        const auto plain = [&](const Words& text, const CalledFunctions& there) {
+            Text out = with_functions_for_methods(text, there);
+            any = any || !std::equal(out.begin(), out.end(), text.begin(), text.end());
+            return out;
+        };
+        const Text texts_now[] = {plain(learned.source_before, of_target), plain(learned.source_now, of_target),
+                                  plain(learned.target_before, of_source), plain(learned.target_now, of_source)};
+        if (!any) return false;
+        const auto words = [&](size_t i) { return Words(texts_now[i].begin(), texts_now[i].end()); };
+        const Words before = words(0), now = words(1), there = words(2), there_now = words(3);
+        return compare_edits({before, now, there, there_now}, dialect_, languages).equivalent;
     }
 
     /// An edit of one side alone that says what the other side says. Beside the text, how the file declares what the

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "porttool/compare/alignment.h"
+#include "porttool/normal/diff.h"
 #include "porttool/normal/normal_form.h"
 
 namespace porttool {
@@ -24,33 +25,59 @@ public:
         WordKeys keys(dialect);
         const AlignedText a = keys.text(source, false), b = keys.text(target, false);
         const Alignment found = align(a, b, {});
+        marks_at_.resize(source.size(), Marks::Unknown);
         for (size_t i = 0; i < source.size(); ++i)
-            if (found.word_of[i] != Alignment::kNone) note(source[i], target[found.word_of[i]]);
+            if (found.word_of[i] != Alignment::kNone) marks_at_[i] = note(source[i], target[found.word_of[i]]);
         source_words_.insert(texts.source_before.begin(), texts.source_before.end());
         target_words_.insert(texts.target_before.begin(), texts.target_before.end());
     }
 
     LearnedWords run() const {
         LearnedWords out;
-        const Marks marks = learn_marks();
-        for (const std::string_view word : texts_.source_before) out.before.push_back(said(word, marks, out));
-        for (const std::string_view word : texts_.source_now) out.now.push_back(said(word, marks, out));
+        const Marks usual = learn_marks();
+        const auto marks_or_usual = [&](size_t place) {
+            return place == kNoPlace || marks_at_[place] == Marks::Unknown ? usual : marks_at_[place];
+        };
+        for (size_t i = 0; i < texts_.source_before.size(); ++i)
+            out.before.push_back(said(texts_.source_before[i], marks_or_usual(i), out));
+        const std::vector<size_t> places = places_before();
+        for (size_t i = 0; i < texts_.source_now.size(); ++i)
+            out.now.push_back(said(texts_.source_now[i], marks_or_usual(places[i]), out));
         return out;
     }
 
 private:
-    enum class Marks : uint8_t { Same, Added, Dropped };
+    enum class Marks : uint8_t { Unknown, Same, Added, Dropped };
+    static constexpr size_t kNoPlace = static_cast<size_t>(-1);
 
-    void note(const std::string& here, const std::string& there) {
+    /// Takes in that one word stands for another, and tells how the marks of a number do.
+    Marks note(const std::string& here, const std::string& there) {
         if (is_word_token(here) && is_word_token(there)) {
             ++there_of_[here][there];
             ++here_of_[there][here];
         }
-        if (!is_number_token(here) || !is_number_token(there) || number_value(here) != number_value(there)) return;
-        marks_added_ += is_unmarked_real(here) && is_float(there);
-        marks_dropped_ += is_float(here) && is_unmarked_real(there);
+        if (!is_number_token(here) || !is_number_token(there) || number_value(here) != number_value(there))
+            return Marks::Unknown;
         marks_kept_ += is_float(here) && is_float(there);
         plain_kept_ += is_unmarked_real(here) && is_unmarked_real(there);
+        const bool added = is_unmarked_real(here) && is_float(there),
+                   dropped = is_float(here) && is_unmarked_real(there);
+        marks_added_ += added;
+        marks_dropped_ += dropped;
+        return added ? Marks::Added : dropped ? Marks::Dropped : Marks::Same;
+    }
+
+    /// Where each word of the source stood before. A number has the place of the one that it took the place of.
+    std::vector<size_t> places_before() const {
+        const auto without_values = [](const Words& text) {
+            std::vector<std::string> out;
+            for (const std::string_view word : text) out.emplace_back(is_number_token(word) ? "0" : word);
+            return out;
+        };
+        std::vector<size_t> places(texts_.source_now.size(), kNoPlace);
+        for (const DiffStep& step : diff(without_values(texts_.source_before), without_values(texts_.source_now)))
+            if (step.kind == DiffStep::Keep) places[step.now] = step.before;
+        return places;
     }
 
     std::string_view said(std::string_view word, Marks marks, LearnedWords& out) const {
@@ -96,6 +123,7 @@ private:
 
     const PairTexts& texts_;
     std::map<std::string, std::map<std::string, size_t>> there_of_, here_of_;
+    std::vector<Marks> marks_at_;  ///< of the source's words before
     size_t marks_added_ = 0, marks_dropped_ = 0, marks_kept_ = 0, plain_kept_ = 0;
     std::set<std::string, std::less<>> source_words_, target_words_;
 };
