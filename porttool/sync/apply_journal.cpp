@@ -10,6 +10,7 @@
 
 #include "porttool/read/git_repository.h"
 #include "porttool/read/replace_file.h"
+#include "porttool/read/source_files.h"
 #include "porttool/text/sink/terminal.h"
 
 namespace porttool {
