@@ -171,6 +171,28 @@ test("its figures are those of --format json", async (tab) => {
   assert.match(await tab.textContent("#summary .lead"), new RegExp(`${inStep} of ${pairs} pairs in step`));
 });
 
+test("drift comes first, and no figure is more than two clicks from its formula", async (tab) => {
+  const sections = await tab.$$eval("main > section[id]", (nodes) => nodes.filter((node) => !node.hidden).map((node) => node.id));
+  assert.deepEqual(sections.slice(0, 3), ["summary", "ledger", "blocks"]);
+  const inView = (id) => tab.evaluate((name) => {
+    const box = document.getElementById(name).getBoundingClientRect();
+    return !document.querySelector("dialog[open]") && box.top < innerHeight && box.bottom > 0;
+  }, id);
+  const formulas = { "how-shared": "tokens that lie in a match / its tokens", "how-degree": "1 − lines of the port that are not shared / its lines" };
+  for (const [id, formula] of Object.entries(formulas)) assert.ok((await tab.textContent(`#${id}`)).includes(formula), id);
+  for (const [head, id] of [["Lines", "how-lines"], ["Shared", "how-shared"], ["Moss %", "how-shared"], ["DP", "how-degree"]]) {
+    await tab.locator("#blocks thead a", { hasText: head }).first().click();
+    assert.ok(await inView(id), head);
+  }
+  await tab.click("#lines h3 a");
+  assert.ok(await inView("how-parts"), "parts of all lines");
+  await tab.locator(".tile", { hasText: "Shared" }).click();
+  await tab.waitForSelector("dialog[open] .code");
+  await tab.click("dialog .facts a");
+  await tab.waitForFunction(() => !document.querySelector("dialog[open]"));
+  assert.ok(await inView("how-shared"), "the tile's lines");
+});
+
 test("every figure of a block leads to as many lines", async (tab) => {
   const block = ownJson.blocks.find((one) => one.name === "BSDF");  // short enough to be drawn at once
   const links = await tab.$$eval(`tr[data-block="${block.name}"] td a`, (nodes) => nodes.map((node) => node.getAttribute("href")));

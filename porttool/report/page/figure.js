@@ -130,6 +130,6 @@ function showLines() {
       "A line in several blocks is drawn in the smallest."),
     items.length === 0 ? h("p", { class: "empty" }, "No code on either side.") : [
       h("div", { class: "wide" }, drawCores(items)), h("div", { class: "narrow" }, listCores(items))],
-    h("h3", { class: "apart" }, "What became of each line"),
+    h("h3", { class: "apart" }, h("a", { href: "#how-parts" }, "What became of each line")),
     h("div", { class: "fates" }, fate("source"), fate("target")));
 }

@@ -126,7 +126,8 @@ function showSpeed() {
 function showBlocks() {
   const total = { ...report.totals, name: "All lines", isTotal: true };
   const group = (text, span) => h("th", { colspan: span, scope: "colgroup" }, text);
-  const head = (...names) => names.map((name) => h("th", { scope: "col", class: "n" }, name));
+  const how = (place, text) => h("a", { href: `#how-${place}`, title: "how this is computed" }, text);
+  const heads = () => [how("lines", "Lines"), how("shared", "Shared"), how("shared", "Moss %")].map((name) => h("th", { scope: "col", class: "n" }, name));
   const dp = [...report.blocks, total].map((block) => block.degree_of_portability).find(Boolean);
   put("blocks",
     h("h2", { id: "blocks-title" }, "Blocks"),
@@ -139,8 +140,8 @@ function showBlocks() {
       h("table", { class: "blocks" },
         h("thead", null,
           h("tr", null, h("td"), group("Source", 3), group("Target", 3), h("td")),
-          h("tr", null, h("th", { scope: "col" }, "Block"), head("Lines", "Shared", "Moss %", "Lines", "Shared", "Moss %"),
-            h("th", { scope: "col", class: "n", title: "Degree of portability" }, "DP"))),
+          h("tr", null, h("th", { scope: "col" }, "Block"), heads(), heads(),
+            h("th", { scope: "col", class: "n", title: "Degree of portability" }, how("degree", "DP")))),
         h("tbody", null, report.blocks.map(blockRow), blockRow(total)))),
     dp && h("p", { class: "fine" }, `DP: degree of portability, model “${dp.model}”, with the interval from the strictest to the loosest reading of what is shared.`));
 }

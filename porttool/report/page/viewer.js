@@ -114,6 +114,7 @@ function headButtons(...more) {
     h("button", { type: "button", class: "quiet", id: "close", onclick: closeViewer, "aria-label": "Close" }, "Close"));
 }
 
+const HOW_SHARED = () => h("a", { href: "#how-shared" }, "how Moss % is computed");
 const SWATCH = (style, text) => h("span", null, h("i", { style }), text);
 
 function neighbour(row, step) {
@@ -141,7 +142,7 @@ function unitHead(row) {
   return h("div", { class: "viewer-head" },
     h("div", { class: "line" }, h("h2", { id: "viewer-title" }, rowName(row)), tag(row.share), row.state && tag(row.state),
       headButtons(step("←", -1, "ArrowLeft"), step("→", 1, "ArrowRight"))),
-    h("p", { class: "facts" }, facts.join(" · ")),
+    h("p", { class: "facts" }, facts.join(" · "), both && [" · ", HOW_SHARED()]),
     row.reason && h("p", { class: "facts" }, "“", row.reason, "”"),
     findings.map((finding) => h("p", { class: `finding ${finding.level}` }, h("b", null, finding.rule), " ", finding.message)),
     both && h("div", { class: "key" }, SWATCH("background:var(--twin);width:.25rem", "shared line"),
@@ -175,7 +176,7 @@ function openCode(values) {
   openViewer(h("div", { class: "viewer-head" },
     h("div", { class: "line" }, h("h2", { id: "viewer-title" }, `${values.block || "All lines"}, ${side}`), headButtons()),
     h("p", { class: "facts" }, shared === null ? `${plural(lines, "line")} of code, ${TOO_SHORT} to be measured`
-      : `${plural(lines, "line")} of code, ${number(shared)} shared, ${number(lines - shared)} novel · Moss ${percent(block[`moss_percent_${side}`], lines, otherSide(block, side))}`),
+      : `${plural(lines, "line")} of code, ${number(shared)} shared, ${number(lines - shared)} novel · Moss ${percent(block[`moss_percent_${side}`], lines, otherSide(block, side))}`, " · ", HOW_SHARED()),
     h("div", { class: "line" }, tab("", "All"), tab("shared", "Shared"), tab("novel", "Novel"))),
     codeBody(block.lines[side], side, values.only));
   return true;
