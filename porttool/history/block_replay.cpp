@@ -30,7 +30,11 @@ std::future<BlockFigures> BlockReplay::figures() {
                            all = task_of(plan_->everything)] {
         measurer_.use_dialect(rows);
         BlockFigures out;
-        for (const Task& block : blocks) out.blocks.push_back(measured(block, weights));
+        for (const Task& block : blocks) {
+            out.blocks.push_back(measured(block, weights));
+            out.contents.push_back(
+                BlobCache::key({contents_of(block.passages.source), contents_of(block.passages.target)}));
+        }
         out.totals = measured(all, weights);
         return out;
     });

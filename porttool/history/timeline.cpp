@@ -8,6 +8,7 @@
 #include <set>
 
 #include "porttool/history/block_replay.h"
+#include "porttool/history/churn.h"
 #include "porttool/read/lock_file.h"
 #include "porttool/read/lock_upgrade.h"
 #include "porttool/scan/scan.h"
@@ -342,8 +343,10 @@ History history_of(const Past& past, const std::string& since, BlobCache& cache,
         history.points.back().debt_before = debt_before;
         figures.push_back(timeline.figures());
     }
+    ChurnCount churn;
     for (size_t i = 0; i < figures.size(); ++i) {
         BlockFigures found = figures[i].get();
+        churn.add(found);
         history.points[i].blocks = std::move(found.blocks);
         history.points[i].totals = std::move(found.totals);
     }
@@ -351,6 +354,8 @@ History history_of(const Past& past, const std::string& since, BlobCache& cache,
         throw CannotDo(
             "there is no portmap.toml in the work tree or in any commit of this history\nWrite one with: "
             "porttool init --source GLOB --target GLOB");
+    history.churn = churn.of(history.points.back().blocks);
+    history.churn_and_likeness = churn_and_likeness(history.churn, history.points.back().blocks);
     history.open = timeline.open();
     history.map = timeline.map();
     return history;

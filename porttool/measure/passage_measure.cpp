@@ -64,12 +64,6 @@ bool read_side(std::istringstream& stream, PassageSide& side) {
     return true;
 }
 
-std::string contents_of(const PartedPassage& passage) {
-    std::string all;
-    for (const PassagePart& part : passage) all += part.contents;
-    return all;
-}
-
 /// A passage read part by part.
 struct WholePassage {
     explicit WholePassage(const PartedPassage& parted) {
@@ -85,6 +79,12 @@ struct WholePassage {
 };
 
 }  // namespace
+
+std::string contents_of(const PartedPassage& passage) {
+    std::string all;
+    for (const PassagePart& part : passage) all += part.contents;
+    return all;
+}
 
 PassageMeasure measure_passages(const Passage& source, const Passage& target, const Dialect& dialect) {
     const Similarity found = measure_shares(source, target, dialect);

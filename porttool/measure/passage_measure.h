@@ -39,6 +39,9 @@ MeasuredBlock measured_block(const std::string& name, PassageMeasure found, cons
 /// The code lines of each excerpt of a passage, with what a measurement of the passage says of them.
 std::vector<std::vector<CodeLine>> measured_lines(const Passage& passage, const PassageSide& found);
 
+/// The contents of all parts: equal only where the texts are.
+std::string contents_of(const PartedPassage& passage);
+
 /// The same measurement, taken once for the same contents and dialect; what follows another one under its name costs
 /// little where little has changed.
 class PassageMeasurer {

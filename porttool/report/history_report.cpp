@@ -81,11 +81,25 @@ std::string history_json(const History& history) {
                         {"age_days", number_json(static_cast<double>(now - pair.since) / kSecondsOfDay)},
                         {"lines", pair.lines},
                         {"debt_line_days", number_json(pair.debt(now))}});
-    const ordered_json out = {{"commits_read", history.commits},
-                              {"shallow", history.cut},
-                              {"oldest", {{"id", history.oldest.id}, {"date", day_of(history.oldest.time)}}},
-                              {"commits", std::move(commits)},
-                              {"open", std::move(open)}};
+    ordered_json churn = ordered_json::array();
+    for (size_t i = 0; i < history.churn.size(); ++i) {
+        const MeasuredBlock& block = history.points.back().blocks[i];
+        const auto& percent = block.found.target.measure.moss_percent;
+        churn.push_back({{"name", block.name},
+                         {"commits", history.churn[i].commits},
+                         {"commits_per_100_lines", number_json(history.churn[i].per_100_lines)},
+                         {"moss_percent_target", percent ? number_json(*percent) : ordered_json(nullptr)}});
+    }
+    const auto& correlation = history.churn_and_likeness;
+    const ordered_json out = {
+        {"commits_read", history.commits},
+        {"shallow", history.cut},
+        {"oldest", {{"id", history.oldest.id}, {"date", day_of(history.oldest.time)}}},
+        {"commits", std::move(commits)},
+        {"open", std::move(open)},
+        {"churn",
+         {{"blocks", std::move(churn)},
+          {"rank_correlation", correlation ? number_json(*correlation) : ordered_json(nullptr)}}}};
     return json_text(out, 1) + "\n";
 }
 

@@ -4,6 +4,7 @@
 #include <fstream>
 
 #include "porttool/history/blob_facts.h"
+#include "porttool/history/churn.h"
 #include "porttool/measure/passage_measure.h"
 #include "porttool/read/blob_cache.h"
 #include "tests/porttool/temporary_repository.h"
@@ -84,6 +85,29 @@ TEST_F(History, FiguresOfABlockAreCountedByHand) {
     EXPECT_LE(second["degree_of_portability"]["low"], second["degree_of_portability"]["loc"]);
     EXPECT_GE(second["degree_of_portability"]["high"], second["degree_of_portability"]["loc"]);
     EXPECT_EQ(history["commits"][1]["totals"]["target_lines"], 11);
+}
+
+TEST(Churn, WorkedExample) {
+    EXPECT_DOUBLE_EQ(*rank_correlation({3, 2, 1}, {90, 20, 50}), 0.5);
+    EXPECT_DOUBLE_EQ(*rank_correlation({1, 2, 3, 4}, {5, 6, 7, 8}), 1);
+    EXPECT_DOUBLE_EQ(*rank_correlation({1, 1, 2}, {3, 3, 1}), -1) << "ties share a rank";
+    EXPECT_FALSE(rank_correlation({1, 2}, {1, 2}));
+    EXPECT_FALSE(rank_correlation({1, 1, 1}, {1, 2, 3}));
+}
+
+TEST_F(History, ChurnCountsTheCommitsThatTouchedABlock) {
+    write("src/other.cu", kFade);
+    write("port/other.comp", kFade);
+    write("portmap.toml", kMap + "[[block]]\nname = \"K\"\nsource = [\"src/k.cu\"]\ntarget = [\"port/k.comp\"]\n" +
+                              "[[block]]\nname = \"O\"\nsource = [\"src/other.cu\"]\ntarget = [\"port/other.comp\"]\n");
+    make_five_commits();  // the four after the first touch K, none O
+    const nlohmann::json churn = json({"history"})["churn"];
+    ASSERT_EQ(churn["blocks"].size(), 2u);
+    EXPECT_EQ(churn["blocks"][0]["name"], "K");
+    EXPECT_EQ(churn["blocks"][0]["commits"], 4);
+    EXPECT_NEAR(churn["blocks"][0]["commits_per_100_lines"].get<double>(), 100.0 * 4 / (12 + 8), 1e-5);
+    EXPECT_EQ(churn["blocks"][1]["commits"], 0);
+    EXPECT_TRUE(churn["rank_correlation"].is_null()) << "two blocks say nothing";
 }
 
 TEST_F(History, AgreesWithTheReport) {
