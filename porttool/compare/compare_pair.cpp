@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "porttool/compare/call_forms.h"
 #include "porttool/compare/learned_words.h"
 #include "porttool/compare/lone_edit.h"
-#include "porttool/compare/method_calls.h"
 #include "porttool/compare/struct_fields.h"
 #include "porttool/compare/values.h"
 #include "porttool/normal/prelude.h"
@@ -125,14 +125,14 @@ private:
         const LearnedWords said = in_words_of_target(texts, dialect_);
         const PairTexts learned{said.before, said.now, texts.target_before, texts.target_now};
         if (said.any && compare_edits(learned, dialect_, languages).equivalent) return true;
-        CalledFunctions of_source, of_target;
+        CalledForms of_source, of_target;
         for (const Words* text : {&learned.source_before, &learned.source_now}) of_source.add(*text);
         for (const Words* text : {&learned.target_before, &learned.target_now}) of_target.add(*text);
         bool any = false;
-        const auto plain = [&](const Words& text, const CalledFunctions& there) {
-            Text out = with_functions_for_methods(text, there);
-            any = any || !std::equal(out.begin(), out.end(), text.begin(), text.end());
-            return out;
+        const auto plain = [&](const Words& text, const CalledForms& there) {
+            Reworded out = with_functions_for_methods(text, there);
+            any = any || out.any;
+            return std::move(out.words);
         };
         const Text texts_now[] = {plain(learned.source_before, of_target), plain(learned.source_now, of_target),
                                   plain(learned.target_before, of_source), plain(learned.target_now, of_source)};

@@ -88,7 +88,10 @@ const Examples& Knowledge::beside(const std::string& source_file, const std::str
         words += other.unit.source->text.size() + other.unit.target->text.size();
         if (words > kMostWordsOfFile) break;
         const bool record = other.unit.source->kind == UnitKind::Struct;
-        const UnitWords here = words_of_record(other.unit[from]->text), there = words_of_record(other.unit[to]->text);
+        const UnitWords there = words_of_record(other.unit[to]->text);
+        CalledForms forms;
+        forms.add(Words(there.words.begin(), there.words.end()));
+        const UnitWords here = in_forms_of(forms, words_of_record(other.unit[from]->text));
         const AlignedText a = keys.text(here.words, record), b = keys.text(there.words, record);
         found->second.learn(a, b, align(a, b, {}));
     }

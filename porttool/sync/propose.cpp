@@ -209,8 +209,11 @@ private:
         if (port == nullptr) return refuse("an edit before this one in the same file has hidden the port");
 
         const bool record = unit->kind == UnitKind::Struct;
-        const UnitWords was = words_of_record(before[from]), is = words_of_unit(*file, *unit);
         const UnitWords there = words_of_unit(draft.scanned, *port);
+        CalledForms forms;
+        forms.add(Words(there.words.begin(), there.words.end()));
+        const UnitWords was = in_forms_of(forms, words_of_record(before[from])),
+                        is = in_forms_of(forms, words_of_unit(*file, *unit));
         WordKeys keys(knowledge_.dialect());
         const AlignedText old_text = keys.text(was.words, record), new_text = keys.text(is.words, record),
                           port_text = keys.text(there.words, record);

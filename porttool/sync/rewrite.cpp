@@ -88,6 +88,8 @@ private:
         const CarriedWord &word = words[i], &before = words[i - 1];
         if (word.from != CarriedWord::kNoSource && before.from != CarriedWord::kNoSource &&
             word.from == before.from + 1) {
+            if (source_.words.is_added(word.from) || source_.words.is_added(before.from))
+                return stand_apart(before.text, word.text) ? " " : "";
             const std::string written = source_gap(word.from);
             if (written.find('\n') != std::string::npos) return "\n";
             return written.empty() ? (must_part(before.text, word.text) ? " " : "") : " ";

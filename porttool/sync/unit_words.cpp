@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "porttool/sync/unit_words.h"
 
+#include <utility>
+
 #include "porttool/normal/normal_form.h"
 #include "porttool/normal/prelude.h"
 
@@ -28,6 +30,20 @@ UnitWords words_of_record(const NormalText& text) {
     UnitWords out;
     for (const std::string_view word : without_prelude(text.words())) out.words.emplace_back(word);
     return out;
+}
+
+UnitWords in_forms_of(const CalledForms& there, UnitWords words) {
+    for (const auto& reword : {with_functions_for_methods, with_methods_for_functions}) {
+        const Reworded said = reword(Words(words.words.begin(), words.words.end()), there);
+        if (!said.any) continue;
+        UnitWords out;
+        for (const size_t from : said.from)
+            if (!words.tokens.empty())
+                out.tokens.push_back(from == Reworded::kMade ? UnitWords::kNoToken : words.tokens[from]);
+        out.words = said.words;
+        words = std::move(out);
+    }
+    return words;
 }
 
 }  // namespace porttool

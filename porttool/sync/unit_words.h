@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "porttool/compare/call_forms.h"
 #include "porttool/normal/normal_text.h"
 #include "porttool/scan/unit.h"
 
@@ -16,7 +17,8 @@ struct UnitWords {
     static constexpr uint32_t kNoToken = 0xFFFFFFFFu;
 
     std::vector<std::string> words;
-    /// kNoToken for a brace that the normal form adds. Empty where the text was recorded and its file is not known.
+    /// kNoToken for a brace that the normal form adds, and for what in_forms_of() makes. Empty where the text was
+    /// recorded and its file is not known.
     std::vector<uint32_t> tokens;
 
     size_t size() const { return words.size(); }
@@ -25,5 +27,9 @@ struct UnitWords {
 
 UnitWords words_of_unit(const ScannedFile& file, const Unit& unit);
 UnitWords words_of_record(const NormalText& text);
+
+/// The words with calls in the forms that the other side has for them: `length ( z )` for `z . Length ( )`, and the
+/// other way round.
+UnitWords in_forms_of(const CalledForms& there, UnitWords words);
 
 }  // namespace porttool

@@ -197,6 +197,30 @@ TEST(SyncEdit, AMemberIsSpelledOtherwise) {
     expect_ported(one);
 }
 
+TEST(SyncEdit, AMethodIsAFunctionOfThePort) {
+    const std::string head = "float f(vec v, vec w) {\n", port_head = "float f(float4 v, float4 w) {\n";
+    expect_ported({"k.cpp", "k.cl", head + "  float t = v.Dot(v);\n  return sqrt(t);\n}\n",
+                   head + "  float t = w.Dot(v - w);\n  return sqrt(t);\n}\n",
+                   port_head + "  float t = dot(v, v);\n  return sqrt(t);\n}\n",
+                   port_head + "  float t = dot(w, v - w);\n  return sqrt(t);\n}\n"});
+    expect_ported({"k.cpp", "k.cl", head + "  float t = v.Length();\n  return t;\n}\n",
+                   head + "  float t = v.Length();\n  if (w[0].Length() > t) return 0;\n  return t;\n}\n",
+                   port_head + "  float t = length(v);\n  return t;\n}\n",
+                   port_head + "  float t = length(v);\n  if (length(w[0]) > t) return 0;\n  return t;\n}\n"});
+}
+
+TEST(SyncEdit, AFunctionIsAMethodOfThePort) {
+    const std::string head = "bool f(float3 a, float3 b) {\n", port_head = "bool f(Color a, Color b) {\n";
+    expect_ported({"k.cl", "k.cpp", head + "  if (Color_IsBlack(a)) return false;\n  return g(a);\n}\n",
+                   head + "  if (Color_IsBlack(a) || Color_IsBlack(a * b)) return false;\n  return g(a);\n}\n",
+                   port_head + "  if (a.IsBlack()) return false;\n  return g(a);\n}\n",
+                   port_head + "  if (a.IsBlack() || (a * b).IsBlack()) return false;\n  return g(a);\n}\n"});
+    expect_ported({"k.cl", "k.cpp", head + "  float t = dot(a, b);\n  return t > 0;\n}\n",
+                   head + "  float t = dot(b, b + a);\n  return t > 0;\n}\n",
+                   port_head + "  float t = a.Dot(b);\n  return t > 0;\n}\n",
+                   port_head + "  float t = b.Dot(b + a);\n  return t > 0;\n}\n"});
+}
+
 TEST(SyncEdit, AWordThatTheTargetDoesNotKnowIsLeft) {
     expect_left(weighed("gain * 0.5f", "gain * source_only_table[count]", "gain * 0.5", "gain * 0.5"));
     expect_left(weighed("gain * 0.5f", "source_only_call(gain)", "gain * 0.5", "gain * 0.5"));
