@@ -122,28 +122,42 @@ Chart debt_chart(const History& history) {
     return chart;
 }
 
-std::string table_of_blocks(const HistoryPoint& newest) {
+/// Whether the blocks that change most are the ones that are alike.
+std::string sentence_on_churn(const History& history) {
+    const std::string what = "Touched: commits shown, after the first, that changed a file of the block. ";
+    if (!history.churn_and_likeness)
+        return "<p>" + what + "Too few blocks to say whether those that change most are the similar ones.</p>\n";
+    return "<p>" + what +
+           fmt::format(
+               "Whether those that change most for their size are the similar ones: rank correlation {:.2f} of commits "
+               "per line and Moss % (1: they are, -1: the stable ones are, 0: neither).</p>\n",
+               *history.churn_and_likeness);
+}
+
+std::string table_of_blocks(const History& history) {
+    const HistoryPoint& newest = history.points.back();
     std::string out =
         "<h2>Blocks at the newest commit</h2>\n<div class=\"scroll\" tabindex=\"0\"><table><thead><tr><th "
         "scope=\"col\">block</th>"
         "<th scope=\"col\">source lines</th><th scope=\"col\">shared</th><th scope=\"col\">port lines</th>"
         "<th scope=\"col\">shared</th><th scope=\"col\">Moss % of the port</th><th scope=\"col\">degree of "
-        "portability</th></tr></thead><tbody>\n";
+        "portability</th><th scope=\"col\">touched</th></tr></thead><tbody>\n";
     const auto shared = [](const MeasuredBlock& block, Side side) {
         return block.is_too_short() ? std::string("too short") : std::to_string(block.found[side].measure.shared_lines);
     };
-    const auto row = [&](const MeasuredBlock& block, const std::string& name) {
-        out += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
-                           html_text(name), block.found.source.measure.lines, shared(block, Side::Source),
-                           block.found.target.measure.lines, shared(block, Side::Target),
-                           block.found.target.measure.moss_percent
-                               ? bounded_text(*block.found.target.measure.moss_percent, 100, 1)
-                               : "-",
-                           figure_text(block.degree));
+    const auto row = [&](const MeasuredBlock& block, const std::string& name, const std::string& touched) {
+        out += fmt::format(
+            "<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
+            html_text(name), block.found.source.measure.lines, shared(block, Side::Source),
+            block.found.target.measure.lines, shared(block, Side::Target),
+            block.found.target.measure.moss_percent ? bounded_text(*block.found.target.measure.moss_percent, 100, 1)
+                                                    : "-",
+            figure_text(block.degree), touched);
     };
-    for (const MeasuredBlock& block : newest.blocks) row(block, block.name);
-    row(newest.totals, "all");
-    return out + "</tbody></table></div>\n";
+    for (size_t i = 0; i < newest.blocks.size(); ++i)
+        row(newest.blocks[i], newest.blocks[i].name, std::to_string(history.churn.at(i).commits));
+    row(newest.totals, "all", "");
+    return out + "</tbody></table></div>\n" + sentence_on_churn(history);
 }
 
 std::string table_of_open(const History& history) {
@@ -178,7 +192,7 @@ std::string history_html(const History& history) {
         const TimeAxis axis = axis_of(history.points);
         for (const Chart& chart : {degree_chart(history), similarity_chart(history), debt_chart(history)})
             body += figure_of(chart, axis);
-        body += table_of_blocks(newest) + table_of_open(history);
+        body += table_of_blocks(history) + table_of_open(history);
     }
     return filled_page("history.html", {{"@STYLE@", page_file("history.css")}, {"@BODY@", body}});
 }

@@ -476,6 +476,8 @@ TEST_F(History, ThePageStandsAlone) {
     EXPECT_NE(page.find("prefers-color-scheme: dark"), std::string::npos);
     EXPECT_NE(page.find("role=\"img\""), std::string::npos);
     EXPECT_NE(page.find("1 of 2 pairs are open, 3.0 line-days"), std::string::npos);
+    EXPECT_NE(page.find("<td>4</td></tr>"), std::string::npos) << "commits that touched the block";
+    EXPECT_NE(page.find("Too few blocks to say whether"), std::string::npos);
     EXPECT_EQ(page.find("nan"), std::string::npos);
     EXPECT_EQ(page.find("inf"), std::string::npos);
 }
