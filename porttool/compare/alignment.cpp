@@ -162,7 +162,7 @@ private:
                 if (a_.clauses[c].closes) out_.clause_of[c] = Alignment::kNone;
                 continue;
             }
-            // A brace that stands behind clauses which come later here is no use.
+            // A brace that stands after clauses which come later here is no use.
             if (a_.clauses[c].closes && overtakes(c)) {
                 out_.clause_of[c] = Alignment::kNone;
                 continue;

@@ -13,7 +13,7 @@
 namespace porttool {
 
 /// The functions and the methods that some texts call. One stands for the other if they are called alike but for
-/// capital letters, or so behind a type's name and an underscore.
+/// capital letters, or so after a type's name and an underscore.
 class CalledForms {
 public:
     void add(const Words& text);

@@ -76,7 +76,7 @@ std::string joined_without(const NameWords& words, uint32_t left_out, const Term
     return text;
 }
 
-/// NameWords that `own` has in front of or behind names that the other side has without them.
+/// NameWords that `own` has before or after names that the other side has without them.
 std::unordered_set<uint32_t> words_of_one_side(const std::vector<NameWords>& own, const SideWords& own_words,
                                                const SideWords& other_words,
                                                const std::unordered_set<std::string>& other_names,

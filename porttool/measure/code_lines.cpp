@@ -7,7 +7,7 @@
 namespace porttool {
 namespace {
 
-/// `#ifndef X`, `#define X` before everything else, and the `#endif` of the former behind it.
+/// `#ifndef X`, `#define X` before everything else, and the `#endif` of the former after it.
 bool is_include_guard(const LexedText& lexed) {
     const std::vector<Directive>& directives = lexed.directives;
     if (directives.size() < 3) return false;

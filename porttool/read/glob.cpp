@@ -101,7 +101,7 @@ std::vector<std::string> expanded(const std::string& pattern) {
 
 bool has_wildcard(std::string_view text) { return text.find_first_of("*?[") != std::string_view::npos; }
 
-/// Matches `[...]` at `at`, which moves behind it; false leaves `at` where it was if the class does not close.
+/// Matches `[...]` at `at`, which moves past it; false leaves `at` where it was if the class does not close.
 bool class_matches(std::string_view pattern, size_t& at, char c) {
     size_t i = at + 1;
     const bool negated = i < pattern.size() && (pattern[i] == '!' || pattern[i] == '^');

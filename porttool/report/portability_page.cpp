@@ -66,7 +66,7 @@ std::string_view line_at(const TextLines& texts, const std::string& file, uint32
                                                                             : found->second[line - 1];
 }
 
-/// source line, target line (0: none, else how far behind the last one), and where something differs the marks of both.
+/// source line, target line (0: none, else how far after the last one), and where something differs the marks of both.
 ordered_json rows_json(const RowSide& source, const RowSide& target, const BySide<TextLines>& texts,
                        const Dialect& dialect) {
     ordered_json out = ordered_json::array();

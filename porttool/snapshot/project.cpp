@@ -29,7 +29,7 @@ void require_beneath(const std::vector<std::string>& globs, const std::string& r
                            "[sides] target_root");
 }
 
-/// True for a path with `.git` in it, where a checkout keeps its credentials, or behind it.
+/// True for a path with `.git` in it, where a checkout keeps its credentials, or below it.
 bool passes_git_folder(const std::string& path) {
     std::error_code error;
     return names_git_folder(path) || names_git_folder(std::filesystem::weakly_canonical(path, error).generic_string());

@@ -12,7 +12,7 @@ namespace {
 constexpr uint32_t kNoToken = static_cast<uint32_t>(-1);
 constexpr uint32_t kLongestCall = 2000;  ///< tokens that are looked through for the end of one
 
-/// The parenthesis that opens the arguments after a name: behind template arguments, or a kernel's launch.
+/// The parenthesis that opens the arguments after a name: after template arguments, or a kernel's launch.
 uint32_t open_after(const LexedText& lexed, uint32_t name) {
     const auto size = static_cast<uint32_t>(lexed.tokens.size());
     uint32_t i = name + 1;

@@ -12,7 +12,7 @@
 namespace porttool {
 
 /// Makes edits of a scanned text, which has neither carriage returns nor spliced lines, in the file as it stands on the
-/// disk. New lines end as its first line does. None if a word that goes on behind a spliced line would be replaced.
+/// disk. New lines end as its first line does. None if a word that goes on after a spliced line would be replaced.
 std::optional<std::string> edit_file(std::string_view bytes, std::string_view scanned,
                                      const std::vector<TextEdit>& edits);
 

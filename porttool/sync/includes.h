@@ -25,8 +25,8 @@ using IncludeThere = std::function<std::string(const std::string& what)>;
 /// What the C and C++ standards have under that name, in the words of the language; "" for any other file.
 std::string standard_include(const std::string& what, Language there);
 
-/// The edits of the port's file that bring the includes which came to the source's: behind the one that it stands
-/// behind there, or before the one that it stands before. One without such a neighbour has no place.
+/// The edits of the port's file that bring the includes which came to the source's: after the one that it stands
+/// after there, or before the one that it stands before. One without such a neighbour has no place.
 std::vector<TextEdit> port_includes(const ScannedFile& before, const ScannedFile& now, const ScannedFile& port,
                                     const IncludeThere& there);
 

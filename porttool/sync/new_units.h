@@ -39,7 +39,7 @@ public:
     /// The fields and enumerators of those that the user can use, and what other edits of the run bring in.
     std::set<std::string, std::less<>> brought() const;
 
-    /// How many were ported so far; all behind that are forgotten. The drafts are taken back by themselves.
+    /// How many were ported so far; all after that are forgotten. The drafts are taken back by themselves.
     size_t count() const { return made_.size(); }
     void take_back(size_t count);
 

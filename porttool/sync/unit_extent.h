@@ -13,7 +13,7 @@ struct UnitExtent {
     TokenRange tokens;   ///< with the `;` after it, and the `typedef` before it
     size_t comment = 0;  ///< where the comment above it begins, at the start of a line; without one where the code does
     size_t code = 0;     ///< its first byte
-    size_t end = 0;      ///< behind its last line, comments on that included; its line end is not
+    size_t end = 0;      ///< after its last line, comments on that included; its line end is not
     bool has_lines = false;  ///< nothing else stands on its lines
 };
 UnitExtent extent_of(const ScannedFile& file, const Unit& unit);

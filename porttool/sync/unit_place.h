@@ -32,7 +32,7 @@ struct UnitPlace {
     bool found = false;
     size_t offset = 0;       ///< of the target's scanned text
     size_t blank_lines = 0;  ///< between it and its neighbour
-    bool below = false;      ///< it comes behind its neighbour
+    bool below = false;      ///< it comes after its neighbour
     std::string indent;      ///< that of its neighbour
     std::string failure;
 };

@@ -14,7 +14,7 @@ namespace porttool {
 /// A name or a text of others in the midst of a line.
 std::string terminal_text(std::string_view value);
 
-/// The same where it stands first in a line: `::name::`, a workflow command of GitHub there, also behind blanks, begins
+/// The same where it stands first in a line: `::name::`, a workflow command of GitHub there, also after blanks, begins
 /// with `\u{3a}:`.
 std::string terminal_line(std::string_view value);
 
