@@ -12,7 +12,7 @@ foreach(page porttool ci metrics security)
 endforeach()
 
 # What the program carries within itself asks that its licence goes with it.
-foreach(package libgit2-dev libhttp-parser-dev libmbedtls-dev libpcre2-dev zlib1g-dev libc6-dev libstdc++-12-dev
+foreach(package libgit2-dev libhttp-parser-dev libmbedtls-dev libpcre2-dev zlib1g-dev libjemalloc-dev libc6-dev libstdc++-12-dev
         libfmt-dev libtomlplusplus-dev libcli11-dev nlohmann-json3-dev glslang-dev spirv-tools)
     if(NOT EXISTS /usr/share/doc/${package}/copyright)
         message(FATAL_ERROR "The licence of ${package}, which the static porttool holds, is not in /usr/share/doc: install the package")
