@@ -276,8 +276,8 @@ TEST(Sarif, NoFixForWhatIsSettledOrLeft) {
     MemoryDisk disk = started(kSource, kTarget);
     disk.files["/r/src/k.cu"] = replaced(replaced(kSource, "2.0f", "2.5f"), "a - 1.5f", "noise_table[a]");
     run(disk, {"-C", "/r", "ignore", "src/k.cu:f", "--reason", "measured"});
-    for (const json& result : sarif(disk)["runs"][0]["results"])
-        EXPECT_FALSE(result.contains("fixes")) << result.dump(1);
+    const json log = sarif(disk);
+    for (const json& result : log["runs"][0]["results"]) EXPECT_FALSE(result.contains("fixes")) << result.dump(1);
 }
 
 }  // namespace
