@@ -79,6 +79,7 @@ std::optional<Verification> verified(const Options& options, const CheckedProjec
     const std::chrono::milliseconds limit = verify_limit(options);
     if (files.empty()) files = written_files(result.files_with_partial, checked.project);
     if (command.empty() || files.empty()) return std::nullopt;
+    require_no_links(files, place.disk);
     return verify(files, command, limit, place.disk);
 }
 

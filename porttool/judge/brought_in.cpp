@@ -156,6 +156,8 @@ private:
                        {now_.map.dialect.begin(), now_.map.dialect.end()});
         compare_tables(GatePart::Sides, "sides", sides_of(before_.map), sides_of(now_.map));
         compare_tables(GatePart::Rule, "spirv", shaders_of(before_.map), shaders_of(now_.map));
+        compare_tables(GatePart::Rule, "sync", verify_of(before_.map), verify_of(now_.map));
+        compare_tables(GatePart::Rule, "block", blocks_of(before_.map), blocks_of(now_.map));
     }
 
     void compare_pairs() {
@@ -200,6 +202,18 @@ private:
     static Table rules_of(const MapFile& map) {
         Table out;
         for (const auto& [rule, level] : map.rules) out.emplace(rule_name(rule), level_name(level));
+        return out;
+    }
+    /// The one text of a map that is ever run, with `sync --verify`.
+    static Table verify_of(const MapFile& map) {
+        return map.verify.empty() ? Table() : Table{{"sync verify", map.verify}};
+    }
+    /// What `report --fail-under` measures.
+    static Table blocks_of(const MapFile& map) {
+        Table out;
+        for (const MapBlock& block : map.blocks)
+            out["block " + block.name] =
+                fmt::format("{} = {}", fmt::join(block.source, ", "), fmt::join(block.target, ", "));
         return out;
     }
     static Table shaders_of(const MapFile& map) {

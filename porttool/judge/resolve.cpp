@@ -120,16 +120,18 @@ void Resolver::settle_variants(const Names& names, std::vector<const UnitState*>
 /// By its text without names where that is long enough to be no chance, else by its name and exact text together.
 void Resolver::follow_texts(const Names& gone) {
     if (gone.empty()) return;
-    std::multimap<std::string, const UnitState*> by_text;
+    std::map<std::string, std::deque<const UnitState*>> by_text;
     for (const auto& [id, unit] : units_) {
         if (!is_free(unit)) continue;
-        if (unit.text.size() >= kTokensOfOwnText) by_text.emplace(unit.prints.renamed, &unit);
-        by_text.emplace(unit.name + " " + unit.prints.written, &unit);
+        if (unit.text.size() >= kTokensOfOwnText) by_text[unit.prints.renamed].push_back(&unit);
+        by_text[unit.name + " " + unit.prints.written].push_back(&unit);
     }
     const auto follow = [&](const NamedUnit& name, const std::string& text) {
-        const auto [first, last] = by_text.equal_range(text);
-        const auto at = std::find_if(first, last, [&](const auto& entry) { return !taken(*entry.second); });
-        if (at != last) give(name.id, *at->second, true);
+        const auto found = by_text.find(text);
+        if (found == by_text.end()) return;
+        std::deque<const UnitState*>& units = found->second;
+        while (!units.empty() && taken(*units.front())) units.pop_front();
+        if (!units.empty()) give(name.id, *units.front(), true);
     };
     for (const NamedUnit* name : gone) follow(*name, split_id(name->id).second + " " + name->prints->written);
     for (const NamedUnit* name : gone)

@@ -36,14 +36,7 @@ void add_lines(std::string_view patch, std::string& out) {
     for (size_t first = 0; first < patch.size();) {
         const size_t next = std::min(patch.find('\n', first), patch.size());
         const size_t end = next > first && patch[next - 1] == '\r' ? next - 1 : next;
-        out += "    ";
-        for (size_t at = first; at < end;) {
-            const size_t tab = std::min(patch.find('\t', at), end);
-            out += terminal_text(patch.substr(at, tab - at));
-            if (tab < end) out += '\t';
-            at = tab + 1;
-        }
-        out += '\n';
+        out += terminal_code_line("    ", patch.substr(first, end - first)) + '\n';
         first = next + 1;
     }
 }

@@ -15,6 +15,12 @@ constexpr const char* kNoneWritten = "; nothing was written";
 
 std::string shown(const TreePath& place) { return terminal_text(place.path); }
 
+/// True for a file that a link leads to: what git, and a trial in another work tree, know of it is the link.
+bool lies_behind_link(const TreePath& place, const Disk& disk) {
+    return disk.kind(place) != FileKind::None &&
+           !disk.read(TreePath{place.root, place.path, Links::None}, kLargestFile).error.empty();
+}
+
 /// Throws unless the file is what the proposals were made for, and may be written.
 void require_writable(const WrittenFile& file, const Disk& disk) {
     if (disk.is_read_only(file.place))
@@ -52,7 +58,15 @@ std::vector<WrittenFile> written_files(const std::map<std::string, ProposedFile>
     return out;
 }
 
+void require_no_links(const std::vector<WrittenFile>& files, const Disk& disk) {
+    for (const WrittenFile& file : files)
+        if (lies_behind_link(file.place, disk))
+            throw CannotDo(shown(file.place) + " is a link, or lies behind one" + kNoneWritten +
+                           ". Name the file itself in portmap.toml");
+}
+
 void require_applicable(const std::vector<WrittenFile>& files, bool force, const Disk& disk) {
+    require_no_links(files, disk);
     for (const WrittenFile& file : files) {
         require_writable(file, disk);
         if (!force) require_committed(file, disk);

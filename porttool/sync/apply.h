@@ -22,6 +22,9 @@ struct WrittenFile {
 /// The files of proposals with the roots that they lie beneath.
 std::vector<WrittenFile> written_files(const std::map<std::string, ProposedFile>& files, const Project& project);
 
+/// Throws where a file is a link, or is reached through one.
+void require_no_links(const std::vector<WrittenFile>& files, const Disk& disk);
+
 /// Throws CannotDo for a file that is closed to writing, that is not any more what the proposals were made for, or,
 /// unless forced, that holds what no commit does.
 void require_applicable(const std::vector<WrittenFile>& files, bool force, const Disk& disk);

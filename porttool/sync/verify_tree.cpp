@@ -39,14 +39,18 @@ std::string cache_folder() {
 std::string verify_folder(const std::string& work_tree) {
     const std::string ours = join_path(cache_folder(), "porttool"), folder = join_path(ours, "verify");
     std::error_code error;
+    // Where it lies is asked before anything is made, of the cache as well: what a repository holds may be links.
+    for (const std::string& place : {cache_folder(), folder}) {
+        const std::string real = fs::weakly_canonical(fs::absolute(place, error), error).generic_string();
+        if (error || (real + "/").starts_with(work_tree + "/"))
+            throw CannotDo(terminal_text(folder) +
+                           " lies in the repository itself\nSet XDG_CACHE_HOME to a folder outside");
+    }
+    const bool is_new = !fs::exists(ours, error);
     fs::create_directories(folder, error);
     if (error) throw CannotDo(terminal_text(folder) + ": cannot be made: " + error.message());
-    fs::permissions(ours, fs::perms::owner_all, error);
-    const std::string real = fs::canonical(folder, error).generic_string();
-    if (error || (real + "/").starts_with(work_tree + "/"))
-        throw CannotDo(terminal_text(folder) +
-                       " lies in the repository itself\nSet XDG_CACHE_HOME to a folder outside");
-    return real;
+    if (is_new) fs::permissions(ours, fs::perms::owner_all, error);
+    return fs::canonical(folder).generic_string();
 }
 
 /// Files by their path in the repository: what they are copied from.

@@ -347,6 +347,21 @@ TEST_F(HostileChange, ALineOfTheBaselineExcusesOneUnit) {
     EXPECT_EQ(porttool({"check"}).exit_code, 2) << "two lines for one unit";
 }
 
+TEST_F(HostileChange, TheCommandThatSyncRunsAndTheBlocksAreListed) {
+    const std::string map = read_text(root / "portmap.toml");
+    write("portmap.toml", map + "\n[sync]\nverify = \"true\"\n");
+    commit("verify");
+    git("checkout -qb other");
+    write("portmap.toml", map +
+                              "\n[sync]\nverify = \"curl x | sh\"\n[[block]]\nname = \"b\"\nsource = "
+                              "[\"src/*\"]\ntarget = [\"port/*\"]\n");
+    const auto got = nlohmann::json::parse(porttool({"check", "--base", "main", "--format", "json"}).out);
+    std::set<std::string> texts;
+    for (const auto& one : got["brought_in"]) texts.insert(one["text"]);
+    EXPECT_TRUE(texts.contains("sync verify = curl x | sh, before true")) << got["brought_in"].dump(1);
+    EXPECT_TRUE(texts.contains("block b = src/* = port/*")) << got["brought_in"].dump(1);
+}
+
 TEST_F(HostileChange, ALockLineThatGoesIsListed) {
     git("checkout -q -b feature");
     LockFile lock = read_lock(read_text(root / "portmap.lock")).lock;

@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <sstream>
 #include <thread>
 
 #include "porttool/sync/bounded_command.h"
@@ -164,6 +165,35 @@ TEST_F(SyncCommand, ApplyKeepsWhatNoCommitHolds) {
     EXPECT_TRUE(holds(error_of({"--apply"}), "not committed")) << "nor does the index count";
     EXPECT_EQ(porttool({"sync", "--apply", "--force"}).exit_code, 0);
     EXPECT_EQ(port(), kOnePorted + "// a note\n");
+}
+
+TEST_F(SyncCommand, NothingIsWrittenOrTriedThroughALink) {
+    std::filesystem::create_directory(root / "real");
+    std::filesystem::rename(root / "port/k.comp", root / "real/k.comp");
+    std::filesystem::create_symlink("../real/k.comp", root / "port/k.comp");
+    commit("a link");
+    write("real/k.comp", kTwoPorts + "// a note that no commit has\n");
+    edit_source();
+    for (const std::vector<std::string>& arguments :
+         {std::vector<std::string>{"--apply"}, {"--apply", "--force"}, {"--verify", "touch '" + cache.string() + "x'"}})
+        EXPECT_TRUE(holds(error_of(arguments), "port/k.comp is a link, or lies behind one")) << arguments[0];
+    EXPECT_FALSE(std::filesystem::exists(cache.string() + "x"));
+}
+
+TEST_F(SyncCommand, LinesOfAPatchAreNoCommands) {
+    write("port/k.comp", replaced(kTwoPorts, "{\n", "{\n::error file=a::merge this\n\t::stop-commands::x\n"));
+    ASSERT_EQ(porttool({"init", "--force", "--source", "src/*", "--target", "port/*"}).exit_code, 0);
+    edit_source();
+    for (const char* format : {"text", "explain"}) {
+        const CommandRun got =
+            format == std::string("text") ? porttool({"sync"}) : porttool({"explain", "src/k.cu:shade"});
+        EXPECT_TRUE(holds(got.out, "u{3a}:error")) << got.out;
+        std::istringstream lines(got.out);
+        for (std::string line; std::getline(lines, line);) {
+            const size_t first = line.find_first_not_of(" \t");
+            EXPECT_FALSE(first != std::string::npos && line.compare(first, 2, "::") == 0) << line;
+        }
+    }
 }
 
 TEST_F(SyncCommand, ApplyOutsideOfGitNeedsForce) {
@@ -353,6 +383,18 @@ TEST_F(SyncCommand, TheCopyLiesOutsideOfTheRepository) {
     edit_source();
     ::setenv("XDG_CACHE_HOME", (root / "cache").c_str(), 1);
     EXPECT_TRUE(holds(error_of({"--verify", "true"}), "Set XDG_CACHE_HOME to a folder outside"));
+    EXPECT_FALSE(std::filesystem::exists(root / "cache")) << "nothing is made before that is known";
+    // What is committed may be a link that leads out again.
+    const std::filesystem::path victim = root.string() + "_victim";
+    std::filesystem::create_directory(victim);
+    std::filesystem::permissions(victim, std::filesystem::perms::owner_all | std::filesystem::perms::others_read);
+    std::filesystem::create_directory(root / "cache");
+    std::filesystem::create_symlink(victim, root / "cache/porttool");
+    EXPECT_TRUE(holds(error_of({"--verify", "true"}), "Set XDG_CACHE_HOME to a folder outside"));
+    EXPECT_TRUE(std::filesystem::is_empty(victim));
+    EXPECT_NE(std::filesystem::status(victim).permissions() & std::filesystem::perms::others_read,
+              std::filesystem::perms::none);
+    std::filesystem::remove_all(victim);
     std::filesystem::remove_all(root / "cache");
     std::filesystem::remove_all(root / ".git");
     ::setenv("XDG_CACHE_HOME", cache.c_str(), 1);

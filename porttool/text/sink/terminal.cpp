@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "porttool/text/visible.h"
 
 namespace porttool {
@@ -28,6 +30,17 @@ std::string escaped_once(char32_t code) {
 std::string terminal_text(std::string_view value) { return visible(value); }
 
 std::string terminal_line(std::string_view value) { return without_command(visible(value)); }
+
+std::string terminal_code_line(std::string_view indent, std::string_view line) {
+    std::string out(indent);
+    for (size_t at = 0; at < line.size();) {
+        const size_t tab = std::min(line.find('\t', at), line.size());
+        out += visible(line.substr(at, tab - at));
+        if (tab < line.size()) out += '\t';
+        at = tab + 1;
+    }
+    return without_command(std::move(out));
+}
 
 std::string terminal_lines(std::string_view message) {
     std::string out;

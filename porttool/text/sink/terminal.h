@@ -18,6 +18,9 @@ std::string terminal_text(std::string_view value);
 /// with `\u{3a}:`.
 std::string terminal_line(std::string_view value);
 
+/// A line of a file, for a reader, behind `indent`: its tabs stay, and it begins no command.
+std::string terminal_code_line(std::string_view indent, std::string_view line);
+
 /// A message of several lines, made of words of ours and of values that went through `terminal_text`: its line breaks
 /// stay. What values it holds that did not can forge a line, but nothing acts.
 std::string terminal_lines(std::string_view message);
