@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "porttool/compare/compare_pair.h"
 
-#include <algorithm>
 #include <string>
 #include <vector>
 

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "porttool/normal/diff.h"
+#include "porttool/sync/unified_diff.h"
 #include "porttool/text/sink/sarif.h"
 #include "porttool/text/utf8.h"
 
@@ -15,21 +16,10 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// Lines with their ends.
-Words ended_lines(std::string_view text) {
-    Words out;
-    while (!text.empty()) {
-        const size_t end = text.find('\n');
-        out.push_back(text.substr(0, end == std::string_view::npos ? text.size() : end + 1));
-        text.remove_prefix(out.back().size());
-    }
-    return out;
-}
-
 /// Whole lines that others take the place of; null where that cannot be said so.
 ordered_json replacements(const ProposedFile& file) {
     if (!is_utf8(file.before) || !is_utf8(file.now)) return nullptr;
-    const Words before = ended_lines(file.before), now = ended_lines(file.now);
+    const Words before = lines_with_ends(file.before), now = lines_with_ends(file.now);
     const std::vector<DiffStep> steps = diff(before, now);
     ordered_json out = ordered_json::array();
     for (size_t i = 0; i < steps.size(); ++i) {

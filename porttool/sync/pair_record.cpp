@@ -5,6 +5,7 @@
 #include "porttool/judge/settle.h"
 #include "porttool/snapshot/lock_store.h"
 #include "porttool/snapshot/map_edit.h"
+#include "porttool/snapshot/snapshot.h"
 
 namespace porttool {
 namespace {
@@ -35,22 +36,10 @@ private:
     const Disk& disk_;
 };
 
-/// The project without its files.
-Project bare(const Project& project) {
-    Project out;
-    out.root = project.root;
-    out.map_path = project.map_path;
-    out.map_name = project.map_name;
-    out.has_map = project.has_map;
-    out.map_text = project.map_text;
-    out.map = project.map;
-    return out;
-}
-
 }  // namespace
 
 std::vector<FileToWrite> PairRecord::new_texts(const std::vector<FreshPair>& pairs) {
-    Project project = bare(checked_.project);
+    Project project = without_files(checked_.project);
     std::string map_text = project.map_text;
     if (!map_text.empty() && map_text.back() != '\n') map_text += '\n';
     std::vector<JudgedPair> judged;

@@ -12,17 +12,6 @@ namespace {
 
 constexpr size_t kContext = 3;
 
-/// The lines of a text, each with its line end.
-Words lines_with_ends(std::string_view text) {
-    Words out;
-    while (!text.empty()) {
-        const size_t end = text.find('\n');
-        out.push_back(text.substr(0, end == std::string_view::npos ? text.size() : end + 1));
-        text.remove_prefix(out.back().size());
-    }
-    return out;
-}
-
 /// A path as a diff's head has it: quoted where it has what git quotes.
 std::string quoted_path(const std::string& path) {
     const bool plain = std::all_of(path.begin(), path.end(), [](char c) {
@@ -59,6 +48,16 @@ void add_line(char mark, std::string_view line, std::string& out) {
 }
 
 }  // namespace
+
+Words lines_with_ends(std::string_view text) {
+    Words out;
+    while (!text.empty()) {
+        const size_t end = text.find('\n');
+        out.push_back(text.substr(0, end == std::string_view::npos ? text.size() : end + 1));
+        text.remove_prefix(out.back().size());
+    }
+    return out;
+}
 
 std::string unified_diff(const std::string& path, std::string_view before, std::string_view now, bool is_new) {
     if (before == now) return {};

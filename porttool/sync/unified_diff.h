@@ -5,7 +5,12 @@
 #include <string>
 #include <string_view>
 
+#include "porttool/normal/normal_text.h"
+
 namespace porttool {
+
+/// The lines of a text, each with its line end.
+Words lines_with_ends(std::string_view text);
 
 /// A unified diff that `git apply` takes, three lines of context around each change; "" for equal texts. A file that
 /// was not there before has an empty text and `is_new`.
