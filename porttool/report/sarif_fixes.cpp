@@ -56,8 +56,12 @@ std::vector<ProposedFix> proposed_fixes(const CheckedProject& checked, const Dis
         try {
             SyncResult result = propose(checked, {i}, WriteSide::Other, disk);
             const Proposal& one = result.proposals.front();
-            if (one.state == ProposalState::Proposed && one.record_patch.empty())
-                out.push_back({pair.id.source, pair.id.target, std::move(result.files)});
+            if (one.state != ProposalState::Proposed || !one.record_patch.empty()) continue;
+            ProposedFix fix{pair.id.source, pair.id.target, {}};
+            for (auto& [place, file] : result.files)
+                fix.files[place.is_elsewhere ? target_path(checked.project.map, place.path) : place.path] =
+                    std::move(file);
+            out.push_back(std::move(fix));
         } catch (const CannotDo&) {
             continue;  // a check goes on without
         }

@@ -15,7 +15,7 @@ namespace porttool {
 /// The port of one pair's edit, by the ids of portmap.toml.
 struct ProposedFix {
     std::string source, target;
-    std::map<std::string, ProposedFile> files;
+    std::map<std::string, ProposedFile> files;  ///< by their paths as seen from the project's root
 };
 
 /// What `sync` proposes as a whole for the pairs with open findings, each as if it were alone: of the first 20 that

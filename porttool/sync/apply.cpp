@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "porttool/sync/apply.h"
 
-#include <set>
-
 #include "porttool/read/git_repository.h"
 #include "porttool/sync/apply_journal.h"
 #include "porttool/text/sink/terminal.h"
@@ -48,13 +46,10 @@ void require_committed(const WrittenFile& file, const Disk& disk) {
 
 }  // namespace
 
-std::vector<WrittenFile> written_files(const std::map<std::string, ProposedFile>& files, const Project& project) {
-    std::set<std::string_view> of_target;
-    if (target_root(project) != project.root)
-        for (const ScannedFile& file : project.target) of_target.insert(file.path);
+std::vector<WrittenFile> written_files(const ProposedFiles& files, const Project& project) {
     std::vector<WrittenFile> out;
-    for (const auto& [path, file] : files)
-        out.push_back({{of_target.contains(path) ? target_root(project) : project.root, path}, file.before, file.now});
+    for (const auto& [place, file] : files)
+        out.push_back({{place.is_elsewhere ? target_root(project) : project.root, place.path}, file.before, file.now});
     return out;
 }
 

@@ -20,7 +20,7 @@ struct WrittenFile {
 };
 
 /// The files of proposals with the roots that they lie beneath.
-std::vector<WrittenFile> written_files(const std::map<std::string, ProposedFile>& files, const Project& project);
+std::vector<WrittenFile> written_files(const ProposedFiles& files, const Project& project);
 
 /// Throws where a file is a link, or is reached through one.
 void require_no_links(const std::vector<WrittenFile>& files, const Disk& disk);

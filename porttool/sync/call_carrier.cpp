@@ -116,7 +116,7 @@ void CallCarrier::each_site(const JudgedPair& pair, Side side, const Take& take)
     for (const ScannedFile& file : knowledge_.files(side)) {
         if (side == Side::Target && sets_.of_path(file.path) != set) continue;
         if (file.lexed.text.find(name) == std::string::npos) continue;
-        const Draft* draft = drafts_.find(file.path);
+        const Draft* draft = drafts_.find(side, file.path);
         const ScannedFile& now = draft == nullptr ? file : draft->scanned;
         for (const CallSite& site : call_sites(now, name, of_class)) take(file, now, site);
     }

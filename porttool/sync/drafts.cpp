@@ -14,27 +14,32 @@ const Unit* unit_named(const ScannedFile& file, const std::string& id) {
     return nullptr;
 }
 
+ProposedPlace Drafts::place_of(Side side, const std::string& path) const {
+    return {path, side == Side::Target && target_root(checked_.project) != checked_.project.root};
+}
+
 Draft& Drafts::of(Side side, const ScannedFile& file) {
-    auto found = drafts_.find(file.path);
+    ProposedPlace place = place_of(side, file.path);
+    auto found = drafts_.find(place);
     if (found != drafts_.end()) return found->second;
     const std::string root = side == Side::Target ? target_root(checked_.project) : checked_.project.root;
     FileText read = disk_.read(TreePath{root, file.path}, kLargestSource);
-    if (!read.error.empty()) throw CannotDo(file.path + " " + read.error);
-    Draft draft{read.bytes, read.bytes, scan_text(file.path, read.bytes)};
+    if (!read.error.empty()) throw CannotDo(terminal_text(file.path) + " " + read.error);
+    Draft draft{read.bytes, read.bytes, scan_text(file.path, read.bytes), place};
     if (draft.scanned.lexed.text != file.lexed.text)
         throw CannotDo(terminal_text(file.path) +
                        " is not as it was judged: with --staged the index and the work tree differ\n"
                        "Stage it, or sync without --staged");
-    return drafts_.emplace(file.path, std::move(draft)).first->second;
+    return drafts_.emplace(std::move(place), std::move(draft)).first->second;
 }
 
-const Draft* Drafts::find(const std::string& path) const {
-    const auto found = drafts_.find(path);
+const Draft* Drafts::find(Side side, const std::string& path) const {
+    const auto found = drafts_.find(place_of(side, path));
     return found == drafts_.end() ? nullptr : &found->second;
 }
 
 void Drafts::write(Draft& draft, std::string bytes, ScannedFile scanned) {
-    bytes_before_.try_emplace(draft.scanned.path, draft.bytes);
+    bytes_before_.try_emplace(draft.place, draft.bytes);
     draft.bytes = std::move(bytes);
     draft.scanned = std::move(scanned);
 }
@@ -45,10 +50,10 @@ void Drafts::begin() {
 }
 
 void Drafts::take_back() {
-    for (auto& [path, bytes] : bytes_before_) {
-        Draft& draft = drafts_.at(path);
+    for (auto& [place, bytes] : bytes_before_) {
+        Draft& draft = drafts_.at(place);
         draft.bytes = std::move(bytes);
-        draft.scanned = scan_text(path, draft.bytes);
+        draft.scanned = scan_text(place.path, draft.bytes);
     }
     bytes_before_.clear();
     records_ = records_before_;
@@ -56,7 +61,7 @@ void Drafts::take_back() {
 
 std::string Drafts::patch() const {
     std::string out;
-    for (const auto& [path, bytes] : bytes_before_) out += unified_diff(path, bytes, drafts_.at(path).bytes);
+    for (const auto& [place, bytes] : bytes_before_) out += unified_diff(place.path, bytes, drafts_.at(place).bytes);
     return out;
 }
 
@@ -71,11 +76,11 @@ std::string Drafts::record_patch() const {
     return out;
 }
 
-std::map<std::string, ProposedFile> Drafts::files() const {
-    std::map<std::string, ProposedFile> out;
-    for (const auto& [path, draft] : drafts_)
-        if (draft.bytes != draft.original) out[path] = {draft.original, draft.bytes};
-    for (const auto& [path, file] : records_) out[path] = {file.before, file.now};
+ProposedFiles Drafts::files() const {
+    ProposedFiles out;
+    for (const auto& [place, draft] : drafts_)
+        if (draft.bytes != draft.original) out[place] = {draft.original, draft.bytes};
+    for (const auto& [path, file] : records_) out[{path, false}] = {file.before, file.now};
     return out;
 }
 

@@ -10,15 +10,25 @@
 
 namespace porttool {
 
+/// A file of a project whose target may lie in another checkout, where a path alone does not name one.
+struct ProposedPlace {
+    std::string path;           ///< relative to the root of its side
+    bool is_elsewhere = false;  ///< beneath `target_root`; else beneath the project's root, whichever side it is of
+    auto operator<=>(const ProposedPlace&) const = default;
+};
+
 /// A file that proposals write, as it is and as it becomes.
 struct ProposedFile {
     std::string before, now;
 };
 
+using ProposedFiles = std::map<ProposedPlace, ProposedFile>;
+
 /// A file of the side that is written, as the patches before have left it.
 struct Draft {
     std::string bytes, original;
     ScannedFile scanned;
+    ProposedPlace place;
 };
 
 const Unit* unit_named(const ScannedFile& file, const std::string& id);
@@ -32,7 +42,7 @@ public:
     /// The file as the patches so far have left it. Throws CannotDo if it cannot be read.
     Draft& of(Side side, const ScannedFile& file);
     /// The same of a file that some patch, or a question, has touched; else nullptr.
-    const Draft* find(const std::string& path) const;
+    const Draft* find(Side side, const std::string& path) const;
     void write(Draft& draft, std::string bytes, ScannedFile scanned);
     /// What the project's own files become; in place of what was said of them before.
     void write_record(std::map<std::string, RecordFile> files) { records_ = std::move(files); }
@@ -46,14 +56,16 @@ public:
     std::string record_patch() const;
 
     /// All files that are other ones now.
-    std::map<std::string, ProposedFile> files() const;
+    ProposedFiles files() const;
 
 private:
+    ProposedPlace place_of(Side side, const std::string& path) const;
+
     const CheckedProject& checked_;
     const Disk& disk_;
-    std::map<std::string, Draft> drafts_;
+    std::map<ProposedPlace, Draft> drafts_;
     std::map<std::string, RecordFile> records_, records_before_;
-    std::map<std::string, std::string> bytes_before_;  ///< of drafts that were written since begin()
+    std::map<ProposedPlace, std::string> bytes_before_;  ///< of drafts that were written since begin()
 };
 
 }  // namespace porttool

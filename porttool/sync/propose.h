@@ -19,8 +19,8 @@ std::string map_patch(const Proposal& proposal);
 /// The proposals of one run, in the order in which their patches apply.
 struct SyncResult {
     std::vector<Proposal> proposals;
-    std::map<std::string, ProposedFile> files;  ///< of whole proposals
-    std::map<std::string, ProposedFile> files_with_partial;
+    ProposedFiles files;  ///< of whole proposals
+    ProposedFiles files_with_partial;
     /// True if something is left for a person.
     bool any_left() const;
 };

@@ -74,6 +74,54 @@ bool holds(const std::string& text, const std::string& part) { return text.find(
 
 const std::string kOnePorted = replaced(kTwoPorts, "c * 0.5", "c * 0.25");
 
+TEST_F(SyncCommand, FilesOfOnePathInTwoCheckoutsAreToldApart) {
+    const std::string other = root.string() + "_other";
+    std::filesystem::remove_all(other);
+    const auto put = [](const std::filesystem::path& path, const std::string& text) {
+        std::filesystem::create_directories(path.parent_path());
+        std::ofstream(path) << text;
+    };
+    put(other + "/k.cu", kTwoPorts);
+    write("k.cu", kTwoUnits);
+    write("portmap.toml", "version = 1\n[sides]\nsource = [\"*.cu\"]\ntarget = [\"*.cu\"]\ntarget_root = \"../" +
+                              std::filesystem::path(other).filename().string() + "\"\n");
+    ASSERT_EQ(porttool({"map", "--write", "0.5"}).exit_code, 0);
+    ASSERT_EQ(porttool({"init", "--force"}).exit_code, 0);
+    commit("apart");
+    ASSERT_EQ(std::system(("cd '" + other +
+                           "' && git init -q . && git config user.email a@b && git config user.name a"
+                           " && git add -A && git commit -qm one")
+                              .c_str()),
+              0);
+    const auto uri_of_fix = [&] {
+        const nlohmann::json log = nlohmann::json::parse(porttool({"check", "--format", "sarif"}).out);
+        const nlohmann::json& fix = log["runs"][0]["results"][0]["fixes"][0]["artifactChanges"];
+        EXPECT_EQ(fix.size(), 1u);
+        return fix[0]["artifactLocation"]["uri"].get<std::string>();
+    };
+
+    put(other + "/k.cu", kOnePorted);  // the port runs ahead: the source is written
+    EXPECT_EQ(uri_of_fix(), "k.cu");
+    EXPECT_EQ(sync({"--to", "source", "--apply"}, 0)["proposals"][0]["state"], "proposed");
+    EXPECT_EQ(read_text(root / "k.cu"), replaced(kTwoUnits, "c * 0.5f", "c * 0.25f"));
+    EXPECT_EQ(read_text(other + "/k.cu"), kOnePorted);
+    EXPECT_EQ(porttool({"check"}).exit_code, 0);
+
+    put(other + "/k.cu", kTwoPorts);
+    ASSERT_EQ(porttool({"accept", "--all", "--force"}).exit_code, 0);
+    write("k.cu", kTwoUnits);  // one edit on each side, of two pairs: both files are written
+    ASSERT_EQ(porttool({"accept", "--all", "--force"}).exit_code, 0);
+    commit("again");
+    edit("k.cu", "c * 0.5f", "c * 0.25f");
+    EXPECT_EQ(uri_of_fix(), "../" + std::filesystem::path(other).filename().string() + "/k.cu");
+    put(other + "/k.cu", replaced(kTwoPorts, "d * 3.0", "d * 4.0"));
+    sync({"--apply", "--force"}, 0);
+    EXPECT_EQ(read_text(root / "k.cu"), replaced(replaced(kTwoUnits, "c * 0.5f", "c * 0.25f"), "d * 3.0f", "d * 4.0f"));
+    EXPECT_EQ(read_text(other + "/k.cu"), replaced(kOnePorted, "d * 3.0", "d * 4.0"));
+    EXPECT_EQ(porttool({"check"}).exit_code, 0);
+    std::filesystem::remove_all(other);
+}
+
 TEST_F(SyncCommand, JsonHasTheFieldsOfTheContract) {
     edit_source();
     const nlohmann::json got = sync({}, 0);
