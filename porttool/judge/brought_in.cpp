@@ -3,7 +3,6 @@
 #include "porttool/judge/brought_in.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <tuple>
@@ -151,13 +150,7 @@ private:
         for (const MapIgnore& ignore : now_.map.ignores)
             if (!known.contains(ignore.id))
                 add(GatePart::Ignore, map_name_, ignore.line, ignore.id + ": " + ignore.reason);
-        compare_tables(GatePart::Rule, "rules", rules_of(before_.map), rules_of(now_.map));
-        compare_tables(GatePart::Dialect, "dialect", {before_.map.dialect.begin(), before_.map.dialect.end()},
-                       {now_.map.dialect.begin(), now_.map.dialect.end()});
-        compare_tables(GatePart::Sides, "sides", sides_of(before_.map), sides_of(now_.map));
-        compare_tables(GatePart::Rule, "spirv", shaders_of(before_.map), shaders_of(now_.map));
-        compare_tables(GatePart::Rule, "sync", verify_of(before_.map), verify_of(now_.map));
-        compare_tables(GatePart::Rule, "block", blocks_of(before_.map), blocks_of(now_.map));
+        compare_values();
     }
 
     void compare_pairs() {
@@ -172,53 +165,41 @@ private:
             add(GatePart::Pair, map_name_, 1, "no longer: " + pair.first + " = " + pair.second);
     }
 
-    using Table = std::map<std::string, std::string>;
-
-    void compare_tables(GatePart kind, const std::string& section, Table before, const Table& now) {
-        for (const auto& [key, value] : now) {
+    /// Everything else that stands in the map, whatever it is there for.
+    void compare_values() {
+        std::map<std::string, MapValue> before = values_of(before_.map);
+        for (const auto& [key, value] : values_of(now_.map)) {
             const auto old = before.extract(key);
-            if (!old.empty() && old.mapped() == value) continue;
-            const auto line = now_.map.key_lines.find(section + "." + key);
-            add(kind, map_name_, line == now_.map.key_lines.end() ? 1 : line->second,
-                key + " = " + value + (old.empty() ? "" : ", before " + old.mapped()));
+            if (!old.empty() && old.mapped().text == value.text) continue;
+            add(part_of_key(key), map_name_, value.line,
+                shown_key(key) + " = " + value.text + (old.empty() ? "" : ", before " + old.mapped().text));
         }
-        for (const auto& [key, value] : before) add(kind, map_name_, 1, "no longer: " + key + " = " + value);
+        for (const auto& [key, value] : before)
+            add(part_of_key(key), map_name_, 1, "no longer: " + shown_key(key) + " = " + value.text);
     }
 
-    static Table sides_of(const MapFile& map) {
-        Table out{{"source", fmt::format("{}", fmt::join(map.source, ", "))},
-                  {"target", fmt::format("{}", fmt::join(map.target, ", "))},
-                  {"reference", std::string(reference_name(map.reference))}};
-        if (!map.target_root.empty()) out["target_root"] = map.target_root;
-        for (const TargetSet& set : map.target_sets)
-            out["targets." + set.name] = fmt::format("{}", fmt::join(set.globs, ", "));
+    /// With what holds where nothing is said.
+    static std::map<std::string, MapValue> values_of(const MapFile& map) {
+        std::map<std::string, MapValue> out = map.values;
+        out.try_emplace("sides.reference", MapValue{std::string(reference_name(map.reference)), 1});
         return out;
+    }
+    static GatePart part_of_key(std::string_view key) {
+        return key.starts_with("sides.")     ? GatePart::Sides
+               : key.starts_with("dialect.") ? GatePart::Dialect
+                                             : GatePart::Rule;
+    }
+    /// Without the section where the kind of row says it.
+    static std::string shown_key(const std::string& key) {
+        const size_t dot = key.find('.');
+        const std::string section = key.substr(0, dot), name = key.substr(std::min(key.size(), dot + 1));
+        return section == "sides" || section == "dialect" || section == "rules" ? name : section + " " + name;
     }
     static std::string sides_text(const MapFile& map) {
         std::string out;
-        for (const auto& [key, value] : sides_of(map)) out += (out.empty() ? "" : "; ") + key + " = " + value;
+        for (const auto& [key, value] : values_of(map))
+            if (key.starts_with("sides.")) out += (out.empty() ? "" : "; ") + shown_key(key) + " = " + value.text;
         return out;
-    }
-    static Table rules_of(const MapFile& map) {
-        Table out;
-        for (const auto& [rule, level] : map.rules) out.emplace(rule_name(rule), level_name(level));
-        return out;
-    }
-    /// The one text of a map that is ever run, with `sync --verify`.
-    static Table verify_of(const MapFile& map) {
-        return map.verify.empty() ? Table() : Table{{"sync verify", map.verify}};
-    }
-    /// What `report --fail-under` measures.
-    static Table blocks_of(const MapFile& map) {
-        Table out;
-        for (const MapBlock& block : map.blocks)
-            out["block " + block.name] =
-                fmt::format("{} = {}", fmt::join(block.source, ", "), fmt::join(block.target, ", "));
-        return out;
-    }
-    static Table shaders_of(const MapFile& map) {
-        return {{"include", fmt::format("{}", fmt::join(map.shaders.include, ", "))},
-                {"preamble", fmt::format("{}", fmt::join(map.shaders.preamble, ", "))}};
     }
 
     const GateState& before_;

@@ -111,7 +111,7 @@ void list_moved(const Judgement& judgement, std::vector<BroughtIn>& out) {
     for (const JudgedPair& pair : judgement.pairs)
         for (const Side side : kBothSides) {
             const UnitState* unit = pair.unit[side];
-            if (unit != nullptr && unit->file != split_id(pair.id[side]).first)
+            if (unit != nullptr && unit->id != pair.id[side] && unit->file != split_id(pair.id[side]).first)
                 out.push_back({GatePart::Pair, unit->file, static_cast<int>(unit->start_line),
                                pair.id[side] + " is followed to " + unit->id});
         }

@@ -51,7 +51,7 @@ public:
             fail(root.get("version") != nullptr ? root.get("version")->source() : root.source(),
                  root.get("version") == nullptr ? "'version = 1' is missing"
                                                 : "version: expected 1; this porttool reads maps of version 1");
-        note_lines(root);
+        note_values(root);
         if (const toml::table* sides = section(root, "sides")) read_sides(*sides);
         for (const toml::table* pair : tables(root, "pair")) read_pair(*pair);
         for (const toml::table* ignore : tables(root, "ignore")) read_ignore(*ignore);
@@ -162,12 +162,52 @@ private:
         return {text(table, key)};
     }
 
-    void note_lines(const toml::table& root) {
-        for (const char* name : {"sides", "rules", "dialect", "spirv"})
-            if (const toml::table* table = section(root, name))
-                for (const auto& [key, node] : *table)
-                    map_.key_lines[std::string(name) + "." + std::string(key.str())] =
-                        static_cast<int>(key.source().begin.line);
+    /// Takes down what stands in the map, for who compares two of them: new keys are there by themselves.
+    void note_values(const toml::table& root) {
+        for (const auto& [key, node] : root) {
+            const std::string name(key.str());
+            if (name == "version" || name == "pair" || name == "ignore") continue;
+            if (const toml::table* table = node.as_table())
+                note_keys(name, *table);
+            else if (const toml::array* array = node.as_array())
+                for (const toml::node& one : *array) note_entry(name, one);
+        }
+    }
+    void note_keys(const std::string& path, const toml::table& table) {
+        for (const auto& [key, node] : table) {
+            const std::string name = path + "." + std::string(key.str());
+            if (const toml::table* inner = node.as_table())
+                note_keys(name, *inner);
+            else
+                map_.values[name] = {value_text(node), static_cast<int>(key.source().begin.line)};
+        }
+    }
+    /// One of several tables of a name, as a whole, by what it calls itself.
+    void note_entry(const std::string& path, const toml::node& node) {
+        const toml::table* table = node.as_table();
+        if (table == nullptr) return;
+        const toml::node* name = table->get(table->contains("name") ? "name" : "what");
+        const std::string key = path + "." + (name == nullptr ? std::string() : value_text(*name));
+        std::string text;
+        for (const auto& [inner, value] : *table)
+            if (&value != name)
+                text += (text.empty() ? "" : ", ") + std::string(inner.str()) + " = " + value_text(value);
+        const auto [found, fresh] = map_.values.try_emplace(key, MapValue{text, 0});
+        if (!fresh) found->second.text += "; " + text;
+        found->second.line = static_cast<int>(node.source().begin.line);
+    }
+    static std::string value_text(const toml::node& node) {
+        if (const auto text = node.value_exact<std::string>()) return *text;
+        if (const auto number = node.value<double>(); number && node.is_number()) return fmt::format("{}", *number);
+        std::string out;
+        if (const toml::array* array = node.as_array()) {
+            for (const toml::node& one : *array) out += (out.empty() ? "" : ", ") + value_text(one);
+        } else if (const toml::table* table = node.as_table()) {
+            for (const auto& [key, value] : *table)
+                out += (out.empty() ? "" : ", ") + std::string(key.str()) + " = " + value_text(value);
+            out = "{" + out + "}";
+        }
+        return out;
     }
 
     void read_sides(const toml::table& sides) {

@@ -73,6 +73,12 @@ struct TargetSet {
 /// True for what may name a set of targets: letters, digits, `_` and `-`.
 bool is_set_name(std::string_view name);
 
+/// A value as it stands in the text of a map, whatever it means.
+struct MapValue {
+    std::string text;
+    int line = 0;
+};
+
 /// What portmap.toml says.
 struct MapFile {
     std::vector<std::string> source, target;  ///< globs
@@ -85,12 +91,11 @@ struct MapFile {
     std::map<Rule, Level> rules;
     std::vector<std::pair<std::string, std::string>> dialect;
     MapShaders shaders;
-    metrics::LineWeights weights;    ///< [cost]
-    metrics::ReuseSettings reuse;    ///< [reuse]
-    std::vector<MapEffort> efforts;  ///< [[effort]]
-    std::string verify;              ///< [sync]: the command that `sync --verify` runs; "" for none
-    std::map<std::string, int>
-        key_lines;  ///< where keys of [sides], [rules], [dialect] and [spirv] stand: "rules.orphaned"
+    metrics::LineWeights weights;            ///< [cost]
+    metrics::ReuseSettings reuse;            ///< [reuse]
+    std::vector<MapEffort> efforts;          ///< [[effort]]
+    std::string verify;                      ///< [sync]: the command that `sync --verify` runs; "" for none
+    std::map<std::string, MapValue> values;  ///< all that stands there but pairs and ignores: "rules.orphaned"
 };
 
 /// A map, or the error as it is shown: file:line:column, what is wrong, the line with a caret.

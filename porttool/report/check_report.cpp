@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "porttool/report/figures.h"
@@ -31,9 +32,12 @@ std::string brought_in_table(const std::vector<BroughtIn>& brought_in) {
         out += fmt::format("    {}:{}: {}: {}\n", terminal_line(one.file), one.line, gate_part_name(one.kind),
                            terminal_text(one.text));
     }
-    if (brought_in.size() > kShown)
-        out += fmt::format("    and {} more; --format json lists all\n", brought_in.size() - kShown);
-    return out;
+    if (brought_in.size() <= kShown) return out;
+    std::map<std::string_view, size_t> kinds;  // so that many rows of one kind hide none of another
+    for (size_t i = kShown; i < brought_in.size(); ++i) ++kinds[gate_part_name(brought_in[i].kind)];
+    std::string counts;
+    for (const auto& [kind, count] : kinds) counts += fmt::format("{}{} {}", counts.empty() ? "" : ", ", count, kind);
+    return out + fmt::format("    and {} more ({}); --format json lists all\n", brought_in.size() - kShown, counts);
 }
 
 }  // namespace

@@ -174,10 +174,13 @@ ScannedFile scan_text(std::string_view path, std::string_view text) {
 std::string unit_id(const ScannedFile& file, const Unit& unit) { return file.path + ":" + unit.name; }
 
 std::pair<std::string, std::string> split_id(const std::string& id) {
-    size_t colon = id.find(':');
-    while (colon != std::string::npos && colon + 1 < id.size() && id[colon + 1] == ':') colon = id.find(':', colon + 2);
-    if (colon == std::string::npos) return {id, {}};
-    return {id.substr(0, colon), id.substr(colon + 1)};
+    // The last lone colon: a file may have some in its name, a unit has only pairs of them.
+    for (size_t i = id.size(); i-- > 0;) {
+        if (id[i] != ':') continue;
+        if (i == 0 || id[i - 1] != ':') return {id.substr(0, i), id.substr(i + 1)};
+        --i;
+    }
+    return {id, {}};
 }
 
 std::string_view leaf_of(std::string_view name) {

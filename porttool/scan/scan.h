@@ -17,7 +17,7 @@ ScannedFile scan_text(std::string_view path, std::string_view text);
 /// The id of a unit: PATH:NAME.
 std::string unit_id(const ScannedFile& file, const Unit& unit);
 
-/// The file and the name of an id whose name is `Glass::Evaluate` or `main`.
+/// The file and the name of an id whose name is `Glass::Evaluate` or `main`, and whose file may be `a:b.cu`.
 std::pair<std::string, std::string> split_id(const std::string& id);
 
 /// The last part of a qualified name: `B::f` of `A::B::f` is `f`.

@@ -359,7 +359,72 @@ TEST_F(HostileChange, TheCommandThatSyncRunsAndTheBlocksAreListed) {
     std::set<std::string> texts;
     for (const auto& one : got["brought_in"]) texts.insert(one["text"]);
     EXPECT_TRUE(texts.contains("sync verify = curl x | sh, before true")) << got["brought_in"].dump(1);
-    EXPECT_TRUE(texts.contains("block b = src/* = port/*")) << got["brought_in"].dump(1);
+    EXPECT_TRUE(texts.contains("block b = source = src/*, target = port/*")) << got["brought_in"].dump(1);
+}
+
+TEST_F(HostileChange, EveryKeyOfTheMapIsListed) {
+    const std::string map = read_text(root / "portmap.toml");
+    git("checkout -qb other");
+    write("portmap.toml", map +
+                              "\n[cost]\ncoding = 2\nretest = 0.5\n[reuse]\ntranslated = 40\n[spirv]\ninclude = "
+                              "[\"a\", \"b\"]\n[[effort]]\nwhat = \"e\"\nlines = 3\nport = { coding = 1.5 }\n");
+    const auto texts = [&] {
+        std::set<std::string> out;
+        const auto got = nlohmann::json::parse(porttool({"check", "--base", "main", "--format", "json"}).out);
+        for (const auto& one : got["brought_in"]) {
+            EXPECT_EQ(one["kind"], "rule");
+            out.insert(one["file"].get<std::string>() + ":" + std::to_string(one["line"].get<int>()) + " " +
+                       one["text"].get<std::string>());
+        }
+        return out;
+    };
+    const auto at = [&](int line, const std::string& text) {
+        return "portmap.toml:" + std::to_string(std::count(map.begin(), map.end(), '\n') + line) + " " + text;
+    };
+    EXPECT_EQ(texts(), std::set<std::string>({at(3, "cost coding = 2"), at(4, "cost retest = 0.5"),
+                                              at(6, "reuse translated = 40"), at(8, "spirv include = a, b"),
+                                              at(9, "effort e = lines = 3, port = {coding = 1.5}")}));
+    commit("costs", 2);
+    git("checkout -q main && git merge -q --ff-only other && git checkout -q other");
+    EXPECT_EQ(texts(), std::set<std::string>());
+    write("portmap.toml", map +
+                              "\n[cost]\ncoding = 3.0\n[reuse]\ntranslated = 40.0\n[spirv]\ninclude = [\"a\", "
+                              "\"b\"]\n[[effort]]\nwhat = \"e\"\nlines = 3\nport = { coding = 1.5 }\n");
+    EXPECT_EQ(texts(), std::set<std::string>(
+                           {at(3, "cost coding = 3, before 2"), "portmap.toml:1 no longer: cost retest = 0.5"}));
+}
+
+TEST_F(HostileChange, ColonsInTheNameOfAFileAreNoMove) {
+    const std::vector<std::string> names = {"a:b.cu", "src:::k.cu", "c::d.cu"};
+    for (const std::string& name : names) {
+        const std::string port = "port/" + name.substr(0, 1) + ".cpp";
+        fs::remove_all(root / "src");
+        fs::remove_all(root / "port");
+        write("src/" + name, kSource);
+        write(port, kTarget);
+        ASSERT_EQ(porttool({"init", "--force", "--source", "src/*", "--target", "port/*"}).exit_code, 0) << name;
+        commit(name);
+        git("branch -f base");
+        EXPECT_TRUE(json({"check", "--base", "base"})["brought_in"].empty()) << name;
+        // A recorded file that cannot be read is an error, not a unit that is gone.
+        write("src/" + name, std::string("// \0\n", 5) + kSource);
+        const CommandRun got = porttool({"check"});
+        EXPECT_EQ(got.exit_code, 1) << name << got.out;
+        EXPECT_EQ(got.out.find("is gone"), std::string::npos) << got.out;
+    }
+}
+
+TEST_F(HostileChange, WhatTheTextLeavesOutIsCountedByKind) {
+    git("checkout -qb other");
+    std::string many = kSource;
+    for (int i = 0; i < 40; ++i) many += "// porttool: ignore(source-changed) number " + std::to_string(i) + "\n";
+    write("src/k.cu", many);
+    write("zzz.toml", "");
+    write("src/z.cu", "// porttool: ignore(orphaned) last\n");
+    const std::string text = porttool({"check", "--base", "main"}).out;
+    const auto got = nlohmann::json::parse(porttool({"check", "--base", "main", "--format", "json"}).out);
+    EXPECT_EQ(got["brought_in"].size(), 41u);
+    EXPECT_NE(text.find("and 21 more (21 suppression); --format json lists all"), std::string::npos) << text;
 }
 
 TEST_F(HostileChange, ALockLineThatGoesIsListed) {
