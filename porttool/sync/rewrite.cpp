@@ -8,6 +8,7 @@
 
 #include "porttool/language/words.h"
 #include "porttool/normal/normal_text.h"
+#include "porttool/sync/block_depth.h"
 
 namespace porttool {
 namespace {
@@ -33,23 +34,50 @@ size_t line_end(const LexedText& text, size_t offset) {
 class UnitRewriter {
 public:
     UnitRewriter(const Transplant& transplant, const PlacedUnit& source, const PlacedUnit& target)
-        : transplant_(transplant), source_(source), target_(target), unit_(indent_unit(target.file.lexed)) {}
+        : transplant_(transplant),
+          source_(source),
+          target_(target),
+          unit_(indent_unit(target.file.lexed)),
+          depth_(transplant, source, target),
+          order_of_(target.clauses.size(), 0) {
+        const std::vector<ResultClause> result = result_clauses(transplant, source, target);
+        braces_ = block_braces(result, transplant, source, target);
+        brace_layout_ = brace_layout();
+        for (size_t at = 0; at < result.size(); ++at)
+            if (result[at].is_new)
+                order_of_new_[result[at].clause] = at;
+            else
+                order_of_[result[at].clause] = at;
+    }
 
     std::vector<TextEdit> run() {
-        // Of two manners that both sides keep to, the target's; else what the source has.
-        style_ = brace_style(source_) * brace_style(target_) < 0 ? brace_style(target_) : 0;
-        note_braces();
-        for (const WordsReplaced& one : transplant_.replaced) replace(one);
-        for (const ClausesAdded& one : transplant_.added) add(one);
+        for (const WordsReplaced& one : transplant_.replaced) {
+            order_ = order_at(one.first);
+            replace(one);
+        }
+        for (size_t batch = 0; batch < transplant_.added.size(); ++batch) {
+            order_ = order_of_new_.at(transplant_.added[batch].clauses.front().source);
+            add(transplant_.added[batch], depth_.of_new(batch));
+        }
+        order_ = 0;
         for (const size_t clause : transplant_.removed) remove(clause);
         indent_moved();
-        add_braces();
-        std::stable_sort(edits_.begin(), edits_.end(),
-                         [](const TextEdit& a, const TextEdit& b) { return a.first < b.first; });
+        for (const size_t head : braces_.opened) open_block(head);
+        for (const size_t end : braces_.closed) close_block(end);
+        for (const size_t end : braces_.dropped) remove(end);
+        std::stable_sort(edits_.begin(), edits_.end(), [](const OrderedEdit& a, const OrderedEdit& b) {
+            return std::pair(a.edit.first, a.order) < std::pair(b.edit.first, b.order);
+        });
         return merged();
     }
 
 private:
+    /// An edit, and where its clause stands in the result: of edits of one place the earlier clause's comes first.
+    struct OrderedEdit {
+        TextEdit edit;
+        size_t order = 0;
+    };
+
     const LexedText& text() const { return target_.file.lexed; }
     const Token& token(size_t word) const { return text().tokens[target_.words.tokens[word]]; }
     size_t start_of(size_t word) const { return token(word).offset; }
@@ -86,6 +114,7 @@ private:
     /// The white space before a carried word: "", a blank, or a line end.
     std::string gap(const std::vector<CarriedWord>& words, size_t i) const {
         const CarriedWord &word = words[i], &before = words[i - 1];
+        if (brace_layout_ != 0 && word.text == "{" && opens_block(word)) return brace_layout_ > 0 ? "\n" : " ";
         if (word.from != CarriedWord::kNoSource && before.from != CarriedWord::kNoSource &&
             word.from == before.from + 1) {
             if (source_.words.is_added(word.from) || source_.words.is_added(before.from))
@@ -123,7 +152,7 @@ private:
 
     /// How much deeper than its first line the source writes the line that begins with words[i].
     std::string continuation(const std::vector<CarriedWord>& words, size_t i) const {
-        if (words[i].text == "#" || words[i].from == CarriedWord::kNoSource) return {};
+        if (words[i].text == "#" || words[i].from == CarriedWord::kNoSource || opens_block(words[i])) return {};
         const LexedText& lexed = source_.file.lexed;
         const auto blanks_of_line = [&](size_t word) {
             const Token& token = lexed.tokens[source_.words.tokens[word]];
@@ -142,9 +171,16 @@ private:
         return unit_ == "\t" ? std::string((here - base + 3) / 4, '\t') : std::string(here - base, ' ');
     }
 
+    /// True for the brace at the end of a head.
+    bool opens_block(const CarriedWord& word) const {
+        return std::any_of(source_.clauses.begin(), source_.clauses.end(),
+                           [&](const Clause& clause) { return clause.opens && clause.end - 1 == word.from; });
+    }
+
     bool is_unwritten_brace(const CarriedWord& word) const {
         if (word.from == CarriedWord::kNoSource || (word.text != "{" && word.text != "}")) return false;
-        return hidden_.contains(word.from) || (source_.words.is_added(word.from) && !opened_.contains(word.from));
+        return braces_.source_hidden.contains(word.from) ||
+               (source_.words.is_added(word.from) && !braces_.source_written.contains(word.from));
     }
 
     // Words within a clause.
@@ -263,6 +299,14 @@ private:
         return source_gap(first).find('\n') != std::string::npos;
     }
 
+    /// The same in the target: an `else` follows the manner of its braces.
+    bool begins_line(size_t source_clause) const {
+        const Clause& one = source_.clauses[source_clause];
+        const bool after_brace = brace_layout_ != 0 && one.opens && source_.words.words[one.first] == "else" &&
+                                 source_clause > 0 && !source_.words.is_added(one.first - 1);
+        return after_brace ? brace_layout_ > 0 : on_own_line(source_clause);
+    }
+
     size_t blank_lines_before(size_t source_clause) const {
         const std::string gap = source_gap(source_.clauses[source_clause].first);
         const size_t first = gap.find('\n');
@@ -271,23 +315,21 @@ private:
         return next != std::string::npos && gap[next] == '\n' ? 1 : 0;
     }
 
-    void add(const ClausesAdded& one) {
+    void add(const ClausesAdded& one, int levels) {
         size_t before = clause_before(one.before);
         if (before == kNone) return;
         const size_t parent = parent_at(before);
-        if (parent != kNone && is_added(target_.clauses[parent].end - 1)) braced_.insert(parent);
         const std::string base =
             parent == kNone ? indent_of_line(placed_from(target_.clauses[before].first)) : indent_in(parent);
         std::string out;
-        std::string indent = base;
-        for (size_t k = new_blocks_around(one.clauses.front().source); k > 0; --k) indent += unit_;
+        std::string indent = deeper(base, levels);
         bool first = true;
         for (const ClauseAdded& clause : one.clauses) {
             const Clause& from = source_.clauses[clause.source];
-            if (from.closes && indent.size() >= unit_.size()) indent.resize(indent.size() - unit_.size());
+            if (from.closes) indent = deeper(indent, depth_.step(clause.source));
             const std::string code = written(clause.words, indent);
             if (!code.empty()) {
-                const bool own_line = on_own_line(clause.source);
+                const bool own_line = begins_line(clause.source);
                 const bool joins = !own_line && !first;
                 if (joins)
                     out += " " + code;
@@ -298,7 +340,7 @@ private:
                            "\n" + indent + code;
                 first = false;
             }
-            if (from.opens) indent += unit_;
+            if (from.opens) indent = deeper(indent, depth_.step(clause.source));
         }
         const size_t last = placed_before(one.before);
         if (last == kNone || out.empty()) return;
@@ -338,73 +380,8 @@ private:
         return out;
     }
 
-    /// A new block around what the target has gets its braces written, even where the source leaves them out, unless
-    /// it holds one statement there, too.
-    void note_braces() {
-        std::map<size_t, size_t> place;  // before which word of the target a new clause goes
-        for (const ClausesAdded& one : transplant_.added)
-            for (const ClauseAdded& clause : one.clauses) place[clause.source] = one.before;
-        for (const auto& [clause, before] : place) {
-            const Clause& from = source_.clauses[clause];
-            new_.insert(clause);
-            if (from.closes && from.partner != kNone && !place.contains(from.partner)) {
-                const size_t head = transplant_.stands_for[from.partner];
-                if (head != kNone && !is_added(target_.clauses[head].end - 1)) opened_.insert(from.first);
-            }
-            if (!from.opens || from.partner == kNone) continue;
-            const auto end = place.find(from.partner);
-            const bool single = end != place.end() && holds_one(clause, before, end->second);
-            const bool written = !source_.words.is_added(from.end - 1);
-            const bool wanted = !single || (style_ == 0 ? written : style_ > 0);
-            if (wanted == written) continue;
-            std::set<size_t>& braces = wanted ? opened_ : hidden_;
-            braces.insert(from.end - 1);
-            braces.insert(source_.clauses[from.partner].first);
-        }
-    }
-
-    /// 1 where a unit puts every single statement that is controlled into braces, -1 where none, 0 where both.
-    static int brace_style(const PlacedUnit& unit) {
-        size_t with = 0, without = 0;
-        for (size_t c = 0; c < unit.clauses.size(); ++c) {
-            const Clause& one = unit.clauses[c];
-            const std::string& head = unit.words.words[one.first];
-            if (!one.opens || one.partner != c + 2 || !(word_is(head, kControls) || head == "else")) continue;
-            ++(unit.words.is_added(one.end - 1) ? without : with);
-        }
-        return with > 0 && without == 0 ? 1 : without > 0 && with == 0 ? -1 : 0;
-    }
-
-    bool holds_one(size_t head, size_t first, size_t end) const {
-        size_t count = 0;
-        for (size_t c = 0; c < target_.clauses.size(); ++c) {
-            const Clause& one = target_.clauses[c];
-            if (one.first < first || one.end > end || removed(c)) continue;
-            if (one.opens || one.closes) return false;
-            ++count;
-        }
-        for (const ClausesAdded& one : transplant_.added)
-            for (const ClauseAdded& clause : one.clauses) {
-                if (source_.clauses[clause.source].inside != head || source_.clauses[clause.source].closes) continue;
-                if (source_.clauses[clause.source].opens) return false;
-                ++count;
-            }
-        return count == 1;
-    }
-
-    /// How many new blocks of the source a new clause stands in.
-    size_t new_blocks_around(size_t clause) const {
-        const Clause& one = source_.clauses[clause];
-        size_t count = 0;
-        for (size_t head = one.closes ? one.partner : one.inside; head != kNone; head = source_.clauses[head].inside)
-            count += new_.contains(head);
-        return count;
-    }
-
     void remove(size_t clause) {
         const Clause& one = target_.clauses[clause];
-        if (one.inside != kNone && is_added(target_.clauses[one.inside].end - 1) && !removed(one.inside))
-            braced_.insert(one.inside);
         const size_t first = placed_from(one.first), last = placed_before(one.end);
         if (first == kNone || last == kNone || first >= one.end || last < one.first) return;
         size_t from = start_of(first), to = end_of(last);
@@ -428,26 +405,15 @@ private:
 
     /// Clauses that stand deeper or less deep than before are indented so.
     void indent_moved() {
-        std::vector<int> change(target_.clauses.size() + 1, 0);
-        for (const ClausesAdded& one : transplant_.added) {
-            int depth = 0;
-            for (const ClauseAdded& clause : one.clauses) {
-                const Clause& from = source_.clauses[clause.source];
-                depth += from.opens ? 1 : from.closes ? -1 : 0;
-            }
-            size_t c = 0;
-            while (c < target_.clauses.size() && target_.clauses[c].first < one.before) ++c;
-            for (; c < target_.clauses.size(); ++c) change[c] += depth;
-        }
-        int removed_depth = 0;
-        for (size_t c = 0; c < target_.clauses.size(); ++c) {
-            const Clause& one = target_.clauses[c];
-            if (removed(c)) {
-                removed_depth += one.opens ? -1 : one.closes ? 1 : 0;
-            } else if (change[c] + removed_depth != 0) {
-                indent(one, change[c] + removed_depth);
-            }
-        }
+        for (size_t c = 0; c < target_.clauses.size(); ++c)
+            if (!removed(c) && depth_.of_clause(c) != 0) indent(target_.clauses[c], depth_.of_clause(c));
+    }
+
+    /// An indentation, some levels deeper or (negative) less deep.
+    std::string deeper(std::string indent, int levels) const {
+        for (; levels > 0; --levels) indent += unit_;
+        const size_t less = unit_.size() * static_cast<size_t>(-levels);
+        return indent.substr(0, indent.size() - std::min(indent.size(), less));
     }
 
     void indent(const Clause& clause, int levels) {
@@ -469,40 +435,66 @@ private:
         }
     }
 
-    /// Braces around blocks of one statement that are no longer that.
-    void add_braces() {
-        for (const size_t head : braced_) {
-            const Clause& one = target_.clauses[head];
-            const size_t last = placed_before(one.end);
-            if (last == kNone || one.partner == kNone) continue;
-            put(end_of(last), end_of(last), " {", -1);
-            const size_t inner = placed_before(target_.clauses[one.partner].first);
-            if (inner == kNone) continue;
-            const size_t eol = line_end(text(), end_of(inner));
-            const size_t next = placed_from(target_.clauses[one.partner].first);
-            const bool shares_line = next != kNone && start_of(next) < eol;
-            const std::string indent = indent_of_line(placed_from(one.first));
-            put(shares_line ? end_of(inner) : eol, shares_line ? end_of(inner) : eol,
-                shares_line ? " }" : "\n" + indent + "}", 1);
-        }
+    /// The indentation of the line that a clause of the target begins on, as it will be.
+    std::string new_indent(size_t clause) const {
+        return deeper(indent_of_line(placed_from(target_.clauses[clause].first)), depth_.of_clause(clause));
     }
 
-    void put(size_t first, size_t end, std::string text, int order = 0) {
+    void open_block(size_t head) {
+        order_ = order_of_[head];
+        const size_t last = placed_before(target_.clauses[head].end);
+        if (last == kNone) return;
+        put(end_of(last), end_of(last), brace_layout_ > 0 ? "\n" + new_indent(head) + "{" : " {");
+    }
+
+    void close_block(size_t end) {
+        order_ = order_of_[end];
+        const size_t inner = placed_before(target_.clauses[end].first), head = target_.clauses[end].partner;
+        if (inner == kNone || head == kNone) return;
+        const size_t eol = end_of_comments(end_of(inner)), next = placed_from(target_.clauses[end].first);
+        const bool shares_line = next != kNone && start_of(next) < eol;
+        const size_t place = shares_line ? end_of(inner) : eol;
+        put(place, place, shares_line ? " }" : "\n" + new_indent(head) + "}");
+    }
+
+    /// 1 if most blocks within the unit have their brace on a line of its own, -1 if few, 0 if nothing tells.
+    int brace_layout() const {
+        int own = 0;
+        for (const Clause& clause : target_.clauses)
+            if (clause.opens && clause.inside != kNone && !is_added(clause.end - 1))
+                own += starts_line(text(), start_of(clause.end - 1)) ? 1 : -1;
+        return own > 0 ? 1 : own < 0 ? -1 : 0;
+    }
+
+    void put(size_t first, size_t end, std::string text) {
         if (first == end && text.empty()) return;
-        if (order < 0)
-            edits_.insert(edits_.begin(), {first, end, std::move(text)});
-        else
-            edits_.push_back({first, end, std::move(text)});
+        edits_.push_back({{first, end, std::move(text)}, order_});
     }
 
-    /// Edits of places that touch become one.
+    /// Where the clause that holds a word of the target stands in the result.
+    size_t order_at(size_t word) const {
+        for (size_t c = 0; c < target_.clauses.size(); ++c)
+            if (word < target_.clauses[c].end) return order_of_[c];
+        return kNone;
+    }
+
+    /// True for an edit that takes whole lines away.
+    bool takes_lines(const TextEdit& edit) const {
+        return edit.text.empty() && edit.end > edit.first && text().text[edit.end - 1] == '\n' &&
+               (edit.first == 0 || text().text[edit.first - 1] == '\n');
+    }
+
+    /// Edits of places that touch become one. Lines that come where others go take their place.
     std::vector<TextEdit> merged() {
         std::vector<TextEdit> out;
-        for (TextEdit& edit : edits_) {
+        bool lines = false;
+        for (auto& [edit, order] : edits_) {
             if (!out.empty() && edit.first < out.back().end) {
                 out.back().end = std::max(out.back().end, edit.end);
-                out.back().text += edit.text;
+                const bool begins_line = lines && edit.first == edit.end && edit.text.starts_with('\n');
+                out.back().text += begins_line ? edit.text.substr(1) + "\n" : edit.text;
             } else {
+                lines = takes_lines(edit);
                 out.push_back(std::move(edit));
             }
         }
@@ -512,12 +504,13 @@ private:
     const Transplant& transplant_;
     const PlacedUnit &source_, &target_;
     std::string unit_;
-    std::vector<TextEdit> edits_;
-    std::set<size_t> braced_;  ///< heads of the target whose block gets braces
-    std::set<size_t> new_;     ///< clauses of the source that the target gets
-    int style_ = 0;
-    std::set<size_t> hidden_;  ///< braces of the source that are not written
-    std::set<size_t> opened_;  ///< braces of the source's normal form that are written in the target
+    BlockDepth depth_;
+    std::vector<size_t> order_of_;           ///< of each clause of the target, where it stands in the result
+    std::map<size_t, size_t> order_of_new_;  ///< of each clause of the source that the target gets
+    BlockBraces braces_;
+    int brace_layout_ = 0;
+    size_t order_ = 0;  ///< of the edits that are being made
+    std::vector<OrderedEdit> edits_;
 };
 
 }  // namespace

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "porttool/sync/block_braces.h"
 #include "porttool/sync/transplant.h"
-#include "porttool/sync/unit_words.h"
 
 namespace porttool {
 
@@ -14,13 +14,6 @@ namespace porttool {
 struct TextEdit {
     size_t first = 0, end = 0;
     std::string text;
-};
-
-/// A unit in its file, as words and clauses.
-struct PlacedUnit {
-    const ScannedFile& file;
-    const UnitWords& words;
-    const std::vector<Clause>& clauses;
 };
 
 /// How a file indents its blocks: blanks, or a tab.

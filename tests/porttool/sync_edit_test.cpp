@@ -68,6 +68,13 @@ void expect_ported(const EditCase& one) {
     EXPECT_EQ(dense(got.port), dense(one.ported)) << got.port;
 }
 
+/// The port must be proposed, white space and all.
+void expect_written(const EditCase& one) {
+    const Synced got = synced(one);
+    EXPECT_EQ(got.state(), "proposed") << got.why();
+    EXPECT_EQ(got.port, one.ported);
+}
+
 /// Another text than the hand-made one must not be proposed.
 void expect_not_wrong(const EditCase& one) {
     const Synced got = synced(one);
@@ -531,6 +538,61 @@ TEST(SyncEdit, APartialPatchTakesNothingAwayWhoseSuccessorIsLeft) {
     if (added.proposal["patch"].is_string()) {
         EXPECT_EQ(added.proposal["patch"].get<std::string>().find("\n-    total +="), std::string::npos) << added.why();
     }
+}
+
+// Braces and lines, in the port's manner.
+
+const std::string kPickHead = "__device__ float pick(float a, float b) {\n  float r = a;\n";
+const std::string kPickPort = "float pick(float a, float b)\n{\n    float r = a;\n";
+
+/// An edit of what lies between a head and a `return r;`.
+EditCase picked(const std::string& from, const std::string& to, const std::string& there, const std::string& becomes) {
+    return {"k.cu",
+            "k.cpp",
+            kPickHead + from + "  return r;\n}\n",
+            kPickHead + to + "  return r;\n}\n",
+            kPickPort + there + "    return r;\n}\n",
+            kPickPort + becomes + "    return r;\n}\n"};
+}
+
+TEST(SyncLayout, ABlockOfOneStatementGetsBracesWithASecond) {
+    expect_written(
+        picked("  if (a > b) r = b;\n", "  if (a > b) {\n    r = b;\n    r *= 2.0f;\n  }\n",
+               "    if (a > b)\n        r = b;\n    else\n        r += 1.0f;\n",
+               "    if (a > b) {\n        r = b;\n        r *= 2.0f;\n    }\n    else\n        r += 1.0f;\n"));
+    expect_written(picked("  if (a > b) r = b;\n", "  if (a > b) {\n    r = b;\n    r *= 2.0f;\n  }\n",
+                          "    if (a > b)\n        r = b;\n    for (int i = 0; i < 3; ++i)\n    {\n        a += r;\n"
+                          "        b -= r;\n    }\n",
+                          "    if (a > b)\n    {\n        r = b;\n        r *= 2.0f;\n    }\n"
+                          "    for (int i = 0; i < 3; ++i)\n    {\n        a += r;\n        b -= r;\n    }\n"));
+}
+
+TEST(SyncLayout, AStatementThatTakesThePlaceOfTheOnlyOneNeedsNoBraces) {
+    expect_written(picked("  if (a > b) r = b;\n  r *= a;\n", "  if (a > b) a += fabsf(b) + 1.0f;\n  r *= a;\n",
+                          "    if (a > b)\n        r = b;\n    r *= a;\n    r = fabsf(r);\n",
+                          "    if (a > b)\n        a += fabsf(b) + 1.0f;\n    r *= a;\n    r = fabsf(r);\n"));
+}
+
+TEST(SyncLayout, AnElseThatGoesTakesItsBracesAlong) {
+    expect_written(
+        picked("  if (a > b) {\n    r = b;\n  } else {\n    r = a + b;\n  }\n", "  if (a > b) {\n    r = b;\n  }\n",
+               "    if (a > b)\n        r = b;\n    else\n        r = a + b;\n", "    if (a > b)\n        r = b;\n"));
+}
+
+TEST(SyncLayout, AChainOfBranchesStandsInOneColumn) {
+    expect_written(
+        picked("  if (a > b) {\n    r = b;\n    a = r;\n  }\n",
+               "  if (a > b) {\n    r = b;\n    a = r;\n  } else if (a < 0.0f) {\n    r = a;\n    b = r;\n  } else {\n"
+               "    r = 1.0f;\n    b = a;\n  }\n",
+               "    if (a > b)\n    {\n        r = b;\n        a = r;\n    }\n",
+               "    if (a > b)\n    {\n        r = b;\n        a = r;\n    }\n    else if (a < 0.0f)\n    {\n"
+               "        r = a;\n        b = r;\n    }\n    else\n    {\n        r = 1.0f;\n        b = a;\n    }\n"));
+}
+
+TEST(SyncLayout, ABlockThatGoesLeavesItsStatementsOneLevelUp) {
+    expect_written(picked("  if (a > b) {\n    r = b;\n    a = r;\n  }\n", "  r = b;\n  a = r;\n",
+                          "    if (a > b) {\n        r = b; // the nearer\n        a = r;\n    }\n",
+                          "    r = b; // the nearer\n    a = r;\n"));
 }
 
 }  // namespace
