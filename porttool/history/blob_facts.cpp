@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numeric>
 #include <sstream>
 
 #include "porttool/measure/code_lines.h"
@@ -88,12 +89,19 @@ std::string plain_name(std::string name) {
     return name;
 }
 
+void sort_names(BlobFacts& facts) {
+    facts.by_name.resize(facts.units.size());
+    std::iota(facts.by_name.begin(), facts.by_name.end(), 0u);
+    std::stable_sort(facts.by_name.begin(), facts.by_name.end(),
+                     [&](uint32_t a, uint32_t b) { return facts.units[a].name < facts.units[b].name; });
+}
+
 }  // namespace
 
 const UnitFacts* BlobFacts::find(std::string_view name) const {
-    const auto found =
-        std::find_if(units.begin(), units.end(), [&](const UnitFacts& unit) { return unit.name == name; });
-    return found == units.end() ? nullptr : &*found;
+    const auto found = std::lower_bound(by_name.begin(), by_name.end(), name,
+                                        [&](uint32_t place, std::string_view n) { return units[place].name < n; });
+    return found == by_name.end() || units[*found].name != name ? nullptr : &units[*found];
 }
 
 BlobFacts blob_facts(const ScannedFile& file) {
@@ -101,6 +109,7 @@ BlobFacts blob_facts(const ScannedFile& file) {
     for (const Unit& unit : file.units) facts.units.push_back(unit_facts(file, unit, {&file, &unit}));
     facts.units.push_back(unit_facts(file, whole_file_unit(file), {&file, nullptr}));
     facts.lines = facts.units.back().lines;
+    sort_names(facts);
     return facts;
 }
 
@@ -143,6 +152,7 @@ std::optional<BlobFacts> read_blob_facts(const std::string& line) {
         facts.units.push_back(std::move(unit));
         at = end;
     }
+    sort_names(facts);
     return facts;
 }
 

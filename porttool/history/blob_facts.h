@@ -26,6 +26,8 @@ struct BlobFacts {
     uint32_t lines = 0;  ///< of code
     std::vector<UnitFacts> units;
 
+    std::vector<uint32_t> by_name;  ///< the places of the units, sorted by their names
+
     const UnitFacts* find(std::string_view name) const;
 };
 

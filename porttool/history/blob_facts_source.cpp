@@ -80,19 +80,31 @@ const BlobFacts& BlobFactsSource::facts(const FileVersion& file) {
     return facts_.emplace(version, std::move(*facts)).first->second;
 }
 
-NormalText BlobFactsSource::text_at(const UnitPlace& place) const {
-    std::shared_ptr<const ScannedFile> file = kept(place.file);
-    if (!file) file = std::make_shared<const ScannedFile>(scan(place.file));
-    const ScannedFile& there = *file;
-    const auto unit =
-        std::find_if(there.units.begin(), there.units.end(), [&](const Unit& one) { return one.name == place.unit; });
-    return unit_state(there, unit == there.units.end() ? whole_file_unit(there) : *unit).text;
+/// The texts of all units that this version of a file is the first to have, so that each is scanned once: who asks for
+/// one of them, by its print, will ask for others; but for the file as a whole.
+void BlobFactsSource::read_texts(const FileVersion& version, const std::string& wanted) {
+    std::shared_ptr<const ScannedFile> file = kept(version);
+    if (!file) file = std::make_shared<const ScannedFile>(scan(version));
+    std::unordered_map<std::string_view, const Unit*> units;
+    for (const Unit& unit : file->units) units.emplace(unit.name, &unit);
+    const Unit whole = whole_file_unit(*file);
+    for (const UnitFacts& one : facts(version).units) {
+        const auto place = places_.find(one.prints.written);
+        const bool here = place != places_.end() && place->second.file == version && place->second.unit == one.name;
+        const bool useful = one.kind != UnitKind::File || one.prints.written == wanted;
+        if (!here || !useful || texts_.contains(one.prints.written)) continue;
+        const auto unit = units.find(one.name);
+        texts_.emplace(one.prints.written, unit_state(*file, unit == units.end() ? whole : *unit->second).text);
+    }
 }
 
 const NormalText& BlobFactsSource::text_of(const std::string& print, const BaseBlob& base_blob) {
     if (const auto known = texts_.find(print); known != texts_.end()) return known->second;
     const auto place = places_.find(print);
-    if (place != places_.end()) return texts_.emplace(print, text_at(place->second)).first->second;
+    if (place != places_.end()) {
+        read_texts(FileVersion(place->second.file), print);
+        if (const auto known = texts_.find(print); known != texts_.end()) return known->second;
+    }
     const std::string blob = base_blob(print);
     NormalText text;
     if (!blob.empty()) text = text_of_print(print, text_of_blob("portmap.base/" + print, blob), kNormalForm);

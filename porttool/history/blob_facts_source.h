@@ -18,6 +18,7 @@ namespace porttool {
 struct FileVersion {
     std::string path;
     std::string blob;
+    bool operator==(const FileVersion&) const = default;
 };
 
 /// The same for the same content, read in the same dialect, which the suffix tells.
@@ -58,7 +59,7 @@ private:
     std::string text_of_blob(const std::string& path, const std::string& blob) const;
     ScannedFile scan(const FileVersion& file) const;
     const NormalText& text_of(const std::string& print, const BaseBlob& base_blob);
-    NormalText text_at(const UnitPlace& place) const;
+    void read_texts(const FileVersion& file, const std::string& wanted);
 
     const Past& past_;
     BlobCache& cache_;
@@ -66,7 +67,7 @@ private:
     std::string dialect_key_;
     std::unordered_map<std::string, BlobFacts> facts_;
     std::unordered_map<std::string, UnitPlace> places_;  ///< where a text with this print stands
-    std::unordered_map<std::string, NormalText> texts_;  ///< by print, those that were asked for
+    std::unordered_map<std::string, NormalText> texts_;  ///< by print, those asked for and what came with them
     mutable std::mutex scanned_mutex_, git_mutex_;
     std::map<std::string, std::pair<std::string, std::shared_ptr<const ScannedFile>>> scanned_;  ///< by path, the last
 };

@@ -144,6 +144,9 @@ private:
         for (const auto& [id, pair] : gone) relocked_.insert(id);
         for (const LockFile* lock : {&before, &std::as_const(lock_)})
             for (const LedgerEntry& entry : lock->ledger) relocked_.insert({entry.source, entry.target});
+        ignored_.clear();
+        for (const LedgerEntry& entry : lock_.ledger)
+            if (entry.verdict == Verdict::Ignore) ignored_.emplace(PairId{entry.source, entry.target}, &entry);
         return true;
     }
 
@@ -213,10 +216,9 @@ private:
     bool is_ignored(const PairId& id, const UnitFacts* source, const UnitFacts* target) const {
         const Fingerprints* source_prints = source == nullptr ? nullptr : &source->prints;
         const Fingerprints* target_prints = target == nullptr ? nullptr : &target->prints;
-        return std::any_of(lock_.ledger.begin(), lock_.ledger.end(), [&](const LedgerEntry& entry) {
-            return entry.verdict == Verdict::Ignore && entry.source == id.first && entry.target == id.second &&
-                   entry.is_of(source_prints, target_prints);
-        });
+        const auto [first, end] = ignored_.equal_range(id);
+        return std::any_of(first, end,
+                           [&](const auto& entry) { return entry.second->is_of(source_prints, target_prints); });
     }
 
     void update_drift(bool all, const Paths& touched, int64_t time) {
@@ -257,6 +259,7 @@ private:
     LockFile lock_;
     std::map<std::string, std::string> renewed_;  ///< by today's print, the blob with a text that an older lock names
     std::map<PairId, const LockedPair*> locked_;
+    std::multimap<PairId, const LedgerEntry*> ignored_;
     std::set<PairId> relocked_;  ///< by this commit
     SideBlobs files_;
     BlockReplay blocks_;

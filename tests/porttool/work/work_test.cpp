@@ -6,11 +6,14 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <functional>
 #include <iostream>
 #include <optional>
 
 #include "porttool/effort/port_effort.h"
+#include "porttool/history/blob_facts_source.h"
 #include "porttool/judge/judge.h"
 #include "porttool/match/match.h"
 #include "porttool/measure/measure.h"
@@ -176,6 +179,62 @@ TEST(Work, Effort) {
             port_effort(pairs, {}, {source_before, source_now, target_before, target_now}, Dialect());
         });
     });
+}
+
+/// One function for each number, with this factor.
+std::string functions(size_t count, const std::string& factor) {
+    std::string out;
+    for (size_t i = 0; i < count; ++i)
+        out += "float f" + std::to_string(i) + "(float a) {\n    float b = a + " + std::to_string(i) +
+               ".0f;\n    return b * " + factor + ";\n}\n";
+    return out;
+}
+
+/// Judges all pairs of two files of a repository's past, both of which changed.
+Work history_work(size_t count) {
+    const std::filesystem::path root = std::filesystem::temp_directory_path() / "porttool_work_history";
+    std::filesystem::remove_all(root);
+    std::filesystem::create_directories(root);
+    const std::string go = "cd '" + root.string() + "' && ";
+    EXPECT_EQ(std::system((go + "git init -q .").c_str()), 0);
+    const auto stored = [&](const std::string& path, const std::string& factor) {
+        std::ofstream(root / "text") << functions(count, factor);
+        EXPECT_EQ(std::system((go + "git hash-object -w text > blob").c_str()), 0);
+        FileVersion out{path, ""};
+        std::getline(std::ifstream(root / "blob"), out.blob);
+        return out;
+    };
+    const BySide<FileVersion> before{stored("s/k.cu", "0.5f"), stored("t/k.cpp", "0.5f")},
+        now{stored("s/k.cu", "0.25f"), stored("t/k.cpp", "0.75f")};
+    Past past;
+    past.root = root.string();
+    past.git = std::make_unique<GitRepository>(past.root);
+    BlobCache cache;
+    BlobFactsSource blobs(past, cache);
+    const Work out = work_of([&] {
+        BySide<BlobFacts> was{blobs.facts(before.source), blobs.facts(before.target)};
+        BySide<BlobFacts> is{blobs.facts(now.source), blobs.facts(now.target)};
+        CompareBudget budget;
+        size_t differ = 0;
+        for (size_t i = 0; i < count; ++i) {
+            const std::string name = "f" + std::to_string(i), here = "s/k.cu:" + name, there = "t/k.cpp:" + name;
+            differ += !blobs
+                           .edits(
+                               {{here, was.source.find(name)->prints, *is.source.find(name)},
+                                {there, was.target.find(name)->prints, *is.target.find(name)}},
+                               [](const std::string&) { return std::string(); }, budget)
+                           .in_step;
+        }
+        EXPECT_EQ(differ, count);
+    });
+    std::filesystem::remove_all(root);
+    return out;
+}
+
+TEST(Work, HistoryOfAFileWithManyChangedUnits) {
+    if (std::system("git --version > /dev/null 2>&1") != 0) GTEST_SKIP() << "git is not installed";
+    const Growth growth{history_work(100), history_work(200)};
+    EXPECT_TRUE(growth.is_linear()) << growth.once.steps << ", " << growth.twice.steps;
 }
 
 }  // namespace
