@@ -3,6 +3,8 @@
 #include "porttool/read/git_repository.h"
 
 #include <algorithm>
+#include <queue>
+#include <unordered_map>
 
 #include "porttool/read/git_open.h"
 
@@ -103,13 +105,40 @@ private:
         if (old_folder || new_folder) {
             compare(old_folder.get(), new_folder.get(), name + "/");
         } else if ((is_file(before) || is_file(now)) && wants_(name)) {
-            out.push_back({name, is_file(now) ? text_of(*git_tree_entry_id(now)) : std::string()});
+            const auto blob = [](const git_tree_entry* entry) {
+                return is_file(entry) ? text_of(*git_tree_entry_id(entry)) : std::string();
+            };
+            out.push_back({name, blob(now), blob(before)});
         }
     }
 
     git_repository* repository_;
     const WantsFile& wants_;
 };
+
+/// A commit that is to be given out once all that were made from it are.
+struct Waiting {
+    GitStep step;
+    std::vector<std::string> parents = {};
+};
+
+/// A commit and all that went into it; nothing of an empty id.
+std::set<std::string> ancestors_of(git_repository* repository, const std::string& id) {
+    std::set<std::string> seen;
+    std::vector<std::string> open;
+    if (!id.empty()) open.push_back(id);
+    while (!open.empty()) {
+        const std::string next = std::move(open.back());
+        open.pop_back();
+        if (!seen.insert(next).second) continue;
+        const Commit commit = lookup(repository, next);
+        for (unsigned i = 0; commit && i < git_commit_parentcount(commit.get()); ++i)
+            open.push_back(text_of(*git_commit_parent_id(commit.get(), i)));
+    }
+    return seen;
+}
+
+bool is_here(git_repository* repository, const std::string& id) { return lookup(repository, id) != nullptr; }
 
 }  // namespace
 
@@ -172,6 +201,52 @@ GitChain GitRepository::first_parents(const std::string& newest) const {
     }
     std::reverse(chain.commits.begin(), chain.commits.end());
     return chain;
+}
+
+GitSteps GitRepository::steps(const std::string& newest, const std::string& hidden) const {
+    constexpr size_t kLongestMessage = 4096;
+    git_repository* repository = handle_->repository();
+    std::set<std::string> seen = ancestors_of(repository, hidden);
+    std::unordered_map<std::string, size_t> children;  // that are not given out yet
+    std::unordered_map<std::string, Waiting> found;
+    GitSteps out;
+    std::vector<std::string> open = {newest};
+    while (!open.empty()) {
+        const std::string id = std::move(open.back());
+        open.pop_back();
+        if (!seen.insert(id).second) continue;
+        const Commit commit = lookup(repository, id);
+        if (!commit) {
+            out.cut = true;
+            continue;
+        }
+        Waiting one;
+        const char* message = git_commit_message(commit.get());
+        one.step = {described(commit.get()), std::string(message == nullptr ? "" : message).substr(0, kLongestMessage),
+                    "", git_commit_parentcount(commit.get())};
+        for (unsigned i = 0; i < one.step.parents; ++i) {
+            one.parents.push_back(text_of(*git_commit_parent_id(commit.get(), i)));
+            ++children[one.parents.back()];
+            open.push_back(one.parents.back());
+        }
+        if (!one.parents.empty()) one.step.parent = one.parents.front();
+        found.emplace(id, std::move(one));
+    }
+    using Dated = std::pair<int64_t, std::string>;
+    std::priority_queue<Dated> ready;
+    if (found.contains(newest)) ready.emplace(found[newest].step.commit.time, newest);
+    while (!ready.empty()) {
+        Waiting one = std::move(found[ready.top().second]);
+        ready.pop();
+        bool here = true;
+        for (const std::string& parent : one.parents) {
+            const auto known = found.find(parent);
+            here = here && (known != found.end() || is_here(repository, parent));
+            if (--children[parent] == 0 && known != found.end()) ready.emplace(known->second.step.commit.time, parent);
+        }
+        if (here) out.steps.push_back(std::move(one.step));
+    }
+    return out;
 }
 
 std::vector<GitChange> GitRepository::changes(const std::string& older, const std::string& newer,

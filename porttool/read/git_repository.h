@@ -32,6 +32,21 @@ struct GitCommit {
 struct GitChange {
     std::string path;  ///< relative to the root that was asked for
     std::string blob;
+    std::string before = {};  ///< the blob that it had; empty where it is new
+};
+
+/// A commit beside the one that it was made from.
+struct GitStep {
+    GitCommit commit;
+    std::string message;  ///< all of it, up to a bound
+    std::string parent;   ///< the first one; empty where the commit has none
+    size_t parents = 0;
+};
+
+/// Commits, each before those that it was made from.
+struct GitSteps {
+    std::vector<GitStep> steps;
+    bool cut = false;  ///< older ones exist, but not here: a shallow clone. The steps that lack a parent are left out
 };
 
 /// A chain of first parents from the oldest that is here to the newest.
@@ -74,6 +89,8 @@ public:
     /// How many commits `newer` has that `older` has not.
     size_t commits_between(const std::string& older, const std::string& newer) const;
     GitChain first_parents(const std::string& newest) const;
+    /// A commit and all that went into it, branches included; without `hidden` and what went into that, unless empty.
+    GitSteps steps(const std::string& newest, const std::string& hidden) const;
 
     /// What changed from one commit to another, in wanted paths; from nothing if `older` is empty. Symbolic links and
     /// submodules are no files. Sorted by path.

@@ -1,0 +1,137 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/audit/audit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "porttool/audit/certainty.h"
+#include "porttool/audit/past_walk.h"
+#include "porttool/audit/todays_pairs.h"
+#include "porttool/compare/paired_names.h"
+#include "porttool/snapshot/past.h"
+#include "porttool/text/date.h"
+#include "porttool/text/sink/terminal.h"
+
+namespace porttool {
+namespace {
+
+/// Where the walk ends.
+struct Since {
+    std::string hidden;
+    int64_t time = 0;
+};
+
+Since since_of(const Past& past, const std::string& text) {
+    if (text.empty()) return {};
+    if (!has_form_of_date(text)) return {find_commit(past, "--since", text).id, 0};
+    const auto days = days_between("1970-01-01", text);
+    if (!days) throw CannotDo("--since: " + text + " is no day of the calendar");
+    return {"", int64_t{86400} * *days};
+}
+
+/// The statements of whole files in the common vocabulary, each file read when it is asked for.
+class FileStatements {
+public:
+    FileStatements(const Project& project, const Dialect& dialect) : dialect_(dialect) {
+        for (const auto* files : {&project.source, &project.target})
+            for (const ScannedFile& file : *files) files_.emplace(file.path, &file);
+    }
+
+    const std::set<std::string>* of(const std::string& path) {
+        const auto known = known_.find(path);
+        if (known != known_.end()) return &known->second;
+        const auto file = files_.find(path);
+        if (file == files_.end()) return nullptr;
+        std::set<std::string>& out = known_[path];
+        for (const Unit& unit : file->second->units) {
+            const NormalText text = normal_form(*file->second, unit);
+            for (const WrittenStatement& one : written_statements(text.words()))
+                out.insert(statement_key(one, dialect_));
+        }
+        return &out;
+    }
+
+private:
+    const Dialect& dialect_;
+    std::map<std::string, const ScannedFile*> files_;
+    std::map<std::string, std::set<std::string>> known_;
+};
+
+WordsOfSide vocabulary_of(const std::vector<ScannedFile>& files, const Dialect& dialect) {
+    std::unordered_set<std::string_view> written;
+    for (const ScannedFile& file : files)
+        for (const Token& token : file.lexed.tokens)
+            if (token.kind == TokenKind::Identifier) written.insert(file.lexed.view(token));
+    WordsOfSide out;
+    for (const std::string_view word : written) out.insert(plain_word(std::string(word), dialect));
+    return out;
+}
+
+class Auditor {
+public:
+    Auditor(const AuditChoice& choice, Workplace& place) : choice_(choice), today_(todays_pairs(choice, place)) {}
+
+    Audit run() {
+        GitRepository git(today_.snapshot.project.root);
+        if (!git.error().empty()) throw CannotDo(git.error());
+        const auto head = git.commit("HEAD");
+        if (!head) throw CannotDo("HEAD names no commit yet; commit once, then there is a history");
+        Past past;
+        past.root = today_.snapshot.project.root;
+        past.git = std::make_unique<GitRepository>(past.root);
+        const Since since = since_of(past, choice_.since);
+        const Dialect dialect = dialect_of_edits(today_.snapshot.project.map);
+        Lineages lineages = followed();
+        const WalkedPast walked = walk_past(past.root, head->id, since.hidden, since.time, dialect, lineages);
+        Audit out;
+        out.pairs = today_.pairs.size();
+        out.commits = walked.steps.size();
+        out.shallow = walked.cut;
+        out.squashed = walked.steps.size() == 1 && walked.steps.front().parents == 0;
+        std::vector<FoundEdit> found = read_pairs(lineages, dialect);
+        out.items = ranked(std::move(found), walked, today_, dialect);
+        out.found = out.items.size();
+        if (out.items.size() > choice_.limit) out.items.resize(choice_.limit);
+        return out;
+    }
+
+private:
+    Lineages followed() const {
+        Lineages out;
+        for (const TodaysPair& pair : today_.pairs)
+            for (const Side side : kBothSides) {
+                const UnitState& unit = today_.unit(pair, side);
+                if (!out.contains(unit.id)) out.emplace(unit.id, UnitLineage(written_statements(unit.text.words())));
+            }
+        return out;
+    }
+
+    std::vector<FoundEdit> read_pairs(const Lineages& lineages, const Dialect& dialect) {
+        FileStatements statements(today_.snapshot.project, dialect);
+        const Project& project = today_.snapshot.project;
+        const BySide<WordsOfSide> words{vocabulary_of(project.source, dialect), vocabulary_of(project.target, dialect)};
+        std::vector<FoundEdit> out;
+        for (size_t i = 0; i < today_.pairs.size(); ++i) {
+            BySide<SideOfPair> pair;
+            for (const Side side : kBothSides) {
+                const UnitState& unit = today_.unit(today_.pairs[i], side);
+                pair[side] = {&unit, &lineages.at(unit.id), statements.of(unit.file), &words[side]};
+            }
+            PairReading reading = read_pair(pair, dialect);
+            for (MissingEdit& edit : reading.missing) out.push_back({i, reading.alike, std::move(edit)});
+        }
+        return out;
+    }
+
+    const AuditChoice& choice_;
+    TodaysPairs today_;
+};
+
+}  // namespace
+
+Audit audit(const AuditChoice& choice, Workplace& place) { return Auditor(choice, place).run(); }
+
+}  // namespace porttool

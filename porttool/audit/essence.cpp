@@ -1,0 +1,181 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/audit/essence.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include "porttool/language/words.h"
+#include "porttool/normal/diff.h"
+#include "porttool/normal/normal_form.h"
+#include "porttool/normal/statements.h"
+
+namespace porttool {
+namespace {
+
+using Text = std::vector<std::string>;
+
+/// True where an operand begins: a `*`, `&` or `-` there has one operand.
+bool begins_operand(const Text& words, size_t i) {
+    if (i == 0) return true;
+    const std::string& last = words[i - 1];
+    if (last == "return") return true;
+    return !is_word_token(last) && !is_number_token(last) && last != ")" && last != "]";
+}
+
+/// The place of the `=` that gives the statement's variable its value, or the end.
+size_t assignment_in(const Text& words) {
+    int depth = 0;
+    for (size_t i = 0; i < words.size(); ++i) {
+        if (words[i] == "(" || words[i] == "[" || words[i] == "{") ++depth;
+        if (words[i] == ")" || words[i] == "]" || words[i] == "}") --depth;
+        if (depth == 0 && words[i] == "=") return i;
+    }
+    return words.size();
+}
+
+/// Without the words of a declaration before its name.
+Text without_declaration(const Text& words) {
+    const size_t end = assignment_in(words);
+    size_t name = 0;
+    for (size_t i = 0; i < end; ++i) {
+        const bool after_word =
+            i > 0 && (is_word_token(words[i - 1]) || words[i - 1] == "*" || words[i - 1] == "&" || words[i - 1] == ">");
+        if (words[i] == "(" || words[i] == "[" || words[i] == "." || words[i] == "->") break;
+        if (is_word_token(words[i]) && after_word) name = i;
+    }
+    const bool control = !words.empty() && word_is(words[0], kKeyword) && !is_type_word(words[0]);
+    return control ? words : Text(words.begin() + static_cast<ptrdiff_t>(name), words.end());
+}
+
+/// Without `*` and `&` before an operand, casts and template arguments.
+Text without_marks(const Text& words) {
+    Text out;
+    for (size_t i = 0; i < words.size(); ++i) {
+        if ((words[i] == "*" || words[i] == "&") && begins_operand(words, i)) continue;
+        const bool cast = words[i] == "(" && i + 2 < words.size() && begins_operand(words, i) &&
+                          is_type_word(words[i + 1]) && (words[i + 2] == ")" || words[i + 2] == "*");
+        if (cast) {
+            while (i < words.size() && words[i] != ")") ++i;
+            continue;
+        }
+        if (words[i] == "<" && i > 0 && is_word_token(words[i - 1])) {
+            size_t end = i + 1;
+            while (
+                end < words.size() && end < i + 8 &&
+                (is_word_token(words[end]) || is_number_token(words[end]) || words[end] == "," || words[end] == "::"))
+                ++end;
+            if (end + 1 < words.size() && words[end] == ">" && words[end + 1] == "(") {
+                i = end;
+                continue;
+            }
+        }
+        out.push_back(words[i] == "->" ? "." : words[i]);
+    }
+    return out;
+}
+
+constexpr std::array<std::string_view, 12> kAsides = {"print", "log",   "assert", "cout", "cerr",  "trace",
+                                                      "debug", "debug", "error",  "warn", "throw", "abort"};
+
+/// What the words of one place of a change are: some matter to the other side, some it has no name for.
+struct Matter {
+    float known = 0, unknown = 0;
+
+    void add(const std::string& word, const WordsOfSide& there) {
+        constexpr std::string_view kBrackets = "()[]{},;.:#@=";
+        if (is_number_token(word)) {
+            known += 1;
+        } else if (!is_word_token(word)) {
+            const bool slight = word.size() == 1 && kBrackets.find(word[0]) != std::string_view::npos;
+            if (!slight && word != "->" && word != "::") known += 1;
+        } else if (!is_type_word(word) && word != "return") {
+            (there.contains(word) ? known : unknown) += 1;
+        }
+    }
+};
+
+/// True if nothing but the way to a value changed: an object before a member, the first element of an array.
+bool is_way_to_value(const std::vector<const std::string*>& words) {
+    bool leads = false;
+    for (const std::string* word : words) {
+        const bool mark = *word == "." || *word == "[" || *word == "]" || *word == "::";
+        leads = leads || mark;
+        if (!mark && !is_word_token(*word) && *word != "0") return false;
+    }
+    return leads;
+}
+
+}  // namespace
+
+Text value_of(const Text& words) {
+    if (!words.empty() && words[0] == "return") return {words.begin() + 1, words.end()};
+    const bool plain = words.size() > 2 && is_word_token(words[0]) && words[1] == "=";
+    return plain ? Text(words.begin() + 2, words.end()) : words;
+}
+
+std::string plain_word(const std::string& word, const Dialect& dialect) {
+    constexpr size_t kShort = 3;  // N and n are two things
+    if (is_number_token(word)) return number_value(word);
+    if (!is_word_token(word) || word.size() < kShort) return word;
+    std::string small = word;
+    std::transform(small.begin(), small.end(), small.begin(),
+                   [](unsigned char c) { return static_cast<char>(c >= 'A' && c <= 'Z' ? c + 32 : c); });
+    if (const std::string* known = dialect.find(small); known != nullptr && !known->empty()) return *known;
+    return folded(word);
+}
+
+float substance_of(const Text& before, const Text& now, const WordsOfSide& there) {
+    const Text old_value = value_of(before), new_value = value_of(now);
+    std::vector<const std::string*> lost, gained;
+    Matter matter;
+    const auto finish = [&] {
+        const bool way = (lost.empty() && is_way_to_value(gained)) || (gained.empty() && is_way_to_value(lost));
+        if (!way)
+            for (const std::string* word : gained.empty() ? lost : gained) matter.add(*word, there);
+        lost.clear();
+        gained.clear();
+    };
+    for (const DiffStep& step : diff(old_value, new_value)) {
+        if (step.kind == DiffStep::Remove) lost.push_back(&old_value[step.before]);
+        if (step.kind == DiffStep::Add) gained.push_back(&new_value[step.now]);
+        if (step.kind == DiffStep::Keep) finish();
+    }
+    finish();
+    return matter.known <= 0 ? 0 : std::min(1.0f, matter.known) * matter.known / (matter.known + matter.unknown);
+}
+
+Text essence_of(const Text& words, const Dialect& dialect) {
+    Text out = without_marks(without_declaration(words));
+    for (std::string& word : out) word = plain_word(word, dialect);
+    std::erase_if(out, [](const std::string& word) { return word == "this"; });
+    return out;
+}
+
+bool is_bare_declaration(const Text& written) {
+    size_t names = 0;
+    for (const std::string& word : written) {
+        if (word == "=" || word == "(" || word == "." || word == "->" || word == "++" || word == "--") return false;
+        names += is_word_token(word) ? 1 : 0;
+    }
+    return names > 1 && written[0] != "return" && !word_is(written[0], kGoesOn);
+}
+
+bool is_aside(const Text& words) {
+    if (words.empty() || words[0] == "#" || words[0] == "return") return !words.empty() && words[0] == "#";
+    const bool says = std::any_of(words.begin(), words.end(),
+                                  [](const std::string& word) { return !word.empty() && word[0] == '"'; });
+    if (says) return true;
+    for (size_t i = 0; i < words.size() && i < 4; ++i) {
+        std::string small = folded(words[i]);
+        const bool calls = i + 1 < words.size() && (words[i + 1] == "(" || words[i + 1] == "<<" || words[i + 1] == "<");
+        if ((calls || words[i] == "throw") && std::any_of(kAsides.begin(), kAsides.end(), [&](std::string_view aside) {
+                return small.find(aside) != std::string::npos && !(aside == "log" && small.size() <= 5);
+            }))
+            return true;
+    }
+    return false;
+}
+
+}  // namespace porttool

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "porttool/audit/past_edit.h"
+
+namespace porttool {
+
+/// What a statement was before a commit.
+struct LineageStep {
+    uint32_t commit = 0;      ///< by its place in the walk
+    WrittenStatement before;  ///< "" where the commit brought it in
+    bool counts = true;       ///< false for an edit that changes no value
+};
+
+/// A statement of today and what it was before, newest step first.
+struct StatementLineage {
+    size_t index = 0;  ///< among the statements of today
+    std::vector<LineageStep> steps;
+};
+
+/// A statement that a commit took away, and that the unit does not have today.
+struct RemovedStatement {
+    uint32_t commit = 0;
+    WrittenStatement text;
+};
+
+/// The statements of a unit as they are today, followed back through the edits of its past.
+///
+///     today       r = x * 2 ;          s ++ ;
+///     commit 9    r = x ;                            a step
+///     commit 4                         -             brought in: the end of it
+class UnitLineage {
+public:
+    explicit UnitLineage(std::vector<WrittenStatement> today);
+
+    /// Takes in an edit. They come newest first.
+    void add(const UnitEdit& edit, uint32_t commit);
+
+    const std::vector<WrittenStatement>& today() const { return today_; }
+    const std::vector<StatementLineage>& statements() const { return lines_; }
+    const std::vector<RemovedStatement>& removed() const { return removed_; }
+
+private:
+    std::vector<WrittenStatement> today_;
+    std::vector<StatementLineage> lines_;
+    std::unordered_multimap<std::string, size_t> live_;  ///< by what each was, as far back as the walk has come
+    std::vector<RemovedStatement> removed_;
+};
+
+}  // namespace porttool

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/audit/message.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <string>
+
+namespace porttool {
+namespace {
+
+/// True if one of the words begins at the start of a word of the text.
+template <size_t N>
+bool speaks_of(const std::string& text, const std::array<std::string_view, N>& words) {
+    return std::any_of(words.begin(), words.end(), [&](std::string_view word) {
+        for (size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1))
+            if (at == 0 || std::isalnum(static_cast<unsigned char>(text[at - 1])) == 0) return true;
+        return false;
+    });
+}
+
+constexpr std::array<std::string_view, 37> kFix = {
+    "fix",       "bug",        "wrong",   "incorrect", "correct",  "nan",          "overflow",     "underflow",
+    "race",      "off by",     "off-by",  "typo",      "crash",    "precision",    "error in",     "hang",
+    "leak",      "broken",     "missing", "mistake",   "invalid",  "out of bound", "out-of-bound", "divi",
+    "undefined", "uninitiali", "regress", "issue",     "artifact", "failure",      "should be",    "accura",
+    "inf ",      "workaround", "oops",    "repair",    "segfault"};
+constexpr std::array<std::string_view, 25> kManner = {
+    "compil",   "build",    "support for", "port to", "refactor",   "cleanup",  "clean up",  "clean-up", "rename",
+    "reformat", "format",   "style",       "indent",  "whitespace", "license",  "copyright", "comment",  "warning",
+    "move",     "reorgani", "merge",       "sync",    "tidy",       "cosmetic", "simplif"};
+constexpr std::array<std::string_view, 14> kSpeed = {"optimi", "speed",     "perf",      "faster",   "unroll",
+                                                     "tune",   "tuning",    "occupancy", "register", "vectori",
+                                                     "cache",  "benchmark", "inline",    "latency"};
+
+}  // namespace
+
+MessageSays read_message(std::string_view message) {
+    std::string text(message);
+    std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
+    const std::string first = text.substr(0, text.find('\n'));
+    MessageSays out{speaks_of(first, kFix), speaks_of(first, kManner), speaks_of(first, kSpeed)};
+    if (!out.fix && !out.manner && !out.speed) out.fix = speaks_of(text, kFix);
+    return out;
+}
+
+}  // namespace porttool

@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string_view>
+
+namespace porttool {
+
+/// What a commit message says of the edit, as far as its words tell.
+struct MessageSays {
+    bool fix = false;     ///< something was wrong before
+    bool manner = false;  ///< it is about looks, names, structure or tools
+    bool speed = false;
+};
+
+/// Reads the first line, then the rest. What the first line says goes before.
+MessageSays read_message(std::string_view message);
+
+}  // namespace porttool

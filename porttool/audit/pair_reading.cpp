@@ -1,0 +1,391 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/audit/pair_reading.h"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+
+#include "porttool/audit/essence.h"
+#include "porttool/audit/likeness.h"
+#include "porttool/compare/meaning.h"
+#include "porttool/language/language.h"
+#include "porttool/normal/locals.h"
+#include "porttool/normal/prelude.h"
+#include "porttool/normal/statements.h"
+
+namespace porttool {
+namespace {
+
+/// Today's statements of one side, in the vocabulary of both.
+struct ReadSide {
+    std::vector<WrittenStatement> written;
+    std::vector<std::vector<std::string>> words;
+    std::vector<WeighedWords> weighed;
+};
+
+constexpr float kFaint = 0.1f;  ///< of a place: below, it says nothing
+
+struct Nearest {
+    size_t index = 0;
+    float distance = 0;
+    bool any = false;
+};
+
+class PairReader {
+public:
+    PairReader(const BySide<SideOfPair>& pair, const Dialect& dialect) : pair_(pair), dialect_(dialect) {
+        for (const Side side : kBothSides) languages_[side] = language_of_path(pair[side].unit->file);
+    }
+
+    PairReading run() {
+        PairReading out;
+        if (!has_past(Side::Source) && !has_past(Side::Target)) return out;
+        read_meaning();
+        for (const Side side : kBothSides) read_side(side);
+        learn_names();
+        out.alike = alike();
+        for (const Side side : kBothSides) judge_side(side, out.missing);
+        drop_what_the_other_undid(out.missing);
+        return out;
+    }
+
+private:
+    bool has_past(Side side) const {
+        const UnitLineage& lineage = *pair_[side].lineage;
+        return !lineage.removed().empty() ||
+               std::any_of(lineage.statements().begin(), lineage.statements().end(), [](const StatementLineage& line) {
+                   return std::any_of(line.steps.begin(), line.steps.end(),
+                                      [](const LineageStep& step) { return step.counts; });
+               });
+    }
+
+    /// The words of the past have a say in what names mean, too.
+    void read_meaning() {
+        for (const Side side : kBothSides) {
+            const UnitLineage& lineage = *pair_[side].lineage;
+            const auto add = [&](const WrittenStatement& statement) {
+                for (std::string& word : words_of_statement(statement)) past_words_[side].push_back(std::move(word));
+            };
+            for (const StatementLineage& line : lineage.statements())
+                for (const LineageStep& step : line.steps) add(step.before);
+            for (const RemovedStatement& one : lineage.removed()) add(one.text);
+            past_[side] = Words(past_words_[side].begin(), past_words_[side].end());
+            now_[side] = without_prelude(pair_[side].unit->text.words());
+        }
+        meaning_.emplace(PairTexts{past_.source, now_.source, past_.target, now_.target}, dialect_, languages_);
+    }
+
+    std::vector<std::string> translated(const WrittenStatement& statement, Side side, bool in_body) const {
+        const std::vector<std::string> owned = words_of_statement(statement);
+        std::vector<std::string> out =
+            essence_of(meaning_->translate(Words(owned.begin(), owned.end()), side, in_body), dialect_);
+        for (std::string& word : out)
+            if (const auto known = names_[side].find(word); known != names_[side].end()) word = known->second;
+        return out;
+    }
+
+    void read_side(Side side) {
+        ReadSide& out = sides_[side];
+        out.written = pair_[side].lineage->today();
+        for (size_t i = 0; i < out.written.size(); ++i) {
+            out.words.push_back(translated(out.written[i], side, i > 0));
+            out.weighed.push_back(weigher_.weighed(out.words.back()));
+        }
+    }
+
+    /// Names that one side has and the other does not, where they stand in statements that are otherwise one: the
+    /// target's word becomes the source's.
+    void learn_names() {
+        constexpr size_t kMostPairs = 400'000;
+        constexpr float kSameStatement = 0.7f;
+        constexpr size_t kSure = 3;  // votes; one is enough for what both sides declare for themselves
+        const ReadSide &source = sides_.source, &target = sides_.target;
+        if (source.words.size() * target.words.size() > kMostPairs) return;
+        std::set<std::string_view> in_source, in_target;
+        for (const auto& words : source.words) in_source.insert(words.begin(), words.end());
+        for (const auto& words : target.words) in_target.insert(words.begin(), words.end());
+        const std::set<std::string> own_source = locals_of(Side::Source), own_target = locals_of(Side::Target);
+        std::map<std::string, std::map<std::string, size_t>> votes;
+        for (size_t i = 0; i < target.words.size(); ++i) {
+            const Nearest near = nearest(target.weighed[i], source.weighed);
+            if (!near.any) continue;
+            const std::vector<std::string> left = value_of(source.words[near.index]), right = value_of(target.words[i]);
+            if (left.size() != right.size()) continue;
+            const float all = target.weighed[i].sum + source.weighed[near.index].sum;
+            if (1 - near.distance / all < kSameStatement) continue;
+            for (size_t k = 0; k < right.size(); ++k) {
+                const std::string &there = right[k], &here = left[k];
+                if (here != there && is_word_token(here) && is_word_token(there) && !in_source.contains(there) &&
+                    !in_target.contains(here))
+                    votes[there][here] += own_target.contains(there) && own_source.contains(here) ? kSure : 1;
+            }
+        }
+        std::map<std::string, std::string> taken;
+        for (const auto& [there, all] : votes) {
+            const auto best = std::max_element(all.begin(), all.end(),
+                                               [](const auto& a, const auto& b) { return a.second < b.second; });
+            if (best->second >= kSure && taken.emplace(best->first, there).second) names_.target[there] = best->first;
+        }
+        if (names_.target.empty()) return;
+        sides_.target = {};
+        read_side(Side::Target);
+    }
+
+    /// The names of parameters and locals of a side's unit, as translated() has them.
+    std::set<std::string> locals_of(Side side) const {
+        const Words& words = now_[side];
+        const std::vector<size_t> numbers = local_numbers(words);
+        std::set<std::string> out;
+        for (size_t i = 0; i < numbers.size(); ++i)
+            if (numbers[i] != 0) out.insert(folded(words[i]));
+        return out;
+    }
+
+    static Nearest nearest(const WeighedWords& one, const std::vector<WeighedWords>& among) {
+        Nearest out;
+        for (size_t i = 0; i < among.size(); ++i) {
+            const float least = std::abs(one.sum - among[i].sum);
+            if (out.any && least >= out.distance) continue;
+            const float far = distance(one, among[i]);
+            if (!out.any || far < out.distance) out = {i, far, true};
+        }
+        return out;
+    }
+
+    float alike() const {
+        std::map<std::vector<uint32_t>, size_t> there;
+        float all = 0, common = 0;
+        for (const WeighedWords& one : sides_.target.weighed) ++there[one.words], all += one.sum;
+        for (const WeighedWords& one : sides_.source.weighed) {
+            all += one.sum;
+            if (const auto found = there.find(one.words); found != there.end() && found->second > 0) {
+                --found->second;
+                common += 2 * one.sum;
+            }
+        }
+        return all > 0 ? common / all : 0;
+    }
+
+    void judge_side(Side side, std::vector<MissingEdit>& out) {
+        std::map<uint32_t, MissingEdit> by_commit;
+        const auto note = [&](uint32_t commit, MissingPlace place) {
+            MissingEdit& edit = by_commit.try_emplace(commit, MissingEdit{side, commit, {}}).first->second;
+            edit.places.push_back(std::move(place));
+        };
+        for (const StatementLineage& line : pair_[side].lineage->statements()) judge_line(side, line, note);
+        for (const RemovedStatement& one : pair_[side].lineage->removed()) judge_removed(side, one, note);
+        for (auto& [commit, edit] : by_commit) out.push_back(std::move(edit));
+    }
+
+    WeighedWords past_weighed(const WrittenStatement& statement, Side side, bool in_body) {
+        return weigher_.weighed(translated(statement, side, in_body));
+    }
+
+    /// True if the statements of the own side say what that of the other says as often as the other side does: then it
+    /// is the counterpart of one of those.
+    bool is_explained(Side side, const WeighedWords& old_text, size_t there, float far, size_t own) const {
+        const auto& others = sides_[other(side)].weighed;
+        const auto& here = sides_[side].weighed;
+        size_t there_count = 0, here_count = 0;
+        for (const WeighedWords& one : others)
+            if (std::abs(one.sum - old_text.sum) <= far && distance(old_text, one) <= far) ++there_count;
+        for (size_t i = 0; i < here.size(); ++i)
+            if (i != own && std::abs(here[i].sum - others[there].sum) <= far && distance(here[i], others[there]) <= far)
+                ++here_count;
+        return here_count >= there_count;
+    }
+
+    template <class Note>
+    void judge_line(Side side, const StatementLineage& line, const Note& note) {
+        if (line.steps.empty() || line.index == 0 || says_nothing(sides_[side].written[line.index])) return;
+        const auto& others = sides_[other(side)].weighed;
+        const WeighedWords& now = sides_[side].weighed[line.index];
+        const Nearest of_now = nearest(now, others);
+        if (!of_now.any || of_now.distance <= 0) return;
+        size_t best = line.steps.size();
+        Nearest found;
+        WeighedWords old_text;
+        for (size_t k = 0; k < line.steps.size(); ++k) {
+            if (line.steps[k].before.empty()) continue;
+            WeighedWords past = past_weighed(line.steps[k].before, side, line.index > 0);
+            const Nearest near = nearest(past, others);
+            if (near.any && near.distance < of_now.distance &&
+                (best == line.steps.size() || near.distance < found.distance)) {
+                best = k;
+                found = near;
+                old_text = std::move(past);
+            }
+        }
+        if (best == line.steps.size()) {
+            judge_added(side, line, of_now, note);
+            return;
+        }
+        size_t told = best;  // the step that counts
+        while (!line.steps[told].counts && told > 0) --told;
+        if (!line.steps[told].counts) return;
+        const float changed = distance(old_text, now);
+        const WeighedWords& there = others[found.index];
+        if (changed <= 0) return;
+        const float leaning = (of_now.distance - found.distance) / changed;
+        const float near = 1 - found.distance / (old_text.sum + there.sum);
+        if (leaning < 0.5f || near < 0.55f || has_elsewhere(side, line.index)) return;
+        if (is_explained(side, old_text, found.index, found.distance, line.index)) return;
+        MissingPlace place;
+        place.kind = MissingPlace::Kind::Replaced;
+        place.before = line.steps[best].before;
+        place.now = sides_[side].written[line.index];
+        place.there = sides_[other(side)].written[found.index];
+        const float substance = substance_of(translated(place.before, side, true), sides_[side].words[line.index],
+                                             *pair_[other(side)].vocabulary);
+        place.strength = std::min(1.0f, (leaning - 0.3f) / 0.7f) * std::min(1.0f, (near - 0.3f) / 0.7f) *
+                         told_by(old_text.sum) * substance;
+        if (place.strength < kFaint) return;
+        place.constants_only = numbers_alone(place.before, place.now);
+        note(line.steps[told].commit, std::move(place));
+    }
+
+    static bool says_nothing(const WrittenStatement& statement) {
+        const std::vector<std::string> words = words_of_statement(statement);
+        return is_aside(words) || is_bare_declaration(words);
+    }
+
+    /// A statement of few words stands anywhere by chance.
+    static float told_by(float weight) { return std::min(1.0f, weight / 5.0f); }
+
+    static bool numbers_alone(const WrittenStatement& before, const WrittenStatement& now) {
+        const std::vector<std::string> a = words_of_statement(before), b = words_of_statement(now);
+        if (a.size() != b.size()) return false;
+        for (size_t i = 0; i < a.size(); ++i)
+            if (a[i] != b[i] && !(is_number_token(a[i]) && is_number_token(b[i]))) return false;
+        return true;
+    }
+
+    bool has_elsewhere(Side side, size_t index) const {
+        const std::set<std::string>* there = pair_[other(side)].elsewhere;
+        return there != nullptr && sides_[side].weighed[index].sum >= 3 &&
+               there->contains(statement_key(sides_[side].written[index], dialect_));
+    }
+
+    /// A statement that a commit brought in, where the other side has none like it.
+    template <class Note>
+    void judge_added(Side side, const StatementLineage& line, const Nearest& of_now, const Note& note) {
+        const LineageStep& born = line.steps.back();
+        if (!born.before.empty()) return;
+        const auto step =
+            std::find_if(line.steps.rbegin(), line.steps.rend(), [](const auto& one) { return one.counts; });
+        if (step == line.steps.rend()) return;
+        const WeighedWords& now = sides_[side].weighed[line.index];
+        const float there = 1 - of_now.distance / (now.sum + sides_[other(side)].weighed[of_now.index].sum);
+        if (there > 0.6f || has_elsewhere(side, line.index)) return;
+        MissingPlace place;
+        place.kind = MissingPlace::Kind::Added;
+        place.now = sides_[side].written[line.index];
+        place.strength = 0.8f * std::min(1.0f, (1 - there) / 0.6f) * known_names(side, line.index) *
+                         (0.35f + 0.65f * neighbours(side, line.index)) * told_by(now.sum);
+        if (place.strength < kFaint) return;
+        note(born.commit, std::move(place));
+    }
+
+    /// The share of a statement's names that the other side's unit has, too; those of other units count by half.
+    float known_names(Side side, size_t index) const {
+        std::set<std::string_view> there;
+        for (const auto& words : sides_[other(side)].words) there.insert(words.begin(), words.end());
+        float names = 0, known = 0;
+        for (const std::string& word : sides_[side].words[index]) {
+            if (!is_word_token(word)) continue;
+            ++names;
+            if (there.contains(word))
+                known += 1;
+            else if (pair_[other(side)].vocabulary->contains(word))
+                known += 0.6f;
+        }
+        return names == 0 ? 0.5f : known / names;
+    }
+
+    /// How well the statements around one are known to the other side, 0 to 1.
+    float neighbours(Side side, size_t index) const {
+        const auto& here = sides_[side].weighed;
+        const auto& others = sides_[other(side)].weighed;
+        float sum = 0;
+        int count = 0;
+        for (const int step : {-2, -1, 1, 2}) {
+            const auto at = static_cast<ptrdiff_t>(index) + step;
+            if (at < 0 || at >= static_cast<ptrdiff_t>(here.size())) continue;
+            const WeighedWords& one = here[static_cast<size_t>(at)];
+            const Nearest near = nearest(one, others);
+            ++count;
+            if (near.any) sum += std::max(0.0f, 1 - near.distance / (one.sum + others[near.index].sum));
+        }
+        return count == 0 ? 0 : sum / static_cast<float>(count);
+    }
+
+    /// A statement that a commit took away, and that the other side still has.
+    template <class Note>
+    void judge_removed(Side side, const RemovedStatement& one, const Note& note) {
+        const auto& others = sides_[other(side)].weighed;
+        if (says_nothing(one.text)) return;
+        const WeighedWords old_text = past_weighed(one.text, side, true);
+        const Nearest near = nearest(old_text, others), own = nearest(old_text, sides_[side].weighed);
+        if (!near.any || near.index == 0) return;
+        if (own.any && likeness(old_text, sides_[side].weighed[own.index]) > 0.6f) return;  // it became that
+        const float there = 1 - near.distance / (old_text.sum + others[near.index].sum);
+        if (there < 0.85f || is_explained(side, old_text, near.index, near.distance, sides_[side].written.size()))
+            return;
+        MissingPlace place;
+        place.kind = MissingPlace::Kind::Removed;
+        place.before = one.text;
+        place.there = sides_[other(side)].written[near.index];
+        place.strength = 0.75f * there * told_by(old_text.sum) * (0.2f + 0.8f * neighbours(other(side), near.index));
+        if (place.strength < kFaint) return;
+        note(one.commit, std::move(place));
+    }
+
+    /// Where both sides were edited apart in one place, only the newer edit is the one to follow.
+    static void drop_what_the_other_undid(std::vector<MissingEdit>& edits) {
+        std::map<std::pair<std::string, std::string>, uint32_t> newest;  // by the statements of source and target
+        const auto key = [](const MissingEdit& edit, const MissingPlace& place) {
+            const bool source = edit.side == Side::Source;
+            return std::pair(source ? place.now : place.there, source ? place.there : place.now);
+        };
+        for (const MissingEdit& edit : edits)
+            for (const MissingPlace& place : edit.places) {
+                if (place.now.empty() || place.there.empty()) continue;
+                const auto known = newest.emplace(key(edit, place), edit.commit).first;
+                known->second = std::min(known->second, edit.commit);  // the walk begins with the newest
+            }
+        for (MissingEdit& edit : edits)
+            std::erase_if(edit.places, [&](const MissingPlace& place) {
+                const auto known = newest.find(key(edit, place));
+                return known != newest.end() && known->second < edit.commit;
+            });
+        std::erase_if(edits, [](const MissingEdit& edit) { return edit.places.empty(); });
+    }
+
+    const BySide<SideOfPair>& pair_;
+    const Dialect& dialect_;
+    BySide<Language> languages_ = {};
+    BySide<std::vector<std::string>> past_words_;
+    BySide<Words> past_, now_;
+    std::optional<Meaning> meaning_;
+    BySide<std::map<std::string, std::string>> names_;
+    Weigher weigher_;
+    BySide<ReadSide> sides_;
+};
+
+}  // namespace
+
+std::string statement_key(const WrittenStatement& statement, const Dialect& dialect) {
+    std::string out;
+    for (const std::string& word : words_of_statement(statement)) {
+        const std::string common = common_word(word, dialect);
+        if (!common.empty()) (out.empty() ? out : out += ' ') += common;
+    }
+    return out;
+}
+
+PairReading read_pair(const BySide<SideOfPair>& pair, const Dialect& dialect) {
+    return PairReader(pair, dialect).run();
+}
+
+}  // namespace porttool

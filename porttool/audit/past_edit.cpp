@@ -1,0 +1,234 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/audit/past_edit.h"
+
+#include <algorithm>
+#include <map>
+#include <unordered_map>
+
+#include "porttool/audit/likeness.h"
+#include "porttool/compare/lone_edit.h"
+#include "porttool/compare/renaming.h"
+#include "porttool/compare/statement_edit.h"
+#include "porttool/normal/normal_form.h"
+#include "porttool/normal/prelude.h"
+
+namespace porttool {
+namespace {
+
+constexpr size_t kMostWordsOfUnit = 60'000;  // above, no person wrote it
+constexpr char kBetweenWords = '\x1f';
+constexpr float kSamePlace = 0.4f;  ///< likeness from which on a statement became the other
+
+WrittenStatement written(const std::vector<std::string>& words) {
+    std::string out;
+    for (const std::string& word : words) (out.empty() ? out : out += kBetweenWords) += word;
+    return out;
+}
+
+std::vector<std::string> as_written_words(const Words& statement, bool) { return {statement.begin(), statement.end()}; }
+
+/// Pairs what was lost in one place with what was gained there, in order, so that as much as possible is alike.
+class PlaceAligner {
+public:
+    PlaceAligner(const std::vector<const Statement*>& lost, const std::vector<const Statement*>& gained)
+        : lost_(lost), gained_(gained) {}
+
+    std::vector<EditedPlace> run() {
+        constexpr size_t kMostCells = 4000;
+        const size_t n = lost_.size(), m = gained_.size();
+        std::vector<EditedPlace> out;
+        std::vector<std::vector<float>> like, best;
+        if (n * m <= kMostCells && n * m > 0) {
+            like = table();
+            best = filled(like);
+        }
+        size_t i = 0, k = 0;
+        while (!best.empty() && i < n && k < m) {
+            if (like[i][k] >= kSamePlace && best[i][k] == best[i + 1][k + 1] + like[i][k]) {
+                out.push_back({written(lost_[i++]->common), written(gained_[k++]->common)});
+            } else if (best[i][k] == best[i + 1][k]) {
+                out.push_back({written(lost_[i++]->common), ""});
+            } else {
+                out.push_back({"", written(gained_[k++]->common)});
+            }
+        }
+        for (; i < n; ++i) out.push_back({written(lost_[i]->common), ""});
+        for (; k < m; ++k) out.push_back({"", written(gained_[k]->common)});
+        return out;
+    }
+
+private:
+    std::vector<std::vector<float>> table() const {
+        Weigher weigher;
+        std::vector<WeighedWords> left, right;
+        for (const Statement* one : lost_) left.push_back(weigher.weighed(one->common));
+        for (const Statement* one : gained_) right.push_back(weigher.weighed(one->common));
+        std::vector<std::vector<float>> out(left.size(), std::vector<float>(right.size()));
+        for (size_t i = 0; i < left.size(); ++i)
+            for (size_t k = 0; k < right.size(); ++k) out[i][k] = likeness(left[i], right[k]);
+        return out;
+    }
+
+    static std::vector<std::vector<float>> filled(const std::vector<std::vector<float>>& like) {
+        const size_t n = like.size(), m = like[0].size();
+        std::vector<std::vector<float>> best(n + 1, std::vector<float>(m + 1, 0.0f));
+        for (size_t i = n; i-- > 0;)
+            for (size_t k = m; k-- > 0;) {
+                best[i][k] = std::max(best[i + 1][k], best[i][k + 1]);
+                if (like[i][k] >= kSamePlace) best[i][k] = std::max(best[i][k], best[i + 1][k + 1] + like[i][k]);
+            }
+        return best;
+    }
+
+    const std::vector<const Statement*>&lost_, &gained_;
+};
+
+/// The places of an edit, one run of lost and gained statements after the other.
+std::vector<EditedPlace> places_of(const StatementEdit& edit) {
+    std::vector<EditedPlace> out;
+    const std::vector<size_t> kept = edit.kept();
+    std::vector<const Statement*> lost, gained;
+    const auto finish = [&] {
+        for (EditedPlace& place : PlaceAligner(lost, gained).run()) out.push_back(std::move(place));
+        lost.clear();
+        gained.clear();
+    };
+    size_t k = 0;
+    const auto gain_until = [&](size_t end) {
+        for (; k < end; ++k)
+            if (!edit.now[k].is_brace()) gained.push_back(&edit.now[k]);
+    };
+    for (size_t i = 0; i < edit.before.size(); ++i) {
+        if (kept[i] == StatementEdit::kGone) {
+            if (!edit.before[i].is_brace()) lost.push_back(&edit.before[i]);
+            continue;
+        }
+        gain_until(kept[i]);
+        if (!edit.before[i].is_brace()) finish();
+        ++k;
+    }
+    gain_until(edit.now.size());
+    finish();
+    return out;
+}
+
+/// What went in one place and came in another, as it is, has only moved.
+void drop_moved(std::vector<EditedPlace>& places) {
+    std::map<std::string, size_t> went;
+    for (const EditedPlace& place : places)
+        if (place.now.empty()) ++went[place.before];
+    std::map<std::string, size_t> moved;
+    std::erase_if(places, [&](const EditedPlace& place) {
+        if (!place.before.empty()) return false;
+        const auto found = went.find(place.now);
+        if (found == went.end() || found->second == 0) return false;
+        --found->second;
+        ++moved[place.now];
+        return true;
+    });
+    std::erase_if(places, [&](const EditedPlace& place) {
+        if (!place.now.empty()) return false;
+        const auto found = moved.find(place.before);
+        if (found == moved.end() || found->second == 0) return false;
+        --found->second;
+        return true;
+    });
+}
+
+/// Marks the places where nothing but names of locals changed.
+void mark_renames(UnitEdit& edit, const Words& before, const Words& now, const Dialect& dialect) {
+    const Words old_names = with_old_names(before, now, dialect);
+    std::unordered_map<std::string_view, std::string_view> name;
+    for (size_t i = 0; i < now.size() && i < old_names.size(); ++i)
+        if (now[i] != old_names[i]) name[now[i]] = old_names[i];
+    if (name.empty()) return;
+    for (EditedPlace& place : edit.places) {
+        if (place.before.empty() || place.now.empty()) continue;
+        std::vector<std::string> words = words_of_statement(place.now);
+        for (std::string& word : words)
+            if (const auto found = name.find(word); found != name.end()) word = found->second;
+        place.renames = written(words) == place.before;
+    }
+}
+
+/// The tokens of a unit, without what stands in its holes, as one text to compare.
+std::string raw_text(const ScannedFile& file, const Unit& unit) {
+    std::string out;
+    auto hole = unit.holes.begin();
+    for (uint32_t i = unit.tokens.first; i < unit.tokens.end; ++i) {
+        while (hole != unit.holes.end() && hole->end <= i) ++hole;
+        if (hole != unit.holes.end() && i >= hole->first) continue;
+        out += file.lexed.view(i);
+        out += kBetweenWords;
+    }
+    return out;
+}
+
+using UnitsByName = std::map<std::string_view, const Unit*>;
+
+UnitsByName units_by_name(const ScannedFile* file) {
+    UnitsByName out;
+    if (file == nullptr) return out;
+    for (const Unit& unit : file->units) out.emplace(unit.name, &unit);
+    return out;
+}
+
+LoneVersion lone_version(const ScannedFile& file, const Unit& unit) {
+    return {unit.name, unit.kind, normal_form(file, unit)};
+}
+
+}  // namespace
+
+std::vector<std::string> words_of_statement(const WrittenStatement& statement) {
+    std::vector<std::string> out;
+    for (size_t at = 0; at < statement.size();) {
+        const size_t end = std::min(statement.find(kBetweenWords, at), statement.size());
+        out.push_back(statement.substr(at, end - at));
+        at = end + 1;
+    }
+    return out;
+}
+
+std::vector<WrittenStatement> written_statements(const Words& text) {
+    std::vector<WrittenStatement> out;
+    for (const Statement& statement : split_statements(without_prelude(text), as_written_words))
+        if (!statement.is_brace()) out.push_back(written(statement.common));
+    return out;
+}
+
+UnitEdit unit_edit(const NormalText& before, const NormalText& now, UnitKind kind, Language language,
+                   const Dialect& dialect) {
+    UnitEdit out;
+    if (before.size() + now.size() > kMostWordsOfUnit) return out;
+    const Words old_words = before.words(), new_words = now.words();
+    const Words old_text = without_prelude(old_words), new_text = without_prelude(new_words);
+    if (old_text == new_text) return out;
+    out.means_nothing = lone_edit(old_words, new_words, kind, language, dialect).means_nothing;
+    out.places = places_of(statement_edit(old_text, new_text, as_written_words));
+    drop_moved(out.places);
+    mark_renames(out, old_text, new_text, dialect);
+    return out;
+}
+
+FileEdit file_edit(const ScannedFile* before, const ScannedFile* now, const Dialect& dialect) {
+    FileEdit out;
+    const UnitsByName old_units = units_by_name(before), new_units = units_by_name(now);
+    for (const auto& [name, unit] : new_units) {
+        const auto old_one = old_units.find(name);
+        if (old_one == old_units.end()) {
+            out.came.push_back(lone_version(*now, *unit));
+            continue;
+        }
+        if (raw_text(*before, *old_one->second) == raw_text(*now, *unit)) continue;
+        UnitEdit edit = unit_edit(normal_form(*before, *old_one->second), normal_form(*now, *unit), unit->kind,
+                                  now->language, dialect);
+        edit.before_name = edit.now_name = name;
+        if (!edit.places.empty()) out.edits.push_back(std::move(edit));
+    }
+    for (const auto& [name, unit] : old_units)
+        if (!new_units.contains(name)) out.went.push_back(lone_version(*before, *unit));
+    return out;
+}
+
+}  // namespace porttool

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include <charconv>
+
+#include "porttool/audit/audit.h"
+#include "porttool/command/commands.h"
+#include "porttool/report/audit_report.h"
+#include "porttool/text/sink/terminal.h"
+
+namespace porttool {
+namespace {
+
+size_t most_items(const std::string& text) {
+    constexpr size_t kDefault = 20;
+    if (text.empty()) return kDefault;
+    size_t out = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), out);
+    if (error != std::errc() || end != text.data() + text.size() || out == 0)
+        throw CannotDo("--limit " + terminal_text(text) + ": expected a number from 1 on, as in --limit 50");
+    return out;
+}
+
+}  // namespace
+
+void declare_audit(Declare& declare, Options& options) {
+    declare_sides(declare, options);
+    declare.text("--since", options.since, "REV|DATE",
+                 "Read only what came after this commit, or from this day (YYYY-MM-DD) on");
+    declare.text("--limit", options.limit, "N", "Show at most so many items (20)");
+    declare.flag("--run", options.runs, "Add witnesses: inputs on which the two sides differ");
+}
+
+Outcome run_audit(const Options& options, Workplace& place) {
+    require_format(options.format, {"text", "json"});
+    if (options.runs) throw CannotDo("--run: this build of porttool has no witnesses yet; leave it out");
+    AuditChoice choice;
+    static_cast<ProjectChoice&>(choice) = options;
+    choice.since = options.since;
+    choice.limit = most_items(options.limit);
+    const Audit found = audit(choice, place);
+    if (found.shallow && !options.quiet)
+        place.err << "porttool: this is a shallow clone; what its oldest commits did is not known\n"
+                     "Fetch the rest: git fetch --unshallow\n";
+    if (found.squashed && !options.quiet)
+        place.err << "porttool: this history has a single commit; there are no edits of the past in it\n";
+    return {options.format == "json" ? audit_json(found) : audit_text(found), found.items.empty() ? 0 : 1};
+}
+
+}  // namespace porttool

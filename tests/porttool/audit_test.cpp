@@ -1,0 +1,240 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+// porttool audit, on small repositories whose answers are known by how they were made.
+#include <gtest/gtest.h>
+
+#include "tests/porttool/temporary_repository.h"
+
+namespace porttool::testing::audit_test {
+namespace {
+
+const std::string kCudaShade =
+    "__device__ float shade(float cosine, float albedo) {\n"
+    "    float weight = max(cosine, 0.0f);\n"
+    "    float level = albedo * weight * 0.3183f;\n"
+    "    if (level < 0.001f) return 0.0f;\n"
+    "    return level + 0.01f;\n"
+    "}\n";
+const std::string kCppShade =
+    "float shade(float cosine, float albedo) {\n"
+    "    float weight = std::max(cosine, 0.0f);\n"
+    "    float level = albedo * weight * 0.3183f;\n"
+    "    if (level < 0.001f) return 0.0f;\n"
+    "    return level + 0.01f;\n"
+    "}\n";
+
+class Audit : public TemporaryRepository {
+protected:
+    void SetUp() override {
+        TemporaryRepository::SetUp();
+        if (IsSkipped()) return;
+        write("gpu/shade.cu", kCudaShade);
+        write("cpu/shade.cpp", kCppShade);
+        commit("Both sides", 1);
+    }
+
+    CommandRun audit(std::vector<std::string> more = {}) {
+        more.insert(more.begin(), {"audit", "--source", "gpu/*", "--target", "cpu/*"});
+        return porttool(more);
+    }
+    nlohmann::json items(std::vector<std::string> more = {}) {
+        more.insert(more.end(), {"--format", "json"});
+        const CommandRun got = audit(more);
+        EXPECT_LE(got.exit_code, 1) << got.err;
+        const auto found = nlohmann::json::parse(got.out);
+        EXPECT_EQ(got.exit_code, found["items"].empty() ? 0 : 1);
+        return found["items"];
+    }
+    std::string id_of_head() const {
+        std::ifstream file(root / ".git/refs/heads/main");
+        std::string id;
+        file >> id;
+        return id;
+    }
+    void change(const std::string& path, const std::string& from, const std::string& to) const {
+        std::stringstream text;
+        text << std::ifstream(root / path).rdbuf();
+        write(path, replaced(text.str(), from, to));
+    }
+};
+
+TEST_F(Audit, ListsTheFixThatNeverArrived) {
+    change("gpu/shade.cu", "level < 0.001f", "level < 0.0001f");
+    commit("Fix dark surfaces: the threshold was too high", 2);
+    const std::string fix = id_of_head();
+    change("gpu/shade.cu", "0.3183f", "0.31831f");
+    change("cpu/shade.cpp", "0.3183f", "0.31831f");
+    commit("More digits", 3);
+    const auto found = items();
+    ASSERT_EQ(found.size(), 1) << found;
+    EXPECT_EQ(found[0]["source"], "gpu/shade.cu:shade");
+    EXPECT_EQ(found[0]["target"], "cpu/shade.cpp:shade");
+    EXPECT_EQ(found[0]["commit"], fix);
+    EXPECT_EQ(found[0]["date"], "2026-01-02");
+    EXPECT_EQ(found[0]["edited"], "source");
+    EXPECT_NE(found[0]["summary"].get<std::string>().find("1e-04f"), std::string::npos) << found[0]["summary"];
+    EXPECT_GT(found[0]["certainty"], 0.8);
+    EXPECT_TRUE(found[0]["witness"].is_null());
+}
+
+TEST_F(Audit, AFixThatArrivedLaterIsNone) {
+    change("gpu/shade.cu", "level < 0.001f", "level < 0.0001f");
+    commit("Fix dark surfaces", 2);
+    change("cpu/shade.cpp", "level < 0.001f", "level < 0.0001f");
+    commit("Port the fix", 9);
+    EXPECT_TRUE(items().empty());
+}
+
+TEST_F(Audit, AnEditThatWasTakenBackIsNone) {
+    change("gpu/shade.cu", "level < 0.001f", "level < 0.0001f");
+    commit("Fix dark surfaces", 2);
+    change("gpu/shade.cu", "level < 0.0001f", "level < 0.001f");
+    commit("Take it back", 3);
+    EXPECT_TRUE(items().empty());
+}
+
+TEST_F(Audit, AnEditOfTheTargetIsOneToo) {
+    change("cpu/shade.cpp", "    if (level", "    if (std::isnan(level)) return 0.0f;\n    if (level");
+    commit("Fix NaN of degenerate triangles", 2);
+    change("gpu/shade.cu", "__device__", "__device__ inline");
+    commit("Inline", 3);
+    const auto found = items();
+    ASSERT_EQ(found.size(), 1) << found;
+    EXPECT_EQ(found[0]["source"], "gpu/shade.cu:shade") << "the fields keep their sides";
+    EXPECT_EQ(found[0]["edited"], "target");
+    EXPECT_NE(found[0]["summary"].get<std::string>().find("isnan"), std::string::npos);
+}
+
+TEST_F(Audit, SeveralEditsOfOneStatementAreOneItemOfTheFirst) {
+    change("gpu/shade.cu", "level < 0.001f", "level < 0.0001f");
+    commit("Fix dark surfaces", 2);
+    const std::string fix = id_of_head();
+    change("gpu/shade.cu", "level < 0.0001f", "level < 0.00001f");
+    commit("Darker still", 3);
+    const auto found = items();
+    ASSERT_EQ(found.size(), 1) << found;
+    EXPECT_EQ(found[0]["commit"], fix) << "there the port was left behind";
+    EXPECT_NE(found[0]["summary"].get<std::string>().find("1e-05f"), std::string::npos) << "but this is what it lacks";
+}
+
+TEST_F(Audit, FollowsFilesAndUnitsThatWereRenamed) {
+    change("gpu/shade.cu", "level < 0.001f", "level < 0.0001f");
+    commit("Fix dark surfaces", 2);
+    const std::string fix = id_of_head();
+    git("mv gpu/shade.cu gpu/shading.cu");
+    commit("Rename the file", 3);
+    change("gpu/shading.cu", "float shade(", "float shade_surface(");
+    commit("Rename the function", 4);
+    const auto found = items();
+    ASSERT_EQ(found.size(), 1) << found;
+    EXPECT_EQ(found[0]["source"], "gpu/shading.cu:shade_surface");
+    EXPECT_EQ(found[0]["commit"], fix);
+}
+
+TEST_F(Audit, NeitherMannersNorRenamedLocalsAreItems) {
+    write("gpu/shade.cu",
+          "// shading\nstatic __device__ __forceinline__ float shade(const float cos_theta, const float albedo) {\n"
+          "    const float weight = fmaxf(cos_theta, 0.f);\n"
+          "    const float level = albedo * weight * 0.3183f;\n"
+          "    if (level < 0.001f)\n        return 0.0f;\n"
+          "    return level + 0.01f;\n"
+          "}\n");
+    commit("Tidy up", 2);
+    EXPECT_TRUE(items().empty()) << items();
+}
+
+TEST_F(Audit, OneEditOfManyUnitsIsOneItem) {
+    std::string gpu, cpu;
+    for (const std::string name : {"red_of", "green_of", "blue_of"}) {
+        gpu += replaced(kCudaShade, "shade", name);
+        cpu += replaced(kCppShade, "shade", name);
+    }
+    write("gpu/shade.cu", gpu);
+    write("cpu/shade.cpp", cpu);
+    commit("Colours", 2);
+    for (int i = 0; i < 3; ++i) change("gpu/shade.cu", "return level + 0.01f", "return level + 0.02f");
+    commit("Fix the ambient term", 3);
+    const auto found = items();
+    ASSERT_EQ(found.size(), 1) << found;
+    EXPECT_EQ(found[0]["same"].size(), 2);
+}
+
+TEST_F(Audit, SinceLeavesOutWhatIsOlder) {
+    change("gpu/shade.cu", "level < 0.001f", "level < 0.0001f");
+    commit("Fix dark surfaces", 5);
+    EXPECT_EQ(items({"--since", "2026-01-04"}).size(), 1);
+    EXPECT_EQ(items({"--since", "HEAD~1"}).size(), 1);
+    EXPECT_TRUE(items({"--since", "2026-01-06"}).empty());
+    EXPECT_TRUE(items({"--since", "HEAD"}).empty());
+    const CommandRun unknown = audit({"--since", "v9.9"});
+    EXPECT_EQ(unknown.exit_code, 2);
+    EXPECT_NE(unknown.err.find("--since v9.9: no such revision"), std::string::npos) << unknown.err;
+}
+
+TEST_F(Audit, ABranchThatWasMergedCountsByItsOwnCommits) {
+    git("checkout -q -b fix");
+    change("gpu/shade.cu", "level < 0.001f", "level < 0.0001f");
+    commit("Fix dark surfaces", 2);
+    const CommandRun at_branch = audit();
+    git("checkout -q main");
+    write("notes.txt", "notes\n");
+    commit("Notes", 3);
+    git("merge -q --no-ff -m 'Merge branch fix' fix");
+    const auto found = items();
+    ASSERT_EQ(found.size(), 1) << found;
+    EXPECT_NE(audit().out.find("Fix dark surfaces"), std::string::npos);
+    EXPECT_EQ(at_branch.exit_code, 1);
+}
+
+TEST_F(Audit, WritesNothing) {
+    change("gpu/shade.cu", "level < 0.001f", "level < 0.0001f");
+    commit("Fix dark surfaces", 2);
+    ASSERT_EQ(audit().exit_code, 1);
+    EXPECT_FALSE(std::filesystem::exists(root / ".git/porttool"));
+    EXPECT_FALSE(std::filesystem::exists(root / "portmap.toml"));
+    git("diff --quiet HEAD && test -z \"$(git status --porcelain)\"");
+}
+
+TEST_F(Audit, TakesThePairsOfAMap) {
+    write("portmap.toml",
+          "version = 1\n[sides]\nsource = [\"gpu/*\"]\ntarget = [\"cpu/*\"]\n[[pair]]\n"
+          "source = \"gpu/shade.cu:shade\"\ntarget = \"cpu/shade.cpp:shade\"\n");
+    change("gpu/shade.cu", "level < 0.001f", "level < 0.0001f");
+    commit("Fix dark surfaces", 2);
+    const CommandRun got = porttool({"audit", "--format", "json"});
+    EXPECT_EQ(got.exit_code, 1) << got.err;
+    EXPECT_EQ(nlohmann::json::parse(got.out)["items"].size(), 1);
+}
+
+TEST_F(Audit, AShallowCloneIsTold) {
+    change("gpu/shade.cu", "level < 0.001f", "level < 0.0001f");
+    commit("Fix dark surfaces", 2);
+    change("gpu/shade.cu", "+ 0.01f", "+ 0.02f");
+    commit("Fix the ambient term", 3);
+    git("clone -q --depth 2 'file://" + root.string() + "' shallow");
+    const CommandRun got =
+        porttool({"audit", "--source", "gpu/*", "--target", "cpu/*", "--format", "json"}, (root / "shallow").string());
+    EXPECT_EQ(got.exit_code, 1) << got.err;
+    const auto found = nlohmann::json::parse(got.out);
+    EXPECT_EQ(found["shallow"], true);
+    EXPECT_EQ(found["items"][0]["date"], "2026-01-03");
+    EXPECT_NE(got.err.find("git fetch --unshallow"), std::string::npos) << got.err;
+}
+
+TEST_F(Audit, SaysWhatItNeeds) {
+    const CommandRun no_sides = porttool({"audit"});
+    EXPECT_EQ(no_sides.exit_code, 2);
+    EXPECT_NE(no_sides.err.find("--source"), std::string::npos) << no_sides.err;
+    const CommandRun runs = audit({"--run"});
+    EXPECT_EQ(runs.exit_code, 2);
+    const CommandRun limit = audit({"--limit", "none"});
+    EXPECT_EQ(limit.exit_code, 2);
+    EXPECT_NE(limit.err.find("--limit none"), std::string::npos) << limit.err;
+    std::filesystem::remove_all(root / ".git");
+    const CommandRun no_git = audit();
+    EXPECT_EQ(no_git.exit_code, 2);
+    EXPECT_NE(no_git.err.find("git"), std::string::npos) << no_git.err;
+}
+
+}  // namespace
+}  // namespace porttool::testing::audit_test
