@@ -221,6 +221,10 @@ Examples::Phrase Examples::longest(const std::vector<std::string>& words, size_t
     for (size_t i = at; i < std::min(end, at + kLongest); ++i) {
         key += words[i];
         key += '\x1f';
+        // `aux . i < n && aux` must not part the last name from what picks a member of it.
+        if (i + 1 < words.size() && picks_member(words[i + 1]) && is_word_token(words[i]) &&
+            !is_primary(words, at, i + 1))
+            continue;
         const auto found = phrases_.find(key);
         if (found == phrases_.end()) continue;
         const auto& times = found->second.times;

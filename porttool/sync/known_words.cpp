@@ -40,6 +40,15 @@ bool is_standard(std::string_view word) {
     return kWords.find(" " + std::string(word) + " ") != std::string_view::npos;
 }
 
+/// What shading languages and OpenCL have for numbers and vectors alike, under one name in all of them.
+bool is_shader_function(std::string_view word, Language language) {
+    static constexpr std::string_view kFunctions =
+        " sign floor ceil trunc fma min max clamp mix step smoothstep length distance dot cross normalize pow exp exp2 "
+        "log log2 sqrt sin cos tan asin acos radians degrees ";
+    if (language != Language::OpenCl && language != Language::Glsl && language != Language::Metal) return false;
+    return kFunctions.find(" " + std::string(word) + " ") != std::string_view::npos;
+}
+
 bool is_capital(std::string_view word) {
     return std::none_of(word.begin(), word.end(), [](char c) { return c >= 'a' && c <= 'z'; });
 }
@@ -159,7 +168,7 @@ std::string KnownWords::in_other_manner(std::string_view word) const {
 }
 
 bool KnownWords::is_of_source(std::string_view word) const {
-    return parameters_.contains(word) || from_.all.declared().contains(word);
+    return !is_type_word(word) && (parameters_.contains(word) || from_.all.declared().contains(word));
 }
 
 /// True if the target's file has words of that run time.
@@ -186,9 +195,9 @@ bool KnownWords::anywhere(std::string_view word) const {
     if (to_.all.known().contains(word)) return true;
     if (is_of_source(word)) return false;
     const Language here = from_.edited.language, there = to_.edited.language;
-    if (dialect_.meaning(word) != nullptr && scopes_builtins()) return false;
+    if (dialect_.meaning(word) != nullptr && !is_type_word(word) && scopes_builtins()) return false;
     if (const std::string_view runtime = runtime_of(word); !runtime.empty() && !speaks(runtime)) return false;
-    if (here == there) return true;
+    if (here == there || is_shader_function(word, there)) return true;
     const bool both_c = traits_of(here).literals == Literals::C && traits_of(there).literals == Literals::C;
     return both_c && there != Language::OpenCl && is_standard(word);
 }

@@ -65,6 +65,12 @@ public:
         return language != Language::C && language != Language::OpenCl && language != Language::Glsl &&
                language != Language::Ispc;
     }
+    /// True for a language that has the standard library of C++.
+    bool has_std() const {
+        const Language language = to_.edited.language;
+        return language == Language::Cpp || language == Language::Cuda || language == Language::Hip ||
+               language == Language::Sycl;
+    }
     /// True for one with C's literals of structs, `(T){1, 2}`.
     bool has_literals() const { return to_.edited.language == Language::C || to_.edited.language == Language::OpenCl; }
     /// True where a real number without a mark is a float in the source's language and none in the target's.

@@ -17,7 +17,9 @@
 #include "porttool/sync/include_carrier.h"
 #include "porttool/sync/knowledge.h"
 #include "porttool/sync/known_words.h"
+#include "porttool/sync/local_manner.h"
 #include "porttool/sync/new_units.h"
+#include "porttool/sync/scopes.h"
 #include "porttool/sync/transplant.h"
 
 namespace porttool {
@@ -280,9 +282,26 @@ private:
             out.why.emplace_back("the port has it already");
             return;
         }
+        declare_constants(new_text, is, constants_of(*file, *unit, draft.scanned), found);
         const std::vector<TextEdit> edits =
             rewrite_unit(found, {*file, is, new_text.clauses}, {draft.scanned, there, port_text.clauses});
         finish(pair, line, before, to, draft, edits, out);
+    }
+
+    /// The tokens that begin a new declaration which the port's file would make a constant.
+    static std::vector<uint32_t> constants_of(const ScannedFile& file, const Unit& unit, const ScannedFile& target) {
+        return adds_const(file, target) ? constant_locals(file, unit, false) : std::vector<uint32_t>();
+    }
+
+    static void declare_constants(const AlignedText& text, const UnitWords& words, const std::vector<uint32_t>& tokens,
+                                  Transplant& found) {
+        for (ClausesAdded& one : found.added)
+            for (ClauseAdded& clause : one.clauses) {
+                const size_t first = text.clauses[clause.source].first;
+                if (words.is_added(first) || clause.words.empty() || clause.words.front().text == "const") continue;
+                if (std::find(tokens.begin(), tokens.end(), words.tokens[first]) != tokens.end())
+                    clause.words.insert(clause.words.begin(), {"const", CarriedWord::kNoSource});
+            }
     }
 
     /// True for one of several counterparts that has less than most of the unit.
@@ -350,6 +369,8 @@ private:
         if (unit == nullptr || scanned.balanced != draft.scanned.balanced ||
             !others_stayed(draft.scanned, scanned, *unit_named(draft.scanned, pair.unit[to]->id)))
             return refuse("the port made of this edit could not be read back");
+        leave_out_of_scope(pair, words_of_unit(draft.scanned, *unit_named(draft.scanned, pair.unit[to]->id)).words,
+                           words_of_unit(scanned, *unit).words, out);
         const UnitState state = unit_state(scanned, *unit);
         const bool to_target = to == Side::Target;
         const PairComparison found = compare(pair, line, before, to_target ? pair.unit.source->text : state.text,
@@ -364,6 +385,14 @@ private:
         }
         if (draft.bytes == now) return refuse("nothing came of it");
         drafts_.write(draft, now, std::move(scanned));
+    }
+
+    /// Names that the port would use where it does not declare them any more.
+    static void leave_out_of_scope(const JudgedPair& pair, const std::vector<std::string>& was,
+                                   const std::vector<std::string>& is, Proposal& out) {
+        for (const std::string& name : lost_names(was, is))
+            out.left.push_back({"the port would use `" + name + "` where it does not declare it",
+                                line_of(pair, Side::Source), line_of(pair, Side::Target)});
     }
 
     /// True if all units but one are as they were.

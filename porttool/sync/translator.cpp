@@ -60,8 +60,9 @@ CarriedWords EditTranslator::carry(const std::vector<std::string>& words, size_t
             words[i + 2] == ")" && (i == 0 || !is_word_token(words[i - 1]) || words[i - 1] == "return"))
             out.unknown.push_back("(" + words[i + 1] + ")");
         // A literal of a whole struct, which C++ writes otherwise.
-        if (!known_.has_literals() && words[i] == "(" && i + 3 < words.size() && is_word_token(words[i + 1]) &&
-            words[i + 2] == ")" && words[i + 3] == "{")
+        const bool after_head = i > 0 && is_word_token(words[i - 1]) && words[i - 1] != "return";
+        if (!known_.has_literals() && !after_head && words[i] == "(" && i + 3 < words.size() &&
+            is_word_token(words[i + 1]) && words[i + 2] == ")" && words[i + 3] == "{")
             out.unknown.push_back("(" + words[i + 1] + "){");
         if (units_.other_parameters.contains(words[i]) && i + 1 < words.size() && words[i + 1] == "(")
             out.unknown.push_back(words[i] + "()");
@@ -90,7 +91,11 @@ CarriedWords EditTranslator::carry(const std::vector<std::string>& words, size_t
         const bool member = i > 0 && (words[i - 1] == "." || words[i - 1] == "->");
         const bool method = member && i + 1 < words.size() && words[i + 1] == "(" && !known_.has_methods();
         const bool called = i + 1 < words.size() && words[i + 1] == "(";
-        const std::string said = method ? std::string() : member ? this->member(words[i]) : word(words[i], called);
+        const bool is_std = i > 1 && words[i - 1] == "::" && words[i - 2] == "std" && known_.has_std();
+        const std::string said = method   ? std::string()
+                                 : is_std ? words[i]
+                                 : member ? this->member(words[i])
+                                          : word(words[i], called);
         if (said.empty()) out.unknown.push_back(words[i]);
         out.words.push_back({said.empty() ? words[i] : said, i});
         ++i;

@@ -48,6 +48,8 @@ public:
         for (size_t c = 0; c < texts_.before.clauses.size(); ++c)
             if (texts_.edit.clause_of[c] == kNothing && !held_.contains(c)) remove(c);
         drop_open_blocks();
+        // Beside nothing else an edit of spelling alone is due where somebody asks for it.
+        if (out_.empty() && out_.left.empty() && out_.already == 0) out_.replaced = std::move(respelled_);
         for (const size_t was : origin_) out_.stands_for.push_back(was == kNothing ? kNothing : counterpart(was));
         return std::move(out_);
     }
@@ -206,7 +208,7 @@ private:
     }
 
     void change_run(Hunk hunk, size_t was, size_t there) {
-        if (is_neutral(hunk)) return;
+        if (is_neutral(hunk)) return respell(hunk);
         if (hunk.first == hunk.end ? insert_run(hunk, was, there) : replace_run(hunk)) return;
         const Clause &here = before(was), &other = target(there);
         // Out to words that stand for words of the target.
@@ -317,13 +319,22 @@ private:
 
     /// New words go between the nearest words that stand for some of the target's, if it has nothing of its own there.
     /// Else an argument goes beside the one that it stands beside in the source.
+    /// Where a word of the target begins with the scope that it is called in: `std` of `std :: sqrt`, not before
+    /// `first`.
+    size_t before_scope(size_t first, size_t word) const {
+        while (word >= first + 2 && texts_.target.words[word - 1] == "::" &&
+               is_word_token(texts_.target.words[word - 2]))
+            word -= 2;
+        return word;
+    }
+
     bool insert_run(const Hunk& hunk, size_t was, size_t there) {
         const Clause &here = before(was), &other = target(there);
         size_t left = hunk.first, right = hunk.first;
         while (left > here.first && word_of(left - 1) == kNothing) --left;
         while (right < here.end && word_of(right) == kNothing) ++right;
         const size_t first = left == here.first ? other.first : word_of(left - 1) + 1;
-        const size_t end = right == here.end ? other.end : word_of(right);
+        const size_t end = right == here.end ? other.end : before_scope(first, word_of(right));
         if (end < first) return false;
         if ((left > here.first && !says_alike(left - 1)) || (right < here.end && !says_alike(right))) {
             leave_run(hunk, first, "the port says something else beside it");
@@ -356,6 +367,21 @@ private:
             return false;  // beside what is due the port gets them, too
         return translator_.meaning(texts_.before.words, hunk.first, hunk.end) ==
                translator_.meaning(texts_.now.words, hunk.now_first, hunk.now_end);
+    }
+
+    /// A neutral edit of words that the target spells as the source did.
+    void respell(const Hunk& hunk) {
+        if (hunk.first == hunk.end || hunk.now_first == hunk.now_end) return;
+        const size_t first = word_of(hunk.first), size = hunk.end - hunk.first;
+        for (size_t i = 0; i < size; ++i)
+            if (word_of(hunk.first + i) != first + i || first == kNothing ||
+                texts_.target.words[first + i] != texts_.before.words[hunk.first + i])
+                return;
+        CarriedWords now = carry_new(hunk.now_first, hunk.now_end);
+        if (!now.unknown.empty()) return;
+        now.words.clear();
+        for (size_t i = hunk.now_first; i < hunk.now_end; ++i) now.words.push_back({written_(i), i});
+        respelled_.push_back({first, first + size, std::move(now.words), hunk.now_first, hunk.now_end});
     }
 
     /// True where one name stands for one name, of which nothing else is known.
@@ -667,6 +693,7 @@ private:
     std::set<size_t> held_;        ///< clauses of the source's old text whose successor is left
     std::set<size_t> stands_for_;  ///< clauses of the target that have a counterpart
     std::vector<size_t> origin_;   ///< of each clause of now, the one before
+    std::vector<WordsReplaced> respelled_;
     Transplant out_;
 };
 

@@ -540,6 +540,75 @@ TEST(SyncEdit, APartialPatchTakesNothingAwayWhoseSuccessorIsLeft) {
     }
 }
 
+TEST(SyncEdit, WhatGoesBeforeACallInAScope) {
+    expect_ported({"k.glsl", "k.cpp", "float f(float a, float b) {\n  float root = sqrt(a);\n  return root + b;\n}\n",
+                   "float f(float a, float b) {\n  float root = b * sqrt(a);\n  return root + b;\n}\n",
+                   "float f(float a, float b)\n{\n    float root = std::sqrt(a);\n    return root + b;\n}\n",
+                   "float f(float a, float b)\n{\n    float root = b * std::sqrt(a);\n    return root + b;\n}\n"});
+}
+
+TEST(SyncEdit, ANewLocalIsAConstantWhereThePortsAre) {
+    const std::string port =
+        "float f(float a, float b)\n{\n    const float x = a * b;\n    const float y = x + b;\n    const float z = y - "
+        "a;\n";
+    const std::string source =
+        "float f(float a, float b) {\n  float x = a * b;\n  float y = x + b;\n  float z = y - a;\n";
+    expect_written({"k.glsl", "k.cpp", source + "  return z;\n}\n", source + "  float w = z * x;\n  return w;\n}\n",
+                    port + "    return z;\n}\n", port + "    const float w = z * x;\n    return w;\n}\n"});
+}
+
+TEST(SyncEdit, NamesOfTheStandardLibraryAreKnownInItsScope) {
+    expect_ported({"k.cu", "k.cpp", "float f(float a) {\n  float b = a * 2.0f;\n  return b;\n}\n",
+                   "float f(float a) {\n  float b = a * 2.0f;\n  b = std::nextafter(b, a);\n  return b;\n}\n",
+                   "float f(float a) {\n  float b = a * 2.0f;\n  return b;\n}\n",
+                   "float f(float a) {\n  float b = a * 2.0f;\n  b = std::nextafter(b, a);\n  return b;\n}\n"});
+}
+
+TEST(SyncEdit, ATypeOfTheLanguageIsKnownThoughNobodyUsesItThere) {
+    expect_ported(
+        {"k.cu", "k.hip", "__device__ float f(float a) {\n  float b = a * 2.0f;\n  return b;\n}\n",
+         "__device__ float f(float a, bool twice) {\n  float b = a * 2.0f;\n  if (twice) b += a;\n  return b;\n}\n",
+         "__device__ float f(float a) {\n  float b = a * 2.0f;\n  return b;\n}\n",
+         "__device__ float f(float a, bool twice) {\n  float b = a * 2.0f;\n  if (twice) b += a;\n  return b;\n}\n"});
+}
+
+TEST(SyncEdit, AFunctionThatTheOtherLanguageHasBuiltIn) {
+    expect_ported({"k.cpp", "k.cl", "float f(float a) {\n  float b = a * 2.0f;\n  return b;\n}\n",
+                   "float f(float a) {\n  float b = a * 2.0f;\n  b *= sign(a);\n  return b;\n}\n",
+                   "float f(float a) {\n  float b = a * 2.0f;\n  return b;\n}\n",
+                   "float f(float a) {\n  float b = a * 2.0f;\n  b *= sign(a);\n  return b;\n}\n"});
+}
+
+TEST(SyncEdit, ALongPhraseDoesNotPartANameFromItsMember) {
+    const std::string
+        head = "void f(Aux &aux, float k) {\n  if (aux.i >= first && aux.i < last) {\n    k *= 2.0f;\n    aux.c = k;\n",
+        port =
+            "void f(Aux *aux, float k) {\n  if (aux->i >= first && aux->i < last) {\n    k *= 2.0f;\n    aux->c = k;\n";
+    expect_ported({"k.cpp", "k.cl", head + "  }\n}\n", head + "    aux.c += k;\n  }\n}\n", port + "  }\n}\n",
+                   port + "    aux->c += k;\n  }\n}\n"});
+}
+
+TEST(SyncEdit, AWordsOwnSpellingIsCarriedWhereThePortSaysTheSame) {
+    // `cosf` and `cos` mean the same in the dialect; the port, which has the first, follows all the same.
+    expect_ported({"k.cpp", "k.cu", "float f(float a) {\n  return std::cosf(a) * 2.0f;\n}\n",
+                   "float f(float a) {\n  return std::cos(a) * 2.0f;\n}\n",
+                   "float f(float a) {\n  return std::cosf(a) * 2.0f;\n}\n",
+                   "float f(float a) {\n  return std::cos(a) * 2.0f;\n}\n"});
+}
+
+TEST(SyncEdit, ADeclarationThatThePortStillNeedsIsNotTakenAway) {
+    // The source declares `norm` further out already; the port does not.
+    expect_left(
+        {"k.cl", "k.cpp",
+         "float f(float a) {\n  float norm = 1.0f;\n  if (a > 0.0f) {\n    float norm = a * 2.0f;\n    a += norm;\n  "
+         "}\n"
+         "  return a;\n}\n",
+         "float f(float a) {\n  float norm = 1.0f;\n  if (a > 0.0f) {\n    norm = a * 2.0f;\n    a += norm;\n  }\n"
+         "  return a * norm;\n}\n",
+         "float f(float a) {\n  if (a > 0.0f) {\n    float norm = a * 2.0f;\n    a += norm;\n  }\n  return a;\n}\n",
+         ""});
+}
+
 // Braces and lines, in the port's manner.
 
 const std::string kPickHead = "__device__ float pick(float a, float b) {\n  float r = a;\n";

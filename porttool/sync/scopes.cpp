@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/sync/scopes.h"
+
+#include <algorithm>
+#include <string_view>
+
+#include "porttool/language/words.h"
+#include "porttool/normal/normal_text.h"
+
+namespace porttool {
+namespace {
+
+bool is_one_of(std::string_view word, std::initializer_list<std::string_view> list) {
+    return std::find(list.begin(), list.end(), word) != list.end();
+}
+
+bool is_plain_name(const std::string& word) {
+    return is_word_token(word) && !is_type_word(word) && !word_is(word, kKeyword | kQualifier | kTypePart);
+}
+
+bool may_declare(const std::vector<std::string>& words, size_t i) {
+    return i > 0 && i + 1 < words.size() && is_plain_name(words[i]) &&
+           is_one_of(words[i + 1], {"=", ";", "[", ",", ")", "(", ":", "{"});
+}
+
+/// True for a name after a type.
+bool declares(const std::vector<std::string>& words, size_t i) {
+    if (!may_declare(words, i) || words[i + 1] == "(" || words[i + 1] == ":") return false;
+    const std::string& last = words[i - 1];
+    return is_type_word(last) || (is_word_token(last) && !word_is(last, kKeyword | kQualifier));
+}
+
+/// The same, or what may be one: further names of a declaration, pointers, arrays. True if nothing but names and what
+/// types are made of stands between the beginning of the statement, or of a parameter list, and the name.
+bool may_bring(const std::vector<std::string>& words, size_t i) {
+    if (!may_declare(words, i)) return false;
+    if (!is_one_of(words[i - 1], {"*", "&", ">", ",", "]"}) && !is_word_token(words[i - 1])) return false;
+    constexpr size_t kFarthest = 200;
+    for (size_t k = i; k > 0 && i - k < kFarthest;) {
+        const std::string& word = words[--k];
+        if (is_one_of(word, {";", "{", "}"})) return true;
+        const bool to_array = word == "(" && words[k + 1] == "*" && k > 0 && is_word_token(words[k - 1]);
+        if (to_array) continue;  // `float ( * rows ) [ 4 ]`
+        if (word == "(") return k > 0 && (is_one_of(words[k - 1], {"@", "for", "]"}));
+        if (word_is(word, kKeyword) && !is_type_word(word) && !word_is(word, kQualifier | kTypePart)) return false;
+        const bool part =
+            is_word_token(word) || is_number_token(word) || is_one_of(word, {"*", "&", "::", "<", ">", ",", "[", "]"});
+        if (!part) return false;
+    }
+    return true;
+}
+
+bool is_member(const std::vector<std::string>& words, size_t i) {
+    return i > 0 && is_one_of(words[i - 1], {".", "->", "::"});
+}
+
+std::set<std::string> declared_names(const std::vector<std::string>& words) {
+    std::set<std::string> out;
+    for (size_t i = 0; i < words.size(); ++i)
+        if (declares(words, i) && !is_member(words, i)) out.insert(words[i]);
+    return out;
+}
+
+}  // namespace
+
+std::set<std::string> lost_names(const std::vector<std::string>& before, const std::vector<std::string>& now) {
+    std::set<std::string> out, brought;
+    const std::set<std::string> declared = declared_names(before);
+    for (size_t i = 0; i < now.size(); ++i) {
+        if (may_bring(now, i) || declares(now, i)) brought.insert(now[i]);
+        if (declared.contains(now[i]) && !is_member(now, i)) out.insert(now[i]);
+    }
+    std::erase_if(out, [&](const std::string& name) { return brought.contains(name); });
+    const std::set<std::string> known = names_out_of_scope(before);
+    for (const std::string& name : names_out_of_scope(now))
+        if (!known.contains(name)) out.insert(name);
+    return out;
+}
+
+std::set<std::string> names_out_of_scope(const std::vector<std::string>& words) {
+    const std::set<std::string> declared = declared_names(words);
+    std::set<std::string> out;
+    std::vector<std::set<std::string_view>> blocks(1);
+    for (size_t i = 0; i < words.size(); ++i) {
+        if (words[i] == "{") blocks.emplace_back();
+        if (words[i] == "}" && blocks.size() > 1) blocks.pop_back();
+        if (!declared.contains(words[i]) || is_member(words, i)) continue;
+        if (may_bring(words, i) || declares(words, i)) {
+            blocks.back().insert(words[i]);
+            continue;
+        }
+        const bool reached =
+            std::any_of(blocks.begin(), blocks.end(), [&](const auto& block) { return block.contains(words[i]); });
+        if (!reached) out.insert(words[i]);
+    }
+    return out;
+}
+
+}  // namespace porttool
