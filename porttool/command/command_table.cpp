@@ -17,6 +17,7 @@ std::span<const Command> command_table() {
         Command{"defer", "Postpone a finding", declare_defer, run_defer},
         Command{"ignore", "Settle a finding for good", declare_ignore, run_ignore},
         Command{"sync", "Propose the port of edits that one side alone has", declare_sync, run_sync},
+        Command{"difftest", "Run both sides of pairs on the same inputs", declare_difftest, run_difftest},
         Command{"audit", "List edits of the past that never reached the other side", declare_audit, run_audit},
         Command{"review", "Walk through doubtful pairs and unwatched units", declare_review, run_review},
         Command{"compare", "Measure how much two files or two units share", declare_compare, run_compare},

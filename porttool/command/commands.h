@@ -37,6 +37,8 @@ Outcome run_ignore(const Options& options, Workplace& place);
 Outcome run_reject(const Options& options, Workplace& place);
 void declare_sync(Declare& declare, Options& options);
 Outcome run_sync(const Options& options, Workplace& place);
+void declare_difftest(Declare& declare, Options& options);
+Outcome run_difftest(const Options& options, Workplace& place);
 void declare_audit(Declare& declare, Options& options);
 Outcome run_audit(const Options& options, Workplace& place);
 void declare_review(Declare& declare, Options& options);

@@ -32,9 +32,10 @@ struct Options : CheckChoice {
     bool apply = false, partial = false;
     std::string verify, verify_timeout;
     bool verifies = false;
-    std::string since;  ///< history's and audit's
-    std::string limit;  ///< audit's
-    bool runs = false;  ///< audit's --run
+    std::string inputs, ulps, seed, evidence, keep;  ///< difftest's
+    std::string since;                               ///< history's and audit's
+    std::string limit;                               ///< audit's
+    bool runs = false;                               ///< audit's --run
     bool no_cache = false;
     bool spirv = false;  ///< ask glslang whether an edit reaches the compiled code
 };

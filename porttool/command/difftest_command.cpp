@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <charconv>
+#include <set>
+
+#include "porttool/command/commands.h"
+#include "porttool/difftest/difftest.h"
+#include "porttool/match/match_sets.h"
+#include "porttool/report/difftest_report.h"
+#include "porttool/scan/scan.h"
+#include "porttool/snapshot/snapshot.h"
+#include "porttool/text/sink/terminal.h"
+#include "porttool/text/suggest.h"
+
+namespace porttool {
+namespace {
+
+/// The pairs of the map; of a project without one, those that the matcher finds.
+std::vector<PairIds> known_pairs(const Project& project, bool has_map) {
+    std::vector<PairIds> out;
+    if (has_map) {
+        for (const MapPair& pair : project.map.pairs)
+            for (const std::string& target : pair.targets) out.emplace_back(pair.source, target);
+        return out;
+    }
+    const Matching matching = match_sets(project.source, project.target, settled_by(project.map),
+                                         Dialect(project.map.dialect), TargetSets(project.map));
+    for (const MatchedPair& pair : matching.pairs) out.emplace_back(pair.source, pair.target);
+    return out;
+}
+
+/// The pairs that an id names. Throws CannotDo.
+std::vector<PairIds> pairs_named(const std::vector<PairIds>& all, const std::string& id) {
+    std::vector<PairIds> out;
+    std::set<std::string> names;
+    for (const PairIds& pair : all) {
+        if (id == pair.first || id == pair.second || id == pair.first + "=" + pair.second) out.push_back(pair);
+        names.insert({pair.first, pair.second});
+    }
+    if (!out.empty()) return out;
+    const std::string near = nearest(id, {names.begin(), names.end()});
+    throw CannotDo(terminal_text(id) + ": no such pair" +
+                   (near.empty() ? std::string("; porttool map lists the pairs")
+                                 : "; did you mean '" + terminal_text(near) + "'?"));
+}
+
+std::vector<PairIds> asked_pairs(const Options& options, const Project& project, const std::vector<PairIds>& all) {
+    std::vector<PairIds> out;
+    for (const std::string& id : options.paths)
+        for (const PairIds& pair : pairs_named(all, id)) out.push_back(pair);
+    if (!options.paths.empty()) return out;
+    // Of constants and structs there is nothing to run; they are compared as texts.
+    std::set<std::string> functions;
+    for (const Side side : kBothSides)
+        for (const ScannedFile& file : side == Side::Source ? project.source : project.target)
+            for (const Unit& unit : file.units)
+                if (unit.kind == UnitKind::Function || unit.kind == UnitKind::Kernel)
+                    functions.insert(unit_id(file, unit));
+    for (const PairIds& pair : all)
+        if (functions.contains(pair.first) && functions.contains(pair.second)) out.push_back(pair);
+    return out;
+}
+
+/// A whole number of an option. Throws CannotDo.
+uint64_t whole_option(const std::string& name, const std::string& text, uint64_t otherwise, uint64_t least,
+                      uint64_t most) {
+    if (text.empty()) return otherwise;
+    uint64_t value = 0;
+    const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || rest != text.data() + text.size() || value < least || value > most)
+        throw CannotDo(name + " " + terminal_text(text) + ": expected a whole number from " + std::to_string(least) +
+                       " to " + std::to_string(most));
+    return value;
+}
+
+}  // namespace
+
+void declare_difftest(Declare& declare, Options& options) {
+    declare.texts("id", options.paths, "ID",
+                  "Id of either side, or SOURCE=TARGET; without any every pair of functions");
+    declare_sides(declare, options);
+    declare.text("--inputs", options.inputs, "N", "Inputs a pair (100000)");
+    declare.text("--ulps", options.ulps, "N",
+                 "How far results may be apart, in units in the last place (4); 0: to the bit");
+    declare.text("--seed", options.seed, "N", "Other inputs (1)");
+    declare.text("--evidence", options.evidence, "FILE", "Write what was seen, and of which texts, to FILE");
+    declare.text("--keep", options.keep, "DIR", "Leave the programs that were built, and their texts, in DIR");
+}
+
+Outcome run_difftest(const Options& options, Workplace& place) {
+    require_format(options.format, {"text", "json"});
+    constexpr uint64_t kMostInputs = 100'000'000;
+    DifftestSettings settings;
+    settings.inputs = whole_option("--inputs", options.inputs, settings.inputs, 1, kMostInputs);
+    settings.ulps = static_cast<int>(whole_option("--ulps", options.ulps, 4, 0, 1'000'000));
+    settings.seed = whole_option("--seed", options.seed, 1, 0, UINT64_MAX);
+    settings.keep = options.keep;
+    const Project project = read_snapshot(open_project(options, place, true), {}, place.disk, Depth::Scanned).project;
+    const std::vector<PairIds> all = known_pairs(project, options.source.empty());
+    const DifftestResult result = difftest(project, all, asked_pairs(options, project, all), settings, place.disk);
+    const std::vector<DifftestPair>& pairs = result.pairs;
+    if (!options.evidence.empty())
+        if (const std::string failure = place.disk.write(options.evidence, difftest_evidence(result)); !failure.empty())
+            throw CannotDo("--evidence " + terminal_text(options.evidence) + ": " + failure);
+    const auto is = [](DifftestState state) {
+        return [state](const DifftestPair& pair) { return pair.state == state; };
+    };
+    const bool differs = std::any_of(pairs.begin(), pairs.end(), is(DifftestState::Differs));
+    const bool none_ran = std::all_of(pairs.begin(), pairs.end(), is(DifftestState::NotRun));
+    return {options.format == "json" ? difftest_json(pairs) : difftest_table(pairs, options.verbose), differs    ? 1
+                                                                                                      : none_ran ? 2
+                                                                                                                 : 0};
+}
+
+}  // namespace porttool

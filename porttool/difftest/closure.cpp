@@ -1,0 +1,175 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/difftest/closure.h"
+
+#include <algorithm>
+#include <map>
+
+#include "porttool/difftest/prelude.h"
+#include "porttool/normal/unit_state.h"
+
+namespace porttool {
+namespace {
+
+constexpr size_t kMostPieces = 400;  ///< a function that needs more is no function of its own
+constexpr int kMostRounds = 4;
+
+bool is_member_access(const LexedText& lexed, uint32_t i) {
+    if (i == 0) return false;
+    const std::string_view before = lexed.view(i - 1);
+    return before == "." || before == "->";
+}
+
+/// True for `operator<<` and its like on streams, which no kernel needs.
+bool is_about_streams(const ScannedFile& file, const Unit& unit) {
+    for (uint32_t i = unit.tokens.first; i < unit.body.first; ++i) {
+        const std::string_view word = file.lexed.view(i);
+        if (word.find("stream") != std::string_view::npos || word == "string" ||
+            word.find("serial") != std::string_view::npos)
+            return true;
+    }
+    return false;
+}
+
+class Collector {
+public:
+    Collector(const Definitions& definitions, const std::set<const Definition*>& stand_ins,
+              const std::set<std::string, std::less<>>& members, const ScannedFile& root)
+        : definitions_(definitions),
+          stand_ins_(stand_ins),
+          members_(members),
+          root_(root),
+          has_vectors_(has_vector_types(root.language)) {}
+
+    Closure out;
+    std::set<std::string, std::less<>> seen_members;
+
+    /// Brings what a definition names, then the definition itself.
+    void bring(const Definition& one) {
+        if (state_.contains(&one) || !out.missing.empty()) return;
+        state_[&one] = false;
+        if (out.pieces.size() + open_ > kMostPieces) {
+            out.missing = "it needs more than " + std::to_string(kMostPieces) + " other definitions";
+            return;
+        }
+        if (one.kind == Definition::Kind::Variable) {
+            out.missing = "binding " + one.name;
+            return;
+        }
+        ++open_;
+        Piece piece{&one, {}};
+        if (one.kind == Definition::Kind::Struct) piece.left_out = unneeded(one);
+        follow(one, piece.left_out);
+        --open_;
+        out.pieces.push_back(std::move(piece));
+        if (one.kind == Definition::Kind::Struct) {
+            for (const Definition* member : definitions_.members(one.name))
+                if (!is_inside(*member, one) && (members_.contains(member->name) || member->name == one.name))
+                    bring(*member);
+            bring_operators(one.name);
+        }
+    }
+
+    /// Brings what stands in the text of a definition.
+    void follow(const Definition& one, const std::vector<TokenRange>& left_out) {
+        const LexedText& lexed = one.file->lexed;
+        for (const uint32_t directive : one.conditions) {
+            const Directive& line = lexed.directives[directive];
+            for (uint32_t i = line.first_token + 1; i < line.end_token; ++i)
+                if (lexed.tokens[i].kind == TokenKind::Identifier)
+                    for (const Definition* found : definitions_.find_macro(*one.file, lexed.view(i)))
+                        if (found->kind == Definition::Kind::Macro && found != &one) bring(*found);
+        }
+        std::set<std::string, std::less<>> locals;
+        if (one.unit != nullptr && one.kind == Definition::Kind::Function)
+            for (std::string& name : local_names(*one.file, *one.unit)) locals.insert(std::move(name));
+        TokenRange range = one.tokens;
+        if (stand_ins_.contains(&one)) range.end = one.unit->body.first;
+        names_in(one, range, left_out, locals);
+    }
+
+private:
+    void bring_operators(std::string_view type) {
+        for (const Definition* one : definitions_.operators(root_, type))
+            if (!is_about_streams(*one->file, *one->unit)) bring(*one);
+    }
+
+    static bool is_inside(const Definition& member, const Definition& owner) {
+        return member.file == owner.file && member.tokens.first >= owner.tokens.first &&
+               member.tokens.end <= owner.tokens.end;
+    }
+
+    std::vector<TokenRange> unneeded(const Definition& one) const {
+        std::vector<TokenRange> left_out;
+        for (const Unit& unit : one.file->units) {
+            if (unit.tokens.first <= one.tokens.first || unit.tokens.end > one.tokens.end) continue;
+            if (unit.kind != UnitKind::Function && unit.kind != UnitKind::Kernel) continue;
+            const std::string leaf = [&] {
+                std::string name = unit.name.substr(0, unit.name.find('#'));
+                const size_t at = name.rfind("::");
+                return at == std::string::npos ? name : name.substr(at + 2);
+            }();
+            const bool constructs = leaf == one.name;
+            const bool is_operator = leaf.starts_with("operator");
+            if (((constructs || is_operator) && !is_about_streams(*one.file, unit)) || members_.contains(leaf))
+                continue;
+            left_out.push_back(unit.tokens);
+        }
+        std::sort(left_out.begin(), left_out.end(), [](TokenRange a, TokenRange b) { return a.first < b.first; });
+        return left_out;
+    }
+
+    void names_in(const Definition& one, TokenRange range, const std::vector<TokenRange>& left_out,
+                  const std::set<std::string, std::less<>>& locals) {
+        const LexedText& lexed = one.file->lexed;
+        auto hole = left_out.begin();
+        std::string_view before;
+        for (uint32_t i = range.first; i < range.end && out.missing.empty(); ++i) {
+            while (hole != left_out.end() && hole->end <= i) ++hole;
+            if (hole != left_out.end() && hole->first <= i) {
+                i = hole->end - 1;
+                continue;
+            }
+            const Token& token = lexed.tokens[i];
+            if (token.kind != TokenKind::Identifier || (token.flags & kDead) != 0) continue;
+            const std::string_view word = lexed.view(token);
+            out.words.insert(std::string(word));
+            if (is_member_access(lexed, i) || (i > 0 && lexed.view(i - 1) == "::"))
+                seen_members.insert(std::string(word));
+            if (is_member_access(lexed, i) || locals.contains(word) || word == "defined") continue;
+            if (is_vector_type(word)) {
+                // Languages that have vectors themselves let nobody define them, or their operators.
+                if (has_vectors_) continue;
+                if (vectors_.insert(std::string(word)).second && definitions_.find(*one.file, word).empty())
+                    bring_operators(word);
+            }
+            for (const Definition* found : definitions_.find(*one.file, word))
+                if (found->owner.empty() && found != &one) bring(*found);
+        }
+    }
+
+    const Definitions& definitions_;
+    const std::set<const Definition*>& stand_ins_;
+    const std::set<std::string, std::less<>>& members_;
+    const ScannedFile& root_;
+    const bool has_vectors_;
+    std::set<std::string, std::less<>> vectors_;  ///< built-in types whose operators were looked for
+    std::map<const Definition*, bool> state_;
+    size_t open_ = 0;
+};
+
+}  // namespace
+
+Closure closure_of(const Definition& function, const Definitions& definitions,
+                   const std::set<const Definition*>& stand_ins) {
+    std::set<std::string, std::less<>> members;
+    for (int round = 0;; ++round) {
+        Collector collector(definitions, stand_ins, members, *function.file);
+        collector.follow(function, {});
+        const size_t known = members.size();
+        members.insert(collector.seen_members.begin(), collector.seen_members.end());
+        if (members.size() == known || round == kMostRounds || !collector.out.missing.empty()) return collector.out;
+    }
+}
+
+}  // namespace porttool

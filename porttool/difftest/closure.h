@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "porttool/difftest/definitions.h"
+
+namespace porttool {
+
+/// A definition that a function needs, without the members of a class that nobody asks for.
+struct Piece {
+    const Definition* definition = nullptr;
+    std::vector<TokenRange> left_out;
+};
+
+/// What must stand before a function so that it compiles by itself: what it names, what that names, and so on.
+struct Closure {
+    std::vector<Piece> pieces;    ///< each after those that it names
+    std::set<std::string> words;  ///< every identifier in them
+    std::string missing;          ///< what cannot be brought along: "binding NAME"; "" if all can
+};
+
+/// Follows the names in the text of a function. `stand_ins`: functions whose body is not looked at, since others stand
+/// in for them.
+Closure closure_of(const Definition& function, const Definitions& definitions,
+                   const std::set<const Definition*>& stand_ins);
+
+}  // namespace porttool

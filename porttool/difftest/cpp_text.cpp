@@ -1,0 +1,294 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/difftest/cpp_text.h"
+
+#include <algorithm>
+#include <array>
+
+#include "porttool/difftest/prelude.h"
+#include "porttool/language/words.h"
+
+namespace porttool {
+namespace {
+
+bool is_one_of_words(std::string_view word, std::initializer_list<std::string_view> words) {
+    return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+/// Words that qualify in one language and may be names in another.
+bool is_left_out(std::string_view word, Language language) {
+    switch (language) {
+        case Language::Glsl:
+            return is_one_of_words(word, {"in", "highp", "mediump", "lowp", "precise", "uniform", "shared", "flat",
+                                          "coherent", "readonly", "writeonly"});
+        case Language::Hlsl:
+        case Language::Slang:
+            return is_one_of_words(
+                word, {"in", "uniform", "precise", "groupshared", "nointerpolation", "row_major", "column_major"});
+        case Language::OpenCl:
+            return is_one_of_words(word, {"global", "local", "private", "constant", "kernel", "generic"});
+        case Language::Metal:
+            return is_one_of_words(word, {"thread", "device", "constant", "threadgroup", "kernel"});
+        case Language::Ispc:
+            return is_one_of_words(word, {"uniform", "varying", "export", "unmasked"});
+        default:
+            return false;
+    }
+}
+
+/// Components of a vector, as indices for a template: "xzy" is "0,2,1"; "" for other words.
+std::string components(std::string_view word) {
+    if (word.size() < 2 || word.size() > 4) return {};
+    for (const std::string_view set : {"xyzw", "rgba", "stpq"}) {
+        std::string out;
+        for (const char c : word) {
+            const size_t at = set.find(c);
+            if (at == std::string_view::npos) break;
+            out += (out.empty() ? "" : ",") + std::to_string(at);
+        }
+        if (out.size() == 2 * word.size() - 1) return out;
+    }
+    return {};
+}
+
+bool is_assignment(std::string_view sign) { return is_one_of_words(sign, {"=", "+=", "-=", "*=", "/="}); }
+
+/// The language that a file is read in: a header of C that a shader includes is the shader's.
+Language language_of(const ScannedFile& file, const CppManner& manner) {
+    const bool shared =
+        file.language == Language::C || file.language == Language::Cpp || file.language == Language::Unknown;
+    return shared && has_vector_types(manner.language) ? manner.language : file.language;
+}
+
+class Writer {
+public:
+    Writer(const ScannedFile& file, const CppManner& manner)
+        : lexed_(file.lexed),
+          manner_(manner),
+          language_(language_of(file, manner)),
+          shading_(traits_of(language_).literals == Literals::Shading),
+          vectors_(has_vector_types(language_)) {}
+
+    std::string out;
+
+    void tokens(TokenRange range, const std::vector<TokenRange>& left_out) {
+        auto hole = left_out.begin();
+        for (uint32_t i = range.first; i < range.end;) {
+            while (hole != left_out.end() && hole->end <= i) ++hole;
+            if (hole != left_out.end() && hole->first <= i) {
+                i = hole->end;
+                continue;
+            }
+            i = token(i, range.end);
+        }
+    }
+
+    /// The tokens of a parameter list, with `out` as a reference.
+    void parameters(TokenRange range) {
+        uint32_t first = range.first;
+        int depth = 0;
+        for (uint32_t i = range.first; i <= range.end; ++i) {
+            const std::string_view word = i < range.end ? view(i) : std::string_view(",");
+            if (word == "(" || word == "[" || word == "{") ++depth;
+            if (word == ")" || word == "]" || word == "}") --depth;
+            if (word != "," || (depth != 0 && i < range.end)) continue;
+            parameter({first, i});
+            if (i < range.end) append(",", true);
+            first = i + 1;
+        }
+    }
+
+private:
+    std::string_view view(uint32_t i) const { return lexed_.view(i); }
+
+    void append(std::string_view text, bool apart) {
+        if (apart && !out.empty() && out.back() != '\n') out += ' ';
+        out += text;
+    }
+
+    void parameter(TokenRange range) {
+        const bool outward = vectors_ && range.first < range.end && [&] {
+            for (uint32_t i = range.first; i < range.end; ++i)
+                if (is_one_of_words(view(i), {"out", "inout"})) return true;
+            return false;
+        }();
+        if (!outward) return tokens(range, {});
+        uint32_t name = range.first, end = range.end;
+        for (uint32_t i = range.first; i < range.end; ++i) {
+            if (view(i) == "[" || view(i) == "=") {
+                end = i;
+                break;
+            }
+        }
+        for (uint32_t i = range.first; i < end; ++i)
+            if (lexed_.tokens[i].kind == TokenKind::Identifier) name = i;
+        for (uint32_t i = range.first; i < range.end;) {
+            if (is_one_of_words(view(i), {"out", "inout", "in"})) {
+                ++i;
+                continue;
+            }
+            if (i == name && (end == range.end || view(end) != "[")) append("&", false);
+            i = token(i, range.end);
+        }
+    }
+
+    /// Writes the token at `i`, or more where several are one thing; the index after them.
+    uint32_t token(uint32_t i, uint32_t end) {
+        const Token& token = lexed_.tokens[i];
+        const bool in_directive = (token.flags & kInDirective) != 0;
+        if ((token.flags & kDead) != 0) return i + 1;
+        const bool starts_directive = in_directive && view(i) == "#" && (token.flags & kStartsLine) != 0;
+        const bool after_directive = !in_directive && i > 0 && (lexed_.tokens[i - 1].flags & kInDirective) != 0;
+        if ((starts_directive || after_directive) && !out.empty() && out.back() != '\n') out += '\n';
+        const std::string_view word = lexed_.view(token);
+        const Token* const before = i > 0 ? &lexed_.tokens[i - 1] : nullptr;
+        const bool apart = before != nullptr && before->offset + before->length != token.offset;
+        if (starts_directive && i + 1 < end &&
+            is_one_of_words(view(i + 1), {"pragma", "extension", "version", "include"})) {
+            const uint32_t line = token.line;
+            while (i < end && lexed_.tokens[i].line == line) ++i;
+            return i;
+        }
+        if (token.kind == TokenKind::Number) {
+            append(number(word), apart);
+            return i + 1;
+        }
+        if (token.kind == TokenKind::Identifier) return identifier(i, end, word, apart);
+        if (word == "::" && (i == 0 || lexed_.tokens[i - 1].kind != TokenKind::Identifier) && view(i - (i > 0)) != ">")
+            return i + 1;
+        if (vectors_ && word == "(" && i + 3 < end && is_vector_type(view(i + 1)) && view(i + 2) == ")" &&
+            view(i + 3) == "(") {
+            append(view(i + 1), apart);
+            return i + 3;
+        }
+        append(word, apart);
+        return i + 1;
+    }
+
+    uint32_t identifier(uint32_t i, uint32_t end, std::string_view word, bool apart) {
+        const bool member = i > 0 && (view(i - 1) == "." || view(i - 1) == "->");
+        const std::string_view next = i + 1 < end ? view(i + 1) : std::string_view();
+        if (member && (vectors_ || language_ == Language::Cuda || language_ == Language::Sycl) && next != "(" &&
+            (manner_.fields == nullptr || !manner_.fields->contains(word))) {
+            if (const std::string indices = components(word); !indices.empty()) {
+                append((is_assignment(next) ? "parts<" : "swizzle<") + indices + ">()", false);
+                return i + 1;
+            }
+        }
+        if (member) {
+            append(word, false);
+            return i + 1;
+        }
+        if (is_left_out(word, language_)) return i + 1;
+        if (next == "::" && manner_.namespaces != nullptr &&
+            (manner_.namespaces->contains(word) || is_one_of_words(word, {"sycl", "cl", "metal"})))
+            return i + 2;
+        if (word == "using" && next == "namespace") {
+            while (i < end && view(i) != ";") ++i;
+            return i + 1;
+        }
+        if (word == "__cplusplus" && shading_) {
+            append("porttool_is_no_cplusplus", apart);
+            return i + 1;
+        }
+        if (word == "restrict") {
+            append("__restrict", apart);
+            return i + 1;
+        }
+        if (is_one_of_words(word, {"private", "protected"}) && next == ":") {
+            append("public", apart);
+            return i + 1;
+        }
+        if (word == "class" && i + 2 < end && is_one_of_words(view(i + 2), {"{", ":", "final"})) {
+            append("struct", apart);
+            return i + 1;
+        }
+        // float[3](a, b, c), float[](a, b, c)
+        if (shading_ && next == "[" && is_type_word(word) && i > 0 &&
+            is_one_of_words(view(i - 1), {"=", "(", ",", "return"})) {
+            uint32_t close = i + 2;
+            while (close < end && view(close) != "]") ++close;
+            if (close + 1 < end && view(close + 1) == "(") return braced(close + 1, end);
+        }
+        append(word, apart);
+        return i + 1;
+    }
+
+    /// Writes `( ... )` as `{ ... }`.
+    uint32_t braced(uint32_t open, uint32_t end) {
+        int depth = 0;
+        uint32_t i = open;
+        while (i < end) {
+            if (view(i) == "(") ++depth;
+            if (view(i) == ")" && --depth == 0) break;
+            if (i == open) {
+                out += " {";
+                ++i;
+            } else
+                i = token(i, end);
+        }
+        out += "}";
+        return i + 1;
+    }
+
+    std::string number(std::string_view word) const {
+        const bool hex = word.starts_with("0x") || word.starts_with("0X");
+        const bool real = !hex && word.find_first_of(".eE") != std::string_view::npos;
+        if (word.ends_with("lf") || word.ends_with("LF")) return std::string(word.substr(0, word.size() - 2));
+        if (!shading_ || !real) return std::string(word);
+        const char last = word.back();
+        if (last == 'f' || last == 'F') return std::string(word);
+        if (last == 'h' || last == 'H') return std::string(word.substr(0, word.size() - 1)) + "f";
+        return std::string(word) + "f";
+    }
+
+    const LexedText& lexed_;
+    const CppManner& manner_;
+    const Language language_;
+    const bool shading_, vectors_;
+};
+
+}  // namespace
+
+std::string cpp_text_of(const ScannedFile& file, TokenRange range, const CppManner& manner) {
+    Writer writer(file, manner);
+    writer.tokens(range, {});
+    return std::move(writer.out);
+}
+
+std::string cpp_text(const Piece& piece, const CppManner& manner) {
+    const Definition& one = *piece.definition;
+    const LexedText& lexed = one.file->lexed;
+    std::string out;
+    for (const uint32_t directive : one.conditions) {
+        const Directive& line = lexed.directives[directive];
+        out += cpp_text_of(*one.file, {line.first_token, line.end_token}, manner) + "\n";
+    }
+    Writer writer(*one.file, manner);
+    const bool function = one.kind == Definition::Kind::Function && one.unit != nullptr && !one.unit->body.empty();
+    if (function) {
+        const Unit& unit = *one.unit;
+        const bool renames = !manner.rename.empty();
+        // Up to its name, its parameters, and what is left of its head.
+        const uint32_t open = unit.parameters.first - 1;
+        writer.tokens({one.tokens.first, renames ? unit.name_token : open}, {});
+        if (renames) writer.out += " " + manner.rename;
+        writer.out += "(";
+        writer.parameters(unit.parameters);
+        const uint32_t rest = manner.body ? unit.body.first - 1 : one.tokens.end;
+        writer.tokens({unit.parameters.end, rest}, piece.left_out);
+        if (manner.body) writer.out += " " + *manner.body;
+    } else {
+        writer.tokens(one.tokens, piece.left_out);
+    }
+    out += writer.out + "\n";
+    if (one.kind == Definition::Kind::Constant && writer.out.find(';') == std::string::npos) out += ";\n";
+    for (uint32_t i = 0; i < one.open_conditions; ++i) out += "#endif\n";
+    return out;
+}
+
+std::string undone(const Definition& definition) {
+    return definition.kind == Definition::Kind::Macro ? "#undef " + definition.name + "\n" : std::string();
+}
+
+}  // namespace porttool

@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <deque>
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "porttool/read/disk.h"
+#include "porttool/scan/unit.h"
+
+namespace porttool {
+
+/// What a file defines under a name: a piece of its text that can be cut out.
+struct Definition {
+    enum class Kind : uint8_t { Macro, Type, Struct, Constant, Function, Variable };
+    Kind kind = Kind::Function;
+    const ScannedFile* file = nullptr;
+    const Unit* unit = nullptr;  ///< none of a typedef or a variable
+    TokenRange tokens;
+    std::string name;                  ///< without scopes
+    std::string owner;                 ///< the class that it is a member of, without namespaces; "" for none
+    std::vector<uint32_t> conditions;  ///< the directives, by their places in the file, that decide whether it counts
+    uint32_t open_conditions = 0;      ///< how many `#endif` close them
+};
+
+/// What one side of a project defines, and which of it a file means by a name.
+class Definitions {
+public:
+    /// Headers that files of the side include and that no glob names are read from the disk, beneath `root`.
+    /// `preamble`: what the host puts before a text, which every file sees. All must outlive it.
+    Definitions(const std::vector<ScannedFile>& files, const std::string& root, const Disk& disk,
+                const std::vector<std::string>& preamble);
+
+    /// What `from` means by the name: definitions of its own file, else of the nearest that it includes, else of
+    /// another file of the side; all overloads that stand in that file.
+    const std::vector<const Definition*>& find(const ScannedFile& from, std::string_view name) const;
+
+    /// The same of a macro that a condition asks for: in what the file includes alone.
+    std::vector<const Definition*> find_macro(const ScannedFile& from, std::string_view name) const;
+
+    /// Members of a class that are defined outside of it.
+    std::vector<const Definition*> members(std::string_view owner) const;
+
+    /// Operators that what `from` reaches defines for a type, outside of classes.
+    std::vector<const Definition*> operators(const ScannedFile& from, std::string_view type) const;
+
+    /// The definition of a unit of one of the side's files.
+    const Definition* of_unit(const ScannedFile& file, const Unit& unit) const;
+
+    /// Names of namespaces, which are left out where the pieces stand in one.
+    const std::set<std::string, std::less<>>& namespaces() const { return namespaces_; }
+
+    /// Headers of the standard library that a file and those that it includes ask for.
+    std::set<std::string> standard_headers(const ScannedFile& from) const;
+
+private:
+    using ByName = std::map<std::string, std::vector<const Definition*>, std::less<>>;
+    void add_file(const ScannedFile& file);
+    void add(Definition definition);
+    /// The file and what it includes, the nearest first.
+    const std::vector<const ScannedFile*>& reached(const ScannedFile& from) const;
+    const ScannedFile* included(const ScannedFile& from, std::string_view what) const;
+
+    const std::string& root_;
+    const Disk& disk_;
+    std::deque<Definition> all_;
+    std::map<const ScannedFile*, ByName> by_file_;
+    std::map<std::string, const ScannedFile*> paths_;
+    std::map<std::string, std::vector<const Definition*>, std::less<>> everywhere_;
+    std::set<std::string, std::less<>> namespaces_;
+    mutable std::deque<ScannedFile> read_;
+    mutable std::map<std::string, const ScannedFile*> headers_;
+    mutable std::map<const ScannedFile*, std::vector<const ScannedFile*>> reached_;
+    mutable std::map<std::pair<const ScannedFile*, std::string>, std::vector<const Definition*>> found_;
+    const ScannedFile* preamble_ = nullptr;
+};
+
+}  // namespace porttool

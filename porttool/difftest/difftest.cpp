@@ -1,0 +1,395 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/difftest/difftest.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <bit>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <set>
+#include <thread>
+
+#include "porttool/difftest/bounded_process.h"
+#include "porttool/difftest/build.h"
+#include "porttool/difftest/shrink.h"
+#include "porttool/difftest/subject.h"
+#include "porttool/difftest/trial.h"
+#include "porttool/scan/scan.h"
+#include "porttool/text/fingerprint.h"
+
+namespace porttool {
+namespace {
+
+/// A folder of its own for one run, gone with it; or one that the user wants to keep.
+class TemporaryFolder {
+public:
+    explicit TemporaryFolder(const std::string& kept) : is_kept_(!kept.empty()) {
+        if (is_kept_) {
+            std::error_code error;
+            std::filesystem::create_directories(kept, error);
+            path_ = std::filesystem::absolute(kept).string();
+            if (error) throw CannotDo(kept + ": " + error.message());
+            return;
+        }
+        std::string name = (std::filesystem::temp_directory_path() / "porttool-difftest-XXXXXX").string();
+        if (::mkdtemp(name.data()) == nullptr) throw CannotDo("no temporary folder can be made: " + name);
+        path_ = name;
+    }
+    ~TemporaryFolder() {
+        if (is_kept_) return;
+        std::error_code ignored;
+        std::filesystem::remove_all(path_, ignored);
+    }
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+    const std::string& path() const { return path_; }
+
+private:
+    bool is_kept_;
+    std::string path_;
+};
+
+/// Does pieces of work by as many threads as there are cores.
+void in_parallel(size_t count, const std::function<void(size_t)>& work) {
+    constexpr unsigned kMostThreads = 16;
+    std::atomic<size_t> next = 0;
+    std::vector<std::thread> threads;
+    const unsigned cores = std::clamp(std::thread::hardware_concurrency(), 1u, kMostThreads);
+    for (unsigned i = 0; i < std::min<size_t>(cores, count); ++i)
+        threads.emplace_back([&] {
+            for (size_t at = next++; at < count; at = next++) work(at);
+        });
+    for (std::thread& thread : threads) thread.join();
+}
+
+/// The units of one side by id.
+class SideUnits {
+public:
+    SideUnits(const std::vector<ScannedFile>& files, const Definitions& definitions) {
+        for (const ScannedFile& file : files)
+            for (const Unit& unit : file.units)
+                if (const Definition* one = definitions.of_unit(file, unit); one != nullptr)
+                    by_id_.emplace(unit_id(file, unit), one);
+    }
+    const Definition* find(const std::string& id) const {
+        const auto found = by_id_.find(id);
+        return found == by_id_.end() ? nullptr : found->second;
+    }
+
+private:
+    std::map<std::string, const Definition*> by_id_;
+};
+
+bool is_function(const Definition* one) {
+    return one != nullptr && one->kind == Definition::Kind::Function && one->unit != nullptr;
+}
+
+/// True for a function that names a variable of its file or another: what a run does not have.
+bool reads_binding(const Definition& one, const Definitions& definitions) {
+    const LexedText& lexed = one.file->lexed;
+    for (uint32_t i = one.unit->body.first; i < one.unit->body.end; ++i) {
+        if (lexed.tokens[i].kind != TokenKind::Identifier) continue;
+        if (i > 0 && (lexed.view(i - 1) == "." || lexed.view(i - 1) == "->")) continue;
+        for (const Definition* found : definitions.find(*one.file, lexed.view(i)))
+            if (found->kind == Definition::Kind::Variable) return true;
+    }
+    return false;
+}
+
+/// True for a function that takes values alone and gives one: then an answer can stand for it.
+bool can_be_stood_in_for(const Definition& one) {
+    const LexedText& lexed = one.file->lexed;
+    for (uint32_t i = one.unit->parameters.first; i < one.unit->parameters.end; ++i) {
+        const std::string_view word = lexed.view(i);
+        if (word == "*" || word == "out" || word == "inout" || word == "[" || word == "&") return false;
+    }
+    for (uint32_t i = one.unit->tokens.first; i < one.unit->name_token; ++i)
+        if (lexed.view(i) == "void" || lexed.view(i) == "template") return false;
+    return true;
+}
+
+void add_constants(const ScannedFile& file, TokenRange range, std::vector<double>& out) {
+    for (uint32_t i = range.first; i < range.end; ++i) {
+        if (file.lexed.tokens[i].kind != TokenKind::Number) continue;
+        const double value = std::strtod(std::string(file.lexed.view(i)).c_str(), nullptr);
+        if (std::find(out.begin(), out.end(), value) == out.end()) out.push_back(value);
+    }
+}
+
+/// The numbers that stand in both functions and in what they call.
+std::vector<double> constants_in(const Subject& source, const Subject& target) {
+    std::vector<double> out;
+    for (const Subject* side : {&source, &target}) add_constants(*side->function->file, side->function->tokens, out);
+    for (const Subject* side : {&source, &target})
+        for (const Piece& piece : side->closure.pieces)
+            if (piece.definition->kind != Definition::Kind::Struct)
+                add_constants(*piece.definition->file, piece.definition->tokens, out);
+    return out;
+}
+
+SeenNumber seen_input(uint64_t number, const Leaf& leaf) {
+    SeenNumber out;
+    out.path = leaf.path;
+    out.is_real = leaf.is_real();
+    out.is_single = leaf.kind != NumberKind::Double;
+    if (leaf.is_real())
+        out.real = std::bit_cast<double>(number);
+    else
+        out.whole = static_cast<int64_t>(number);
+    return out;
+}
+
+SeenNumber seen_result(double value, const Leaf& leaf) {
+    SeenNumber out;
+    out.path = leaf.path;
+    out.is_real = leaf.is_real();
+    out.is_single = leaf.kind != NumberKind::Double;
+    out.real = value;
+    if (!leaf.is_real()) out.whole = static_cast<int64_t>(value);
+    return out;
+}
+
+/// Both sides of one pair on their way.
+struct PairWork {
+    BySide<const Definition*> unit{nullptr, nullptr};
+    BySide<Subject> subject;
+    BySide<BuiltSide> built;
+};
+
+class Difftest {
+public:
+    Difftest(const Project& project, const std::vector<PairIds>& asked, const DifftestSettings& settings,
+             const Disk& disk)
+        : settings_(settings),
+          folder_(settings.keep),
+          source_(project.source, project.root, disk, project.map.shaders.preamble),
+          target_(project.target, target_root_ = target_root(project), disk, {}),
+          units_{SideUnits(project.source, source_), SideUnits(project.target, target_)} {
+        workshop_.compiler = find_compiler();
+        workshop_.folder = folder_.path();
+        if (workshop_.compiler.empty())
+            throw CannotDo("difftest builds functions and finds no compiler: install g++ or clang++");
+        write_prelude(workshop_);
+        for (const auto& [source, target] : asked) {
+            DifftestPair pair;
+            pair.source = source;
+            pair.target = target;
+            PairWork one;
+            one.unit = {units_.source.find(source), units_.target.find(target)};
+            pairs.push_back(std::move(pair));
+            work_.push_back(std::move(one));
+        }
+    }
+
+    std::vector<DifftestPair> pairs;
+
+    void stand_in(const std::vector<PairIds>& all) {
+        int number = 0;
+        for (const auto& [source, target] : all) {
+            const Definition *ours = units_.source.find(source), *theirs = units_.target.find(target);
+            if (!is_function(ours) || !is_function(theirs) || !can_be_stood_in_for(*ours) ||
+                !can_be_stood_in_for(*theirs))
+                continue;
+            if (!reads_binding(*ours, source_) && !reads_binding(*theirs, target_)) continue;
+            if (stand_ins_.source.contains(ours) || stand_ins_.target.contains(theirs)) continue;
+            stand_ins_.source[ours] = stand_ins_.target[theirs] = ++number;
+        }
+    }
+
+    void run() {
+        for (size_t i = 0; i < pairs.size(); ++i) look_at(i);
+        build();
+        in_parallel(pairs.size(), [&](size_t i) {
+            if (pairs[i].reason.empty()) compare(i);
+        });
+    }
+
+    /// The files that the pairs which ran were made from.
+    std::map<std::string, std::string> texts() const {
+        std::map<std::string, std::string> out;
+        const auto add = [&](const ScannedFile& file) {
+            if (out.contains(file.path)) return;
+            Fingerprinter print;
+            print.add(file.lexed.text);
+            out.emplace(file.path, print.digits());
+        };
+        for (size_t i = 0; i < pairs.size(); ++i) {
+            if (pairs[i].state == DifftestState::NotRun) continue;
+            for (const Side side : kBothSides) {
+                add(*work_[i].unit[side]->file);
+                for (const Piece& piece : work_[i].subject[side].closure.pieces) add(*piece.definition->file);
+            }
+        }
+        return out;
+    }
+
+private:
+    const Definitions& definitions(Side side) const { return side == Side::Source ? source_ : target_; }
+
+    void look_at(size_t i) {
+        PairWork& work = work_[i];
+        for (const Side side : kBothSides) {
+            if (!is_function(work.unit[side])) {
+                pairs[i].reason = side == Side::Source ? "the source is no function" : "the target is no function";
+                return;
+            }
+            work.subject[side] = subject_of(*work.unit[side], definitions(side), stand_ins_[side]);
+            if (!work.subject[side].reason.empty()) {
+                pairs[i].reason = work.subject[side].reason;
+                return;
+            }
+        }
+        const auto stood_in = [&](Side side) {
+            std::set<int> out;
+            for (const Piece& piece : work.subject[side].closure.pieces)
+                if (const auto one = stand_ins_[side].find(piece.definition); one != stand_ins_[side].end())
+                    out.insert(one->second);
+            return out;
+        };
+        if (stood_in(Side::Source) != stood_in(Side::Target))
+            pairs[i].reason = "the sides read bindings by different helpers";
+    }
+
+    void build() {
+        BySide<std::vector<ProgramPart>> parts;
+        for (size_t i = 0; i < pairs.size(); ++i)
+            if (pairs[i].reason.empty())
+                for (const Side side : kBothSides)
+                    parts[side].push_back(
+                        {number_of(i, side),
+                         subject_text(work_[i].subject[side], number_of(i, side), definitions(side), stand_ins_[side]),
+                         definitions(side).standard_headers(*work_[i].unit[side]->file)});
+        BySide<BuiltParts> built;
+        in_parallel(2, [&](size_t which) {
+            const Side side = kBothSides.at(which);
+            built[side] = build_parts(parts[side], workshop_, side == Side::Source ? "source" : "target");
+        });
+        std::map<std::string, std::map<int, Leaves>> listed;
+        for (size_t i = 0; i < pairs.size(); ++i)
+            for (const Side side : kBothSides) {
+                if (!pairs[i].reason.empty()) break;
+                const int number = number_of(i, side);
+                const auto refused = built[side].refused.find(number);
+                if (refused != built[side].refused.end()) {
+                    pairs[i].reason = std::string(side == Side::Source ? "source: " : "target: ") + refused->second;
+                    break;
+                }
+                const std::string& program = built[side].programs[number];
+                if (!listed.contains(program)) listed[program] = list(program);
+                work_[i].built[side] = {program, number, listed[program][number]};
+                pairs[i].reason = work_[i].built[side].leaves.reason;
+            }
+    }
+
+    static int number_of(size_t pair, Side side) { return static_cast<int>(2 * pair) + (side == Side::Source ? 0 : 1); }
+
+    std::map<int, Leaves> list(const std::string& program) const {
+        ProcessLimits limits;
+        limits.time = std::chrono::seconds(5);
+        return read_leaves(run_process({program, "list"}, workshop_.folder, limits).output);
+    }
+
+    void compare(size_t i) {
+        DifftestPair& pair = pairs[i];
+        PairWork& work = work_[i];
+        const LeafMatch match = match_leaves(work.built.source.leaves, work.built.target.leaves);
+        pair.reason = match.reason;
+        if (!pair.reason.empty()) return;
+        Trial trial(work.built.source, work.built.target, match, {settings_.ulps}, workshop_.folder);
+        constexpr size_t kMostSlots = 12'000'000;
+        const size_t width = std::max<size_t>(1, trial.inputs().size());
+        const size_t records = std::max<size_t>(1, std::min(settings_.inputs, kMostSlots / width));
+        const InputTable table = draw_inputs(trial.inputs(), constants_in(work.subject.source, work.subject.target),
+                                             records, settings_.seed);
+        pair.reason = trial.run(table);
+        if (!pair.reason.empty()) return;
+        judge(pair, trial, table, work);
+    }
+
+    /// True for a difference that says little: at an input that is no finite number, or so large that a result
+    /// overflows, which two ways to write one formula do at different places.
+    static bool is_extreme(const Trial& trial, const uint64_t* row, size_t record) {
+        constexpr double kLarge = 1e6;
+        const double size = size_of_record(row, trial.inputs());
+        return std::isinf(size) || (size > kLarge && !trial.is_finite(record, *trial.first_difference(record)));
+    }
+
+    void judge(DifftestPair& pair, Trial& trial, const InputTable& table, const PairWork& work) {
+        const size_t width = trial.inputs().size();
+        std::optional<size_t> simplest, extreme;
+        int least = 0;
+        bool exact = true;
+        for (size_t record = 0; record < trial.records(); ++record) {
+            const Outcomes outcome = trial.outcome(record);
+            if (outcome == Outcomes::OutOfDomain) continue;
+            ++pair.inputs;
+            exact = exact && trial.distance(record) == 0;
+            if (outcome == Outcomes::Same) continue;
+            const uint64_t* const row = table.data() + record * width;
+            if (is_extreme(trial, row, record)) {
+                if (!extreme) extreme = record;
+                continue;
+            }
+            const int complexity = complexity_of(row, trial.inputs());
+            if (simplest && complexity >= least) continue;
+            simplest = record;
+            least = complexity;
+        }
+        if (pair.inputs == 0) {
+            pair.reason = "no input on which both sides give a number";
+            return;
+        }
+        pair.tolerance = exact || settings_.ulps == 0 ? "bits" : fmt::format("{} ulps", settings_.ulps);
+        pair.state = simplest ? DifftestState::Differs : DifftestState::Same;
+        if (!work.subject.source.stood_in.empty())
+            pair.reason = "with one answer on both sides for what reads bindings";
+        if (!simplest && extreme)
+            pair.reason = "but for inputs that are not finite, or so large that a result overflows, it differs";
+        if (simplest || extreme)
+            pair.counterexample = counterexample(trial, table, simplest ? *simplest : *extreme, work);
+    }
+
+    std::optional<Counterexample> counterexample(Trial& trial, const InputTable& table, size_t chosen,
+                                                 const PairWork& work) const {
+        const size_t width = trial.inputs().size();
+        std::vector<uint64_t> record(table.begin() + static_cast<std::ptrdiff_t>(chosen * width),
+                                     table.begin() + static_cast<std::ptrdiff_t>((chosen + 1) * width));
+        record = shrunk(trial, std::move(record));
+        if (!trial.run(record).empty() || trial.outcome(0) != Outcomes::Differs) return std::nullopt;
+        const size_t output = *trial.first_difference(0);
+        Counterexample found;
+        for (size_t i = 0; i < width; ++i) found.inputs.push_back(seen_input(record[i], trial.inputs()[i]));
+        const Leaf& leaf = work.built.source.leaves.out[output];
+        found.results = {seen_result(trial.source_result(0, output), leaf),
+                         seen_result(trial.target_result(0, output), leaf)};
+        return found;
+    }
+
+    DifftestSettings settings_;
+    TemporaryFolder folder_;
+    Workshop workshop_;
+    std::string target_root_;
+    Definitions source_, target_;
+    BySide<SideUnits> units_;
+    BySide<StandIns> stand_ins_;
+    std::vector<PairWork> work_;
+};
+
+}  // namespace
+
+DifftestResult difftest(const Project& project, const std::vector<PairIds>& all, const std::vector<PairIds>& asked,
+                        const DifftestSettings& settings, const Disk& disk) {
+    Difftest run(project, asked, settings, disk);
+    run.stand_in(all);
+    run.run();
+    return {run.pairs, run.texts()};
+}
+
+}  // namespace porttool

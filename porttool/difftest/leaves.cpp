@@ -1,0 +1,133 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/difftest/leaves.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace porttool {
+namespace {
+
+std::vector<std::string_view> fields_of_line(std::string_view line, size_t most) {
+    std::vector<std::string_view> out;
+    for (size_t at = 0; at <= line.size();) {
+        const size_t end = out.size() + 1 == most ? line.size() : std::min(line.find(' ', at), line.size());
+        out.push_back(line.substr(at, end - at));
+        at = end + 1;
+    }
+    return out;
+}
+
+std::string reason_of(std::string_view why, std::string_view path) {
+    const std::string where = path.empty() ? "what it returns" : std::string(path);
+    if (why == "pointer" || why == "returned") return "pointer of unknown length: " + where;
+    if (why == "union") return "a union: " + where;
+    if (why == "layout") return "a type whose layout is not known: " + where;
+    return "a type that cannot be filled: " + where;
+}
+
+Leaf leaf_of_line(const std::vector<std::string_view>& words) {
+    Leaf out;
+    out.parameter = std::atoi(std::string(words[1]).c_str());
+    const char kind = words[2].empty() ? 'f' : words[2][0];
+    out.bytes = std::atoi(std::string(words[2].substr(std::min<size_t>(1, words[2].size()))).c_str());
+    out.kind = kind == 'f'   ? (out.bytes == 8   ? NumberKind::Double
+                                : out.bytes == 2 ? NumberKind::Half
+                                                 : NumberKind::Float)
+               : kind == 'b' ? NumberKind::Bool
+               : kind == 'u' ? NumberKind::Unsigned
+                             : NumberKind::Signed;
+    if (words.size() > 3) out.path = words[3];
+    return out;
+}
+
+/// The path without the parameter's own name, which the other side may call differently.
+std::string_view beneath_parameter(const Leaf& leaf) {
+    const std::string_view path = leaf.path;
+    const size_t at = path.find_first_of(".[");
+    if (leaf.parameter < 0) return path;
+    return at == std::string_view::npos ? std::string_view() : path.substr(at);
+}
+
+/// The places of each parameter's numbers, by the parameter.
+std::map<int, std::vector<size_t>> by_parameter(const std::vector<Leaf>& leaves) {
+    std::map<int, std::vector<size_t>> out;
+    for (size_t i = 0; i < leaves.size(); ++i) out[leaves[i].parameter].push_back(i);
+    return out;
+}
+
+bool fit(const Leaf& a, const Leaf& b) { return a.is_real() == b.is_real(); }
+
+/// Pairs the numbers of one parameter with those of its counterpart: by their names, else by their order.
+bool match_parameter(const std::vector<Leaf>& source, const std::vector<size_t>& ours, const std::vector<Leaf>& target,
+                     const std::vector<size_t>& theirs, std::vector<size_t>& out) {
+    if (ours.size() != theirs.size()) return false;
+    std::map<std::string_view, size_t> names;
+    for (const size_t at : theirs) names.emplace(beneath_parameter(target[at]), at);
+    const bool named = names.size() == theirs.size() && std::all_of(ours.begin(), ours.end(), [&](size_t at) {
+                           return names.contains(beneath_parameter(source[at]));
+                       });
+    for (size_t i = 0; i < ours.size(); ++i) {
+        const size_t at = named ? names[beneath_parameter(source[ours[i]])] : theirs[i];
+        if (!fit(source[ours[i]], target[at])) return false;
+        out[ours[i]] = at;
+    }
+    return true;
+}
+
+std::string parameters_text(size_t count) { return std::to_string(count) + (count == 1 ? " number" : " numbers"); }
+
+bool match_side(const std::vector<Leaf>& source, const std::vector<Leaf>& target, std::vector<size_t>& out) {
+    out.assign(source.size(), 0);
+    const auto ours = by_parameter(source), theirs = by_parameter(target);
+    if (ours.size() == theirs.size()) {
+        bool all = true;
+        auto other = theirs.begin();
+        for (const auto& [parameter, places] : ours) {
+            all = all && match_parameter(source, places, target, other->second, out);
+            ++other;
+        }
+        if (all) return true;
+    }
+    // As many numbers of the same kinds in the same order, whatever they are held in.
+    if (source.size() != target.size()) return false;
+    for (size_t i = 0; i < source.size(); ++i) {
+        if (!fit(source[i], target[i])) return false;
+        out[i] = i;
+    }
+    return true;
+}
+
+}  // namespace
+
+std::map<int, Leaves> read_leaves(std::string_view text) {
+    std::map<int, Leaves> out;
+    Leaves* current = nullptr;
+    for (size_t at = 0; at < text.size();) {
+        const size_t end = std::min(text.find('\n', at), text.size());
+        const std::vector<std::string_view> words = fields_of_line(text.substr(at, end - at), 4);
+        at = end + 1;
+        if (words[0] == "subject" && words.size() > 1) current = &out[std::atoi(std::string(words[1]).c_str())];
+        if (current == nullptr || words.size() < 3) continue;
+        if (words[0] == "in") current->in.push_back(leaf_of_line(words));
+        if (words[0] == "out") current->out.push_back(leaf_of_line(words));
+        if (words[0] == "bad" && current->reason.empty())
+            current->reason = reason_of(words[2], words.size() > 3 ? words[3] : std::string_view());
+    }
+    for (auto& [number, leaves] : out)
+        if (leaves.reason.empty() && leaves.out.empty()) leaves.reason = "void, and nothing that it writes to";
+    return out;
+}
+
+LeafMatch match_leaves(const Leaves& source, const Leaves& target) {
+    LeafMatch out;
+    if (!match_side(source.in, target.in, out.in))
+        out.reason = "the parameters differ: " + parameters_text(source.in.size()) + " in the source, " +
+                     parameters_text(target.in.size()) + " in the target";
+    else if (!match_side(source.out, target.out, out.out))
+        out.reason = "what they give differs: " + parameters_text(source.out.size()) + " from the source, " +
+                     parameters_text(target.out.size()) + " from the target";
+    return out;
+}
+
+}  // namespace porttool

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace porttool {
+
+/// What a number of an input or output is.
+enum class NumberKind : uint8_t { Float, Double, Half, Bool, Signed, Unsigned };
+
+/// One number that goes into a function, or comes out of it.
+struct Leaf {
+    int parameter = -1;  ///< -1: what the function returns
+    NumberKind kind = NumberKind::Float;
+    int bytes = 4;
+    std::string path;  ///< "bsdf.f0.x", "" for a number that is returned
+    bool is_real() const { return kind <= NumberKind::Half; }
+};
+
+/// What a function takes and gives, as its program lists it.
+struct Leaves {
+    std::vector<Leaf> in, out;
+    std::string reason;  ///< why it cannot be run; "" if it can
+};
+
+/// Reads what `PROGRAM list` printed, by the number of the function.
+std::map<int, Leaves> read_leaves(std::string_view text);
+
+/// Which number of the target each number of the source is, or why they do not fit each other.
+struct LeafMatch {
+    std::vector<size_t> in, out;  ///< in the order of the source's: the target's
+    std::string reason;
+};
+LeafMatch match_leaves(const Leaves& source, const Leaves& target);
+
+}  // namespace porttool

@@ -1,0 +1,374 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/difftest/subject.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+
+#include "porttool/compare/struct_fields.h"
+#include "porttool/difftest/cpp_text.h"
+#include "porttool/difftest/prelude.h"
+#include "porttool/language/words.h"
+#include "porttool/normal/normal_form.h"
+#include "porttool/normal/unit_state.h"
+
+namespace porttool {
+namespace {
+
+constexpr int kDeepest = 4;  ///< calls that a pointer is followed through
+constexpr int kMostElements = 64;
+
+/// The parts of a list between commas that stand in no brackets.
+std::vector<TokenRange> list_parts(const LexedText& lexed, TokenRange range) {
+    std::vector<TokenRange> out;
+    int depth = 0, angles = 0;
+    uint32_t first = range.first;
+    for (uint32_t i = range.first; i < range.end; ++i) {
+        const std::string_view word = lexed.view(i);
+        if (word == "(" || word == "[" || word == "{") ++depth;
+        if (word == ")" || word == "]" || word == "}") --depth;
+        if (word == "<") ++angles;
+        if (word == ">" && angles > 0) --angles;
+        if (word != "," || depth != 0 || angles != 0) continue;
+        out.push_back({first, i});
+        first = i + 1;
+    }
+    if (first < range.end) out.push_back({first, range.end});
+    return out;
+}
+
+SubjectParameter parameter_of(const ScannedFile& file, TokenRange range, const CppManner& manner) {
+    const LexedText& lexed = file.lexed;
+    SubjectParameter out;
+    for (uint32_t i = range.first; i < range.end; ++i) {
+        const std::string_view word = lexed.view(i);
+        if (word == "=") break;
+        if (word == "[") {
+            uint32_t close = i;
+            while (close < range.end && lexed.view(close) != "]") ++close;
+            out.bound = cpp_text_of(file, {i + 1, close}, manner);
+            out.is_pointer = out.bound.empty();
+            break;
+        }
+        if (word == "*") out.is_pointer = true;
+        if (lexed.tokens[i].kind == TokenKind::Identifier) out.name = word;
+    }
+    return out;
+}
+
+std::vector<SubjectParameter> parameters_of(const ScannedFile& file, const Unit& unit, const CppManner& manner) {
+    std::vector<SubjectParameter> out;
+    for (const TokenRange part : list_parts(file.lexed, unit.parameters))
+        if (part.end != part.first + 1 || file.lexed.view(part.first) != "void")
+            out.push_back(parameter_of(file, part, manner));
+    return out;
+}
+
+/// How many elements behind a pointer a function looks at; 0 if that cannot be told.
+class PointerReach {
+public:
+    PointerReach(const Definitions& definitions) : definitions_(definitions) {}
+
+    int of(const Definition& function, std::string_view name, int depth = 0) {
+        if (depth > kDeepest || function.unit == nullptr) return 0;
+        const LexedText& lexed = function.file->lexed;
+        const TokenRange body = function.unit->body;
+        int most = 1;
+        for (uint32_t i = body.first; i < body.end; ++i) {
+            if (lexed.view(i) != name || lexed.tokens[i].kind != TokenKind::Identifier) continue;
+            const std::string_view before = lexed.view(i - 1), next = i + 1 < body.end ? lexed.view(i + 1) : "";
+            if (before == "." || before == "->") continue;
+            int here = 0;
+            if (next == "->" || next == "==" || next == "!=" || before == "!")
+                here = 1;
+            else if (next == "[")
+                here = index_at(lexed, i + 1, body.end);
+            else if (before == "*" && !is_value(lexed, i - 2))
+                here = 1;
+            else if (before == "(" && lexed.view(i - 2) == "if" && next == ")")
+                here = 1;
+            else if ((before == "(" || before == ",") && (next == ")" || next == ","))
+                here = through_call(function, i, depth);
+            if (here == 0) return 0;
+            most = std::max(most, here);
+        }
+        return most;
+    }
+
+private:
+    static bool is_value(const LexedText& lexed, uint32_t i) {
+        const Token& token = lexed.tokens[i];
+        if (token.kind == TokenKind::Number) return true;
+        if (token.kind == TokenKind::Identifier) return lexed.view(i) != "return";
+        return lexed.view(i) == ")" || lexed.view(i) == "]";
+    }
+    static int index_at(const LexedText& lexed, uint32_t open, uint32_t end) {
+        if (open + 2 >= end || lexed.view(open + 2) != "]") return 0;
+        const std::string_view word = lexed.view(open + 1);
+        int index = 0;
+        const auto [rest, error] = std::from_chars(word.data(), word.data() + word.size(), index);
+        if (error != std::errc() || index < 0 || index >= kMostElements) return 0;
+        return index + 1;
+    }
+    int through_call(const Definition& function, uint32_t at, int depth) {
+        const LexedText& lexed = function.file->lexed;
+        int nested = 0;
+        size_t place = 0;
+        uint32_t open = at;
+        while (open > function.unit->body.first) {
+            const std::string_view word = lexed.view(--open);
+            if (word == ")" || word == "]") ++nested;
+            if (word == "[" || (word == "(" && nested > 0))
+                --nested;
+            else if (word == "(")
+                break;
+            if (word == "," && nested == 0) ++place;
+            if (word == ";" || word == "{" || word == "}") return 0;
+        }
+        if (open == 0 || lexed.tokens[open - 1].kind != TokenKind::Identifier) return 0;
+        const std::string_view callee = lexed.view(open - 1);
+        if (callee == "sincos" || callee == "sincosf" || callee == "__sincosf" || callee == "modf" || callee == "frexp")
+            return 1;
+        int most = 0;
+        for (const Definition* found : definitions_.find(*function.file, callee)) {
+            if (found->kind != Definition::Kind::Function || found == &function) continue;
+            const std::vector<SubjectParameter> parameters = parameters_of(*found->file, *found->unit, {});
+            if (place >= parameters.size()) continue;
+            const int here = of(*found, parameters[place].name, depth + 1);
+            if (here == 0) return 0;
+            most = std::max(most, here);
+        }
+        return most;
+    }
+
+    const Definitions& definitions_;
+};
+
+/// `<float>` for `template <class T>`; "?" where a parameter is no type.
+std::string template_arguments(const ScannedFile& file, const Unit& unit) {
+    const LexedText& lexed = file.lexed;
+    if (lexed.view(unit.tokens.first) != "template" || lexed.view(unit.tokens.first + 1) != "<") return {};
+    std::string out;
+    uint32_t i = unit.tokens.first + 2;
+    for (int depth = 1; i < unit.name_token; ++i) {
+        const std::string_view word = lexed.view(i);
+        if (word == "<") ++depth;
+        if (word == ">" && --depth == 0) break;
+        if (depth > 1) return "?";
+    }
+    for (const TokenRange part : list_parts(lexed, {unit.tokens.first + 2, i})) {
+        const std::string_view first = lexed.view(part.first);
+        if (first != "class" && first != "typename") return "?";
+        out += out.empty() ? "<float" : ", float";
+    }
+    return out.empty() ? out : out + ">";
+}
+
+/// The head `template <class F>` of a struct and its arguments `<F>`; both "" for others.
+std::pair<std::string, std::string> template_head(const Definition& one, const CppManner& manner) {
+    const LexedText& lexed = one.file->lexed;
+    uint32_t i = one.tokens.first;
+    if (lexed.view(i) != "template") return {};
+    const uint32_t first = i;
+    int depth = 0;
+    for (++i; i < one.tokens.end; ++i) {
+        if (lexed.view(i) == "<") ++depth;
+        if (lexed.view(i) == ">" && --depth == 0) break;
+    }
+    std::string arguments;
+    for (const TokenRange part : list_parts(lexed, {first + 2, i})) {
+        std::string_view name;
+        for (uint32_t at = part.first; at < part.end && lexed.view(at) != "="; ++at)
+            if (lexed.tokens[at].kind == TokenKind::Identifier) name = lexed.view(at);
+        arguments += (arguments.empty() ? "" : ", ") + std::string(name);
+    }
+    return {cpp_text_of(*one.file, {first + 2, i}, manner), "<" + arguments + ">"};
+}
+
+/// The names of a struct's fields, in their order.
+std::vector<std::string> fields_of(const Definition& one) {
+    std::vector<std::string> out;
+    if (one.unit == nullptr) return out;
+    const UnitState state = unit_state(*one.file, *one.unit);
+    const Words words = data_fields(state.text.words());
+    auto at = std::find(words.begin(), words.end(), "{");
+    std::string name;
+    bool named = false;
+    int depth = 0;
+    for (at = at == words.end() ? at : at + 1; at != words.end(); ++at) {
+        if (*at == "{") ++depth;
+        if (*at == "}" && depth-- == 0) break;
+        if (*at == ";" && depth == 0) {
+            if (!name.empty()) out.push_back(name);
+            name.clear();
+            named = false;
+            continue;
+        }
+        if (depth > 0) continue;
+        if (*at == "[" || *at == "=" || *at == ":") named = true;
+        if (!named && is_word_token(*at)) name = *at;
+    }
+    return out;
+}
+
+/// The classes that a class is made from.
+std::vector<std::string> bases_of(const Definition& one) {
+    const LexedText& lexed = one.file->lexed;
+    std::vector<std::string> out;
+    bool listed = false;
+    int depth = 0, rounds = 0;
+    for (uint32_t i = one.tokens.first; i < one.tokens.end && lexed.view(i) != "{" && lexed.view(i) != ";"; ++i) {
+        if (lexed.view(i) == "(") ++rounds;
+        if (lexed.view(i) == ")") --rounds;
+        if (lexed.view(i) == ":" && rounds == 0) listed = true;
+        if (!listed) continue;
+        if (lexed.view(i) == "<") ++depth;
+        if (lexed.view(i) == ">") --depth;
+        const bool ends = lexed.view(i + 1) == "{" || lexed.view(i + 1) == ",";
+        if (depth == 0 && ends && lexed.tokens[i].kind == TokenKind::Identifier) out.emplace_back(lexed.view(i));
+    }
+    return out;
+}
+
+/// `struct NAME;`, so that what stands before it may name it; "" where it has no name of its own.
+std::string announced(const Definition& one, const CppManner& manner) {
+    const LexedText& lexed = one.file->lexed;
+    for (uint32_t i = one.tokens.first; i < one.tokens.end && lexed.view(i) != "{"; ++i) {
+        if (lexed.view(i) == "typedef") return {};
+        if (lexed.view(i) != one.name) continue;
+        const std::string head = template_head(one, manner).first;
+        return (head.empty() ? "" : "template <" + head + "> ") + "struct " + one.name + ";\n";
+    }
+    return {};
+}
+
+std::string visitor(const Definition& one, const CppManner& manner) {
+    const auto [head, arguments] = template_head(one, manner);
+    std::string out = fmt::format("template <{}{}class porttool_V> void porttool_visit({}{}& x, porttool_V& v) {{\n",
+                                  head, head.empty() ? "" : ", ", one.name, arguments);
+    for (const std::string& base : bases_of(one))
+        out += fmt::format("porttool_harness::walk(v, \"\", static_cast<{}&>(x));\n", base);
+    for (const std::string& field : fields_of(one))
+        out += fmt::format("porttool_harness::walk(v, \"{0}\", x.{0});\n", field);
+    return out + "}\n";
+}
+
+CppManner manner_of(const Definition& function, const Definitions& definitions,
+                    const std::set<std::string, std::less<>>& fields) {
+    CppManner out;
+    out.language = function.file->language;
+    out.namespaces = &definitions.namespaces();
+    out.fields = &fields;
+    return out;
+}
+
+std::set<std::string, std::less<>> fields_in(const Closure& closure) {
+    std::set<std::string, std::less<>> out;
+    for (const Piece& piece : closure.pieces)
+        if (piece.definition->kind == Definition::Kind::Struct)
+            for (std::string& field : fields_of(*piece.definition)) out.insert(std::move(field));
+    return out;
+}
+
+/// The text of a function that another stands in for: an answer made of its arguments.
+std::string answer(const Definition& one, int number) {
+    std::string arguments;
+    for (const SubjectParameter& parameter : parameters_of(*one.file, *one.unit, {}))
+        arguments += ", " + parameter.name;
+    const std::string list = arguments.empty() ? "" : arguments.substr(2);
+    return fmt::format("{{ return porttool_harness::answered<decltype({}({}))>({}{}); }}", one.name, list, number,
+                       arguments);
+}
+
+}  // namespace
+
+Subject subject_of(const Definition& function, const Definitions& definitions, const StandIns& stand_ins) {
+    Subject out;
+    out.function = &function;
+    const ScannedFile& file = *function.file;
+    const Unit& unit = *function.unit;
+    if (unit.kind == UnitKind::Kernel) {
+        out.reason = "a kernel: it takes its work from a launch";
+    } else if (!function.owner.empty()) {
+        out.reason = "a member function of " + function.owner;
+    } else if (unit.body.empty()) {
+        out.reason = "an empty body";
+    }
+    if (!out.reason.empty()) return out;
+    std::set<const Definition*> stood;
+    for (const auto& [one, number] : stand_ins)
+        if (one != &function) stood.insert(one);
+    out.closure = closure_of(function, definitions, stood);
+    out.reason = out.closure.missing;
+    if (!out.reason.empty()) return out;
+    for (const Piece& piece : out.closure.pieces)
+        if (stood.contains(piece.definition)) out.stood_in.push_back(piece.definition->name);
+    out.template_arguments = template_arguments(file, unit);
+    if (out.template_arguments == "?") {
+        out.reason = "a template over more than types";
+        return out;
+    }
+    const std::set<std::string, std::less<>> fields = fields_in(out.closure);
+    out.parameters = parameters_of(file, unit, manner_of(function, definitions, fields));
+    PointerReach reach(definitions);
+    for (SubjectParameter& parameter : out.parameters) {
+        if (!parameter.is_pointer) continue;
+        parameter.elements = reach.of(function, parameter.name);
+        if (parameter.elements == 0) out.reason = "pointer of unknown length: " + parameter.name;
+    }
+    return out;
+}
+
+std::string subject_text(const Subject& subject, int number, const Definitions& definitions,
+                         const StandIns& stand_ins) {
+    const std::set<std::string, std::less<>> fields = fields_in(subject.closure);
+    CppManner manner = manner_of(*subject.function, definitions, fields);
+    std::string before, announcements, pieces, visitors, after;
+    std::set<std::string> used;
+    for (const Piece& piece : subject.closure.pieces) {
+        const Definition& one = *piece.definition;
+        if (one.kind == Definition::Kind::Function && prelude_names().contains(one.name)) used.insert(one.name);
+        const auto stand_in = stand_ins.find(&one);
+        manner.body.reset();
+        if (stand_in != stand_ins.end() && one.kind == Definition::Kind::Function)
+            manner.body = answer(one, stand_in->second);
+        (one.kind == Definition::Kind::Macro ? before : pieces) += cpp_text(piece, manner);
+        if (one.kind == Definition::Kind::Struct) {
+            visitors += visitor(one, manner);
+            announcements += announced(one, manner);
+        }
+        after += undone(one);
+    }
+    if (prelude_names().contains(subject.function->name)) used.insert(subject.function->name);
+    manner.body.reset();
+    manner.rename = "porttool_subject";
+    std::string out = fmt::format("#line 1 \"subject_{}\"\n", number);
+    out += before;
+    out += fmt::format("namespace subject_{} {{ namespace {{\nusing namespace porttool_prelude;\n", number);
+    for (const std::string& name : used) out += fmt::format("using porttool_prelude::{};\n", name);
+    out += announcements + pieces;
+    out += cpp_text(Piece{subject.function, {}}, manner);
+    out += after;
+    out += visitors;
+    out += "const porttool_harness::Param porttool_params[] = {";
+    for (const SubjectParameter& parameter : subject.parameters) {
+        const std::string count =
+            parameter.bound.empty() ? std::to_string(parameter.elements) : "static_cast<int>(" + parameter.bound + ")";
+        out += fmt::format("{{\"{}\", {}}}, ", parameter.name, count);
+    }
+    out += "{nullptr, 0}};\n";
+    const std::string pointer = "&porttool_subject" + subject.template_arguments;
+    out += fmt::format("void porttool_list() {{ porttool_harness::list({}, porttool_params, {}); }}\n", pointer,
+                       !subject.stood_in.empty());
+    out += fmt::format(
+        "void porttool_run(const uint64_t* in, size_t is, uint64_t* out, size_t os, size_t n) {{ "
+        "porttool_harness::run({}, "
+        "porttool_params, in, is, out, os, n); }}\n",
+        pointer);
+    out += "} }\n";
+    return out;
+}
+
+}  // namespace porttool

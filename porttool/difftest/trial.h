@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "porttool/difftest/inputs.h"
+
+namespace porttool {
+
+/// One side, built: the program that has it, its number there, and what it takes and gives.
+struct BuiltSide {
+    std::string program;
+    int number = 0;
+    Leaves leaves;
+};
+
+/// How alike two results must be.
+struct Tolerance {
+    int ulps = 0;  ///< 0: to the bit
+};
+
+/// What became of one record on both sides.
+enum class Outcomes : uint8_t {
+    Same,  ///< within the tolerance
+    Differs,
+    OutOfDomain,  ///< a side did not come back, or every number is NaN on both
+};
+
+/// Both sides of a pair, ready to run on the same inputs.
+class Trial {
+public:
+    /// All must outlive it. `folder`: for its files.
+    Trial(const BuiltSide& source, const BuiltSide& target, const LeafMatch& match, Tolerance tolerance,
+          std::string folder);
+
+    const std::vector<Leaf>& inputs() const { return inputs_; }
+
+    /// Runs both on every record of a table. "" or why that failed; outcomes() then has what became of each record.
+    std::string run(const InputTable& table);
+    size_t records() const { return records_; }
+    Outcomes outcome(size_t record) const;
+    /// Where record's results first differ: the place among the source's outputs.
+    std::optional<size_t> first_difference(size_t record) const;
+    /// A result of either side as a double; whole numbers of 64 bits lose digits.
+    double source_result(size_t record, size_t output) const;
+    double target_result(size_t record, size_t output) const;
+    /// True where both results of an output are numbers of finite size.
+    bool is_finite(size_t record, size_t output) const;
+    /// How far apart the results of a record are at most, in ulps; 0 for equal bits.
+    uint64_t distance(size_t record) const;
+    size_t output_count() const { return source_.leaves.out.size(); }
+
+private:
+    std::string run_side(const BuiltSide& side, const InputTable& table, bool is_target,
+                         std::vector<uint64_t>& out) const;
+    uint64_t distance_at(size_t record, size_t output) const;
+    const uint64_t* source_row(size_t record) const { return &source_out_[record * (source_.leaves.out.size() + 1)]; }
+    const uint64_t* target_row(size_t record) const { return &target_out_[record * (target_.leaves.out.size() + 1)]; }
+
+    const BuiltSide &source_, &target_;
+    const LeafMatch& match_;
+    Tolerance tolerance_;
+    std::string folder_;
+    std::vector<Leaf> inputs_;
+    size_t records_ = 0;
+    std::vector<uint64_t> source_out_, target_out_;
+};
+
+}  // namespace porttool

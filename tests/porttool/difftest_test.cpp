@@ -1,0 +1,174 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+// Functions of both sides, built and run: what differs is found with an input that a reader can check by hand, what
+// cannot run says why, and what would harm does not.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cmath>
+
+#include "porttool/difftest/bounded_process.h"
+#include "tests/porttool/temporary_repository.h"
+
+namespace porttool::testing {
+namespace {
+
+class Difftest : public TemporaryRepository {
+protected:
+    void SetUp() override {
+        TemporaryRepository::SetUp();
+        if (program_path("g++").empty() && program_path("clang++").empty()) GTEST_SKIP() << "no compiler is installed";
+    }
+    /// Both sides, each one file; the pairs by the names of the functions.
+    nlohmann::json run_on(const std::string& source_name, const std::string& source, const std::string& target_name,
+                          const std::string& target, std::vector<std::string> more = {}) {
+        write("a/" + source_name, source);
+        write("b/" + target_name, target);
+        std::vector<std::string> arguments = {"difftest", "--source", "a/*", "--target", "b/*", "--format", "json"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        const CommandRun got = porttool(arguments);
+        EXPECT_NE(got.out, "") << got.err;
+        exit_code = got.exit_code;
+        return got.out.empty() ? nlohmann::json() : nlohmann::json::parse(got.out)["pairs"];
+    }
+    static nlohmann::json pair_of(const nlohmann::json& pairs, const std::string& name) {
+        for (const auto& pair : pairs)
+            if (pair["source"].get<std::string>().ends_with(":" + name)) return pair;
+        ADD_FAILURE() << "no pair " << name << " in " << pairs.dump(1);
+        return {};
+    }
+    int exit_code = -1;
+};
+
+constexpr const char* kGlsl = R"(#ifndef A
+#define A
+const float LIMIT = 0.25;
+struct Ray { vec3 origin; vec3 direction; float reach; };
+float weight(float cosine) { float m = 1.0 - clamp(cosine, 0.0, 1.0); return m * m; }
+float lowered(float x) { return x > LIMIT ? x * 0.5 : x; }
+vec3 swap_axes(vec3 v) { vec3 w; w.xy = v.yx; w.z = v.z; return w * 2.0; }
+void split(in float x, out float whole, inout float rest) { whole = floor(x); rest += x - whole; }
+float along(Ray ray, float t) { return dot(ray.origin + ray.direction * t, vec3(1.0, 0.0, 0.0)) + ray.reach; }
+uint scramble(uint x) { x ^= x >> 16; x *= 0x7feb352du; return x; }
+uniform Settings { float gain; } settings;
+float gained(float x) { return x * settings.gain; }
+float distant(float x) { return helper_elsewhere(x); }
+#endif
+)";
+constexpr const char* kCpp = R"(#include <cmath>
+namespace port {
+constexpr float kLimit = 0.25f;
+struct Vector { float x, y, z; };
+inline Vector operator*(Vector v, float s) { return {v.x * s, v.y * s, v.z * s}; }
+struct Ray { Vector direction, origin; float reach; };
+inline float weight(float cosine) { const float m = 1.0f - std::fmin(cosine, 1.0f); return m * m; }
+inline float lowered(float x) { return x > kLimit ? x * 0.5f : x; }
+inline Vector swap_axes(const Vector& v) { return Vector{v.y, v.x, v.z} * 2.0f; }
+inline void split(float x, float* whole, float& rest) { *whole = std::floor(x); rest += x - *whole; }
+static float first(const Ray& ray, float t) { return ray.origin.x + ray.direction.x * t; }
+inline float along(const Ray& ray, float t) { return first(ray, t) + ray.reach; }
+inline unsigned scramble(unsigned x) { x ^= x >> 16; x *= 0x7feb352du; return x; }
+float gain = 1;
+inline float gained(float x) { return x * gain; }
+inline float distant(float x) { return x; }
+}
+)";
+
+TEST_F(Difftest, TellsWhatDiffersAndWhatCannotRun) {
+    const nlohmann::json pairs = run_on("a.glsl", kGlsl, "b.h", kCpp,
+                                        {"--inputs", "3000", "--ulps", "0", "--evidence", (root / "e.json").string()});
+    EXPECT_EQ(exit_code, 1);
+    // Below 0 the port lets the weight grow: (1 - c) squared in place of 1.
+    const nlohmann::json weight = pair_of(pairs, "weight");
+    ASSERT_EQ(weight["state"], "differs") << weight.dump(1);
+    const nlohmann::json& example = weight["counterexample"];
+    const double cosine = example["inputs"]["cosine"].get<double>();
+    EXPECT_LT(cosine, 0);
+    EXPECT_EQ(example["source"].get<double>(), 1);
+    const float m = 1.0f - static_cast<float>(cosine);
+    EXPECT_EQ(example["target"].get<double>(), static_cast<double>(m * m));
+    EXPECT_EQ(cosine, -1) << "the simplest input";
+    for (const char* name : {"lowered", "swap_axes", "split", "along", "scramble"}) {
+        const nlohmann::json pair = pair_of(pairs, name);
+        EXPECT_EQ(pair["state"], "same") << pair.dump(1);
+        EXPECT_EQ(pair["tolerance"], "bits") << pair.dump(1);
+        EXPECT_GT(pair["inputs"].get<int>(), 2500) << pair.dump(1);
+    }
+    EXPECT_EQ(pair_of(pairs, "gained")["reason"], "binding settings");
+    EXPECT_EQ(pair_of(pairs, "distant")["reason"], "source: unknown helper helper_elsewhere");
+    const nlohmann::json evidence = nlohmann::json::parse(read_text(root / "e.json"));
+    EXPECT_EQ(evidence["pairs"], pairs);
+    ASSERT_EQ(evidence["texts"].size(), 2u);
+    EXPECT_EQ(evidence["texts"][0]["file"], "a/a.glsl");
+}
+
+TEST_F(Difftest, TakesKernelLanguagesForCpp) {
+    const nlohmann::json pairs = run_on("a.cl", R"(
+typedef struct { float3 base; float2 uv; int kind; } Hit;
+__constant float kGains[3] = {0.5f, 1.0f, 2.0f};
+float tone(const float3 c) { return mad(c.x, 0.25f, native_sqrt(fabs(c.s1))) + as_float(as_uint(c.z)); }
+float3 shaded(__private const Hit *hit) { return (float3)(hit->uv.x, hit->uv.y, kGains[1]) * hit->base.zyx; }
+int picked(int kind, bool front) { return select(kind, -kind, front); }
+float sum(__global const float *values, int count) { float s = 0; for (int i = 0; i < count; ++i) s += values[i]; return s; }
+__kernel void fill(__global float *out) { out[get_global_id(0)] = 1.0f; }
+)",
+                                        "b.cu", R"(
+struct Hit { float3 base; float2 uv; int kind; };
+__constant__ float gains[3] = {0.5f, 1.0f, 2.0f};
+__device__ __forceinline__ float tone(float3 c) { return c.x * 0.25f + sqrtf(fabsf(c.y)) + __uint_as_float(__float_as_uint(c.z)); }
+__device__ float3 shaded(const Hit* __restrict__ hit) {
+    float3 c = make_float3(hit->uv.x, hit->uv.y, gains[1]);
+    return make_float3(c.x * hit->base.z, c.y * hit->base.y, c.z * hit->base.x);
+}
+__device__ int picked(int kind, bool front) { return front ? kind : -kind; }
+__device__ float sum(const float* values, int count) { float s = 0; for (int i = 0; i < count; ++i) s += values[i]; return s; }
+__global__ void fill(float* out) { out[threadIdx.x] = 1.0f; }
+)",
+                                        {"--inputs", "3000"});
+    EXPECT_EQ(pair_of(pairs, "tone")["state"], "same") << pairs.dump(1);
+    EXPECT_EQ(pair_of(pairs, "shaded")["state"], "same") << pairs.dump(1);
+    EXPECT_EQ(pair_of(pairs, "picked")["state"], "differs");
+    EXPECT_EQ(pair_of(pairs, "picked")["counterexample"]["inputs"]["kind"], 1);
+    EXPECT_EQ(pair_of(pairs, "sum")["reason"], "pointer of unknown length: values");
+    EXPECT_EQ(pair_of(pairs, "fill")["reason"], "a kernel: it takes its work from a launch");
+}
+
+TEST_F(Difftest, EndsWhatHangsForksOrEatsMemory) {
+    const std::string code = R"(#include <cstdlib>
+#include <unistd.h>
+int hangs(int x) { volatile int turns = 1; while (turns) turns = 1 + (x & 1); return x; }
+int forks(int x) { if (fork() == 0) { setsid(); for (;;) sleep(1); } return x; }
+int eats(int x) { for (;;) { char* p = (char*)malloc(1 << 28); for (int i = 0; i < 1 << 28; i += 4096) p[i] = 1; } return x; }
+int leaves(int x) { exit(0); return x; }
+int divides(int x) { return 100 / x; }
+int well(int x) { return x + 1; }
+)";
+    const auto start = std::chrono::steady_clock::now();
+    const nlohmann::json pairs = run_on("a.cpp", code, "b.cpp", code, {"--inputs", "60"});
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(60));
+    EXPECT_EQ(pair_of(pairs, "hangs")["state"], "not_run") << pairs.dump(1);
+    EXPECT_EQ(pair_of(pairs, "eats")["state"], "not_run");
+    EXPECT_EQ(pair_of(pairs, "leaves")["state"], "not_run");
+    EXPECT_EQ(pair_of(pairs, "divides")["state"], "same");
+    EXPECT_EQ(pair_of(pairs, "well")["state"], "same");
+}
+
+TEST_F(Difftest, SaysWhatIsMissing) {
+    write("a/a.glsl", "float half_of(float x) { return x * 0.5; }\n");
+    write("b/b.h", "inline float half_of(float x) { return x * 0.5f; }\n");
+    const CommandRun unknown = porttool({"difftest", "a/a.glsl:halfof", "--source", "a/*", "--target", "b/*"});
+    EXPECT_EQ(unknown.exit_code, 2);
+    EXPECT_NE(unknown.err.find("did you mean 'a/a.glsl:half_of'?"), std::string::npos) << unknown.err;
+    EXPECT_EQ(unknown.out, "");
+    const CommandRun ulps = porttool({"difftest", "--source", "a/*", "--target", "b/*", "--ulps", "some"});
+    EXPECT_EQ(ulps.exit_code, 2);
+    const std::string path = std::getenv("PATH");
+    setenv("PATH", "/nowhere", 1);
+    const CommandRun none = porttool({"difftest", "--source", "a/*", "--target", "b/*"});
+    setenv("PATH", path.c_str(), 1);
+    EXPECT_EQ(none.exit_code, 2);
+    EXPECT_NE(none.err.find("no compiler"), std::string::npos) << none.err;
+}
+
+}  // namespace
+}  // namespace porttool::testing
