@@ -2,24 +2,37 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "porttool/read/source_files.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <deque>
+#include <limits>
 #include <map>
 #include <set>
 
 #include "porttool/language/language.h"
+#include "porttool/read/cannot_do.h"
 #include "porttool/read/ignore_rules.h"
+#include "porttool/text/sink/terminal.h"
 #include "porttool/text/utf8.h"
 
 namespace porttool {
 namespace {
 
+constexpr uint64_t kUnbounded = std::numeric_limits<uint64_t>::max();
+
+/// What to say of a tree that is no checkout.
+CannotDo too_much(const std::string& root, const std::string& what) {
+    return CannotDo(terminal_text(root) + ": more than " + what +
+                    " for the globs of the map; begin them with smaller folders, or name one by [sides] target_root");
+}
+
 /// Walks folders below a root, reading each .gitignore on the way. What lies below `own`, a folder that the user named
 /// and that need not lie beneath the root, is opened beneath that.
 class Walker {
 public:
-    Walker(const Disk& disk, const std::string& root, const std::string& own = "")
-        : disk_(disk), root_(root), own_(own) {}
+    Walker(const Disk& disk, const std::string& root, const std::string& own = "", size_t most_entries = kUnbounded)
+        : disk_(disk), root_(root), own_(own), most_entries_(most_entries) {}
 
     /// Calls `visit(path)` for each file below `folder` that is not ignored.
     template <class Visit>
@@ -35,6 +48,8 @@ public:
             for (const DirectoryEntry& entry : list.entries) {
                 const std::string path = at.empty() ? entry.name : at + "/" + entry.name;
                 if (entry.name == ".git") continue;
+                if (++entries_ > most_entries_)
+                    throw too_much(root_, fmt::format("{} files and folders", most_entries_));
                 if (rules.ignores(path, entry.is_directory)) {
                     ignored_some_ = true;
                     continue;
@@ -76,6 +91,7 @@ private:
 
     const Disk& disk_;
     std::string root_, own_;
+    size_t most_entries_, entries_ = 0;
     std::map<std::string, IgnoreRules> rules_;
     std::vector<SkippedFile> refused_;
     bool ignored_some_ = false;
@@ -85,13 +101,17 @@ private:
 /// wherever it leads.
 using FoundFiles = std::map<std::string, TreePath>;
 
-SourceSet read_all(const Disk& disk, const FoundFiles& found) {
+SourceSet read_all(const Disk& disk, const FoundFiles& found, const std::string& root = "",
+                   uint64_t most_bytes = kUnbounded) {
     SourceSet out;
+    uint64_t bytes = 0;
     for (const auto& [path, place] : found) {
         FileText file = {"", unreadable_name(path)};
         if (file.error.empty())
             file = place.root.empty() ? disk.read(place.path, kLargestSource) : disk.read(place, kLargestSource);
         if (file.error.empty()) file.error = unreadable_reason(file.bytes);
+        bytes += file.bytes.size();
+        if (bytes > most_bytes) throw too_much(root, fmt::format("{} bytes of sources", most_bytes));
         if (file.error.empty())
             out.files.push_back({path, std::move(file.bytes)});
         else
@@ -205,7 +225,8 @@ public:
         if (some_ignored && scope_.tracked)
             for (const std::string& file : scope_.tracked())
                 for (const Asked& asked : asked_) take_hidden(asked, file);
-        SourceSet out = read_all(disk_, found_);
+        const bool bounded = scope_.reach == Reach::Beneath;
+        SourceSet out = read_all(disk_, found_, root_, bounded ? scope_.most_bytes : kUnbounded);
         for (const auto& [own, walker] : walkers_) add_refused(out, walker);
         return out;
     }
@@ -233,7 +254,10 @@ private:
         const auto [files, fresh] = listed_.try_emplace(folder);
         if (!fresh) return files->second;
         const std::string own = scope_.reach == Reach::Anywhere && is_outside(folder) ? folder : "";
-        Walker& walker = walkers_.try_emplace(own, disk_, root_, own).first->second;
+        Walker& walker =
+            walkers_
+                .try_emplace(own, disk_, root_, own, scope_.reach == Reach::Beneath ? scope_.most_entries : kUnbounded)
+                .first->second;
         walker.walk(folder, [&](const std::string& file) { files->second.emplace(file, walker.place_of(file)); });
         return files->second;
     }

@@ -39,6 +39,11 @@ inline constexpr uint64_t kLargestSource = 16ull * 1024 * 1024;
 SourceSet read_paths(const Disk& disk, const std::string& root, const std::vector<std::string>& paths,
                      std::vector<std::string>& missing);
 
+/// Most files and folders that are looked through for a map's globs, and most bytes of sources that are read for them:
+/// far more than a checkout has, and little against a whole disk, which `target_root` could name.
+inline constexpr size_t kMostEntries = 1'000'000;
+inline constexpr uint64_t kMostSourceBytes = 1ull << 30;
+
 /// Where globs may lead: those of a map beneath the root, those that the user gave on the command line anywhere.
 enum class Reach : uint8_t { Beneath, Anywhere };
 
@@ -50,10 +55,13 @@ struct GlobScope {
     /// track: those that the map names, and, asked for only where something was ignored, those that git tracks.
     std::set<std::string> named = {};
     std::function<std::set<std::string>()> tracked = {};
+    /// Beyond these is an error; where globs may lead anywhere, the user has chosen.
+    size_t most_entries = kMostEntries;
+    uint64_t most_bytes = kMostSourceBytes;
 };
 
 /// Reads what matches the globs under `root`; a glob that matches nothing is reported in `unmatched`. What lies out of
-/// the root is skipped and named.
+/// the root is skipped and named. Throws CannotDo beyond the scope's bounds.
 SourceSet read_globs(const Disk& disk, const std::string& root, const std::vector<std::string>& globs,
                      std::vector<std::string>& unmatched, const GlobScope& scope = {});
 

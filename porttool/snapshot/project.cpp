@@ -41,6 +41,10 @@ void require_target_root(const Project& project, const Disk& disk) {
     if (named.empty()) return;
     const auto beneath = below(project.root, target_root(project));
     const bool refused = beneath && disk.kind({project.root, *beneath}) == FileKind::Other;
+    std::error_code error;
+    if (std::filesystem::weakly_canonical(target_root(project), error) == "/")
+        throw CannotDo("portmap.toml: target_root '" + terminal_text(named) +
+                       "' is the whole disk; name the folder of the other checkout itself");
     if (refused || passes_git_folder(target_root(project)))
         throw CannotDo(
             "portmap.toml: target_root '" + terminal_text(named) +

@@ -243,6 +243,17 @@ TEST_F(HostileChange, ATargetRootLeadsNeitherIntoGitNorOutBehindALinkAndElsewher
     EXPECT_EQ(porttool({"check"}).exit_code, 2);
     expect_harmless(false);
     git("checkout -q -f main && git -C '" + root.string() + "' clean -qfd");
+    // The whole disk is no checkout.
+    link("/", "disk");
+    for (const std::string& disk_root :
+         {std::string("/"), std::string("//"), std::string("../../../../../../../.."), "../" + here + "/disk"}) {
+        with_root(disk_root, "**", "etc/passwd:@file");
+        link("/", "disk");
+        const CommandRun got = porttool({"check"});
+        EXPECT_EQ(got.exit_code, 2) << disk_root;
+        EXPECT_EQ(std::count(got.err.begin(), got.err.end(), '\n'), 1) << got.err;
+        fs::remove(root / "disk");
+    }
     // Another checkout, or what says so: sources only.
     for (const char* name : {"notes.txt", "0123456789abcdef"}) {
         with_root(outside.string(), name, std::string(name) + ":@file");

@@ -6,6 +6,8 @@
 
 #include <filesystem>
 
+#include "porttool/read/cannot_do.h"
+
 namespace porttool::source_files_test {
 namespace {
 
@@ -39,6 +41,27 @@ TEST(SourceFiles, GlobsThatMatchNothingAreNamed) {
     EXPECT_TRUE(unmatched.empty());
     read_globs(disk, "/r", {"lib/*.cl"}, unmatched);
     EXPECT_EQ(unmatched, Names{"lib/*.cl"});
+}
+
+TEST(SourceFiles, MoreThanACheckoutHoldsIsRefused) {
+    MemoryDisk disk;
+    disk.files = {{"/r/a/1.cl", "12345"}, {"/r/a/2.cl", "12345"}, {"/r/a/c.txt", "x"}, {"/r/.git/d", "x"}};
+    const auto error_of = [&](size_t entries, uint64_t bytes, Reach reach = Reach::Beneath) -> std::string {
+        std::vector<std::string> unmatched;
+        GlobScope scope{reach};
+        scope.most_entries = entries;
+        scope.most_bytes = bytes;
+        try {
+            EXPECT_EQ(read_globs(disk, "/r", {"**"}, unmatched, scope).files.size(), 2u);
+            return "";
+        } catch (const CannotDo& problem) {
+            return problem.what();
+        }
+    };
+    EXPECT_EQ(error_of(4, 10), "");
+    EXPECT_TRUE(error_of(3, 10).starts_with("/r: more than 3 files and folders for the globs of the map"));
+    EXPECT_TRUE(error_of(4, 9).starts_with("/r: more than 9 bytes of sources for the globs of the map"));
+    EXPECT_EQ(error_of(1, 1, Reach::Anywhere), "") << "the user's own globs";
 }
 
 TEST(SourceFiles, WhatCannotBeReadIsSkippedWithItsReason) {
