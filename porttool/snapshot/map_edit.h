@@ -19,8 +19,12 @@ struct NewPair {
 /// The lines of portmap.toml that say so.
 std::string pair_text(const NewPair& pair);
 
-/// Takes the pairs into the project's map, and returns its text with them at its end; all else stays as it was written.
-/// Throws CannotDo where the text cannot be gone on with, as after `pair = [...]`.
+/// The text of a map with more pairs: each behind the one before it in the order of ids, so that git merges branches
+/// that add different ones; at the end where there are none, or where the map does not write them as we do.
+std::string map_with_pairs(const std::string& text, const MapFile& map, const std::vector<NewPair>& pairs);
+
+/// Takes the pairs into the project's map, and returns its text with them; all else stays as it was written. Throws
+/// CannotDo where the text cannot be gone on with, as after `pair = [...]`.
 std::string add_pairs(Project& project, const std::vector<NewPair>& pairs);
 
 /// Takes a pair out of the project's map, and returns its text without it. Throws CannotDo where the pair does not

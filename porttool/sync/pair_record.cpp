@@ -40,20 +40,18 @@ private:
 
 std::vector<FileToWrite> PairRecord::new_texts(const std::vector<FreshPair>& pairs) {
     Project project = without_files(checked_.project);
-    std::string map_text = project.map_text;
-    if (!map_text.empty() && map_text.back() != '\n') map_text += '\n';
+    std::vector<NewPair> named;
     std::vector<JudgedPair> judged;
     States states;
     for (const FreshPair& pair : pairs) {
-        map_text += pair_text({pair.source.id, pair.target.id});
+        named.push_back({pair.source.id, pair.target.id});
         JudgedPair one{{pair.source.id, pair.target.id}, {&pair.source, &pair.target}};
         one.changed = true;
         judged.push_back(one);
         states.source.emplace(pair.source.id, pair.source);
         states.target.emplace(pair.target.id, pair.target);
     }
-    if (!map_goes_on_) (void)add_pairs(project, {{pairs.front().source.id, pairs.front().target.id}});
-    map_goes_on_ = true;
+    const std::string map_text = add_pairs(project, named);
     const LockFile* stands =
         checked_.against_base ? (checked_.in_project ? &*checked_.in_project : nullptr) : &checked_.lock;
     KeptWrites kept(disk_);

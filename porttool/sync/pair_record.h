@@ -37,7 +37,6 @@ private:
 
     const CheckedProject& checked_;
     const Disk& disk_;
-    bool map_goes_on_ = false;  ///< a pair can stand at its end
 };
 
 }  // namespace porttool

@@ -205,6 +205,45 @@ TEST_F(MergedLock, TwentyBranchesThatAcceptTwentyPairsMergeInAnyOrder) {
     }
 }
 
+TEST_F(MergedLock, TwentyBranchesThatAddTwentyPairsMergeInAnyOrder) {
+    constexpr int kBranches = 20;
+    const auto add_file = [&](const std::string& name) {
+        const std::string text =
+            "float " + name + "(float x, float y) {\n    float sum = x * 0.5f;\n    return sum + y;\n}\n";
+        write("src/" + name + ".cu", "__device__ " + text);
+        write("port/" + name + ".cpp", text);
+    };
+    const auto name_of = [](int i, const char* more) { return "f" + std::to_string(100 + i) + more; };
+    for (int i = 0; i < kBranches; ++i) add_file(name_of(i, ""));
+    ASSERT_EQ(porttool({"init", "--source", "src/*", "--target", "port/*"}).exit_code, 0);
+    std::string map = read_text(root / "portmap.toml");
+    map.insert(map.rfind("\n[[pair]]", map.find("src/f105.cu")),
+               "\n# a remark\n\n[rules]\norphaned = \"error\"\n\n# of this pair");
+    write("portmap.toml", map);
+    commit("start");
+    for (int i = 0; i < kBranches; ++i) {
+        const std::string name = name_of(i, i == 0 ? "" : "x"), fresh = i == 0 ? "f099" : name;
+        git("checkout -q -b b" + std::to_string(i) + " main");
+        add_file(fresh);
+        ASSERT_EQ(porttool({"accept", "src/" + fresh + ".cu:" + fresh + "=port/" + fresh + ".cpp:" + fresh}).exit_code,
+                  0);
+        const std::string block = "\n[[pair]]\nsource = \"src/" + fresh + ".cu:" + fresh + "\"\ntarget = \"port/" +
+                                  fresh + ".cpp:" + fresh + "\"\n";
+        EXPECT_EQ(replaced(read_text(root / "portmap.toml"), block, ""), map) << "all else stays as it was written";
+        commit("branch " + std::to_string(i));
+    }
+    std::mt19937 random(3);
+    for (int round = 0; round < 2; ++round) {
+        std::vector<int> order(kBranches);
+        std::iota(order.begin(), order.end(), 0);
+        std::shuffle(order.begin(), order.end(), random);
+        git("checkout -q -B merged main");
+        for (const int i : order) git("merge -q --no-edit b" + std::to_string(i));
+        const auto got = json({"check", "--strict"});
+        EXPECT_EQ(got["summary"]["in_step"], 2 * kBranches) << got.dump(1);
+    }
+}
+
 TEST_F(MergedLock, BranchesWithNewUnitsMergeToo) {
     start(3);
     for (int i = 0; i < 6; ++i) {
