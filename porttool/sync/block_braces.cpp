@@ -50,6 +50,8 @@ private:
         return !side(at).words.is_added(clause(at).opens ? clause(at).end - 1 : clause(at).first);
     }
 
+    bool has_brace_in_source(size_t head) const { return !source_.words.is_added(source_.clauses[head].end - 1); }
+
     struct Content {
         size_t statements = 0, blocks = 0;  ///< an `if` with its `else` is one block
         bool any_new = false;
@@ -77,15 +79,18 @@ private:
 
     bool wanted(size_t head, size_t end) const {
         const Content content = content_of(head, end);
-        const bool written = has_brace(head), is_new = result_[head].is_new;
+        const size_t there = result_[head].is_new ? kNoClause : origin_[result_[head].clause];
+        // A block that ends elsewhere now is the source's, in its manner.
+        const bool remade = there != kNoClause && result_[end].is_new;
+        const bool written = remade ? has_brace_in_source(there) : has_brace(head);
+        const bool is_new = result_[head].is_new || remade;
         if (!is_new &&
             (written || !(content.any_new || result_[end].is_new || changed_.contains(result_[head].clause))))
             return written;
         if (content.statements == 1 && content.blocks == 0) return is_new && (style_ == 0 ? written : style_ > 0);
         if (content.statements > 0 || content.blocks != 1 || would_take_else(head, end)) return true;
         if (is_new) return written;
-        const size_t there = origin_[result_[head].clause];
-        return there == kNoClause || !source_.words.is_added(source_.clauses[there].end - 1);
+        return there == kNoClause || has_brace_in_source(there);
     }
 
     void write(size_t head, size_t end) {
@@ -94,7 +99,7 @@ private:
             if (result_[head].is_new)
                 (written ? out_.source_written : out_.source_hidden).insert(clause(head).end - 1);
             else
-                out_.opened.push_back(result_[head].clause);
+                (written ? out_.opened : out_.unopened).push_back(result_[head].clause);
         }
         if (written == has_brace(end)) return;
         if (result_[end].is_new)

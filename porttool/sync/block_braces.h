@@ -39,6 +39,7 @@ struct BlockBraces {
     std::set<size_t> source_written;  ///< braces of the source's normal form alone that the target gets
     std::set<size_t> source_hidden;   ///< braces that the source has and the target does not get
     std::vector<size_t> opened;       ///< heads of the target that get a brace
+    std::vector<size_t> unopened;     ///< heads of the target that lose theirs
     std::vector<size_t> closed;       ///< ends of blocks of the target that get one
     std::vector<size_t> dropped;      ///< ends of blocks of the target that lose it
 };

@@ -262,7 +262,9 @@ private:
                 {left.message, from == Side::Source ? here : else_where, from == Side::Source ? else_where : here});
         }
         for (const auto& [name, why] : unported)
-            if (const auto call = std::find(is.words.begin(), is.words.end(), name); call != is.words.end()) {
+            if (const auto call = std::find(is.words.begin(), is.words.end(), name);
+                call != is.words.end() && std::count(is.words.begin(), is.words.end(), name) !=
+                                              std::count(was.words.begin(), was.words.end(), name)) {
                 const uint32_t call_line = line_at(*file, is, static_cast<size_t>(call - is.words.begin()));
                 const uint32_t place = pair.unit[to]->start_line;
                 out.left.push_back({"it uses `" + name + "`, which came without a port; port that, too" +

@@ -63,6 +63,7 @@ public:
         for (const size_t clause : transplant_.removed) remove(clause);
         indent_moved();
         for (const size_t head : braces_.opened) open_block(head);
+        for (const size_t head : braces_.unopened) unopen_block(head);
         for (const size_t end : braces_.closed) close_block(end);
         for (const size_t end : braces_.dropped) remove(end);
         std::stable_sort(edits_.begin(), edits_.end(), [](const OrderedEdit& a, const OrderedEdit& b) {
@@ -445,6 +446,11 @@ private:
         const size_t last = placed_before(target_.clauses[head].end);
         if (last == kNone) return;
         put(end_of(last), end_of(last), brace_layout_ > 0 ? "\n" + new_indent(head) + "{" : " {");
+    }
+
+    void unopen_block(size_t head) {
+        const size_t brace = target_.clauses[head].end - 1, last = placed_before(brace);
+        if (last != kNone && !is_added(brace)) put(end_of(last), end_of(brace), "");
     }
 
     void close_block(size_t end) {

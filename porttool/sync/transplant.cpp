@@ -163,7 +163,7 @@ private:
                 ++out_.already;
                 return;
             }
-            if (there != kNothing && was == 0) return change_words(hunks, was, there);
+            if (there != kNothing && was == 0) return change_words(hunks, was, is, there);
             leave("the port has nothing that clearly stands for `" +
                       shown(texts_.before.words, before(was).first, before(was).end) + "`, which became `" +
                       shown(texts_.now.words, now(is).first, now(is).end) + "`",
@@ -175,14 +175,48 @@ private:
             ++out_.already;
             return;
         }
-        change_words(hunks, was, there);
+        change_words(hunks, was, is, there);
     }
 
     /// A clause is changed as a whole or not at all.
-    void change_words(const std::vector<Hunk>& hunks, size_t was, size_t there) {
+    void change_words(const std::vector<Hunk>& hunks, size_t was, size_t is, size_t there) {
         const size_t made = out_.replaced.size(), left = out_.left.size();
         for (const Hunk& hunk : hunks) change_run(hunk, was, there);
-        if (out_.left.size() > left) out_.replaced.resize(made);
+        if (out_.left.size() > left) return out_.replaced.resize(made);
+        // Where the target says the clause word for word it has to say the new one so, too.
+        const Clause& other = target(there);
+        if (out_.replaced.size() == made || was == 0 ||
+            !says(other.first, other.end, carry_old(before(was).first, before(was).end).words))
+            return;
+        const CarriedWords now_said = carry_new(now(is).first, now(is).end);
+        if (!now_said.unknown.empty() || result_of(other, made) == texts_of(now_said.words)) return;
+        out_.replaced.resize(made);
+        out_.replaced.push_back({target(there).first, target(there).end, now_said.words, now(is).first, now(is).end});
+    }
+
+    static std::vector<std::string> texts_of(const std::vector<CarriedWord>& words) {
+        std::vector<std::string> out;
+        for (const CarriedWord& word : words) out.push_back(word.text);
+        return out;
+    }
+
+    /// A clause of the target with what replaces words of it, from the `made`-th replacement on.
+    std::vector<std::string> result_of(const Clause& clause, size_t made) const {
+        std::vector<WordsReplaced> edits(out_.replaced.begin() + static_cast<std::ptrdiff_t>(made),
+                                         out_.replaced.end());
+        std::sort(edits.begin(), edits.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+        std::vector<std::string> out;
+        size_t at = clause.first;
+        const auto copy_to = [&](size_t end) {
+            for (; at < end; ++at) out.push_back(texts_.target.words[at]);
+        };
+        for (const WordsReplaced& edit : edits) {
+            copy_to(edit.first);
+            for (std::string& word : texts_of(edit.words)) out.push_back(std::move(word));
+            at = std::max(at, edit.end);
+        }
+        copy_to(clause.end);
+        return out;
     }
 
     std::vector<Hunk> hunks_of(const Clause& was, const Clause& is) const {
@@ -485,6 +519,8 @@ private:
             if (const std::string name = indexed_otherwise(clause.words); !name.empty())
                 return give_up("the port has `" + name + "` with other indices");
         if (!unknown.empty()) return give_up("nothing tells how the port says " + listed(unknown));
+        for (size_t c = first; c < end; ++c)
+            if (const auto from = moved_from(c)) moved_.insert(*from);
         out_.added.push_back({*place, std::move(clauses)});
     }
 
@@ -667,7 +703,8 @@ private:
                          place_now(was), target(there).first);
         if (!clause.closes) {
             const CarriedWords old = carry_old(clause.first, clause.end);
-            if (texts_.across.likeness[was] < 0.8 && !says(target(there).first, target(there).end, old.words, true)) {
+            if (texts_.across.likeness[was] < 0.8 && !moved_.contains(was) &&
+                !says(target(there).first, target(there).end, old.words, true)) {
                 leave("the source lost `" + shown(texts_.before.words, clause.first, clause.end) +
                           "`; whether the port's `" +
                           shown(texts_.target.words, target(there).first, target(there).end) +
@@ -692,6 +729,7 @@ private:
     std::vector<bool> doubtful_;   ///< heads of the source's old text
     std::set<size_t> held_;        ///< clauses of the source's old text whose successor is left
     std::set<size_t> stands_for_;  ///< clauses of the target that have a counterpart
+    std::set<size_t> moved_;       ///< clauses of the source's old text that stand elsewhere in its new one
     std::vector<size_t> origin_;   ///< of each clause of now, the one before
     std::vector<WordsReplaced> respelled_;
     Transplant out_;

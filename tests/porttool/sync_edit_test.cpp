@@ -664,5 +664,32 @@ TEST(SyncLayout, ABlockThatGoesLeavesItsStatementsOneLevelUp) {
                           "    r = b; // the nearer\n    a = r;\n"));
 }
 
+TEST(SyncEdit, AStatementThatMovedLeavesItsOldPlace) {
+    expect_ported({"k.cpp", "k.cu",
+                   "void f(Item item, float* out) {\n  out[0] = 1.0f;\n  const int i = item.get_global_id(0);\n  "
+                   "out[i] = 2.0f;\n}\n",
+                   "void f(Item item, float* out) {\n  const int i = item.get_global_id(0);\n  out[0] = 1.0f;\n  "
+                   "out[i] = 2.0f;\n}\n",
+                   "__global__ void f(float* out) {\n  out[0] = 1.0f;\n  const int i = blockDim.x * blockIdx.x + "
+                   "threadIdx.x;\n  out[i] = 2.0f;\n}\n",
+                   "__global__ void f(float* out) {\n  const int i = blockDim.x * blockIdx.x + threadIdx.x;\n  out[0] "
+                   "= 1.0f;\n  out[i] = 2.0f;\n}\n"});
+}
+
+TEST(SyncEdit, AStatementThatBecomesAnotherIsSaidAsAWhole) {
+    expect_ported({"k.cu", "k.hip",
+                   "void f(int n) {\n  std::unique_ptr<char[]> text(new char[n]);\n  read(text.get(), n);\n}\n",
+                   "void f(int n) {\n  auto text = std::make_unique<char[]>(n);\n  read(text.get(), n);\n}\n",
+                   "void f(int n) {\n  std::unique_ptr<char[]> text(new char[n]);\n  read(text.get(), n);\n}\n",
+                   "void f(int n) {\n  auto text = std::make_unique<char[]>(n);\n  read(text.get(), n);\n}\n"});
+}
+
+TEST(SyncLayout, ABlockThatBecomesAGuardLosesItsBraces) {
+    expect_written(picked("  if (a < b) {\n    r = b;\n    a = r;\n  }\n",
+                          "  if (a >= b) return r;\n  r = b;\n  a = r;\n",
+                          "    if (a < b) {\n        r = b;\n        a = r;\n    }\n",
+                          "    if (a >= b)\n        return r;\n    r = b;\n    a = r;\n"));
+}
+
 }  // namespace
 }  // namespace porttool::testing
