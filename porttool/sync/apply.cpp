@@ -13,12 +13,6 @@ constexpr const char* kNoneWritten = "; nothing was written";
 
 std::string shown(const TreePath& place) { return terminal_text(place.path); }
 
-/// True for a file that a link leads to: what git, and a trial in another work tree, know of it is the link.
-bool lies_behind_link(const TreePath& place, const Disk& disk) {
-    return disk.kind(place) != FileKind::None &&
-           !disk.read(TreePath{place.root, place.path, Links::None}, kLargestFile).error.empty();
-}
-
 /// Throws unless the file is what the proposals were made for, and may be written.
 void require_writable(const WrittenFile& file, const Disk& disk) {
     if (disk.is_read_only(file.place))
@@ -56,7 +50,7 @@ std::vector<WrittenFile> written_files(const ProposedFiles& files, const Project
 void require_no_links(const std::vector<WrittenFile>& files, const Disk& disk) {
     for (const WrittenFile& file : files)
         if (lies_behind_link(file.place, disk))
-            throw CannotDo(shown(file.place) + " is a link, or lies behind one" + kNoneWritten +
+            throw CannotDo(shown(file.place) + " " + kIsLinked + kNoneWritten +
                            ". Name the file itself in portmap.toml");
 }
 

@@ -168,6 +168,7 @@ void CallCarrier::edit_sites(const JudgedPair& pair, Side to, size_t old_count, 
         std::stable_sort(list.begin(), list.end(),
                          [](const TextEdit& a, const TextEdit& b) { return a.first < b.first; });
         Draft& draft = drafts_.of(to, *file);
+        if (draft.is_linked) continue;
         const std::optional<std::string> now = edit_file(draft.bytes, draft.scanned.lexed.text, list);
         if (!now) continue;
         ScannedFile scanned = scan_text(file->path, *now);

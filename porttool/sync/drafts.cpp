@@ -8,6 +8,11 @@
 
 namespace porttool {
 
+bool lies_behind_link(const TreePath& place, const Disk& disk) {
+    return disk.kind(place) != FileKind::None &&
+           !disk.read(TreePath{place.root, place.path, Links::None}, kLargestFile).error.empty();
+}
+
 const Unit* unit_named(const ScannedFile& file, const std::string& id) {
     for (const Unit& unit : file.units)
         if (unit_id(file, unit) == id) return &unit;
@@ -25,7 +30,8 @@ Draft& Drafts::of(Side side, const ScannedFile& file) {
     const std::string root = side == Side::Target ? target_root(checked_.project) : checked_.project.root;
     FileText read = disk_.read(TreePath{root, file.path}, kLargestSource);
     if (!read.error.empty()) throw CannotDo(terminal_text(file.path) + " " + read.error);
-    Draft draft{read.bytes, read.bytes, scan_text(file.path, read.bytes), place};
+    Draft draft{read.bytes, read.bytes, scan_text(file.path, read.bytes), place,
+                lies_behind_link({root, file.path}, disk_)};
     if (draft.scanned.lexed.text != file.lexed.text)
         throw CannotDo(terminal_text(file.path) +
                        " is not as it was judged: with --staged the index and the work tree differ\n"

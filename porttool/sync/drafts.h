@@ -29,7 +29,14 @@ struct Draft {
     std::string bytes, original;
     ScannedFile scanned;
     ProposedPlace place;
+    bool is_linked = false;  ///< a link, or behind one: read like any other file, and never written
 };
+
+/// What to say of such a file.
+inline constexpr const char* kIsLinked = "is a link, or lies behind one";
+
+/// True for a file that a link leads to: what git, and a trial in another work tree, know of it is the link.
+bool lies_behind_link(const TreePath& place, const Disk& disk);
 
 const Unit* unit_named(const ScannedFile& file, const std::string& id);
 

@@ -299,6 +299,7 @@ std::string NewUnits::possible_counterpart(const Wanted& wanted, const std::stri
 std::string NewUnits::write(const Wanted& wanted) {
     const Side from = wanted.from, to = other_side(from);
     Draft& draft = drafts_.of(to, wanted.other);
+    if (draft.is_linked) return "the file that its port would go to " + std::string(kIsLinked);
     std::vector<StandsFor> pairs;
     std::vector<std::pair<std::string, std::string>> alike;  // names
     const auto add = [&](const std::string& here, const std::string& there) {

@@ -207,6 +207,8 @@ private:
         const Unit* unit = file == nullptr ? nullptr : unit_named(*file, pair.unit[from]->id);
         if (unit == nullptr || other == nullptr) return refuse("a whole file is not carried");
         Draft& draft = drafts_.of(to, *other);
+        if (draft.is_linked)
+            return refuse("its file " + std::string(kIsLinked) + "; name the file itself in portmap.toml");
         const Unit* port = unit_named(draft.scanned, pair.unit[to]->id);
         if (port == nullptr) return refuse("an edit before this one in the same file has hidden the port");
 

@@ -215,16 +215,37 @@ TEST_F(SyncCommand, ApplyKeepsWhatNoCommitHolds) {
     EXPECT_EQ(port(), kOnePorted + "// a note\n");
 }
 
-TEST_F(SyncCommand, NothingIsWrittenOrTriedThroughALink) {
+TEST_F(SyncCommand, NothingIsProposedWrittenOrTriedThroughALink) {
     std::filesystem::create_directory(root / "real");
     std::filesystem::rename(root / "port/k.comp", root / "real/k.comp");
     std::filesystem::create_symlink("../real/k.comp", root / "port/k.comp");
     commit("a link");
     write("real/k.comp", kTwoPorts + "// a note that no commit has\n");
     edit_source();
-    for (const std::vector<std::string>& arguments :
-         {std::vector<std::string>{"--apply"}, {"--apply", "--force"}, {"--verify", "touch '" + cache.string() + "x'"}})
-        EXPECT_TRUE(holds(error_of(arguments), "port/k.comp is a link, or lies behind one")) << arguments[0];
+    const std::string before = port();
+    for (const std::vector<std::string>& arguments : {std::vector<std::string>{},
+                                                      {"--apply"},
+                                                      {"--apply", "--force"},
+                                                      {"--apply", "--partial"},
+                                                      {"--verify", "touch '" + cache.string() + "x'"}}) {
+        const nlohmann::json got = sync(arguments, 1);
+        ASSERT_EQ(got["proposals"].size(), 1u);
+        EXPECT_EQ(got["proposals"][0]["state"], "refused");
+        EXPECT_TRUE(got["proposals"][0]["patch"].is_null());
+        EXPECT_TRUE(holds(got["proposals"][0]["left"][0]["message"], "its file is a link, or lies behind one"));
+        EXPECT_TRUE(got["verified"].is_null());
+        EXPECT_EQ(port(), before);
+    }
+    // A folder that is a link.
+    std::filesystem::remove(root / "port/k.comp");
+    std::filesystem::create_directory_symlink("../real", root / "port/in");
+    write("portmap.toml",
+          "version = 1\n[sides]\nsource = [\"src/k.cu\"]\ntarget = [\"port/in/k.comp\"]\n[[pair]]\nsource = "
+          "\"src/k.cu:shade\"\ntarget = \"port/in/k.comp:shade\"\n");
+    write("src/k.cu", kTwoUnits);
+    ASSERT_EQ(porttool({"init", "--force"}).exit_code, 0);
+    edit_source();
+    EXPECT_EQ(sync({"--apply"}, 1)["proposals"][0]["state"], "refused");
     EXPECT_FALSE(std::filesystem::exists(cache.string() + "x"));
 }
 
