@@ -6,8 +6,13 @@
 #include <glslang/Public/ShaderLang.h>
 #include <glslang/SPIRV/GlslangToSpv.h>
 
+#include <new>
 #include <spirv-tools/optimizer.hpp>
 #include <sstream>
+
+#include "porttool/read/cannot_do.h"
+#include "porttool/spirv/compile_limit.h"
+#include "porttool/text/sink/terminal.h"
 
 namespace porttool {
 namespace {
@@ -123,9 +128,10 @@ std::vector<spvtools::Optimizer::PassToken> passes(Tokens&&... tokens) {
 
 bool spirv_is_built_in() { return true; }
 
-SpirvModule compile_to_spirv(const ShaderFiles& files, const std::string& entry,
-                             const std::vector<std::string>& include, const std::string& preamble) {
-    static const GlslangProcess process;
+namespace {
+
+SpirvModule compile_both_ways(const ShaderFiles& files, const std::string& entry,
+                              const std::vector<std::string>& include, const std::string& preamble) {
     using namespace spvtools;
     SpirvModule module;
     std::vector<uint32_t> words = compile(files, entry, include, preamble, glslang::EShClientVulkan, module.error);
@@ -144,6 +150,20 @@ SpirvModule compile_to_spirv(const ShaderFiles& files, const std::string& entry,
                       CreateSSARewritePass(), CreateAggressiveDCEPass(true), CreateDeadBranchElimPass(),
                       CreateAggressiveDCEPass(true), CreateEliminateDeadConstantPass(), CreateCompactIdsPass()));
     return module;
+}
+
+}  // namespace
+
+SpirvModule compile_to_spirv(const ShaderFiles& files, const std::string& entry,
+                             const std::vector<std::string>& include, const std::string& preamble) {
+    static const GlslangProcess process;
+    const CompileLimit limit(entry);
+    try {
+        return compile_both_ways(files, entry, include, preamble);
+    } catch (const std::bad_alloc&) {
+        throw CannotDo("--spirv: " + terminal_text(entry) +
+                       " takes more than 2 GiB of memory to compile; check without --spirv, or look what it does");
+    }
 }
 
 }  // namespace porttool

@@ -21,7 +21,8 @@ struct SpirvModule {
 bool spirv_is_built_in();
 
 /// Compiles an entry point (a path with a stage's suffix) for Vulkan, else for OpenGL. `preamble` is read right after
-/// its #version line; includes are found as find_include() says.
+/// its #version line; includes are found as find_include() says. Throws CannotDo for one that takes too much memory,
+/// and ends the process where one takes too long (CompileLimit).
 SpirvModule compile_to_spirv(const ShaderFiles& files, const std::string& entry,
                              const std::vector<std::string>& include, const std::string& preamble);
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "porttool/read/map_file.h"
+#include "porttool/spirv/compile_limit.h"
 #include "tests/porttool/fixtures.h"
 #include "tests/porttool/run_command.h"
 
@@ -242,6 +243,40 @@ TEST(OwnKernels, CompileForSpirv) {
             EXPECT_EQ(compile_to_spirv(get, path, map.map.shaders.include, preamble).error, "") << path;
     }
     EXPECT_EQ(kernels, 6);
+}
+
+/// Forty lines that ask for 2^39 times nothing.
+std::string endless_shader() {
+    std::string out = "#version 450\n#define A0\n";
+    for (int i = 1; i < 40; ++i) {
+        const std::string last = " A" + std::to_string(i - 1);
+        out += "#define A" + std::to_string(i) + last + last + "\n";
+    }
+    return out + "layout(set = 0, binding = 0) buffer B { float v[]; };\nvoid main() { A39 v[0] = 1.0; }\n";
+}
+
+TEST(CompileLimit, EndsTheProcessWhereACompilerDoesNotEnd) {
+    if (!spirv_is_built_in()) GTEST_SKIP() << "this build has no glslang";
+    const std::string text = endless_shader();
+    const ShaderFiles files = [&](const std::string&) { return &text; };
+    const auto run = [&] {
+        CompileLimit::most_time() = std::chrono::milliseconds(200);
+        compile_to_spirv(files, "s/\x1b[2Jk.comp", {}, "");
+    };
+    EXPECT_EXIT(run(), ::testing::ExitedWithCode(2),
+                "^porttool: --spirv: s/.u.1b.\\[2Jk.comp takes too much processor time");
+}
+
+TEST(CompileLimit, CountsTheTimeOfARunTogether) {
+    const auto run = [] {
+        CompileLimit::left_in_all() = std::chrono::milliseconds(100);
+        for (int i = 0; i < 100; ++i) {
+            const CompileLimit limit("k.comp");
+            const clock_t begin = clock();
+            while (clock() - begin < CLOCKS_PER_SEC / 50) continue;
+        }
+    };
+    EXPECT_EXIT(run(), ::testing::ExitedWithCode(2), "k.comp takes too much");
 }
 
 }  // namespace
