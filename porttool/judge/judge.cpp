@@ -50,9 +50,10 @@ public:
           source_(facts.source, named_units(facts, locks_, Side::Source), facts.base_text),
           target_(facts.target, named_units(facts, locks_, Side::Target), facts.base_text),
           pairs_(mapped_pairs()),
-          shared_ports_(facts, pairs_),
+          renamed_(renamed_names()),
+          shared_ports_(facts, renamed_, pairs_),
           findings_(facts.map),
-          pair_judge_(facts, findings_),
+          pair_judge_(facts, renamed_, findings_),
           verdicts_(facts, findings_) {
         if (facts.in_project != nullptr && facts.in_project != &facts.lock)
             in_project_.emplace(facts.map, *facts.in_project, facts.source, facts.target);
@@ -65,6 +66,7 @@ public:
         verdicts_.report_idle();
         report_unreadable();
         out_.findings = findings_.finish();
+        out_.renamed = renamed_;
         return std::move(out_);
     }
 
@@ -77,6 +79,15 @@ private:
                                pair.line,
                                {source_.find(pair.source), target_.find(target)},
                                locks_.find(pair.source, target)});
+        return out;
+    }
+
+    BySide<RenamedNames> renamed_names() const {
+        BySide<RenamedNames> out;
+        for (const MappedPair& pair : pairs_)
+            for (const Side side : kBothSides) out[side].note(pair.id[side], pair.units[side]);
+        out.source.drop_taken(facts_.source);
+        out.target.drop_taken(facts_.target);
         return out;
     }
 
@@ -176,6 +187,7 @@ private:
     LockIndex locks_;
     Resolver source_, target_;
     std::vector<MappedPair> pairs_;
+    BySide<RenamedNames> renamed_;
     SharedPorts shared_ports_;
     FindingList findings_;
     PairJudge pair_judge_;

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "porttool/judge/renamed_names.h"
 #include "porttool/normal/unit_state.h"
 #include "porttool/read/lock_file.h"
 #include "porttool/read/map_file.h"
@@ -112,6 +113,7 @@ struct Judgement {
     std::vector<JudgedPair> pairs;      ///< in the order of the map
     std::vector<LoneUnit> lone;         ///< by side, then id
     std::vector<BroughtIn> brought_in;  ///< where a base was given
+    BySide<RenamedNames> renamed;       ///< of units that pairs lead to
     GateResult result() const;          ///< by the worst finding that nothing settles
 };
 

@@ -58,8 +58,8 @@ void soften(JudgedPair& pair, Finding& finding, const std::string& same) {
 
 }  // namespace
 
-PairJudge::PairJudge(const Case& facts, FindingList& findings)
-    : facts_(facts), findings_(findings), dialect_(dialect_of_edits(facts.map)) {
+PairJudge::PairJudge(const Case& facts, const BySide<RenamedNames>& renamed, FindingList& findings)
+    : facts_(facts), renamed_(renamed), findings_(findings), dialect_(dialect_of_edits(facts.map)) {
     for (const SkippedFile& file : facts.skipped) unread_.emplace(file.file, file.reason);
 }
 
@@ -141,11 +141,11 @@ void PairJudge::report_moved(const JudgedPair& pair, Side side) {
 
 void PairJudge::compare(JudgedPair& pair, const LockedPair& lock) {
     const BySide<const Fingerprints*> recorded{&lock.source_prints, &lock.target_prints};
-    BySide<Change> changes;
+    BySide<Change> changes{};
     BySide<NormalText> before;
     for (const Side side : kBothSides) {
         changes[side] = classify(*recorded[side], pair.unit[side]->prints);
-        if (is_edit(changes[side])) before[side] = facts_.base_text(recorded[side]->written);
+        if (is_edit(changes[side])) before[side] = renamed_[side].updated(facts_.base_text(recorded[side]->written));
     }
     pair.changed = pair.equivalent = std::max(changes.source, changes.target) != Change::None;
     if (!is_edit(changes.source) && !is_edit(changes.target)) return;

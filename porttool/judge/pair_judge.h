@@ -17,7 +17,7 @@ namespace porttool {
 class PairJudge {
 public:
     /// Both must outlive it.
-    PairJudge(const Case& facts, FindingList& findings);
+    PairJudge(const Case& facts, const BySide<RenamedNames>& renamed, FindingList& findings);
 
     /// Judges the pair of the map whose ids lead to `units` and to that line of the lock; adds its findings.
     JudgedPair judge(const BySide<std::string>& id, int map_line, const BySide<Resolved>& units, const FoundLock& lock);
@@ -43,6 +43,7 @@ private:
     void report_both(const JudgedPair& pair, const PairComparison& found);
 
     const Case& facts_;
+    const BySide<RenamedNames>& renamed_;
     FindingList& findings_;
     Dialect dialect_;
     CompareBudget budget_;

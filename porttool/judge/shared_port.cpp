@@ -11,8 +11,8 @@ const std::string& recorded_print(const MappedPair& pair, Side side) {
 
 }  // namespace
 
-SharedPorts::SharedPorts(const Case& facts, const std::vector<MappedPair>& pairs)
-    : facts_(facts), side_(facts.map.reference == Reference::Target ? Side::Source : Side::Target) {
+SharedPorts::SharedPorts(const Case& facts, const BySide<RenamedNames>& renamed, const std::vector<MappedPair>& pairs)
+    : facts_(facts), renamed_(renamed), side_(facts.map.reference == Reference::Target ? Side::Source : Side::Target) {
     for (const MappedPair& pair : pairs)
         if (pair.units[side_].unit != nullptr && pair.lock.pair != nullptr)
             groups_[pair.units[side_].unit].pairs.push_back(&pair);
@@ -22,7 +22,7 @@ SharedPorts::SharedPorts(const Case& facts, const std::vector<MappedPair>& pairs
 bool SharedPorts::explains(const MappedPair& pair) const {
     if (pair.units[other(side_)].unit == nullptr) return false;
     FindingList unsaid(facts_.map);
-    const JudgedPair judged = PairJudge(facts_, unsaid).judge(pair.id, pair.map_line, pair.units, pair.lock);
+    const JudgedPair judged = PairJudge(facts_, renamed_, unsaid).judge(pair.id, pair.map_line, pair.units, pair.lock);
     const Side original = other(side_);
     const Fingerprints& then = original == Side::Source ? pair.lock.pair->source_prints : pair.lock.pair->target_prints;
     return judged.equivalent && is_edit(classify(then, pair.units[original].unit->prints));

@@ -22,7 +22,7 @@ struct MappedPair {
 class SharedPorts {
 public:
     /// All must outlive it.
-    SharedPorts(const Case& facts, const std::vector<MappedPair>& pairs);
+    SharedPorts(const Case& facts, const BySide<RenamedNames>& renamed, const std::vector<MappedPair>& pairs);
 
     /// What the finding that the port alone of a pair changed is worth.
     enum class Worth : uint8_t { Tell, Explained, Told };
@@ -42,6 +42,7 @@ private:
     bool explains(const MappedPair& pair) const;
 
     const Case& facts_;
+    const BySide<RenamedNames>& renamed_;
     Side side_;
     std::map<const UnitState*, Group> groups_;
 };

@@ -97,7 +97,7 @@ private:
         BySide<bool> edited{};
         for (const Side side : kBothSides) {
             edited[side] = is_edit(classify(*recorded[side], pair.unit[side]->prints));
-            before[side] = text_behind(checked_, recorded[side]->written);
+            before[side] = checked_.judgement.renamed[side].updated(text_behind(checked_, recorded[side]->written));
         }
         const PairComparison found = compare(pair, *line, before, pair.unit.source->text, pair.unit.source->prints,
                                              pair.unit.target->text, pair.unit.target->prints);

@@ -520,7 +520,7 @@ private:
                 return give_up("the port has `" + name + "` with other indices");
         if (!unknown.empty()) return give_up("nothing tells how the port says " + listed(unknown));
         for (size_t c = first; c < end; ++c)
-            if (const auto from = moved_from(c)) moved_.insert(*from);
+            if (const auto source = moved_from(c)) moved_.insert(*source);
         out_.added.push_back({*place, std::move(clauses)});
     }
 

@@ -555,5 +555,21 @@ TEST(TwoSidedEdit, APortThatMovedAndWasEditedIsNotGone) {
     EXPECT_EQ(orphaned, 1u) << "the map still names it";
 }
 
+TEST(TwoSidedEdit, WhoCallsARenamedUnitWasNotEdited) {
+    const std::string body = "(float a, float b) {\n    float c = a * b + a;\n    return c / b + a * c;\n}\n";
+    const std::string caller = "float use(float a) { return weigh(a, 2.0f) + a; }\n";
+    MemoryDisk disk;
+    disk.files = {{"/r/s/k.cu", "float weigh" + body + caller}, {"/r/t/k.cpp", "float weigh" + body + caller}};
+    ASSERT_EQ(run(disk, {"-C", "/r", "init", "--source", "s/*", "--target", "t/*"}).exit_code, 0);
+    disk.files["/r/s/k.cu"] = "float balance" + body + replaced(caller, "weigh", "balance");
+    EXPECT_EQ(rules_of(check(disk)), Names{}) << "the rename itself is a note";
+    // An edit beside it is told, and a name that another unit has now means something else.
+    disk.files["/r/s/k.cu"] = "float balance" + body + replaced(replaced(caller, "weigh", "balance"), "+ a", "- a");
+    EXPECT_EQ(rules_of(check(disk)), Names{"source-changed"});
+    disk.files["/r/s/k.cu"] =
+        "float balance" + body + "float weigh(float a, float b) { return a; }\n" + replaced(caller, "weigh", "balance");
+    EXPECT_NE(rules_of(check(disk)), Names{});
+}
+
 }  // namespace
 }  // namespace porttool::testing::two_sided_edit_test
