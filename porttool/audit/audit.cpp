@@ -9,6 +9,7 @@
 
 #include "porttool/audit/certainty.h"
 #include "porttool/audit/past_walk.h"
+#include "porttool/audit/port_patch.h"
 #include "porttool/audit/todays_pairs.h"
 #include "porttool/compare/paired_names.h"
 #include "porttool/snapshot/past.h"
@@ -30,6 +31,23 @@ Since since_of(const Past& past, const std::string& text) {
     const auto days = days_between("1970-01-01", text);
     if (!days) throw CannotDo("--since: " + text + " is no day of the calendar");
     return {"", int64_t{86400} * *days};
+}
+
+void add_words(const ScannedFile& file, const Dialect& dialect, WordsOfSide& out) {
+    std::unordered_set<std::string_view> written;
+    for (const Token& token : file.lexed.tokens)
+        if (token.kind == TokenKind::Identifier) written.insert(file.lexed.view(token));
+    for (const std::string_view word : written) out.insert(plain_word(std::string(word), dialect));
+}
+
+UsesOnSide uses_on(const std::vector<ScannedFile>& files, const Dialect& dialect) {
+    UsesOnSide out;
+    for (const ScannedFile& file : files) {
+        WordsOfSide words;
+        add_words(file, dialect, words);
+        for (const std::string& word : words) ++out[word];
+    }
+    return out;
 }
 
 /// The statements of whole files in the common vocabulary, each file read when it is asked for.
@@ -54,25 +72,25 @@ public:
         return &out;
     }
 
+    const WordsOfSide* words_of(const std::string& path) {
+        const auto known = words_.find(path);
+        if (known != words_.end()) return &known->second;
+        WordsOfSide& out = words_[path];
+        if (const auto file = files_.find(path); file != files_.end()) add_words(*file->second, dialect_, out);
+        return &out;
+    }
+
 private:
     const Dialect& dialect_;
+    std::map<std::string, WordsOfSide> words_;
     std::map<std::string, const ScannedFile*> files_;
     std::map<std::string, std::set<std::string>> known_;
 };
 
-WordsOfSide vocabulary_of(const std::vector<ScannedFile>& files, const Dialect& dialect) {
-    std::unordered_set<std::string_view> written;
-    for (const ScannedFile& file : files)
-        for (const Token& token : file.lexed.tokens)
-            if (token.kind == TokenKind::Identifier) written.insert(file.lexed.view(token));
-    WordsOfSide out;
-    for (const std::string_view word : written) out.insert(plain_word(std::string(word), dialect));
-    return out;
-}
-
 class Auditor {
 public:
-    Auditor(const AuditChoice& choice, Workplace& place) : choice_(choice), today_(todays_pairs(choice, place)) {}
+    Auditor(const AuditChoice& choice, Workplace& place)
+        : choice_(choice), place_(place), today_(todays_pairs(choice, place)) {}
 
     Audit run() {
         GitRepository git(today_.snapshot.project.root);
@@ -92,13 +110,31 @@ public:
         out.shallow = walked.cut;
         out.squashed = walked.steps.size() == 1 && walked.steps.front().parents == 0;
         std::vector<FoundEdit> found = read_pairs(lineages, dialect);
-        out.items = ranked(std::move(found), walked, today_, dialect);
+        out.items = ranked(std::move(found), walked, today_);
+        if (choice_.since.empty())
+            for (AuditItem& item : items_of_today(differing_, today_)) out.items.push_back(std::move(item));
+        std::stable_sort(out.items.begin(), out.items.end(),
+                         [](const AuditItem& a, const AuditItem& b) { return a.certainty > b.certainty; });
         out.found = out.items.size();
+        add_patches(out.items);
         if (out.items.size() > choice_.limit) out.items.resize(choice_.limit);
         return out;
     }
 
 private:
+    /// Of as many items as are shown; those that need no port, as `sync` says, go.
+    void add_patches(std::vector<AuditItem>& items) {
+        PortPatches patches(today_, place_.disk);
+        size_t kept = 0;
+        for (size_t i = 0; i < items.size(); ++i) {
+            const bool shown = kept < std::min(choice_.limit, kMostPatches);
+            if (shown && !patches.add_to(items[i])) continue;
+            if (kept != i) items[kept] = std::move(items[i]);
+            ++kept;
+        }
+        items.resize(kept);
+    }
+
     Lineages followed() const {
         Lineages out;
         for (const TodaysPair& pair : today_.pairs)
@@ -112,22 +148,28 @@ private:
     std::vector<FoundEdit> read_pairs(const Lineages& lineages, const Dialect& dialect) {
         FileStatements statements(today_.snapshot.project, dialect);
         const Project& project = today_.snapshot.project;
-        const BySide<WordsOfSide> words{vocabulary_of(project.source, dialect), vocabulary_of(project.target, dialect)};
+        const BySide<UsesOnSide> words{uses_on(project.source, dialect), uses_on(project.target, dialect)};
         std::vector<FoundEdit> out;
         for (size_t i = 0; i < today_.pairs.size(); ++i) {
             BySide<SideOfPair> pair;
             for (const Side side : kBothSides) {
                 const UnitState& unit = today_.unit(today_.pairs[i], side);
-                pair[side] = {&unit, &lineages.at(unit.id), statements.of(unit.file), &words[side]};
+                pair[side] = {&unit, &lineages.at(unit.id), statements.of(unit.file), statements.words_of(unit.file),
+                              &words[side]};
             }
             PairReading reading = read_pair(pair, dialect);
+            if (!reading.differs.empty()) differing_.push_back({i, reading.alike, std::move(reading.differs)});
             for (MissingEdit& edit : reading.missing) out.push_back({i, reading.alike, std::move(edit)});
         }
         return out;
     }
 
+    static constexpr size_t kMostPatches = 100;  ///< beyond, nobody reads them, and each takes a while
+
     const AuditChoice& choice_;
+    Workplace& place_;
     TodaysPairs today_;
+    std::vector<DifferingPair> differing_;
 };
 
 }  // namespace

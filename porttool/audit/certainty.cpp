@@ -7,30 +7,56 @@
 #include <map>
 
 #include "porttool/audit/message.h"
+#include "porttool/language/language.h"
+#include "porttool/normal/diff.h"
+#include "porttool/normal/statements.h"
 
 namespace porttool {
 namespace {
 
 std::string shown_statement(const WrittenStatement& statement) {
+    const std::vector<std::string> words = words_of_statement(statement);
+    const auto as_is = [](const Words& one, bool) { return std::vector<std::string>(one.begin(), one.end()); };
     std::string out;
-    for (const std::string& word : words_of_statement(statement)) (out.empty() ? out : out += ' ') += word;
+    for (const Statement& part : split_statements(Words(words.begin(), words.end()), as_is))
+        (out.empty() ? out : out += "; ") += part.shown;
     return out;
 }
 
-/// What stands in the place of what, for telling whether two edits are the same one.
-std::string shape_of(const FoundEdit& found) {
-    std::string out = found.edit.side == Side::Source ? "s" : "t";
-    for (const MissingPlace& place : found.edit.places) out += "\n" + place.before + "\n" + place.now;
-    return out;
+/// The words that a place lost and gained. Numbers say nothing without the commit that they belong to.
+std::string core_of(const MissingPlace& place, const std::string& commit) {
+    const std::vector<std::string> before = words_of_statement(place.before), now = words_of_statement(place.now);
+    std::string out;
+    bool names = false;
+    for (const DiffStep& step : diff(before, now)) {
+        if (step.kind == DiffStep::Keep) continue;
+        const std::string& word = step.kind == DiffStep::Add ? now[step.now] : before[step.before];
+        names = names || is_word_token(word);
+        out += (step.kind == DiffStep::Add ? " +" : " -") + word;
+    }
+    return names ? out : commit + out;
+}
+
+const MissingPlace& strongest(const MissingEdit& edit) {
+    return *std::max_element(edit.places.begin(), edit.places.end(),
+                             [](const MissingPlace& a, const MissingPlace& b) { return a.strength < b.strength; });
 }
 
 float strength_of(const MissingEdit& edit) {
-    float best = 0, rest = 0;
-    for (const MissingPlace& place : edit.places) {
-        best = std::max(best, place.strength);
-        rest += place.strength;
-    }
-    return std::min(1.0f, best + 0.05f * std::min(2.0f, rest - best));
+    float rest = -strongest(edit).strength;
+    for (const MissingPlace& place : edit.places) rest += place.strength;
+    return std::min(1.0f, strongest(edit).strength + 0.05f * std::min(2.0f, rest));
+}
+
+/// True for code that runs on a device, as far as a unit's own text and language tell.
+bool is_device_code(const UnitState& unit) {
+    const Language language = language_of_path(unit.file);
+    if (unit.kind == UnitKind::Kernel || traits_of(language).literals == Literals::Shading ||
+        language == Language::OpenCl || language == Language::Ispc)
+        return true;
+    for (size_t i = 0; i < unit.text.size() && unit.text[i] != "{"; ++i)
+        if (unit.text[i] == "__device__" || unit.text[i] == "__global__") return true;
+    return false;
 }
 
 struct Judged {
@@ -38,89 +64,156 @@ struct Judged {
     std::vector<std::string> why;
 };
 
-Judged judged(const FoundEdit& found, const WalkedPast& walked, const TodaysPairs& today) {
-    Judged out;
-    const GitStep& step = walked.steps[found.edit.commit];
-    const MessageSays says = read_message(step.message);
-    const TodaysPair& pair = today.pairs[found.pair];
-    double z = -3.0 + 5.0 * static_cast<double>(strength_of(found.edit));
-    if (says.fix) {
-        z += 1.3;
-        out.why.emplace_back("the commit message speaks of a fix");
-    } else if (says.manner || says.speed) {
-        z -= says.manner ? 0.8 : 1.0;
-        out.why.emplace_back(says.manner ? "the commit message speaks of looks or structure"
-                                         : "the commit message speaks of speed");
+/// Sums up what speaks for an edit and against it, as a logistic regression does.
+class Judge {
+public:
+    Judge(const WalkedPast& walked, const TodaysPairs& today) : walked_(walked), today_(today) {}
+
+    Judged of(const FoundEdit& found) {
+        out_ = {};
+        z_ = -3.0 + 5.0 * static_cast<double>(strength_of(found.edit));
+        weigh_message(walked_.steps[found.edit.commit].message);
+        weigh_places(found.edit.places);
+        weigh_commit(walked_.units[found.edit.commit]);
+        if (found.edit.both) {
+            z_ -= strongest(found.edit).kind == MissingPlace::Kind::Replaced ? 0.6 : 1.2;
+            out_.why.emplace_back("the commit edited both sides, and this did not come along");
+        }
+        weigh_pair(found);
+        out_.certainty = 1 / (1 + std::exp(-z_));
+        return std::move(out_);
     }
-    const auto replaced =
-        std::any_of(found.edit.places.begin(), found.edit.places.end(),
-                    [](const MissingPlace& place) { return place.kind == MissingPlace::Kind::Replaced; });
-    if (replaced) out.why.emplace_back("the text from before the edit still stands on the other side");
-    if (std::any_of(found.edit.places.begin(), found.edit.places.end(),
-                    [](const MissingPlace& place) { return place.constants_only; })) {
-        z += 0.4;
-        out.why.emplace_back("constants differ");
+
+private:
+    void weigh_message(const std::string& message) {
+        const MessageSays says = read_message(message);
+        if (says.fix) {
+            z_ += says.in_text ? 0.5 : 1.3;
+            out_.why.emplace_back("the commit message speaks of a fix");
+        } else if (says.manner) {
+            z_ -= 0.8;
+            out_.why.emplace_back("the commit message speaks of looks or structure");
+        } else if (says.speed) {
+            z_ -= 1.0;
+            out_.why.emplace_back("the commit message speaks of speed");
+        }
     }
-    const size_t places = found.edit.places.size();
-    if (places > 4) z -= std::min(1.5, 0.15 * static_cast<double>(places - 4));
-    const uint32_t units = walked.units[found.edit.commit];
-    if (units > 8) {
-        z -= std::min(2.5, 0.7 * std::log2(static_cast<double>(units) / 8));
-        out.why.push_back("the commit edited " + std::to_string(units) + " units");
+
+    void weigh_places(const std::vector<MissingPlace>& places) {
+        const auto any = [&](auto test) { return std::any_of(places.begin(), places.end(), test); };
+        if (any([](const MissingPlace& place) { return place.kind == MissingPlace::Kind::Replaced; }))
+            out_.why.emplace_back("the text from before the edit still stands on the other side");
+        if (any([](const MissingPlace& place) { return place.constants_only; })) {
+            z_ += 0.4;
+            out_.why.emplace_back("constants differ");
+        }
+        constexpr double kSmall = 4;  // places
+        const auto count = static_cast<double>(places.size());
+        if (count > kSmall) z_ -= std::min(1.5, 0.15 * (count - kSmall));
     }
-    z += 2.0 * (static_cast<double>(found.alike) - 0.4);
-    if (!pair.confirmed) z += 3 * (pair.score - 0.9);
-    out.certainty = 1 / (1 + std::exp(-z));
-    return out;
-}
+
+    void weigh_commit(uint32_t units) {
+        constexpr uint32_t kFew = 8;
+        if (units <= kFew) return;
+        z_ -= std::min(2.5, 0.7 * std::log2(static_cast<double>(units) / kFew));
+        out_.why.push_back("the commit edited " + std::to_string(units) + " units");
+    }
+
+    void weigh_pair(const FoundEdit& found) {
+        const TodaysPair& pair = today_.pairs[found.pair];
+        if (!is_device_code(today_.unit(pair, Side::Source)) && !is_device_code(today_.unit(pair, Side::Target)))
+            z_ -= today_.unit(pair, found.edit.side).name == "main" ? 1.5 : 0.4;
+        z_ += 2.0 * (static_cast<double>(found.alike) - 0.4);
+        if (!pair.confirmed) z_ += 3 * (pair.score - 0.9);
+    }
+
+    const WalkedPast& walked_;
+    const TodaysPairs& today_;
+    Judged out_;
+    double z_ = 0;
+};
 
 std::string summary_of(const MissingEdit& edit) {
-    const MissingPlace& place =
-        *std::max_element(edit.places.begin(), edit.places.end(),
-                          [](const MissingPlace& a, const MissingPlace& b) { return a.strength < b.strength; });
+    const MissingPlace& place = strongest(edit);
     const std::string other = edit.side == Side::Source ? "the target" : "the source";
+    const auto quoted_one = [](const WrittenStatement& statement) { return "`" + shown_statement(statement) + "`"; };
     switch (place.kind) {
         case MissingPlace::Kind::Replaced:
-            return other + " still has `" + shown_statement(place.there) + "` where `" + shown_statement(place.before) +
-                   "` became `" + shown_statement(place.now) + "`";
+            return other + " still has " + quoted_one(place.there) + " where " + quoted_one(place.before) + " became " +
+                   quoted_one(place.now);
         case MissingPlace::Kind::Added:
-            return other + " lacks `" + shown_statement(place.now) + "`";
+            return other + " lacks " + quoted_one(place.now);
         case MissingPlace::Kind::Removed:
-            return other + " still has `" + shown_statement(place.there) + "`, which went";
+            return other + " still has " + quoted_one(place.there) + ", which this side took away";
     }
     return "";
 }
 
+std::string remedy_for_pair(const TodaysPair& pair, const TodaysPairs& today) {
+    return std::string(today.snapshot.project.has_map ? "" : "porttool init, then ") + "porttool ignore '" +
+           pair.id.source + "=" + pair.id.target + "' --reason TEXT";
+}
+
+AuditItem item_of(FoundEdit found, Judged judgement, const WalkedPast& walked, const TodaysPairs& today) {
+    const TodaysPair& pair = today.pairs[found.pair];
+    AuditItem item;
+    item.id = pair.id;
+    for (const Side side : kBothSides) item.line[side] = today.unit(pair, side).start_line;
+    item.edited = found.edit.side;
+    item.commit = walked.steps[found.edit.commit].commit;
+    item.summary = summary_of(found.edit);
+    item.certainty = judgement.certainty;
+    item.why = std::move(judgement.why);
+    item.places = std::move(found.edit.places);
+    item.remedy = remedy_for_pair(pair, today);
+    return item;
+}
+
 }  // namespace
 
-std::vector<AuditItem> ranked(std::vector<FoundEdit> found, const WalkedPast& walked, const TodaysPairs& today,
-                              const Dialect&) {
-    std::map<std::pair<uint32_t, std::string>, size_t> folded;  // by commit and what was done: an item
+std::vector<AuditItem> items_of_today(const std::vector<DifferingPair>& differing, const TodaysPairs& today) {
+    constexpr double kMost = 0.3;  // nothing tells which side is right, or whether they were ever to be the same
     std::vector<AuditItem> out;
-    for (FoundEdit& one : found) {
-        const Judged judgement = judged(one, walked, today);
+    for (const DifferingPair& one : differing) {
         const TodaysPair& pair = today.pairs[one.pair];
-        const auto [known, is_new] = folded.try_emplace({one.edit.commit, shape_of(one)}, out.size());
-        if (!is_new) {
-            AuditItem& first = out[known->second];
-            first.same.emplace_back(pair.id.source, pair.id.target);
-            first.certainty = std::max(first.certainty, judgement.certainty);
-            continue;
-        }
         AuditItem item;
         item.id = pair.id;
         for (const Side side : kBothSides) item.line[side] = today.unit(pair, side).start_line;
-        item.edited = one.edit.side;
-        item.commit = walked.steps[one.edit.commit].commit;
-        item.summary = summary_of(one.edit);
-        item.certainty = judgement.certainty;
-        item.why = judgement.why;
-        item.places = std::move(one.edit.places);
-        item.remedy = "porttool ignore '" + pair.id.source + "=" + pair.id.target + "' --reason TEXT";
+        item.summary = "the source has `" + shown_statement(one.places.front().now) + "`, the target `" +
+                       shown_statement(one.places.front().there) + "`";
+        item.certainty = kMost * static_cast<double>(one.alike) * pair.score / static_cast<double>(one.places.size());
+        item.remedy = remedy_for_pair(pair, today);
+        item.places = one.places;
         out.push_back(std::move(item));
     }
     std::stable_sort(out.begin(), out.end(),
                      [](const AuditItem& a, const AuditItem& b) { return a.certainty > b.certainty; });
+    return out;
+}
+
+std::vector<AuditItem> ranked(std::vector<FoundEdit> found, const WalkedPast& walked, const TodaysPairs& today) {
+    Judge judge(walked, today);
+    std::vector<Judged> judgements;
+    std::vector<size_t> order;
+    for (const FoundEdit& one : found) {
+        order.push_back(judgements.size());
+        judgements.push_back(judge.of(one));
+    }
+    std::stable_sort(order.begin(), order.end(),
+                     [&](size_t a, size_t b) { return judgements[a].certainty > judgements[b].certainty; });
+    std::map<std::pair<Side, std::string>, size_t> folded;  // by side and what was done: an item
+    std::vector<AuditItem> out;
+    for (const size_t i : order) {
+        const MissingEdit& edit = found[i].edit;
+        const std::string core = core_of(strongest(edit), walked.steps[edit.commit].commit.id);
+        const auto [known, is_new] = folded.try_emplace({edit.side, core}, out.size());
+        if (is_new) {
+            out.push_back(item_of(std::move(found[i]), std::move(judgements[i]), walked, today));
+        } else {
+            const BySide<std::string>& id = today.pairs[found[i].pair].id;
+            out[known->second].same.emplace_back(id.source, id.target);
+        }
+    }
     return out;
 }
 

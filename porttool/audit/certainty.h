@@ -10,6 +10,13 @@
 
 namespace porttool {
 
+/// A pair that differs in few statements today.
+struct DifferingPair {
+    size_t pair = 0;  ///< in TodaysPairs
+    float alike = 0;
+    std::vector<MissingPlace> places;
+};
+
 /// What one commit did to one side of a pair and the other lacks.
 struct FoundEdit {
     size_t pair = 0;  ///< in TodaysPairs
@@ -17,8 +24,10 @@ struct FoundEdit {
     MissingEdit edit;
 };
 
+/// Items for pairs that differ today, without a commit that tells why; the least certain of all.
+std::vector<AuditItem> items_of_today(const std::vector<DifferingPair>& differing, const TodaysPairs& today);
+
 /// Makes items of them, the most certain first: one for each commit and edit, however many pairs lack it.
-std::vector<AuditItem> ranked(std::vector<FoundEdit> found, const WalkedPast& walked, const TodaysPairs& today,
-                              const Dialect& dialect);
+std::vector<AuditItem> ranked(std::vector<FoundEdit> found, const WalkedPast& walked, const TodaysPairs& today);
 
 }  // namespace porttool

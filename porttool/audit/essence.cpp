@@ -76,6 +76,8 @@ Text without_marks(const Text& words) {
     return out;
 }
 
+constexpr std::array<std::string_view, 9> kClocks = {"gettimeofday", "tvsec",  "tvusec",  "clock", "timer",
+                                                     "elapsed",      "chrono", "gettime", "profil"};
 constexpr std::array<std::string_view, 12> kAsides = {"print", "log",   "assert", "cout", "cerr",  "trace",
                                                       "debug", "debug", "error",  "warn", "throw", "abort"};
 
@@ -83,7 +85,7 @@ constexpr std::array<std::string_view, 12> kAsides = {"print", "log",   "assert"
 struct Matter {
     float known = 0, unknown = 0;
 
-    void add(const std::string& word, const WordsOfSide& there) {
+    void add(const std::string& word, const KnownThere& there) {
         constexpr std::string_view kBrackets = "()[]{},;.:#@=";
         if (is_number_token(word)) {
             known += 1;
@@ -91,7 +93,9 @@ struct Matter {
             const bool slight = word.size() == 1 && kBrackets.find(word[0]) != std::string_view::npos;
             if (!slight && word != "->" && word != "::") known += 1;
         } else if (!is_type_word(word) && word != "return") {
-            (there.contains(word) ? known : unknown) += 1;
+            const float degree = there.degree(word);
+            known += degree;
+            unknown += 1 - degree;
         }
     }
 };
@@ -126,7 +130,7 @@ std::string plain_word(const std::string& word, const Dialect& dialect) {
     return folded(word);
 }
 
-float substance_of(const Text& before, const Text& now, const WordsOfSide& there) {
+float substance_of(const Text& before, const Text& now, const KnownThere& there) {
     const Text old_value = value_of(before), new_value = value_of(now);
     std::vector<const std::string*> lost, gained;
     Matter matter;
@@ -154,19 +158,36 @@ Text essence_of(const Text& words, const Dialect& dialect) {
 }
 
 bool is_bare_declaration(const Text& written) {
-    size_t names = 0;
-    for (const std::string& word : written) {
-        if (word == "=" || word == "(" || word == "." || word == "->" || word == "++" || word == "--") return false;
+    if (written.empty() || written[0] == "return" || word_is(written[0], kGoesOn)) return false;
+    size_t names = 0, end = 0;  // of the words before the value
+    for (; end < written.size(); ++end) {
+        const std::string& word = written[end];
+        if (word == "=" || word == "(") break;
+        if (word == "." || word == "->" || word == "++" || word == "--" || word.ends_with("=")) return false;
         names += is_word_token(word) ? 1 : 0;
     }
-    return names > 1 && written[0] != "return" && !word_is(written[0], kGoesOn);
+    if (names < 2) return false;
+    if (end == written.size()) return true;
+    const std::string& name = written[end - 1];
+    bool numbers = true;
+    for (size_t i = end + 1; i < written.size(); ++i) {
+        if (i > end + 1 && written[i] == name) return true;
+        numbers = numbers && (!is_word_token(written[i]) || is_type_word(written[i]));
+    }
+    return numbers;
 }
 
 bool is_aside(const Text& words) {
     if (words.empty() || words[0] == "#" || words[0] == "return") return !words.empty() && words[0] == "#";
     const bool says = std::any_of(words.begin(), words.end(),
                                   [](const std::string& word) { return !word.empty() && word[0] == '"'; });
-    if (says) return true;
+    const bool measures = std::any_of(words.begin(), words.end(), [](const std::string& word) {
+        const std::string small = folded(word);
+        return is_word_token(word) && std::any_of(kClocks.begin(), kClocks.end(), [&](std::string_view clock) {
+                   return small.find(clock) != std::string::npos;
+               });
+    });
+    if (says || measures) return true;
     for (size_t i = 0; i < words.size() && i < 4; ++i) {
         std::string small = folded(words[i]);
         const bool calls = i + 1 < words.size() && (words[i + 1] == "(" || words[i + 1] == "<<" || words[i + 1] == "<");

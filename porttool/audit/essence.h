@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <string>
+#include <unordered_map>
 #include <unordered_set>
 #include <vector>
 
@@ -20,22 +22,44 @@ std::vector<std::string> essence_of(const std::vector<std::string>& words, const
 /// One word of it.
 std::string plain_word(const std::string& word, const Dialect& dialect);
 
-/// All words that one side writes, as plain_word() has them.
+/// Words as plain_word() has them.
 using WordsOfSide = std::unordered_set<std::string>;
+
+/// The same with the number of files that use each.
+using UsesOnSide = std::unordered_map<std::string, uint32_t>;
+
+/// How well a name fits into the unit that an edit may have to go to, 0 to 1. One that its side does not have may be
+/// new there, as the edit is, or a manner of the side that was edited: that one is used in many files.
+struct KnownThere {
+    const WordsOfSide *unit, *file;
+    const UsesOnSide *side, *other;  ///< of the side that the unit is on, and of the one that was edited
+
+    float degree(const std::string& word) const {
+        constexpr float kInFile = 0.9f, kOnSide = 0.5f, kNew = 0.45f;
+        constexpr uint32_t kFewFiles = 4;
+        if (unit->contains(word)) return 1;
+        if (file->contains(word)) return kInFile;
+        if (side->contains(word)) return kOnSide;
+        const auto uses = other->find(word);
+        return uses == other->end() || uses->second <= kFewFiles ? kNew : 0.0f;
+    }
+};
 
 /// What a statement gives: the right side of an assignment to a plain name, or what it returns; else all of it.
 std::vector<std::string> value_of(const std::vector<std::string>& words);
 
-/// What a change from one statement to another may matter to a side with this vocabulary, 0 to 1: numbers, operators
+/// What a change from one statement to another may matter there, 0 to 1: numbers, operators
 /// and names that are known there count, and are held against names that nobody there knows; types, brackets, another
 /// variable for the same value, and another way to it do not.
 float substance_of(const std::vector<std::string>& before, const std::vector<std::string>& now,
-                   const WordsOfSide& there);
+                   const KnownThere& there);
 
-/// True for variables that are declared and get no value.
+/// True for a variable that is declared without a value, with numbers alone, or as a short name for a member of its own
+/// name: `float3 n = p -> n`.
 bool is_bare_declaration(const std::vector<std::string>& written);
 
-/// True for a statement that speaks to people or to the build: it prints, logs, asserts, or is a preprocessor line.
+/// True for a statement that speaks to people or to the build: it prints, logs, asserts, measures time, or is a
+/// preprocessor line.
 bool is_aside(const std::vector<std::string>& words);
 
 }  // namespace porttool

@@ -14,6 +14,7 @@ UnitLineage::UnitLineage(std::vector<WrittenStatement> today) : today_(std::move
 }
 
 void UnitLineage::add(const UnitEdit& edit, uint32_t commit) {
+    if (edit.counts()) commits_.insert(commit);
     std::vector<std::pair<std::string, size_t>> older;  // not before all places are read: one may become another's text
     for (const EditedPlace& place : edit.places) {
         if (place.now.empty()) continue;
@@ -21,11 +22,11 @@ void UnitLineage::add(const UnitEdit& edit, uint32_t commit) {
         if (found == live_.end()) continue;
         const size_t line = found->second;
         live_.erase(found);
-        lines_[line].steps.push_back({commit, place.before, !edit.means_nothing && !place.renames});
+        lines_[line].steps.push_back({commit, place.before, !place.idle});
         if (!place.before.empty()) older.emplace_back(place.before, line);
     }
     for (const EditedPlace& place : edit.places)
-        if (place.now.empty() && !edit.means_nothing && !live_.contains(place.before))
+        if (place.now.empty() && !place.idle && !live_.contains(place.before))
             removed_.push_back({commit, place.before});
     for (auto& [text, line] : older) live_.emplace(std::move(text), line);
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <set>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -45,12 +46,15 @@ public:
     const std::vector<WrittenStatement>& today() const { return today_; }
     const std::vector<StatementLineage>& statements() const { return lines_; }
     const std::vector<RemovedStatement>& removed() const { return removed_; }
+    /// True if the commit edited the unit.
+    bool edited_in(uint32_t commit) const { return commits_.contains(commit); }
 
 private:
     std::vector<WrittenStatement> today_;
     std::vector<StatementLineage> lines_;
     std::unordered_multimap<std::string, size_t> live_;  ///< by what each was, as far back as the walk has come
     std::vector<RemovedStatement> removed_;
+    std::set<uint32_t> commits_;
 };
 
 }  // namespace porttool

@@ -26,10 +26,10 @@ constexpr std::array<std::string_view, 37> kFix = {
     "leak",      "broken",     "missing", "mistake",   "invalid",  "out of bound", "out-of-bound", "divi",
     "undefined", "uninitiali", "regress", "issue",     "artifact", "failure",      "should be",    "accura",
     "inf ",      "workaround", "oops",    "repair",    "segfault"};
-constexpr std::array<std::string_view, 25> kManner = {
-    "compil",   "build",    "support for", "port to", "refactor",   "cleanup",  "clean up",  "clean-up", "rename",
-    "reformat", "format",   "style",       "indent",  "whitespace", "license",  "copyright", "comment",  "warning",
-    "move",     "reorgani", "merge",       "sync",    "tidy",       "cosmetic", "simplif"};
+constexpr std::array<std::string_view, 27> kManner = {
+    "measure",  "profil",  "compil",   "build",    "support for", "port to", "refactor",   "cleanup",  "clean up",
+    "clean-up", "rename",  "reformat", "format",   "style",       "indent",  "whitespace", "license",  "copyright",
+    "comment",  "warning", "move",     "reorgani", "merge",       "sync",    "tidy",       "cosmetic", "simplif"};
 constexpr std::array<std::string_view, 14> kSpeed = {"optimi", "speed",     "perf",      "faster",   "unroll",
                                                      "tune",   "tuning",    "occupancy", "register", "vectori",
                                                      "cache",  "benchmark", "inline",    "latency"};
@@ -40,8 +40,8 @@ MessageSays read_message(std::string_view message) {
     std::string text(message);
     std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
     const std::string first = text.substr(0, text.find('\n'));
-    MessageSays out{speaks_of(first, kFix), speaks_of(first, kManner), speaks_of(first, kSpeed)};
-    if (!out.fix && !out.manner && !out.speed) out.fix = speaks_of(text, kFix);
+    MessageSays out{speaks_of(first, kFix), false, speaks_of(first, kManner), speaks_of(first, kSpeed)};
+    if (!out.fix && !out.manner && !out.speed) out.fix = out.in_text = speaks_of(text, kFix);
     return out;
 }
 

@@ -10,6 +10,7 @@
 #include "porttool/audit/likeness.h"
 #include "porttool/compare/meaning.h"
 #include "porttool/language/language.h"
+#include "porttool/language/words.h"
 #include "porttool/normal/locals.h"
 #include "porttool/normal/prelude.h"
 #include "porttool/normal/statements.h"
@@ -40,12 +41,25 @@ public:
 
     PairReading run() {
         PairReading out;
-        if (!has_past(Side::Source) && !has_past(Side::Target)) return out;
+        constexpr size_t kMostStatements = 300;  // of each side where nothing is known of the past
+        const bool has_any_past = has_past(Side::Source) || has_past(Side::Target);
+        for (const Side side : kBothSides)
+            if (!has_any_past && pair_[side].lineage->today().size() > kMostStatements) return out;
         read_meaning();
-        for (const Side side : kBothSides) read_side(side);
+        for (const Side side : kBothSides) {
+            own_names_[side] = locals_of(side);
+            read_side(side);
+        }
+        learn_parameters();
         learn_names();
+        for (const Side side : kBothSides) {
+            for (const auto& words : sides_[side].words) unit_words_[side].insert(words.begin(), words.end());
+            read_past(side);
+        }
         out.alike = alike();
-        for (const Side side : kBothSides) judge_side(side, out.missing);
+        if (has_any_past)
+            for (const Side side : kBothSides) judge_side(side, out.missing);
+        if (out.missing.empty()) out.differs = differences(out.alike);
         drop_what_the_other_undid(out.missing);
         return out;
     }
@@ -94,6 +108,42 @@ private:
         }
     }
 
+    void read_past(Side side) {
+        const UnitLineage& lineage = *pair_[side].lineage;
+        for (const StatementLineage& line : lineage.statements())
+            for (const LineageStep& step : line.steps)
+                if (!step.before.empty()) had_[side].insert(translated(step.before, side, true));
+        for (const RemovedStatement& one : lineage.removed()) had_[side].insert(translated(one.text, side, true));
+    }
+
+    /// True if the other side once had what stands here today: then that side has gone on from it.
+    bool other_had(Side side, size_t index) const { return had_[other(side)].contains(sides_[side].words[index]); }
+
+    /// The names in the parentheses of a unit's head, as translated() has them.
+    std::vector<std::string> parameters_of(Side side) const {
+        const Words& words = now_[side];
+        const std::vector<size_t> numbers = local_numbers(words);
+        std::vector<std::string> out;
+        for (size_t i = 0; i < numbers.size() && words[i] != "{"; ++i)
+            if (numbers[i] != 0) out.push_back(folded(words[i]));
+        return out;
+    }
+
+    /// Parameters stand for each other by their places where the sides are more alike so: `u0, u1` for `u1, u2`.
+    void learn_parameters() {
+        constexpr float kClearly = 0.1f;
+        const std::vector<std::string> here = parameters_of(Side::Source), there = parameters_of(Side::Target);
+        if (here.size() != there.size() || here == there) return;
+        const float before = alike();
+        for (size_t i = 0; i < here.size(); ++i) names_.target[there[i]] = here[i];
+        sides_.target = {};
+        read_side(Side::Target);
+        if (alike() >= before + kClearly) return;
+        names_.target.clear();
+        sides_.target = {};
+        read_side(Side::Target);
+    }
+
     /// Names that one side has and the other does not, where they stand in statements that are otherwise one: the
     /// target's word becomes the source's.
     void learn_names() {
@@ -105,7 +155,7 @@ private:
         std::set<std::string_view> in_source, in_target;
         for (const auto& words : source.words) in_source.insert(words.begin(), words.end());
         for (const auto& words : target.words) in_target.insert(words.begin(), words.end());
-        const std::set<std::string> own_source = locals_of(Side::Source), own_target = locals_of(Side::Target);
+        const std::set<std::string>&own_source = own_names_.source, &own_target = own_names_.target;
         std::map<std::string, std::map<std::string, size_t>> votes;
         for (size_t i = 0; i < target.words.size(); ++i) {
             const Nearest near = nearest(target.weighed[i], source.weighed);
@@ -167,10 +217,36 @@ private:
         return all > 0 ? common / all : 0;
     }
 
+    /// The statements that are not the same today, where they are few and the rest is.
+    std::vector<MissingPlace> differences(float alike_now) const {
+        constexpr float kNearTwins = 0.8f, kSameStatement = 0.7f;
+        constexpr size_t kFew = 3;
+        std::vector<MissingPlace> out;
+        const ReadSide &source = sides_.source, &target = sides_.target;
+        if (alike_now < kNearTwins && source.words.size() > 1) return out;
+        for (size_t i = source.words.size() > 1 ? 1 : 0; i < source.words.size(); ++i) {
+            const Nearest near = nearest(source.weighed[i], target.weighed);
+            if (!near.any || near.distance <= 0 || says_nothing(source.written[i])) continue;
+            if (1 - near.distance / (source.weighed[i].sum + target.weighed[near.index].sum) < kSameStatement) continue;
+            const float substance = substance_of(target.words[near.index], source.words[i], known_there(Side::Source));
+            if (substance < kSameStatement) continue;
+            MissingPlace place;
+            place.now = source.written[i];
+            place.there = target.written[near.index];
+            place.strength = substance;
+            out.push_back(std::move(place));
+        }
+        if (out.size() > kFew) out.clear();
+        return out;
+    }
+
     void judge_side(Side side, std::vector<MissingEdit>& out) {
         std::map<uint32_t, MissingEdit> by_commit;
         const auto note = [&](uint32_t commit, MissingPlace place) {
-            MissingEdit& edit = by_commit.try_emplace(commit, MissingEdit{side, commit, {}}).first->second;
+            MissingEdit& edit =
+                by_commit
+                    .try_emplace(commit, MissingEdit{side, commit, {}, pair_[other(side)].lineage->edited_in(commit)})
+                    .first->second;
             edit.places.push_back(std::move(place));
         };
         for (const StatementLineage& line : pair_[side].lineage->statements()) judge_line(side, line, note);
@@ -202,7 +278,7 @@ private:
         const auto& others = sides_[other(side)].weighed;
         const WeighedWords& now = sides_[side].weighed[line.index];
         const Nearest of_now = nearest(now, others);
-        if (!of_now.any || of_now.distance <= 0) return;
+        if (!of_now.any || of_now.distance <= 0 || other_had(side, line.index)) return;
         size_t best = line.steps.size();
         Nearest found;
         WeighedWords old_text;
@@ -236,8 +312,8 @@ private:
         place.before = line.steps[best].before;
         place.now = sides_[side].written[line.index];
         place.there = sides_[other(side)].written[found.index];
-        const float substance = substance_of(translated(place.before, side, true), sides_[side].words[line.index],
-                                             *pair_[other(side)].vocabulary);
+        const float substance =
+            substance_of(translated(place.before, side, true), sides_[side].words[line.index], known_there(side));
         place.strength = std::min(1.0f, (leaning - 0.3f) / 0.7f) * std::min(1.0f, (near - 0.3f) / 0.7f) *
                          told_by(old_text.sum) * substance;
         if (place.strength < kFaint) return;
@@ -261,6 +337,11 @@ private:
         return true;
     }
 
+    KnownThere known_there(Side side) const {
+        const SideOfPair& there = pair_[other(side)];
+        return {&unit_words_[other(side)], there.file_words, there.uses, pair_[side].uses};
+    }
+
     bool has_elsewhere(Side side, size_t index) const {
         const std::set<std::string>* there = pair_[other(side)].elsewhere;
         return there != nullptr && sides_[side].weighed[index].sum >= 3 &&
@@ -282,25 +363,41 @@ private:
         place.kind = MissingPlace::Kind::Added;
         place.now = sides_[side].written[line.index];
         place.strength = 0.8f * std::min(1.0f, (1 - there) / 0.6f) * known_names(side, line.index) *
-                         (0.35f + 0.65f * neighbours(side, line.index)) * told_by(now.sum);
+                         (0.35f + 0.65f * neighbours(side, line.index)) * told_by(now.sum) *
+                         lacks_words(side, line.index);
         if (place.strength < kFaint) return;
         note(born.commit, std::move(place));
     }
 
-    /// The share of a statement's names that the other side's unit has, too; those of other units count by half.
+    /// How well the other side's unit knows a statement's names.
     float known_names(Side side, size_t index) const {
-        std::set<std::string_view> there;
-        for (const auto& words : sides_[other(side)].words) there.insert(words.begin(), words.end());
+        const KnownThere there = known_there(side);
         float names = 0, known = 0;
         for (const std::string& word : sides_[side].words[index]) {
             if (!is_word_token(word)) continue;
             ++names;
-            if (there.contains(word))
-                known += 1;
-            else if (pair_[other(side)].vocabulary->contains(word))
-                known += 0.6f;
+            known += there.degree(word);
         }
         return names == 0 ? 0.5f : known / names;
+    }
+
+    /// 1 where the other side's unit uses some word of a statement less often than this one; less where it uses each as
+    /// often: then it may say the same in another way.
+    float lacks_words(Side side, size_t index) const {
+        constexpr float kSaidOtherwise = 0.4f, kNoWords = 0.7f;
+        const auto count = [&](Side where, const std::string& word) {
+            ptrdiff_t out = 0;
+            for (const auto& words : sides_[where].words) out += std::count(words.begin(), words.end(), word);
+            return out;
+        };
+        bool any = false;
+        for (const std::string& word : sides_[side].words[index]) {
+            const bool tells = is_number_token(word) || (is_word_token(word) && !own_names_[side].contains(word));
+            if (!tells || is_type_word(word)) continue;
+            any = true;
+            if (count(other(side), word) < count(side, word)) return 1;
+        }
+        return any ? kSaidOtherwise : kNoWords;
     }
 
     /// How well the statements around one are known to the other side, 0 to 1.
@@ -371,6 +468,9 @@ private:
     BySide<std::map<std::string, std::string>> names_;
     Weigher weigher_;
     BySide<ReadSide> sides_;
+    BySide<std::set<std::string>> own_names_;  ///< parameters and locals
+    BySide<WordsOfSide> unit_words_;
+    BySide<std::set<std::vector<std::string>>> had_;  ///< statements that a side had and has no more
 };
 
 }  // namespace

@@ -31,6 +31,7 @@ struct MissingEdit {
     Side side = Side::Source;  ///< that was edited
     uint32_t commit = 0;       ///< by its place in the walk
     std::vector<MissingPlace> places;
+    bool both = false;  ///< the commit edited the other side, too
 };
 
 /// A side of a pair: its unit as it is today, with what is known of its past.
@@ -38,11 +39,14 @@ struct SideOfPair {
     const UnitState* unit = nullptr;
     const UnitLineage* lineage = nullptr;
     const std::set<std::string>* elsewhere = nullptr;  ///< the statements of its file, as statement_key() has them
-    const WordsOfSide* vocabulary = nullptr;           ///< of the whole side
+    const WordsOfSide* file_words = nullptr;           ///< those that its file uses
+    const UsesOnSide* uses = nullptr;                  ///< of words on the whole side
 };
 
 struct PairReading {
     std::vector<MissingEdit> missing;
+    std::vector<MissingPlace>
+        differs;      ///< what few statements the two sides say otherwise today, with `now` the source's
     float alike = 0;  ///< share of the words that stand in statements that both sides have today
 };
 

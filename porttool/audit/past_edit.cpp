@@ -4,12 +4,13 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <unordered_map>
 
 #include "porttool/audit/likeness.h"
-#include "porttool/compare/lone_edit.h"
-#include "porttool/compare/renaming.h"
+#include "porttool/compare/plain_statement.h"
 #include "porttool/compare/statement_edit.h"
+#include "porttool/normal/locals.h"
 #include "porttool/normal/normal_form.h"
 #include "porttool/normal/prelude.h"
 
@@ -136,20 +137,54 @@ void drop_moved(std::vector<EditedPlace>& places) {
     });
 }
 
-/// Marks the places where nothing but names of locals changed.
-void mark_renames(UnitEdit& edit, const Words& before, const Words& now, const Dialect& dialect) {
-    const Words old_names = with_old_names(before, now, dialect);
-    std::unordered_map<std::string_view, std::string_view> name;
-    for (size_t i = 0; i < now.size() && i < old_names.size(); ++i)
-        if (now[i] != old_names[i]) name[now[i]] = old_names[i];
-    if (name.empty()) return;
-    for (EditedPlace& place : edit.places) {
-        if (place.before.empty() || place.now.empty()) continue;
+/// What locals are called now that had another name before: of words that took each other's place, those of which the
+/// text now has no old one, the text before no new one.
+class Renamed {
+public:
+    Renamed(const std::vector<EditedPlace>& places, const Words& before, const Words& now) {
+        std::unordered_map<std::string, std::string> all;
+        for (const EditedPlace& place : places) {
+            const std::vector<std::string> left = words_of_statement(place.before),
+                                           right = words_of_statement(place.now);
+            for (size_t i = 0; left.size() == right.size() && i < left.size(); ++i)
+                if (left[i] != right[i] && is_word_token(left[i]) && is_word_token(right[i])) all[right[i]] = left[i];
+        }
+        if (all.empty()) return;
+        const std::set<std::string_view> in_now(now.begin(), now.end()), in_before(before.begin(), before.end());
+        std::erase_if(all,
+                      [&](const auto& one) { return in_now.contains(one.second) || in_before.contains(one.first); });
+        if (all.empty()) return;
+        const std::vector<size_t> locals = local_numbers(before);
+        std::set<std::string_view> own;
+        for (size_t i = 0; i < locals.size(); ++i)
+            if (locals[i] != 0) own.insert(before[i]);
+        std::erase_if(all, [&](const auto& one) { return !own.contains(one.second); });
+        names_ = std::move(all);
+    }
+
+    bool is_all_of(const EditedPlace& place) const {
+        if (names_.empty() || place.before.empty() || place.now.empty()) return false;
         std::vector<std::string> words = words_of_statement(place.now);
         for (std::string& word : words)
-            if (const auto found = name.find(word); found != name.end()) word = found->second;
-        place.renames = written(words) == place.before;
+            if (const auto found = names_.find(word); found != names_.end()) word = found->second;
+        return written(words) == place.before;
     }
+
+private:
+    std::unordered_map<std::string, std::string> names_;  ///< by the new one
+};
+
+/// Marks the places where no value changed: another spelling, a qualifier, the names of locals.
+void mark_idle(UnitEdit& edit, const Words& before, const Words& now, UnitKind kind, Language language,
+               const Dialect& dialect) {
+    const PlainStatements plain(kind, language, dialect);
+    const Renamed renamed(edit.places, before, now);
+    const auto in_plain_words = [&](const WrittenStatement& statement) {
+        const std::vector<std::string> words = words_of_statement(statement);
+        return plain.translate(Words(words.begin(), words.end()), true);
+    };
+    for (EditedPlace& place : edit.places)
+        place.idle = renamed.is_all_of(place) || in_plain_words(place.before) == in_plain_words(place.now);
 }
 
 /// The tokens of a unit, without what stands in its holes, as one text to compare.
@@ -204,10 +239,9 @@ UnitEdit unit_edit(const NormalText& before, const NormalText& now, UnitKind kin
     const Words old_words = before.words(), new_words = now.words();
     const Words old_text = without_prelude(old_words), new_text = without_prelude(new_words);
     if (old_text == new_text) return out;
-    out.means_nothing = lone_edit(old_words, new_words, kind, language, dialect).means_nothing;
     out.places = places_of(statement_edit(old_text, new_text, as_written_words));
     drop_moved(out.places);
-    mark_renames(out, old_text, new_text, dialect);
+    mark_idle(out, old_text, new_text, kind, language, dialect);
     return out;
 }
 

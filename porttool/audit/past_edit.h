@@ -3,7 +3,7 @@
 // What a commit did to the units of a file, statement by statement.
 #pragma once
 
-#include <memory>
+#include <algorithm>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,13 +21,16 @@ std::vector<std::string> words_of_statement(const WrittenStatement& statement);
 /// What an edit did in one place of a unit: a statement came, went, or became another one.
 struct EditedPlace {
     WrittenStatement before, now;
-    bool renames = false;  ///< locals have other names now, and that is all
+    bool idle = false;  ///< no value changed: another spelling, or other names of locals
 };
 
 struct UnitEdit {
     std::string before_name, now_name;
-    bool means_nothing = false;  ///< it changes no value, and that is sure
     std::vector<EditedPlace> places;
+
+    bool counts() const {
+        return std::any_of(places.begin(), places.end(), [](const EditedPlace& place) { return !place.idle; });
+    }
 };
 
 /// A unit that only one of two versions of a file has.

@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "porttool/audit/todays_pairs.h"
 
+#include <algorithm>
+
 #include "porttool/match/match_sets.h"
+#include "porttool/snapshot/lock_store.h"
 #include "porttool/snapshot/past.h"
 #include "porttool/text/sink/terminal.h"
 
@@ -28,6 +31,18 @@ std::vector<TodaysPair> matched_pairs(const Project& project) {
     return out;
 }
 
+/// Takes out the pairs of which somebody has said `ignore`, for the texts that they have now.
+void drop_settled(TodaysPairs& today, const Disk& disk) {
+    const LockFile lock = load_lock(today.snapshot.project, disk, today.snapshot.states).lock;
+    std::erase_if(today.pairs, [&](const TodaysPair& pair) {
+        return std::any_of(lock.ledger.begin(), lock.ledger.end(), [&](const LedgerEntry& entry) {
+            return entry.verdict == Verdict::Ignore && entry.source == pair.id.source &&
+                   entry.target == pair.id.target &&
+                   entry.is_of(&today.unit(pair, Side::Source).prints, &today.unit(pair, Side::Target).prints);
+        });
+    });
+}
+
 }  // namespace
 
 TodaysPairs todays_pairs(const ProjectChoice& choice, Workplace& place) {
@@ -38,12 +53,14 @@ TodaysPairs todays_pairs(const ProjectChoice& choice, Workplace& place) {
     for (const SkippedFile& file : project.skipped)
         place.err << "skipped " << terminal_text(file.file) << ": " << terminal_text(file.reason) << "\n";
     out.pairs = project.map.pairs.empty() ? matched_pairs(project) : pairs_of_map(project.map);
+    const bool of_map = !project.map.pairs.empty();
     out.snapshot.states = read_states(project);  // not before: what the matcher needs is as large
     std::erase_if(out.pairs, [&](const TodaysPair& pair) {
         return !out.snapshot.states.source.contains(pair.id.source) ||
                !out.snapshot.states.target.contains(pair.id.target) || pair.id.source.ends_with(":@file") ||
                pair.id.target.ends_with(":@file");
     });
+    if (of_map && place.disk.exists(lock_path(project))) drop_settled(out, place.disk);
     return out;
 }
 

@@ -20,6 +20,12 @@ size_t most_items(const std::string& text) {
     return out;
 }
 
+std::string formatted_audit(const Audit& found, const std::string& format) {
+    if (format == "json") return audit_json(found);
+    if (format == "html") return audit_html(found);
+    return format == "markdown" ? audit_markdown(found) : audit_text(found);
+}
+
 }  // namespace
 
 void declare_audit(Declare& declare, Options& options) {
@@ -31,7 +37,7 @@ void declare_audit(Declare& declare, Options& options) {
 }
 
 Outcome run_audit(const Options& options, Workplace& place) {
-    require_format(options.format, {"text", "json"});
+    require_format(options.format, {"text", "json", "html", "markdown"});
     if (options.runs) throw CannotDo("--run: this build of porttool has no witnesses yet; leave it out");
     AuditChoice choice;
     static_cast<ProjectChoice&>(choice) = options;
@@ -43,7 +49,7 @@ Outcome run_audit(const Options& options, Workplace& place) {
                      "Fetch the rest: git fetch --unshallow\n";
     if (found.squashed && !options.quiet)
         place.err << "porttool: this history has a single commit; there are no edits of the past in it\n";
-    return {options.format == "json" ? audit_json(found) : audit_text(found), found.items.empty() ? 0 : 1};
+    return {formatted_audit(found, options.format), found.items.empty() ? 0 : 1};
 }
 
 }  // namespace porttool

@@ -4,27 +4,83 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "porttool/report/page.h"
 #include "porttool/text/date.h"
+#include "porttool/text/sink/html.h"
 #include "porttool/text/sink/json.h"
+#include "porttool/text/sink/markdown.h"
 #include "porttool/text/sink/terminal.h"
+#include "porttool/text/utf8.h"
 
 namespace porttool {
 namespace {
 
 using nlohmann::ordered_json;
+using Sink = std::string (*)(std::string_view);
 
-ordered_json patch_or_none(const std::string& text) {
-    return text.empty() ? ordered_json(nullptr) : ordered_json(text);
+constexpr size_t kShortId = 10;  // of a commit, for people
+
+ordered_json patch_or_none(const std::string& patch) {
+    return patch.empty() || !is_utf8(patch) ? ordered_json(nullptr) : ordered_json(patch);
 }
 
-std::string file_and_line(const AuditItem& item, Side side) {
+double shown_certainty(const AuditItem& item) {
+    constexpr double kThousand = 1000;
+    return std::round(item.certainty * kThousand) / kThousand;
+}
+
+/// Which of the two places has the edit.
+std::string place_of_unit(const AuditItem& item, Side side) {
     const std::string& id = item.id[side];
-    return fmt::format("{}:{} {}", terminal_text(id.substr(0, id.find(':'))), item.line[side],
-                       terminal_text(id.substr(id.find(':') + 1)));
+    const size_t cut = id.rfind(':', id.find("::") == std::string::npos ? id.size() : id.find("::") - 1);
+    return fmt::format("{}:{}, {}", id.substr(0, cut), item.line[side], id.substr(cut + 1));
 }
+
+std::string commit_of(const AuditItem& item) {
+    if (!item.commit) return "no commit of the past tells of it; the two sides differ today";
+    return fmt::format("{} of {}: {}", item.commit->id.substr(0, kShortId), day_of(item.commit->time),
+                       item.commit->subject);
+}
+
+std::string more_pairs(const AuditItem& item) {
+    return item.same.empty() ? "" : fmt::format("the same in {} more pairs", item.same.size());
+}
+
+std::string tail(const Audit& audit) {
+    return fmt::format("{} of {} items; {} pairs, {} commits read{}", audit.items.size(), audit.found, audit.pairs,
+                       audit.commits,
+                       audit.shallow ? "; a shallow clone: what its oldest commits did is not known" : "");
+}
+
+/// The lines of a patch, each through a sink.
+std::string patch_lines(std::string_view patch, std::string_view indent, Sink sink) {
+    std::string out;
+    for (size_t first = 0; first < patch.size();) {
+        const size_t next = std::min(patch.find('\n', first), patch.size());
+        std::string_view line = patch.substr(first, next - first);
+        if (line.ends_with('\r')) line.remove_suffix(1);
+        out += sink != nullptr ? std::string(indent) + sink(line) : terminal_code_line(indent, line);
+        out += '\n';
+        first = next + 1;
+    }
+    return out;
+}
+
+/// Backticks enough that none in the text ends the block.
+std::string fence_of(std::string_view text) {
+    size_t longest = 2, run = 0;
+    for (const char c : text) {
+        run = c == '`' ? run + 1 : 0;
+        longest = std::max(longest, run);
+    }
+    return std::string(longest + 1, '`');
+}
+
+std::string as_it_is(std::string_view text) { return std::string(text); }
 
 }  // namespace
 
@@ -33,17 +89,18 @@ std::string audit_json(const Audit& audit) {
     for (const AuditItem& item : audit.items) {
         ordered_json same = ordered_json::array();
         for (const auto& [source, target] : item.same) same.push_back({{"source", source}, {"target", target}});
+        const auto of_commit = [&](auto value) { return item.commit ? ordered_json(value()) : ordered_json(nullptr); };
         items.push_back({{"source", item.id.source},
                          {"target", item.id.target},
-                         {"commit", item.commit ? ordered_json(item.commit->id) : ordered_json(nullptr)},
-                         {"date", item.commit ? ordered_json(day_of(item.commit->time)) : ordered_json(nullptr)},
+                         {"commit", of_commit([&] { return item.commit->id; })},
+                         {"date", of_commit([&] { return day_of(item.commit->time); })},
                          {"summary", item.summary},
-                         {"certainty", std::round(item.certainty * 1000) / 1000},
+                         {"certainty", shown_certainty(item)},
                          {"patch", patch_or_none(item.patch)},
                          {"witness", nullptr},
                          {"remedy", item.remedy},
-                         {"subject", item.commit ? ordered_json(item.commit->subject) : ordered_json(nullptr)},
                          {"edited", item.edited == Side::Source ? "source" : "target"},
+                         {"subject", of_commit([&] { return item.commit->subject; })},
                          {"why", item.why},
                          {"same", std::move(same)}});
     }
@@ -56,18 +113,60 @@ std::string audit_text(const Audit& audit) {
     for (size_t i = 0; i < audit.items.size(); ++i) {
         const AuditItem& item = audit.items[i];
         out += fmt::format("{}. {:.0f} %  {}\n", i + 1, 100 * item.certainty, terminal_text(item.summary));
-        if (item.commit)
-            out += fmt::format("    {} {} {}\n", item.commit->id.substr(0, 10), day_of(item.commit->time),
-                               terminal_text(item.commit->subject));
-        const Side edited = item.edited;
-        out += fmt::format("    edited {}\n    other  {}\n", file_and_line(item, edited),
-                           file_and_line(item, other(edited)));
-        if (!item.same.empty()) out += fmt::format("    and {} more pairs alike\n", item.same.size());
-        for (const std::string& why : item.why) out += "    " + terminal_text(why) + "\n";
-        out += "    settle: " + terminal_text(item.remedy) + "\n";
+        const auto line = [&](const char* name, const std::string& text) {
+            if (!text.empty()) out += fmt::format("    {:<8}{}\n", name, terminal_text(text));
+        };
+        line("commit", commit_of(item));
+        line(item.commit ? "edited" : "source", place_of_unit(item, item.edited));
+        line(item.commit ? "other" : "target", place_of_unit(item, other(item.edited)));
+        line("also", more_pairs(item));
+        for (const std::string& why : item.why) line("why", why);
+        line("settle", item.remedy);
+        out += patch_lines(item.patch, "      ", nullptr);
     }
-    return out + fmt::format("{} of {} findings; {} pairs, {} commits read\n", audit.items.size(), audit.found,
-                             audit.pairs, audit.commits);
+    return out + tail(audit) + "\n";
+}
+
+std::string audit_markdown(const Audit& audit) {
+    std::string out = "# Audit of a port\n";
+    for (size_t i = 0; i < audit.items.size(); ++i) {
+        const AuditItem& item = audit.items[i];
+        out += fmt::format("\n{}. **{:.0f} %** {}\n", i + 1, 100 * item.certainty, markdown_cell(item.summary));
+        const auto line = [&](const char* name, const std::string& text) {
+            if (!text.empty()) out += fmt::format("   - {}: {}\n", name, markdown_text(text));
+        };
+        line("commit", commit_of(item));
+        line(item.commit ? "edited" : "source", place_of_unit(item, item.edited));
+        line(item.commit ? "other side" : "target", place_of_unit(item, other(item.edited)));
+        line("also", more_pairs(item));
+        for (const std::string& why : item.why) line("why", why);
+        out += "   - to settle it: " + markdown_code(item.remedy) + "\n";
+        if (item.patch.empty()) continue;
+        const std::string fence = fence_of(item.patch);
+        out += "\n   " + fence + "diff\n" + patch_lines(item.patch, "   ", as_it_is) + "   " + fence + "\n";
+    }
+    return out + "\n" + markdown_text(tail(audit)) + "\n";
+}
+
+std::string audit_html(const Audit& audit) {
+    std::string body = "<p class=\"fine\">" + html_text(tail(audit)) + "</p>\n";
+    for (size_t i = 0; i < audit.items.size(); ++i) {
+        const AuditItem& item = audit.items[i];
+        body += fmt::format("<section>\n<h2>{}. {:.0f}&nbsp;%</h2>\n<p><code>{}</code></p>\n", i + 1,
+                            100 * item.certainty, html_text(item.summary));
+        const auto line = [&](const char* name, const std::string& text) {
+            if (!text.empty()) body += fmt::format("<p><span class=\"fine\">{}</span> {}</p>\n", name, html_text(text));
+        };
+        line("commit", commit_of(item));
+        line(item.commit ? "edited" : "source", place_of_unit(item, item.edited));
+        line(item.commit ? "other side" : "target", place_of_unit(item, other(item.edited)));
+        line("also", more_pairs(item));
+        for (const std::string& why : item.why) line("why", why);
+        line("to settle it", item.remedy);
+        if (!item.patch.empty()) body += "<pre>" + patch_lines(item.patch, "", html_text) + "</pre>\n";
+        body += "</section>\n";
+    }
+    return filled_page("audit.html", {{"@STYLE@", page_file("history.css")}, {"@BODY@", body}});
 }
 
 }  // namespace porttool

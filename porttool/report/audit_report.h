@@ -10,5 +10,9 @@ namespace porttool {
 
 std::string audit_text(const Audit& audit);
 std::string audit_json(const Audit& audit);
+/// To paste into an issue.
+std::string audit_markdown(const Audit& audit);
+/// One self-contained page to read.
+std::string audit_html(const Audit& audit);
 
 }  // namespace porttool

@@ -221,6 +221,53 @@ TEST_F(Audit, AShallowCloneIsTold) {
     EXPECT_NE(got.err.find("git fetch --unshallow"), std::string::npos) << got.err;
 }
 
+TEST_F(Audit, ProposesThePort) {
+    change("gpu/shade.cu", "level < 0.001f", "level < 0.0001f");
+    commit("Fix dark surfaces", 2);
+    const auto found = items();
+    ASSERT_EQ(found.size(), 1);
+    ASSERT_TRUE(found[0]["patch"].is_string()) << found[0];
+    write("port.patch", found[0]["patch"]);
+    git("apply port.patch && rm port.patch");
+    std::stringstream text;
+    text << std::ifstream(root / "cpu/shade.cpp").rdbuf();
+    EXPECT_EQ(text.str(), replaced(kCppShade, "0.001f", "0.0001f"));
+}
+
+TEST_F(Audit, IgnoreSettlesAnItemForGood) {
+    git("rm -q --cached -r . && true");
+    ASSERT_EQ(porttool({"init", "--source", "gpu/*", "--target", "cpu/*"}).exit_code, 0);
+    change("gpu/shade.cu", "level < 0.001f", "level < 0.0001f");
+    commit("Fix dark surfaces", 2);
+    ASSERT_EQ(porttool({"audit"}).exit_code, 1);
+    ASSERT_EQ(porttool({"ignore", "gpu/shade.cu:shade=cpu/shade.cpp:shade", "--reason", "meant so"}).exit_code, 0);
+    EXPECT_EQ(porttool({"audit"}).exit_code, 0);
+}
+
+TEST_F(Audit, WithoutAPastOnlyWhatDiffersToday) {
+    change("gpu/shade.cu", "level < 0.001f", "level < 0.0001f");
+    git("add -A && git commit -q --amend -m All");
+    const CommandRun got = audit({"--format", "json"});
+    EXPECT_EQ(got.exit_code, 1);
+    EXPECT_NE(got.err.find("a single commit"), std::string::npos) << got.err;
+    const auto found = nlohmann::json::parse(got.out)["items"];
+    ASSERT_EQ(found.size(), 1);
+    EXPECT_TRUE(found[0]["commit"].is_null());
+    EXPECT_LT(found[0]["certainty"], 0.5);
+}
+
+TEST_F(Audit, PrintsForPeople) {
+    change("gpu/shade.cu", "level < 0.001f", "level < 0.0001f");
+    commit("Fix <b>dark</b> surfaces", 2);
+    for (const std::string format : {"html", "markdown", "text"}) {
+        const CommandRun got = audit({"--format", format});
+        EXPECT_EQ(got.exit_code, 1);
+        EXPECT_NE(got.out.find("gpu/shade.cu:1, shade"), std::string::npos) << got.out;
+        EXPECT_EQ(got.out.find("<b>dark</b>") != std::string::npos, format == "text") << got.out;
+    }
+    EXPECT_EQ(audit({"--format", "sarif"}).exit_code, 2);
+}
+
 TEST_F(Audit, SaysWhatItNeeds) {
     const CommandRun no_sides = porttool({"audit"});
     EXPECT_EQ(no_sides.exit_code, 2);
