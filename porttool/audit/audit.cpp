@@ -118,13 +118,14 @@ public:
         out.found = out.items.size();
         add_patches(out.items);
         if (out.items.size() > choice_.limit) out.items.resize(choice_.limit);
+        if (choice_.runs) add_witnesses(out.items);
         return out;
     }
 
 private:
     /// Of as many items as are shown; those that need no port, as `sync` says, go.
     void add_patches(std::vector<AuditItem>& items) {
-        PortPatches patches(today_, place_.disk);
+        PortPatches& patches = patches_.emplace(today_, place_.disk);
         size_t kept = 0;
         for (size_t i = 0; i < items.size(); ++i) {
             const bool shown = kept < std::min(choice_.limit, kMostPatches);
@@ -133,6 +134,27 @@ private:
             ++kept;
         }
         items.resize(kept);
+    }
+
+    /// Runs both sides of each item's pair. An input on which they differ makes an item more certain; that none was
+    /// found, less.
+    void add_witnesses(std::vector<AuditItem>& items) {
+        std::vector<PairIds> all, asked;
+        for (const TodaysPair& pair : today_.pairs) all.emplace_back(pair.id.source, pair.id.target);
+        for (const AuditItem& item : items) {
+            const PairIds pair{item.id.source, item.id.target};
+            const UnitKind kind = patches_->states().source.at(pair.first).kind;
+            if ((kind == UnitKind::Function || kind == UnitKind::Kernel) &&
+                std::find(asked.begin(), asked.end(), pair) == asked.end())
+                asked.push_back(pair);
+        }
+        if (asked.empty()) return;
+        const DifftestResult result = difftest(patches_->project(), all, asked, {}, place_.disk);
+        for (AuditItem& item : items)
+            for (const DifftestPair& ran : result.pairs)
+                if (ran.source == item.id.source && ran.target == item.id.target) take_witness(ran, item);
+        std::stable_sort(items.begin(), items.end(),
+                         [](const AuditItem& a, const AuditItem& b) { return a.certainty > b.certainty; });
     }
 
     Lineages followed() const {
@@ -170,6 +192,7 @@ private:
     Workplace& place_;
     TodaysPairs today_;
     std::vector<DifferingPair> differing_;
+    std::optional<PortPatches> patches_;
 };
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "porttool/audit/pair_reading.h"
+#include "porttool/difftest/difftest.h"
 #include "porttool/read/git_repository.h"
 #include "porttool/snapshot/project.h"
 
@@ -17,6 +18,7 @@ namespace porttool {
 struct AuditChoice : ProjectChoice {
     std::string since;  ///< a revision or a day; may be empty
     size_t limit = 20;
+    bool runs = false;  ///< runs both sides of the pairs that are listed: code of the repository
 };
 
 /// An edit of one side that today's other side lacks, or where there is no commit to name, a difference of today.
@@ -31,6 +33,7 @@ struct AuditItem {
     std::vector<std::string> why;                           ///< what speaks for it and against it
     std::vector<std::pair<std::string, std::string>> same;  ///< other pairs that lack the same edit
     std::string patch;                                      ///< "" for none
+    std::optional<Counterexample> witness;
     std::string remedy;
 };
 

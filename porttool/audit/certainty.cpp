@@ -171,6 +171,23 @@ AuditItem item_of(FoundEdit found, Judged judgement, const WalkedPast& walked, c
 
 }  // namespace
 
+void take_witness(const DifftestPair& ran, AuditItem& item) {
+    constexpr double kSeen = 3, kNotSeen = -2;  // what it adds, as logarithm of the odds
+    const auto weigh = [&](double more) {
+        const double odds = item.certainty / (1 - item.certainty) * std::exp(more);
+        item.certainty = odds / (1 + odds);
+    };
+    if (ran.state == DifftestState::NotRun) {
+        item.why.push_back("not run: " + ran.reason);
+    } else if (ran.counterexample) {
+        item.witness = ran.counterexample;
+        weigh(kSeen);
+    } else {
+        item.why.push_back("both sides gave the same for " + std::to_string(ran.inputs) + " inputs");
+        weigh(kNotSeen);
+    }
+}
+
 std::vector<AuditItem> items_of_today(const std::vector<DifferingPair>& differing, const TodaysPairs& today) {
     constexpr double kMost = 0.3;  // nothing tells which side is right, or whether they were ever to be the same
     std::vector<AuditItem> out;

@@ -27,6 +27,9 @@ struct FoundEdit {
 /// Items for pairs that differ today, without a commit that tells why; the least certain of all.
 std::vector<AuditItem> items_of_today(const std::vector<DifferingPair>& differing, const TodaysPairs& today);
 
+/// Takes in what running both sides has shown.
+void take_witness(const DifftestPair& ran, AuditItem& item);
+
 /// Makes items of them, the most certain first: one for each commit and edit, however many pairs lack it.
 std::vector<AuditItem> ranked(std::vector<FoundEdit> found, const WalkedPast& walked, const TodaysPairs& today);
 

@@ -20,6 +20,9 @@ public:
     /// `sync` says that no port is due.
     bool add_to(AuditItem& item);
 
+    const Project& project() const { return checked_.project; }
+    const States& states() const { return checked_.states; }
+
 private:
     CheckedProject checked_;
     const Disk& disk_;

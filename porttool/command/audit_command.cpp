@@ -33,15 +33,16 @@ void declare_audit(Declare& declare, Options& options) {
     declare.text("--since", options.since, "REV|DATE",
                  "Read only what came after this commit, or from this day (YYYY-MM-DD) on");
     declare.text("--limit", options.limit, "N", "Show at most so many items (20)");
-    declare.flag("--run", options.runs, "Add witnesses: inputs on which the two sides differ");
+    declare.flag("--run", options.runs,
+                 "Build and run both sides of what is listed, code of the repository: an input on which they differ");
 }
 
 Outcome run_audit(const Options& options, Workplace& place) {
     require_format(options.format, {"text", "json", "html", "markdown"});
-    if (options.runs) throw CannotDo("--run: this build of porttool has no witnesses yet; leave it out");
     AuditChoice choice;
     static_cast<ProjectChoice&>(choice) = options;
     choice.since = options.since;
+    choice.runs = options.runs;
     choice.limit = most_items(options.limit);
     const Audit found = audit(choice, place);
     if (found.shallow && !options.quiet)

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "porttool/report/difftest_report.h"
 #include "porttool/report/page.h"
 #include "porttool/text/date.h"
 #include "porttool/text/sink/html.h"
@@ -44,6 +45,10 @@ std::string commit_of(const AuditItem& item) {
     if (!item.commit) return "no commit of the past tells of it; the two sides differ today";
     return fmt::format("{} of {}: {}", item.commit->id.substr(0, kShortId), day_of(item.commit->time),
                        item.commit->subject);
+}
+
+std::string witness_of(const AuditItem& item) {
+    return item.witness ? "the two sides differ" + counterexample_text(*item.witness) : "";
 }
 
 std::string more_pairs(const AuditItem& item) {
@@ -97,7 +102,7 @@ std::string audit_json(const Audit& audit) {
                          {"summary", item.summary},
                          {"certainty", shown_certainty(item)},
                          {"patch", patch_or_none(item.patch)},
-                         {"witness", nullptr},
+                         {"witness", item.witness ? counterexample_json(*item.witness) : ordered_json(nullptr)},
                          {"remedy", item.remedy},
                          {"edited", item.edited == Side::Source ? "source" : "target"},
                          {"subject", of_commit([&] { return item.commit->subject; })},
@@ -119,6 +124,7 @@ std::string audit_text(const Audit& audit) {
         line("commit", commit_of(item));
         line(item.commit ? "edited" : "source", place_of_unit(item, item.edited));
         line(item.commit ? "other" : "target", place_of_unit(item, other(item.edited)));
+        line("witness", witness_of(item));
         line("also", more_pairs(item));
         for (const std::string& why : item.why) line("why", why);
         line("settle", item.remedy);
@@ -138,6 +144,7 @@ std::string audit_markdown(const Audit& audit) {
         line("commit", commit_of(item));
         line(item.commit ? "edited" : "source", place_of_unit(item, item.edited));
         line(item.commit ? "other side" : "target", place_of_unit(item, other(item.edited)));
+        line("witness", witness_of(item));
         line("also", more_pairs(item));
         for (const std::string& why : item.why) line("why", why);
         out += "   - to settle it: " + markdown_code(item.remedy) + "\n";
@@ -160,6 +167,7 @@ std::string audit_html(const Audit& audit) {
         line("commit", commit_of(item));
         line(item.commit ? "edited" : "source", place_of_unit(item, item.edited));
         line(item.commit ? "other side" : "target", place_of_unit(item, other(item.edited)));
+        line("witness", witness_of(item));
         line("also", more_pairs(item));
         for (const std::string& why : item.why) line("why", why);
         line("to settle it", item.remedy);

@@ -71,14 +71,7 @@ std::string difftest_table(const std::vector<DifftestPair>& pairs, bool verbose)
         const bool apart = pair.state == DifftestState::Same && pair.counterexample;
         if (pair.state != DifftestState::Differs && !apart) continue;
         out += terminal_text(pair.source) + " differs from " + terminal_text(pair.target);
-        if (pair.counterexample) {
-            const Counterexample& one = *pair.counterexample;
-            const std::string at = seen_inputs(one);
-            if (!at.empty()) out += " for " + at;
-            const std::string& where = one.results.source.path;
-            out += ": " + (where.empty() ? "" : terminal_text(where) + " is ") + seen_text(one.results.source) + ", " +
-                   seen_text(one.results.target);
-        }
+        if (pair.counterexample) out += counterexample_text(*pair.counterexample);
         out += fmt::format(" (compared {}{})\n", pair.tolerance == "bits" ? "to the bit" : "to " + pair.tolerance,
                            pair.reason.empty() ? "" : "; " + terminal_text(pair.reason));
     }
@@ -109,14 +102,7 @@ nlohmann::ordered_json pairs_json(const std::vector<DifftestPair>& pairs) {
         one["inputs"] = pair.inputs;
         one["tolerance"] = pair.tolerance;
         one["counterexample"] = nullptr;
-        if (pair.counterexample) {
-            nlohmann::ordered_json inputs = nlohmann::ordered_json::object();
-            for (const SeenNumber& input : pair.counterexample->inputs) inputs[input.path] = seen_json(input);
-            one["counterexample"] = {{"inputs", inputs},
-                                     {"output", pair.counterexample->results.source.path},
-                                     {"source", seen_json(pair.counterexample->results.source)},
-                                     {"target", seen_json(pair.counterexample->results.target)}};
-        }
+        if (pair.counterexample) one["counterexample"] = counterexample_json(*pair.counterexample);
         one["reason"] = pair.reason;
         out.push_back(std::move(one));
     }
@@ -124,6 +110,22 @@ nlohmann::ordered_json pairs_json(const std::vector<DifftestPair>& pairs) {
 }
 
 }  // namespace
+
+std::string counterexample_text(const Counterexample& one) {
+    const std::string at = seen_inputs(one);
+    const std::string& where = one.results.source.path;
+    return (at.empty() ? "" : " for " + at) + ": " + (where.empty() ? "" : terminal_text(where) + " is ") +
+           seen_text(one.results.source) + ", " + seen_text(one.results.target);
+}
+
+nlohmann::ordered_json counterexample_json(const Counterexample& one) {
+    nlohmann::ordered_json inputs = nlohmann::ordered_json::object();
+    for (const SeenNumber& input : one.inputs) inputs[input.path] = seen_json(input);
+    return {{"inputs", inputs},
+            {"output", one.results.source.path},
+            {"source", seen_json(one.results.source)},
+            {"target", seen_json(one.results.target)}};
+}
 
 std::string difftest_json(const std::vector<DifftestPair>& pairs) {
     return json_text({{"pairs", pairs_json(pairs)}}, 1) + "\n";

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,10 @@ std::string difftest_table(const std::vector<DifftestPair>& pairs, bool verbose)
 
 /// The same as JSON.
 std::string difftest_json(const std::vector<DifftestPair>& pairs);
+
+/// One input and both results, for a reader and for a program: ` for x = 1: 2, 3`.
+std::string counterexample_text(const Counterexample& one);
+nlohmann::ordered_json counterexample_json(const Counterexample& one);
 
 /// The pairs, and the prints of the texts that ran: what `check --evidence` reads.
 std::string difftest_evidence(const DifftestResult& result);

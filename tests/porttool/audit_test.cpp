@@ -268,12 +268,22 @@ TEST_F(Audit, PrintsForPeople) {
     EXPECT_EQ(audit({"--format", "sarif"}).exit_code, 2);
 }
 
+TEST_F(Audit, AWitnessIsAnInputOnWhichTheSidesDiffer) {
+    change("gpu/shade.cu", "level + 0.01f", "level + 0.02f");
+    commit("Fix the ambient term", 2);
+    const auto found = items({"--run"});
+    ASSERT_EQ(found.size(), 1);
+    const auto& witness = found[0]["witness"];
+    ASSERT_TRUE(witness.is_object()) << found[0];
+    EXPECT_TRUE(witness["inputs"].contains("cosine")) << witness;
+    EXPECT_NE(witness["source"], witness["target"]);
+    EXPECT_GT(found[0]["certainty"], items()[0]["certainty"]);
+}
+
 TEST_F(Audit, SaysWhatItNeeds) {
     const CommandRun no_sides = porttool({"audit"});
     EXPECT_EQ(no_sides.exit_code, 2);
     EXPECT_NE(no_sides.err.find("--source"), std::string::npos) << no_sides.err;
-    const CommandRun runs = audit({"--run"});
-    EXPECT_EQ(runs.exit_code, 2);
     const CommandRun limit = audit({"--limit", "none"});
     EXPECT_EQ(limit.exit_code, 2);
     EXPECT_NE(limit.err.find("--limit none"), std::string::npos) << limit.err;
