@@ -11,6 +11,7 @@
 
 #include "porttool/difftest/bounded_process.h"
 #include "porttool/difftest/prelude.h"
+#include "porttool/language/dialect.h"
 #include "porttool/read/cannot_do.h"
 
 namespace porttool {
@@ -72,6 +73,15 @@ std::map<int, std::string> errors_of(std::string_view output) {
     return out;
 }
 
+/// True for what tells a kernel which of its threads runs.
+bool is_of_launch(const std::string& name) {
+    static const Dialect dialect;
+    const std::string* const meaning = dialect.meaning(name);
+    return meaning != nullptr && (*meaning == "local_id" || *meaning == "group_id" || *meaning == "group_size" ||
+                                  *meaning == "group_count" || *meaning == "global_id" || *meaning == "barrier" ||
+                                  meaning->starts_with("atomic") || meaning->starts_with("shuffle"));
+}
+
 /// A compiler's message in plain words: the helper that is not known, or the message itself.
 std::string refusal_of(std::string message) {
     for (const std::string_view quote : {"\xe2\x80\x98", "\xe2\x80\x99"})
@@ -85,7 +95,11 @@ std::string refusal_of(std::string message) {
                          message.find("does not name a type") != std::string::npos ||
                          message.find("unknown type name") != std::string::npos ||
                          message.find("there are no arguments to") != std::string::npos;
-    if (unknown && close != std::string::npos) return "unknown helper " + message.substr(open + 1, close - open - 1);
+    if (unknown && close != std::string::npos) {
+        const std::string name = message.substr(open + 1, close - open - 1);
+        if (name == "porttool_subject") return "the preprocessor leaves it out";
+        return (is_of_launch(name) ? "binding " : "unknown helper ") + name;
+    }
     return "does not compile as C++: " + message;
 }
 

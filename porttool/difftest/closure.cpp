@@ -57,9 +57,9 @@ public:
             return;
         }
         ++open_;
-        Piece piece{&one, {}};
+        Piece piece{&one, {}, {}};
         if (one.kind == Definition::Kind::Struct) piece.left_out = unneeded(one);
-        follow(one, piece.left_out);
+        follow(one, piece.left_out, &piece.words);
         --open_;
         out.pieces.push_back(std::move(piece));
         if (one.kind == Definition::Kind::Struct) {
@@ -71,7 +71,8 @@ public:
     }
 
     /// Brings what stands in the text of a definition.
-    void follow(const Definition& one, const std::vector<TokenRange>& left_out) {
+    void follow(const Definition& one, const std::vector<TokenRange>& left_out,
+                std::set<std::string, std::less<>>* words = nullptr) {
         const LexedText& lexed = one.file->lexed;
         for (const uint32_t directive : one.conditions) {
             const Directive& line = lexed.directives[directive];
@@ -85,7 +86,7 @@ public:
             for (std::string& name : local_names(*one.file, *one.unit)) locals.insert(std::move(name));
         TokenRange range = one.tokens;
         if (stand_ins_.contains(&one)) range.end = one.unit->body.first;
-        names_in(one, range, left_out, locals);
+        names_in(one, range, left_out, locals, words);
     }
 
 private:
@@ -113,17 +114,16 @@ private:
             const bool is_operator = leaf.starts_with("operator");
             if (((constructs || is_operator) && !is_about_streams(*one.file, unit)) || members_.contains(leaf))
                 continue;
-            left_out.push_back(unit.tokens);
+            left_out.push_back({unit.tokens.first, end_of_function(one.file->lexed, unit)});
         }
         std::sort(left_out.begin(), left_out.end(), [](TokenRange a, TokenRange b) { return a.first < b.first; });
         return left_out;
     }
 
     void names_in(const Definition& one, TokenRange range, const std::vector<TokenRange>& left_out,
-                  const std::set<std::string, std::less<>>& locals) {
+                  const std::set<std::string, std::less<>>& locals, std::set<std::string, std::less<>>* words) {
         const LexedText& lexed = one.file->lexed;
         auto hole = left_out.begin();
-        std::string_view before;
         for (uint32_t i = range.first; i < range.end && out.missing.empty(); ++i) {
             while (hole != left_out.end() && hole->end <= i) ++hole;
             if (hole != left_out.end() && hole->first <= i) {
@@ -133,7 +133,7 @@ private:
             const Token& token = lexed.tokens[i];
             if (token.kind != TokenKind::Identifier || (token.flags & kDead) != 0) continue;
             const std::string_view word = lexed.view(token);
-            out.words.insert(std::string(word));
+            if (words != nullptr) words->insert(std::string(word));
             if (is_member_access(lexed, i) || (i > 0 && lexed.view(i - 1) == "::"))
                 seen_members.insert(std::string(word));
             if (is_member_access(lexed, i) || locals.contains(word) || word == "defined") continue;
@@ -168,7 +168,18 @@ Closure closure_of(const Definition& function, const Definitions& definitions,
         collector.follow(function, {});
         const size_t known = members.size();
         members.insert(collector.seen_members.begin(), collector.seen_members.end());
-        if (members.size() == known || round == kMostRounds || !collector.out.missing.empty()) return collector.out;
+        if (members.size() != known && round != kMostRounds && collector.out.missing.empty()) continue;
+        std::vector<const ScannedFile*> files;
+        for (const Piece& piece : collector.out.pieces) files.push_back(piece.definition->file);
+        files.push_back(function.file);
+        const ReadingOrder order = definitions.reading_order(files);
+        const auto place = [&](const Piece& piece) {
+            const ScannedFile& file = *piece.definition->file;
+            return order.place(file, file.lexed.tokens[piece.definition->tokens.first].offset);
+        };
+        std::stable_sort(collector.out.pieces.begin(), collector.out.pieces.end(),
+                         [&](const Piece& a, const Piece& b) { return place(a) < place(b); });
+        return collector.out;
     }
 }
 

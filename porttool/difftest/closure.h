@@ -14,6 +14,7 @@ namespace porttool {
 struct Piece {
     const Definition* definition = nullptr;
     std::vector<TokenRange> left_out;
+    std::set<std::string, std::less<>> words;  ///< every identifier in it
 };
 
 /// What must stand before a function so that it compiles by itself: what it names, what that names, and so on.

@@ -60,6 +60,25 @@ Language language_of(const ScannedFile& file, const CppManner& manner) {
     return shared && has_vector_types(manner.language) ? manner.language : file.language;
 }
 
+/// What stands for a word where floats become doubles; "" for the word itself.
+std::string widened(std::string_view word) {
+    if (word == "float" || word == "half") return "double";
+    if (word.size() == 6 && word.starts_with("float") && is_vector_type(word))
+        return "double" + std::string(word.substr(5));
+    if (word.starts_with("make_float") && word.size() == 11) return "make_double" + std::string(word.substr(10));
+    if (word.size() == 4 && (word.starts_with("vec") || word.starts_with("mat")) && is_vector_type(word))
+        return "d" + std::string(word);
+    // sinf, sin
+    if (word.size() > 2 && word.back() == 'f' && prelude_names().contains(word) &&
+        is_one_of_words(
+            word.substr(0, word.size() - 1),
+            {"sqrt", "sin",   "cos", "tan",  "asin",  "acos",  "atan",  "sinh",  "cosh",     "tanh",  "exp",
+             "exp2", "expm1", "log", "log2", "log10", "log1p", "floor", "ceil",  "trunc",    "round", "rint",
+             "fabs", "cbrt",  "erf", "pow",  "fmod",  "fmin",  "fmax",  "atan2", "copysign", "hypot"}))
+        return std::string(word.substr(0, word.size() - 1));
+    return {};
+}
+
 class Writer {
 public:
     Writer(const ScannedFile& file, const CppManner& manner)
@@ -102,8 +121,15 @@ private:
     std::string_view view(uint32_t i) const { return lexed_.view(i); }
 
     void append(std::string_view text, bool apart) {
-        if (apart && !out.empty() && out.back() != '\n') out += ' ';
+        if ((apart || left_out_) && !out.empty() && out.back() != '\n') out += ' ';
+        left_out_ = false;
         out += text;
+    }
+
+    /// Goes on after tokens that are not written.
+    uint32_t leave_out(uint32_t next) {
+        left_out_ = true;
+        return next;
     }
 
     void parameter(TokenRange range) {
@@ -155,7 +181,7 @@ private:
         }
         if (token.kind == TokenKind::Identifier) return identifier(i, end, word, apart);
         if (word == "::" && (i == 0 || lexed_.tokens[i - 1].kind != TokenKind::Identifier) && view(i - (i > 0)) != ">")
-            return i + 1;
+            return leave_out(i + 1);
         if (vectors_ && word == "(" && i + 3 < end && is_vector_type(view(i + 1)) && view(i + 2) == ")" &&
             view(i + 3) == "(") {
             append(view(i + 1), apart);
@@ -179,13 +205,17 @@ private:
             append(word, false);
             return i + 1;
         }
-        if (is_left_out(word, language_)) return i + 1;
+        if (is_left_out(word, language_)) return leave_out(i + 1);
+        if (word == "friend" && is_friend_class(i, end)) {
+            while (i < end && view(i) != ";") ++i;
+            return leave_out(i + 1);
+        }
         if (next == "::" && manner_.namespaces != nullptr &&
             (manner_.namespaces->contains(word) || is_one_of_words(word, {"sycl", "cl", "metal"})))
-            return i + 2;
+            return leave_out(i + 2);
         if (word == "using" && next == "namespace") {
             while (i < end && view(i) != ";") ++i;
-            return i + 1;
+            return leave_out(i + 1);
         }
         if (word == "__cplusplus" && shading_) {
             append("porttool_is_no_cplusplus", apart);
@@ -210,8 +240,15 @@ private:
             while (close < end && view(close) != "]") ++close;
             if (close + 1 < end && view(close + 1) == "(") return braced(close + 1, end);
         }
-        append(word, apart);
+        const std::string wide = manner_.widens ? widened(word) : std::string();
+        append(wide.empty() ? word : wide, apart);
         return i + 1;
+    }
+
+    /// True for `friend class X;`, which asks for a name and gives nothing that is needed here.
+    bool is_friend_class(uint32_t i, uint32_t end) const {
+        while (i < end && view(i) != ";" && view(i) != "(" && view(i) != "{") ++i;
+        return i < end && view(i) == ";";
     }
 
     /// Writes `( ... )` as `{ ... }`.
@@ -246,6 +283,7 @@ private:
     const CppManner& manner_;
     const Language language_;
     const bool shading_, vectors_;
+    bool left_out_ = false;
 };
 
 }  // namespace
@@ -271,7 +309,11 @@ std::string cpp_text(const Piece& piece, const CppManner& manner) {
         const bool renames = !manner.rename.empty();
         // Up to its name, its parameters, and what is left of its head.
         const uint32_t open = unit.parameters.first - 1;
-        writer.tokens({one.tokens.first, renames ? unit.name_token : open}, {});
+        uint32_t first = one.tokens.first;
+        // A specialisation, under a name that is no template's.
+        if (renames && lexed.view(first) == "template" && lexed.view(first + 1) == "<" && lexed.view(first + 2) == ">")
+            first += 3;
+        writer.tokens({first, renames ? unit.name_token : open}, {});
         if (renames) writer.out += " " + manner.rename;
         writer.out += "(";
         writer.parameters(unit.parameters);
@@ -285,6 +327,23 @@ std::string cpp_text(const Piece& piece, const CppManner& manner) {
     if (one.kind == Definition::Kind::Constant && writer.out.find(';') == std::string::npos) out += ";\n";
     for (uint32_t i = 0; i < one.open_conditions; ++i) out += "#endif\n";
     return out;
+}
+
+std::string prototype(const Definition& function, const CppManner& manner) {
+    const Unit& unit = *function.unit;
+    const LexedText& lexed = function.file->lexed;
+    if (unit.body.empty() || unit.parameters.first == 0 || !function.owner.empty()) return {};
+    for (uint32_t i = function.tokens.first; i < unit.body.first; ++i) {
+        const std::string_view word = lexed.view(i);
+        if (word == "template" || word == "=" || word == "operator" || (lexed.tokens[i].flags & kInDirective) != 0)
+            return {};
+    }
+    Writer writer(*function.file, manner);
+    writer.tokens({function.tokens.first, unit.parameters.first - 1}, {});
+    writer.out += "(";
+    writer.parameters(unit.parameters);
+    writer.tokens({unit.parameters.end, unit.body.first - 1}, {});
+    return writer.out + ";\n";
 }
 
 std::string undone(const Definition& definition) {

@@ -17,6 +17,7 @@ struct CppManner {
     const std::set<std::string, std::less<>>* fields = nullptr;      ///< of structs: no names of components
     Language language =
         Language::Unknown;                 ///< of the function that is run: a header that it shares with C++ is read so
+    bool widens = false;                   ///< floats become doubles, to tell rounding from a difference
     std::string rename;                    ///< what the function of the piece is called; "" for its own name
     std::optional<std::string> body = {};  ///< in the place of the function's own
 };
@@ -24,6 +25,9 @@ struct CppManner {
 /// The text of a definition as C++, whatever its language: without words that only device code has, with the
 /// components of vectors, literals and `out` parameters as C++ has them. Lines are kept apart where it has directives.
 std::string cpp_text(const Piece& piece, const CppManner& manner);
+
+/// The declaration of a function; "" where it has one that cannot stand apart: a template, or with a default.
+std::string prototype(const Definition& function, const CppManner& manner);
 
 /// The same of some tokens of a file.
 std::string cpp_text_of(const ScannedFile& file, TokenRange range, const CppManner& manner);

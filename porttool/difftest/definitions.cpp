@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "porttool/difftest/prelude.h"
+#include "porttool/normal/unit_state.h"
 #include "porttool/read/source_files.h"
 #include "porttool/scan/scan.h"
 #include "porttool/sync/includes.h"
@@ -109,6 +110,84 @@ Definition::Kind kind_of_unit(const LexedText& lexed, const Unit& unit) {
     return Definition::Kind::Constant;
 }
 
+/// True where something in the file may write to a variable.
+bool is_written_to(const ScannedFile& file, uint32_t declared) {
+    const LexedText& lexed = file.lexed;
+    const std::string_view name = lexed.view(declared);
+    auto unit = file.units.end();
+    bool has_own = false;  // the unit that is gone through has a local of that name
+    for (uint32_t i = 0; i + 1 < lexed.tokens.size(); ++i) {
+        if (lexed.view(i) != name) continue;
+        if (const auto around = std::find_if(
+                file.units.begin(), file.units.end(),
+                [&](const Unit& one) { return !one.body.empty() && one.tokens.first <= i && i < one.tokens.end; });
+            around != file.units.end() && around != unit) {
+            unit = around;
+            const std::vector<std::string> names = local_names(file, *unit);
+            has_own = std::find(names.begin(), names.end(), name) != names.end();
+        }
+        if (has_own && unit != file.units.end() && i < unit->tokens.end) continue;
+        if (i > 0 && (lexed.view(i - 1) == "++" || lexed.view(i - 1) == "--")) return true;
+        uint32_t next = i + 1;
+        for (int depth = 0; next < lexed.tokens.size(); ++next) {
+            if (lexed.view(next) == "[") ++depth;
+            if (lexed.view(next) == "]") --depth;
+            if (depth == 0 && lexed.view(next) != "]") break;
+        }
+        if (next >= lexed.tokens.size()) return false;
+        const std::string_view sign = lexed.view(next);
+        if (i == declared) continue;
+        if (sign == "++" || sign == "--" ||
+            (sign.size() >= 1 && sign.back() == '=' && sign != "==" && sign != "!=" && sign != "<=" && sign != ">="))
+            return true;
+    }
+    return false;
+}
+
+/// The whole of a table that has values and that nothing writes to, though it is not declared constant; empty for
+/// others.
+TokenRange table_of(const ScannedFile& file, const FileVariable& variable) {
+    const LexedText& lexed = file.lexed;
+    bool opened = false, own = false;  // nobody else sees a static one
+    for (uint32_t i = variable.tokens.first; i < variable.name_token; ++i) own = own || lexed.view(i) == "static";
+    int depth = 0;
+    for (uint32_t i = variable.name_token; i < lexed.tokens.size(); ++i) {
+        const std::string_view word = lexed.view(i);
+        if (word == "=" && depth == 0 && i + 1 < lexed.tokens.size() && (own || lexed.view(i + 1) == "{"))
+            opened = true;
+        if (word == "{") ++depth;
+        if (word == "}") --depth;
+        if ((word == ";" || word == "(") && depth == 0) {
+            if (!opened || word == "(" || is_written_to(file, variable.name_token)) return {};
+            return {variable.tokens.first, i + 1};
+        }
+    }
+    return {};
+}
+
+/// The statement of a table that begins to be named at `i`: `float NAME[3] = {1, 2, 3};`; empty for others.
+TokenRange table_at(const LexedText& lexed, uint32_t i) {
+    const auto count = static_cast<uint32_t>(lexed.tokens.size());
+    if (lexed.tokens[i].kind != TokenKind::Identifier || i + 1 >= count || lexed.view(i + 1) != "[") return {};
+    uint32_t at = i + 1;
+    for (int depth = 0; at < count; ++at) {
+        if (lexed.view(at) == "[") ++depth;
+        if (lexed.view(at) == "]") --depth;
+        if (depth == 0 && lexed.view(at) != "]") break;
+    }
+    if (at + 1 >= count || lexed.view(at) != "=" || lexed.view(at + 1) != "{") return {};
+    uint32_t first = i;
+    while (first > 0 && lexed.view(first - 1) != ";" && lexed.view(first - 1) != "}" && lexed.view(first - 1) != "{" &&
+           (lexed.tokens[first - 1].flags & kInDirective) == 0)
+        --first;
+    for (int depth = 0; at < count; ++at) {
+        if (lexed.view(at) == "{") ++depth;
+        if (lexed.view(at) == "}") --depth;
+        if (lexed.view(at) == ";" && depth == 0) return {first, at + 1};
+    }
+    return {};
+}
+
 /// The last part of a name, without `#2`.
 std::string bare_leaf(std::string_view name) {
     const std::string_view leaf = leaf_of(name);
@@ -116,6 +195,52 @@ std::string bare_leaf(std::string_view name) {
 }
 
 }  // namespace
+
+namespace {
+
+/// True where one of these functions takes the same parameters, as copies of a helper in several files do.
+bool is_known(const std::vector<const Definition*>& found, const Definition& one) {
+    if (one.kind != Definition::Kind::Function || one.unit == nullptr || !one.conditions.empty()) return false;
+    return std::any_of(found.begin(), found.end(), [&](const Definition* other) {
+        if (other->kind != one.kind || other->file == one.file || other->owner != one.owner) return false;
+        const TokenRange a = one.unit->parameters, b = other->unit->parameters;
+        if (a.end - a.first != b.end - b.first) return false;
+        for (uint32_t i = 0; i < a.end - a.first; ++i)
+            if (one.file->lexed.view(a.first + i) != other->file->lexed.view(b.first + i)) return false;
+        return true;
+    });
+}
+
+/// True for languages one of which may use what the other defines: a header of C++ and a source of CUDA.
+bool are_related(Language a, Language b) { return a == b || (!has_vector_types(a) && !has_vector_types(b)); }
+
+/// True where what was found may stand beside others: overloads, or macros of a condition that may not hold.
+bool goes_on(const std::vector<const Definition*>& found) {
+    return std::all_of(found.begin(), found.end(), [](const Definition* one) {
+        return one->kind == Definition::Kind::Function ||
+               (one->kind == Definition::Kind::Macro && !one->conditions.empty());
+    });
+}
+
+}  // namespace
+
+uint32_t end_of_function(const LexedText& lexed, const Unit& unit) {
+    const auto count = static_cast<uint32_t>(lexed.tokens.size());
+    int depth = 0, rounds = 0;
+    for (uint32_t i = unit.tokens.first; i < count; ++i) {
+        const std::string_view word = lexed.view(i);
+        if ((lexed.tokens[i].flags & (kOffStructure | kDead | kInDirective)) != 0) continue;
+        if (word == "(") ++rounds;
+        if (word == ")") --rounds;
+        if (word == "{" && rounds == 0) ++depth;
+        if (word == ";" && depth == 0 && rounds == 0) break;
+        if (word != "}" || rounds != 0 || --depth != 0) continue;
+        // `: x{1}, y{2} {`
+        const std::string_view next = i + 1 < count ? lexed.view(i + 1) : std::string_view();
+        if (next != "," && next != "{") return i + 1;
+    }
+    return unit.tokens.end;
+}
 
 void Definitions::add(Definition definition) {
     if (definition.name.empty()) return;
@@ -138,6 +263,8 @@ void Definitions::add_file(const ScannedFile& file) {
         Definition one{kind_of_unit(lexed, unit), &file, &unit, unit.tokens, bare_leaf(unit.name), {}, {}, 0};
         if (one.kind == Definition::Kind::Macro) continue;  // all directives are read below
         one.tokens = extent_of(file, unit).tokens;
+        if (one.kind == Definition::Kind::Function)
+            one.tokens.end = std::max(one.tokens.end, end_of_function(lexed, unit));
         taken.push_back(one.tokens);
         const std::string_view spaces = std::string_view(unit.name).substr(0, unit.namespace_length);
         for (size_t at = 0; at < spaces.size();) {
@@ -170,6 +297,12 @@ void Definitions::add_file(const ScannedFile& file) {
             continue;
         }
         const std::string_view word = lexed.view(i);
+        if (const TokenRange table = table_at(lexed, i); !table.empty()) {
+            if (!is_written_to(file, i))
+                add_with({Definition::Kind::Constant, &file, nullptr, table, std::string(word), {}, {}, 0});
+            i = table.end - 1;
+            continue;
+        }
         if (word != "typedef" && word != "using") continue;
         uint32_t end = i;
         while (end < lexed.tokens.size() && lexed.view(end) != ";") ++end;
@@ -181,7 +314,11 @@ void Definitions::add_file(const ScannedFile& file) {
     for (const FileVariable& variable : file.variables) {
         const std::string name(lexed.view(variable.name_token));
         if (variable.about != FileVariable::Declares || by_file_[&file].contains(name)) continue;
-        add_with({Definition::Kind::Variable, &file, nullptr, variable.tokens, name, {}, {}, 0});
+        const TokenRange whole = table_of(file, variable);
+        if (whole.empty())
+            add_with({Definition::Kind::Variable, &file, nullptr, variable.tokens, name, {}, {}, 0});
+        else
+            add_with({Definition::Kind::Constant, &file, nullptr, whole, name, {}, {}, 0});
     }
 }
 
@@ -226,18 +363,61 @@ const ScannedFile* Definitions::included(const ScannedFile& from, std::string_vi
     return nullptr;
 }
 
+const Definitions::Includes& Definitions::includes(const ScannedFile& file) const {
+    const auto [at, is_new] = includes_.try_emplace(&file);
+    if (!is_new) return at->second;
+    Includes out;
+    for (const IncludeLine& line : include_lines(file)) {
+        if (line.what.size() < 3) continue;
+        const ScannedFile* const other = included(file, std::string_view(line.what).substr(1, line.what.size() - 2));
+        if (other != nullptr) out.emplace_back(line.next, other);
+    }
+    return includes_[&file] = std::move(out);
+}
+
 const std::vector<const ScannedFile*>& Definitions::reached(const ScannedFile& from) const {
     const auto [at, is_new] = reached_.try_emplace(&from);
     if (!is_new) return at->second;
     std::vector<const ScannedFile*> out = {&from};
+    std::set<const ScannedFile*> seen = {&from};
     for (size_t i = 0; i < out.size(); ++i)
-        for (const IncludeLine& line : include_lines(*out[i])) {
-            if (line.what.size() < 3) continue;
-            const ScannedFile* const file =
-                included(*out[i], std::string_view(line.what).substr(1, line.what.size() - 2));
-            if (file != nullptr && std::find(out.begin(), out.end(), file) == out.end()) out.push_back(file);
+        for (const auto& [behind, file] : includes(*out[i]))
+            if (seen.insert(file).second) out.push_back(file);
+    return reached_[&from] = std::move(out);
+}
+
+std::pair<size_t, size_t> ReadingOrder::place(const ScannedFile& file, size_t offset) const {
+    const auto parts = parts_.find(&file);
+    if (parts == parts_.end()) return {0, offset};
+    const auto after = std::upper_bound(parts->second.begin(), parts->second.end(), offset,
+                                        [](size_t at, const auto& part) { return at < part.first; });
+    return {after == parts->second.begin() ? 0 : std::prev(after)->second, offset};
+}
+
+ReadingOrder Definitions::reading_order(const std::vector<const ScannedFile*>& files) const {
+    ReadingOrder out;
+    std::set<const ScannedFile*> entered;
+    std::vector<std::pair<const ScannedFile*, size_t>> open;
+    const auto enter = [&](const ScannedFile* file) {
+        if (!entered.insert(file).second) return;
+        out.add(*file, 0);
+        open.emplace_back(file, 0);
+    };
+    for (const ScannedFile* from : files) {
+        enter(from);
+        while (!open.empty()) {
+            const auto [file, next] = open.back();
+            const Includes& others = includes(*file);
+            if (next > 0) out.add(*file, others[next - 1].first);
+            if (next == others.size()) {
+                open.pop_back();
+                continue;
+            }
+            ++open.back().second;
+            enter(others[next].second);
         }
-    return at->second = out;
+    }
+    return out;
 }
 
 const std::vector<const Definition*>& Definitions::find(const ScannedFile& from, std::string_view name) const {
@@ -250,23 +430,27 @@ const std::vector<const Definition*>& Definitions::find(const ScannedFile& from,
         if (names == by_file_.end()) continue;
         if (const auto found = names->second.find(name); found != names->second.end()) {
             // Overloads of one name stand in several files as well: math.h and color.h.
-            if (at->second.empty() || found->second.front()->kind == Definition::Kind::Function)
-                at->second.insert(at->second.end(), found->second.begin(), found->second.end());
-            if (at->second.front()->kind != Definition::Kind::Function) break;
+            if (at->second.empty() || goes_on(at->second))
+                for (const Definition* one : found->second)
+                    if (!is_known(at->second, *one)) at->second.push_back(one);
+            if (!goes_on(at->second)) break;
         }
     }
-    if (!at->second.empty() || is_prelude_word(name)) return at->second;
+    const bool only_conditional =
+        !at->second.empty() && at->second.back()->kind == Definition::Kind::Macro && goes_on(at->second);
+    if ((!at->second.empty() && !only_conditional) || is_prelude_word(name)) return at->second;
     const auto other = everywhere_.find(name);
     if (other == everywhere_.end()) return at->second;
     const std::string folder = folder_of(from.path);
     const ScannedFile* best = nullptr;
     for (const Definition* one : other->second) {
-        if (one->kind == Definition::Kind::Variable || one->file->language != from.language) continue;
+        if (one->kind == Definition::Kind::Variable || !are_related(one->file->language, from.language)) continue;
+        if (only_conditional && one->kind == Definition::Kind::Macro) continue;
         if (best == nullptr || (folder_of(one->file->path) == folder && folder_of(best->path) != folder))
             best = one->file;
     }
     for (const Definition* one : other->second)
-        if (one->file == best) at->second.push_back(one);
+        if (one->file == best && !(only_conditional && one->kind == Definition::Kind::Macro)) at->second.push_back(one);
     return at->second;
 }
 

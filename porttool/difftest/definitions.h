@@ -28,6 +28,21 @@ struct Definition {
     uint32_t open_conditions = 0;      ///< how many `#endif` close them
 };
 
+/// Where a function ends: after the brace that closes its body.
+uint32_t end_of_function(const LexedText& lexed, const Unit& unit);
+
+/// Where the parts of files between their includes come in what a compiler reads.
+class ReadingOrder {
+public:
+    /// The part of a file from this byte on is read next.
+    void add(const ScannedFile& file, size_t from) { parts_[&file].emplace_back(from, ++count_); }
+    std::pair<size_t, size_t> place(const ScannedFile& file, size_t offset) const;
+
+private:
+    std::map<const ScannedFile*, std::vector<std::pair<size_t, size_t>>> parts_;
+    size_t count_ = 0;
+};
+
 /// What one side of a project defines, and which of it a file means by a name.
 class Definitions {
 public:
@@ -55,6 +70,9 @@ public:
     /// Names of namespaces, which are left out where the pieces stand in one.
     const std::set<std::string, std::less<>>& namespaces() const { return namespaces_; }
 
+    /// The order in which a compiler sees what stands in these files, where it reads them one after another.
+    ReadingOrder reading_order(const std::vector<const ScannedFile*>& files) const;
+
     /// Headers of the standard library that a file and those that it includes ask for.
     std::set<std::string> standard_headers(const ScannedFile& from) const;
 
@@ -63,6 +81,9 @@ private:
     void add_file(const ScannedFile& file);
     void add(Definition definition);
     /// The file and what it includes, the nearest first.
+    /// What a file includes, and behind which byte.
+    using Includes = std::vector<std::pair<size_t, const ScannedFile*>>;
+    const Includes& includes(const ScannedFile& file) const;
     const std::vector<const ScannedFile*>& reached(const ScannedFile& from) const;
     const ScannedFile* included(const ScannedFile& from, std::string_view what) const;
 
@@ -75,6 +96,7 @@ private:
     std::set<std::string, std::less<>> namespaces_;
     mutable std::deque<ScannedFile> read_;
     mutable std::map<std::string, const ScannedFile*> headers_;
+    mutable std::map<const ScannedFile*, Includes> includes_;
     mutable std::map<const ScannedFile*, std::vector<const ScannedFile*>> reached_;
     mutable std::map<std::pair<const ScannedFile*, std::string>, std::vector<const Definition*>> found_;
     const ScannedFile* preamble_ = nullptr;

@@ -15,6 +15,7 @@
 #include <map>
 #include <set>
 #include <thread>
+#include <utility>
 
 #include "porttool/difftest/bounded_process.h"
 #include "porttool/difftest/build.h"
@@ -161,6 +162,7 @@ struct PairWork {
     BySide<const Definition*> unit{nullptr, nullptr};
     BySide<Subject> subject;
     BySide<BuiltSide> built;
+    BySide<BuiltSide> wide;  ///< with doubles for floats, where that was needed
 };
 
 class Difftest {
@@ -209,6 +211,7 @@ public:
         in_parallel(pairs.size(), [&](size_t i) {
             if (pairs[i].reason.empty()) compare(i);
         });
+        if (settings_.ulps > 0) compare_with_wide();
     }
 
     /// The files that the pairs which ran were made from.
@@ -288,6 +291,43 @@ private:
             }
     }
 
+    /// Runs what differs once more beside both with doubles for floats, which tells rounding from a difference.
+    void compare_with_wide() {
+        std::vector<size_t> again;
+        for (size_t i = 0; i < pairs.size(); ++i)
+            if (pairs[i].state == DifftestState::Differs) again.push_back(i);
+        if (again.empty()) return;
+        in_parallel(2, [&](size_t which) { build_wide(kBothSides.at(which), again); });
+        in_parallel(again.size(), [&](size_t at) {
+            DifftestPair& pair = pairs[again[at]];
+            const DifftestPair before = std::exchange(pair, DifftestPair());
+            pair.source = before.source;
+            pair.target = before.target;
+            compare(again[at]);
+            if (pair.state == DifftestState::NotRun) pair = before;
+        });
+    }
+
+    void build_wide(Side side, const std::vector<size_t>& which) {
+        std::vector<ProgramPart> parts;
+        for (const size_t i : which)
+            parts.push_back(
+                {number_of(i, side),
+                 subject_text(work_[i].subject[side], number_of(i, side), definitions(side), stand_ins_[side], true),
+                 definitions(side).standard_headers(*work_[i].unit[side]->file)});
+        const BuiltParts built = build_parts(parts, workshop_, side == Side::Source ? "wide_source" : "wide_target");
+        std::map<std::string, std::map<int, Leaves>> listed;
+        for (const size_t i : which) {
+            const auto program = built.programs.find(number_of(i, side));
+            if (program == built.programs.end()) continue;
+            if (!listed.contains(program->second)) listed[program->second] = list(program->second);
+            BuiltSide& wide = work_[i].wide[side];
+            wide = {program->second, program->first, listed[program->second][program->first]};
+            const Leaves& narrow = work_[i].built[side].leaves;
+            if (wide.leaves.in.size() != narrow.in.size() || wide.leaves.out.size() != narrow.out.size()) wide = {};
+        }
+    }
+
     static int number_of(size_t pair, Side side) { return static_cast<int>(2 * pair) + (side == Side::Source ? 0 : 1); }
 
     std::map<int, Leaves> list(const std::string& program) const {
@@ -302,7 +342,9 @@ private:
         const LeafMatch match = match_leaves(work.built.source.leaves, work.built.target.leaves);
         pair.reason = match.reason;
         if (!pair.reason.empty()) return;
-        Trial trial(work.built.source, work.built.target, match, {settings_.ulps}, workshop_.folder);
+        Trial trial(work.built.source, work.built.target, match, {settings_.ulps}, workshop_.folder,
+                    {work.wide.source.program.empty() ? nullptr : &work.wide.source,
+                     work.wide.target.program.empty() ? nullptr : &work.wide.target});
         constexpr size_t kMostSlots = 12'000'000;
         const size_t width = std::max<size_t>(1, trial.inputs().size());
         const size_t records = std::max<size_t>(1, std::min(settings_.inputs, kMostSlots / width));
@@ -341,6 +383,11 @@ private:
             if (simplest && complexity >= least) continue;
             simplest = record;
             least = complexity;
+        }
+        if ((simplest || extreme) && !trial.repeats(table)) {
+            pair.inputs = 0;
+            pair.reason = "it gives something else on every call";
+            return;
         }
         if (pair.inputs == 0) {
             pair.reason = "no input on which both sides give a number";

@@ -18,13 +18,22 @@ const std::set<std::string, std::less<>>& prelude_names() {
                 unit.name.find("mat::") == std::string::npos && unit.name.find("Parts::") == std::string::npos)
                 out.insert(leaf);
         }
-        // PORTTOOL_OWN(fract, ...) defines fract.
+        // PORTTOOL_OWN(fract, ...) defines fract; PORTTOOL_VECTORS(unsigned int, uint) make_uint2, make_uint3, ...
         const LexedText& lexed = file.lexed;
-        for (uint32_t i = 0; i + 2 < lexed.tokens.size(); ++i)
-            if ((lexed.tokens[i].flags & kInDirective) == 0 && lexed.view(i).starts_with("PORTTOOL_") &&
-                lexed.view(i + 1) == "(" && lexed.tokens[i + 2].kind == TokenKind::Identifier &&
-                !lexed.view(i).ends_with("VECTORS"))
+        for (uint32_t i = 0; i + 2 < lexed.tokens.size(); ++i) {
+            const std::string_view macro = lexed.view(i);
+            if ((lexed.tokens[i].flags & kInDirective) != 0 || !macro.starts_with("PORTTOOL_") ||
+                lexed.view(i + 1) != "(")
+                continue;
+            if (!macro.ends_with("VECTORS")) {
                 out.insert(std::string(lexed.view(i + 2)));
+                continue;
+            }
+            uint32_t close = i;
+            while (lexed.view(close) != ")") ++close;
+            const std::string prefix = macro == "PORTTOOL_VECTORS" ? "make_" : "convert_";
+            for (const char* size : {"2", "3", "4"}) out.insert(prefix + std::string(lexed.view(close - 1)) + size);
+        }
         return out;
     }();
     return kNames;

@@ -5,7 +5,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
+#include <utility>
 
 #include "porttool/compare/struct_fields.h"
 #include "porttool/difftest/cpp_text.h"
@@ -73,6 +75,13 @@ public:
 
     int of(const Definition& function, std::string_view name, int depth = 0) {
         if (depth > kDeepest || function.unit == nullptr) return 0;
+        if (const auto [known, is_new] = seen_.try_emplace({&function, std::string(name)}, 1); !is_new)
+            return known->second;
+        return seen_[{&function, std::string(name)}] = look(function, name, depth);
+    }
+
+private:
+    int look(const Definition& function, std::string_view name, int depth) {
         const LexedText& lexed = function.file->lexed;
         const TokenRange body = function.unit->body;
         int most = 1;
@@ -97,7 +106,6 @@ public:
         return most;
     }
 
-private:
     static bool is_value(const LexedText& lexed, uint32_t i) {
         const Token& token = lexed.tokens[i];
         if (token.kind == TokenKind::Number) return true;
@@ -144,6 +152,7 @@ private:
     }
 
     const Definitions& definitions_;
+    std::map<std::pair<const Definition*, std::string>, int> seen_;  ///< 1 while one is looked at: it may call itself
 };
 
 /// `<float>` for `template <class T>`; "?" where a parameter is no type.
@@ -284,6 +293,46 @@ std::string answer(const Definition& one, int number) {
 
 }  // namespace
 
+namespace {
+
+/// A parameter that is a macro for several: its name, where that brings pointers along; "" for none.
+std::string pointers_by_macro(const Definition& function, const Definitions& definitions) {
+    const LexedText& lexed = function.file->lexed;
+    for (uint32_t i = function.unit->parameters.first; i < function.unit->parameters.end; ++i) {
+        if (lexed.tokens[i].kind != TokenKind::Identifier) continue;
+        for (const Definition* found : definitions.find(*function.file, lexed.view(i))) {
+            if (found->kind != Definition::Kind::Macro) continue;
+            for (uint32_t at = found->tokens.first; at < found->tokens.end; ++at)
+                if (found->file->lexed.view(at) == "*") return found->name;
+        }
+    }
+    return {};
+}
+
+/// True where every brace that opens closes.
+bool closes(const std::string& text) {
+    int depth = 0;
+    char quote = 0;
+    for (size_t i = 0; i < text.size(); ++i) {
+        if (quote != 0) {
+            if (text[i] == '\\')
+                ++i;
+            else if (text[i] == quote)
+                quote = 0;
+            continue;
+        }
+        // 1'000 is a number.
+        if (text[i] == '"' ||
+            (text[i] == '\'' && (i == 0 || std::isalnum(static_cast<unsigned char>(text[i - 1])) == 0)))
+            quote = text[i];
+        if (text[i] == '{') ++depth;
+        if (text[i] == '}' && --depth < 0) return false;
+    }
+    return depth == 0 && quote == 0;
+}
+
+}  // namespace
+
 Subject subject_of(const Definition& function, const Definitions& definitions, const StandIns& stand_ins) {
     Subject out;
     out.function = &function;
@@ -293,9 +342,13 @@ Subject subject_of(const Definition& function, const Definitions& definitions, c
         out.reason = "a kernel: it takes its work from a launch";
     } else if (!function.owner.empty()) {
         out.reason = "a member function of " + function.owner;
+    } else if (function.name == "main") {
+        out.reason = "the start of a program";
     } else if (unit.body.empty()) {
         out.reason = "an empty body";
     }
+    if (const std::string macro = pointers_by_macro(function, definitions); !macro.empty() && out.reason.empty())
+        out.reason = "pointer of unknown length: in " + macro;
     if (!out.reason.empty()) return out;
     std::set<const Definition*> stood;
     for (const auto& [one, number] : stand_ins)
@@ -318,17 +371,31 @@ Subject subject_of(const Definition& function, const Definitions& definitions, c
         parameter.elements = reach.of(function, parameter.name);
         if (parameter.elements == 0) out.reason = "pointer of unknown length: " + parameter.name;
     }
+    const CppManner manner = manner_of(function, definitions, fields);
+    for (const Piece& piece : out.closure.pieces)
+        if (out.reason.empty() && piece.definition->conditions.empty() && !closes(cpp_text(piece, manner)))
+            out.reason = "does not compile as C++: the braces of " + piece.definition->name + " do not close";
     return out;
 }
 
-std::string subject_text(const Subject& subject, int number, const Definitions& definitions,
-                         const StandIns& stand_ins) {
+std::string subject_text(const Subject& subject, int number, const Definitions& definitions, const StandIns& stand_ins,
+                         bool widens) {
     const std::set<std::string, std::less<>> fields = fields_in(subject.closure);
     CppManner manner = manner_of(*subject.function, definitions, fields);
+    manner.widens = widens;
     std::string before, announcements, pieces, visitors, after;
     std::set<std::string> used;
+    std::map<std::string, std::vector<const Definition*>> later;  // functions that are not written yet
+    for (const Piece& piece : subject.closure.pieces)
+        if (piece.definition->kind == Definition::Kind::Function && piece.definition->conditions.empty())
+            later[piece.definition->name].push_back(piece.definition);
     for (const Piece& piece : subject.closure.pieces) {
         const Definition& one = *piece.definition;
+        if (const auto written = later.find(one.name); written != later.end()) std::erase(written->second, &one);
+        for (const std::string& word : piece.words)
+            if (const auto called = later.find(word); called != later.end() && one.kind != Definition::Kind::Macro)
+                for (const Definition* function : std::exchange(called->second, {}))
+                    pieces += prototype(*function, manner);
         if (one.kind == Definition::Kind::Function && prelude_names().contains(one.name)) used.insert(one.name);
         const auto stand_in = stand_ins.find(&one);
         manner.body.reset();
@@ -349,7 +416,7 @@ std::string subject_text(const Subject& subject, int number, const Definitions& 
     out += fmt::format("namespace subject_{} {{ namespace {{\nusing namespace porttool_prelude;\n", number);
     for (const std::string& name : used) out += fmt::format("using porttool_prelude::{};\n", name);
     out += announcements + pieces;
-    out += cpp_text(Piece{subject.function, {}}, manner);
+    out += cpp_text(Piece{subject.function, {}, {}}, manner);
     out += after;
     out += visitors;
     out += "const porttool_harness::Param porttool_params[] = {";

@@ -35,7 +35,8 @@ struct Subject {
 /// Looks at a function. Never fails: `reason` says why it cannot be run.
 Subject subject_of(const Definition& function, const Definitions& definitions, const StandIns& stand_ins);
 
-/// The subject as a part of a program: in a namespace of its own, `subject_N`.
-std::string subject_text(const Subject& subject, int number, const Definitions& definitions, const StandIns& stand_ins);
+/// The subject as a part of a program: in a namespace of its own, `subject_N`. `widens`: with doubles for floats.
+std::string subject_text(const Subject& subject, int number, const Definitions& definitions, const StandIns& stand_ins,
+                         bool widens = false);
 
 }  // namespace porttool

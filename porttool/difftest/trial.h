@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "porttool/difftest/inputs.h"
+#include "porttool/scan/side.h"
 
 namespace porttool {
 
@@ -32,14 +33,19 @@ enum class Outcomes : uint8_t {
 /// Both sides of a pair, ready to run on the same inputs.
 class Trial {
 public:
-    /// All must outlive it. `folder`: for its files.
+    /// All must outlive it. `folder`: for its files. `wide`: a side with doubles for floats, or nullptr: where the
+    /// other side is no further from its results than this one is, the two differ in how they round alone.
     Trial(const BuiltSide& source, const BuiltSide& target, const LeafMatch& match, Tolerance tolerance,
-          std::string folder);
+          std::string folder, BySide<const BuiltSide*> wide = {nullptr, nullptr});
 
     const std::vector<Leaf>& inputs() const { return inputs_; }
 
     /// Runs both on every record of a table. "" or why that failed; outcomes() then has what became of each record.
     std::string run(const InputTable& table);
+    /// True where both sides give the same again on the table that they ran on last.
+    bool repeats(const InputTable& table);
+    /// True where the last run ended because a side did not come back from too many of its inputs.
+    bool is_endless() const { return endless_; }
     size_t records() const { return records_; }
     Outcomes outcome(size_t record) const;
     /// Where record's results first differ: the place among the source's outputs.
@@ -54,9 +60,10 @@ public:
     size_t output_count() const { return source_.leaves.out.size(); }
 
 private:
-    std::string run_side(const BuiltSide& side, const InputTable& table, bool is_target,
-                         std::vector<uint64_t>& out) const;
+    std::string run_side(const BuiltSide& side, const InputTable& table, bool is_target, std::vector<uint64_t>& out);
     uint64_t distance_at(size_t record, size_t output) const;
+    bool is_rounding(size_t record, size_t output) const;
+    std::optional<double> wide_result(Side side, size_t record, size_t output) const;
     const uint64_t* source_row(size_t record) const { return &source_out_[record * (source_.leaves.out.size() + 1)]; }
     const uint64_t* target_row(size_t record) const { return &target_out_[record * (target_.leaves.out.size() + 1)]; }
 
@@ -66,7 +73,10 @@ private:
     std::string folder_;
     std::vector<Leaf> inputs_;
     size_t records_ = 0;
+    bool endless_ = false;
     std::vector<uint64_t> source_out_, target_out_;
+    BySide<const BuiltSide*> wide_;
+    BySide<std::vector<uint64_t>> wide_out_;
 };
 
 }  // namespace porttool

@@ -227,7 +227,7 @@ using longlong = long long;
 using ulonglong = unsigned long long;
 using half = _Float16;
 
-#define PORTTOOL_VECTORS(T, cuda, glsl)                 \
+#define PORTTOOL_VECTORS(T, cuda)                       \
     using cuda##2 = vec<T, 2>;                          \
     using cuda##3 = vec<T, 3>;                          \
     using cuda##4 = vec<T, 4>;                          \
@@ -243,18 +243,18 @@ using half = _Float16;
     constexpr vec<T, 4> make_##cuda##4(const A&... a) { \
         return {a...};                                  \
     }
-PORTTOOL_VECTORS(float, float, )
-PORTTOOL_VECTORS(double, double, d)
-PORTTOOL_VECTORS(int, int, i)
-PORTTOOL_VECTORS(unsigned int, uint, u)
-PORTTOOL_VECTORS(char, char, )
-PORTTOOL_VECTORS(unsigned char, uchar, )
-PORTTOOL_VECTORS(short, short, )
-PORTTOOL_VECTORS(unsigned short, ushort, )
-PORTTOOL_VECTORS(long, long, )
-PORTTOOL_VECTORS(unsigned long, ulong, )
-PORTTOOL_VECTORS(long long, longlong, )
-PORTTOOL_VECTORS(bool, bool, b)
+PORTTOOL_VECTORS(float, float)
+PORTTOOL_VECTORS(double, double)
+PORTTOOL_VECTORS(int, int)
+PORTTOOL_VECTORS(unsigned int, uint)
+PORTTOOL_VECTORS(char, char)
+PORTTOOL_VECTORS(unsigned char, uchar)
+PORTTOOL_VECTORS(short, short)
+PORTTOOL_VECTORS(unsigned short, ushort)
+PORTTOOL_VECTORS(long, long)
+PORTTOOL_VECTORS(unsigned long, ulong)
+PORTTOOL_VECTORS(long long, longlong)
+PORTTOOL_VECTORS(bool, bool)
 #undef PORTTOOL_VECTORS
 using vec2 = vec<float, 2>;
 using vec3 = vec<float, 3>;
@@ -357,15 +357,7 @@ PORTTOOL_OWN(half_sin, std::sin(x))
 PORTTOOL_OWN(half_cos, std::cos(x))
 PORTTOOL_OWN(half_exp, std::exp(x))
 PORTTOOL_OWN(half_log, std::log(x))
-PORTTOOL_OWN(__sinf, std::sin(x))
-PORTTOOL_OWN(__cosf, std::cos(x))
-PORTTOOL_OWN(__tanf, std::tan(x))
-PORTTOOL_OWN(__expf, std::exp(x))
-PORTTOOL_OWN(__exp10f, std::pow(R(10), x))
 PORTTOOL_OWN(exp10, std::pow(R(10), x))
-PORTTOOL_OWN(__logf, std::log(x))
-PORTTOOL_OWN(__log2f, std::log2(x))
-PORTTOOL_OWN(__log10f, std::log10(x))
 PORTTOOL_OWN(cospi, std::cos(x* R(3.141592653589793)))
 PORTTOOL_OWN(sinpi, std::sin(x* R(3.141592653589793)))
 PORTTOOL_OWN(cospif, std::cos(x* R(3.141592653589793)))
@@ -589,7 +581,6 @@ PORTTOOL_TWO(mod, (a - b * std::floor(a / b)))
 PORTTOOL_TWO(step, (b < a ? R(0) : R(1)))
 PORTTOOL_TWO(native_powr, std::pow(a, b))
 PORTTOOL_TWO(powr, std::pow(a, b))
-PORTTOOL_TWO(__powf, std::pow(a, b))
 PORTTOOL_TWO(native_divide, (a / b))
 PORTTOOL_TWO(__fdividef, (a / b))
 PORTTOOL_TWO(fdividef, (a / b))
@@ -602,8 +593,13 @@ PORTTOOL_TWO(__dadd_rn, (a + b))
 PORTTOOL_TWO(mul24, (a * b))
 PORTTOOL_TWO(__mul24, (a * b))
 PORTTOOL_TWO(rotate, ((a << (b & 31)) | (static_cast<std::make_unsigned_t<R>>(a) >> ((32 - b) & 31))))
-PORTTOOL_TWO(atomics_are_not_run, a)
-#define PORTTOOL_TWO_OF_CMATH(name)                                                                      \
+#define PORTTOOL_TWO_OF_CMATH(name) \
+    template <Number A, Number B>   \
+    constexpr auto name(A a, B b) { \
+        return std::name(a, b);     \
+    }                               \
+    PORTTOOL_TWO_OF_CMATH_VECTORS_(name)
+#define PORTTOOL_TWO_OF_CMATH_VECTORS_(name)                                                             \
     template <class A, int N, class B>                                                                   \
     constexpr vec<A, N> name(const vec<A, N>& first, const B& second) {                                  \
         vec<A, N> out{};                                                                                 \
@@ -617,11 +613,60 @@ PORTTOOL_TWO_OF_CMATH(fmax)
 PORTTOOL_TWO_OF_CMATH(atan2)
 PORTTOOL_TWO_OF_CMATH(copysign)
 #undef PORTTOOL_TWO_OF_CMATH
+#undef PORTTOOL_TWO_OF_CMATH_VECTORS_
 #undef PORTTOOL_TWO
 template <Number A, Number B>
 constexpr auto atan(A y, B x) {
     return std::atan2(y, x);
 }
+
+// What C has for floats alone, so that a project's own for vectors do not hide them.
+#define PORTTOOL_SINGLE(name)                 \
+    template <Number A>                       \
+    float name(A a) {                         \
+        return ::name(static_cast<float>(a)); \
+    }
+PORTTOOL_SINGLE(sqrtf)
+PORTTOOL_SINGLE(sinf)
+PORTTOOL_SINGLE(cosf)
+PORTTOOL_SINGLE(tanf)
+PORTTOOL_SINGLE(asinf)
+PORTTOOL_SINGLE(acosf)
+PORTTOOL_SINGLE(atanf)
+PORTTOOL_SINGLE(sinhf)
+PORTTOOL_SINGLE(coshf)
+PORTTOOL_SINGLE(tanhf)
+PORTTOOL_SINGLE(expf)
+PORTTOOL_SINGLE(exp2f)
+PORTTOOL_SINGLE(expm1f)
+PORTTOOL_SINGLE(logf)
+PORTTOOL_SINGLE(log2f)
+PORTTOOL_SINGLE(log10f)
+PORTTOOL_SINGLE(log1pf)
+PORTTOOL_SINGLE(floorf)
+PORTTOOL_SINGLE(ceilf)
+PORTTOOL_SINGLE(truncf)
+PORTTOOL_SINGLE(roundf)
+PORTTOOL_SINGLE(rintf)
+PORTTOOL_SINGLE(nearbyintf)
+PORTTOOL_SINGLE(fabsf)
+PORTTOOL_SINGLE(cbrtf)
+PORTTOOL_SINGLE(erff)
+#undef PORTTOOL_SINGLE
+#define PORTTOOL_SINGLE_OF_TWO(name)                                 \
+    template <Number A, Number B>                                    \
+    float name(A a, B b) {                                           \
+        return ::name(static_cast<float>(a), static_cast<float>(b)); \
+    }
+PORTTOOL_SINGLE_OF_TWO(powf)
+PORTTOOL_SINGLE_OF_TWO(fmodf)
+PORTTOOL_SINGLE_OF_TWO(fminf)
+PORTTOOL_SINGLE_OF_TWO(fmaxf)
+PORTTOOL_SINGLE_OF_TWO(atan2f)
+PORTTOOL_SINGLE_OF_TWO(copysignf)
+PORTTOOL_SINGLE_OF_TWO(hypotf)
+PORTTOOL_SINGLE_OF_TWO(remainderf)
+#undef PORTTOOL_SINGLE_OF_TWO
 
 template <class X, class L, class H>
 constexpr auto clamp(const X& x, const L& low, const H& high) {
@@ -685,11 +730,6 @@ template <class T>
 constexpr T sincos(T angle, T* cosine) {
     *cosine = std::cos(angle);
     return std::sin(angle);
-}
-template <class T>
-constexpr void __sincosf(T angle, T* sine, T* cosine) {
-    *sine = std::sin(angle);
-    *cosine = std::cos(angle);
 }
 
 // ---- Geometry ----
@@ -878,6 +918,9 @@ constexpr mat<T, R, C> transpose(const mat<T, C, R>& m) {
 using mat2 = mat<float, 2, 2>;
 using mat3 = mat<float, 3, 3>;
 using mat4 = mat<float, 4, 4>;
+using dmat2 = mat<double, 2, 2>;
+using dmat3 = mat<double, 3, 3>;
+using dmat4 = mat<double, 4, 4>;
 using mat3x4 = mat<float, 3, 4>;
 using mat4x3 = mat<float, 4, 3>;
 
@@ -900,6 +943,18 @@ using mat4x3 = mat<float, 4, 3>;
 #define __local
 #define __private
 #define __generic
+#define SYCL_EXTERNAL
+// The C library declares functions of these names and has none.
+#define __sinf native_sin
+#define __cosf native_cos
+#define __tanf native_tan
+#define __expf native_exp
+#define __logf native_log
+#define __log2f native_log2
+#define __log10f log10f
+#define __powf native_powr
+#define __exp10f exp10
+#define __sincosf sincos
 #ifndef M_PI_F
 #define M_PI_F 3.14159274101257f
 #define M_1_PI_F 0.31830987334251f
