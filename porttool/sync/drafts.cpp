@@ -14,8 +14,10 @@ bool lies_behind_link(const TreePath& place, const Disk& disk) {
 }
 
 const Unit* unit_named(const ScannedFile& file, const std::string& id) {
+    const std::string_view name = std::string_view(id).substr(std::min(id.size(), file.path.size() + 1));
+    if (name.empty() || id.compare(0, file.path.size(), file.path) != 0 || id[file.path.size()] != ':') return nullptr;
     for (const Unit& unit : file.units)
-        if (unit_id(file, unit) == id) return &unit;
+        if (unit.name == name) return &unit;
     return nullptr;
 }
 

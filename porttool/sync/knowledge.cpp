@@ -4,6 +4,7 @@
 
 #include "porttool/compare/paired_names.h"
 #include "porttool/scan/scan.h"
+#include "porttool/sync/local_manner.h"
 #include "porttool/sync/unit_words.h"
 
 namespace porttool {
@@ -59,6 +60,12 @@ const KnownWords& Knowledge::known_words(Side from, const ScannedFile& file, con
         known = std::make_unique<KnownWords>(WordsOfSide{words_[from], file},
                                              WordsOfSide{words_[other_side(from)], other}, dialect_);
     return *known;
+}
+
+bool Knowledge::makes_constants(const ScannedFile& file, const ScannedFile& other) {
+    const auto [found, is_new] = makes_constants_.try_emplace({&file, &other});
+    if (is_new) found->second = adds_const(file, other);
+    return found->second;
 }
 
 const UnitNames& Knowledge::unit_names(Side from) {

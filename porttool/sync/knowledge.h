@@ -37,6 +37,8 @@ public:
 
     /// The words of a file, as it was before this run.
     const KnownWords& known_words(Side from, const ScannedFile& file, const ScannedFile& other);
+    /// True if `other` declares locals `const` where `file` does not, as they were before this run.
+    bool makes_constants(const ScannedFile& file, const ScannedFile& other);
     /// What the units of one side are called on the other.
     const UnitNames& unit_names(Side from);
     /// What other pairs of the same two files say alike. Those that changed do not count, so it is the same for each
@@ -64,6 +66,7 @@ private:
     BySide<std::optional<UnitNames>> names_;
     BySide<std::set<std::string>> fresh_names_;
     std::map<std::pair<const ScannedFile*, const ScannedFile*>, std::unique_ptr<KnownWords>> known_;
+    std::map<std::pair<const ScannedFile*, const ScannedFile*>, bool> makes_constants_;
     BySide<std::map<std::pair<std::string, std::string>, Examples>> beside_;  ///< by the files of source and target
     std::map<std::pair<const ScannedFile*, const ScannedFile*>, HeadManners> heads_beside_;
     BySide<std::optional<HeadManners>> heads_;

@@ -19,6 +19,7 @@
 #include "porttool/sync/known_words.h"
 #include "porttool/sync/local_manner.h"
 #include "porttool/sync/new_units.h"
+#include "porttool/sync/rescan.h"
 #include "porttool/sync/scopes.h"
 #include "porttool/sync/transplant.h"
 
@@ -286,15 +287,15 @@ private:
             out.why.emplace_back("the port has it already");
             return;
         }
-        declare_constants(new_text, is, constants_of(*file, *unit, draft.scanned), found);
+        declare_constants(new_text, is, constants_of(*file, *unit, *other), found);
         const std::vector<TextEdit> edits =
             rewrite_unit(found, {*file, is, new_text.clauses}, {draft.scanned, there, port_text.clauses});
         finish(pair, line, before, to, draft, edits, out);
     }
 
     /// The tokens that begin a new declaration which the port's file would make a constant.
-    static std::vector<uint32_t> constants_of(const ScannedFile& file, const Unit& unit, const ScannedFile& target) {
-        return adds_const(file, target) ? constant_locals(file, unit, false) : std::vector<uint32_t>();
+    std::vector<uint32_t> constants_of(const ScannedFile& file, const Unit& unit, const ScannedFile& other) {
+        return knowledge_.makes_constants(file, other) ? constant_locals(file, unit, false) : std::vector<uint32_t>();
     }
 
     static void declare_constants(const AlignedText& text, const UnitWords& words, const std::vector<uint32_t>& tokens,
@@ -368,13 +369,17 @@ private:
         const std::optional<std::string> edited = edit_file(draft.bytes, draft.scanned.lexed.text, edits);
         if (!edited) return refuse("the port's line goes on behind a backslash there");
         const std::string& now = *edited;
-        ScannedFile scanned = scan_text(draft.scanned.path, now);
+        const Unit& port = *unit_named(draft.scanned, pair.unit[to]->id);
+        const std::vector<std::string> old_words = words_of_unit(draft.scanned, port).words;
+        ScannedFile whole;  // scanned anew only where the unit alone does not tell
+        const bool alone = draft.bytes == draft.scanned.lexed.text && rescan_unit(draft.scanned, port.name, edits);
+        if (!alone) whole = scan_text(draft.scanned.path, now);
+        const ScannedFile& scanned = alone ? draft.scanned : whole;
         const Unit* unit = unit_named(scanned, pair.unit[to]->id);
-        if (unit == nullptr || scanned.balanced != draft.scanned.balanced ||
-            !others_stayed(draft.scanned, scanned, *unit_named(draft.scanned, pair.unit[to]->id)))
+        if (!alone && (unit == nullptr || scanned.balanced != draft.scanned.balanced ||
+                       !others_stayed(draft.scanned, scanned, port)))
             return refuse("the port made of this edit could not be read back");
-        leave_out_of_scope(pair, words_of_unit(draft.scanned, *unit_named(draft.scanned, pair.unit[to]->id)).words,
-                           words_of_unit(scanned, *unit).words, out);
+        leave_out_of_scope(pair, old_words, words_of_unit(scanned, *unit).words, out);
         const UnitState state = unit_state(scanned, *unit);
         const bool to_target = to == Side::Target;
         const PairComparison found = compare(pair, line, before, to_target ? pair.unit.source->text : state.text,
@@ -388,7 +393,7 @@ private:
                                 line_of(pair, Side::Target)});
         }
         if (draft.bytes == now) return refuse("nothing came of it");
-        drafts_.write(draft, now, std::move(scanned));
+        drafts_.write(draft, now, alone ? std::move(draft.scanned) : std::move(whole));
     }
 
     /// Names that the port would use where it does not declare them any more.

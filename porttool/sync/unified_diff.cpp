@@ -3,6 +3,7 @@
 #include "porttool/sync/unified_diff.h"
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "porttool/normal/diff.h"
@@ -47,6 +48,45 @@ void add_line(char mark, std::string_view line, std::string& out) {
     if (!line.ends_with('\n')) out += "\n\\ No newline at end of file\n";
 }
 
+/// How many bytes both texts begin with: by blocks, since files are long and edits short.
+size_t same_bytes(std::string_view a, std::string_view b) {
+    constexpr size_t kBlock = 4096;
+    const size_t most = std::min(a.size(), b.size());
+    size_t at = 0;
+    while (at + kBlock <= most && a.compare(at, kBlock, b.substr(at, kBlock)) == 0) at += kBlock;
+    while (at < most && a[at] == b[at]) ++at;
+    return at;
+}
+
+/// How many lines, and bytes, both texts begin with; fewer by the context of what follows.
+std::pair<size_t, size_t> lines_in_front(std::string_view before, std::string_view now) {
+    size_t bytes = same_bytes(before, now);
+    for (size_t i = 0; i <= kContext && bytes > 0; ++i) {
+        const size_t end = bytes < 2 ? std::string_view::npos : before.rfind('\n', i == 0 ? bytes - 1 : bytes - 2);
+        bytes = end == std::string_view::npos ? 0 : end + 1;
+    }
+    return {static_cast<size_t>(std::count(before.begin(), before.begin() + static_cast<std::ptrdiff_t>(bytes), '\n')),
+            bytes};
+}
+
+/// The bytes of whole lines that both texts end with; fewer by the context of what stands before.
+size_t bytes_behind(std::string_view before, std::string_view now) {
+    constexpr size_t kBlock = 4096;
+    const size_t most = std::min(before.size(), now.size());
+    size_t same = 0;
+    while (same + kBlock <= most &&
+           before.substr(before.size() - same - kBlock, kBlock) == now.substr(now.size() - same - kBlock, kBlock))
+        same += kBlock;
+    while (same < most && before[before.size() - same - 1] == now[now.size() - same - 1]) ++same;
+    size_t at = before.size() - same;
+    for (size_t i = 0; i <= kContext; ++i) {
+        const size_t end = before.find('\n', at);
+        if (end == std::string_view::npos) return 0;
+        at = end + 1;
+    }
+    return before.size() - at;
+}
+
 }  // namespace
 
 Words lines_with_ends(std::string_view text) {
@@ -61,7 +101,12 @@ Words lines_with_ends(std::string_view text) {
 
 std::string unified_diff(const std::string& path, std::string_view before, std::string_view now, bool is_new) {
     if (before == now) return {};
-    const Words old_lines = lines_with_ends(before), new_lines = lines_with_ends(now);
+    const auto [same_lines, in_front] = lines_in_front(before, now);
+    before.remove_prefix(in_front);
+    now.remove_prefix(in_front);
+    const size_t behind = bytes_behind(before, now);
+    const Words old_lines = lines_with_ends(before.substr(0, before.size() - behind)),
+                new_lines = lines_with_ends(now.substr(0, now.size() - behind));
     const std::vector<DiffStep> steps = diff(old_lines, new_lines);
     const std::string a = quoted_path("a/" + path), b = quoted_path("b/" + path);
     std::string out = "diff --git " + a + " " + b + "\n";
@@ -89,8 +134,8 @@ std::string unified_diff(const std::string& path, std::string_view before, std::
             if (steps[k].kind == DiffStep::Remove) add_line('-', old_lines[steps[k].before], body);
             if (steps[k].kind == DiffStep::Add) add_line('+', new_lines[steps[k].now], body);
         }
-        out +=
-            "@@ -" + range(steps[first].before, old_count) + " +" + range(steps[first].now, new_count) + " @@\n" + body;
+        out += "@@ -" + range(same_lines + steps[first].before, old_count) + " +" +
+               range(same_lines + steps[first].now, new_count) + " @@\n" + body;
         i = end;
     }
     return out;

@@ -5,13 +5,16 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <functional>
 #include <iostream>
 #include <optional>
+#include <sstream>
 
+#include "porttool/command/run.h"
 #include "porttool/effort/port_effort.h"
 #include "porttool/history/blob_facts_source.h"
 #include "porttool/judge/judge.h"
@@ -229,6 +232,31 @@ Work history_work(size_t count) {
     });
     std::filesystem::remove_all(root);
     return out;
+}
+
+/// Proposes the ports of all units of one file.
+Work sync_work(size_t count) {
+    MemoryDisk disk;
+    std::string map = "version = 1\n[sides]\nsource = [\"s/*\"]\ntarget = [\"t/*\"]\n";
+    for (size_t i = 0; i < count; ++i)
+        map += "[[pair]]\nsource = \"s/k.cu:f" + std::to_string(i) + "\"\ntarget = \"t/k.cpp:f" + std::to_string(i) +
+               "\"\n";
+    disk.files = {
+        {"/r/portmap.toml", map}, {"/r/s/k.cu", functions(count, "0.5f")}, {"/r/t/k.cpp", functions(count, "0.5f")}};
+    const auto run_here = [&](const char* command) {
+        const std::array<const char*, 4> arguments{"porttool", "-C", "/r", command};
+        std::ostringstream out, err;
+        return run_porttool(static_cast<int>(arguments.size()), arguments.data(), disk, out, err);
+    };
+    EXPECT_EQ(run_here("init"), 0);
+    disk.files["/r/s/k.cu"] = functions(count, "0.25f");
+    return work_of([&] { EXPECT_EQ(run_here("sync"), 0); });
+}
+
+TEST(Work, SyncOfAFileWithManyChangedUnits) {
+    const Growth growth{sync_work(100), sync_work(200)};
+    EXPECT_LE(Growth::of(growth.once.steps, growth.twice.steps), kMostGrowth)
+        << growth.once.steps << ", " << growth.twice.steps;
 }
 
 TEST(Work, HistoryOfAFileWithManyChangedUnits) {

@@ -1,0 +1,206 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/sync/rescan.h"
+
+#include <algorithm>
+
+#include "porttool/scan/scan.h"
+
+namespace porttool {
+namespace {
+
+/// The lines of a unit, and its tokens.
+struct Window {
+    uint32_t first_byte = 0, end_byte = 0;
+    uint32_t first_line = 0, lines = 0;  ///< first_line from 0
+    TokenRange tokens;
+};
+
+/// True if indices, bytes and lines of a file can be moved along by what follows it.
+bool is_plain(const ScannedFile& file) {
+    return file.balanced && file.pragmas.empty() &&
+           std::none_of(file.lexed.directives.begin(), file.lexed.directives.end(), [](const Directive& one) {
+               return one.kind == DirectiveKind::Else || one.kind == DirectiveKind::Elif;
+           });
+}
+
+bool window_of(const ScannedFile& file, const Unit& unit, Window& out) {
+    const LexedText& lexed = file.lexed;
+    if (!unit.holes.empty() || unit.tokens.empty()) return false;
+    const Token &first = lexed.tokens[unit.tokens.first], &last = lexed.tokens[unit.tokens.end - 1];
+    const uint32_t after = unit.tokens.end;
+    out.tokens = unit.tokens;
+    out.first_line = first.line - 1;
+    out.first_byte = lexed.line_starts[out.first_line];
+    const size_t end = lexed.text.find('\n', last.offset + last.length);
+    if (end == std::string::npos) return false;
+    out.end_byte = static_cast<uint32_t>(end + 1);
+    const auto next_line = std::lower_bound(lexed.line_starts.begin(), lexed.line_starts.end(), out.end_byte);
+    if (next_line == lexed.line_starts.end() || *next_line != out.end_byte) return false;
+    out.lines = static_cast<uint32_t>(next_line - lexed.line_starts.begin()) - out.first_line;
+    const auto touches = [&](uint32_t line, uint32_t end_line) {
+        return end_line > out.first_line && line <= out.first_line + out.lines;
+    };
+    const bool alone = (unit.tokens.first == 0 || lexed.tokens[unit.tokens.first - 1].line <= out.first_line) &&
+                       (after == lexed.tokens.size() || lexed.tokens[after].line > out.first_line + out.lines);
+    return alone &&
+           std::none_of(lexed.directives.begin(), lexed.directives.end(),
+                        [&](const Directive& one) { return touches(one.line, one.end_line); }) &&
+           std::none_of(lexed.comments.begin(), lexed.comments.end(),
+                        [&](const LineSpan& one) { return touches(one.first, one.last); }) &&
+           std::none_of(lexed.suppressions.begin(), lexed.suppressions.end(),
+                        [&](const Suppression& one) { return touches(one.line, one.line); }) &&
+           std::all_of(lexed.tokens.begin() + unit.tokens.first, lexed.tokens.begin() + after,
+                       [](const Token& token) { return (token.flags & ~kStartsLine) == 0; });
+}
+
+/// The one unit that a text is, read by itself; nullptr where it is more or other than that.
+const Unit* only_unit(const ScannedFile& piece, Language language) {
+    const bool plain = piece.balanced && piece.language == language && piece.lexed.directives.empty() &&
+                       piece.lexed.comments.empty() && piece.lexed.suppressions.empty() && piece.variables.empty() &&
+                       piece.pragmas.empty() && piece.units.size() == 1;
+    const Unit* unit = plain ? &piece.units.front() : nullptr;
+    return unit != nullptr && unit->tokens.first == 0 && unit->tokens.end == piece.lexed.tokens.size() &&
+                   unit->holes.empty()
+               ? unit
+               : nullptr;
+}
+
+bool same_range(TokenRange a, TokenRange b, uint32_t by) {
+    return a.empty() == b.empty() && (a.empty() || (a.first + by == b.first && a.end + by == b.end));
+}
+
+template <class T>
+void splice(std::vector<T>& all, size_t first, size_t end, const std::vector<T>& piece) {
+    const size_t kept = std::min(end - first, piece.size());
+    std::copy(piece.begin(), piece.begin() + static_cast<std::ptrdiff_t>(kept),
+              all.begin() + static_cast<std::ptrdiff_t>(first));
+    const auto at = all.begin() + static_cast<std::ptrdiff_t>(first + kept);
+    if (kept < piece.size())
+        all.insert(at, piece.begin() + static_cast<std::ptrdiff_t>(kept), piece.end());
+    else
+        all.erase(at, all.begin() + static_cast<std::ptrdiff_t>(end));
+}
+
+/// Puts a scanned piece in the place of a window.
+class Splicer {
+public:
+    Splicer(ScannedFile& file, const Window& window, const ScannedFile& piece, uint32_t piece_lines)
+        : file_(file), window_(window), piece_(piece), piece_lines_(piece_lines) {}
+
+    void run(Unit& edited) {
+        const Unit& fresh = piece_.units.front();
+        for (Unit& unit : file_.units) {
+            if (&unit == &edited) continue;
+            for (TokenRange* range : {&unit.tokens, &unit.parameters, &unit.body}) move(*range);
+            for (TokenRange& hole : unit.holes) move(hole);
+            move_token(unit.name_token);
+            move_line(unit.start_line);
+            move_line(unit.end_line);
+        }
+        edited.tokens = within(fresh.tokens);
+        edited.parameters = within(fresh.parameters);
+        edited.body = within(fresh.body);
+        edited.name_token = fresh.name_token + window_.tokens.first;
+        edited.start_line = fresh.start_line + window_.first_line;
+        edited.end_line = fresh.end_line + window_.first_line;
+        for (FileVariable& variable : file_.variables) {
+            move_token(variable.name_token);
+            move(variable.tokens);
+        }
+        move_lexed();
+    }
+
+private:
+    void move_lexed() {
+        LexedText& lexed = file_.lexed;
+        for (Directive& one : lexed.directives) {
+            move_token(one.first_token);
+            move_token(one.end_token);
+            move_line(one.line);
+            move_line(one.end_line);
+        }
+        for (LineSpan& one : lexed.comments) {
+            move_line(one.first);
+            move_line(one.last);
+        }
+        for (Suppression& one : lexed.suppressions) move_line(one.line);
+        const uint32_t bytes =
+                           static_cast<uint32_t>(piece_.lexed.text.size()) - (window_.end_byte - window_.first_byte),
+                       lines = piece_lines_ - window_.lines;  // both may wrap around, and back
+        for (size_t i = window_.tokens.end; i < lexed.tokens.size(); ++i) {
+            lexed.tokens[i].offset += bytes;
+            lexed.tokens[i].line += lines;
+        }
+        std::vector<Token> tokens = piece_.lexed.tokens;
+        for (Token& token : tokens) {
+            token.offset += window_.first_byte;
+            token.line += window_.first_line;
+        }
+        splice(lexed.tokens, window_.tokens.first, window_.tokens.end, tokens);
+        for (size_t i = window_.first_line + window_.lines; i < lexed.line_starts.size(); ++i)
+            lexed.line_starts[i] += bytes;
+        std::vector<uint32_t> starts(piece_.lexed.line_starts.begin(),
+                                     piece_.lexed.line_starts.begin() + static_cast<std::ptrdiff_t>(piece_lines_));
+        for (uint32_t& start : starts) start += window_.first_byte;
+        splice(lexed.line_starts, window_.first_line, window_.first_line + window_.lines, starts);
+        splice(file_.lines, window_.first_line, window_.first_line + window_.lines,
+               std::vector<LineClass>(piece_.lines.begin(),
+                                      piece_.lines.begin() + static_cast<std::ptrdiff_t>(piece_lines_)));
+        lexed.line_count += lines;
+        lexed.text.replace(window_.first_byte, window_.end_byte - window_.first_byte, piece_.lexed.text);
+    }
+
+    TokenRange within(TokenRange range) const {
+        const bool is_none = range.first == 0 && range.end == 0;
+        return is_none ? range : TokenRange{range.first + window_.tokens.first, range.end + window_.tokens.first};
+    }
+    void move_token(uint32_t& token) const {
+        if (token >= window_.tokens.end)
+            token += static_cast<uint32_t>(piece_.lexed.tokens.size()) - (window_.tokens.end - window_.tokens.first);
+    }
+    void move(TokenRange& range) const {
+        move_token(range.first);
+        move_token(range.end);
+    }
+    void move_line(uint32_t& line) const {
+        if (line > window_.first_line + window_.lines) line += piece_lines_ - window_.lines;
+    }
+
+    ScannedFile& file_;
+    const Window& window_;
+    const ScannedFile& piece_;
+    uint32_t piece_lines_;
+};
+
+}  // namespace
+
+bool rescan_unit(ScannedFile& file, std::string_view unit_name, const std::vector<TextEdit>& edits) {
+    const auto unit =
+        std::find_if(file.units.begin(), file.units.end(), [&](const Unit& one) { return one.name == unit_name; });
+    Window window;
+    if (unit == file.units.end() || !is_plain(file) || !window_of(file, *unit, window)) return false;
+    const std::string_view old =
+        std::string_view(file.lexed.text).substr(window.first_byte, window.end_byte - window.first_byte);
+    std::vector<TextEdit> here = edits;
+    for (TextEdit& edit : here) {
+        if (edit.first < window.first_byte || edit.end >= window.end_byte) return false;
+        edit.first -= window.first_byte;
+        edit.end -= window.first_byte;
+    }
+    const ScannedFile before = scan_text(file.path, old), now = scan_text(file.path, with_edits(old, here));
+    const Unit *was = only_unit(before, file.language), *is = only_unit(now, file.language);
+    const uint32_t by = window.tokens.first;
+    const bool as_in_file = was != nullptr && was->kind == unit->kind && leaf_of(was->name) == leaf_of(unit->name) &&
+                            same_range(was->tokens, unit->tokens, by) &&
+                            same_range(was->parameters, unit->parameters, by) &&
+                            same_range(was->body, unit->body, by) && was->name_token + by == unit->name_token;
+    if (!as_in_file || is == nullptr || is->kind != was->kind || is->name != was->name) return false;
+    if (!now.lexed.text.ends_with('\n')) return false;
+    const auto lines = static_cast<uint32_t>(std::count(now.lexed.text.begin(), now.lexed.text.end(), '\n'));
+    if (now.lines.size() < lines || now.lexed.line_starts.size() < lines) return false;
+    Splicer(file, window, now, lines).run(*unit);
+    return true;
+}
+
+}  // namespace porttool
