@@ -190,9 +190,17 @@ void take_witness(const DifftestPair& ran, AuditItem& item) {
 
 std::vector<AuditItem> items_of_today(const std::vector<DifferingPair>& differing, const TodaysPairs& today) {
     constexpr double kMost = 0.3;  // nothing tells which side is right, or whether they were ever to be the same
+    std::map<std::string, size_t> folded;  // by the words that differ: an item
     std::vector<AuditItem> out;
     for (const DifferingPair& one : differing) {
         const TodaysPair& pair = today.pairs[one.pair];
+        MissingPlace place = one.places.front();
+        place.before = place.there;
+        const auto [known, is_new] = folded.try_emplace(core_of(place, pair.id.source), out.size());
+        if (!is_new) {
+            out[known->second].same.emplace_back(pair.id.source, pair.id.target);
+            continue;
+        }
         AuditItem item;
         item.id = pair.id;
         for (const Side side : kBothSides) item.line[side] = today.unit(pair, side).start_line;

@@ -85,7 +85,8 @@ constexpr std::array<std::string_view, 12> kAsides = {"print", "log",   "assert"
 struct Matter {
     float known = 0, unknown = 0;
 
-    void add(const std::string& word, const KnownThere& there) {
+    /// `replaces`: it stands in the place of other words, which a name that is new there would only rename.
+    void add(const std::string& word, const KnownThere& there, bool replaces) {
         constexpr std::string_view kBrackets = "()[]{},;.:#@=";
         if (is_number_token(word)) {
             known += 1;
@@ -93,7 +94,7 @@ struct Matter {
             const bool slight = word.size() == 1 && kBrackets.find(word[0]) != std::string_view::npos;
             if (!slight && word != "->" && word != "::") known += 1;
         } else if (!is_type_word(word) && word != "return") {
-            const float degree = there.degree(word);
+            const float degree = replaces && !there.side->contains(word) ? 0.0f : there.degree(word);
             known += degree;
             unknown += 1 - degree;
         }
@@ -137,7 +138,8 @@ float substance_of(const Text& before, const Text& now, const KnownThere& there)
     const auto finish = [&] {
         const bool way = (lost.empty() && is_way_to_value(gained)) || (gained.empty() && is_way_to_value(lost));
         if (!way)
-            for (const std::string* word : gained.empty() ? lost : gained) matter.add(*word, there);
+            for (const std::string* word : gained.empty() ? lost : gained)
+                matter.add(*word, there, !lost.empty() && !gained.empty());
         lost.clear();
         gained.clear();
     };
@@ -172,7 +174,8 @@ bool is_bare_declaration(const Text& written) {
     bool numbers = true;
     for (size_t i = end + 1; i < written.size(); ++i) {
         if (i > end + 1 && written[i] == name) return true;
-        numbers = numbers && (!is_word_token(written[i]) || is_type_word(written[i]));
+        const bool makes = is_type_word(written[i]) || folded(written[i]).starts_with("make");
+        numbers = numbers && (!is_word_token(written[i]) || makes);
     }
     return numbers;
 }

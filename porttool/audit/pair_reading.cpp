@@ -11,6 +11,7 @@
 #include "porttool/compare/meaning.h"
 #include "porttool/language/language.h"
 #include "porttool/language/words.h"
+#include "porttool/normal/diff.h"
 #include "porttool/normal/locals.h"
 #include "porttool/normal/prelude.h"
 #include "porttool/normal/statements.h"
@@ -317,6 +318,9 @@ private:
         place.strength = std::min(1.0f, (leaning - 0.3f) / 0.7f) * std::min(1.0f, (near - 0.3f) / 0.7f) *
                          told_by(old_text.sum) * substance;
         if (place.strength < kFaint) return;
+        place.strength *= anchored(translated(place.before, side, true), sides_[side].words[line.index],
+                                   sides_[other(side)].words[found.index]);
+        if (place.strength < kFaint) return;
         place.constants_only = numbers_alone(place.before, place.now);
         note(line.steps[told].commit, std::move(place));
     }
@@ -324,6 +328,35 @@ private:
     static bool says_nothing(const WrittenStatement& statement) {
         const std::vector<std::string> words = words_of_statement(statement);
         return is_aside(words) || is_bare_declaration(words);
+    }
+
+    /// How well the places of a change are known in the other side's statement: what went, and the words beside it,
+    /// have to stand there. 1 for all, 0.3 for none.
+    static float anchored(const std::vector<std::string>& before, const std::vector<std::string>& now,
+                          const std::vector<std::string>& there) {
+        std::vector<bool> stands(before.size(), false);
+        for (const DiffStep& step : diff(before, there))
+            if (step.kind == DiffStep::Keep) stands[step.before] = true;
+        size_t asked = 0, known = 0;
+        const auto ask = [&](size_t i) {
+            ++asked;
+            known += stands[i] ? 1 : 0;
+        };
+        const auto is_telling = [&](size_t i) { return is_word_token(before[i]) || is_number_token(before[i]); };
+        const std::vector<DiffStep> steps = diff(before, now);
+        for (size_t k = 0; k < steps.size(); ++k) {
+            if (steps[k].kind == DiffStep::Keep) continue;
+            if (steps[k].kind == DiffStep::Remove) ask(steps[k].before);
+            const bool first = k == 0 || steps[k - 1].kind == DiffStep::Keep;
+            const bool last = k + 1 == steps.size() || steps[k + 1].kind == DiffStep::Keep;
+            const size_t at = steps[k].before + (steps[k].kind == DiffStep::Remove ? 1 : 0);
+            size_t left = std::min(steps[k].before, before.size()), right = std::min(at, before.size());
+            while (left > 0 && !is_telling(left - 1)) --left;
+            while (right < before.size() && !is_telling(right)) ++right;
+            if (first && left > 0) ask(left - 1);
+            if (last && right < before.size()) ask(right);
+        }
+        return asked == 0 ? 1 : 0.3f + 0.7f * static_cast<float>(known) / static_cast<float>(asked);
     }
 
     /// A statement of few words stands anywhere by chance.
@@ -385,14 +418,22 @@ private:
     /// often: then it may say the same in another way.
     float lacks_words(Side side, size_t index) const {
         constexpr float kSaidOtherwise = 0.4f, kNoWords = 0.7f;
+        constexpr size_t kTelling = 4;  // letters of a name that another ends with: `clamp`, `spectrumclamp`
+        const auto is_in = [](const std::string& one, const std::string& word) {
+            return one == word || (word.size() >= kTelling && one.ends_with(word)) ||
+                   (one.size() >= kTelling && word.ends_with(one));
+        };
         const auto count = [&](Side where, const std::string& word) {
             ptrdiff_t out = 0;
-            for (const auto& words : sides_[where].words) out += std::count(words.begin(), words.end(), word);
+            for (const auto& words : sides_[where].words)
+                out += std::count_if(words.begin(), words.end(), [&](const auto& one) { return is_in(one, word); });
             return out;
         };
+        const KnownThere there = known_there(side);
         bool any = false;
         for (const std::string& word : sides_[side].words[index]) {
-            const bool tells = is_number_token(word) || (is_word_token(word) && !own_names_[side].contains(word));
+            const bool tells = is_number_token(word) ||
+                               (is_word_token(word) && !own_names_[side].contains(word) && there.degree(word) > 0);
             if (!tells || is_type_word(word)) continue;
             any = true;
             if (count(other(side), word) < count(side, word)) return 1;
