@@ -275,9 +275,44 @@ bool is_vector_type(std::string_view type) {
     return sized && is_type_word(type) && (type.size() < 3 || type[type.size() - 2] != 'x') && !type.starts_with("mat");
 }
 
+/// True where a parenthesis before `at` opens the arguments of a call, or follows a cast.
+bool ends_operand(const Text& words, size_t at) {
+    if (at == 0) return false;
+    const std::string& last = words[at - 1];
+    return last == ")" || last == "]" || last == ">" || is_number_token(last) ||
+           (is_word_token(last) && last != "return");
+}
+
+/// The parenthesis that closes the idle one at `open`; 0 if that is none.
+size_t end_of_idle(const Text& words, size_t open) {
+    const auto is_value = [](std::string_view text) { return is_word_token(text) || is_number_token(text); };
+    if (!is_value(word(words, open + 1))) return 0;
+    size_t end = open + 2;
+    while (is_one_of(word(words, end), {".", "->"}) && is_word_token(word(words, end + 1))) end += 2;
+    const std::string_view next = word(words, end + 1);
+    if (word(words, end) != ")" || is_value(next) || next == "(" || next == "{") return 0;
+    const bool may_be_type = end == open + 2 && is_word_token(words[open + 1]);
+    return may_be_type && is_one_of(next, {"*", "&", "-", "+", "!", "~", "++", "--"}) ? 0 : end;
+}
+
 }  // namespace
 
 Text with_common_phrases(const Text& words) { return with_plain_constructors(with_global_ids(with_named_axes(words))); }
+
+Text without_idle_parentheses(const Text& words) {
+    Text out;
+    size_t until = 0;
+    for (size_t i = 0; i < words.size(); ++i) {
+        if (i > 0 && i == until) continue;
+        if (words[i] == "(" && !ends_operand(words, i))
+            if (const size_t end = end_of_idle(words, i); end != 0) {
+                until = end;
+                continue;
+            }
+        out.push_back(words[i]);
+    }
+    return out;
+}
 
 Text with_plain_launches(const Text& words) {
     constexpr size_t kConfiguration = 4;

@@ -20,6 +20,10 @@ namespace porttool {
 ///     vec2 ( v . x , v . y )                               v . xy
 std::vector<std::string> with_common_phrases(const std::vector<std::string>& words);
 
+/// `( ray . t ) * 2` is `ray . t * 2`: parentheses around one value that is picked, or a name or number by itself,
+/// where they cannot be a cast or a call.
+std::vector<std::string> without_idle_parentheses(const std::vector<std::string>& words);
+
 /// Writes HIP's and CUDA's two ways to launch a kernel in one: `k < < < g , b > > > ( a )` and
 /// `hipLaunchKernelGGL ( k , g , b , 0 , 0 , a )`.
 std::vector<std::string> with_plain_launches(const std::vector<std::string>& words);

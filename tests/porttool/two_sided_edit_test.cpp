@@ -571,5 +571,23 @@ TEST(TwoSidedEdit, WhoCallsARenamedUnitWasNotEdited) {
     EXPECT_NE(rules_of(check(disk)), Names{});
 }
 
+TEST(TwoSidedEdit, ParenthesesAroundOneValueChangeNothing) {
+    const auto says = [](const std::string& source, const std::string& target) {
+        MemoryDisk disk;
+        const std::string head = "float f(Ray ray, float a) {\n    float b = a;\n    b = ";
+        disk.files = {{"/r/s/k.cu", head + "ray.t * 2.0f;\n    return b;\n}\n"},
+                      {"/r/t/k.cpp", head + "(ray.t) * 2.0f;\n    return b;\n}\n"}};
+        EXPECT_EQ(run(disk, {"-C", "/r", "init", "--source", "s/*", "--target", "t/*"}).exit_code, 0);
+        disk.files["/r/s/k.cu"] = head + source + ";\n    return b;\n}\n";
+        disk.files["/r/t/k.cpp"] = head + target + ";\n    return b;\n}\n";
+        return rules_of(check(disk));
+    };
+    EXPECT_EQ(says("ray.t * 3.0f", "(ray.t) * 3.0f"), Names{});
+    EXPECT_EQ(says("a + 3.0f / a", "a + (3.0f) / (a)"), Names{});
+    EXPECT_EQ(says("a * (ray.t + 3.0f)", "a * ray.t + 3.0f"), Names{"port-differs"});
+    EXPECT_EQ(says("a * (Real)-ray.t", "a * Real - ray.t"), Names{"port-differs"}) << "a cast is none";
+    EXPECT_EQ(says("a * g(ray.t)", "a * g * ray.t"), Names{"port-differs"});
+}
+
 }  // namespace
 }  // namespace porttool::testing::two_sided_edit_test
