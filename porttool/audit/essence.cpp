@@ -46,7 +46,12 @@ Text without_declaration(const Text& words) {
         if (is_word_token(words[i]) && after_word) name = i;
     }
     const bool control = !words.empty() && word_is(words[0], kKeyword) && !is_type_word(words[0]);
-    return control ? words : Text(words.begin() + static_cast<ptrdiff_t>(name), words.end());
+    if (control) return words;
+    Text out(words.begin() + static_cast<ptrdiff_t>(name), words.end());
+    const bool constructs =
+        name > 0 && is_word_token(words[name - 1]) && out.size() > 2 && out[1] == "(" && out.back() == ")";
+    if (constructs) out.insert(out.begin() + 1, {"=", words[name - 1]});
+    return out;
 }
 
 /// Without `*` and `&` before an operand, casts and template arguments.
@@ -72,6 +77,51 @@ Text without_marks(const Text& words) {
             }
         }
         out.push_back(words[i] == "->" ? "." : words[i]);
+    }
+    return out;
+}
+
+/// True if what stands from there on is nothing but the way to a value: `& p -> box . min [ 0 ]`.
+bool is_path(const Text& words, size_t first) {
+    for (size_t i = first; i < words.size(); ++i) {
+        const bool mark = words[i] == "." || words[i] == "->" || words[i] == "[" || words[i] == "]" || words[i] == "::";
+        const bool points = i == first && (words[i] == "&" || words[i] == "*");
+        if (!mark && !points && !is_word_token(words[i]) && !is_number_token(words[i])) return false;
+    }
+    return true;
+}
+
+/// `a += b` as `a = a + b`.
+Text with_plain_assignment(const Text& words) {
+    for (size_t i = 1; i < words.size() && words[i] != "("; ++i) {
+        const std::string& sign = words[i];
+        constexpr std::string_view kSigns = "+-*/%&|^";
+        if (sign.size() != 2 || sign[1] != '=' || kSigns.find(sign[0]) == std::string_view::npos) continue;
+        Text out(words.begin(), words.begin() + static_cast<ptrdiff_t>(i));
+        out.emplace_back("=");
+        out.insert(out.end(), words.begin(), words.begin() + static_cast<ptrdiff_t>(i));
+        out.push_back(sign.substr(0, 1));
+        out.insert(out.end(), words.begin() + static_cast<ptrdiff_t>(i) + 1, words.end());
+        return out;
+    }
+    return words;
+}
+
+/// Methods as functions of their object: `a . b . Length ( x )` is `Length ( a . b , x )`.
+Text with_plain_calls(const Text& words) {
+    Text out;
+    for (size_t i = 0; i < words.size(); ++i) {
+        const bool calls = words[i] == "." && i > 0 && i + 2 < words.size() && is_word_token(words[i - 1]) &&
+                           is_word_token(words[i + 1]) && words[i + 2] == "(";
+        if (!calls) {
+            out.push_back(words[i]);
+            continue;
+        }
+        size_t first = out.size() - 1;  // of the object
+        while (first >= 2 && out[first - 1] == "." && is_word_token(out[first - 2])) first -= 2;
+        out.insert(out.begin() + static_cast<ptrdiff_t>(first), {words[i + 1], "("});
+        i += 2;
+        if (i + 1 < words.size() && words[i + 1] != ")") out.emplace_back(",");
     }
     return out;
 }
@@ -153,11 +203,13 @@ float substance_of(const Text& before, const Text& now, const KnownThere& there)
 }
 
 Text essence_of(const Text& words, const Dialect& dialect) {
-    Text out = without_marks(without_declaration(words));
+    Text out = with_plain_assignment(with_plain_calls(without_marks(without_declaration(words))));
     for (std::string& word : out) word = plain_word(word, dialect);
     std::erase_if(out, [](const std::string& word) { return word == "this"; });
     return out;
 }
+
+bool is_bare_return(const Text& written) { return !written.empty() && written[0] == "return" && is_path(written, 1); }
 
 bool is_bare_declaration(const Text& written) {
     if (written.empty() || written[0] == "return" || word_is(written[0], kGoesOn)) return false;
@@ -171,6 +223,7 @@ bool is_bare_declaration(const Text& written) {
     if (names < 2) return false;
     if (end == written.size()) return true;
     const std::string& name = written[end - 1];
+    if (written[end] == "=" && is_path(written, end + 1)) return true;
     bool numbers = true;
     for (size_t i = end + 1; i < written.size(); ++i) {
         if (i > end + 1 && written[i] == name) return true;

@@ -54,9 +54,12 @@ std::vector<std::string> value_of(const std::vector<std::string>& words);
 float substance_of(const std::vector<std::string>& before, const std::vector<std::string>& now,
                    const KnownThere& there);
 
-/// True for a variable that is declared without a value, with numbers alone, or as a short name for a member of its own
-/// name: `float3 n = p -> n`.
+/// True for a variable that is declared without a value, with numbers alone, or as a short name for what another one
+/// holds: `float3 n = p -> n`.
 bool is_bare_declaration(const std::vector<std::string>& written);
+
+/// True for `return` with nothing but the way to a value.
+bool is_bare_return(const std::vector<std::string>& written);
 
 /// True for a statement that speaks to people or to the build: it prints, logs, asserts, measures time, or is a
 /// preprocessor line.

@@ -34,6 +34,9 @@ constexpr std::array<std::string_view, 14> kSpeed = {"optimi", "speed",     "per
                                                      "tune",   "tuning",    "occupancy", "register", "vectori",
                                                      "cache",  "benchmark", "inline",    "latency"};
 
+/// What is mended there is the build, not what the code does.
+constexpr std::array<std::string_view, 5> kBuild = {"compil", "build", "driver", "warning", "script"};
+
 }  // namespace
 
 MessageSays read_message(std::string_view message) {
@@ -41,6 +44,10 @@ MessageSays read_message(std::string_view message) {
     std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
     const std::string first = text.substr(0, text.find('\n'));
     MessageSays out{speaks_of(first, kFix), false, speaks_of(first, kManner), speaks_of(first, kSpeed)};
+    if (speaks_of(first, kBuild)) {
+        out.fix = false;
+        out.manner = true;
+    }
     if (!out.fix && !out.manner && !out.speed) out.fix = out.in_text = speaks_of(text, kFix);
     return out;
 }

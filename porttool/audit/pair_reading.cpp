@@ -385,7 +385,7 @@ private:
     template <class Note>
     void judge_added(Side side, const StatementLineage& line, const Nearest& of_now, const Note& note) {
         const LineageStep& born = line.steps.back();
-        if (!born.before.empty()) return;
+        if (!born.before.empty() || is_bare_return(words_of_statement(sides_[side].written[line.index]))) return;
         const auto step =
             std::find_if(line.steps.rbegin(), line.steps.rend(), [](const auto& one) { return one.counts; });
         if (step == line.steps.rend()) return;
@@ -395,9 +395,10 @@ private:
         MissingPlace place;
         place.kind = MissingPlace::Kind::Added;
         place.now = sides_[side].written[line.index];
-        place.strength = 0.8f * std::min(1.0f, (1 - there) / 0.6f) * known_names(side, line.index) *
-                         (0.35f + 0.65f * neighbours(side, line.index)) * told_by(now.sum) *
-                         lacks_words(side, line.index);
+        if (only_brings(side, line.index)) return;
+        place.strength = said_in_one(side, line.index) * 0.8f * std::min(1.0f, (1 - there) / 0.6f) *
+                         known_names(side, line.index) * (0.35f + 0.65f * neighbours(side, line.index)) *
+                         told_by(now.sum) * lacks_words(side, line.index);
         if (place.strength < kFaint) return;
         note(born.commit, std::move(place));
     }
@@ -412,6 +413,41 @@ private:
             known += there.degree(word);
         }
         return names == 0 ? 0.5f : known / names;
+    }
+
+    /// True for a statement that only names a value in its side's own manner: `n = LOAD ( p . n )`.
+    bool only_brings(Side side, size_t index) const {
+        const KnownThere there = known_there(side);
+        size_t calls = 0;
+        const std::vector<std::string> value = value_of(sides_[side].words[index]);
+        for (size_t i = 0; i < value.size(); ++i) {
+            const bool called = i + 1 < value.size() && value[i + 1] == "(";
+            if (called && (!is_word_token(value[i]) || there.degree(value[i]) > 0)) return false;
+            calls += called ? 1 : 0;
+            const bool slight =
+                value[i].size() == 1 && std::string_view("()[].,").find(value[i][0]) != std::string_view::npos;
+            if (!slight && !is_word_token(value[i]) && !is_number_token(value[i])) return false;
+        }
+        return calls == 1 && value.size() < sides_[side].words[index].size();
+    }
+
+    /// Less than 1 where a single statement of the other side has all names that tell what this one is about.
+    float said_in_one(Side side, size_t index) const {
+        constexpr float kSaid = 0.35f;
+        constexpr size_t kShort = 3;
+        const KnownThere there = known_there(side);
+        std::vector<std::string> names;
+        for (const std::string& word : sides_[side].words[index])
+            if (is_word_token(word) && word.size() > kShort && !is_type_word(word) &&
+                !own_names_[side].contains(word) && there.degree(word) > 0)
+                names.push_back(word);
+        if (names.size() < 2) return 1;  // one alone stands anywhere
+        for (const auto& words : sides_[other(side)].words)
+            if (std::all_of(names.begin(), names.end(), [&](const std::string& name) {
+                    return std::find(words.begin(), words.end(), name) != words.end();
+                }))
+                return kSaid;
+        return 1;
     }
 
     /// 1 where the other side's unit uses some word of a statement less often than this one; less where it uses each as
@@ -462,7 +498,7 @@ private:
     template <class Note>
     void judge_removed(Side side, const RemovedStatement& one, const Note& note) {
         const auto& others = sides_[other(side)].weighed;
-        if (says_nothing(one.text)) return;
+        if (says_nothing(one.text) || is_bare_return(words_of_statement(one.text))) return;
         const WeighedWords old_text = past_weighed(one.text, side, true);
         const Nearest near = nearest(old_text, others), own = nearest(old_text, sides_[side].weighed);
         if (!near.any || near.index == 0) return;

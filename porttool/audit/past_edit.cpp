@@ -10,6 +10,7 @@
 #include "porttool/audit/likeness.h"
 #include "porttool/compare/plain_statement.h"
 #include "porttool/compare/statement_edit.h"
+#include "porttool/normal/declaration_words.h"
 #include "porttool/normal/locals.h"
 #include "porttool/normal/normal_form.h"
 #include "porttool/normal/prelude.h"
@@ -28,6 +29,26 @@ WrittenStatement written(const std::vector<std::string>& words) {
 }
 
 std::vector<std::string> as_written_words(const Words& statement, bool) { return {statement.begin(), statement.end()}; }
+
+/// Lists of values in parentheses, so that they stay within their statement: `(float4){a, b}` is `(float4)(a, b)`.
+Words with_plain_lists(const Words& text) {
+    Words out = text;
+    std::vector<bool> lists;  // of the braces that are open: whether they hold values
+    for (size_t i = 0; i < out.size(); ++i) {
+        if (out[i] == "{") {
+            const std::string_view last = i == 0 ? std::string_view() : text[i - 1];
+            const bool within = !lists.empty() && lists.back();
+            const bool cast = last == ")" && i > 3 && text[i - 3] == "(" && is_word_token(text[i - 2]) &&
+                              is_one_of(text[i - 4], {"=", ",", "(", "return", "+", "-", "*", "/", "+=", "-=", "*="});
+            lists.push_back(within || cast || is_one_of(last, {"=", ",", "(", "return"}));
+            if (lists.back()) out[i] = "(";
+        } else if (out[i] == "}" && !lists.empty()) {
+            if (lists.back()) out[i] = ")";
+            lists.pop_back();
+        }
+    }
+    return out;
+}
 
 /// Pairs what was lost in one place with what was gained there, in order, so that as much as possible is alike.
 class PlaceAligner {
@@ -227,7 +248,7 @@ std::vector<std::string> words_of_statement(const WrittenStatement& statement) {
 
 std::vector<WrittenStatement> written_statements(const Words& text) {
     std::vector<WrittenStatement> out;
-    for (const Statement& statement : split_statements(without_prelude(text), as_written_words))
+    for (const Statement& statement : split_statements(with_plain_lists(without_prelude(text)), as_written_words))
         if (!statement.is_brace()) out.push_back(written(statement.common));
     return out;
 }
@@ -237,7 +258,8 @@ UnitEdit unit_edit(const NormalText& before, const NormalText& now, UnitKind kin
     UnitEdit out;
     if (before.size() + now.size() > kMostWordsOfUnit) return out;
     const Words old_words = before.words(), new_words = now.words();
-    const Words old_text = without_prelude(old_words), new_text = without_prelude(new_words);
+    const Words old_text = with_plain_lists(without_prelude(old_words)),
+                new_text = with_plain_lists(without_prelude(new_words));
     if (old_text == new_text) return out;
     out.places = places_of(statement_edit(old_text, new_text, as_written_words));
     drop_moved(out.places);
