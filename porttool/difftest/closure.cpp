@@ -33,10 +33,10 @@ bool is_about_streams(const ScannedFile& file, const Unit& unit) {
 
 class Collector {
 public:
-    Collector(const Definitions& definitions, const std::set<const Definition*>& stand_ins,
+    Collector(const Definitions& definitions, const Supplied& supplied,
               const std::set<std::string, std::less<>>& members, const ScannedFile& root)
         : definitions_(definitions),
-          stand_ins_(stand_ins),
+          supplied_(supplied),
           members_(members),
           root_(root),
           has_vectors_(has_vector_types(root.language)) {}
@@ -52,10 +52,7 @@ public:
             out.missing = "it needs more than " + std::to_string(kMostPieces) + " other definitions";
             return;
         }
-        if (one.kind == Definition::Kind::Variable) {
-            out.missing = "binding " + one.name;
-            return;
-        }
+        if (one.kind == Definition::Kind::Variable) return bring_variable(one);
         ++open_;
         Piece piece{&one, {}, {}};
         if (one.kind == Definition::Kind::Struct) piece.left_out = unneeded(one);
@@ -85,11 +82,21 @@ public:
         if (one.unit != nullptr && one.kind == Definition::Kind::Function)
             for (std::string& name : local_names(*one.file, *one.unit)) locals.insert(std::move(name));
         TokenRange range = one.tokens;
-        if (stand_ins_.contains(&one)) range.end = one.unit->body.first;
+        if (supplied_.functions.contains(&one)) range.end = one.unit->body.first;
         names_in(one, range, left_out, locals, words);
     }
 
 private:
+    void bring_variable(const Definition& one) {
+        if (!supplied_.variables.contains(one.name)) {
+            out.missing = "binding " + one.name;
+            return;
+        }
+        for (const Definition* type : definitions_.find(*one.file, type_of_variable(one)))
+            if (type->owner.empty()) bring(*type);
+        out.pieces.push_back(Piece{&one, {}, {}});
+    }
+
     void bring_operators(std::string_view type) {
         for (const Definition* one : definitions_.operators(root_, type))
             if (!is_about_streams(*one->file, *one->unit)) bring(*one);
@@ -149,7 +156,7 @@ private:
     }
 
     const Definitions& definitions_;
-    const std::set<const Definition*>& stand_ins_;
+    const Supplied& supplied_;
     const std::set<std::string, std::less<>>& members_;
     const ScannedFile& root_;
     const bool has_vectors_;
@@ -160,12 +167,11 @@ private:
 
 }  // namespace
 
-Closure closure_of(const Definition& function, const Definitions& definitions,
-                   const std::set<const Definition*>& stand_ins) {
+Closure closure_of(const Definition& function, const Definitions& definitions, const Supplied& supplied) {
     std::set<std::string, std::less<>> members;
     for (int round = 0;; ++round) {
-        Collector collector(definitions, stand_ins, members, *function.file);
-        collector.follow(function, {});
+        Collector collector(definitions, supplied, members, *function.file);
+        collector.follow(function, {}, &collector.out.words);
         const size_t known = members.size();
         members.insert(collector.seen_members.begin(), collector.seen_members.end());
         if (members.size() != known && round != kMostRounds && collector.out.missing.empty()) continue;

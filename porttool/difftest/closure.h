@@ -19,14 +19,19 @@ struct Piece {
 
 /// What must stand before a function so that it compiles by itself: what it names, what that names, and so on.
 struct Closure {
-    std::vector<Piece> pieces;    ///< each after those that it names
-    std::set<std::string> words;  ///< every identifier in them
-    std::string missing;          ///< what cannot be brought along: "binding NAME"; "" if all can
+    std::vector<Piece> pieces;                 ///< each after those that it names
+    std::set<std::string, std::less<>> words;  ///< every identifier of the function itself
+    std::string missing;                       ///< what cannot be brought along: "binding NAME"; "" if all can
 };
 
-/// Follows the names in the text of a function. `stand_ins`: functions whose body is not looked at, since others stand
-/// in for them.
-Closure closure_of(const Definition& function, const Definitions& definitions,
-                   const std::set<const Definition*>& stand_ins);
+/// What a run can bring along beyond texts: functions whose body is not looked at, since others stand in for them, and
+/// variables of plain data that are inputs.
+struct Supplied {
+    std::set<const Definition*> functions;
+    std::set<std::string, std::less<>> variables;
+};
+
+/// Follows the names in the text of a function.
+Closure closure_of(const Definition& function, const Definitions& definitions, const Supplied& supplied);
 
 }  // namespace porttool

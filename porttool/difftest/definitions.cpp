@@ -242,6 +242,26 @@ uint32_t end_of_function(const LexedText& lexed, const Unit& unit) {
     return unit.tokens.end;
 }
 
+std::string_view type_of_variable(const Definition& variable) {
+    const LexedText& lexed = variable.file->lexed;
+    const auto count = static_cast<uint32_t>(lexed.tokens.size());
+    // Of a block of GLSL the tokens are its head, and the variable stands behind them.
+    for (uint32_t i = variable.tokens.first + 1; i + 1 < std::min(variable.tokens.end + 16, count); ++i) {
+        if (lexed.view(i) != variable.name) continue;
+        const std::string_view next = lexed.view(i + 1);
+        const bool alone = next == ";" || next == "=" || next == "{";
+        return alone && lexed.tokens[i - 1].kind == TokenKind::Identifier ? lexed.view(i - 1) : std::string_view();
+    }
+    return {};
+}
+
+std::vector<const Definition*> Definitions::all_of(Definition::Kind kind) const {
+    std::vector<const Definition*> out;
+    for (const Definition& one : all_)
+        if (one.kind == kind) out.push_back(&one);
+    return out;
+}
+
 void Definitions::add(Definition definition) {
     if (definition.name.empty()) return;
     all_.push_back(std::move(definition));

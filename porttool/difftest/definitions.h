@@ -28,6 +28,9 @@ struct Definition {
     uint32_t open_conditions = 0;      ///< how many `#endif` close them
 };
 
+/// The one word that a variable's type is; "" where it is more, as an array or a pointer.
+std::string_view type_of_variable(const Definition& variable);
+
 /// Where a function ends: after the brace that closes its body.
 uint32_t end_of_function(const LexedText& lexed, const Unit& unit);
 
@@ -72,6 +75,11 @@ public:
 
     /// The order in which a compiler sees what stands in these files, where it reads them one after another.
     ReadingOrder reading_order(const std::vector<const ScannedFile*>& files) const;
+
+    /// True where some file of the side defines the name.
+    bool defines(std::string_view name) const { return everywhere_.contains(name); }
+    /// Every definition of one kind.
+    std::vector<const Definition*> all_of(Definition::Kind kind) const;
 
     /// Headers of the standard library that a file and those that it includes ask for.
     std::set<std::string> standard_headers(const ScannedFile& from) const;

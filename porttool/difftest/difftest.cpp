@@ -92,19 +92,32 @@ bool is_function(const Definition* one) {
     return one != nullptr && one->kind == Definition::Kind::Function && one->unit != nullptr;
 }
 
-/// True for a function that names a variable of its file or another: what a run does not have.
-bool reads_binding(const Definition& one, const Definitions& definitions) {
+/// The variables that a function names: what a run does not have.
+std::set<std::string, std::less<>> bindings_of(const Definition& one, const Definitions& definitions) {
     const LexedText& lexed = one.file->lexed;
+    std::set<std::string, std::less<>> out;
     for (uint32_t i = one.unit->body.first; i < one.unit->body.end; ++i) {
         if (lexed.tokens[i].kind != TokenKind::Identifier) continue;
         if (i > 0 && (lexed.view(i - 1) == "." || lexed.view(i - 1) == "->")) continue;
         for (const Definition* found : definitions.find(*one.file, lexed.view(i)))
-            if (found->kind == Definition::Kind::Variable) return true;
+            if (found->kind == Definition::Kind::Variable) out.insert(found->name);
     }
-    return false;
+    return out;
 }
 
-/// True for a function that takes values alone and gives one: then an answer can stand for it.
+/// What a function gives, as it is written; without what says how it is linked.
+std::string type_given_by(const Definition& one) {
+    std::string out;
+    for (uint32_t i = one.unit->tokens.first; i < one.unit->name_token; ++i) {
+        const std::string_view word = one.file->lexed.view(i);
+        if (word == "inline" || word == "static" || word == "constexpr" || word.starts_with("__") || word == "const")
+            continue;
+        out += (out.empty() ? "" : " ") + std::string(word);
+    }
+    return out;
+}
+
+/// True for a function that takes values alone: then an answer can stand for it, or a note of what it was given.
 bool can_be_stood_in_for(const Definition& one) {
     const LexedText& lexed = one.file->lexed;
     for (uint32_t i = one.unit->parameters.first; i < one.unit->parameters.end; ++i) {
@@ -112,7 +125,7 @@ bool can_be_stood_in_for(const Definition& one) {
         if (word == "*" || word == "out" || word == "inout" || word == "[" || word == "&") return false;
     }
     for (uint32_t i = one.unit->tokens.first; i < one.unit->name_token; ++i)
-        if (lexed.view(i) == "void" || lexed.view(i) == "template") return false;
+        if (lexed.view(i) == "template") return false;
     return true;
 }
 
@@ -193,16 +206,18 @@ public:
     std::vector<DifftestPair> pairs;
 
     void stand_in(const std::vector<PairIds>& all) {
+        supply_variables();
         int number = 0;
         for (const auto& [source, target] : all) {
             const Definition *ours = units_.source.find(source), *theirs = units_.target.find(target);
             if (!is_function(ours) || !is_function(theirs) || !can_be_stood_in_for(*ours) ||
                 !can_be_stood_in_for(*theirs))
                 continue;
-            if (!reads_binding(*ours, source_) && !reads_binding(*theirs, target_)) continue;
-            if (stand_ins_.source.contains(ours) || stand_ins_.target.contains(theirs)) continue;
-            stand_ins_.source[ours] = stand_ins_.target[theirs] = ++number;
+            if (!needs_stand_in(*ours, *theirs)) continue;
+            if (stand_ins_.source.functions.contains(ours) || stand_ins_.target.functions.contains(theirs)) continue;
+            stand_ins_.source.functions[ours] = stand_ins_.target.functions[theirs] = ++number;
         }
+        for (const Side side : kBothSides) supply_by_name(side, number);
     }
 
     void run() {
@@ -234,6 +249,42 @@ public:
     }
 
 private:
+    /// Variables that both sides have under one name, of a type by a name that is a struct or a number.
+    void supply_variables() {
+        std::map<std::string, std::string> known;
+        for (const Definition* one : source_.all_of(Definition::Kind::Variable))
+            known[one->name] = type_of_variable(*one);
+        for (const Definition* one : target_.all_of(Definition::Kind::Variable)) {
+            const auto other = known.find(one->name);
+            if (other == known.end() || other->second.empty() || type_of_variable(*one).empty()) continue;
+            stand_ins_.source.variables.insert(one->name);
+            stand_ins_.target.variables.insert(one->name);
+        }
+    }
+
+    /// True where a side reads what is not supplied, or where the two do not read the same.
+    bool needs_stand_in(const Definition& source, const Definition& target) const {
+        const auto ours = bindings_of(source, source_), theirs = bindings_of(target, target_);
+        if (ours != theirs) return true;
+        return std::any_of(ours.begin(), ours.end(),
+                           [&](const std::string& name) { return !stand_ins_.source.variables.contains(name); });
+    }
+
+    /// What a side reads by a function that the other has only by a name that the scan cannot see.
+    void supply_by_name(Side side, int& number) {
+        for (const Definition* one : definitions(side).all_of(Definition::Kind::Function)) {
+            if (one->unit == nullptr || !one->owner.empty() || definitions(other(side)).defines(one->name)) continue;
+            if (stand_ins_[side].functions.contains(one) || !can_be_stood_in_for(*one)) continue;
+            const auto read = bindings_of(*one, definitions(side));
+            if (std::all_of(read.begin(), read.end(),
+                            [&](const std::string& name) { return stand_ins_[side].variables.contains(name); }))
+                continue;
+            const auto [answer, is_new] = stand_ins_[other(side)].named.try_emplace(one->name);
+            if (is_new) answer->second = {++number, type_given_by(*one)};
+            stand_ins_[side].functions[one] = answer->second.number;
+        }
+    }
+
     const Definitions& definitions(Side side) const { return side == Side::Source ? source_ : target_; }
 
     void look_at(size_t i) {
@@ -249,14 +300,7 @@ private:
                 return;
             }
         }
-        const auto stood_in = [&](Side side) {
-            std::set<int> out;
-            for (const Piece& piece : work.subject[side].closure.pieces)
-                if (const auto one = stand_ins_[side].find(piece.definition); one != stand_ins_[side].end())
-                    out.insert(one->second);
-            return out;
-        };
-        if (stood_in(Side::Source) != stood_in(Side::Target))
+        if (work.subject.source.stood_in != work.subject.target.stood_in)
             pairs[i].reason = "the sides read bindings by different helpers";
     }
 

@@ -286,6 +286,7 @@ std::string answer(const Definition& one, int number) {
     std::string arguments;
     for (const SubjectParameter& parameter : parameters_of(*one.file, *one.unit, {}))
         arguments += ", " + parameter.name;
+    if (gives_nothing(one)) return fmt::format("{{ porttool_harness::noted({}{}); }}", number, arguments);
     const std::string list = arguments.empty() ? "" : arguments.substr(2);
     return fmt::format("{{ return porttool_harness::answered<decltype({}({}))>({}{}); }}", one.name, list, number,
                        arguments);
@@ -333,6 +334,42 @@ bool closes(const std::string& text) {
 
 }  // namespace
 
+bool gives_nothing(const Definition& function) {
+    for (uint32_t i = function.unit->tokens.first; i < function.unit->name_token; ++i)
+        if (function.file->lexed.view(i) == "void") return true;
+    return false;
+}
+
+namespace {
+
+/// Which of what can be supplied the subject asks for.
+void take_stand_ins(Subject& subject, const StandIns& stand_ins) {
+    const auto take = [&](const std::set<std::string, std::less<>>& words) {
+        for (const auto& [name, answer] : stand_ins.named)
+            if (words.contains(name)) {
+                subject.named.insert(name);
+                subject.stood_in.insert(answer.number);
+                subject.has_notes = subject.has_notes || answer.type == "void";
+            }
+    };
+    take(subject.closure.words);
+    for (const Piece& piece : subject.closure.pieces) {
+        const Definition& one = *piece.definition;
+        if (one.kind == Definition::Kind::Variable) subject.variables.push_back(&one);
+        const auto stood = stand_ins.functions.find(&one);
+        if (stood == stand_ins.functions.end()) {
+            take(piece.words);
+            continue;
+        }
+        subject.stood_in.insert(stood->second);
+        subject.has_notes = subject.has_notes || gives_nothing(one);
+    }
+    std::sort(subject.variables.begin(), subject.variables.end(),
+              [](const Definition* a, const Definition* b) { return a->name < b->name; });
+}
+
+}  // namespace
+
 Subject subject_of(const Definition& function, const Definitions& definitions, const StandIns& stand_ins) {
     Subject out;
     out.function = &function;
@@ -350,14 +387,14 @@ Subject subject_of(const Definition& function, const Definitions& definitions, c
     if (const std::string macro = pointers_by_macro(function, definitions); !macro.empty() && out.reason.empty())
         out.reason = "pointer of unknown length: in " + macro;
     if (!out.reason.empty()) return out;
-    std::set<const Definition*> stood;
-    for (const auto& [one, number] : stand_ins)
-        if (one != &function) stood.insert(one);
-    out.closure = closure_of(function, definitions, stood);
+    Supplied supplied;
+    supplied.variables = stand_ins.variables;
+    for (const auto& [one, number] : stand_ins.functions)
+        if (one != &function) supplied.functions.insert(one);
+    out.closure = closure_of(function, definitions, supplied);
     out.reason = out.closure.missing;
     if (!out.reason.empty()) return out;
-    for (const Piece& piece : out.closure.pieces)
-        if (stood.contains(piece.definition)) out.stood_in.push_back(piece.definition->name);
+    take_stand_ins(out, stand_ins);
     out.template_arguments = template_arguments(file, unit);
     if (out.template_arguments == "?") {
         out.reason = "a template over more than types";
@@ -397,9 +434,13 @@ std::string subject_text(const Subject& subject, int number, const Definitions& 
                 for (const Definition* function : std::exchange(called->second, {}))
                     pieces += prototype(*function, manner);
         if (one.kind == Definition::Kind::Function && prelude_names().contains(one.name)) used.insert(one.name);
-        const auto stand_in = stand_ins.find(&one);
+        if (one.kind == Definition::Kind::Variable) {
+            pieces += std::string(type_of_variable(one)) + " " + one.name + ";\n";
+            continue;
+        }
+        const auto stand_in = stand_ins.functions.find(&one);
         manner.body.reset();
-        if (stand_in != stand_ins.end() && one.kind == Definition::Kind::Function)
+        if (stand_in != stand_ins.functions.end() && one.kind == Definition::Kind::Function)
             manner.body = answer(one, stand_in->second);
         (one.kind == Definition::Kind::Macro ? before : pieces) += cpp_text(piece, manner);
         if (one.kind == Definition::Kind::Struct) {
@@ -415,7 +456,18 @@ std::string subject_text(const Subject& subject, int number, const Definitions& 
     out += before;
     out += fmt::format("namespace subject_{} {{ namespace {{\nusing namespace porttool_prelude;\n", number);
     for (const std::string& name : used) out += fmt::format("using porttool_prelude::{};\n", name);
-    out += announcements + pieces;
+    out += announcements;
+    for (const std::string& name : subject.named) {
+        const NamedAnswer& answer = stand_ins.named.find(name)->second;
+        if (answer.type == "void")
+            out += fmt::format("template <class... A> void {}(A... a) {{ porttool_harness::noted({}, a...); }}\n", name,
+                               answer.number);
+        else
+            out += fmt::format(
+                "template <class... A> auto {}(A... a) {{ return porttool_harness::answered<{}>({}, a...); }}\n", name,
+                answer.type, answer.number);
+    }
+    out += pieces;
     out += cpp_text(Piece{subject.function, {}, {}}, manner);
     out += after;
     out += visitors;
@@ -426,13 +478,21 @@ std::string subject_text(const Subject& subject, int number, const Definitions& 
         out += fmt::format("{{\"{}\", {}}}, ", parameter.name, count);
     }
     out += "{nullptr, 0}};\n";
+    out += fmt::format(
+        "struct PorttoolGlobals {{ static constexpr bool kHasNotes = {}; template <class V> void operator()(V& v) "
+        "const {{",
+        subject.has_notes);
+    for (const Definition* one : subject.variables)
+        out += fmt::format(" porttool_harness::walk(v, \"{0}\", {0});", one->name);
+    out += " } };\n";
     const std::string pointer = "&porttool_subject" + subject.template_arguments;
-    out += fmt::format("void porttool_list() {{ porttool_harness::list({}, porttool_params, {}); }}\n", pointer,
-                       !subject.stood_in.empty());
+    out +=
+        fmt::format("void porttool_list() {{ porttool_harness::list({}, porttool_params, PorttoolGlobals(), {}); }}\n",
+                    pointer, !subject.stood_in.empty());
     out += fmt::format(
         "void porttool_run(const uint64_t* in, size_t is, uint64_t* out, size_t os, size_t n) {{ "
         "porttool_harness::run({}, "
-        "porttool_params, in, is, out, os, n); }}\n",
+        "porttool_params, PorttoolGlobals(), in, is, out, os, n); }}\n",
         pointer);
     out += "} }\n";
     return out;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -18,19 +19,37 @@ struct SubjectParameter {
     std::string bound;  ///< of an array, as written; "" for none
 };
 
-/// Functions of one side that others stand in for, because they read what a run does not have (a table, a texture), by
-/// the number under which both sides answer alike.
-using StandIns = std::map<const Definition*, int>;
+/// What stands in for something that one side of the other does not have either, by a name alone.
+struct NamedAnswer {
+    int number = 0;
+    std::string type;  ///< of the answer, as the other side writes it
+};
+
+/// What a run supplies on one side in place of what it does not have: tables, textures, settings.
+struct StandIns {
+    /// Functions that read such things, by the number under which both sides answer alike.
+    std::map<const Definition*, int> functions;
+    /// The same where this side has nothing of the name that the scan could see, as a function that a macro makes.
+    std::map<std::string, NamedAnswer, std::less<>> named;
+    /// Variables of plain data that both sides have under one name: they are inputs.
+    std::set<std::string, std::less<>> variables;
+};
 
 /// One side of a pair, ready to be written as C++.
 struct Subject {
     const Definition* function = nullptr;
     Closure closure;
     std::vector<SubjectParameter> parameters;
-    std::string template_arguments;     ///< "<float>" for a template; "" for others
-    std::vector<std::string> stood_in;  ///< names of functions that were stood in for
-    std::string reason;                 ///< why it cannot be run; "" if it can
+    std::string template_arguments;            ///< "<float>" for a template; "" for others
+    std::set<int> stood_in;                    ///< the numbers of what was stood in for
+    std::set<std::string, std::less<>> named;  ///< of those, the ones by a name
+    bool has_notes = false;                    ///< some of those give nothing: what they are called with is compared
+    std::vector<const Definition*> variables;  ///< that are inputs, by name
+    std::string reason;                        ///< why it cannot be run; "" if it can
 };
+
+/// True for a function that gives nothing.
+bool gives_nothing(const Definition& function);
 
 /// Looks at a function. Never fails: `reason` says why it cannot be run.
 Subject subject_of(const Definition& function, const Definitions& definitions, const StandIns& stand_ins);

@@ -13,6 +13,12 @@
 namespace porttool::testing {
 namespace {
 
+#ifdef __SANITIZE_ADDRESS__
+constexpr bool kSanitized = true;
+#else
+constexpr bool kSanitized = false;
+#endif
+
 class Difftest : public TemporaryRepository {
 protected:
     void SetUp() override {
@@ -94,7 +100,7 @@ TEST_F(Difftest, TellsWhatDiffersAndWhatCannotRun) {
         EXPECT_EQ(pair["tolerance"], "bits") << pair.dump(1);
         EXPECT_GT(pair["inputs"].get<int>(), 2500) << pair.dump(1);
     }
-    EXPECT_EQ(pair_of(pairs, "gained")["reason"], "binding settings");
+    EXPECT_EQ(pair_of(pairs, "gained")["reason"], "binding settings") << "the other side has none of this name";
     EXPECT_EQ(pair_of(pairs, "distant")["reason"], "source: unknown helper helper_elsewhere");
     const nlohmann::json evidence = nlohmann::json::parse(read_text(root / "e.json"));
     EXPECT_EQ(evidence["pairs"], pairs);
@@ -133,7 +139,63 @@ __global__ void fill(float* out) { out[threadIdx.x] = 1.0f; }
     EXPECT_EQ(pair_of(pairs, "fill")["reason"], "a kernel: it takes its work from a launch");
 }
 
+TEST_F(Difftest, SuppliesWhatARunDoesNotHave) {
+    const char* const source = R"(
+struct Frame { float gain; uint count; };
+layout(push_constant) uniform FrameBlock { Frame frame; };
+layout(binding = 0) buffer Rows { vec4 rows[]; };
+vec4 row_at(uint i) { return rows[i]; }
+void put_row(uint i, vec4 row) { rows[i] = row; }
+float gained(float x) { return x * frame.gain; }
+float summed(uint i) { vec4 r = row_at(i); return r.x + r.y; }
+void stored(uint i, float x) { put_row(i + frame.count, vec4(x, x * 2.0, 0.0, 1.0)); }
+)";
+    const std::string target = R"(
+struct float4 { float x, y, z, w; };
+struct Frame { unsigned count; float gain; };
+static float4* rows;
+static Frame frame;
+inline float4 row_at(unsigned i) { return rows[i]; }
+inline void put_row(unsigned i, float4 row) { rows[i] = row; }
+inline float gained(float x) { return x * frame.gain; }
+inline float summed(unsigned i) { const float4 r = row_at(i); return r.x + r.y; }
+inline void stored(unsigned i, float x) { put_row(i + frame.count, float4{x, x * 2.0f, 0.0f, 1.0f}); }
+)";
+    nlohmann::json pairs = run_on("a.glsl", source, "b.h", target, {"--inputs", "2000", "--ulps", "0"});
+    for (const char* name : {"gained", "summed", "stored"})
+        EXPECT_EQ(pair_of(pairs, name)["state"], "same") << pairs.dump(1);
+    EXPECT_EQ(pair_of(pairs, "row_at")["state"], "not_run");
+    pairs =
+        run_on("a.glsl", source, "b.h", replaced(replaced(target, "x * 2.0f", "x * 3.0f"), "r.x + r.y", "r.x - r.y"),
+               {"--inputs", "2000", "--ulps", "0"});
+    for (const char* name : {"summed", "stored"}) EXPECT_EQ(pair_of(pairs, name)["state"], "differs") << pairs.dump(1);
+    EXPECT_EQ(pair_of(pairs, "stored")["counterexample"]["inputs"]["x"], 1);
+}
+
+TEST_F(Difftest, TellsRoundingFromADifference) {
+    if (kSanitized) GTEST_SKIP() << "what runs here is not what is sanitized";
+    const nlohmann::json pairs = run_on("a.cu", R"(
+__device__ float between(float a, float b, float t) { return a + (b - a) * t; }
+__device__ float poly(float x) { return ((0.3f * x + 0.7f) * x - 1.1f) * x + 0.1f; }
+__device__ float near_half(float x) { return x * 0.5f; }
+__device__ float clocked(float x) { return x + (float)clock(); }
+)",
+                                        "b.cpp", R"(
+#include <ctime>
+float between(float a, float b, float t) { return (1.0f - t) * a + t * b; }
+float poly(float x) { return 0.3f * x * x * x + 0.7f * x * x - 1.1f * x + 0.1f; }
+float near_half(float x) { return x * 0.50001f; }
+float clocked(float x) { return x + (float)clock(); }
+)",
+                                        {"--inputs", "5000"});
+    EXPECT_EQ(pair_of(pairs, "poly")["state"], "same") << pairs.dump(1);
+    EXPECT_EQ(pair_of(pairs, "poly")["tolerance"], "4 ulps") << "its results differ, in rounding";
+    EXPECT_EQ(pair_of(pairs, "near_half")["state"], "differs") << pairs.dump(1);
+    EXPECT_NE(pair_of(pairs, "clocked")["state"], "differs") << pairs.dump(1);
+}
+
 TEST_F(Difftest, EndsWhatHangsForksOrEatsMemory) {
+    if (kSanitized) GTEST_SKIP() << "what runs here is not what is sanitized";
     const std::string code = R"(#include <cstdlib>
 #include <unistd.h>
 int hangs(int x) { volatile int turns = 1; while (turns) turns = 1 + (x & 1); return x; }
