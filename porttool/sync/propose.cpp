@@ -12,6 +12,7 @@
 #include "porttool/normal/unit_state.h"
 #include "porttool/read/lock_lines.h"
 #include "porttool/scan/scan.h"
+#include "porttool/sync/block_ends.h"
 #include "porttool/sync/call_carrier.h"
 #include "porttool/sync/file_text.h"
 #include "porttool/sync/include_carrier.h"
@@ -222,7 +223,8 @@ private:
         WordKeys keys(knowledge_.dialect());
         const AlignedText old_text = keys.text(was.words, record), new_text = keys.text(is.words, record),
                           port_text = keys.text(there.words, record);
-        const Alignment edit = align(old_text, new_text, {0.5, false});
+        Alignment edit = align(old_text, new_text, {0.5, false});
+        match_block_ends(old_text, new_text, edit);
         const Alignment across = align(old_text, port_text, {});
         if (holds_a_part(pair, from, across))
             return refuse(

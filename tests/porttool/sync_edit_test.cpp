@@ -691,5 +691,19 @@ TEST(SyncLayout, ABlockThatBecomesAGuardLosesItsBraces) {
                           "    if (a >= b)\n        return r;\n    r = b;\n    a = r;\n"));
 }
 
+TEST(SyncLayout, ABlockWithinABranchEndsBeforeTheNextBranch) {
+    const std::string from =
+                          "  if (a > b) {\n    r = b;\n  } else if (b > a) {\n    for (int i = 0; i < 3; ++i) {\n      "
+                          "r += a;\n    }\n  }\n",
+                      to = "  if (a > b) {\n    if (b > 0.0f) {\n      r = b;\n    } else {\n      r = 0.5f;\n    }\n  "
+                           "} else if (b > a) {\n    for (int i = 0; i < 3; ++i) {\n      r += a;\n    }\n  }\n";
+    const std::string rest =
+        "    } else if (b > a) {\n        for (int i = 0; i < 3; ++i) {\n            r += a;\n        }\n    }\n";
+    expect_written(picked(from, to, "    if (a > b) {\n        r = b;\n" + rest,
+                          "    if (a > b) {\n        if (b > 0.0f) {\n            r = b;\n        } else {\n           "
+                          " r = 0.5f;\n        }\n" +
+                              rest));
+}
+
 }  // namespace
 }  // namespace porttool::testing

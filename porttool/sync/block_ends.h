@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "porttool/compare/alignment.h"
+
+namespace porttool {
+
+/// Lets the end of a block stand for the end of the block that its head stands for, where the order allows it: of two
+/// braces in a row any may have been taken.
+///
+///     if ( a ) {             if ( a ) {
+///     x = 1 ;                if ( b ) {
+///     }                      x = 1 ;
+///                            }               not this one
+///                            else { ... }
+///                            }               but this one
+void match_block_ends(const AlignedText& first, const AlignedText& second, Alignment& alignment);
+
+}  // namespace porttool
