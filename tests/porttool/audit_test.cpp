@@ -131,6 +131,32 @@ TEST_F(Audit, FollowsFilesAndUnitsThatWereRenamed) {
     EXPECT_EQ(found[0]["commit"], fix);
 }
 
+TEST_F(Audit, FollowsFoldersThatWereRenamedAndSidesThatSwappedRoles) {
+    for (const std::string name : {"a", "b", "c"}) {
+        write("gpu/" + name + ".cu", replaced(kCudaShade, "shade", "shade_" + name));
+        write("cpu/" + name + ".cpp", replaced(kCppShade, "shade", "shade_" + name));
+    }
+    commit("More", 2);
+    change("gpu/b.cu", "level < 0.001f", "level < 0.0001f");
+    commit("Fix dark surfaces", 3);
+    const std::string fix = id_of_head();
+    git("mv gpu other && git mv cpu gpu && git mv other cpu");
+    commit("The CPU version is the original now", 4);
+    const auto found = items();
+    ASSERT_EQ(found.size(), 1) << found;
+    EXPECT_EQ(found[0]["target"], "cpu/b.cu:shade_b");
+    EXPECT_EQ(found[0]["edited"], "target");
+    EXPECT_EQ(found[0]["commit"], fix);
+}
+
+TEST_F(Audit, WhatThePortSaysInOtherWordsHasArrived) {
+    change("gpu/shade.cu", "    if (level", "    level *= albedo;\n    if (level");
+    commit("Fix the level", 2);
+    change("cpu/shade.cpp", "    if (level", "    level = level * albedo;\n    if (level");
+    commit("Port the fix", 3);
+    EXPECT_TRUE(items().empty()) << items();
+}
+
 TEST_F(Audit, NeitherMannersNorRenamedLocalsAreItems) {
     write("gpu/shade.cu",
           "// shading\nstatic __device__ __forceinline__ float shade(const float cos_theta, const float albedo) {\n"
