@@ -14,6 +14,7 @@
 namespace porttool {
 namespace {
 
+constexpr size_t kMostTables = 256;    ///< of a file that are looked at: each takes a look at all of it
 constexpr size_t kMostHeaders = 2000;  ///< read for one side, beyond those that its globs name
 
 std::string folder_of(std::string_view path) {
@@ -277,6 +278,7 @@ void Definitions::add_file(const ScannedFile& file) {
         conditions.set(definition);
         add(std::move(definition));
     };
+    size_t tables = 0;
     std::vector<TokenRange> taken;
     for (const Unit& unit : file.units) {
         if (unit.kind == UnitKind::File) continue;
@@ -318,7 +320,7 @@ void Definitions::add_file(const ScannedFile& file) {
         }
         const std::string_view word = lexed.view(i);
         if (const TokenRange table = table_at(lexed, i); !table.empty()) {
-            if (!is_written_to(file, i))
+            if (++tables <= kMostTables && !is_written_to(file, i))
                 add_with({Definition::Kind::Constant, &file, nullptr, table, std::string(word), {}, {}, 0});
             i = table.end - 1;
             continue;
@@ -334,7 +336,7 @@ void Definitions::add_file(const ScannedFile& file) {
     for (const FileVariable& variable : file.variables) {
         const std::string name(lexed.view(variable.name_token));
         if (variable.about != FileVariable::Declares || by_file_[&file].contains(name)) continue;
-        const TokenRange whole = table_of(file, variable);
+        const TokenRange whole = ++tables <= kMostTables ? table_of(file, variable) : TokenRange();
         if (whole.empty())
             add_with({Definition::Kind::Variable, &file, nullptr, variable.tokens, name, {}, {}, 0});
         else
