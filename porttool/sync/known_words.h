@@ -71,6 +71,13 @@ public:
         return language == Language::Cpp || language == Language::Cuda || language == Language::Hip ||
                language == Language::Sycl;
     }
+    /// True where the source's `(float4)(a, b)`, one value of several parts, is `float4(a, b)` in the target's
+    /// language.
+    bool constructs_vectors() const {
+        const Language here = from_.edited.language, there = to_.edited.language;
+        return here == Language::OpenCl && there != Language::OpenCl && there != Language::C &&
+               there != Language::Cuda && there != Language::Hip && there != Language::Ispc;
+    }
     /// True for one with C's literals of structs, `(T){1, 2}`.
     bool has_literals() const { return to_.edited.language == Language::C || to_.edited.language == Language::OpenCl; }
     /// True where a real number without a mark is a float in the source's language and none in the target's.

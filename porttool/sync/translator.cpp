@@ -30,6 +30,20 @@ bool is_swizzle(std::string_view word) {
     return false;
 }
 
+/// True for OpenCL's `( T ) ( a , b )` at `i`: of several parts, so that it is no cast.
+bool is_vector_literal(const std::vector<std::string>& words, size_t i, size_t end) {
+    if (i + 4 >= end || words[i] != "(" || !is_word_token(words[i + 1]) || words[i + 2] != ")" || words[i + 3] != "(")
+        return false;
+    if (i > 0 && is_word_token(words[i - 1]) && words[i - 1] != "return") return false;
+    int depth = 0;
+    for (size_t k = i + 3; k < end; ++k) {
+        depth += words[k] == "(" ? 1 : words[k] == ")" ? -1 : 0;
+        if (depth == 0) return false;
+        if (depth == 1 && words[k] == ",") return true;
+    }
+    return false;
+}
+
 /// A phrase that begins with the scope that was just written goes on from there.
 void drop_prefix_there(const std::vector<CarriedWord>& written, std::vector<std::string>& phrase) {
     const size_t size = written.size();
@@ -66,6 +80,13 @@ CarriedWords EditTranslator::carry(const std::vector<std::string>& words, size_t
             out.unknown.push_back("(" + words[i + 1] + "){");
         if (units_.other_parameters.contains(words[i]) && i + 1 < words.size() && words[i + 1] == "(")
             out.unknown.push_back(words[i] + "()");
+        if (known_.constructs_vectors() && is_vector_literal(words, i, end)) {
+            const std::string type = word(words[i + 1], false);
+            if (type.empty()) out.unknown.push_back(words[i + 1]);
+            out.words.push_back({type.empty() ? words[i + 1] : type, i + 1});
+            i += 3;
+            continue;
+        }
         if (lone_.contains(words[i])) {
             out.unknown.push_back(words[i]);
             out.words.push_back({words[i], i});

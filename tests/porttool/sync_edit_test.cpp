@@ -609,6 +609,14 @@ TEST(SyncEdit, ADeclarationThatThePortStillNeedsIsNotTakenAway) {
          ""});
 }
 
+TEST(SyncEdit, AVectorOfOpenClIsConstructed) {
+    const std::string source = "float4 f(float4 z, float a) {\n  float4 s = (float4)(a, a, a, 0.0f);\n",
+                      port = "float4 f(float4 z, float a) {\n  float4 s = float4(a, a, a, 0.0f);\n";
+    expect_ported({"k.cl", "k.cpp", source + "  return z + s;\n}\n",
+                   source + "  z *= (float4)(1.0f, a, a, a);\n  return z + s;\n}\n", port + "  return z + s;\n}\n",
+                   port + "  z *= float4(1.0f, a, a, a);\n  return z + s;\n}\n"});
+}
+
 // Braces and lines, in the port's manner.
 
 const std::string kPickHead = "__device__ float pick(float a, float b) {\n  float r = a;\n";
