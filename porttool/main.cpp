@@ -5,12 +5,6 @@
 
 #include "porttool/command/run.h"
 
-// Read by jemalloc, where porttool is linked with it: large pages spare a large project a tenth of its time.
-extern "C" {
-extern const char* malloc_conf;
-const char* malloc_conf = "thp:always";
-}
-
 int main(int argc, char** argv) try {
     porttool::RealDisk disk;
     return porttool::run_porttool(argc, argv, disk, std::cout, std::cerr);
