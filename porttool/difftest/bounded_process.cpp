@@ -20,6 +20,7 @@
 #include <string_view>
 
 #include "porttool/read/beneath.h"
+#include "porttool/read/child_process.h"
 
 namespace porttool {
 namespace {
@@ -108,21 +109,10 @@ OwnProcesses& own_processes() {
     return processes;
 }
 
-int exit_code_of_process(int status) {
-    constexpr int kSignalled = 128;
-    return WIFEXITED(status) ? WEXITSTATUS(status) : kSignalled + WTERMSIG(status);
-}
-
 /// Takes what has been printed so far; false at its end.
 bool take_first_output(int pipe, std::string& text, size_t most) {
-    std::array<char, 65536> buffer;
-    while (true) {
-        const ssize_t got = ::read(pipe, buffer.data(), buffer.size());
-        if (got < 0 && errno == EINTR) continue;
-        if (got <= 0) return got < 0 && errno == EAGAIN;
-        const size_t room = most - std::min(most, text.size());
-        text.append(buffer.data(), std::min(room, static_cast<size_t>(got)));
-    }
+    return take_available(pipe,
+                          [&](std::string_view got) { text += got.substr(0, most - std::min(most, text.size())); });
 }
 
 }  // namespace
@@ -179,7 +169,7 @@ ProcessEnd run_process(const std::vector<std::string>& arguments, const std::str
     (void)::kill(-child, SIGKILL);  // what it has left behind
     own_processes().end(child);
     if (open) take_first_output(reader.get(), out.output, limits.output);
-    out.exit_code = exit_code_of_process(status);
+    out.exit_code = exit_code_of(status);
     return out;
 }
 

@@ -7,30 +7,27 @@
 
 #include "porttool/difftest/prelude.h"
 #include "porttool/language/words.h"
+#include "porttool/normal/declaration_words.h"
 
 namespace porttool {
 namespace {
-
-bool is_one_of_words(std::string_view word, std::initializer_list<std::string_view> words) {
-    return std::find(words.begin(), words.end(), word) != words.end();
-}
 
 /// Words that qualify in one language and may be names in another.
 bool is_left_out(std::string_view word, Language language) {
     switch (language) {
         case Language::Glsl:
-            return is_one_of_words(word, {"in", "highp", "mediump", "lowp", "precise", "uniform", "shared", "flat",
-                                          "coherent", "readonly", "writeonly"});
+            return is_one_of(word, {"in", "highp", "mediump", "lowp", "precise", "uniform", "shared", "flat",
+                                    "coherent", "readonly", "writeonly"});
         case Language::Hlsl:
         case Language::Slang:
-            return is_one_of_words(
+            return is_one_of(
                 word, {"in", "uniform", "precise", "groupshared", "nointerpolation", "row_major", "column_major"});
         case Language::OpenCl:
-            return is_one_of_words(word, {"global", "local", "private", "constant", "kernel", "generic"});
+            return is_one_of(word, {"global", "local", "private", "constant", "kernel", "generic"});
         case Language::Metal:
-            return is_one_of_words(word, {"thread", "device", "constant", "threadgroup", "kernel"});
+            return is_one_of(word, {"thread", "device", "constant", "threadgroup", "kernel"});
         case Language::Ispc:
-            return is_one_of_words(word, {"uniform", "varying", "export", "unmasked"});
+            return is_one_of(word, {"uniform", "varying", "export", "unmasked"});
         default:
             return false;
     }
@@ -51,7 +48,7 @@ std::string components(std::string_view word) {
     return {};
 }
 
-bool is_assignment(std::string_view sign) { return is_one_of_words(sign, {"=", "+=", "-=", "*=", "/="}); }
+bool is_assignment(std::string_view sign) { return is_one_of(sign, {"=", "+=", "-=", "*=", "/="}); }
 
 /// The language that a file is read in: a header of C that a shader includes is the shader's.
 Language language_of(const ScannedFile& file, const CppManner& manner) {
@@ -70,11 +67,10 @@ std::string widened(std::string_view word) {
         return "d" + std::string(word);
     // sinf, sin
     if (word.size() > 2 && word.back() == 'f' && prelude_names().contains(word) &&
-        is_one_of_words(
-            word.substr(0, word.size() - 1),
-            {"sqrt", "sin",   "cos", "tan",  "asin",  "acos",  "atan",  "sinh",  "cosh",     "tanh",  "exp",
-             "exp2", "expm1", "log", "log2", "log10", "log1p", "floor", "ceil",  "trunc",    "round", "rint",
-             "fabs", "cbrt",  "erf", "pow",  "fmod",  "fmin",  "fmax",  "atan2", "copysign", "hypot"}))
+        is_one_of(word.substr(0, word.size() - 1),
+                  {"sqrt", "sin",   "cos", "tan",  "asin",  "acos",  "atan",  "sinh",  "cosh",     "tanh",  "exp",
+                   "exp2", "expm1", "log", "log2", "log10", "log1p", "floor", "ceil",  "trunc",    "round", "rint",
+                   "fabs", "cbrt",  "erf", "pow",  "fmod",  "fmin",  "fmax",  "atan2", "copysign", "hypot"}))
         return std::string(word.substr(0, word.size() - 1));
     return {};
 }
@@ -135,7 +131,7 @@ private:
     void parameter(TokenRange range) {
         const bool outward = vectors_ && range.first < range.end && [&] {
             for (uint32_t i = range.first; i < range.end; ++i)
-                if (is_one_of_words(view(i), {"out", "inout"})) return true;
+                if (is_one_of(view(i), {"out", "inout"})) return true;
             return false;
         }();
         if (!outward) return tokens(range, {});
@@ -149,7 +145,7 @@ private:
         for (uint32_t i = range.first; i < end; ++i)
             if (lexed_.tokens[i].kind == TokenKind::Identifier) name = i;
         for (uint32_t i = range.first; i < range.end;) {
-            if (is_one_of_words(view(i), {"out", "inout", "in"})) {
+            if (is_one_of(view(i), {"out", "inout", "in"})) {
                 ++i;
                 continue;
             }
@@ -169,8 +165,7 @@ private:
         const std::string_view word = lexed_.view(token);
         const Token* const before = i > 0 ? &lexed_.tokens[i - 1] : nullptr;
         const bool apart = before != nullptr && before->offset + before->length != token.offset;
-        if (starts_directive && i + 1 < end &&
-            is_one_of_words(view(i + 1), {"pragma", "extension", "version", "include"})) {
+        if (starts_directive && i + 1 < end && is_one_of(view(i + 1), {"pragma", "extension", "version", "include"})) {
             const uint32_t line = token.line;
             while (i < end && lexed_.tokens[i].line == line) ++i;
             return i;
@@ -211,7 +206,7 @@ private:
             return leave_out(i + 1);
         }
         if (next == "::" && manner_.namespaces != nullptr &&
-            (manner_.namespaces->contains(word) || is_one_of_words(word, {"sycl", "cl", "metal"})))
+            (manner_.namespaces->contains(word) || is_one_of(word, {"sycl", "cl", "metal"})))
             return leave_out(i + 2);
         if (word == "using" && next == "namespace") {
             while (i < end && view(i) != ";") ++i;
@@ -225,17 +220,17 @@ private:
             append("__restrict", apart);
             return i + 1;
         }
-        if (is_one_of_words(word, {"private", "protected"}) && next == ":") {
+        if (is_one_of(word, {"private", "protected"}) && next == ":") {
             append("public", apart);
             return i + 1;
         }
-        if (word == "class" && i + 2 < end && is_one_of_words(view(i + 2), {"{", ":", "final"})) {
+        if (word == "class" && i + 2 < end && is_one_of(view(i + 2), {"{", ":", "final"})) {
             append("struct", apart);
             return i + 1;
         }
         // float[3](a, b, c), float[](a, b, c)
         if (shading_ && next == "[" && is_type_word(word) && i > 0 &&
-            is_one_of_words(view(i - 1), {"=", "(", ",", "return"})) {
+            is_one_of(view(i - 1), {"=", "(", ",", "return"})) {
             uint32_t close = i + 2;
             while (close < end && view(close) != "]") ++close;
             if (close + 1 < end && view(close + 1) == "(") return braced(close + 1, end);

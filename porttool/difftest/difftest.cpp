@@ -148,11 +148,16 @@ std::vector<double> constants_in(const Subject& source, const Subject& target) {
     return out;
 }
 
-SeenNumber seen_input(uint64_t number, const Leaf& leaf) {
+SeenNumber number_of(const Leaf& leaf) {
     SeenNumber out;
     out.path = leaf.path;
     out.is_real = leaf.is_real();
     out.is_single = leaf.kind != NumberKind::Double;
+    return out;
+}
+
+SeenNumber seen_input(uint64_t number, const Leaf& leaf) {
+    SeenNumber out = number_of(leaf);
     if (leaf.is_real())
         out.real = std::bit_cast<double>(number);
     else
@@ -161,10 +166,7 @@ SeenNumber seen_input(uint64_t number, const Leaf& leaf) {
 }
 
 SeenNumber seen_result(double value, const Leaf& leaf) {
-    SeenNumber out;
-    out.path = leaf.path;
-    out.is_real = leaf.is_real();
-    out.is_single = leaf.kind != NumberKind::Double;
+    SeenNumber out = number_of(leaf);
     out.real = value;
     if (!leaf.is_real()) out.whole = static_cast<int64_t>(value);
     return out;

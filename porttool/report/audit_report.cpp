@@ -10,6 +10,7 @@
 
 #include "porttool/report/difftest_report.h"
 #include "porttool/report/page.h"
+#include "porttool/scan/scan.h"
 #include "porttool/text/date.h"
 #include "porttool/text/sink/html.h"
 #include "porttool/text/sink/json.h"
@@ -36,9 +37,8 @@ double shown_certainty(const AuditItem& item) {
 
 /// Which of the two places has the edit.
 std::string place_of_unit(const AuditItem& item, Side side) {
-    const std::string& id = item.id[side];
-    const size_t cut = id.rfind(':', id.find("::") == std::string::npos ? id.size() : id.find("::") - 1);
-    return fmt::format("{}:{}, {}", id.substr(0, cut), item.line[side], id.substr(cut + 1));
+    const auto [file, name] = split_id(item.id[side]);
+    return fmt::format("{}:{}, {}", file, item.line[side], name);
 }
 
 std::string commit_of(const AuditItem& item) {
@@ -75,14 +75,15 @@ std::string patch_lines(std::string_view patch, std::string_view indent, Sink si
     return out;
 }
 
-/// Backticks enough that none in the text ends the block.
-std::string fence_of(std::string_view text) {
-    size_t longest = 2, run = 0;
-    for (const char c : text) {
-        run = c == '`' ? run + 1 : 0;
-        longest = std::max(longest, run);
-    }
-    return std::string(longest + 1, '`');
+/// Hands each thing that is told of an item to `line`, with its name.
+template <class Line>
+void tell(const AuditItem& item, const char* other_side, const Line& line) {
+    line("commit", commit_of(item));
+    line(item.commit ? "edited" : "source", place_of_unit(item, item.edited));
+    line(item.commit ? other_side : "target", place_of_unit(item, other(item.edited)));
+    line("witness", witness_of(item));
+    line("also", more_pairs(item));
+    for (const std::string& why : item.why) line("why", why);
 }
 
 std::string as_it_is(std::string_view text) { return std::string(text); }
@@ -121,12 +122,7 @@ std::string audit_text(const Audit& audit) {
         const auto line = [&](const char* name, const std::string& text) {
             if (!text.empty()) out += fmt::format("    {:<8}{}\n", name, terminal_text(text));
         };
-        line("commit", commit_of(item));
-        line(item.commit ? "edited" : "source", place_of_unit(item, item.edited));
-        line(item.commit ? "other" : "target", place_of_unit(item, other(item.edited)));
-        line("witness", witness_of(item));
-        line("also", more_pairs(item));
-        for (const std::string& why : item.why) line("why", why);
+        tell(item, "other", line);
         line("settle", item.remedy);
         out += patch_lines(item.patch, "      ", nullptr);
     }
@@ -141,15 +137,10 @@ std::string audit_markdown(const Audit& audit) {
         const auto line = [&](const char* name, const std::string& text) {
             if (!text.empty()) out += fmt::format("   - {}: {}\n", name, markdown_text(text));
         };
-        line("commit", commit_of(item));
-        line(item.commit ? "edited" : "source", place_of_unit(item, item.edited));
-        line(item.commit ? "other side" : "target", place_of_unit(item, other(item.edited)));
-        line("witness", witness_of(item));
-        line("also", more_pairs(item));
-        for (const std::string& why : item.why) line("why", why);
+        tell(item, "other side", line);
         out += "   - to settle it: " + markdown_code(item.remedy) + "\n";
         if (item.patch.empty()) continue;
-        const std::string fence = fence_of(item.patch);
+        const std::string fence = markdown_fence(item.patch);
         out += "\n   " + fence + "diff\n" + patch_lines(item.patch, "   ", as_it_is) + "   " + fence + "\n";
     }
     return out + "\n" + markdown_text(tail(audit)) + "\n";
@@ -164,12 +155,7 @@ std::string audit_html(const Audit& audit) {
         const auto line = [&](const char* name, const std::string& text) {
             if (!text.empty()) body += fmt::format("<p><span class=\"fine\">{}</span> {}</p>\n", name, html_text(text));
         };
-        line("commit", commit_of(item));
-        line(item.commit ? "edited" : "source", place_of_unit(item, item.edited));
-        line(item.commit ? "other side" : "target", place_of_unit(item, other(item.edited)));
-        line("witness", witness_of(item));
-        line("also", more_pairs(item));
-        for (const std::string& why : item.why) line("why", why);
+        tell(item, "other side", line);
         line("to settle it", item.remedy);
         if (!item.patch.empty()) body += "<pre>" + patch_lines(item.patch, "", html_text) + "</pre>\n";
         body += "</section>\n";

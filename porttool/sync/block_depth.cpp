@@ -7,6 +7,9 @@
 
 namespace porttool {
 
+namespace {
+
+/// True for the `else` of an `else if`: one block in normal form, but no level of indentation.
 bool is_else_of_if(const PlacedUnit& unit, size_t clause) {
     const Clause& head = unit.clauses[clause];
     if (!head.opens || unit.words.words[head.first] != "else" || clause + 1 >= unit.clauses.size()) return false;
@@ -16,6 +19,8 @@ bool is_else_of_if(const PlacedUnit& unit, size_t clause) {
     const std::vector<Token>& tokens = unit.file.lexed.tokens;
     return tokens[unit.words.tokens[head.first]].line == tokens[unit.words.tokens[next.first]].line;
 }
+
+}  // namespace
 
 int BlockDepth::step_in(const PlacedUnit& unit, size_t clause) {
     const Clause& one = unit.clauses[clause];

@@ -8,9 +8,6 @@
 
 namespace porttool {
 
-/// True for the `else` of an `else if`: one block in normal form, but no level of indentation.
-bool is_else_of_if(const PlacedUnit& unit, size_t clause);
-
 /// How many levels deeper, or less deep, the clauses of a target stand once a transplant is made.
 class BlockDepth {
 public:

@@ -19,13 +19,14 @@
 
 #include "porttool/read/beneath.h"
 #include "porttool/read/cannot_do.h"
+#include "porttool/read/child_process.h"
 
 namespace porttool {
 namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr int kTimedOut = 124, kSignalled = 128;
+constexpr int kTimedOut = 124;
 constexpr size_t kTail = 8192;  ///< bytes of output that are kept
 
 /// What ends us while a command runs, and must end the command first; not what we ignore, as under nohup.
@@ -112,14 +113,10 @@ pid_t start_shell(const std::string& command, const std::string& folder, int out
 
 /// Takes what has been printed so far; false at its end.
 bool take_output(int pipe, std::string& tail) {
-    std::array<char, 65536> buffer;
-    while (true) {
-        const ssize_t got = ::read(pipe, buffer.data(), buffer.size());
-        if (got < 0 && errno == EINTR) continue;
-        if (got <= 0) return got < 0 && errno == EAGAIN;
-        tail.append(buffer.data(), static_cast<size_t>(got));
+    return take_available(pipe, [&](std::string_view text) {
+        tail += text;
         if (tail.size() > 4 * kTail) tail.erase(0, tail.size() - 2 * kTail);
-    }
+    });
 }
 
 /// The last whole lines that fit.
@@ -129,8 +126,6 @@ std::string last_lines(std::string text) {
     const size_t line = text.find('\n');
     return line == std::string::npos || line + 1 == text.size() ? text : text.substr(line + 1);
 }
-
-int exit_code_of(int status) { return WIFEXITED(status) ? WEXITSTATUS(status) : kSignalled + WTERMSIG(status); }
 
 }  // namespace
 

@@ -5,12 +5,10 @@
 #include <algorithm>
 #include <string_view>
 
+#include "porttool/normal/declaration_words.h"
+
 namespace porttool {
 namespace {
-
-bool is_one_of(std::string_view word, std::initializer_list<std::string_view> list) {
-    return std::find(list.begin(), list.end(), word) != list.end();
-}
 
 constexpr uint32_t kLongestBody = 5000;  ///< of a function that is looked into, in tokens
 

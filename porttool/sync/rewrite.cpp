@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
 
 #include "porttool/language/words.h"
 #include "porttool/normal/normal_text.h"
@@ -115,7 +114,7 @@ private:
     /// The white space before a carried word: "", a blank, or a line end.
     std::string gap(const std::vector<CarriedWord>& words, size_t i) const {
         const CarriedWord &word = words[i], &before = words[i - 1];
-        if (brace_layout_ != 0 && word.text == "{" && opens_block(word)) return brace_layout_ > 0 ? "\n" : " ";
+        if (brace_layout_ != 0 && opens_block(word)) return brace_layout_ > 0 ? "\n" : " ";
         if (word.from != CarriedWord::kNoSource && before.from != CarriedWord::kNoSource &&
             word.from == before.from + 1) {
             if (source_.words.is_added(word.from) || source_.words.is_added(before.from))
@@ -174,7 +173,8 @@ private:
 
     /// True for the brace at the end of a head.
     bool opens_block(const CarriedWord& word) const {
-        return std::any_of(source_.clauses.begin(), source_.clauses.end(),
+        return word.text == "{" &&
+               std::any_of(source_.clauses.begin(), source_.clauses.end(),
                            [&](const Clause& clause) { return clause.opens && clause.end - 1 == word.from; });
     }
 

@@ -6,14 +6,11 @@
 #include <string_view>
 
 #include "porttool/language/words.h"
+#include "porttool/normal/declaration_words.h"
 #include "porttool/normal/normal_text.h"
 
 namespace porttool {
 namespace {
-
-bool is_any_of(std::string_view word, std::initializer_list<std::string_view> list) {
-    return std::find(list.begin(), list.end(), word) != list.end();
-}
 
 bool is_plain_name(const std::string& word) {
     return is_word_token(word) && !is_type_word(word) && !word_is(word, kKeyword | kQualifier | kTypePart);
@@ -21,7 +18,7 @@ bool is_plain_name(const std::string& word) {
 
 bool may_declare(const std::vector<std::string>& words, size_t i) {
     return i > 0 && i + 1 < words.size() && is_plain_name(words[i]) &&
-           is_any_of(words[i + 1], {"=", ";", "[", ",", ")", "(", ":", "{"});
+           is_one_of(words[i + 1], {"=", ";", "[", ",", ")", "(", ":", "{"});
 }
 
 /// True for a name after a type.
@@ -35,24 +32,24 @@ bool declares(const std::vector<std::string>& words, size_t i) {
 /// types are made of stands between the beginning of the statement, or of a parameter list, and the name.
 bool may_bring(const std::vector<std::string>& words, size_t i) {
     if (!may_declare(words, i)) return false;
-    if (!is_any_of(words[i - 1], {"*", "&", ">", ",", "]"}) && !is_word_token(words[i - 1])) return false;
+    if (!is_one_of(words[i - 1], {"*", "&", ">", ",", "]"}) && !is_word_token(words[i - 1])) return false;
     constexpr size_t kFarthest = 200;
     for (size_t k = i; k > 0 && i - k < kFarthest;) {
         const std::string& word = words[--k];
-        if (is_any_of(word, {";", "{", "}"})) return true;
+        if (is_one_of(word, {";", "{", "}"})) return true;
         const bool to_array = word == "(" && words[k + 1] == "*" && k > 0 && is_word_token(words[k - 1]);
         if (to_array) continue;  // `float ( * rows ) [ 4 ]`
-        if (word == "(") return k > 0 && (is_any_of(words[k - 1], {"@", "for", "]"}));
+        if (word == "(") return k > 0 && (is_one_of(words[k - 1], {"@", "for", "]"}));
         if (word_is(word, kKeyword) && !is_type_word(word) && !word_is(word, kQualifier | kTypePart)) return false;
         const bool part =
-            is_word_token(word) || is_number_token(word) || is_any_of(word, {"*", "&", "::", "<", ">", ",", "[", "]"});
+            is_word_token(word) || is_number_token(word) || is_one_of(word, {"*", "&", "::", "<", ">", ",", "[", "]"});
         if (!part) return false;
     }
     return true;
 }
 
 bool is_member(const std::vector<std::string>& words, size_t i) {
-    return i > 0 && is_any_of(words[i - 1], {".", "->", "::"});
+    return i > 0 && is_one_of(words[i - 1], {".", "->", "::"});
 }
 
 std::set<std::string> declared_names(const std::vector<std::string>& words) {

@@ -173,6 +173,11 @@ std::string markdown_text(std::string_view text) { return escaped_text(visible(t
 
 std::string markdown_cell(std::string_view message) { return by_spans(visible(message), cell_code, escaped_text); }
 
+std::string markdown_fence(std::string_view text) {
+    constexpr size_t kLeast = 3;
+    return std::string(std::max(longest_run_of_backticks(text) + 1, kLeast), '`');
+}
+
 std::string markdown_code(std::string_view text) { return code_of(visible(text)); }
 
 std::string markdown_sentence(std::string_view message) {

@@ -21,6 +21,9 @@ std::string markdown_cell(std::string_view message);
 /// Text as a code span, whatever backticks it holds. A bar, which would end a cell, stands beside the span.
 std::string markdown_code(std::string_view text);
 
+/// What a block of code begins and ends with: backticks enough that none in the text ends it.
+std::string markdown_fence(std::string_view text);
+
 /// A sentence that is shown as text in one place and as Markdown in another: as it is but for words that would act in
 /// Markdown, which become code.
 std::string markdown_sentence(std::string_view message);

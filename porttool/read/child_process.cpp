@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/read/child_process.h"
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+
+namespace porttool {
+
+int exit_code_of(int status) {
+    constexpr int kSignalled = 128;
+    return WIFEXITED(status) ? WEXITSTATUS(status) : kSignalled + WTERMSIG(status);
+}
+
+bool take_available(int pipe, const std::function<void(std::string_view)>& take) {
+    std::array<char, 65536> buffer;
+    while (true) {
+        const ssize_t got = ::read(pipe, buffer.data(), buffer.size());
+        if (got < 0 && errno == EINTR) continue;
+        if (got <= 0) return got < 0 && errno == EAGAIN;
+        take({buffer.data(), static_cast<size_t>(got)});
+    }
+}
+
+}  // namespace porttool
