@@ -40,11 +40,10 @@ Status validate_values(const CoreMesh& mesh) {
     const char* wrong = !all_finite(mesh.positions)  ? "positions"
                         : !all_finite(mesh.normals)  ? "normals"
                         : !all_finite(mesh.tangents) ? "tangents"
-                        : !all_finite(mesh.uv0)      ? "uv0"
-                        : !all_finite(mesh.uv1)      ? "uv1"
                                                      : nullptr;
-    return wrong ? Status::invalid(std::string("mesh: ") + wrong + " holds an element that is not finite")
-                 : Status::success();
+    if (wrong) return Status::invalid(std::string("mesh: ") + wrong + " holds an element that is not finite");
+    if (within_texture(mesh.uv0) && within_texture(mesh.uv1)) return Status::success();
+    return Status::invalid("mesh: uv0 or uv1 holds a texture coordinate past 1e8, or one that is no number");
 }
 
 Status validate_light(const CoreLight& light) {
@@ -54,9 +53,8 @@ Status validate_light(const CoreLight& light) {
     for (int i = 0; i < vertices; ++i) {
         if (Status status = check_light_position(light.vertices[i]); !status.ok()) return status;
     }
-    const glm::vec3 values[] = {light.direction, light.emission};
-    if (!all_finite(std::span<const glm::vec3>(values)))
-        return Status::invalid("its direction or emission is not finite");
+    if (!all_finite(std::span<const glm::vec3>(&light.direction, 1)) || !is_light(light.emission))
+        return Status::invalid("its direction is not finite, or its emission not a number from 0 to 1e12");
     return Status::success();
 }
 
@@ -216,6 +214,10 @@ Status CoreContract::check_materials(uint32_t first, std::span<const CoreMateria
     }
     if (materials.size() >= NONE - first)
         return Status::invalid("SetMaterials: more materials than a 32-bit index can name");
+    for (size_t i = 0; i < materials.size(); ++i) {
+        if (Status status = check_material(materials[i]); !status.ok())
+            return Status::invalid("SetMaterials: material " + std::to_string(first + i) + ": " + status.message);
+    }
     return Status::success();
 }
 

@@ -81,6 +81,50 @@ double largest_coordinate(const glm::vec3& point) {
     return std::isnan(size.x + size.y + size.z) ? std::nan("") : std::max(size.x, std::max(size.y, size.z));
 }
 
+bool within_texture(std::span<const glm::vec2> coordinates) {
+    // Without a way out, so that compilers make vectors of it; NaN is beyond everything.
+    bool within = true;
+    for (const glm::vec2& c : coordinates) {
+        within &= std::abs(c.x) <= FARTHEST_TEXTURE && std::abs(c.y) <= FARTHEST_TEXTURE;
+    }
+    return within;
+}
+
+bool is_light(const glm::vec3& light) {
+    return light.x >= 0.0f && light.y >= 0.0f && light.z >= 0.0f && light.x <= BRIGHTEST_LIGHT &&
+           light.y <= BRIGHTEST_LIGHT && light.z <= BRIGHTEST_LIGHT;
+}
+
+Status check_material(const CoreMaterial& material) {
+    if (!is_light(material.emission) || !std::isfinite(material.emission_weight)) {
+        return Status::invalid("its emission is not a number from 0 to " + shown(static_cast<double>(BRIGHTEST_LIGHT)));
+    }
+    const float factors[] = {
+        material.base_color.x,     material.base_color.y,     material.base_color.z, material.specular_color.x,
+        material.specular_color.y, material.specular_color.z, material.alpha,        material.alpha_cutoff,
+        material.metallic,         material.roughness,        material.ior,          material.specular,
+        material.transmission};
+    for (const float factor : factors) {
+        if (!(factor >= 0.0f && std::isfinite(factor)))
+            return Status::invalid("one of its factors is negative or not finite");
+    }
+    const bool bends = material.transmission > 0.0f && !material.thin_walled;
+    if (bends && !(material.ior <= HIGHEST_IOR && material.ior >= 1.0f / HIGHEST_IOR)) {
+        return Status::invalid("its index of refraction is " + shown(static_cast<double>(material.ior)) +
+                               "; from 1e-4 to 1e4 light can be bent");
+    }
+    if (!std::isfinite(material.normal_scale)) return Status::invalid("the scale of its normal map is not finite");
+    for (const auto slot : kTextureSlots) {
+        const CoreTextureSlot& used = material.*slot;
+        if (used.texture == NONE) continue;
+        const double reach = std::max(largest_coordinate(used.row_u), largest_coordinate(used.row_v));
+        if (reach <= static_cast<double>(FARTHEST_TEXTURE)) continue;
+        return Status::invalid("a texture's transform reaches to " + shown(reach) + "; up to " +
+                               shown(static_cast<double>(FARTHEST_TEXTURE)) + " can be looked up");
+    }
+    return Status::success();
+}
+
 bool is_invertible(const CoreTransform& transform) {
     // Inside the range of a float by a hundredfold either way, for the products on the way to the inverse.
     constexpr double SMALLEST = 1e-36, LARGEST = 1e36;

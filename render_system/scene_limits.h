@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <span>
 #include <string>
 
 #include "render_system/core_data.h"
@@ -20,6 +21,15 @@ constexpr float FARTHEST_VERTEX = 1e9f;
 constexpr float FARTHEST_EYE = 1e12f;
 /// What a ray may become in an instance's own space. Embree asserts 1.844e18 of a ray's origin and direction.
 constexpr double FARTHEST_LOCAL = 1e18;
+
+/// Texture coordinates and the numbers of a texture's transform, either sign. A ray cone's footprint is made of two of
+/// each: it stays a number for as long as their products do.
+constexpr float FARTHEST_TEXTURE = 1e8f;
+/// Radiance, intensity and irradiance of one light: what is summed over all of them, times their areas, stays a number.
+constexpr float BRIGHTEST_LIGHT = 1e12f;
+/// Index of refraction of what transmits, and its inverse the lowest. 0 (KHR_materials_ior: all light is reflected) is
+/// for what does not.
+constexpr float HIGHEST_IOR = 1e4f;
 
 /// What an instance does to coordinates.
 struct Placement {
@@ -48,6 +58,17 @@ Status check_camera(const Camera& camera);
 
 /// Fails with invalid_argument where a light's place is not finite or past FARTHEST_EYE.
 Status check_light_position(const glm::vec3& position);
+
+/// Fails with invalid_argument where a factor is not finite or negative, an emission past BRIGHTEST_LIGHT, the index of
+/// a transmitting solid past HIGHEST_IOR, or a texture's transform past FARTHEST_TEXTURE: texels would be looked up at
+/// places that are none.
+Status check_material(const CoreMaterial& material);
+
+/// Whether all texture coordinates are up to FARTHEST_TEXTURE.
+bool within_texture(std::span<const glm::vec2> coordinates);
+
+/// Whether light is finite, not negative and up to BRIGHTEST_LIGHT.
+bool is_light(const glm::vec3& light);
 
 /// The largest coordinate of a point, either sign; NaN where one is NaN.
 double largest_coordinate(const glm::vec3& point);

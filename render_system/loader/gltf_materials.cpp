@@ -8,6 +8,7 @@
 
 #include "render_system/loader/gltf_textures.h"
 #include "render_system/loader/load_error.h"
+#include "render_system/scene_limits.h"
 
 namespace render_system {
 
@@ -71,9 +72,12 @@ public:
         read_emission(source);
         read_transmission(source);
         read_specular(source);
+        // Index 0 stands for one past all bounds: all light is reflected, and nothing behind is ever seen.
+        if (material_.ior == 0.0f) material_.transmission = 0.0f;
         if (source.occlusionTexture.index >= 0) {
             document_.omissions.add("occlusion textures, in whose stead light is followed", place_);
         }
+        if (Status status = check_material(material_); !status.ok()) fail_at(place_, status.message + EXPORT_AGAIN);
         return material_;
     }
 
@@ -131,8 +135,9 @@ private:
 
     void read_specular(const tinygltf::Material& source) {
         if (const Value* extension = find(source.extensions, "KHR_materials_ior")) {
-            material_.ior =
+            const float ior =
                 not_negative(static_cast<double>(number(*extension, "ior", 1.5f)), "extensions/KHR_materials_ior/ior");
+            material_.ior = ior > 0.0f ? std::clamp(ior, 1.0f / HIGHEST_IOR, HIGHEST_IOR) : 0.0f;
         }
         if (const Value* extension = find(source.extensions, "KHR_materials_specular")) {
             material_.specular = unit(static_cast<double>(number(*extension, "specularFactor", 1.0f)));

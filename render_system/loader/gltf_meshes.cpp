@@ -10,6 +10,7 @@
 #include "render_system/loader/gltf_accessors.h"
 #include "render_system/loader/load_error.h"
 #include "render_system/loader/tangents.h"
+#include "render_system/scene_limits.h"
 
 namespace render_system {
 
@@ -124,8 +125,8 @@ private:
         const bool has_tangents = !flat && attribute(primitive, "TANGENT") != MISSING;
         add_attribute(primitive, "NORMAL", mesh_.normals);
         add_attribute(primitive, has_tangents ? "TANGENT" : "", mesh_.tangents);
-        add_attribute(primitive, "TEXCOORD_0", mesh_.uv0);
-        add_attribute(primitive, "TEXCOORD_1", mesh_.uv1);
+        add_coordinates(primitive, "TEXCOORD_0", mesh_.uv0);
+        add_coordinates(primitive, "TEXCOORD_1", mesh_.uv1);
         add_colors(primitive);
         add_triangles(primitive);
         if (flat)
@@ -151,6 +152,12 @@ private:
         } else if (!array.empty()) {
             array.resize(mesh_.positions.size(), T(0.0f));
         }
+    }
+
+    void add_coordinates(const tinygltf::Primitive& primitive, const char* name, std::vector<glm::vec2>& array) {
+        add_attribute(primitive, name, array);
+        if (within_texture(array)) return;
+        fail_at(place_ + "/attributes/" + name, "holds a texture coordinate past 1e8" + EXPORT_AGAIN);
     }
 
     void add_colors(const tinygltf::Primitive& primitive) {

@@ -204,11 +204,10 @@ private:
         for (size_t i = 0; i < 3; ++i) {
             const double color = source.color.size() == 3 ? source.color[i] : 1.0;
             const float emission = static_cast<float>(color * source.intensity);
-            if (!(emission >= 0.0f) || !std::isfinite(emission)) {
-                fail_at(place, "its colour times intensity is not a number of at least 0" + EXPORT_AGAIN);
-            }
             light.emission[static_cast<int>(i)] = emission;
         }
+        if (!is_light(light.emission))
+            fail_at(place, "its colour times intensity is not a number of at least 0 and at most 1e12" + EXPORT_AGAIN);
         if (source.type == "directional") light.kind = LightKind::directional;
         if (source.type == "spot") {
             light.kind = LightKind::spot;
