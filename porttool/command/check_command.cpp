@@ -8,6 +8,7 @@
 #include "porttool/command/commands.h"
 #include "porttool/judge/check_project.h"
 #include "porttool/read/git_repository.h"
+#include "porttool/report/check_page.h"
 #include "porttool/report/check_report.h"
 #include "porttool/report/ci_reports.h"
 #include "porttool/spirv/spirv_check.h"
@@ -21,6 +22,7 @@ std::string formatted(const CheckedProject& checked, const Options& options, con
     if (options.format == "json") return check_json(judgement);
     if (options.format == "junit") return check_junit(judgement);
     if (options.format == "markdown") return check_markdown(judgement);
+    if (options.format == "html") return check_html(judgement, disk);
     const auto folder = [&] { return GitRepository(checked.project.root).folder(); };
     if (options.format == "sarif") return check_sarif(judgement, folder(), proposed_fixes(checked, disk));
     if (options.format == "github") return check_github(judgement, folder());
@@ -37,12 +39,14 @@ void declare_check(Declare& declare, Options& options) {
                  "With --base: take map, lock and suppressions from there, so that a change cannot settle itself");
     declare.flag("--staged", options.staged, "Take the index in place of the work tree");
     declare.flag("--spirv", options.spirv, "Compile edited GLSL; what gives the same SPIR-V is a note");
+    declare.texts("--evidence", options.run_evidence, "FILE",
+                  "What difftest --evidence and pathtracer compare --locate --evidence wrote: joined to the findings");
     declare.flag("--no-cache", options.no_cache, "For scripts that give it to every command: check keeps no cache");
     declare.flag("--strict", options.strict, "Exit 1 for warnings too");
 }
 
 Outcome run_check(const Options& options, Workplace& place) {
-    require_format(options.format, {"text", "json", "sarif", "junit", "github", "gitlab", "markdown"});
+    require_format(options.format, {"text", "json", "sarif", "junit", "github", "gitlab", "markdown", "html"});
     std::unique_ptr<SpirvCheck> spirv;
     const SameCodeIn same_code_in = [&](const Project& project) {
         spirv = std::make_unique<SpirvCheck>(project, options.staged, options.base.empty() ? "HEAD" : options.base,

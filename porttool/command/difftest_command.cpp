@@ -6,9 +6,13 @@
 
 #include "porttool/command/commands.h"
 #include "porttool/difftest/difftest.h"
+#include "porttool/judge/evidence.h"
+#include "porttool/judge/settle.h"
 #include "porttool/match/match_sets.h"
+#include "porttool/read/clock.h"
 #include "porttool/report/difftest_report.h"
 #include "porttool/scan/scan.h"
+#include "porttool/snapshot/lock_store.h"
 #include "porttool/snapshot/snapshot.h"
 #include "porttool/text/sink/terminal.h"
 #include "porttool/text/suggest.h"
@@ -74,6 +78,23 @@ uint64_t whole_option(const std::string& name, const std::string& text, uint64_t
     return value;
 }
 
+/// Takes the pairs that ran and gave the same as verified, in portmap.lock. Returns the line that says so.
+std::string record_same(const Options& options, const DifftestResult& result, Workplace& place) {
+    const auto guard = guard_lock(options, place);
+    CheckedProject checked = check_project(options, place);
+    const std::vector<std::string> others = other_texts({result.texts.begin(), result.texts.end()}, checked.project);
+    if (!others.empty())
+        throw CannotDo(terminal_line(others.front()) + " was edited meanwhile; nothing is recorded: run it again");
+    if (checked.lock.version == 1)
+        throw CannotDo("portmap.lock is of version 1; rewrite it once, with: porttool accept --all");
+    std::set<PairIds> same;
+    for (const DifftestPair& pair : result.pairs)
+        if (pair.state == DifftestState::Same) same.emplace(pair.source, pair.target);
+    const size_t count = verify_pairs(checked.lock, checked.judgement, same, "difftest " + today());
+    if (count > 0) store_lock(checked.project, {checked.lock, checked.states, checked.texts}, place.disk);
+    return std::to_string(count) + " pairs recorded as verified\n";
+}
+
 }  // namespace
 
 void declare_difftest(Declare& declare, Options& options) {
@@ -85,6 +106,8 @@ void declare_difftest(Declare& declare, Options& options) {
                  "How far results may be apart, in units in the last place (4); 0: to the bit");
     declare.text("--seed", options.seed, "N", "Other inputs (1)");
     declare.text("--evidence", options.evidence, "FILE", "Write what was seen, and of which texts, to FILE");
+    declare.flag("--record", options.records,
+                 "Record pairs that are in step and gave the same as verified, in portmap.lock");
     declare.text("--keep", options.keep, "DIR", "Leave the programs that were built, and their texts, in DIR");
 }
 
@@ -96,6 +119,8 @@ Outcome run_difftest(const Options& options, Workplace& place) {
     settings.ulps = static_cast<int>(whole_option("--ulps", options.ulps, 4, 0, 1'000'000));
     settings.seed = whole_option("--seed", options.seed, 1, 0, UINT64_MAX);
     settings.keep = options.keep;
+    if (options.records && !options.source.empty())
+        throw CannotDo("--record marks pairs of portmap.toml; give it without --source and --target");
     const Project project = read_snapshot(open_project(options, place, true), {}, place.disk, Depth::Scanned).project;
     const std::vector<PairIds> all = known_pairs(project, options.source.empty());
     const DifftestResult result = difftest(project, all, asked_pairs(options, project, all), settings, place.disk);
@@ -103,14 +128,16 @@ Outcome run_difftest(const Options& options, Workplace& place) {
     if (!options.evidence.empty())
         if (const std::string failure = place.disk.write(options.evidence, difftest_evidence(result)); !failure.empty())
             throw CannotDo("--evidence " + terminal_text(options.evidence) + ": " + failure);
+    std::string recorded;
+    if (options.records) recorded = record_same(options, result, place);
     const auto is = [](DifftestState state) {
         return [state](const DifftestPair& pair) { return pair.state == state; };
     };
     const bool differs = std::any_of(pairs.begin(), pairs.end(), is(DifftestState::Differs));
     const bool none_ran = std::all_of(pairs.begin(), pairs.end(), is(DifftestState::NotRun));
-    return {options.format == "json" ? difftest_json(pairs) : difftest_table(pairs, options.verbose), differs    ? 1
-                                                                                                      : none_ran ? 2
-                                                                                                                 : 0};
+    const std::string text =
+        options.format == "json" ? difftest_json(pairs) : difftest_table(pairs, options.verbose) + recorded;
+    return {text, differs ? 1 : none_ran ? 2 : 0};
 }
 
 }  // namespace porttool

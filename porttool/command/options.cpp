@@ -19,7 +19,7 @@ void declare_common(Declare declare, Options& options) {
     declare.text("-C", options.directory, "DIR", "Run as if started in this folder");
     declare.text("--config", options.config, "FILE", "The map to use instead of the nearest portmap.toml");
     declare.text("--format", options.format, "FORMAT",
-                 "How to print: text, json; check also sarif, junit, github, gitlab, markdown; report also html, "
+                 "How to print: text, json; check also sarif, junit, github, gitlab, markdown, html; report also html, "
                  "markdown, csv; history also html, csv; effort also toml; audit also html, markdown");
     declare.text("-o,--output", options.output, "FILE", "Write there instead of to stdout; - is stdout");
     declare.choice("--color", options.color, {"auto", "always", "never"}, "auto, always or never");

@@ -33,6 +33,7 @@ struct Options : CheckChoice {
     std::string verify, verify_timeout;
     bool verifies = false;
     std::string inputs, ulps, seed, evidence, keep;  ///< difftest's
+    bool records = false;                            ///< difftest's --record
     std::string since;                               ///< history's and audit's
     std::string limit;                               ///< audit's
     bool runs = false;                               ///< audit's --run

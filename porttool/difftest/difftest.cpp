@@ -184,7 +184,8 @@ class Difftest {
 public:
     Difftest(const Project& project, const std::vector<PairIds>& asked, const DifftestSettings& settings,
              const Disk& disk)
-        : settings_(settings),
+        : map_(project.map),
+          settings_(settings),
           folder_(settings.keep),
           source_(project.source, project.root, disk, project.map.shaders.preamble),
           target_(project.target, target_root_ = target_root(project), disk, {}),
@@ -234,17 +235,18 @@ public:
     /// The files that the pairs which ran were made from.
     std::map<std::string, std::string> texts() const {
         std::map<std::string, std::string> out;
-        const auto add = [&](const ScannedFile& file) {
-            if (out.contains(file.path)) return;
+        const auto add = [&](const ScannedFile& file, Side side) {
+            const std::string path = side == Side::Source ? file.path : target_path(map_, file.path);
+            if (out.contains(path)) return;
             Fingerprinter print;
             print.add(file.lexed.text);
-            out.emplace(file.path, print.digits());
+            out.emplace(path, print.digits());
         };
         for (size_t i = 0; i < pairs.size(); ++i) {
             if (pairs[i].state == DifftestState::NotRun) continue;
             for (const Side side : kBothSides) {
-                add(*work_[i].unit[side]->file);
-                for (const Piece& piece : work_[i].subject[side].closure.pieces) add(*piece.definition->file);
+                add(*work_[i].unit[side]->file, side);
+                for (const Piece& piece : work_[i].subject[side].closure.pieces) add(*piece.definition->file, side);
             }
         }
         return out;
@@ -465,6 +467,7 @@ private:
         return found;
     }
 
+    const MapFile& map_;
     DifftestSettings settings_;
     TemporaryFolder folder_;
     Workshop workshop_;

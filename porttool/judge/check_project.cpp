@@ -4,6 +4,7 @@
 
 #include "porttool/judge/base_lock.h"
 #include "porttool/judge/brought_in.h"
+#include "porttool/judge/evidence.h"
 #include "porttool/read/clock.h"
 #include "porttool/scan/scan.h"
 #include "porttool/snapshot/lock_store.h"
@@ -81,10 +82,11 @@ std::vector<BroughtIn> hold_against_base(CheckedProject& checked, const CheckCho
 
 /// Judges what was read.
 void judge_it(CheckedProject& checked, const std::string& date, const std::vector<SkippedFile>& skipped,
-              const SameCode& same_code = {}) {
+              const SameCode& same_code = {}, const RunEvidence* evidence = nullptr) {
     const auto text_of = [&](const std::string& print) { return text_behind(checked, print); };
     Case facts{checked.project.map,  checked.lock, checked.states.source, checked.states.target, skipped, text_of, date,
                checked.suppressions, same_code};
+    facts.evidence = evidence;
     const bool against_base = checked.against_base;
     if (checked.in_project)
         facts.in_project = &*checked.in_project;
@@ -92,6 +94,18 @@ void judge_it(CheckedProject& checked, const std::string& date, const std::vecto
         facts.in_project = &checked.lock;
     if (checked.recorded || against_base) facts.files = {&checked.project.source, &checked.project.target};
     checked.judgement = judge(facts);
+}
+
+/// Judges once more, now knowing what programs saw that no finding explains.
+void judge_with_evidence(CheckedProject& checked, const std::vector<std::string>& paths, const SameCode& same_code,
+                         Workplace& place) {
+    const std::vector<EvidenceFile> files = evidence_of(paths, checked.project, place.disk);
+    const EvidenceJoin evidence(files, checked.states);
+    const RunEvidence seen = evidence.unexplained(checked.judgement);
+    judge_it(checked, today(), checked.project.skipped, same_code, &seen);
+    evidence.join(checked.judgement);
+    if (const size_t count = evidence.strangers(checked.judgement); count > 0)
+        place.err << "note: " << count << " pairs of the evidence are not in " << checked.project.map_name << "\n";
 }
 
 /// Without them the gate still tells that a text was edited, not how, and takes no two edits for the same.
@@ -145,7 +159,9 @@ CheckedProject check_project(const CheckChoice& choice, Workplace& place, const 
         checked.texts = std::move(recorded.texts);
         note_missing_texts(checked, place);
     }
-    judge_it(checked, today(), checked.project.skipped, same_code_in ? same_code_in(checked.project) : SameCode());
+    const SameCode same_code = same_code_in ? same_code_in(checked.project) : SameCode();
+    judge_it(checked, today(), checked.project.skipped, same_code);
+    if (!choice.run_evidence.empty()) judge_with_evidence(checked, choice.run_evidence, same_code, place);
     if (!choice.base.empty()) list_moved(checked.judgement, brought);
     if (choice.base.empty() && !checked.recorded) checked.judgement.findings.clear();
     checked.judgement.brought_in = std::move(brought);

@@ -20,6 +20,7 @@ struct CheckChoice : ProjectChoice {
     bool trusted_map = false;  ///< with `base`: map and lock from there
     /// A project without a lock is read, too: all but when its pairs were in step, so there are no findings.
     bool lock_is_optional = false;
+    std::vector<std::string> run_evidence;  ///< files of what programs that ran both sides saw
 };
 
 /// A snapshot with everything that its judgement rests on. The judgement points into the states: keep them together.

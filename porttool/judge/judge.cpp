@@ -65,6 +65,7 @@ public:
         find_unwatched(facts_, findings_, verdicts_, out_);
         verdicts_.report_idle();
         report_unreadable();
+        report_unexplained_kernels();
         out_.findings = findings_.finish();
         out_.renamed = renamed_;
         return std::move(out_);
@@ -96,6 +97,7 @@ private:
         out_.pairs.push_back(pair_judge_.judge(mapped.id, mapped.map_line, mapped.units, mapped.lock));
         JudgedPair& pair = out_.pairs.back();
         if (is_unrecorded(mapped)) report_unrecorded(pair);
+        report_unexplained(pair);
         const Level told = weigh_shared_port(mapped, pair, first);
         const std::optional<Verdict> verdict = verdicts_.settle(pair, first);
         Level worst = told;
@@ -104,7 +106,26 @@ private:
         ++out_.summary.pairs;
         ++counter(pair.standing);
         if (const LockedPair* line = line_of(mapped); line != nullptr)
-            ++(line->state == kVerified ? out_.summary.verified : out_.summary.recorded);
+            ++(line->state == kVerified || is_seen_same(pair) ? out_.summary.verified : out_.summary.recorded);
+    }
+
+    /// A pair in step whose sides ran and gave the same.
+    bool is_seen_same(const JudgedPair& pair) const {
+        return facts_.evidence != nullptr && pair.standing == PairStanding::InStep &&
+               facts_.evidence->same.contains({pair.id.source, pair.id.target});
+    }
+
+    void report_unexplained(const JudgedPair& pair) {
+        if (facts_.evidence == nullptr) return;
+        const auto seen = facts_.evidence->pairs.find({pair.id.source, pair.id.target});
+        if (seen != facts_.evidence->pairs.end()) findings_.add(Rule::UnexplainedDifference, pair, {}, seen->second);
+    }
+
+    /// Kernels that are in no pair.
+    void report_unexplained_kernels() {
+        if (facts_.evidence == nullptr) return;
+        for (const auto& [kernel, message] : facts_.evidence->kernels)
+            findings_.add(Rule::UnexplainedDifference, kernel).message = message;
     }
 
     /// The pair's line in the project's own lock.

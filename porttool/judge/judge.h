@@ -39,6 +39,7 @@ struct Case {
     BySide<const std::vector<ScannedFile>*> files = {};
     /// The lock as it stands in the project, where there is one: a pair without a line in it was never recorded.
     const LockFile* in_project = nullptr;
+    const RunEvidence* evidence = nullptr;  ///< where programs ran
 };
 
 /// Holds today's units against the lock. Reads nothing but the case.

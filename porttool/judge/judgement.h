@@ -4,13 +4,17 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "porttool/judge/renamed_names.h"
 #include "porttool/normal/unit_state.h"
+#include "porttool/read/evidence_file.h"
 #include "porttool/read/lock_file.h"
 #include "porttool/read/map_file.h"
 #include "porttool/read/rule.h"
@@ -31,6 +35,13 @@ inline constexpr std::array<std::string_view, 6> kChangeNames = {"semantic", "co
                                                                  "moved",    "added",    "removed"};
 constexpr std::string_view change_name(ChangeKind change) { return kChangeNames.at(static_cast<size_t>(change)); }
 
+/// What programs saw of a finding: an input, a kernel of a picture, or both.
+struct FindingEvidence {
+    std::string example_json;          ///< a counterexample of difftest; "" for none
+    std::optional<SeenKernel> kernel;  ///< in which the pictures part
+    std::string folder;                ///< where its pictures lie
+};
+
 struct Finding {
     Rule rule = Rule::SourceChanged;
     Level level = Level::Error;
@@ -46,6 +57,7 @@ struct Finding {
     bool settled_in_source = false;    ///< by a comment, not by the ledger
     uint32_t map_line = 1;             ///< of its pair in portmap.toml
     std::vector<std::string> details;  ///< what is missing on which side
+    std::optional<FindingEvidence> evidence;
 };
 
 /// How a pair stands, by the worst finding that nothing settles, or by what settles all of them.
@@ -105,6 +117,14 @@ inline constexpr std::array<std::string_view, 3> kGateResultNames = {"in_step", 
 constexpr std::string_view gate_result_name(GateResult result) {
     return kGateResultNames.at(static_cast<size_t>(result));
 }
+
+/// What programs that ran both sides saw of a project, for its judgement.
+struct RunEvidence {
+    std::set<std::pair<std::string, std::string>> same;  ///< pairs of the map, source and target
+    /// Differences that no finding explains, with what is said of them: of pairs, and of kernels outside pairs.
+    std::map<std::pair<std::string, std::string>, std::string> pairs;
+    std::map<std::string, std::string> kernels;
+};
 
 struct Judgement {
     std::vector<Finding> findings;  ///< sorted by place

@@ -39,6 +39,9 @@ constexpr std::array<RuleRow, kRuleNames.size()> kRules = {{
      "Pair the two with the accept that the finding names; if they are none, run: porttool ignore ID --reason TEXT"},
     {Rule::Unrecorded, Level::Error, "A pair of the map was never recorded as in step, so no change of it is seen.",
      "Compare the two once, then run: porttool accept ID"},
+    {Rule::UnexplainedDifference, Level::Error, "Both sides ran, what they give differs, and no finding says why.",
+     "Find what differs and bring it in line; where it may differ, say so above it in the code: "
+     "porttool: ignore(unexplained-difference) REASON"},
 }};
 
 constexpr bool has_a_row_each() {

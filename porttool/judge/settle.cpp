@@ -140,6 +140,27 @@ void accept_pairs(LockFile& lock, const std::vector<const JudgedPair*>& pairs, c
     }
 }
 
+size_t verify_pairs(LockFile& lock, const Judgement& judgement,
+                    const std::set<std::pair<std::string, std::string>>& pairs, const std::string& by) {
+    std::map<std::pair<std::string, std::string>, const JudgedPair*> in_step;
+    for (const JudgedPair& pair : judgement.pairs)
+        if (pair.standing == PairStanding::InStep && pairs.contains({pair.id.source, pair.id.target}))
+            in_step.emplace(std::pair(pair.id.source, pair.id.target), &pair);
+    size_t count = 0;
+    for (LockedPair& line : lock.pairs) {
+        const auto found = in_step.find({line.source, line.target});
+        if (found == in_step.end() || line.state == kVerified) continue;
+        const auto& [source, target] = found->second->unit;
+        if (source == nullptr || target == nullptr || source->prints != line.source_prints ||
+            target->prints != line.target_prints)
+            continue;
+        line.state = kVerified;
+        line.by = by;
+        ++count;
+    }
+    return count;
+}
+
 void follow_baseline(LockFile& lock, const Judgement& judgement) {
     std::set<size_t> followed;
     std::set<std::pair<std::string, std::string>> taken;

@@ -4,7 +4,9 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "porttool/judge/judgement.h"
@@ -46,6 +48,11 @@ enum class Looked : uint8_t { AtEach, AtNone };
 /// equivalent.
 void accept_pairs(LockFile& lock, const std::vector<const JudgedPair*>& pairs, const TargetSets& sets, Looked looked,
                   const std::string& reason, const std::string& today);
+
+/// Marks the lines of these pairs, source and target, as verified by what `by` says, where the lock has them in step
+/// with today's texts and nobody has verified them yet. Returns how many.
+size_t verify_pairs(LockFile& lock, const Judgement& judgement,
+                    const std::set<std::pair<std::string, std::string>>& pairs, const std::string& by);
 
 /// Gives the lines of the baseline the ids that their units have today. Goes first, before the lock is changed.
 void follow_baseline(LockFile& lock, const Judgement& judgement);

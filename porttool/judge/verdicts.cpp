@@ -121,6 +121,8 @@ void Verdicts::report_idle_comments() {
     for (size_t k = 0; k < facts_.suppressions.size(); ++k) {
         if (suppressions_.is_used(k)) continue;
         const auto& [file, comment] = facts_.suppressions[k];
+        // Without evidence there is no such finding to settle.
+        if (comment.rule == rule_name(Rule::UnexplainedDifference) && facts_.evidence == nullptr) continue;
         Finding& finding = findings_.add(Rule::UnusedSuppression, file + ":" + comment.rule);
         finding.source = Place{file + ":@file", file, comment.line, comment.line};
         finding.message = "this comment ignores '" + comment.rule + "', of which there is no finding here";

@@ -35,7 +35,8 @@ enum class Rule : uint8_t {
     DialectHazard,
     Qualifiers,
     Unpaired,
-    Unrecorded
+    Unrecorded,
+    UnexplainedDifference
 };
 inline constexpr auto kRuleNames = std::to_array<std::string_view>({
     "source-changed",
@@ -53,6 +54,7 @@ inline constexpr auto kRuleNames = std::to_array<std::string_view>({
     "qualifiers",
     "unpaired",
     "unrecorded",
+    "unexplained-difference",
 });
 
 constexpr std::string_view rule_name(Rule rule) { return kRuleNames.at(static_cast<size_t>(rule)); }

@@ -160,7 +160,8 @@ std::string audit_html(const Audit& audit) {
         if (!item.patch.empty()) body += "<pre>" + patch_lines(item.patch, "", html_text) + "</pre>\n";
         body += "</section>\n";
     }
-    return filled_page("audit.html", {{"@STYLE@", page_file("history.css")}, {"@BODY@", body}});
+    return filled_page("sections.html",
+                       {{"@STYLE@", page_file("history.css")}, {"@TITLE@", "Audit of a port"}, {"@BODY@", body}});
 }
 
 }  // namespace porttool

@@ -53,6 +53,31 @@ std::string verified_text(const Summary& summary) {
     return summary.recorded > 0 && summary.verified == 0 ? "; recorded, not verified" : "";
 }
 
+ordered_json evidence_json(const Finding& finding) {
+    if (!finding.evidence) return nullptr;
+    const FindingEvidence& seen = *finding.evidence;
+    ordered_json out;
+    for (const char* name : {"kernel", "field", "segment", "paths", "share", "materials", "pixel", "ssim"})
+        out[name] = nullptr;
+    out["counterexample"] = seen.example_json.empty() ? ordered_json() : ordered_json::parse(seen.example_json);
+    out["pictures"] = ordered_json::array();
+    if (!seen.kernel) return out;
+    out["kernel"] = seen.kernel->name;
+    if (!seen.kernel->field.empty()) out["field"] = seen.kernel->field;
+    if (seen.kernel->segment > 0) out["segment"] = seen.kernel->segment;
+    out["paths"] = seen.kernel->paths;
+    out["share"] = seen.kernel->share;
+    out["materials"] = seen.kernel->materials;
+    if (seen.kernel->pixel) out["pixel"] = *seen.kernel->pixel;
+    if (seen.kernel->ssim) out["ssim"] = *seen.kernel->ssim;
+    for (const std::string& picture : seen.kernel->pictures) out["pictures"].push_back(picture_path(seen, picture));
+    return out;
+}
+
+std::string picture_path(const FindingEvidence& evidence, const std::string& picture) {
+    return evidence.folder.empty() ? picture : evidence.folder + "/" + picture;
+}
+
 std::string check_json(const Judgement& judgement) {
     ordered_json findings = ordered_json::array();
     for (const Finding& f : judgement.findings) {
@@ -65,7 +90,8 @@ std::string check_json(const Judgement& judgement) {
                             {"message", f.message},
                             {"remedy", f.remedy},
                             {"fingerprint", f.fingerprint},
-                            {"target_set", f.target_set.empty() ? ordered_json(nullptr) : ordered_json(f.target_set)}};
+                            {"target_set", f.target_set.empty() ? ordered_json(nullptr) : ordered_json(f.target_set)},
+                            {"evidence", evidence_json(f)}};
         if (!f.source && !f.target) one["map_line"] = f.map_line;  // in portmap.toml
         if (!f.details.empty()) one["details"] = f.details;
         findings.push_back(std::move(one));

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "porttool/judge/judge.h"
@@ -9,6 +10,12 @@
 namespace porttool {
 
 std::string check_json(const Judgement& judgement);
+
+/// What programs saw of a finding; null where they saw nothing.
+nlohmann::ordered_json evidence_json(const Finding& finding);
+/// Where a picture of the evidence lies, from where its file was named from.
+std::string picture_path(const FindingEvidence& evidence, const std::string& picture);
+
 /// What no pair watches, part of a sentence: "265 of 492 source units are not watched, 14 of them changed here".
 std::string unwatched_text(const Summary& summary, Reference reference);
 

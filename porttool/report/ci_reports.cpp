@@ -76,6 +76,7 @@ std::string check_sarif(const Judgement& judgement, const std::string& folder, c
             related["message"] = {{"text", "the port"}};
             result["relatedLocations"] = ordered_json::array({related});
         }
+        if (f.evidence) result["properties"] = {{"evidence", evidence_json(f)}};
         if (f.verdict)
             result["suppressions"] = ordered_json::array({{{"kind", f.settled_in_source ? "inSource" : "external"},
                                                            {"status", "accepted"},

@@ -9,7 +9,6 @@
 #include <stdexcept>
 
 namespace porttool {
-namespace {
 
 std::string base64(std::string_view bytes) {
     static constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -23,8 +22,6 @@ std::string base64(std::string_view bytes) {
     }
     return out;
 }
-
-}  // namespace
 
 std::string packed(std::string_view text) {
     uLongf size = compressBound(static_cast<uLong>(text.size()));

@@ -11,4 +11,7 @@ namespace porttool {
 /// it. Letters, digits, `+`, `/` and `=` alone.
 std::string packed(std::string_view text);
 
+/// Bytes in base64.
+std::string base64(std::string_view bytes);
+
 }  // namespace porttool

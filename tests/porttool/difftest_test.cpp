@@ -108,6 +108,29 @@ TEST_F(Difftest, TellsWhatDiffersAndWhatCannotRun) {
     EXPECT_EQ(evidence["texts"][0]["file"], "a/a.glsl");
 }
 
+TEST_F(Difftest, RecordsThatAPairRanTheSame) {
+    write("a/a.glsl", "float half_of(float x) { return x * 0.5; }\nfloat twice(float x) { return x * 2.0; }\n");
+    write("b/b.h",
+          "inline float half_of(float x) { return x / 2; }\ninline float twice(float x) { return x * 3.0f; }\n");
+    porttool({"init", "--source", "a/*", "--target", "b/*"});
+    const std::string before = read_text(root / "portmap.lock");
+    EXPECT_EQ(porttool({"difftest", "--inputs", "200", "--evidence", (root / "e.json").string()}).exit_code, 1);
+    EXPECT_EQ(read_text(root / "portmap.lock"), before) << "it writes nothing unless asked";
+    const nlohmann::json checked =
+        nlohmann::json::parse(porttool({"check", "--format", "json", "--evidence", (root / "e.json").string()}).out);
+    EXPECT_EQ(checked["findings"].size(), 1u) << "recorded as in step, and different when run";
+    EXPECT_EQ(checked["findings"][0]["rule"], "unexplained-difference");
+    EXPECT_EQ(checked["findings"][0]["source"]["id"], "a/a.glsl:twice");
+    EXPECT_EQ(checked["summary"]["verified"], 1);
+    const CommandRun got = porttool({"difftest", "--inputs", "200", "--record"});
+    EXPECT_NE(got.out.find("1 pairs recorded as verified"), std::string::npos) << got.out << got.err;
+    const std::string after = read_text(root / "portmap.lock");
+    EXPECT_NE(after.find("difftest 2"), std::string::npos);
+    EXPECT_EQ(std::count(after.begin(), after.end(), '\n'), std::count(before.begin(), before.end(), '\n'));
+    EXPECT_EQ(nlohmann::json::parse(porttool({"check", "--format", "json"}).out)["summary"]["verified"], 1);
+    EXPECT_EQ(porttool({"difftest", "--record", "--source", "a/*", "--target", "b/*"}).exit_code, 2);
+}
+
 TEST_F(Difftest, TakesKernelLanguagesForCpp) {
     const nlohmann::json pairs = run_on("a.cl", R"(
 typedef struct { float3 base; float2 uv; int kind; } Hit;

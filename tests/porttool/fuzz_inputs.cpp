@@ -301,6 +301,7 @@ const std::vector<std::vector<const char*>>& base_commands() {
                                                                    {"check", "--format", "junit"},
                                                                    {"check", "--format", "github"},
                                                                    {"check", "--format", "gitlab"},
+                                                                   {"check", "--format", "html"},
                                                                    {"check", "--format", "markdown"},
                                                                    {"check", "--strict"},
                                                                    {"accept", "--all"},

@@ -206,6 +206,7 @@ TEST_F(HostileText, EveryFormatHasTheStructureOfHarmlessText) {
     add(cases, "github", {"check", "--format", "github"}, files());
     add(cases, "json", {"check", "--format", "gitlab"}, files(), {{"sub", "gitlab"}});
     add(cases, "markdown", {"check", "--format", "markdown"}, files());
+    add(cases, "html", {"check", "--format", "html"}, files());
     add(cases, "text", {"report"}, hostile_strings());
     add(cases, "json", {"report", "--format", "json"}, hostile_strings());
     add(cases, "csv", {"report", "--format", "csv"}, hostile_strings());

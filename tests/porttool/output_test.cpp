@@ -142,7 +142,7 @@ TEST(Texts, EveryFormatIsUtf8AndWellFormedWhateverTheSourceHolds) {
         const std::string source = replaced(plain, "\"y\"", "\"" + odd + "\"");
         MemoryDisk disk = started(source, replaced(source, "__device__ ", ""));
         disk.files["/r/src/k.cu"] = plain;
-        for (const char* format : {"text", "json", "sarif", "junit", "github", "gitlab", "markdown"}) {
+        for (const char* format : {"text", "json", "sarif", "junit", "github", "gitlab", "markdown", "html"}) {
             const CommandRun got = run(disk, {"-C", "/r", "check", "--format", format});
             ASSERT_EQ(got.exit_code, 1) << format << got.err;
             texts.push_back(got.out);

@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/judge/use_graph.h"
+
+#include <limits>
+#include <string_view>
+#include <unordered_map>
+
+#include "porttool/scan/scan.h"
+
+namespace porttool {
+namespace {
+
+std::string_view borne_name(const UnitState& unit) {
+    const std::string_view leaf = leaf_of(unit.name);
+    return leaf.substr(0, leaf.find('#'));
+}
+
+std::string_view stem_of_path(std::string_view path) {
+    path.remove_prefix(path.rfind('/') + 1);  // npos + 1 is 0
+    return path.substr(0, path.find('.'));
+}
+
+}  // namespace
+
+UseGraph::UseGraph(const std::map<std::string, UnitState>& units) {
+    for (const auto& [id, unit] : units) {
+        units_.push_back(&unit);
+        by_file_[unit.file].push_back(&unit);
+    }
+    uses_.resize(units_.size());
+    // A name is a node of its own, so that many uses of many bearers are no product.
+    using Names = std::unordered_map<std::string_view, uint32_t>;
+    Names anywhere;
+    std::unordered_map<std::string_view, Names> in_file;
+    const auto name_node = [&](Names& names, std::string_view name, uint32_t bearer) {
+        const auto [found, is_new] = names.emplace(name, static_cast<uint32_t>(uses_.size()));
+        if (is_new) uses_.emplace_back();
+        uses_[found->second].push_back(bearer);
+    };
+    for (uint32_t i = 0; i < units_.size(); ++i) {
+        if (units_[i]->kind == UnitKind::File) continue;
+        name_node(anywhere, borne_name(*units_[i]), i);
+        name_node(in_file[units_[i]->file], borne_name(*units_[i]), i);
+    }
+    for (uint32_t i = 0; i < units_.size(); ++i) {
+        const Names& near = in_file[units_[i]->file];
+        std::vector<uint32_t>& used = uses_[i];
+        for (size_t k = 0; k < units_[i]->text.size(); ++k) {
+            const std::string_view word = units_[i]->text[k];
+            if (!is_word_token(word)) continue;
+            if (const auto here = near.find(word); here != near.end())
+                used.push_back(here->second);
+            else if (const auto there = anywhere.find(word); there != anywhere.end())
+                used.push_back(there->second);
+        }
+    }
+    users_.resize(uses_.size());
+    for (uint32_t node = 0; node < uses_.size(); ++node)
+        for (const uint32_t used : uses_[node]) users_[used].push_back(node);
+}
+
+std::map<const UnitState*, size_t> UseGraph::reached(const std::vector<Marked>& starts, Along along) const {
+    constexpr size_t kNone = std::numeric_limits<size_t>::max();
+    const auto& next = along == Along::Uses ? uses_ : users_;
+    std::map<const UnitState*, uint32_t> numbers;
+    for (uint32_t i = 0; i < units_.size(); ++i) numbers.emplace(units_[i], i);
+    std::vector<size_t> marks(next.size(), kNone);
+    std::vector<uint32_t> queue;
+    const auto visit = [&](uint32_t node, size_t mark) {
+        if (marks[node] != kNone) return;
+        marks[node] = mark;
+        queue.push_back(node);
+    };
+    for (const Marked& start : starts)
+        if (const auto found = numbers.find(start.unit); found != numbers.end()) visit(found->second, start.mark);
+    for (size_t at = 0; at < queue.size(); ++at)
+        for (const uint32_t node : next[queue[at]]) visit(node, marks[queue[at]]);
+    std::map<const UnitState*, size_t> out;
+    for (uint32_t i = 0; i < units_.size(); ++i)
+        if (marks[i] != kNone) out.emplace(units_[i], marks[i]);
+    return out;
+}
+
+std::vector<const UnitState*> UseGraph::units_of_file(const std::string& path) const {
+    const auto found = by_file_.find(path);
+    return found == by_file_.end() ? std::vector<const UnitState*>() : found->second;
+}
+
+std::vector<const UnitState*> UseGraph::units_of_stem(const std::string& stem) const {
+    std::vector<const UnitState*> out;
+    for (const auto& [path, units] : by_file_)
+        if (stem_of_path(path) == stem) out.insert(out.end(), units.begin(), units.end());
+    return out;
+}
+
+}  // namespace porttool
