@@ -82,15 +82,14 @@ Status CoreSession::render_up_to(uint32_t samples) {
     }
 }
 
-std::vector<std::string> core_ids(const Options& options) {
-    if (options.core == "auto") return {"source", "target"};
-    return {options.core};
-}
-
 std::string explain(const Status& status) {
     std::string line = status.message;
     std::replace(line.begin(), line.end(), '\n', ' ');
-    if (status.code == StatusCode::out_of_memory) line += "; use --core target, or raise --gpu-memory-limit";
+    if (status.code != StatusCode::out_of_memory) return line;
+    // A core with a budget is the source core; the target core has all of the machine's memory.
+    const bool budget = status.allowed_bytes > 0, tried = line.find("core target") != std::string::npos;
+    if (budget) line += tried ? "; raise --gpu-memory-limit" : "; use --core target, or raise --gpu-memory-limit";
+    if (!budget || tried) line += "; or give a smaller scene or --size";
     return line;
 }
 

@@ -48,9 +48,6 @@ private:
     render_system::ViewPyramid view_;
 };
 
-/// The cores that `--core` allows, in order of preference.
-std::vector<std::string> core_ids(const Options& options);
-
 /// A failed call as one line for the user, with the option that helps.
 std::string explain(const render_system::Status& status);
 

@@ -26,4 +26,16 @@ render_system::CoreRegistry make_registry([[maybe_unused]] const Options& option
     return registry;
 }
 
+CoreOrder core_order(const Options& options) {
+    if (options.cores != std::vector<std::string>{"auto"}) return {options.cores, ""};
+#if defined(PORTTOOL_HAS_SOURCE_CORE) && defined(PORTTOOL_HAS_TARGET_CORE)
+    if (source_core::has_software_device()) return {{"target", "source"}, "core source has no GPU here"};
+    return {{"source", "target"}, ""};
+#elif defined(PORTTOOL_HAS_SOURCE_CORE)
+    return {{"source"}, ""};
+#else
+    return {{"target"}, ""};
+#endif
+}
+
 }  // namespace application

@@ -73,9 +73,27 @@ void declare_picture(CLI::App& app, Options& options) {
         "A camera file (JSON), or the number of a camera in the scene (0)")
         ->type_name("FILE|INDEX");
     add_parsed(
+        app, "--look-at", parse_look_at, [&options](const LookAt& view) { options.look_at = view; },
+        "The eye and where it looks, y up (frames the scene where it has no camera)")
+        ->type_name("X,Y,Z,X,Y,Z");
+    add_parsed(
+        app, "--fov", parse_fov, [&options](float fov) { options.vertical_fov = fov; },
+        "Vertical field of view (the camera's; 40)")
+        ->type_name("DEGREES");
+    add_parsed(
         app, "--sky", parse_sky, [&options](const SkyChoice& sky) { options.sky = sky; },
-        "Constant radiance, or an HDR map (black; white where nothing emits)")
+        "Constant radiance, or an HDR map (black; a neutral studio where the scene does not light itself)")
         ->type_name("R,G,B|FILE.hdr");
+    add_parsed(
+        app, "--exposure", parse_exposure, [&options](float stops) { options.exposure = stops; },
+        "Stops by which a PNG is brighter (0)")
+        ->type_name("EV");
+    add_choice<ToneMap>(
+        app, "--tone-map", options.tone_map,
+        {{"none", ToneMap::none}, {"neutral", ToneMap::neutral}, {"aces", ToneMap::aces}, {"agx", ToneMap::agx}},
+        "What brings a PNG's radiance into 0 to 1: none (cut off), neutral (Khronos PBR Neutral), aces "
+        "or agx (none)")
+        ->type_name("CURVE");
     app.add_flag("--allow-outside", options.allow_outside, "Let the scene name files outside its own folder");
 }
 
@@ -91,11 +109,15 @@ void declare_paths(CLI::App& app, Options& options) {
 }
 
 void declare_machine(CLI::App& app, Options& options) {
-    add_choice<std::string>(app, "--core", options.core,
-                            {{"source", "source"}, {"target", "target"}, {"auto", "auto"}, {"null", "null"}},
-                            "source (Vulkan), target (Embree), null (black), or auto: source if the scene fits (auto)")
-        ->type_name("CORE")
-        ->each([&options](const std::string&) { options.core_given = true; });
+    add_parsed(
+        app, "--core", parse_cores,
+        [&options](const std::vector<std::string>& cores) {
+            options.cores = cores;
+            options.core_given = true;
+        },
+        "source (Vulkan), target (Embree) or null (black); of several, separated by commas, the first that the scene "
+        "fits; auto is source,target with a GPU, else target,source (auto)")
+        ->type_name("CORE,...");
     add_number(app, "--threads", options.threads, 1, MAX_THREADS, "Host threads; never changes the picture (all)")
         ->type_name("N");
     add_parsed(

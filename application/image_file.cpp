@@ -67,8 +67,8 @@ Result<std::string> encode_exr(const Channels<float>& image) {
     return encode("exr", spec, image.rgb.data());
 }
 
-Result<std::string> encode_picture(const Picture& picture, ImageKind kind) {
-    return kind == ImageKind::png ? encode_png(srgb_levels(picture)) : encode_exr(linear_values(picture));
+Result<std::string> encode_picture(const Picture& picture, ImageKind kind, float stops, ToneMap curve) {
+    return kind == ImageKind::png ? encode_png(srgb_levels(picture, stops, curve)) : encode_exr(linear_values(picture));
 }
 
 }  // namespace application

@@ -103,6 +103,49 @@ Result<CameraChoice> parse_camera(std::string_view text) {
     return choice;
 }
 
+Result<std::vector<std::string>> parse_cores(std::string_view text) {
+    if (text == "auto") return std::vector<std::string>{"auto"};
+    std::vector<std::string> cores;
+    for (const std::string_view part : split(text, ',')) {
+        const std::string core(part);
+        if (core != "source" && core != "target" && core != "null")
+            return Status::invalid(fmt::format("'{}' is not one of auto, null, source, target", core));
+        if (std::find(cores.begin(), cores.end(), core) != cores.end())
+            return Status::invalid(fmt::format("'{}' names {} twice; once is enough", text, core));
+        cores.push_back(core);
+    }
+    return cores;
+}
+
+Result<LookAt> parse_look_at(std::string_view text) {
+    const auto parts = split(text, ',');
+    std::array<float, 6> numbers{};
+    bool sound = parts.size() == numbers.size();
+    for (size_t i = 0; sound && i < numbers.size(); ++i) {
+        const auto value = number_from<float>(parts[i]);
+        sound = value && std::isfinite(*value);
+        if (sound) numbers[i] = *value;
+    }
+    LookAt view{{numbers[0], numbers[1], numbers[2]}, {numbers[3], numbers[4], numbers[5]}};
+    if (sound && view.eye != view.target) return view;
+    return Status::invalid(fmt::format(
+        "'{}' is no view; give the eye and another point that it looks at, X,Y,Z,X,Y,Z, e.g. 0,1,5,0,1,0", text));
+}
+
+Result<float> parse_fov(std::string_view text) {
+    constexpr float DEGREE = 0.017453292519943295f;
+    const auto degrees = number_from<float>(text);
+    if (degrees && *degrees >= 0.001f && *degrees <= 179.0f) return *degrees * DEGREE;
+    return Status::invalid(fmt::format("'{}' is no vertical field of view; give degrees from 0.001 to 179", text));
+}
+
+Result<float> parse_exposure(std::string_view text) {
+    const auto stops = number_from<float>(text);
+    if (stops && *stops >= -100.0f && *stops <= 100.0f) return *stops;
+    return Status::invalid(
+        fmt::format("'{}' is no exposure; give stops from -100 to 100, e.g. 1 for twice as bright", text));
+}
+
 Result<SkyChoice> parse_sky(std::string_view text) {
     SkyChoice choice;
     const auto parts = split(text, ',');

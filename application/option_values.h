@@ -46,6 +46,18 @@ Result<uint64_t> parse_mebibytes(std::string_view text);
 /// Digits alone are an index, everything else is a file's name.
 Result<CameraChoice> parse_camera(std::string_view text);
 
+/// `auto`, or names of cores in order of preference, separated by commas, each once.
+Result<std::vector<std::string>> parse_cores(std::string_view text);
+
+/// Six numbers separated by commas: the eye, and where it looks.
+Result<LookAt> parse_look_at(std::string_view text);
+
+/// Degrees between 0 and 180, as radians.
+Result<float> parse_fov(std::string_view text);
+
+/// Stops from -100 to 100.
+Result<float> parse_exposure(std::string_view text);
+
 /// Three numbers separated by commas are a radiance; a name with a dot and no comma is a file.
 Result<SkyChoice> parse_sky(std::string_view text);
 

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "application/tone_map.h"
+
 namespace application {
 
 enum class ColorMode { automatic, always, never };
@@ -17,6 +19,12 @@ enum class Format { text, json };
 struct CameraChoice {
     std::string file;
     std::optional<uint32_t> index;
+};
+
+/// `--look-at`: a view by two points, y up.
+struct LookAt {
+    std::array<float, 3> eye;
+    std::array<float, 3> target;
 };
 
 /// `--sky`: a radiance, the file of a map, or (neither) what scene and camera file say.
@@ -34,9 +42,9 @@ struct Options {
     Format format = Format::text;
 
     std::string scene;
-    std::string output;  ///< empty: the command's own default
-    std::string stats;   ///< empty: none
-    std::string core = "auto";
+    std::string output;                      ///< empty: the command's own default
+    std::string stats;                       ///< empty: none
+    std::vector<std::string> cores{"auto"};  ///< in order of preference, or auto alone
     bool core_given = false;
     uint32_t width = 640;
     uint32_t height = 360;
@@ -48,7 +56,11 @@ struct Options {
     bool exact = false;
     bool allow_outside = false;  ///< the scene may name files outside its folder
     CameraChoice camera;
+    std::optional<LookAt> look_at;
+    std::optional<float> vertical_fov;  ///< radians
     SkyChoice sky;
+    float exposure = 0.0f;  ///< stops, of PNGs
+    ToneMap tone_map = ToneMap::none;
     uint32_t threads = 0;           ///< 0: all
     uint64_t gpu_memory_limit = 0;  ///< bytes, 0: the device-local heap
     std::string kernels;            ///< empty: those built into the program

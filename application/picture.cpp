@@ -15,11 +15,15 @@ uint8_t srgb_level(float linear) {
     return static_cast<uint8_t>(std::lround(255.0 * encoded));
 }
 
-Channels<uint8_t> srgb_levels(const Picture& picture) {
+Channels<uint8_t> srgb_levels(const Picture& picture) { return srgb_levels(picture, 0.0f, ToneMap::none); }
+
+Channels<uint8_t> srgb_levels(const Picture& picture, float stops, ToneMap curve) {
     Channels<uint8_t> image{picture.width, picture.height, {}};
     image.rgb.reserve(picture.pixels.size() * 3);
+    const float exposure = std::exp2(stops);  // of 0 stops exactly 1
     for (const glm::vec4& pixel : picture.pixels) {
-        for (int channel = 0; channel < 3; ++channel) image.rgb.push_back(srgb_level(pixel[channel]));
+        const glm::vec3 color = tone_mapped(glm::vec3(pixel), exposure, curve);
+        for (int channel = 0; channel < 3; ++channel) image.rgb.push_back(srgb_level(color[channel]));
     }
     return image;
 }

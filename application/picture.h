@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "application/tone_map.h"
 #include "metrics/image/image_view.h"
 #include "render_system/status.h"
 
@@ -39,6 +40,9 @@ uint8_t srgb_level(float linear);
 /// What a PNG of the picture holds.
 Channels<uint8_t> srgb_levels(const Picture& picture);
 
+/// The same picture with that exposure (stops) and tone map.
+Channels<uint8_t> srgb_levels(const Picture& picture, float stops, ToneMap curve);
+
 /// The picture without alpha.
 Channels<float> linear_values(const Picture& picture);
 
@@ -56,7 +60,7 @@ render_system::Result<ImageKind> image_kind(const std::string& file_name);
 render_system::Result<std::string> encode_png(const Channels<uint8_t>& image);
 render_system::Result<std::string> encode_exr(const Channels<float>& image);
 
-/// The bytes of the picture as a file of that kind.
-render_system::Result<std::string> encode_picture(const Picture& picture, ImageKind kind);
+/// The bytes of the picture as a file of that kind; exposure (stops) and tone map act on PNG alone.
+render_system::Result<std::string> encode_picture(const Picture& picture, ImageKind kind, float stops, ToneMap curve);
 
 }  // namespace application

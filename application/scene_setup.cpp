@@ -7,6 +7,7 @@
 #include <chrono>
 #include <optional>
 
+#include "render_system/default_sky.h"
 #include "render_system/scene_limits.h"
 #include "render_system/scene_loader.h"
 
@@ -20,62 +21,94 @@ using render_system::Result;
 using render_system::Status;
 using std::filesystem::path;
 
-/// Puts the file's lights and sky into the scene.
-Status apply_camera_file(const CameraFile& file, HostScene& scene) {
+/// Puts the file's lights into the scene.
+Status add_area_lights(const CameraFile& file, HostScene& scene) {
     for (const render_system::QuadLight& light : file.area_lights) {
         if (Status status = add_area_light(scene, light); !status.ok()) return status;
     }
-    if (file.has_sky) scene.set_sky({.radiance = file.sky_radiance});
     return Status::success();
 }
 
-/// The camera that `--camera` names by number, or the scene's first.
-Result<Camera> camera_of_scene(const Options& options, const HostScene& scene, Console& console) {
-    const auto& cameras = scene.cameras();
-    const uint32_t index = options.camera.index.value_or(0);
-    if (index < cameras.size()) {
-        const Status status = check_camera(cameras[index].camera);
-        if (status.ok()) return cameras[index].camera;
-        return Status::error(status.code, fmt::format("{}: camera {}: {}", options.scene, index, status.message));
-    }
-    if (options.camera.index) {
-        const std::string offer = cameras.empty() ? "has no camera; leave --camera out for a view of the whole scene"
-                                                  : fmt::format("has {}; the first is 0", cameras.size());
-        return Status::invalid(fmt::format("--camera: there is no camera {}: {} {}", index, options.scene, offer));
-    }
-    console.note("no camera in the scene: the view is from +z and frames all of it");
-    const Camera camera = framing_camera(scene, static_cast<float>(options.width) / static_cast<float>(options.height));
-    const Status status = check_camera(camera);
-    if (status.ok()) return camera;
-    return Status::error(status.code, fmt::format("{}: seen whole at {}x{}, {}; or give --camera", options.scene,
-                                                  options.width, options.height, status.message));
-}
+/// What the command line names beside the scene, read before it: a slip in a name is told at once.
+struct Companions {
+    std::optional<CameraFile> camera;
+    std::optional<render_system::Sky> sky;
+};
 
-/// Camera, and what a camera file adds to the scene.
-Result<Camera> choose_camera(const Options& options, HostScene& scene, bool& sky_given, Console& console) {
-    if (options.camera.file.empty()) return camera_of_scene(options, scene, console);
-    const auto file = render_system::load_camera_file(options.camera.file);
-    if (!file.ok()) return file.status;
-    if (Status status = apply_camera_file(*file, scene); !status.ok()) return status;
-    sky_given = file->has_sky;
-    return file->camera;
-}
-
-Status choose_sky(const Options& options, bool sky_given, HostScene& scene, Console& console) {
+Result<Companions> read_companions(const Options& options, Console& console) {
+    Companions companions;
+    if (!options.camera.file.empty()) {
+        auto camera = render_system::load_camera_file(options.camera.file);
+        if (!camera.ok()) return camera.status;
+        companions.camera = std::move(*camera);
+    }
     if (!options.sky.file.empty()) {
         std::vector<std::string> warnings;
         auto sky = render_system::load_sky(options.sky.file, &warnings);
         if (!sky.ok()) return sky.status;
         for (const std::string& warning : warnings) console.warning(warning);
-        scene.set_sky(std::move(*sky));
+        companions.sky = std::move(*sky);
     } else if (options.sky.radiance) {
         const auto& radiance = *options.sky.radiance;
-        scene.set_sky({.radiance = {radiance[0], radiance[1], radiance[2]}});
-    } else if (!sky_given && !scene.has_light()) {
-        console.note("no light in the scene: the sky is white");
-        scene.set_sky({.radiance = glm::vec3(1.0f)});
+        companions.sky = render_system::Sky{.radiance = {radiance[0], radiance[1], radiance[2]}};
     }
-    return Status::success();
+    return companions;
+}
+
+/// The view of the whole scene, said with the option that repeats it.
+Camera default_camera(const Options& options, const HostScene& scene, Console& console) {
+    const float aspect = static_cast<float>(options.width) / static_cast<float>(options.height);
+    const float fov = options.vertical_fov.value_or(render_system::kDefaultFov);
+    const auto [eye, target] = framing_view(scene, aspect, fov);
+    console.note(fmt::format("no camera in the scene: the view frames all of it, --look-at {},{},{},{},{},{}", eye.x,
+                             eye.y, eye.z, target.x, target.y, target.z));
+    return render_system::look_at(eye, target, {0.0f, 1.0f, 0.0f}, fov);
+}
+
+/// The camera that `--camera` names by number, or the scene's first; none where there is none to name.
+Result<std::optional<Camera>> camera_of_scene(const Options& options, const HostScene& scene) {
+    const auto& cameras = scene.cameras();
+    const uint32_t index = options.camera.index.value_or(0);
+    if (index < cameras.size()) return std::optional(cameras[index].camera);
+    if (!options.camera.index) return std::optional<Camera>();
+    const std::string offer = cameras.empty() ? "has no camera; leave --camera out for a view of the whole scene"
+                                              : fmt::format("has {}; the first is 0", cameras.size());
+    return Status::invalid(fmt::format("--camera: there is no camera {}: {} {}", index, options.scene, offer));
+}
+
+Result<Camera> choose_camera(const Options& options, const Companions& companions, const HostScene& scene,
+                             Console& console) {
+    std::optional<Camera> camera;
+    if (companions.camera) {
+        camera = companions.camera->camera;
+    } else {
+        auto found = camera_of_scene(options, scene);
+        if (!found.ok()) return found.status;
+        camera = *found;
+    }
+    if (options.look_at) {
+        const auto& [eye, target] = *options.look_at;
+        const float fov = options.camera.index || companions.camera ? camera->vertical_fov : render_system::kDefaultFov;
+        camera = render_system::look_at({eye[0], eye[1], eye[2]}, {target[0], target[1], target[2]}, {0.0f, 1.0f, 0.0f},
+                                        fov);
+    }
+    if (!camera) camera = default_camera(options, scene, console);
+    if (options.vertical_fov) camera->vertical_fov = *options.vertical_fov;
+    const Status status = check_camera(*camera);
+    if (status.ok()) return *camera;
+    return Status::error(status.code, fmt::format("{}: {}; or give --look-at", options.scene, status.message));
+}
+
+/// `--sky`, else the camera file's, else black where the scene lights itself.
+void choose_sky(Companions& companions, const Camera& camera, HostScene& scene, Console& console) {
+    if (companions.sky) {
+        scene.set_sky(std::move(*companions.sky));
+    } else if (companions.camera && companions.camera->has_sky) {
+        scene.set_sky({.radiance = companions.camera->sky_radiance});
+    } else if (!lights_itself(scene, camera)) {
+        console.note("the scene does not light itself: it stands in a neutral studio sky; --sky 0,0,0 leaves it black");
+        scene.set_sky(render_system::studio_sky());
+    }
 }
 
 /// `<prefix>/share/porttool` of a program in `<prefix>/bin`.
@@ -101,19 +134,24 @@ std::string default_picture_name(const std::string& scene) { return path(scene).
 
 Result<SceneSetup> set_up_scene(const Options& options, Console& console) {
     const auto start = std::chrono::steady_clock::now();
+    auto companions = read_companions(options, console);
+    if (!companions.ok()) return companions.status;
     auto loaded = render_system::load_scene(scene_path(options.scene), {.allow_outside = options.allow_outside});
     if (!loaded.ok()) return loaded.status;
     for (const std::string& warning : loaded->warnings) console.warning(warning);
     HostScene& scene = loaded->scene;
 
-    bool sky_given = false;
-    const auto camera = choose_camera(options, scene, sky_given, console);
+    if (companions->camera) {
+        if (Status status = add_area_lights(*companions->camera, scene); !status.ok()) return status;
+    }
+    const auto camera = choose_camera(options, *companions, scene, console);
     if (!camera.ok()) return camera.status;
-    if (Status status = choose_sky(options, sky_given, scene, console); !status.ok()) return status;
     const auto view = render_system::view_pyramid(*camera, options.width, options.height);
     if (const Status status = check_scene_limits(scene, view); !status.ok()) {
         return Status::error(status.code, options.scene + ": " + status.message);
     }
+
+    choose_sky(*companions, *camera, scene, console);
 
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
     console.detail(

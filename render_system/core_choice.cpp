@@ -12,7 +12,7 @@ namespace {
 std::string mebibytes(uint64_t bytes) { return std::to_string((bytes + 0xFFFFF) >> 20) + " MiB"; }
 
 std::string why_not(const std::string& id, const Status& status) {
-    if (status.code == StatusCode::out_of_memory && status.needed_bytes > 0) {
+    if (status.code == StatusCode::out_of_memory && status.needed_bytes > 0 && status.allowed_bytes > 0) {
         return "core " + id + " needs " + mebibytes(status.needed_bytes) + ", " +
                std::to_string(status.allowed_bytes >> 20) + " MiB are allowed";
     }

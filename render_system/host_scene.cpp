@@ -257,18 +257,47 @@ void HostScene::describe_mesh(uint32_t id) {
     mesh_materials_[id] = std::move(used);
 }
 
-Camera framing_camera(const HostScene& scene, float aspect) {
-    constexpr float FOV = 0.6981317f;  // 40 degrees
+namespace {
+
+// From where the default view looks at a box of that size: unit length.
+glm::dvec3 framing_direction(const glm::dvec3& size) {
+    constexpr double kFlat = 0.1, kLeastSine = 0.5;
+    glm::dvec3 direction = glm::normalize(glm::dvec3(1.0, 0.75, 1.5));
+    for (int thin = 0; thin < 3; ++thin) {
+        const double others = std::min(size[(thin + 1) % 3], size[(thin + 2) % 3]);
+        if (!(size[thin] < kFlat * others) || direction[thin] >= kLeastSine) continue;
+        direction[thin] = 0.0;
+        direction = glm::normalize(direction) * std::sqrt(1.0 - kLeastSine * kLeastSine);
+        direction[thin] = kLeastSine;
+    }
+    return direction;
+}
+
+}  // namespace
+
+FramingView framing_view(const HostScene& scene, float aspect, float vertical_fov) {
     const Box box = scene.bounds();
-    if (box.empty()) return look_at({0.0f, 0.0f, 1.0f}, glm::vec3(0.0f), {0.0f, 1.0f, 0.0f}, FOV);
-    // The face towards the viewer is the largest in the picture: it decides the distance.
-    const glm::vec3 half = 0.5f * (box.upper - box.lower);
-    const float slope = std::tan(0.5f * FOV);
-    float distance = std::max(half.y / slope, half.x / (slope * aspect));
-    if (!(distance > 0.0f)) distance = std::max(half.z, 1.0f);
-    const glm::vec3 center = box.center();
-    const glm::vec3 eye(center.x, center.y, box.upper.z + distance);
-    return look_at(eye, eye - glm::vec3(0.0f, 0.0f, 1.0f) * std::max(distance, half.z), {0.0f, 1.0f, 0.0f}, FOV);
+    const glm::dvec3 lower = box.empty() ? glm::dvec3(0.0) : glm::dvec3(box.lower);
+    const glm::dvec3 upper = box.empty() ? glm::dvec3(0.0) : glm::dvec3(box.upper);
+    const glm::dvec3 center = 0.5 * (lower + upper), half = 0.5 * (upper - lower);
+    const glm::dvec3 towards = framing_direction(upper - lower);
+    const glm::dvec3 right = glm::normalize(glm::cross(glm::dvec3(0.0, 1.0, 0.0), towards));
+    const glm::dvec3 up = glm::cross(towards, right);
+    const double slope = std::tan(0.5 * static_cast<double>(vertical_fov));
+    double distance = 0.0;
+    for (int i = 0; i < 8; ++i) {
+        const glm::dvec3 corner = half * glm::dvec3(i & 1 ? 1.0 : -1.0, i & 2 ? 1.0 : -1.0, i & 4 ? 1.0 : -1.0);
+        const double wide = std::abs(glm::dot(corner, right)) / (slope * static_cast<double>(aspect));
+        const double high = std::abs(glm::dot(corner, up)) / slope;
+        distance = std::max(distance, glm::dot(corner, towards) + std::max(wide, high));
+    }
+    if (!(distance > 0.0)) distance = 1.0;
+    return {glm::vec3(center + towards * distance), glm::vec3(center)};
+}
+
+Camera framing_camera(const HostScene& scene, float aspect) {
+    const FramingView view = framing_view(scene, aspect);
+    return look_at(view.eye, view.target, {0.0f, 1.0f, 0.0f}, kDefaultFov);
 }
 
 CoreTransform core_transform(const glm::dmat4& matrix) {

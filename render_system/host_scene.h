@@ -184,8 +184,21 @@ private:
     SceneChanges changes_;
 };
 
-/// The default view: from +z, y up, vertical field of view 40 degrees, with the scene's box just inside a picture of
-/// that aspect (width / height).
+/// The default field of view: 40 degrees.
+constexpr float kDefaultFov = 0.6981317f;
+
+/// A view by two points, y up: as `--look-at` takes it.
+struct FramingView {
+    glm::vec3 eye;
+    glm::vec3 target;
+};
+
+/// The default view: from direction (1, 0.75, 1.5), y up, with the scene's box just inside a picture of that aspect
+/// (width / height) and vertical field of view. A box less than a tenth as thick as it is wide either way is seen from
+/// at least 30 degrees off its plane.
+FramingView framing_view(const HostScene& scene, float aspect, float vertical_fov = kDefaultFov);
+
+/// The camera of that view.
 Camera framing_camera(const HostScene& scene, float aspect = 16.0f / 9.0f);
 
 /// Rows of `matrix` (object to world, last row 0 0 0 1) in the form that cores take.

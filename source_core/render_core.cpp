@@ -315,6 +315,11 @@ std::unique_ptr<CoreAPI> create_tuned_core(const CoreTuning& tuning, const Sourc
     return std::make_unique<SourceCore>(tuning, options);
 }
 
+bool has_software_device() {
+    const Result<Instance> instance = Instance::create(Validation::none);
+    return instance.ok() && Device::only_software(*instance);
+}
+
 std::unique_ptr<CoreAPI> create_core(const SourceOptions& options) { return create_tuned_core({}, options); }
 
 }  // namespace source_core

@@ -17,6 +17,10 @@ struct SourceOptions {
     bool validate = false;          ///< run under the validation layers; messages fail the call
 };
 
+/// Whether the device that the core would take is no GPU but a processor's own program, as Mesa's lavapipe. False where
+/// there is none at all: Init says why.
+bool has_software_device();
+
 /// The GPU path tracer: a wavefront of Vulkan compute kernels. The core opens its device in Init, which also fails with
 /// not_found where the folder of kernels or a file in it is missing.
 std::unique_ptr<render_system::CoreAPI> create_core(const SourceOptions& options = {});

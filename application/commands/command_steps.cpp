@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "application/cores.h"
 #include "application/file_output.h"
 
 namespace application {
@@ -31,9 +32,14 @@ Status check_files(const Options& options) {
     return Status::success();
 }
 
+bool changes_colors(const Options& options) { return options.exposure != 0.0f || options.tone_map != ToneMap::none; }
+
 Result<CoreChoice> start_chosen_core(CoreSession& session, const Options& options, Picture& picture, Console& console) {
-    auto choice = session.start(core_ids(options), picture);
-    if (choice.ok() && options.core == "auto") console.note(choice->reason);
+    const CoreOrder order = core_order(options);
+    auto choice = session.start(order.ids, picture);
+    if (choice.ok() && choice->core == order.ids.front() && !order.reason.empty())
+        choice->reason += "; " + order.reason;
+    if (choice.ok() && (order.ids.size() > 1 || !options.core_given)) console.note(choice->reason);
     return choice;
 }
 

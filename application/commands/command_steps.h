@@ -33,4 +33,7 @@ std::string json_text(const Json& json);
 /// Puts the result into the file of `-o`, or on stdout where there is none.
 ExitCode deliver(const Options& options, Console& console, const std::string& text);
 
+/// Whether `--exposure` or `--tone-map` asks for other levels than those of the radiance itself.
+bool changes_colors(const Options& options);
+
 }  // namespace application

@@ -128,6 +128,7 @@ Status write_pictures(const std::filesystem::path& folder, uint32_t spp, const P
 
 Status check_compare(const Options& options, Console& console) {
     if (options.core_given) console.note("--core is left aside: compare always renders on both cores");
+    if (changes_colors(options)) console.note("--exposure and --tone-map are left aside: compare uses none");
     constexpr uint32_t LEAST_SIDE = 11;
     if (options.limit_ssim && std::min(options.width, options.height) < LEAST_SIDE) {
         return Status::invalid("--limit-ssim: there is no SSIM below 11 pixels; give a larger --size");

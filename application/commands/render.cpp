@@ -17,8 +17,8 @@ std::string render_text(const Options& options, const std::string& file, const C
                        stats.samples, stats.core, stats.total_ms * 1e-3);
 }
 
-Status write_picture(const Picture& picture, ImageKind kind, const std::string& file) {
-    const auto bytes = encode_picture(picture, kind);
+Status write_picture(const Picture& picture, ImageKind kind, const Options& options, const std::string& file) {
+    const auto bytes = encode_picture(picture, kind, options.exposure, options.tone_map);
     return bytes.ok() ? write_file(file, *bytes) : bytes.status;
 }
 
@@ -31,6 +31,9 @@ ExitCode run_render(const Options& options, Console& console) {
     if (Status status = check_writable(file); !status.ok()) return fail(console, status);
     if (Status status = check_files(options); !status.ok()) return fail(console, status);
 
+    if (*kind == ImageKind::exr && changes_colors(options))
+        console.note("--exposure and --tone-map act on PNG alone: an EXR holds radiance as it is");
+
     auto setup = set_up_scene(options, console);
     if (!setup.ok()) return fail(console, setup.status);
     CoreSession session(options, std::move(*setup), console);
@@ -42,7 +45,7 @@ ExitCode run_render(const Options& options, Console& console) {
     const CoreStats stats = session.stats();
     const Json bench = bench_json(options, stats, session.embree_figures(), mean_frame(stats), stats.samples);
     const Json json = stats_json(bench, options, options.spp.front(), choice->reason);
-    if (Status status = write_picture(picture, *kind, file); !status.ok()) return fail(console, status);
+    if (Status status = write_picture(picture, *kind, options, file); !status.ok()) return fail(console, status);
     if (Status status = write_stats(options, json); !status.ok()) return fail(console, status);
     const std::string text = render_text(options, file, stats);
     if (!options.output.empty()) {

@@ -164,6 +164,13 @@ Result<Device> Device::create(const Instance& instance) {
     return Status::error(StatusCode::no_device, reasons);
 }
 
+bool Device::only_software(const Instance& instance) {
+    const std::vector<Candidate> candidates = look_at_devices(instance.handle());
+    const auto best = std::find_if(candidates.begin(), candidates.end(),
+                                   [](const Candidate& candidate) { return candidate.refusal.empty(); });
+    return best != candidates.end() && best->rank <= rank_of(VK_PHYSICAL_DEVICE_TYPE_CPU);
+}
+
 Status Device::open(VkPhysicalDevice physical) {
     const uint32_t family = compute_family(physical);
     vkGetPhysicalDeviceMemoryProperties(physical, &memory_);

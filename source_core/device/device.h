@@ -32,6 +32,9 @@ public:
     /// no_device and one reason per device looked at.
     static Result<Device> create(const Instance& instance);
 
+    /// Whether `create` would take a software device, for want of a GPU.
+    static bool only_software(const Instance& instance);
+
     Device(Device&& other) noexcept;
     Device& operator=(Device&&) = delete;
     ~Device();

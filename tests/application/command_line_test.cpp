@@ -31,7 +31,7 @@ TEST(CommandLine, ASceneAloneTakesEveryDefault) {
     const Options& options = invocation.options;
     EXPECT_EQ(options.scene, "a.gltf");
     EXPECT_EQ(options.output, "");
-    EXPECT_EQ(options.core, "auto");
+    EXPECT_THAT(options.cores, ElementsAre("auto"));
     EXPECT_EQ(options.width, 640u);
     EXPECT_EQ(options.height, 360u);
     EXPECT_THAT(options.spp, ElementsAre(16u));
@@ -56,7 +56,7 @@ TEST(CommandLine, EveryOptionOfTheContractIsTaken) {
             "--format json --quiet --color never --progress")
             .options;
     EXPECT_EQ(options.output, "b.exr");
-    EXPECT_EQ(options.core, "target");
+    EXPECT_THAT(options.cores, ElementsAre("target"));
     EXPECT_TRUE(options.core_given);
     EXPECT_EQ(options.width, 320u);
     EXPECT_EQ(options.height, 180u);
@@ -135,6 +135,9 @@ TEST(CommandLine, RefusalsNameTheThingAndExitWithTwo) {
         {"render a.gltf --seed -1", "--seed: '-1'"},
         {"render a.gltf --spp=1e3", "--spp: '1e3'"},
         {"render a.gltf --core gpu", "--core: 'gpu' is not one of auto, null, source, target"},
+        {"render a.gltf --core target,gpu", "--core: 'gpu' is not one of auto, null, source, target"},
+        {"render a.gltf --core target,auto", "--core: 'auto' is not one of auto, null, source, target"},
+        {"render a.gltf --core target,target", "names target twice"},
         {"render a.gltf --threads 0", "--threads: '0'"},
         {"render a.gltf --max-path-length 0", "--max-path-length: '0'"},
         {"render a.gltf --gpu-memory-limit lots", "--gpu-memory-limit: 'lots'"},

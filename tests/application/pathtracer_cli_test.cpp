@@ -95,9 +95,10 @@ TEST_F(Pathtracer, RendersToTheScenesNameByDefault) {
 
 TEST_F(Pathtracer, SaysWhichCameraAndSkyItTook) {
     const RunResult result = render({});
-    EXPECT_THAT(result.err, HasSubstr("no camera"));
-    EXPECT_THAT(result.err, HasSubstr("sky is white"));
-    EXPECT_THAT(render({"--sky", "0,0,0"}).err, Not(HasSubstr("sky is white")));
+    EXPECT_THAT(result.err, HasSubstr("no camera in the scene: the view frames all of it, --look-at "));
+    EXPECT_THAT(result.err, HasSubstr("neutral studio sky; --sky 0,0,0 leaves it black"));
+    EXPECT_THAT(render({"--sky", "0,0,0"}).err, Not(HasSubstr("studio")));
+    EXPECT_THAT(render({"--look-at", "0,0,5,0,0,0"}).err, Not(HasSubstr("--look-at")));
     EXPECT_THAT(render({"--quiet"}).err, IsEmpty());
 }
 

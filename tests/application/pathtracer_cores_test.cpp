@@ -139,6 +139,20 @@ TEST_F(Cores, WithoutVulkanTheTargetCoreStillWorks) {
     EXPECT_EQ(json::parse(read_file(folder.path / "b.json"))["core"], "target");
 }
 
+TEST_F(Cores, WithoutAGpuTheTargetCoreComesFirst) {
+    SKIP_WITHOUT("source");
+    SKIP_WITHOUT("target");
+    const json info = json::parse(run({"info", "--format", "json"}).out);
+    const bool software = info["cores"][0]["device"].get<std::string>().find("llvmpipe") != std::string::npos;
+    if (!software) GTEST_SKIP() << "there is a GPU";
+    const RunResult result = run({"render", SCENE, "--size", "16x9", "--spp", "1", "-o", "a.png", "--stats", "s.json"});
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_THAT(result.err, HasSubstr("core target: the scene fits; core source has no GPU here"));
+    const json stats = json::parse(read_file(folder.path / "s.json"));
+    EXPECT_EQ(stats["core"], "target");
+    EXPECT_THAT(stats["core_reason"].get<std::string>(), HasSubstr("no GPU"));
+}
+
 TEST_F(Cores, WhatDoesNotFitTheDeviceIsLeftToTheTargetCore) {
     SKIP_WITHOUT("source");
     SKIP_WITHOUT("target");
@@ -146,8 +160,8 @@ TEST_F(Cores, WhatDoesNotFitTheDeviceIsLeftToTheTargetCore) {
     const RunResult refused = run({"render", SCENE, "--core", "source", "--gpu-memory-limit", "1", "-o", "b.exr"});
     EXPECT_EQ(refused.exit_code, 2);
     EXPECT_THAT(refused.err, HasSubstr("MiB"));
-    const RunResult result = run({"render", SCENE, "--gpu-memory-limit", "1", "--size", "96x54", "--spp", "4", "-o",
-                                  "b.exr", "--stats", "s.json"});
+    const RunResult result = run({"render", SCENE, "--core", "source,target", "--gpu-memory-limit", "1", "--size",
+                                  "96x54", "--spp", "4", "-o", "b.exr", "--stats", "s.json"});
     ASSERT_EQ(result.exit_code, 0) << result.err;
     EXPECT_THAT(result.err, testing::ContainsRegex("target.*MiB.*MiB"));
     EXPECT_TRUE(read_file(folder.path / "b.exr") == expected);

@@ -64,8 +64,8 @@ TEST(Camera, TheDefaultViewHoldsTheWholeBoxAndNoMore) {
         for (const glm::vec3 size : {glm::vec3(1, 1, 1), glm::vec3(10, 1, 2), glm::vec3(1, 10, 30)}) {
             const glm::vec3 lower(3, -7, 11);
             const Camera camera = framing_camera(box_scene(lower, lower + size), aspect);
-            EXPECT_EQ(camera.forward, glm::vec3(0, 0, -1));
-            EXPECT_EQ(camera.up, glm::vec3(0, 1, 0));
+            expect_near(camera.forward, -glm::normalize(glm::vec3(1, 0.75f, 1.5f)), 1e-4f);
+            EXPECT_NEAR(camera.right.y, 0.0f, 1e-6f);
             EXPECT_NEAR(camera.vertical_fov, 40.0f * DEGREE, 1e-6f);
             float widest = 0.0f;
             for (int corner = 0; corner < 8; ++corner) {
@@ -81,8 +81,23 @@ TEST(Camera, TheDefaultViewHoldsTheWholeBoxAndNoMore) {
 TEST(Camera, TheDefaultViewOfASinglePointIsStillAView) {
     const Camera camera = framing_camera(box_scene({1, 1, 1}, {1, 1, 1}));
     EXPECT_GT(camera.position.z, 1.0f);
-    EXPECT_EQ(camera.forward, glm::vec3(0, 0, -1));
-    framing_camera(HostScene());
+    expect_near(camera.forward, -glm::normalize(glm::vec3(1, 0.75f, 1.5f)));
+    expect_near(framing_camera(HostScene()).forward, camera.forward);
+}
+
+// Of an axis's plane: how far off it the default view of that box looks, in degrees.
+float degrees_off(const glm::vec3& size, int axis) {
+    const Camera camera = framing_camera(box_scene(glm::vec3(0.0f), size));
+    return std::asin(-camera.forward[axis]) / DEGREE;
+}
+
+TEST(Camera, AFlatBoxIsSeenFromAtLeast30DegreesOffItsPlane) {
+    EXPECT_NEAR(degrees_off({1, 1, 1}, 1), 22.6f, 0.1f);
+    EXPECT_NEAR(degrees_off({10, 0, 10}, 1), 30.0f, 0.01f);
+    EXPECT_NEAR(degrees_off({10, 0.5f, 20}, 1), 30.0f, 0.01f);
+    EXPECT_NEAR(degrees_off({10, 2, 20}, 1), 22.6f, 0.1f) << "a box that is not flat";
+    EXPECT_NEAR(degrees_off({0, 10, 10}, 0), 30.8f, 0.1f) << "as it is";
+    EXPECT_NEAR(degrees_off({10, 10, 0}, 2), 50.2f, 0.1f);
 }
 
 }  // namespace
