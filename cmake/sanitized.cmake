@@ -8,7 +8,10 @@ option(PORTTOOL_SANITIZED_TESTS "Build the libraries that read foreign files a s
 if(PORTTOOL_SANITIZE)
     set(PORTTOOL_SANITIZED_TESTS OFF)  # everything is sanitized already
 endif()
-set(sanitizers -fsanitize=address,undefined -fno-omit-frame-pointer -fno-sanitize-recover=all)
+# Undefined behaviour ends in a trap, which ASan reports with the file and line of each call on the stack: without the
+# texts of UBSan's messages a sixth less is compiled.
+set(sanitizers -fsanitize=address,undefined -fno-omit-frame-pointer -fno-sanitize-recover=all
+    -fsanitize-undefined-trap-on-error)
 
 # Adds LIBRARY_sanitized: the objects of a library, compiled under sanitizers.
 function(add_sanitized library)
