@@ -42,6 +42,7 @@ Result<CoreChoice> CoreSession::start(const std::vector<std::string>& ids, Pictu
     const auto first_sample = [&](RenderSystem& system) {
         Status status = system.core().SetTarget({picture.width, picture.height, picture.pixels});
         if (status.ok()) status = system.core().Setting(settings());
+        if (status.ok()) status = system.core().SetWatch(watch_);
         if (status.ok()) status = system.render(view_, Convergence::Restart, 1);
         return status;
     };

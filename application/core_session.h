@@ -28,6 +28,12 @@ public:
     /// is shown, samples come in portions of about a quarter of a second, which changes no bit of the picture.
     render_system::Status render_up_to(uint32_t samples);
 
+    /// From the next start on `watch` is shown what the core's kernels do.
+    void set_watch(render_system::PathWatch* watch) { watch_ = watch; }
+
+    std::vector<render_system::KernelText> kernel_texts() { return system_.core().GetKernelTexts(); }
+    const render_system::HostScene& scene() const { return system_.scene(); }
+
     /// `samples` samples more, or from the first again, in one call of the core.
     render_system::Status render(render_system::Convergence convergence, uint32_t samples);
 
@@ -46,6 +52,7 @@ private:
     Console& console_;
     render_system::RenderSystem system_;
     render_system::ViewPyramid view_;
+    render_system::PathWatch* watch_ = nullptr;
 };
 
 /// A failed call as one line for the user, with the option that helps.

@@ -183,6 +183,9 @@ void declare_compare(CLI::App& app, Options& options) {
         app, "--limit-ssim", parse_ssim, [&options](double limit) { options.limit_ssim = limit; },
         "Exit with 1 where the SSIM is below this")
         ->type_name("X");
+    app.add_flag("--locate", options.locate, "Find the first segment, kernel and field in which the cores part");
+    add_name(app, "--evidence", options.evidence, "With --locate: write what was found for porttool check --evidence")
+        ->type_name("FILE.json");
     declare_rendering(app, options);
 }
 

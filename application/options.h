@@ -65,6 +65,8 @@ struct Options {
     uint64_t gpu_memory_limit = 0;  ///< bytes, 0: the device-local heap
     std::string kernels;            ///< empty: those built into the program
     std::optional<double> limit_ssim;
+    bool locate = false;   ///< compare: where the cores part
+    std::string evidence;  ///< compare --locate: the file for porttool check --evidence; empty: none
 };
 
 }  // namespace application

@@ -107,6 +107,12 @@ Status CheckedCore::SetInstance(uint32_t instance, uint32_t mesh, const CoreTran
     });
 }
 
+Status CheckedCore::SetWatch(PathWatch* watch) {
+    Status status = contract_.check_watch();
+    if (status.ok()) watch_ = watch;
+    return status;
+}
+
 Status CheckedCore::Render(const ViewPyramid& view, Convergence convergence, uint32_t samples) {
     return after(contract_.check_render(view, samples), [&] {
         Status status = prepare();
@@ -123,6 +129,7 @@ void CheckedCore::Shutdown() {
     contract_.accept_shutdown();
     close();
     target_ = {};
+    watch_ = nullptr;
 }
 
 void CheckedCore::drop_samples() {

@@ -24,6 +24,8 @@ public:
     /// What has been counted so far; a core that holds memory or more figures adds them.
     CoreStats GetCoreStats() const override { return stats_; }
 
+    std::vector<KernelText> GetKernelTexts() const override { return {}; }
+
     Status Init(const CoreOptions& options) final;
     Status SetTarget(const CoreTarget& target) final;
     Status Setting(const CoreSettings& settings) final;
@@ -33,6 +35,7 @@ public:
     Status SetSkyData(const CoreSky& sky) final;
     Status SetGeometry(uint32_t mesh, const CoreMesh& data) final;
     Status SetInstance(uint32_t instance, uint32_t mesh, const CoreTransform& transform) final;
+    Status SetWatch(PathWatch* watch) final;
     Status Render(const ViewPyramid& view, Convergence convergence, uint32_t samples) final;
     void Shutdown() final;
 
@@ -43,6 +46,7 @@ protected:
     const CoreOptions& options() const { return options_; }  ///< `threads` is the number itself, never 0
     const CoreTarget& target() const { return target_; }
     const CoreSettings& settings() const { return settings_; }
+    PathWatch* watch() const { return watch_; }
     CoreStats& stats() { return stats_; }
     const CoreStats& stats() const { return stats_; }
 
@@ -78,6 +82,7 @@ private:
     CoreOptions options_;
     CoreTarget target_;
     CoreSettings settings_;
+    PathWatch* watch_ = nullptr;
     CoreStats stats_;
 };
 

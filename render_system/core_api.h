@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <vector>
+
 #include "render_system/core_data.h"
+#include "render_system/path_watch.h"
 #include "render_system/status.h"
 
 namespace render_system {
@@ -21,6 +24,9 @@ public:
 
     /// Counters and times since the last Restart. Never fails; zeros before the first Render.
     virtual CoreStats GetCoreStats() const = 0;
+
+    /// The texts of all kernels that this core runs, as they were compiled; after Init. None where it has no kernels.
+    virtual std::vector<KernelText> GetKernelTexts() const = 0;
 
     /// Opens the device. Fails with no_device (the message has one reason per device looked at). A second call
     /// answers wrong_order.
@@ -56,6 +62,10 @@ public:
     /// Fails with invalid_argument if the mesh does not exist, or the matrix is not finite, or cannot be inverted where
     /// the core needs that; a RenderSystem sends no such matrix.
     virtual Status SetInstance(uint32_t instance, uint32_t mesh, const CoreTransform& transform) = 0;
+
+    /// From the next Render on `watch` is shown every path after every kernel, or with null no longer. It stays valid
+    /// until then or Shutdown. Slower, and the picture is the same. A core without paths has nothing to show.
+    virtual Status SetWatch(PathWatch* watch) = 0;
 
     /// Takes `samples` more samples per pixel, at least 1, and writes the mean of all to the target. What has been set
     /// since the last call is built and uploaded first; out_of_memory is answered before anything is uploaded. Fails

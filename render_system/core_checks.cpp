@@ -289,6 +289,8 @@ Status CoreContract::check_limits(const ViewPyramid& view) const {
     return Status::success();
 }
 
+Status CoreContract::check_watch() const { return check_open("SetWatch"); }
+
 Status CoreContract::check_render(const ViewPyramid& view, uint32_t samples) const {
     if (Status order = check_open("Render"); !order.ok()) return order;
     if (!has_target_) return Status::error(StatusCode::wrong_order, "Render came before SetTarget");

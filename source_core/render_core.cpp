@@ -46,6 +46,7 @@ public:
         : CheckedCore("source"), tuning_(tuning), source_options_(options) {}
 
     CoreStats GetCoreStats() const override;
+    std::vector<KernelText> GetKernelTexts() const override;
 
 private:
     Result<std::string> open() override;
@@ -72,6 +73,7 @@ private:
     Status size_wavefront();
     Status find_kernels();
     Status render_batches(const Settings& settings, uint32_t samples);
+    Status name_primitives();
     Settings frame_settings(const ViewPyramid& view) const;
     WavefrontSize wavefront_size(uint64_t table_bytes) const;
     uint64_t all_table_bytes() const;
@@ -82,6 +84,7 @@ private:
     std::map<std::string, std::string> kernel_files_;
     KernelVariant variant_;
     std::unique_ptr<Gpu> gpu_;
+    std::vector<uint32_t> primitives_;  // of each slot of the table of triangles; empty until somebody watches
 };
 
 CoreStats SourceCore::GetCoreStats() const {
@@ -92,6 +95,14 @@ CoreStats SourceCore::GetCoreStats() const {
         result.texel_bytes = scene_.rows(BINDING_TEXELS).size();
     }
     return result;
+}
+
+std::vector<KernelText> SourceCore::GetKernelTexts() const {
+    std::vector<KernelText> texts;
+    for (const std::string& name : files_that_run(kernel_files_)) {
+        texts.push_back({"source_core/kernels/" + name, kernel_files_.at(name)});
+    }
+    return texts;
 }
 
 Result<std::string> SourceCore::open() {
@@ -215,8 +226,27 @@ Status SourceCore::upload() {
             }
         }
     }
+    if (scene_.changed(BINDING_TRIANGLES)) {
+        primitives_.clear();
+    }
     scene_.uploaded();
     return Status::success();
+}
+
+// Reads back which triangle each slot of the table holds: the host keeps no copy.
+Status SourceCore::name_primitives() {
+    if (!primitives_.empty()) {
+        return Status::success();
+    }
+    constexpr size_t WORDS = TRIANGLE_ROWS * 4;
+    constexpr size_t PRIMITIVE = 7;  // the last word of a slot's second row
+    std::vector<uint32_t> words(scene_.bytes(BINDING_TRIANGLES) / sizeof(uint32_t));
+    Status status = gpu_->staging->download(*gpu_->device, gpu_->scene.buffer(BINDING_TRIANGLES),
+                                            std::as_writable_bytes(std::span(words)));
+    for (size_t word = PRIMITIVE; word < words.size(); word += WORDS) {
+        primitives_.push_back(words[word]);
+    }
+    return status;
 }
 
 Status SourceCore::size_wavefront() {
@@ -276,7 +306,9 @@ Status SourceCore::render_batches(const Settings& frame, uint32_t samples) {
         batch.first_sample = settings().first_sample + batch.samples_before;
         batch.samples = samples;
         gpu_->wavefront->bind(*gpu_->device, kernels, variant_, gpu_->scene, frame, batch);
-        Status status = gpu_->wavefront->run(*gpu_->device, kernels, batch, counts);
+        Status status = watch() ? gpu_->wavefront->run_watched(*gpu_->device, kernels, batch, *gpu_->staging,
+                                                               primitives_, *watch(), counts)
+                                : gpu_->wavefront->run(*gpu_->device, kernels, batch, counts);
         if (status.ok()) {
             status = gpu_->staging->download(*gpu_->device, gpu_->wavefront->target(),
                                              std::as_writable_bytes(target().pixels.subspan(first, batch.path_count)));
@@ -299,13 +331,17 @@ Status SourceCore::render_batches(const Settings& frame, uint32_t samples) {
 
 Status SourceCore::render(const ViewPyramid& view, uint32_t samples) {
     const Clock::time_point start = Clock::now();
-    Status status = render_batches(frame_settings(view), samples);
+    Status status = watch() ? name_primitives() : Status::success();
+    if (status.ok()) {
+        status = render_batches(frame_settings(view), samples);
+    }
     stats().total_ms += milliseconds_since(start);
     return status.ok() ? gpu_->instance->validation_status() : status;
 }
 
 void SourceCore::close() {
     gpu_.reset();
+    primitives_ = {};
     scene_ = {};
 }
 

@@ -63,8 +63,9 @@ Status SceneBuffers::replace(const Device& device, MemoryBudget& budget, const S
     views_[table] = {};
     buffers_[table] = {};
     const uint64_t size = table_bytes(rows.size());
-    Result<Buffer> buffer = Buffer::create(device, budget, table_name(table), size,
-                                           usage_of(access) | VK_BUFFER_USAGE_TRANSFER_DST_BIT, BufferPlace::device);
+    Result<Buffer> buffer = Buffer::create(
+        device, budget, table_name(table), size,
+        usage_of(access) | VK_BUFFER_USAGE_TRANSFER_DST_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT, BufferPlace::device);
     if (!buffer.ok()) {
         return buffer.status;
     }

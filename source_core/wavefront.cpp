@@ -84,7 +84,8 @@ Result<Wavefront> Wavefront::create(const Device& device, MemoryBudget& budget, 
          BufferPlace::device}};
     for (uint32_t binding = FIRST_ROWS; binding <= LAST_ROWS; ++binding) {
         wishes.push_back({&wavefront.rows_[binding - FIRST_ROWS], ROWS_NAMES[binding - FIRST_ROWS],
-                          rows_bytes(binding, size.batch), STORAGE, BufferPlace::device});
+                          rows_bytes(binding, size.batch), STORAGE | VK_BUFFER_USAGE_TRANSFER_SRC_BIT,
+                          BufferPlace::device});
     }
     for (const Wish& wish : wishes) {
         Result<Buffer> buffer = Buffer::create(device, budget, wish.name, wish.bytes, wish.usage, wish.place);
@@ -206,7 +207,7 @@ Status Wavefront::run(const Device& device, const KernelSet& kernels, const Batc
             span.last_segment = std::min(max_path_length_, span.first_segment + SEGMENTS_PER_SUBMISSION);
             span.finalize = span.last_segment == max_path_length_;
             Status status = run_span(device, kernels, batch, span, counts);
-            if (status.ok() && !span.finalize && waiting_rays(span.last_segment + 1) == 0) {
+            if (status.ok() && !span.finalize && entries(span.last_segment + 1, COUNTER_EXTENSION) == 0) {
                 // All paths have ended early.
                 span = {done, span.samples, max_path_length_, max_path_length_, true};
                 status = run_span(device, kernels, batch, span, counts);
@@ -224,15 +225,25 @@ Status Wavefront::run(const Device& device, const KernelSet& kernels, const Batc
     return Status::success();
 }
 
-uint32_t Wavefront::waiting_rays(uint32_t segment) const {
+uint32_t Wavefront::entries(uint32_t segment, uint32_t counter) const {
     const auto* counters = static_cast<const uint32_t*>(counters_copy_.mapped());
-    return counters[COUNTER_SEGMENTS + segment * COUNTERS_PER_SEGMENT + COUNTER_EXTENSION];
+    return counters[COUNTER_SEGMENTS + segment * COUNTERS_PER_SEGMENT + counter];
 }
 
 Status Wavefront::run_span(const Device& device, const KernelSet& kernels, const BatchPass& batch, const Span& span,
                            WavefrontCounts& counts) {
+    const Work work = [&](VkCommandBuffer commands) {
+        for (uint32_t i = 0; i < span.samples; ++i) {
+            record_sample(commands, kernels, batch, span, span.first_sample + i);
+        }
+    };
+    return run_work(device, work, counts);
+}
+
+// Runs what `work` records and adds up rays and times.
+Status Wavefront::run_work(const Device& device, const Work& work, WavefrontCounts& counts) {
     stamps_.clear();
-    Status status = device.submit_and_wait([&](VkCommandBuffer commands) { record(commands, kernels, batch, span); });
+    Status status = device.submit_and_wait([&](VkCommandBuffer commands) { record(commands, work); });
     if (status.ok()) {
         status = counters_copy_.invalidate();
     }
@@ -245,7 +256,22 @@ Status Wavefront::run_span(const Device& device, const KernelSet& kernels, const
     return read_times(device, counts);
 }
 
-void Wavefront::record(VkCommandBuffer commands, const KernelSet& kernels, const BatchPass& batch, const Span& span) {
+// Some kernels on their own, in this order; generate starts a sample.
+Status Wavefront::run_kernels(const Device& device, const KernelSet& kernels, const Pass& pass,
+                              std::initializer_list<Kernel> wanted, WavefrontCounts& counts) {
+    const Work work = [&](VkCommandBuffer commands) {
+        for (const Kernel kernel : wanted) {
+            if (kernel == Kernel::generate) {
+                clear_segments(commands);
+            }
+            kernel_barrier(commands);
+            dispatch(commands, kernels, kernel, pass);
+        }
+    };
+    return run_work(device, work, counts);
+}
+
+void Wavefront::record(VkCommandBuffer commands, const Work& work) {
     if (queries_) {
         vkCmdResetQueryPool(commands, queries_.get(), 0, MOST_STAMPS);
     }
@@ -254,9 +280,7 @@ void Wavefront::record(VkCommandBuffer commands, const KernelSet& kernels, const
             VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT | VK_PIPELINE_STAGE_TRANSFER_BIT,
             VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_SHADER_WRITE_BIT | VK_ACCESS_TRANSFER_READ_BIT);
     stamp(commands, NO_KERNEL);
-    for (uint32_t i = 0; i < span.samples; ++i) {
-        record_sample(commands, kernels, batch, span, span.first_sample + i);
-    }
+    work(commands);
     barrier(commands, VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, VK_ACCESS_SHADER_WRITE_BIT, VK_PIPELINE_STAGE_TRANSFER_BIT,
             VK_ACCESS_TRANSFER_READ_BIT);
     const VkBufferCopy copy{0, 0, counters_.size()};
@@ -265,20 +289,29 @@ void Wavefront::record(VkCommandBuffer commands, const KernelSet& kernels, const
             VK_ACCESS_HOST_READ_BIT);
 }
 
-void Wavefront::record_sample(VkCommandBuffer commands, const KernelSet& kernels, const BatchPass& batch,
-                              const Span& span, uint32_t sample) {
+Pass Wavefront::pass_of(const BatchPass& batch, uint32_t sample) {
     Pass pass{};
     pass.sample_index = batch.first_sample + sample;
     pass.first_pixel = batch.first_pixel;
     pass.path_count = batch.path_count;
     pass.sample_scale = 1.0f / static_cast<float>(batch.samples_before + sample + 1);
     pass.first_in_sum = batch.samples_before + sample == 0 ? 1 : 0;
+    return pass;
+}
+
+void Wavefront::clear_segments(VkCommandBuffer commands) {
+    barrier(commands, VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, 0, VK_PIPELINE_STAGE_TRANSFER_BIT,
+            VK_ACCESS_TRANSFER_WRITE_BIT);
+    vkCmdFillBuffer(commands, counters_.handle(), COUNTER_SEGMENTS * sizeof(uint32_t), VK_WHOLE_SIZE, 0);
+    barrier(commands, VK_PIPELINE_STAGE_TRANSFER_BIT, VK_ACCESS_TRANSFER_WRITE_BIT,
+            VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_SHADER_WRITE_BIT);
+}
+
+void Wavefront::record_sample(VkCommandBuffer commands, const KernelSet& kernels, const BatchPass& batch,
+                              const Span& span, uint32_t sample) {
+    Pass pass = pass_of(batch, sample);
     if (span.first_segment == 0) {
-        barrier(commands, VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, 0, VK_PIPELINE_STAGE_TRANSFER_BIT,
-                VK_ACCESS_TRANSFER_WRITE_BIT);
-        vkCmdFillBuffer(commands, counters_.handle(), COUNTER_SEGMENTS * sizeof(uint32_t), VK_WHOLE_SIZE, 0);
-        barrier(commands, VK_PIPELINE_STAGE_TRANSFER_BIT, VK_ACCESS_TRANSFER_WRITE_BIT,
-                VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_SHADER_WRITE_BIT);
+        clear_segments(commands);
         dispatch(commands, kernels, Kernel::generate, pass);
         kernel_barrier(commands);
         dispatch(commands, kernels, Kernel::schedule, pass);

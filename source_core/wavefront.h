@@ -3,9 +3,13 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <initializer_list>
 #include <memory>
+#include <span>
 #include <vector>
 
+#include "render_system/path_watch.h"
 #include "source_core/device/buffer.h"
 #include "source_core/device/kernel_set.h"
 #include "source_core/scene_buffers.h"
@@ -58,10 +62,16 @@ public:
     /// Runs a batch and adds to `counts`. Work is cut into submissions of a fraction of a second.
     Status run(const Device& device, const KernelSet& kernels, const BatchPass& batch, WavefrontCounts& counts);
 
+    /// As run, kernel by kernel, with the paths shown to `watch` after each. `primitives` gives the triangle in its
+    /// mesh of each slot of the table of triangles.
+    Status run_watched(const Device& device, const KernelSet& kernels, const BatchPass& batch, const Staging& staging,
+                       std::span<const uint32_t> primitives, render_system::PathWatch& watch, WavefrontCounts& counts);
+
     /// The mean of the samples of the batch that ran last.
     const Buffer& target() const { return target_; }
 
 private:
+    struct Watching;
     struct Span {
         uint32_t first_sample;
         uint32_t samples;
@@ -74,15 +84,23 @@ private:
     Status create_query_pool(const Device& device);
     void bind_set(const Device& device, const KernelSet& kernels, const KernelVariant& variant,
                   const SceneBuffers& scene, const BatchPass& batch, uint32_t parity) const;
-    void record(VkCommandBuffer commands, const KernelSet& kernels, const BatchPass& batch, const Span& span);
+    using Work = std::function<void(VkCommandBuffer)>;
+    void record(VkCommandBuffer commands, const Work& work);
     void record_sample(VkCommandBuffer commands, const KernelSet& kernels, const BatchPass& batch, const Span& span,
                        uint32_t sample);
+    void clear_segments(VkCommandBuffer commands);
     void dispatch(VkCommandBuffer commands, const KernelSet& kernels, Kernel kernel, const Pass& pass);
     void stamp(VkCommandBuffer commands, uint32_t kernel);
     Status run_span(const Device& device, const KernelSet& kernels, const BatchPass& batch, const Span& span,
                     WavefrontCounts& counts);
+    Status run_work(const Device& device, const Work& work, WavefrontCounts& counts);
+    Status run_kernels(const Device& device, const KernelSet& kernels, const Pass& pass,
+                       std::initializer_list<Kernel> wanted, WavefrontCounts& counts);
+    Status watch_sample(const KernelSet& kernels, Pass pass, Watching& to, WavefrontCounts& counts);
+    Status show(render_system::PathKernel kernel, const Pass& pass, Watching& to) const;
     Status read_times(const Device& device, WavefrontCounts& counts) const;
-    uint32_t waiting_rays(uint32_t segment) const;
+    uint32_t entries(uint32_t segment, uint32_t counter) const;
+    static Pass pass_of(const BatchPass& batch, uint32_t sample);
 
     WavefrontSize size_;
     uint32_t max_path_length_ = 0;

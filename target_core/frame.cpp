@@ -12,8 +12,12 @@
 #include "target_core/device/float_mode.h"
 #include "target_core/device/parallel.h"
 #include "target_core/device/surface_order.h"
+#include "target_core/device/tile_watch.h"
 
 namespace target_core {
+
+using render_system::PathKernel;
+using render_system::PathWatch;
 
 namespace {
 
@@ -46,13 +50,20 @@ void next_segment(Tile& tile) {
 }
 
 // One sample of every path of the tile that is bound.
-void render_sample(const KernelTable& kernels, Worker& worker, RayLog* log) {
+void render_sample(const KernelTable& kernels, Worker& worker, RayLog* log, PathWatch* observer) {
     Tile& tile = worker.tile;
     FrameStats& stats = worker.stats;
     Stopwatch watch;
+    auto show = [&](PathKernel kernel) {
+        if (observer) {
+            show_tile(*observer, tile, kernel);
+            watch.restart();
+        }
+    };
     tile.next.count = 0;
     kernels.generate();
     watch.lap(stats.generate_ms);
+    show(PathKernel::generate);
     stats.primary_rays += tile.next.count;
     for (uint segment = 1; segment <= settings.max_path_length; ++segment) {
         next_segment(tile);
@@ -67,12 +78,14 @@ void render_sample(const KernelTable& kernels, Worker& worker, RayLog* log) {
         }
         kernels.extend();
         watch.lap(stats.extend_ms);
+        show(PathKernel::extend);
         // Camera rays meet their surfaces in order.
         if (segment > 1 && kernels.lanes > 1) {
             order_surfaces(tile);
         }
         kernels.shade();
         watch.lap(stats.shade_ms);
+        show(PathKernel::shade);
         stats.shadow_rays += tile.shadow_count;
         if (log) {
             log->record_shadow_rays(tile);
@@ -80,9 +93,11 @@ void render_sample(const KernelTable& kernels, Worker& worker, RayLog* log) {
         }
         kernels.connect();
         watch.lap(stats.connect_ms);
+        show(PathKernel::connect);
     }
     kernels.finalize();
     watch.lap(stats.finalize_ms);
+    show(PathKernel::finalize);
 }
 
 void render_tile(const Frame& frame, uint first_pixel, uint path_count, Worker& worker, RayLog* log) {
@@ -98,7 +113,7 @@ void render_tile(const Frame& frame, uint first_pixel, uint path_count, Worker& 
         pass.path_count = path_count;
         pass.sample_scale = 1.0f / static_cast<float>(in_sum + 1);
         pass.first_in_sum = in_sum == 0 ? 1u : 0u;
-        render_sample(*frame.kernels, worker, log);
+        render_sample(*frame.kernels, worker, log, frame.watch);
     }
     const vec4* target = worker.tile.target.get();
     std::transform(target, target + path_count, frame.pixels.begin() + first_pixel,

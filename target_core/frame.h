@@ -6,6 +6,7 @@
 #include <memory>
 #include <span>
 
+#include "render_system/path_watch.h"
 #include "target_core/device/bindings.h"
 #include "target_core/device/kernel_table.h"
 #include "target_core/device/ray_log.h"
@@ -35,7 +36,8 @@ struct Frame {
     uint first_sample = 0;
     uint sample_count = 0;
     uint samples_in_sum = 0;
-    std::span<glm::vec4> pixels;  // the host's; a tile's are copied there while they are in the cache
+    render_system::PathWatch* watch = nullptr;  // or what is shown every path after every kernel
+    std::span<glm::vec4> pixels;                // the host's; a tile's are copied there while they are in the cache
 };
 
 /// A tile for each thread, kept from frame to frame.

@@ -15,6 +15,7 @@
 #include "target_core/core_mesh.h"
 #include "target_core/core_tables.h"
 #include "target_core/device/embree_scene.h"
+#include "target_core/device/kernel_texts.h"
 #include "target_core/frame.h"
 
 namespace target_core {
@@ -34,6 +35,7 @@ public:
     TargetCore() : CheckedCore("target", InstanceMatrices::invertible) {}
 
     CoreStats GetCoreStats() const override;
+    std::vector<KernelText> GetKernelTexts() const override { return kernel_texts(); }
     EmbreeFigures embree_figures() const override;
     void measure_embree_limit(bool on) override { measures_limit_ = on; }
 
@@ -223,6 +225,7 @@ Status TargetCore::render(const ViewPyramid& view, uint32_t samples) {
     frame.samples_in_sum = static_cast<uint>(stats().samples);
     frame.first_sample = settings().first_sample + frame.samples_in_sum;
     frame.sample_count = samples;
+    frame.watch = watch();
     frame.pixels = target().pixels;
     FrameStats rendered;
     arena_->execute([&] { rendered = render_frame(frame, workers_, log ? &*log : nullptr); });

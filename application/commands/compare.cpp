@@ -11,6 +11,8 @@
 #include "application/commands/command_steps.h"
 #include "application/commands/commands.h"
 #include "application/file_output.h"
+#include "application/locate/in_step.h"
+#include "application/locate/located.h"
 #include "metrics/image/error.h"
 #include "metrics/image/ssim.h"
 
@@ -21,13 +23,8 @@ using render_system::Result;
 using render_system::Status;
 
 constexpr std::array<const char*, 2> CORES = {"source", "target"};
+constexpr const char* LOCATED_PICTURE = "located.png";
 constexpr int DIFFERENCE_GAIN = 16;  // one level off is invisible, sixteen are not
-
-/// What one core made: a picture for each sample count.
-struct CoreResult {
-    std::map<uint32_t, Picture> pictures;
-    Json stats;
-};
 
 /// How far the two pictures of one sample count are apart.
 struct Comparison {
@@ -51,10 +48,21 @@ Result<CoreResult> render_on(const char* core, const Options& options, CoreSessi
         if (Status status = session.render_up_to(spp); !status.ok()) return status;
         result.pictures.emplace(spp, picture);
     }
-    const auto stats = session.stats();
-    const Json bench = bench_json(options, stats, session.embree_figures(), mean_frame(stats), stats.samples);
-    result.stats = stats_json(bench, options, *counts.rbegin(), choice->reason);
+    result.stats = core_stats(session, options, choice->reason);
     return result;
+}
+
+/// One core after the other, which takes the scene away; or with --locate both in step.
+Result<InStep> render_on_both(const Options& options, SceneSetup& setup, Console& console) {
+    if (options.locate) return render_in_step(CORES, options, setup, console);
+    CoreSession session(options, std::move(setup), console);
+    InStep both;
+    for (size_t i = 0; i < CORES.size(); ++i) {
+        auto result = render_on(CORES[i], options, session);
+        if (!result.ok()) return result.status;
+        both.cores[i] = std::move(*result);
+    }
+    return both;
 }
 
 Comparison compare_pictures(uint32_t spp, const Picture& a, const Picture& b) {
@@ -101,6 +109,11 @@ std::string comparison_text(const std::vector<Comparison>& comparisons) {
     return text;
 }
 
+Status write_png(const Channels<uint8_t>& image, const std::filesystem::path& file) {
+    const auto bytes = encode_png(image);
+    return bytes.ok() ? write_file(file, *bytes) : bytes.status;
+}
+
 /// Before anything is rendered: the folder is there, or can be made, and takes files.
 Status prepare_folder(const std::string& folder) {
     std::error_code error;
@@ -112,11 +125,6 @@ Status prepare_folder(const std::string& folder) {
     return check_writable(std::filesystem::path(folder) / "source.png");
 }
 
-Status write_png(const Channels<uint8_t>& image, const std::filesystem::path& file) {
-    const auto bytes = encode_png(image);
-    return bytes.ok() ? write_file(file, *bytes) : bytes.status;
-}
-
 Status write_pictures(const std::filesystem::path& folder, uint32_t spp, const Picture& a, const Picture& b) {
     const auto levels_a = srgb_levels(a), levels_b = srgb_levels(b);
     const auto difference = difference_image(levels_a, levels_b, DIFFERENCE_GAIN);
@@ -126,7 +134,43 @@ Status write_pictures(const std::filesystem::path& folder, uint32_t spp, const P
     return status;
 }
 
+/// The pictures that the evidence names, from its folder: those beneath it.
+std::vector<std::string> evidence_pictures(const Options& options) {
+    std::vector<std::string> pictures;
+    if (options.output.empty()) return pictures;
+    const auto folder = std::filesystem::absolute(options.evidence).lexically_normal().parent_path();
+    const uint32_t spp = *std::max_element(options.spp.begin(), options.spp.end());
+    for (const std::string& file : {std::string(LOCATED_PICTURE), fmt::format("source_{}spp.png", spp),
+                                    fmt::format("target_{}spp.png", spp), fmt::format("difference_{}spp.png", spp)}) {
+        const auto path = std::filesystem::absolute(std::filesystem::path(options.output) / file);
+        const std::string relative = path.lexically_normal().lexically_relative(folder).generic_string();
+        if (!relative.starts_with("..")) pictures.push_back(relative);
+    }
+    return pictures;
+}
+
+/// Adds what --locate found to the figures, and writes its picture and the evidence.
+Status write_located(const Options& options, const render_system::HostScene& scene, const InStep& both,
+                     Json& comparison, Console& console) {
+    comparison["locate"] = located_json(both.differences, scene, options);
+    Status status = Status::success();
+    if (!options.output.empty()) {
+        const Picture& picture = both.cores[0].pictures.rbegin()->second;
+        status = write_png(located_image(both.differences, picture),
+                           std::filesystem::path(options.output) / LOCATED_PICTURE);
+    }
+    if (!status.ok() || options.evidence.empty()) return status;
+    const auto pictures = evidence_pictures(options);
+    if (pictures.empty() && !options.output.empty())
+        console.note("--evidence: the pictures do not lie beneath its folder, so it names none");
+    return write_file(options.evidence, json_text(evidence_json(comparison, options, both.texts, pictures)));
+}
+
 Status check_compare(const Options& options, Console& console) {
+    if (!options.evidence.empty()) {
+        if (!options.locate) return Status::invalid("--evidence is what --locate found; give --locate too");
+        if (Status status = check_writable(options.evidence); !status.ok()) return status;
+    }
     if (options.core_given) console.note("--core is left aside: compare always renders on both cores");
     if (changes_colors(options)) console.note("--exposure and --tone-map are left aside: compare uses none");
     constexpr uint32_t LEAST_SIDE = 11;
@@ -150,29 +194,29 @@ ExitCode run_compare(const Options& options, Console& console) {
     if (Status status = check_compare(options, console); !status.ok()) return fail(console, status);
     auto setup = set_up_scene(options, console);
     if (!setup.ok()) return fail(console, setup.status);
-    CoreSession session(options, std::move(*setup), console);
-
-    std::vector<CoreResult> results;
-    Json stats;
-    for (const char* core : CORES) {
-        auto result = render_on(core, options, session);
-        if (!result.ok()) return fail(console, result.status);
-        stats[core] = result->stats;
-        results.push_back(std::move(*result));
-    }
+    const auto both = render_on_both(options, *setup, console);
+    if (!both.ok()) return fail(console, both.status);
 
     std::vector<Comparison> comparisons;
     for (const uint32_t spp : options.spp) {
-        const Picture& a = results[0].pictures.at(spp);
-        const Picture& b = results[1].pictures.at(spp);
+        const Picture& a = both->cores[0].pictures.at(spp);
+        const Picture& b = both->cores[1].pictures.at(spp);
         comparisons.push_back(compare_pictures(spp, a, b));
         if (options.output.empty()) continue;
         if (Status status = write_pictures(options.output, spp, a, b); !status.ok()) return fail(console, status);
     }
+    const Json stats = {{CORES[0], both->cores[0].stats}, {CORES[1], both->cores[1].stats}};
     if (Status status = write_stats(options, stats); !status.ok()) return fail(console, status);
+    Json figures = comparison_json(options, comparisons);
+    if (options.locate) {
+        if (Status status = write_located(options, setup->scene, *both, figures, console); !status.ok())
+            return fail(console, status);
+    }
     // The folder takes the pictures; the figures are the result and go to stdout all the same.
-    const bool json = options.format == Format::json;
-    console.result(json ? json_text(comparison_json(options, comparisons)) : comparison_text(comparisons));
+    if (options.format == Format::json)
+        console.result(json_text(figures));
+    else
+        console.result(comparison_text(comparisons) + (options.locate ? located_text(figures["locate"]) : ""));
     return passes(comparisons, options.limit_ssim) ? DONE : ANSWER_NO;
 }
 

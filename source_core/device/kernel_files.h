@@ -5,6 +5,7 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "source_core/device/vulkan_status.h"
 
@@ -23,5 +24,8 @@ extern const unsigned EMBEDDED_KERNEL_COUNT;
 /// The texts of all kernel files by name: those built in, or those in `directory` where it is not empty. Fails with
 /// not_found if the directory or a file that the program needs is not there.
 Result<std::map<std::string, std::string>> read_kernel_files(const std::string& directory);
+
+/// The names of those that the kernels of the program are compiled from: their own files and all that these include.
+std::vector<std::string> files_that_run(const std::map<std::string, std::string>& files);
 
 }  // namespace source_core

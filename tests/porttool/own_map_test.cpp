@@ -110,7 +110,7 @@ TEST(OwnMap, AnEditOfTheHostOrOfTheWideTraceAloneIsDrift) {
     };
     for (const Row& row :
          {Row{"source_core/wavefront.cpp", "pass.first_pixel = batch.first_pixel;", "pass.first_pixel = 0;",
-              "source_core/wavefront.cpp:source_core::Wavefront::record_sample"},
+              "source_core/wavefront.cpp:source_core::Wavefront::pass_of"},
           Row{"source_core/render_core.cpp", "frame.seed = settings().seed;", "frame.seed = 0;",
               "source_core/render_core.cpp:source_core::SourceCore::frame_settings"},
           Row{"target_core/device/wide_trace.h", "return end < 0.0f;", "return end > 0.0f;",

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -136,6 +137,7 @@ protected:
         expect_refused(core_->SetSkyData(ContractScene::sky()), StatusCode::wrong_order);
         expect_refused(core_->SetGeometry(0, scene.mesh()), StatusCode::wrong_order);
         expect_refused(core_->SetInstance(0, NONE, CoreTransform()), StatusCode::wrong_order);
+        expect_refused(core_->SetWatch(nullptr), StatusCode::wrong_order);
         expect_refused(core_->Render(contract_view(), Convergence::Restart, 1), StatusCode::wrong_order);
     }
 
@@ -176,6 +178,31 @@ TYPED_TEST_P(CoreContractSuite, RendersAndCounts) {
     EXPECT_EQ(stats.samples, 3u);
     EXPECT_EQ(stats.triangles, 2u);
     EXPECT_EQ(stats.primary_rays, 3u * this->SIDE * this->SIDE);
+}
+
+TYPED_TEST_P(CoreContractSuite, ShowsEveryPathAfterEveryKernelAndRendersTheSame) {
+    SKIP_WITHOUT_DEVICE();
+    this->send(ContractScene());
+    this->expect_ok(this->core_->SetTarget(this->target()));
+    const std::vector<glm::vec4> unwatched = this->render(2);
+    struct Counter final : PathWatch {
+        std::atomic<uint64_t> generated = 0, finished = 0, steps = 0;
+        void after(const PathStates& states) override {
+            ++steps;
+            if (states.kernel == PathKernel::generate) generated += states.path_count;
+            if (states.kernel == PathKernel::finalize) finished += states.means.size() / 4;
+        }
+    } counter;
+    this->expect_ok(this->core_->SetWatch(&counter));
+    EXPECT_EQ(this->render(2), unwatched);
+    const uint64_t paths = counter.steps == 0 ? 0 : 2u * this->SIDE * this->SIDE;
+    EXPECT_EQ(counter.generated, paths);
+    EXPECT_EQ(counter.finished, paths);
+    EXPECT_EQ(counter.steps == 0, this->core_->GetKernelTexts().empty()) << "what runs kernels shows their paths";
+    this->expect_ok(this->core_->SetWatch(nullptr));
+    const uint64_t steps = counter.steps;
+    this->render(1);
+    EXPECT_EQ(counter.steps, steps);
 }
 
 TYPED_TEST_P(CoreContractSuite, ConvergeAddsAndRestartDrops) {
@@ -446,7 +473,8 @@ TYPED_TEST_P(CoreContractSuite, EditsTakeEffectWithTheNextRender) {
 #undef SKIP_WITHOUT_DEVICE
 
 REGISTER_TYPED_TEST_SUITE_P(CoreContractSuite, NothingWorksBeforeInitOrAfterShutdown,
-                            StatisticsAreZeroBeforeTheFirstRender, RendersAndCounts, ConvergeAddsAndRestartDrops,
+                            StatisticsAreZeroBeforeTheFirstRender, RendersAndCounts,
+                            ShowsEveryPathAfterEveryKernelAndRendersTheSame, ConvergeAddsAndRestartDrops,
                             SamplesTakenInPartsGiveTheSamePicture, NoSamplesAreRefusedAndLeaveThePicture,
                             ATargetOfAnotherSizeStartsAnew, AnEmptySceneIsAllSky,
                             RefusesTargetsAndSettingsThatMakeNoSense, RefusesTexturesThatAreNoMipChain,

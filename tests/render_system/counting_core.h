@@ -29,6 +29,8 @@ public:
     explicit CountingCore(std::shared_ptr<Log> log) : log_(std::move(log)) {}
 
     CoreStats GetCoreStats() const override { return log_->stats; }
+    std::vector<KernelText> GetKernelTexts() const override { return {}; }
+    Status SetWatch(PathWatch* watch) override { return null_->SetWatch(watch); }
 
     Status Init(const CoreOptions& options) override {
         note("Init");
