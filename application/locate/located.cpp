@@ -104,13 +104,12 @@ Channels<uint8_t> located_image(const PathDifferences& differences, const Pictur
     Channels<uint8_t> image = srgb_levels(picture);
     for (size_t pixel = 0; pixel < differences.parted_in.size(); ++pixel) {
         uint8_t* rgb = &image.rgb[pixel * 3];
-        if (differences.parted_in[pixel] != 0) {
-            const auto colour = colour_of(differences.parted_in[pixel]);
-            std::copy(colour.begin(), colour.end(), rgb);
-        } else {
-            const int grey = (rgb[0] * 3 + rgb[1] * 6 + rgb[2]) / 10;
-            std::fill(rgb, rgb + 3, static_cast<uint8_t>(grey / 2));
-        }
+        const int grey = (rgb[0] * 3 + rgb[1] * 6 + rgb[2]) / 10;
+        const uint8_t parted_in = differences.parted_in[pixel];
+        // What is in the picture stays to be seen below the colour.
+        const auto colour = parted_in == 0 ? std::array<uint8_t, 3>{96, 96, 96} : colour_of(parted_in);
+        const int light = parted_in == 0 ? grey : 96 + grey * 159 / 255;
+        for (int i = 0; i < 3; ++i) rgb[i] = static_cast<uint8_t>(colour[i] * light / 255);
     }
     return image;
 }

@@ -19,8 +19,8 @@ Json located_json(const PathDifferences& differences, const render_system::HostS
 /// The same for a person.
 std::string located_text(const Json& located);
 
-/// The picture in grey, darkened; on it the pixels whose paths part, by the kernel: generate magenta, extend red, shade
-/// yellow, connect cyan, finalize white; ties blue.
+/// The picture in dark grey; where paths part in the colour of the kernel: generate magenta, extend red, shade yellow,
+/// connect cyan, finalize white; ties blue.
 Channels<uint8_t> located_image(const PathDifferences& differences, const Picture& picture);
 
 /// What `check --evidence` reads: see docs/evidence.md. `texts`: of both cores; `comparison`: what compare prints, with
