@@ -27,7 +27,14 @@ void expect_clean(const source_core::CoreTuning& tuning, bool all_features) {
     render(*core, 24, 16, 2);
     settings.max_path_length = 17;  // cut into several submissions
     ASSERT_TRUE(core->Setting(settings).ok());
-    render(*core, 24, 16, 1);
+    const std::vector<glm::vec4> unwatched = render(*core, 24, 16, 1);
+    struct Shown final : PathWatch {
+        uint64_t finished = 0;
+        void after(const PathStates& states) override { finished += states.means.size() / 4; }
+    } shown;
+    ASSERT_TRUE(core->SetWatch(&shown).ok());
+    EXPECT_EQ(render(*core, 24, 16, 1), unwatched);
+    EXPECT_EQ(shown.finished, 24u * 16u) << "every path of every batch";
 }
 
 // Core and synchronization checks only: GPU-assisted kernels take minutes to compile on a software device.
