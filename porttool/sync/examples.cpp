@@ -70,6 +70,13 @@ bool changes_number(const std::vector<std::string>& source, size_t first, size_t
     return is_number_token(source[first]) || is_number_token(target[0]);
 }
 
+/// True for `float x`: in a declaration with a type of its own, a name alone stands for a part of it.
+bool declares(const std::vector<std::string>& words) {
+    for (size_t i = 0; i + 1 < words.size(); ++i)
+        if (is_word_token(words[i]) && is_word_token(words[i + 1])) return true;
+    return false;
+}
+
 bool picks_member(const std::string& word) { return word == "." || word == "->" || word == "::"; }
 
 /// True if two runs of words of one length have the same operators: `a > b` does not stand for `a <= b`.
@@ -153,7 +160,8 @@ void Examples::learn(const AlignedText& source, const AlignedText& target, const
                     (!is_primary(source.words, i, end) || !is_primary(target.words, first, last)))
                     continue;
                 if (changes_number(source.words, i, end, said) || (end - i < said.size() && are_bound(said))) continue;
-                if (end == i + 1 && said.size() != 1 && word_is(source.words[i], kKeyword)) continue;
+                if (end == i + 1 && said.size() != 1 && (word_is(source.words[i], kKeyword) || declares(said)))
+                    continue;
                 note(source, i, end, target, first, last);
             }
         }

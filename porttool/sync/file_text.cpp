@@ -22,6 +22,15 @@ std::vector<size_t> places(std::string_view bytes, std::string_view scanned) {
     return out;
 }
 
+/// An edit without the bytes at its ends that stay: a line that goes on may end among them.
+TextEdit what_changes(std::string_view scanned, TextEdit edit) {
+    size_t begin = 0, end = edit.text.size();
+    while (edit.first < edit.end && begin < end && scanned[edit.first] == edit.text[begin]) ++edit.first, ++begin;
+    while (edit.first < edit.end && begin < end && scanned[edit.end - 1] == edit.text[end - 1]) --edit.end, --end;
+    edit.text = edit.text.substr(begin, end - begin);
+    return edit;
+}
+
 std::string with_line_ends(const std::string& text, std::string_view line_end) {
     std::string out;
     for (const char c : text)
@@ -42,7 +51,8 @@ std::optional<std::string> edit_file(std::string_view bytes, std::string_view sc
     const size_t first_end = bytes.find('\n');
     const bool two = first_end != std::string_view::npos && first_end > 0 && bytes[first_end - 1] == '\r';
     std::vector<TextEdit> moved;
-    for (const TextEdit& edit : edits) {
+    for (const TextEdit& whole : edits) {
+        const TextEdit edit = what_changes(scanned, whole);
         const std::string_view old = bytes.substr(place[edit.first], place[edit.end] - place[edit.first]);
         if (old.find("\\\n") != std::string_view::npos || old.find("\\\r\n") != std::string_view::npos)
             return std::nullopt;

@@ -171,6 +171,11 @@ bool KnownWords::is_of_source(std::string_view word) const {
     return !is_type_word(word) && (parameters_.contains(word) || from_.all.declared().contains(word));
 }
 
+bool KnownWords::is_from_elsewhere(std::string_view word) const {
+    return !is_of_source(word) && !to_.all.declared().contains(word) && runtime_of(word).empty() &&
+           dialect_.meaning(word) == nullptr && !is_standard(word);
+}
+
 /// True if the target's file has words of that run time.
 bool KnownWords::speaks(std::string_view runtime) const {
     return std::any_of(file_words_.begin(), file_words_.end(),

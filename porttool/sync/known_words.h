@@ -97,6 +97,8 @@ public:
     std::string in_other_manner(std::string_view word) const;
     /// True for what a file of the source's side declares.
     bool is_of_source(std::string_view word) const;
+    /// True for a name that no file of either side declares, and that is none of a language's run time.
+    bool is_from_elsewhere(std::string_view word) const;
     /// True if any file of the side has it, or both sides have it from elsewhere.
     bool anywhere(std::string_view word) const;
 

@@ -57,6 +57,12 @@ public:
     /// True for qualifiers alone that the target's file has as well.
     bool are_qualifiers(const std::vector<std::string>& words, size_t first, size_t end) const;
 
+    /// True if a function of either name is declared on neither side, and is none of a language's run time.
+    bool is_from_elsewhere(std::string_view name, std::string_view other) const {
+        return !units_.names.contains(name) && !units_.names.contains(other) && !lone_.contains(other) &&
+               known_.is_from_elsewhere(name) && known_.is_from_elsewhere(other);
+    }
+
 private:
     /// How the target says the word alone; "" if that is not known.
     std::string word(std::string_view text, bool called) const;

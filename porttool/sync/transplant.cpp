@@ -164,6 +164,7 @@ private:
                 return;
             }
             if (there != kNothing && was == 0) return change_words(hunks, was, is, there);
+            if ((there == kNothing && change_result(was, is)) || change_value(hunks, was)) return;
             leave("the port has nothing that clearly stands for `" +
                       shown(texts_.before.words, before(was).first, before(was).end) + "`, which became `" +
                       shown(texts_.now.words, now(is).first, now(is).end) + "`",
@@ -176,6 +177,116 @@ private:
             return;
         }
         change_words(hunks, was, is, there);
+    }
+
+    /// The words of a clause that make its value, of `a = b + c ;` and `return b + c ;` the sum.
+    static Clause value_of(const std::vector<std::string>& words, Clause clause) {
+        if (clause.size() > 0 && words[clause.end - 1] == ";") --clause.end;
+        int depth = 0;
+        for (size_t i = clause.first; i < clause.end; ++i) {
+            depth += is_opening(words[i]) ? 1 : is_closing(words[i]) ? -1 : 0;
+            if (depth == 0 && (words[i] == "=" || words[i] == "return")) clause.first = i + 1;
+        }
+        return clause;
+    }
+    static bool is_opening(const std::string& word) { return word == "(" || word == "[" || word == "{"; }
+    static bool is_closing(const std::string& word) { return word == ")" || word == "]" || word == "}"; }
+
+    /// True if words are one operand, whatever stands beside them: a name, a call, something in parentheses.
+    static bool is_operand(const std::vector<std::string>& words, size_t first, size_t end) {
+        int depth = 0;
+        for (size_t i = first; i < end; ++i) {
+            const bool closes = is_closing(words[i]);
+            depth += is_opening(words[i]) ? 1 : closes ? -1 : 0;
+            if (depth < 0) return false;
+            if (depth > 0 || closes || is_accessor(words[i])) continue;
+            if (!is_name(words[i]) && !is_number_token(words[i])) return false;
+        }
+        return first < end && depth == 0;
+    }
+
+    /// The only clause of a text that gives back a value; none if there are several.
+    static std::optional<size_t> only_result(const AlignedText& text) {
+        std::optional<size_t> out;
+        for (size_t c = 0; c < text.clauses.size(); ++c) {
+            if (text.words[text.clauses[c].first] != "return") continue;
+            if (out) return std::nullopt;
+            out = c;
+        }
+        return out;
+    }
+
+    /// What both sides give back is the same, however they come to it: `return f ( a ) ;` that became
+    /// `return 0.5 * f ( a ) ;` makes `return 0.5f * sum ;` of the port's `return sum ;`.
+    bool change_result(size_t was, size_t is) {
+        const std::optional<size_t> there = only_result(texts_.target);
+        if (only_result(texts_.before) != was || !there || stands_for_something(*there)) return false;
+        const Clause old = value_of(texts_.before.words, before(was)), made = value_of(texts_.now.words, now(is));
+        const Clause port = value_of(texts_.target.words, target(*there));
+        if (made.size() <= old.size() || !is_operand(texts_.before.words, old.first, old.end) || port.size() == 0)
+            return false;
+        const auto word = [](const AlignedText& text, size_t i) {
+            return text.exact.begin() + static_cast<std::ptrdiff_t>(i);
+        };
+        const auto found = std::search(word(texts_.now, made.first), word(texts_.now, made.end),
+                                       word(texts_.before, old.first), word(texts_.before, old.end));
+        if (found == word(texts_.now, made.end)) return false;
+        const size_t at = static_cast<size_t>(found - texts_.now.exact.begin());
+        if (at > made.first && is_accessor(texts_.now.words[at - 1])) return false;
+        CarriedWords front = carry_new(made.first, at);
+        const CarriedWords back = carry_new(at + old.size(), made.end);
+        if (!front.unknown.empty() || !back.unknown.empty()) return false;
+        const bool bare = is_operand(texts_.target.words, port.first, port.end);
+        if (!bare) front.words.push_back({"(", CarriedWord::kNoSource});
+        for (size_t i = port.first; i < port.end; ++i)
+            front.words.push_back({written_number(texts_.target.words[i]), CarriedWord::kNoSource});
+        if (!bare) front.words.push_back({")", CarriedWord::kNoSource});
+        front.words.insert(front.words.end(), back.words.begin(), back.words.end());
+        out_.replaced.push_back({port.first, port.end, std::move(front.words), made.first, made.end});
+        return true;
+    }
+
+    /// The port may have the value of a clause in one of another kind, `out [ k ] = E ;` for `return E ;`: there each
+    /// word stands for its like. Once on both sides, or it may be another.
+    bool change_value(const std::vector<Hunk>& hunks, size_t was) {
+        constexpr size_t kShortest = 7;
+        const Clause old = value_of(texts_.before.words, before(was));
+        const CarriedWords said = carry_old(old.first, old.end);
+        if (old.size() < kShortest || !said.unknown.empty() || said.words.size() != old.size()) return false;
+        if (hunks.front().first < old.first || hunks.back().end > old.end) return false;
+        const std::optional<size_t> at = only_place_of(said.words);
+        if (!at || times_in_source(old) != 1) return false;
+        const size_t made = out_.replaced.size();
+        for (const Hunk& hunk : hunks) {
+            const CarriedWords words = carry_new(hunk.now_first, hunk.now_end);
+            if (!words.unknown.empty()) {
+                out_.replaced.resize(made);
+                return false;
+            }
+            out_.replaced.push_back({*at + (hunk.first - old.first), *at + (hunk.end - old.first), words.words,
+                                     hunk.now_first, hunk.now_end});
+        }
+        return true;
+    }
+
+    /// Where the target says the words, if it does so once.
+    std::optional<size_t> only_place_of(const std::vector<CarriedWord>& words) const {
+        std::optional<size_t> out;
+        for (size_t i = 0; i + words.size() <= texts_.target.words.size(); ++i) {
+            if (!says(i, i + words.size(), words, true)) continue;
+            if (out) return std::nullopt;
+            out = i;
+        }
+        return out;
+    }
+
+    size_t times_in_source(const Clause& clause) const {
+        const auto word = [&](size_t i) { return texts_.before.exact.begin() + static_cast<std::ptrdiff_t>(i); };
+        size_t out = 0;
+        for (auto at = texts_.before.exact.begin();; ++at, ++out) {
+            at = std::search(at, texts_.before.exact.end(), word(clause.first), word(clause.end));
+            if (at == texts_.before.exact.end()) return out;
+        }
     }
 
     /// A clause is changed as a whole or not at all.
@@ -301,11 +412,25 @@ private:
     size_t word_of(size_t i) const { return texts_.across.word_of[i]; }
 
     void put(const Hunk& hunk, size_t first, size_t end, const CarriedWords& now) {
-        if (!now.unknown.empty())
+        if (!now.unknown.empty() && !is_renamed_elsewhere(hunk, first, end))
             return leave_run(hunk, first, "nothing tells how the port says " + listed(now.unknown));
         if (const std::string name = indexed_otherwise(now.words); !name.empty())
             return leave_run(hunk, first, "the port has `" + name + "` with other indices");
         out_.replaced.push_back({first, end, now.words, hunk.now_first, hunk.now_end});
+    }
+
+    /// True where both sides call a function by one name, which neither declares, and the source calls it by a new one
+    /// throughout: what both have from elsewhere was renamed there.
+    bool is_renamed_elsewhere(const Hunk& hunk, size_t first, size_t end) const {
+        if (hunk.end != hunk.first + 1 || hunk.now_end != hunk.now_first + 1 || end != first + 1) return false;
+        const std::string &was = texts_.before.words[hunk.first], &is = texts_.now.words[hunk.now_first];
+        if (texts_.target.words[first] != was || !translator_.is_from_elsewhere(was, is)) return false;
+        const auto is_called = [](const std::vector<std::string>& words, size_t i) {
+            return i + 3 < words.size() && (words[i + 1] == "(" || (words[i + 1] == "<" && words[i + 2] == "<"));
+        };
+        const std::vector<std::string>& words = texts_.now.words;
+        return is_called(words, hunk.now_first) && is_called(texts_.target.words, first) &&
+               std::find(words.begin(), words.end(), was) == words.end();
     }
 
     /// Words that each stand for one of the target's are replaced there, whatever stands around these.
@@ -362,6 +487,16 @@ private:
         return word;
     }
 
+    static bool is_accessor(const std::string& word) { return word == "." || word == "->" || word == "::"; }
+
+    /// True if the target's words [first, end) lead to the word after them: `consts -> params .`.
+    bool is_path(size_t first, size_t end) const {
+        if (end < first + 2 || (end - first) % 2 != 0) return false;
+        for (size_t i = first; i < end; i += 2)
+            if (!is_name(texts_.target.words[i]) || !is_accessor(texts_.target.words[i + 1])) return false;
+        return true;
+    }
+
     bool insert_run(const Hunk& hunk, size_t was, size_t there) {
         const Clause &here = before(was), &other = target(there);
         size_t left = hunk.first, right = hunk.first;
@@ -384,8 +519,10 @@ private:
         if (first != end) {
             const bool after_left = left == hunk.first && words[hunk.now_first] == ",";
             const bool before_right = right == hunk.first && words[hunk.now_end - 1] == ",";
-            if (after_left == before_right) return false;
-            place = after_left ? first : end;
+            const bool before_operand = left == hunk.first && right == hunk.first && is_path(first, end) &&
+                                        !is_accessor(words[hunk.now_end - 1]);
+            if (after_left == before_right && !before_operand) return false;
+            place = after_left || before_operand ? first : end;
         } else if (left != hunk.first && right != hunk.first) {
             return false;
         }
@@ -568,13 +705,17 @@ private:
 
     /// True if new clauses end what is around them, and that is a loop which the port alone has.
     bool leaves_loop(size_t first, size_t end, size_t place) const {
-        bool leaves = false;
-        for (size_t i = now(first).first; i < now(end - 1).end; ++i)
-            leaves |=
-                texts_.now.words[i] == "return" || texts_.now.words[i] == "break" || texts_.now.words[i] == "continue";
-        if (!leaves) return false;
-        for (size_t c = block_at(place); c != Clause::kNone; c = target(c).inside)
-            if (word_is(texts_.target.words[target(c).first], kLoopHead) && !stands_for_something(c)) return true;
+        bool leaves_unit = false, leaves_nearest = false;
+        for (size_t i = now(first).first; i < now(end - 1).end; ++i) {
+            leaves_unit |= texts_.now.words[i] == "return";
+            leaves_nearest |= texts_.now.words[i] == "break" || texts_.now.words[i] == "continue";
+        }
+        if (!leaves_unit && !leaves_nearest) return false;
+        for (size_t c = block_at(place); c != Clause::kNone; c = target(c).inside) {
+            if (!word_is(texts_.target.words[target(c).first], kLoopHead)) continue;
+            if (!stands_for_something(c)) return true;
+            if (!leaves_unit) return false;
+        }
         return false;
     }
 

@@ -713,5 +713,99 @@ TEST(SyncLayout, ABlockWithinABranchEndsBeforeTheNextBranch) {
                               rest));
 }
 
+TEST(SyncEdit, OfALineThatGoesOnOnlyTheWordsThatChangeAreTouched) {
+    const std::string rest = "use:\\n\\\n  -i output file\\n\\\n  -o output file\\n\");\n}\n";
+    const std::string right = "use:\\n\\\n  -i input file\\n\\\n  -o output file\\n\");\n}\n";
+    expect_ported({"k.cu", "k.cpp", "void usage() {\n  printf(\"" + rest, "void usage() {\n  printf(\"" + right,
+                   "void usage()\n{\n  printf(\"" + rest, "void usage()\n{\n  printf(\"" + right});
+}
+
+TEST(SyncEdit, ABreakLeavesTheLoopThatBothSidesHave) {
+    const std::string head = "__kernel void f(__global float* out, int n) {\n  int g = get_global_id(0);\n",
+                      loop = "  for (int i = 0; i < n; ++i) {\n    out[g] += i;\n",
+                      gained = "    if (out[g] > 9.0f) {\n      break;\n    }\n";
+    const std::string port =
+                          "void f(float* out, int n, int all) {\n  for (int g = 0; g < all; ++g) {\n"
+                          "    for (int i = 0; i < n; ++i) {\n      out[g] += i;\n",
+                      ported = "      if (out[g] > 9.0f) {\n        break;\n      }\n";
+    expect_ported({"k.cl", "k.cpp", head + loop + "  }\n}\n", head + loop + gained + "  }\n}\n",
+                   port + "    }\n  }\n}\n", port + ported + "    }\n  }\n}\n"});
+}
+
+TEST(SyncEdit, ABreakDoesNotLeaveALoopOfThePortsOwn) {
+    const std::string head =
+                          "__kernel void f(__global float* out, int n) {\n  int g = get_global_id(0);\n"
+                          "  for (int i = 0; i < n; ++i) {\n    out[g] += i;\n",
+                      gained = "    if (out[g] > 9.0f) {\n      break;\n    }\n";
+    const EditCase one{"k.cl",
+                       "k.cpp",
+                       head + "  }\n}\n",
+                       head + gained + "  }\n}\n",
+                       "void f(float* out, int n, int all) {\n  for (int i = 0; i < n; ++i) {\n"
+                       "    for (int g = 0; g < all; ++g) {\n      out[g] += i;\n    }\n  }\n}\n",
+                       ""};
+    EXPECT_NE(synced(one).state(), "proposed");
+}
+
+TEST(SyncEdit, ANewParenthesisStandsBeforeThePathOfItsOperand) {
+    const std::string here = "bool f(const Params* params, float r) {\n  const bool soft = r > 0.0f && !",
+                      there = "bool f(__constant Consts* consts, float r) {\n  const bool soft = r > 0.0f && !";
+    const std::string uses = ";\n  return params->far ? soft : params->shadows;\n}\n",
+                      there_uses = ";\n  return consts->params.far ? soft : consts->params.shadows;\n}\n";
+    expect_ported({"k.cpp", "k.cl", here + "params->shadows" + uses, here + "(params->shadows && params->far)" + uses,
+                   there + "consts->params.shadows" + there_uses,
+                   there + "(consts->params.shadows && consts->params.far)" + there_uses});
+}
+
+TEST(SyncEdit, AValueIsFoundInAStatementOfAnotherKind) {
+    const std::string here = "vec3 curve(vec3 c) {\n  vec3 x = max(c - 0.004, vec3(0.0));\n",
+                      there =
+                          "float3 Curve(const float3& c) {\n  float3 out;\n  for (int k = 0; k < 3; k++) {\n"
+                          "    const float x = std::max(c[k] - 0.004f, 0.0f);\n";
+    expect_ported({"k.comp", "k.cpp", here + "  return (x * (6.2 * x + 0.5)) / (x * (6.2 * x + 1.7) + 0.06);\n}\n",
+                   here + "  return (x * (6.2 * x + 0.5)) / (x * (6.2 * x + 1.8) + 0.05);\n}\n",
+                   there + "    out[k] = (x * (6.2f * x + 0.5f)) / (x * (6.2f * x + 1.7f) + 0.06f);\n  }\n"
+                           "  return out;\n}\n",
+                   there + "    out[k] = (x * (6.2f * x + 0.5f)) / (x * (6.2f * x + 1.8f) + 0.05f);\n  }\n"
+                           "  return out;\n}\n"});
+}
+
+TEST(SyncEdit, WhatIsDoneToTheOnlyResultIsDoneToThePorts) {
+    const EditCase one{"k.comp",
+                       "k.cpp",
+                       "float apart(vec4 a, vec4 b) {\n  vec3 d = a.rgb - b.rgb;\n"
+                       "  return dot(d, d);\n}\n",
+                       "float apart(vec4 a, vec4 b) {\n  vec3 d = a.rgb - b.rgb;\n  return 0.5 * dot(d, d);\n}\n",
+                       "float apart(const float* a, const float* b) {\n  float sum = 0.0f;\n"
+                       "  for (int c = 0; c < 3; ++c) {\n    float d = a[c] - b[c];\n    sum += d * d;\n  }\n"
+                       "  return sum;\n}\n",
+                       ""};
+    const Synced got = synced(one);
+    EXPECT_EQ(got.state(), "partial") << "what a result is made of is not compared: a person says yes";
+    EXPECT_NE(got.proposal["patch"].dump().find("+  return 0.5f * sum;"), std::string::npos) << got.why();
+}
+
+TEST(SyncEdit, AFunctionOfALibraryHasItsNewNameOnBothSides) {
+    const auto here = [](const std::string& name) {
+        return "#include \"kernel.h\"\nvoid run(float* a, int n) {\n  " + name +
+               "<<<(n + 255) / 256, 256>>>(a, n);\n  cudaDeviceSynchronize();\n}\n";
+    };
+    const auto there = [](const std::string& name) {
+        return "#include \"kernel.h\"\nvoid run(float* a, int n) {\n  " + name + "(a, n);\n}\n";
+    };
+    expect_ported({"k.cu", "k.cpp", here("scale"), here("grid_scale"), there("scale"), there("grid_scale")});
+}
+
+TEST(SyncEdit, AFunctionThatOneSideDeclaresKeepsItsName) {
+    const auto text = [](const std::string& name) { return "void run(float* a, int n) {\n  " + name + "(a, n);\n}\n"; };
+    const EditCase one{"k.cu",
+                       "k.cpp",
+                       text("scale"),
+                       text("grid_scale"),
+                       "void scale(float* a, int n) {\n  a[0] *= n;\n}\n" + text("scale"),
+                       ""};
+    EXPECT_NE(synced(one).state(), "proposed");
+}
+
 }  // namespace
 }  // namespace porttool::testing
