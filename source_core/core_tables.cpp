@@ -41,6 +41,7 @@ constexpr uint kSlotFeatures[] = {
     FEATURE_TEXTURES | FEATURE_SPECULAR_TEXTURES,  // specular
     FEATURE_TEXTURES | FEATURE_SPECULAR_TEXTURES,  // specular_color
 };
+static_assert(ENERGY_CELLS == kEnergyCells);
 static_assert(std::size(kSlotFeatures) == std::size(kTextureSlots));
 
 bool has_alpha_texture(const CoreMaterial& material) {
@@ -64,11 +65,16 @@ void pack_materials(std::span<const CoreMaterial> materials, SceneTables& tables
         rows[MATERIAL_BASE_COLOR] = row(material.base_color, material.alpha);
         rows[MATERIAL_SURFACE] = vec4(material.metallic, material.roughness, material.specular, material.transmission);
         rows[MATERIAL_EMISSION] = row(material.emission, material.emission_weight);
-        rows[MATERIAL_SPECULAR] = row(material.specular_color, material.ior);
-        rows[MATERIAL_ALPHA] = vec4(material.normal_scale, material.alpha_cutoff, as_float(flags), 0.0f);
+        rows[MATERIAL_SPECULAR] = row(material.specular_color, bending_ior(material));
+        rows[MATERIAL_ALPHA] = vec4(material.normal_scale, material.alpha_cutoff, as_float(flags),
+                                    as_float(tables.energies.row_of(material)));
         rows[MATERIAL_SLOTS] = vec4(slots[0], slots[1], slots[2], slots[3]);
         rows[MATERIAL_MORE_SLOTS] = vec4(slots[4], slots[5], slots[6], slots[7]);
         tables.materials.insert(tables.materials.end(), rows, rows + MATERIAL_ROWS);
+    }
+    tables.lobe_energy.clear();
+    for (const glm::vec4& cell : tables.energies.rows()) {
+        tables.lobe_energy.push_back(row(glm::vec3(cell), cell.w));
     }
 }
 

@@ -128,7 +128,7 @@ Status SceneStore::build(uint32_t threads) {
     if (materials_changed_) {
         update_opacities();
         pack_materials(materials_, tables_);
-        mark({BINDING_MATERIALS, BINDING_TEXTURE_SLOTS});
+        mark({BINDING_MATERIALS, BINDING_TEXTURE_SLOTS, BINDING_LOBE_ENERGY});
         materials_changed_ = false;
     }
     return geometry_changed_ ? update_geometry(threads) : Status::success();
@@ -165,6 +165,8 @@ std::span<const std::byte> SceneStore::rows(uint32_t table) const {
             return bytes(tables_.sky_texels);
         case BINDING_SKY_TABLE:
             return bytes(tables_.sky_table);
+        case BINDING_LOBE_ENERGY:
+            return bytes(tables_.lobe_energy);
         default:
             return {};
     }

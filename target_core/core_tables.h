@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "render_system/core_data.h"
+#include "render_system/lobe_energy.h"
 #include "target_core/kernels/layout.h"
 
 namespace target_core {
@@ -20,9 +21,11 @@ struct SceneTables {
     std::vector<vec4> light_table;
     std::vector<vec4> sky_texels;
     std::vector<vec4> sky_table;
+    std::vector<vec4> lobe_energy;
+    render_system::LobeEnergy energies;  // where the rows of lobe_energy come from
 };
 
-/// Fills materials and texture_slots.
+/// Fills materials, texture_slots and lobe_energy.
 void pack_materials(std::span<const render_system::CoreMaterial> materials, SceneTables& tables);
 
 /// Fills textures and texels.

@@ -205,6 +205,7 @@ Bindings TargetCore::bindings() {
     bindings.light_table = tables_.light_table.data();
     bindings.sky_texels = tables_.sky_texels.data();
     bindings.sky_table = tables_.sky_table.data();
+    bindings.lobe_energy = tables_.lobe_energy.data();
     bindings.opacities = opacities_.data();
     bindings.geometry = meshes_.geometry().data();
     bindings.scene = embree_.scene();
@@ -251,7 +252,8 @@ uint64_t TargetCore::host_bytes() const {
     auto bytes = [](const auto& rows) { return rows.capacity() * sizeof(rows[0]); };
     return meshes_.memory_bytes() + embree_.memory_bytes() + bytes(accumulator_) + bytes(tables_.materials) +
            bytes(tables_.texture_slots) + bytes(tables_.textures) + bytes(tables_.texels) + bytes(tables_.lights) +
-           bytes(tables_.light_table) + bytes(tables_.sky_texels) + bytes(tables_.sky_table);
+           bytes(tables_.light_table) + bytes(tables_.sky_texels) + bytes(tables_.sky_table) +
+           bytes(tables_.lobe_energy);
 }
 
 void TargetCore::close() {

@@ -10,7 +10,7 @@ namespace source_core {
 
 namespace {
 
-constexpr uint32_t NEEDED_STORAGE_BUFFERS = 28;  // path state, and all tables where they are bound so
+constexpr uint32_t NEEDED_STORAGE_BUFFERS = 29;  // path state, and all tables where they are bound so
 constexpr uint32_t NEEDED_TEXEL_BUFFERS = 16;
 constexpr uint32_t NO_FAMILY = 0xFFFFFFFFu;
 

@@ -9,9 +9,9 @@ namespace source_core {
 namespace {
 
 constexpr const char* KERNEL_NAMES[KERNEL_COUNT] = {"generate", "extend", "shade", "connect", "finalize", "schedule"};
-constexpr const char* TABLE_NAMES[TABLE_COUNT] = {"nodes",     "triangles",   "mesh_triangles", "vertices", "tangents",
-                                                  "instances", "materials",   "texture_slots",  "textures", "texels",
-                                                  "lights",    "light_table", "sky_texels",     "sky_table"};
+constexpr const char* TABLE_NAMES[TABLE_COUNT] = {
+    "nodes",    "triangles", "mesh_triangles", "vertices",    "tangents",   "instances", "materials",  "texture_slots",
+    "textures", "texels",    "lights",         "light_table", "sky_texels", "sky_table", "lobe_energy"};
 constexpr const char* ACCESS_NAMES[] = {"VIA_TEXELS", "VIA_STORAGE", "VIA_ADDRESS"};
 
 }  // namespace

@@ -18,6 +18,7 @@ struct Material {
     vec3 emission;
     Float emission_weight;
     Uint flags;
+    Uint energy_row;
 };
 
 Material fetch_material(Surface surface) {
@@ -38,6 +39,7 @@ Material fetch_material(Surface surface) {
     material.emission = vec3(emission);
     material.emission_weight = emission.w;
     material.flags = floatBitsToUint(alpha.z);
+    material.energy_row = floatBitsToUint(alpha.w);
     if (has_feature(FEATURE_TEXTURES)) {
         vec4 slots = fetch_materials(rows, MATERIAL_SLOTS);
         vec4 surface_texel = sample_slot(floatBitsToUint(slots.y), surface.coordinates);

@@ -26,6 +26,7 @@ struct Bindings {
     const vec4* light_table = nullptr;
     const vec4* sky_texels = nullptr;
     const vec4* sky_table = nullptr;
+    const vec4* lobe_energy = nullptr;
     const float* opacities = nullptr;  // per material; negative: needs texture or vertex colour
     const InstanceGeometry* geometry = nullptr;
     RTCScene scene = nullptr;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "target_core/kernels/material.h"
+#include "target_core/kernels/random.h"
 
 namespace target_core::kernels {
 
@@ -19,7 +20,9 @@ struct Bsdf {
     vec3 side;  // geometric normal on the side of wo
     vec3 diffuse_color;
     vec3 transmission_color;
-    vec3 f0;  // of the whole reflection
+    vec3 again_reflected;    // of light that is scattered more than once, the shares that leave on wo's side
+    vec3 again_transmitted;  // and behind
+    vec3 f0;                 // of the whole reflection
     Float f90;
     Float dielectric_f0;  // of what does not enter the dielectric
     Float dielectric_f90;
@@ -29,8 +32,10 @@ struct Bsdf {
     Mask is_smooth;
     Float root_o;  // of Smith's masking of wo
     Float pick_diffuse;
-    Float pick_reflection;
-    Float pick_transmission;
+    Float pick_glossy;     // by microfacets: reflected or transmitted as the one that is met decides
+    Float passing;         // how far its Fresnel term decides; 0: all is reflected
+    Float pick_reflected;  // of pick_glossy, what microfacets throw onto each other and leaves on wo's side
+    Float pick_transmitted;
 };
 
 struct BsdfValue {
@@ -77,6 +82,25 @@ inline Float smith_root(Float cosine, Float alpha) {
     return sqrt(a2 + (1.0f - a2) * cosine * cosine);
 }
 
+// The share of a white surface's light that comes back after one scattering, from the table.
+inline Float lobe_energy(Uint first_row, Float cosine, Float roughness) {
+    Float x = sqrt(saturate(cosine)) * float(ENERGY_CELLS);
+    Float y = saturate(roughness) * float(ENERGY_CELLS);
+    Float column = min(floor(x), float(ENERGY_CELLS - 1u));
+    Float line = min(floor(y), float(ENERGY_CELLS - 1u));
+    vec4 corners = fetch_lobe_energy(first_row + Uint(line) * ENERGY_CELLS + Uint(column));
+    Float smoother = blend(corners.x, corners.y, x - column);
+    Float rougher = blend(corners.z, corners.w, x - column);
+    return blend(smoother, rougher, y - line);
+}
+
+// Fresnel term of an interface, averaged over the hemisphere; the fit of Kulla and Conty 2017.
+inline Float mean_fresnel(Float eta) {
+    Float from_outside = (eta - 1.0f) / (4.08567f + 1.00071f * eta);
+    Float from_inside = 0.997118f + eta * (0.1014f + eta * (-0.965241f - 0.130607f * eta));
+    return saturate(select(eta < 1.0f, from_inside, from_outside));
+}
+
 inline Bsdf make_bsdf(Material material, vec3 wo, vec3 side, Mask front) {
     Mask thin = (material.flags & MATERIAL_THIN_WALLED) != 0u;
     Float f0 = square((material.ior - 1.0f) / (material.ior + 1.0f));
@@ -103,17 +127,42 @@ inline Bsdf make_bsdf(Material material, vec3 wo, vec3 side, Mask front) {
     bsdf.root_o = smith_root(wo.z, bsdf.alpha);
     Float weight = fresnel_weight(bsdf, wo.z);
     Float entering = 1.0f - dielectric_reflectance(bsdf, weight);
-    // Microfacets face other ways than the normal: where it reflects all light, some of them still do not.
-    Float entering_somewhere = select(bsdf.is_smooth, entering, max(entering, 0.25f));
-    bsdf.pick_diffuse = max_component(bsdf.diffuse_color) * entering;
-    bsdf.pick_reflection = max_component(reflectance(bsdf, weight));
-    bsdf.pick_transmission = max_component(bsdf.transmission_color) * entering_somewhere;
-    Float total = (bsdf.pick_diffuse + bsdf.pick_reflection) + bsdf.pick_transmission;
-    Float scale = 1.0f / max(total, SMALLEST);
-    bsdf.pick_diffuse = bsdf.pick_diffuse * scale;
-    bsdf.pick_reflection = bsdf.pick_reflection * scale;
-    bsdf.pick_transmission = bsdf.pick_transmission * scale;
+    Float diffuse = max_component(bsdf.diffuse_color) * entering;
+    Float passed = max_component(bsdf.transmission_color);
+    Float glossy = max_component(reflectance(bsdf, weight)) + passed * entering;
+    Float scale = 1.0f / max(diffuse + glossy, SMALLEST);
+    bsdf.pick_diffuse = diffuse * scale;
+    bsdf.pick_glossy = glossy * scale;
+    bsdf.passing = passed / max(passed + material.metallic, SMALLEST);
+    // Kulla and Conty 2017, "Revisiting Physically Based Shading at Imageworks": what one scattering does not return
+    // leaves like diffuse light, coloured once more; at an interface their mean Fresnel term shares it out.
+    Float kept = 1.0f - lobe_energy(Uint(0u), wo.z, material.roughness);
+    Float kept_inside = kept;
+    if (has_feature(FEATURE_TRANSMISSION)) {
+        Uint energy_row = material.energy_row + select(front, Uint(0u), Uint(ENERGY_ROWS));
+        kept_inside = select(bsdf.refracts, 1.0f - lobe_energy(energy_row, wo.z, material.roughness), kept);
+    }
+    kept = select(bsdf.is_smooth, Float(0.0f), kept);
+    kept_inside = select(bsdf.is_smooth, Float(0.0f), kept_inside);
+    bsdf.again_reflected = bsdf.f0 * bsdf.f0 * kept;
+    bsdf.again_transmitted = vec3(0.0f);
+    bsdf.pick_reflected = bsdf.pick_glossy * kept;
+    bsdf.pick_transmitted = 0.0f;
+    Float clear = body * material.transmission;
+    if (any_lane(clear > 0.0f)) {
+        Float turned_back = mean_fresnel(select(bsdf.refracts, bsdf.eta, material.ior));
+        Float going_through = kept_inside * (1.0f - turned_back);
+        bsdf.again_reflected = blend(bsdf.again_reflected, vec3(kept_inside * turned_back), clear);
+        bsdf.again_transmitted = bsdf.transmission_color * going_through;
+        bsdf.pick_reflected = bsdf.pick_glossy * blend(kept, kept_inside * turned_back, bsdf.passing);
+        bsdf.pick_transmitted = bsdf.pick_glossy * bsdf.passing * going_through;
+    }
     return bsdf;
+}
+
+// Of what meets a microfacet, the share that sampling reflects; `weight` is the microfacet's own.
+inline Float reflected_share(Bsdf bsdf, Float weight) {
+    return 1.0f - bsdf.passing * (1.0f - dielectric_reflectance(bsdf, weight));
 }
 
 // The mirror image behind the plane of the geometric normal.
@@ -139,16 +188,20 @@ inline vec3 sample_visible_normal(vec3 wo, Float alpha, vec2 u) {
 // Lambert under the dielectric interface, which light crosses on its way in and out: with glTF's single factor at
 // the half vector, a white surface would reflect more than it receives at grazing angles. Directions that a bent
 // shading normal puts below the surface are folded back at its plane, so that no energy is lost; the density folds
-// alike.
+// alike. So does what microfacets scatter more than once, which leaves on both sides.
 inline BsdfValue evaluate_diffuse(Bsdf bsdf, vec3 wi) {
     Float folded = mirrored(wi, bsdf.side).z;
     Float cosine = max(wi.z, 0.0f) + max(folded, 0.0f);
-    Float above = select(dot(bsdf.side, wi) > 0.0f, cosine * INVERSE_PI, Float(0.0f));
+    Float cosine_behind = max(-wi.z, 0.0f) + max(-folded, 0.0f);
+    Float along = dot(bsdf.side, wi);
+    Float above = select(along > 0.0f, cosine * INVERSE_PI, Float(0.0f));
+    Float below = select(along < 0.0f, cosine_behind * INVERSE_PI, Float(0.0f));
     Float entering = 1.0f - dielectric_reflectance(bsdf, fresnel_weight(bsdf, bsdf.wo.z));
     Float leaving = 1.0f - dielectric_reflectance(bsdf, fresnel_weight(bsdf, max(wi.z, folded)));
     BsdfValue result;
-    result.value = bsdf.diffuse_color * (entering * leaving * above);
-    result.pdf = bsdf.pick_diffuse * above;
+    result.value = (bsdf.diffuse_color * (entering * leaving) + bsdf.again_reflected) * above;
+    result.value = result.value + bsdf.again_transmitted * below;
+    result.pdf = (bsdf.pick_diffuse + bsdf.pick_reflected) * above + bsdf.pick_transmitted * below;
     return result;
 }
 
@@ -159,12 +212,13 @@ inline BsdfValue evaluate_reflection(Bsdf bsdf, vec3 wi, vec3 h, Float weight, M
     Float root_i = smith_root(cosine, bsdf.alpha);
     Float density = ggx_density(h, bsdf.alpha);
     Float visible = 0.5f / max(bsdf.wo.z * root_i + cosine * bsdf.root_o, SMALLEST);
+    Float share = reflected_share(bsdf, weight);
+    Float lobe = density * visible * cosine;
     vec3 color = select(passes, bsdf.transmission_color * (1.0f - dielectric_reflectance(bsdf, weight)),
                         reflectance(bsdf, weight));
     BsdfValue result;
-    result.value = color * (density * visible * cosine);
-    result.pdf = select(passes, bsdf.pick_transmission, bsdf.pick_reflection) * density * 0.5f /
-                 max(bsdf.wo.z + bsdf.root_o, SMALLEST);
+    result.value = color * lobe;
+    result.pdf = bsdf.pick_glossy * select(passes, 1.0f - share, share) * lobe;
     return result;
 }
 
@@ -179,10 +233,10 @@ inline BsdfValue evaluate_refraction(Bsdf bsdf, vec3 wi, vec3 h, Float weight) {
     Float jacobian = bsdf.eta * bsdf.eta * abs(wi_h) / max(denominator * denominator, SMALLEST);
     Float visible_density = masking_o * ggx_density(h, bsdf.alpha) * max(wo_h, 0.0f) / max(bsdf.wo.z, SMALLEST);
     Mask crosses = wo_h > 0.0f && wi_h < 0.0f;
-    Float lobe = select(crosses, visible_density * jacobian, Float(0.0f));
+    Float lobe = select(crosses, visible_density * jacobian * masking_i, Float(0.0f));
     BsdfValue result;
-    result.value = bsdf.transmission_color * ((1.0f - dielectric_reflectance(bsdf, weight)) * masking_i * lobe);
-    result.pdf = bsdf.pick_transmission * lobe;
+    result.value = bsdf.transmission_color * ((1.0f - dielectric_reflectance(bsdf, weight)) * lobe);
+    result.pdf = bsdf.pick_glossy * (1.0f - reflected_share(bsdf, weight)) * lobe;
     return result;
 }
 
@@ -215,16 +269,38 @@ inline vec3 sample_diffuse(Bsdf bsdf, vec2 u) {
     return select(dot(bsdf.side, wi) < 0.0f, mirrored(wi, bsdf.side), wi);
 }
 
-// Chooses a lobe by `lobe`, then a direction by `u`.
+// The share of visible microfacets' light in direction wi that no other microfacet keeps; 0 past the horizon.
+inline Float unmasked_share(Bsdf bsdf, vec3 wi, Mask reflects) {
+    Float cosine = abs(wi.z);
+    Float root_i = smith_root(cosine, bsdf.alpha);
+    Float share = cosine * (bsdf.wo.z + bsdf.root_o) / max(bsdf.wo.z * root_i + cosine * bsdf.root_o, SMALLEST);
+    if (has_feature(FEATURE_TRANSMISSION)) {
+        Float separate = 2.0f * cosine / max(cosine + root_i, SMALLEST);
+        share = select(bsdf.refracts && !reflects, separate, share);
+    }
+    return select((wi.z > 0.0f) == reflects, share, Float(0.0f));
+}
+
+// Two more numbers from two, for what is seldom asked for.
+inline vec2 numbers_from(vec2 u) {
+    Uint x = hash_bits(floatBitsToUint(u.x));
+    Uint y = hash_bits(x ^ floatBitsToUint(u.y));
+    return vec2(unit_float(hash_bits(y ^ 0x5851f42du)), unit_float(hash_bits(y ^ 0x14057b7eu)));
+}
+
+// Chooses a lobe by `lobe`, then a direction by `u`. A microfacet's light that another one keeps goes on as light that
+// is scattered more than once: each rough lobe is sampled by its value.
 inline BsdfSample sample_bsdf(Bsdf bsdf, vec2 u, Float lobe) {
-    Mask reflects = lobe < bsdf.pick_reflection;
-    Mask transmits = !reflects && lobe < bsdf.pick_reflection + bsdf.pick_transmission;
-    Mask diffuses = !reflects && !transmits;
+    Mask diffuses = lobe >= bsdf.pick_glossy;
     vec3 h = vec3(0.0f, 0.0f, 1.0f);
     if (any_lane(!diffuses && !bsdf.is_smooth)) {
         h = select(bsdf.is_smooth, h, sample_visible_normal(bsdf.wo, bsdf.alpha, u));
     }
     Float wo_h = dot(bsdf.wo, h);
+    Float weight = fresnel_weight(bsdf, wo_h);
+    Float share = reflected_share(bsdf, weight);
+    Float reflecting = bsdf.pick_glossy * share;
+    Mask reflects = lobe < reflecting;
     vec3 reflected = h * (2.0f * wo_h) - bsdf.wo;
     vec3 passed = vec3(reflected.x, reflected.y, -reflected.z);
     Float sine_squared = 0.0f;
@@ -237,23 +313,36 @@ inline BsdfSample sample_bsdf(Bsdf bsdf, vec2 u, Float lobe) {
     // A delta lobe goes where the geometry lets it.
     Mask wrong_side = (dot(bsdf.side, wi) > 0.0f) != reflects;
     wi = select(bsdf.is_smooth && wrong_side, mirrored(wi, bsdf.side), wi);
-    wi = normalized(select(diffuses, sample_diffuse(bsdf, u), wi));
+    // Where in its interval `lobe` lies is one more random number, and decides what is kept.
+    Float low = select(reflects, Float(0.0f), reflecting);
+    Float high = select(reflects, reflecting, bsdf.pick_glossy);
+    Float unmasked = (high - low) * unmasked_share(bsdf, wi, reflects);
+    Mask again = !diffuses && !bsdf.is_smooth && lobe - low >= unmasked;
+    wi = select(diffuses, sample_diffuse(bsdf, u), wi);
+    if (any_lane(again)) {
+        vec3 scattered = sample_diffuse(bsdf, numbers_from(u));
+        Float kept = ((lobe - low) - unmasked) / max((high - low) - unmasked, SMALLEST);
+        Mask behind = kept * (bsdf.pick_reflected + bsdf.pick_transmitted) < bsdf.pick_transmitted;
+        wi = select(again, select(behind, -scattered, scattered), wi);
+    }
+    wi = normalized(wi);
     BsdfValue rough = evaluate_bsdf(bsdf, wi);
+    Mask by_microfacet = !diffuses && !again;
     Mask is_delta = bsdf.is_smooth && !diffuses;
     BsdfSample result;
     result.wi = wi;
     result.weight = rough.value * (1.0f / max(rough.pdf, SMALLEST));
     result.pdf = rough.pdf;
     if (any_lane(is_delta)) {
-        Float weight = fresnel_weight(bsdf, wo_h);
-        vec3 reflected_share = reflectance(bsdf, weight) * (1.0f / max(bsdf.pick_reflection, SMALLEST));
-        vec3 passed_share = bsdf.transmission_color *
-                            ((1.0f - dielectric_reflectance(bsdf, weight)) / max(bsdf.pick_transmission, SMALLEST));
-        result.weight = select(is_delta, select(reflects, reflected_share, passed_share), result.weight);
+        vec3 color = select(reflects, reflectance(bsdf, weight),
+                            bsdf.transmission_color * (1.0f - dielectric_reflectance(bsdf, weight)));
+        Float picked = bsdf.pick_glossy * select(reflects, share, 1.0f - share);
+        result.weight = select(is_delta, color * (1.0f / max(picked, SMALLEST)), result.weight);
         result.pdf = select(is_delta, Float(0.0f), result.pdf);
     }
-    Mask total_reflection = transmits && bsdf.refracts && sine_squared >= 1.0f;
-    Mask through_horizon = !diffuses && (wi.z > 0.0f) != reflects;
+    Mask total_reflection = by_microfacet && !reflects && bsdf.refracts && sine_squared >= 1.0f;
+    Mask seen = (wi.z > 0.0f) == reflects && (dot(bsdf.side, wi) > 0.0f) == reflects;
+    Mask through_horizon = by_microfacet && !seen;
     result.valid = is_delta || (rough.pdf > 0.0f && !through_horizon);
     result.valid = result.valid && !total_reflection;
     return result;

@@ -26,6 +26,7 @@ inline vec4 fetch_lights(Rows first, uint offset) { return gather(bound.lights, 
 inline vec4 fetch_light_table(Uint row) { return gather(bound.light_table, row); }
 inline vec4 fetch_sky_texels(Uint row) { return gather(bound.sky_texels, row); }
 inline vec4 fetch_sky_table(Uint row) { return gather(bound.sky_table, row); }
+inline vec4 fetch_lobe_energy(Uint row) { return gather(bound.lobe_energy, row); }
 
 // ---- Path state ----
 

@@ -44,12 +44,18 @@ const uint MATERIAL_BASE_COLOR = 0u;  // base_color.rgb, alpha
 const uint MATERIAL_SURFACE = 1u;     // metallic, roughness, specular, transmission
 const uint MATERIAL_EMISSION = 2u;    // emission.rgb, emission_weight
 const uint MATERIAL_SPECULAR = 3u;    // specular_color.rgb, ior
-const uint MATERIAL_ALPHA = 4u;       // normal_scale, alpha_cutoff, flags as bits, unused
+const uint MATERIAL_ALPHA = 4u;       // normal_scale, alpha_cutoff, flags as bits, row in lobe_energy as bits
 const uint MATERIAL_SLOTS = 5u;       // slots as bits: base_color, metallic_roughness, normal, emission
 const uint MATERIAL_MORE_SLOTS = 6u;  // slots as bits: transmission, specular, specular_color, unused
 const uint MATERIAL_OPAQUE = 1u;
 const uint MATERIAL_DOUBLE_SIDED = 2u;
 const uint MATERIAL_THIN_WALLED = 4u;
+
+// lobe_energy: what one scattering returns of the light, by the root of the cosine (columns) and the roughness (lines).
+// A row is a cell: values at its corners, both of the lower roughness first. Slice 0 is of reflection alone; a material
+// that refracts has one for light from the front and one from behind.
+const uint ENERGY_CELLS = 23u;  // columns, and lines
+const uint ENERGY_ROWS = 529u;  // of a slice
 
 // texture_slots: 2 rows per slot.
 const uint SLOT_ROWS = 2u;

@@ -9,6 +9,7 @@
 #include <ostream>
 #include <vector>
 
+#include "render_system/lobe_energy.h"
 #include "target_core/kernels/random.h"
 
 using namespace target_core;
@@ -37,6 +38,15 @@ Bsdf bsdf_of(const Case& c, vec3 base_color = vec3(1.0f)) {
     material.ior = c.ior;
     material.flags = c.thin ? MATERIAL_THIN_WALLED : 0u;
     float sine = std::sqrt(1.0f - c.cosine * c.cosine);
+    static render_system::LobeEnergy energies;
+    render_system::CoreMaterial core;
+    core.transmission = c.transmission;
+    core.thin_walled = c.thin;
+    core.ior = c.ior;
+    core.specular = c.specular;
+    material.energy_row = energies.row_of(core);
+    material.ior = render_system::bending_ior(core);
+    bound.lobe_energy = reinterpret_cast<const vec4*>(energies.rows().data());
     return make_bsdf(material, vec3(sine * 0.6f, sine * 0.8f, c.cosine), vec3(0.0f, 0.0f, 1.0f), c.front);
 }
 

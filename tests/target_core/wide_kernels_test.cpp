@@ -167,6 +167,7 @@ protected:
         bindings_.light_table = tables_.light_table.data();
         bindings_.sky_texels = tables_.sky_texels.data();
         bindings_.sky_table = tables_.sky_table.data();
+        bindings_.lobe_energy = tables_.lobe_energy.data();
         opacities_.clear();
         for (const render_system::CoreMaterial& material : materials_) {
             opacities_.push_back(opacity_code(material, meshes_.has_colors()));

@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "render_system/lobe_energy.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace render_system {
+
+namespace {
+
+constexpr double kTwoPi = 6.283185307179586;
+
+// An interface as the kernels see it: Schlick's Fresnel term, and what lies behind.
+struct Interface {
+    double eta;  // index behind over the index before; 0: nothing passes, all is reflected
+    double f0;
+    double f90;
+
+    // Of the light that meets a microfacet at that cosine.
+    double reflected(double cosine) const {
+        if (eta == 0.0) return 1.0;
+        const double sine2 = (1.0 - cosine * cosine) / (eta * eta);
+        const double larger = eta < 1.0 ? std::sqrt(std::max(1.0 - sine2, 0.0)) : cosine;
+        const double m = 1.0 - std::clamp(larger, 0.0, 1.0);
+        return f0 + (f90 - f0) * (m * m) * (m * m) * m;
+    }
+};
+
+double smith(double cosine, double alpha) { return std::sqrt(alpha * alpha + (1.0 - alpha * alpha) * cosine * cosine); }
+
+// A Fibonacci lattice: a turn's cosine and sine, and a number from 0 to 1.
+const std::vector<glm::dvec3>& lattice() {
+    static const std::vector<glm::dvec3> points = [] {
+        constexpr uint32_t kPoints = 610, kGenerator = 377;
+        std::vector<glm::dvec3> made;
+        for (uint32_t i = 0; i < kPoints; ++i) {
+            const double turn = kTwoPi * static_cast<double>(i * kGenerator % kPoints) / kPoints;
+            made.emplace_back(std::cos(turn), std::sin(turn), (i + 0.5) / kPoints);
+        }
+        return made;
+    }();
+    return points;
+}
+
+// Visible normals by Dupuy and Benyoub 2023.
+glm::dvec3 visible_normal(const glm::dvec3& wo, double alpha, const glm::dvec3& point) {
+    const glm::dvec3 stretched = glm::normalize(glm::dvec3(wo.x * alpha, wo.y * alpha, wo.z));
+    const double z = (1.0 - point.z) * (1.0 + stretched.z) - stretched.z;
+    const double sine = std::sqrt(std::max(1.0 - z * z, 0.0));
+    const glm::dvec3 h = glm::dvec3(sine * point.x, sine * point.y, z) + stretched;
+    return glm::normalize(glm::dvec3(h.x * alpha, h.y * alpha, h.z));
+}
+
+// What leaves by one microfacet, of what meets it.
+double leaving(const Interface& face, const glm::dvec3& wo, const glm::dvec3& h, double alpha) {
+    const double cosine = glm::dot(wo, h), root_o = smith(wo.z, alpha);
+    const double reflected = face.reflected(cosine);
+    double sum = 0.0;
+    const double up = 2.0 * cosine * h.z - wo.z;
+    if (up > 0.0) sum += reflected * up * (wo.z + root_o) / (wo.z * smith(up, alpha) + up * root_o);
+    const double sine2 = face.eta > 0.0 ? (1.0 - cosine * cosine) / (face.eta * face.eta) : 1.0;
+    if (sine2 >= 1.0) return sum;
+    const double down = wo.z / face.eta - h.z * (cosine / face.eta - std::sqrt(1.0 - sine2));
+    if (down > 0.0) sum += (1.0 - reflected) * 2.0 * down / (down + smith(down, alpha));
+    return sum;
+}
+
+double energy(const Interface& face, double cosine, double roughness) {
+    const double alpha = roughness * roughness;
+    if (alpha == 0.0) return 1.0;
+    const double z = std::max(cosine, 1e-4);
+    const glm::dvec3 wo(std::sqrt(1.0 - z * z), 0.0, z);
+    double sum = 0.0;
+    for (const glm::dvec3& point : lattice()) sum += leaving(face, wo, visible_normal(wo, alpha, point), alpha);
+    // What sums and interpolation miss, up to a thousandth, shall take light away, not make it.
+    return std::min(1.001 * sum / static_cast<double>(lattice().size()), 1.0);
+}
+
+std::vector<glm::vec4> slice_of(const Interface& face) {
+    constexpr uint32_t kCorners = kEnergyCells + 1;
+    std::vector<float> values;
+    for (uint32_t i = 0; i < kCorners * kCorners; ++i) {
+        const double root = static_cast<double>(i % kCorners) / kEnergyCells;
+        values.push_back(
+            static_cast<float>(energy(face, root * root, static_cast<double>(i / kCorners) / kEnergyCells)));
+    }
+    std::vector<glm::vec4> rows;
+    for (uint32_t i = 0; i < kEnergyCells * kEnergyCells; ++i) {
+        const float* corner = &values[i / kEnergyCells * kCorners + i % kEnergyCells];
+        rows.emplace_back(corner[0], corner[1], corner[kCorners], corner[kCorners + 1]);
+    }
+    return rows;
+}
+
+const std::vector<glm::vec4>& reflection_slice() {
+    static const std::vector<glm::vec4> slice = slice_of({0.0, 1.0, 1.0});
+    return slice;
+}
+
+}  // namespace
+
+float bending_ior(const CoreMaterial& material) {
+    constexpr float kNearest = 1e-3f;
+    if (std::abs(material.ior - 1.0f) >= kNearest) return material.ior;
+    return material.ior < 1.0f ? 1.0f - kNearest : 1.0f + kNearest;
+}
+
+uint32_t LobeEnergy::row_of(const CoreMaterial& material) {
+    if (rows_.empty()) rows_ = reflection_slice();
+    if (material.thin_walled || !(material.transmission > 0.0f)) return 0;
+    const float ior = bending_ior(material);
+    const float root = (ior - 1.0f) / (ior + 1.0f);
+    const glm::vec3 tinted = glm::min(material.specular_color * (root * root), glm::vec3(1.0f)) * material.specular;
+    const float f0 = std::max(tinted.x, std::max(tinted.y, tinted.z));
+    const auto [place, is_new] = known_.try_emplace({ior, f0, material.specular}, static_cast<uint32_t>(rows_.size()));
+    if (!is_new) return place->second;
+    for (const double eta : {static_cast<double>(ior), 1.0 / static_cast<double>(ior)}) {
+        // Inside, past the critical angle, all is reflected.
+        const double f90 = eta < 1.0 ? 1.0 : static_cast<double>(material.specular);
+        const std::vector<glm::vec4> slice = slice_of({eta, static_cast<double>(f0), f90});
+        rows_.insert(rows_.end(), slice.begin(), slice.end());
+    }
+    return place->second;
+}
+
+}  // namespace render_system

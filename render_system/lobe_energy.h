@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <map>
+#include <tuple>
+#include <vector>
+
+#include "render_system/core_data.h"
+
+namespace render_system {
+
+/// Cells a side of a slice of LobeEnergy.
+constexpr uint32_t kEnergyCells = 23;
+
+/// The index of refraction by which a material bends light: at 1 itself the half vector of a refraction vanishes, so
+/// that the nearest index taken is 1.001 (or 0.999), which bends by less than a thousandth of a radian.
+float bending_ior(const CoreMaterial& material);
+
+/// What one scattering off rough microfacets (GGX, Smith) returns of a white surface's light; the rest is scattered
+/// again in truth, and a core gives it back by that factor: Turquin 2019, "Practical multiple scattering compensation
+/// for microfacet models", after Kulla and Conty 2017. Tabulated by the cosine of the view (its root) and the
+/// roughness, in slices of kEnergyCells^2 rows; a row is one cell, its corners' values in x and y at the lower
+/// roughness, in z and w at the higher. The numbers are the same for all cores.
+class LobeEnergy {
+public:
+    /// Row of the slices for that material: the first for light that comes from its front, the second from behind. 0
+    /// for what does not refract: the slice of reflection alone, which is all that lets itself be mirrored.
+    uint32_t row_of(const CoreMaterial& material);
+
+    const std::vector<glm::vec4>& rows() const { return rows_; }
+
+private:
+    std::vector<glm::vec4> rows_;
+    std::map<std::tuple<float, float, float>, uint32_t> known_;  // by index, F0 and F90
+};
+
+}  // namespace render_system
