@@ -42,7 +42,7 @@ void PathComparison::compare(size_t pixel, const PathStates& states, const PathV
     const auto part = [&](Fate fate, PathKernel kernel, uint32_t segment, uint32_t field) {
         parting.fate = fate;
         parting.kernel = kernel;
-        parting.segment = segment;
+        parting.segment = kernel == PathKernel::finalize ? 0 : segment;
         parting.field = static_cast<PathField>(field);
     };
     const auto step = log_.take_step(pixel);
@@ -58,10 +58,15 @@ void PathComparison::compare(size_t pixel, const PathStates& states, const PathV
     if (ends && sum_differs_[pixel]) return;
     const uint32_t field = first_different_field(states.kernel, step->view, view, tolerance_);
     if (field == PATH_FIELDS) return;
-    const bool tie = tolerance_.relative > 0.0f && static_cast<PathField>(field) == PathField::hit &&
-                     is_tie(scene_, states.origins.data() + size_t{view.path} * 4,
-                            states.directions.data() + size_t{view.path} * 4, hit_of(step->view), hit_of(view));
-    part(tie ? Fate::tied : Fate::parted, states.kernel, states.segment, field);
+    part(static_cast<PathField>(field) == PathField::hit && ties(states, view, step->view) ? Fate::tied : Fate::parted,
+         states.kernel, states.segment, field);
+}
+
+bool PathComparison::ties(const PathStates& states, const PathView& a, const PathView& b) const {
+    const size_t row = size_t{a.path} * 4;
+    if (tolerance_.relative == 0.0f || row + 4 > std::min(states.origins.size(), states.directions.size()))
+        return false;
+    return is_tie(scene_, &states.origins[row], &states.directions[row], hit_of(a), hit_of(b));
 }
 
 void PathComparison::finish_sample() {

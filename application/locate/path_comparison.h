@@ -66,6 +66,8 @@ private:
     };
 
     void compare(size_t pixel, const render_system::PathStates& states, const PathView& view);
+    /// Whether another hit of the path is a tie.
+    bool ties(const render_system::PathStates& states, const PathView& a, const PathView& b) const;
     void add(size_t pixel, const Parting& parting);
     uint32_t material_of(const PathHit& hit) const;
 

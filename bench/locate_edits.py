@@ -1,0 +1,304 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The porttool authors
+# SPDX-License-Identifier: Apache-2.0
+"""Plants one-token edits in the kernels of one core and asks `pathtracer compare --locate --exact` where they part.
+
+An answer is right if the kernel named is one that the edit can reach: by a call graph of names made here from the
+texts and, where several kernels reach it, by rendering once more with the edit in that kernel alone (source side).
+The source side needs no building (--kernels); for the target side the kernels of one lane are compiled, with the
+commands of the build folder, and linked in front of the library. Edits that do not compile, or never end, are left out.
+"""
+import argparse
+import json
+import pathlib
+import random
+import re
+import shlex
+import shutil
+import subprocess
+import sys
+import tempfile
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+KERNELS = ["generate", "extend", "shade", "connect", "finalize"]
+SWAPS = {"+": "-", "-": "+", "*": "/", "/": "*", "<": ">=", ">": "<=", "<=": "<", ">=": ">", "==": "!=", "!=": "==",
+         "&&": "||", "||": "&&", "min": "max", "max": "min", "true": "false", "false": "true", ".x": ".y", ".y": ".x",
+         ".z": ".x", ".w": ".x"}
+TOKEN = re.compile(r"\.[xyzw]\b|[A-Za-z_]\w*|\d[\w.]*(?:[eE][-+]\d+\w*)?|"
+                   r"<<|>>|<=|>=|==|!=|&&|\|\||[-+*/%]=|\+\+|--|->|::|.", re.S)
+
+# Errors whose kernel is known, and edits that change nothing: file, text that stands there once, text in its place.
+PLANTED = [
+    ("generate", "generate.glsl", "vec3(settings.screen_down) * y", "vec3(settings.screen_down) * x"),
+    ("generate", "generate.glsl", "path_ray.cone_spread = settings.eye.w", "path_ray.cone_spread = 0.0f"),
+    ("extend", "extend.glsl", "throughput.weight * sky.radiance", "sky.radiance"),
+    ("extend", "trace.glsl", "walk_tree(ray, NO_HIT, ray_key(path, RAY_EXTENSION), false)",
+     "walk_tree(ray, 2.0f, ray_key(path, RAY_EXTENSION), false)"),
+    ("shade", "shade.glsl", "pass.segment >= 3u", "pass.segment >= 2u"),
+    ("shade", "bsdf.glsl", "vec3 wi = select(reflects, reflected, passed);",
+     "vec3 wi = select(reflects, passed, reflected);"),
+    ("connect", "connect.glsl", "trace_any(ray, origin.w, path)", "trace_any(ray, 1.0e30f, path)"),
+    ("connect", "connect.glsl", "radiance, !blocked", "radiance, true"),
+    ("finalize", "finalize.glsl", "sum * pass.sample_scale", "radiance * pass.sample_scale"),
+    ("finalize", "finalize.glsl", "load_accumulator(pixel)) + radiance", "load_accumulator(pixel)) - radiance"),
+]
+NEUTRAL = [
+    (None, "math.glsl", "#ifndef MATH_GLSL", "// Nothing new.\n#ifndef MATH_GLSL"),
+    (None, "generate.glsl", "Float(column) + jitter.x", "jitter.x + Float(column)"),
+    (None, "generate.glsl", "throughput.pdf = 0.0f", "throughput.pdf = 0.00f"),
+    (None, "extend.glsl", "hit.instance == NONE", "NONE == hit.instance"),
+    (None, "shade.glsl", "pass.segment >= 3u", "pass.segment > 2u"),
+    (None, "shade.glsl", "0.25f * max(bsdf.pick_diffuse, bsdf.alpha)", "max(bsdf.alpha, bsdf.pick_diffuse) * 0.25f"),
+    (None, "bsdf.glsl", "return select(dot(bsdf.side, wi) < 0.0f, mirrored(wi, bsdf.side), wi);",
+     "return select(dot(bsdf.side, wi) >= 0.0f, wi, mirrored(wi, bsdf.side));"),
+    (None, "bsdf.glsl", "Mask reflects = lobe < bsdf.pick_reflection;", "Mask reflects = bsdf.pick_reflection > lobe;"),
+    (None, "connect.glsl", "load_path_radiance(rows_from(path)) + load_shadow_contribution(job)",
+     "load_shadow_contribution(job) + load_path_radiance(rows_from(path))"),
+    (None, "finalize.glsl", "vec3(load_accumulator(pixel)) + radiance", "radiance + vec3(load_accumulator(pixel))"),
+]
+
+
+def blanked(text):
+    """The text with comments and preprocessor lines as blanks."""
+    blank = lambda m: re.sub(r"[^\n]", " ", m.group(0))
+    text = re.sub(r"//[^\n]*|/\*.*?\*/", blank, text, flags=re.S)
+    return re.sub(r"^[ \t]*#(?:[^\n]*\\\n)*[^\n]*", blank, text, flags=re.M)
+
+
+def declarations(text):
+    """(name, start, end) of all that stands at the top level of a file."""
+    plain = re.sub(r"^(namespace [\w:]+ \{|\}.*// namespace.*)", lambda m: " " * len(m.group(0)), text, flags=re.M)
+    plain = blanked(plain)
+    found, depth, start = [], 0, 0
+    for at, c in enumerate(plain):
+        depth += (c == "{") - (c == "}")
+        if depth == 0 and c in ";}":
+            piece = plain[start:at + 1]
+            head = re.match(r"[^(={;]*", piece).group(0)
+            names = re.findall(r"[A-Za-z_]\w*", head)
+            if names:
+                found.append((names[-1], start, at + 1))
+            start = at + 1
+    return found
+
+
+def mutation(token, before):
+    if re.fullmatch(r"\d+\.\d*(e-?\d+)?f", token):
+        value = float(token[:-1])
+        return {0.0: "1.0f", 1.0: "0.5f"}.get(value, repr(value * 1.1) + "f")
+    if re.fullmatch(r"\d+u", token):
+        return f"{int(token[:-1]) + 1}u"
+    if token in "+-*/" and not re.match(r"[\w)\]]", before):
+        return None  # a sign
+    return SWAPS.get(token)
+
+
+class Side:
+    def __init__(self, name):
+        self.name = name
+        self.folder = ROOT / f"{name}_core" / "kernels"
+        self.entry = ".comp" if name == "source" else ".cpp"
+        self.files = {p.name: p.read_text() for p in sorted(self.folder.iterdir())}
+        self.uses = {}
+        for file, text in self.files.items():
+            for unit, start, end in declarations(text):
+                node = f"{file}:main" if unit == "main" else unit
+                self.uses.setdefault(node, set()).update(re.findall(r"[A-Za-z_]\w*", blanked(text)[start:end]))
+
+        if name == "target":  # Embree calls back what both kinds of rays need
+            called = blanked((ROOT / "target_core/device/embree_callbacks.cpp").read_text())
+            for trace in ("trace_closest", "trace_any"):
+                self.uses[trace].update(re.findall(r"[A-Za-z_]\w*", called))
+
+    def reach(self, kernel):
+        todo, seen = [kernel + ".comp:main" if self.name == "source" else kernel], set()
+        while todo:
+            node = todo.pop()
+            if node not in seen and node in self.uses:
+                seen.add(node)
+                todo.extend(self.uses[node])
+        return seen
+
+    def edits(self):
+        """All one-token edits: (file, unit, start, end, new text)."""
+        result = []
+        for file, text in self.files.items():
+            if file in ("schedule.comp", "kernels.h", "bindings.h"):
+                continue
+            plain = blanked(text)
+            for unit, start, end in declarations(text):
+                before = ""
+                angle = plain[start:end].lstrip().startswith("template")
+                for token in TOKEN.finditer(plain, start, end):
+                    new = mutation(token.group(0), before)
+                    if new and not (angle and token.group(0) in "<>"):
+                        result.append((file, unit, token.start(), token.end(), new))
+                    if not token.group(0).isspace():
+                        before = token.group(0)[-1]
+        return result
+
+
+def compare(program, scene, size, kernels=None):
+    command = [program, "compare", *scene, "--size", size, "--spp", "3", "--exact", "--locate", "--format", "json"]
+    command += ["--kernels", str(kernels)] if kernels else []
+    try:
+        done = subprocess.run(command, capture_output=True, text=True, timeout=60)
+    except subprocess.TimeoutExpired:
+        return None
+    return json.loads(done.stdout) if done.returncode == 0 else None
+
+
+class SourceTrial:
+    def __init__(self, side, program, folder):
+        self.side, self.program, self.folder = side, program, folder
+
+    def write(self, files):
+        shutil.rmtree(self.folder, ignore_errors=True)
+        self.folder.mkdir()
+        for name, text in files.items():
+            (self.folder / name).write_text(text)
+
+    def prepare(self, file, text):
+        self.write({**self.side.files, file: text})
+        return True  # the program compiles it
+
+    def prepare_alone(self, file, text, kernel):
+        """The edit in one kernel; the others include files of other names, which are as they were."""
+        as_was = {"was_" + name: body.replace('#include "', '#include "was_') for name, body in self.side.files.items()}
+        files = {**self.side.files, **as_was, file: text}
+        for other in KERNELS + ["schedule"]:
+            if other != kernel:
+                files[other + ".comp"] = as_was["was_" + other + ".comp"]
+        self.write(files)
+
+    def run(self, scene, size):
+        return compare(self.program, scene, size, self.folder)
+
+
+class TargetTrial:
+    def __init__(self, side, program, folder):
+        self.side, self.folder = side, folder
+        self.build = pathlib.Path(program).resolve().parent.parent
+        commands = json.loads((self.build / "compile_commands.json").read_text())
+        self.compile = {pathlib.Path(c["file"]).name: c for c in commands if "/target_core/" in c["file"]}
+        link = subprocess.run(["ninja", "-C", str(self.build), "-t", "commands", "-s", "bin/pathtracer"],
+                              capture_output=True, text=True, check=True).stdout.strip().splitlines()[-1]
+        self.link = re.search(r"&& (.*?) && :", link).group(1)
+        self.tree = folder / "tree"
+        self.tree.mkdir(parents=True)
+        for part in ("render_system", "source_core"):
+            (self.tree / part).symlink_to(ROOT / part)
+        shutil.copytree(ROOT / "target_core", self.tree / "target_core")
+        self.program = str(folder / "pathtracer")
+
+    def closure(self, file):
+        text = (self.tree / file).read_text() if (self.tree / file).is_file() else ""
+        return {file}.union(*map(self.closure, re.findall(r'#include "(target_core/[^"]+)"', text)))
+
+    def prepare(self, file, text):
+        for name, body in self.side.files.items():
+            (self.tree / "target_core/kernels" / name).write_text(text if name == file else body)
+        units = [f"target_core/kernels/{k}.cpp" for k in KERNELS] + ["target_core/device/embree_callbacks.cpp"]
+        objects = []
+        for unit in units:
+            if f"target_core/kernels/{file}" not in self.closure(unit):
+                continue
+            words = shlex.split(self.compile[pathlib.Path(unit).name]["command"])
+            words = [w for w in words if w not in ("-O3", "-O2") and not w.endswith("ccache") and w != f"-I{ROOT}"]
+            words = words[words.index(next(w for w in words if w.endswith("c++"))):]
+            output = str(self.folder / (pathlib.Path(unit).stem + ".o"))
+            words[words.index("-o") + 1] = output
+            words[-1] = str(self.tree / unit)
+            done = subprocess.run(words[:1] + ["-O1", f"-I{self.tree}"] + words[1:], capture_output=True, text=True,
+                                  cwd=self.build)
+            if done.returncode:
+                return False
+            objects.append(output)
+        link = re.sub(r"-o \S+", f"{' '.join(objects)} -o {self.program}", self.link, count=1)
+        return subprocess.run(link, shell=True, cwd=self.build, capture_output=True).returncode == 0
+
+    def run(self, scene, size):
+        return compare(self.program, scene, size)
+
+
+def judge(trial, side, scenes, edit, text):
+    """One of: left out, no difference (with or without an alarm), right, wrong; and what was said."""
+    file, unit, *_ = edit
+    if not trial.prepare(file, text):
+        return "does not compile", None
+    for name, (scene, size) in scenes.items():
+        result = trial.run(scene, size)
+        if result is None:
+            return "does not run", None
+        changed = any(r["identical_pixels"] < 1.0 for r in result["results"])
+        first = result["locate"]["first"]
+        if not changed and first is None:
+            continue
+        if first is None:
+            return "wrong", "nothing"
+        said = f"{name}: segment {first['segment']}, {first['kernel']}, {first['field']}"
+        node = f"{file}:main" if unit == "main" else unit
+        reaching = [k for k in KERNELS if node in side.reach(k)]
+        right = first["kernel"] in reaching
+        if right and len(reaching) > 1 and isinstance(trial, SourceTrial):
+            trial.prepare_alone(file, text, first["kernel"])
+            alone = trial.run(scene, size)
+            right = alone is not None and alone["locate"]["first"] is not None
+            trial.prepare(file, text)
+        if not changed:
+            return "state alone, " + ("right" if right else "wrong"), said
+        return ("right" if right else "wrong"), said
+    return "no difference", None
+
+
+def known_edits(trial, side, scenes):
+    """Tries PLANTED and NEUTRAL; the number of wrong answers."""
+    wrong = 0
+    for kernel, file, old, new in PLANTED + NEUTRAL:
+        text = side.files[file]
+        assert text.count(old) == 1, (file, old)
+        trial.prepare(file, text.replace(old, new))
+        firsts = [trial.run(scene, size)["locate"]["first"] for scene, size in scenes.values()]
+        said = [first and first["kernel"] for first in firsts]
+        right = set(said) - {None} == ({kernel} if kernel else set())
+        wrong += not right
+        print(f"{'right' if right else 'wrong'}: {file}: {old} -> {new}; {kernel}: {said}", flush=True)
+    return wrong
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--side", choices=["source", "target"], default="source")
+    parser.add_argument("--edits", type=int, default=120, help="how many edits that change a picture")
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--program", default=str(ROOT / "build/release/bin/pathtracer"))
+    parser.add_argument("--parity", default=str(ROOT / "build/release/tests/application/parity"),
+                        help="folder of the parity scene, rendered where the built-in scene shows no difference")
+    parser.add_argument("--known", action="store_true", help="ten errors and ten edits that change nothing instead")
+    arguments = parser.parse_args()
+    scenes = {"still_life": (["still_life"], "64x36"),
+              "parity": ([arguments.parity + "/parity.gltf", "--sky", arguments.parity + "/sky.hdr"], "96x54")}
+    side = Side(arguments.side)
+    edits = side.edits()
+    random.Random(arguments.seed).shuffle(edits)
+    counts = {}
+    with tempfile.TemporaryDirectory() as folder:
+        make = SourceTrial if arguments.side == "source" else TargetTrial
+        trial = make(side, arguments.program, pathlib.Path(folder) / "edited")
+        if arguments.known:
+            return min(known_edits(trial, side, scenes), 1)
+        for edit in edits:
+            file, unit, start, end, new = edit
+            text = side.files[file]
+            verdict, said = judge(trial, side, scenes, edit, text[:start] + new + text[end:])
+            counts[verdict] = counts.get(verdict, 0) + 1
+            line = text.count("\n", 0, start) + 1
+            print(f"{verdict}: {file}:{line} {unit}: {text[start:end]} -> {new}; {said or '-'}", flush=True)
+            if counts.get("right", 0) + counts.get("wrong", 0) >= arguments.edits:
+                break
+    print(counts)
+    return 0 if counts.get("wrong", 0) <= 0.05 * arguments.edits else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
