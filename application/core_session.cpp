@@ -35,7 +35,8 @@ render_system::CoreSettings CoreSession::settings() const {
     return {.seed = options_.seed,
             .max_path_length = options_.max_path_length,
             .russian_roulette = options_.russian_roulette,
-            .next_event_estimation = options_.next_event_estimation};
+            .next_event_estimation = options_.next_event_estimation,
+            .indirect_limit = options_.indirect_limit};
 }
 
 Result<CoreChoice> CoreSession::start(const std::vector<std::string>& ids, Picture& picture) {

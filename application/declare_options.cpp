@@ -105,6 +105,10 @@ void declare_paths(CLI::App& app, Options& options) {
         "--no-roulette", [&options] { options.russian_roulette = false; }, "No Russian roulette");
     app.add_flag_callback(
         "--no-nee", [&options] { options.next_event_estimation = false; }, "No next event estimation");
+    add_parsed(
+        app, "--clamp", parse_limit, [&options](float limit) { options.indirect_limit = limit; },
+        "Radiance that one path of indirect light may bring at most: fewer fireflies, some light less (none)")
+        ->type_name("X");
     app.add_flag("--exact", options.exact, "Checking mode: both cores give the same bits");
 }
 

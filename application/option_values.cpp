@@ -139,6 +139,12 @@ Result<float> parse_fov(std::string_view text) {
     return Status::invalid(fmt::format("'{}' is no vertical field of view; give degrees from 0.001 to 179", text));
 }
 
+Result<float> parse_limit(std::string_view text) {
+    const auto limit = number_from<float>(text);
+    if (limit && *limit > 0.0f && std::isfinite(*limit)) return *limit;
+    return Status::invalid(fmt::format("'{}' is no limit; give a radiance above 0, e.g. 10", text));
+}
+
 Result<float> parse_exposure(std::string_view text) {
     const auto stops = number_from<float>(text);
     if (stops && *stops >= -100.0f && *stops <= 100.0f) return *stops;

@@ -53,6 +53,7 @@ struct Options {
     uint32_t max_path_length = 8;
     bool russian_roulette = true;
     bool next_event_estimation = true;
+    float indirect_limit = 0.0f;  ///< `--clamp`; 0: none
     bool exact = false;
     bool allow_outside = false;  ///< the scene may name files outside its folder
     CameraChoice camera;

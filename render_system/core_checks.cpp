@@ -105,6 +105,8 @@ Status validate_target(const CoreTarget& target) {
 
 Status validate_settings(const CoreSettings& settings) {
     if (settings.max_path_length == 0) return Status::invalid("settings: max_path_length is 0; it must be at least 1");
+    if (!(settings.indirect_limit >= 0.0f && std::isfinite(settings.indirect_limit)))
+        return Status::invalid("settings: indirect_limit is negative or not finite");
     return Status::success();
 }
 

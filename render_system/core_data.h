@@ -169,7 +169,8 @@ struct CoreSettings {
     uint32_t max_path_length = 8;  ///< path segments from the eye, at least 1
     bool russian_roulette = true;  ///< from segment 4, survival clamp(max component of throughput, 0.05, 1)
     bool next_event_estimation = true;
-    uint32_t first_sample = 0;  ///< index of the first sample after a Restart: ranges can be rendered apart
+    float indirect_limit = 0.0f;  ///< radiance that one path of 3 segments or more may bring at most; 0: no limit
+    uint32_t first_sample = 0;    ///< index of the first sample after a Restart: ranges can be rendered apart
 };
 
 /// Counters and times since the last Restart. Parts of the time are thread time divided by threads.

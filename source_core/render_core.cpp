@@ -290,6 +290,7 @@ Settings SourceCore::frame_settings(const ViewPyramid& view) const {
     frame.max_path_length = settings().max_path_length;
     frame.russian_roulette = settings().russian_roulette ? 1u : 0u;
     frame.next_event_estimation = settings().next_event_estimation ? 1u : 0u;
+    frame.indirect_limit = settings().indirect_limit;
     scene_.describe(frame);
     return frame;
 }

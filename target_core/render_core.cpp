@@ -182,6 +182,7 @@ Settings TargetCore::frame_settings(const ViewPyramid& view) const {
     frame.max_path_length = settings().max_path_length;
     frame.russian_roulette = settings().russian_roulette ? 1u : 0u;
     frame.next_event_estimation = settings().next_event_estimation ? 1u : 0u;
+    frame.indirect_limit = settings().indirect_limit;
     frame.light_count = static_cast<uint>(tables_.light_table.size());
     frame.features = features_;
     frame.sky_width = sky_width_;

@@ -55,9 +55,19 @@ void store_path(Uint path, PathRay path_ray, Throughput throughput, Mask where) 
                     vec4(path_ray.ray.direction, path_ray.cone_spread), vec4(throughput.weight, throughput.pdf), where);
 }
 
+// What a path of so many segments brings from a light to the eye, held to the limit where it is indirect light.
+vec3 limited(vec3 contribution, uint segments) {
+    vec3 result = contribution;
+    if (settings.indirect_limit > 0.0f && segments >= 3u) {
+        Float largest = max(max_component(contribution), SMALLEST);
+        result = contribution * min(settings.indirect_limit / largest, 1.0f);
+    }
+    return result;
+}
+
 void add_radiance(Uint path, vec3 radiance, Mask where) {
     vec4 sum = load_path_radiance(rows_from(path));
-    store_path_radiance(path, vec4(vec3(sum) + radiance, 0.0f), where);
+    store_path_radiance(path, vec4(vec3(sum) + limited(radiance, pass.segment), 0.0f), where);
 }
 
 // Balance of two strategies by the power heuristic, Veach 1997; `pdf` > 0 is the one in use.

@@ -137,6 +137,10 @@ struct Settings {
     uint sky_height;
     float sky_light_probability;  // of the sky's entry in light_table
     float light_weight_scale;     // 1 / total weight: density per area = emission_weight * light_weight_scale
+    float indirect_limit;         // of what one path of 3 segments or more brings; 0: none
+    uint unused0;
+    uint unused1;
+    uint unused2;
 };
 
 // What changes from dispatch to dispatch.

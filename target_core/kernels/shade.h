@@ -62,7 +62,7 @@ inline void estimate_next_event(Uint path, Scatterer scatterer, vec3 weight, Uin
     Mask counts = light.pdf > 0.0f && max_component(contribution) > 0.0f;
     vec3 origin = leave_point(scatterer, light.direction);
     push_shadow_ray(vec4(origin, light.distance * 0.9999f), vec4(light.direction, uintBitsToFloat(path)),
-                    vec4(contribution, 0.0f), counts);
+                    vec4(limited(contribution, pass.segment + 1u), 0.0f), counts);
 }
 
 // Russian roulette from segment 4 on: the share of paths that live equals the largest component of the weight.

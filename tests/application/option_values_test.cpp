@@ -85,7 +85,8 @@ TEST(OptionValues, AViewIsTwoDifferentPoints) {
     ASSERT_TRUE(view.ok());
     EXPECT_THAT(view->eye, ElementsAre(1.0f, 2.5f, -3.0f));
     EXPECT_THAT(view->target, ElementsAre(0.0f, 0.0f, 1e-3f));
-    for (const char* text : {"", "1,2,3", "1,2,3,4,5", "1,2,3,4,5,6,7", "1,2,3,1,2,3", "1,2,3,4,5,nan", "1,2,3,4,5,x"}) {
+    for (const char* text :
+         {"", "1,2,3", "1,2,3,4,5", "1,2,3,4,5,6,7", "1,2,3,1,2,3", "1,2,3,4,5,nan", "1,2,3,4,5,x"}) {
         EXPECT_THAT(parse_look_at(text).status.message, HasSubstr("e.g. 0,1,5,0,1,0")) << text;
     }
 }
@@ -94,6 +95,8 @@ TEST(OptionValues, AnglesAndStopsKeepToTheirRange) {
     EXPECT_NEAR(*parse_fov("90"), 1.5707963f, 1e-6f);
     EXPECT_EQ(*parse_exposure("-1.5"), -1.5f);
     for (const char* text : {"0", "-1", "180", "nan", "inf", "", "40deg"}) EXPECT_FALSE(parse_fov(text).ok()) << text;
+    EXPECT_EQ(*parse_limit("0.5"), 0.5f);
+    for (const char* text : {"0", "-1", "nan", "inf", "", "x"}) EXPECT_FALSE(parse_limit(text).ok()) << text;
     for (const char* text : {"101", "nan", "-inf", "", "+1"}) EXPECT_FALSE(parse_exposure(text).ok()) << text;
 }
 

@@ -141,6 +141,35 @@ TEST_P(Lighting, OneSegmentShowsEmittersAndSkyOnly) {
         static_cast<float>(measure(GetParam(), scene, square_view({0, 0, 3}, {0, 0, 9}, 0.1f), exposure).mean), 0.25f);
 }
 
+// Inside a glowing white ball a path of k segments brings albedo^(k - 1) times its radiance, whichever way it takes.
+TEST_P(Lighting, AClampHoldsWhatEachIndirectPathBrings) {
+    HostScene scene;
+    HostMaterial material = lambert(0.8f);
+    material.core.emission = glm::vec3(1.0f);
+    material.core.double_sided = true;
+    place(scene, sphere_mesh(1.0f, 24, scene.add_material(material)));
+    // On the source core each measurement is a second; what it adds is the same text.
+    const bool is_source = GetParam() == std::string("source");
+    for (const bool next_event_estimation : is_source ? std::vector{false} : std::vector{false, true}) {
+        Exposure exposure;
+        exposure.max_path_length = 6;
+        exposure.samples = 1;
+        exposure.next_event_estimation = next_event_estimation;
+        const ViewPyramid view = square_view({0, 0, 0}, {0, 0, 1}, 1.0f);
+        const double all = measure(GetParam(), scene, view, exposure).mean;
+        exposure.indirect_limit = 1e6f;
+        EXPECT_EQ(measure(GetParam(), scene, view, exposure).mean, all) << "out of reach";
+        exposure.indirect_limit = 0.5f;
+        const Reading clamped = measure(GetParam(), scene, view, exposure);
+        if (next_event_estimation) {
+            EXPECT_LT(clamped.mean, all) << "two ways to each light are held apart";
+            continue;
+        }
+        EXPECT_NEAR(all, 1.0 + 0.8 + 0.64 + 0.512 + 0.4096 + 0.32768, 1e-4);
+        EXPECT_NEAR(clamped.mean, 1.0 + 0.8 + 0.5 + 0.5 + 0.4096 + 0.32768, 1e-4);
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(Cores, Lighting, testing::Values("target", "source"),
                          [](const auto& core) { return std::string(core.param); });
 

@@ -70,6 +70,7 @@ Reading measure(const std::string& core, const HostScene& scene, const ViewPyram
         settings.max_path_length = exposure.max_path_length;
         settings.russian_roulette = false;
         settings.next_event_estimation = exposure.next_event_estimation;
+        settings.indirect_limit = exposure.indirect_limit;
         EXPECT_TRUE(system.core().Setting(settings).ok());
         Status status = system.render(view, Convergence::Restart, exposure.samples);
         EXPECT_TRUE(status.ok()) << status.message;

@@ -25,6 +25,7 @@ struct Exposure {
     uint32_t samples = 16;
     uint32_t max_path_length = 8;
     bool next_event_estimation = true;
+    float indirect_limit = 0.0f;
 };
 
 /// Whether a core of that name ("source", "target") is built in and can open its device.
