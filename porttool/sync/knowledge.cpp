@@ -3,6 +3,7 @@
 #include "porttool/sync/knowledge.h"
 
 #include "porttool/compare/paired_names.h"
+#include "porttool/match/words.h"
 #include "porttool/scan/scan.h"
 #include "porttool/sync/local_manner.h"
 #include "porttool/sync/unit_words.h"
@@ -11,7 +12,8 @@ namespace porttool {
 namespace {
 
 constexpr size_t kMostWordsOfFile = 40000;  ///< that are learned from beside a pair
-constexpr size_t kMostHeads = 2000;         ///< that are learned from all over a project
+constexpr size_t kMostWordsOfFolder = 100000;
+constexpr size_t kMostHeads = 2000;  ///< that are learned from all over a project
 
 /// How many arguments a function takes.
 size_t arguments_of(const NormalText& text) {
@@ -83,26 +85,54 @@ const UnitNames& Knowledge::unit_names(Side from) {
     return *out;
 }
 
-const Examples& Knowledge::beside(const std::string& source_file, const std::string& target_file, Side from) {
-    const auto [found, is_new] = beside_[from].try_emplace({source_file, target_file});
-    if (!is_new) return found->second;
+void Knowledge::learn(Side from, size_t most_words, const std::function<bool(const JudgedPair&)>& takes,
+                      Examples& out) const {
     const Side to = other_side(from);
     WordKeys keys(dialect_);
     size_t words = 0;
     for (const JudgedPair& other : checked_.judgement.pairs) {
-        if (other.changed || other.unit.source == nullptr || other.unit.target == nullptr) continue;
-        if (other.unit.source->file != source_file && other.unit.target->file != target_file) continue;
+        if (other.changed || other.unit.source == nullptr || other.unit.target == nullptr || !takes(other)) continue;
         words += other.unit.source->text.size() + other.unit.target->text.size();
-        if (words > kMostWordsOfFile) break;
+        if (words > most_words) break;
         const bool record = other.unit.source->kind == UnitKind::Struct;
         const UnitWords there = words_of_record(other.unit[to]->text);
         CalledForms forms;
         forms.add(Words(there.words.begin(), there.words.end()));
         const UnitWords here = in_forms_of(forms, words_of_record(other.unit[from]->text));
         const AlignedText a = keys.text(here.words, record), b = keys.text(there.words, record);
-        found->second.learn(a, b, align(a, b, {}));
+        out.learn(a, b, align(a, b, {}));
     }
+}
+
+const Examples& Knowledge::beside(const std::string& source_file, const std::string& target_file, Side from) {
+    const auto [found, is_new] = beside_[from].try_emplace({source_file, target_file});
+    if (is_new)
+        learn(
+            from, kMostWordsOfFile,
+            [&](const JudgedPair& pair) {
+                return pair.unit.source->file == source_file || pair.unit.target->file == target_file;
+            },
+            found->second);
     return found->second;
+}
+
+const Examples& Knowledge::in_folders(const std::string& source_file, const std::string& target_file, Side from) {
+    const std::string source(folder_of(source_file)), target(folder_of(target_file));
+    const auto [found, is_new] = in_folders_[from].try_emplace({source, target});
+    if (is_new)
+        learn(
+            from, kMostWordsOfFolder,
+            [&](const JudgedPair& pair) {
+                return folder_of(pair.unit.source->file) == source && folder_of(pair.unit.target->file) == target;
+            },
+            found->second);
+    return found->second;
+}
+
+LearnedBeside Knowledge::learned_beside(Side from, const std::string& here, const std::string& there) {
+    const BySide<std::string> file{from == Side::Source ? here : there, from == Side::Source ? there : here};
+    return {[this, file, from]() -> const Examples& { return beside(file.source, file.target, from); },
+            [this, file, from]() -> const Examples& { return in_folders(file.source, file.target, from); }};
 }
 
 void Knowledge::learn_heads(Side from, const ScannedFile* file, const ScannedFile* other, HeadManners& out) const {

@@ -4,6 +4,7 @@
 // for.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -44,6 +45,10 @@ public:
     /// What other pairs of the same two files say alike. Those that changed do not count, so it is the same for each
     /// pair of two files.
     const Examples& beside(const std::string& source_file, const std::string& target_file, Side from);
+    /// The same of pairs between the same two folders, within bounds.
+    const Examples& in_folders(const std::string& source_file, const std::string& target_file, Side from);
+    /// Both, for a unit of `here` and its port in `there`.
+    LearnedBeside learned_beside(Side from, const std::string& here, const std::string& there);
     /// How heads are written: by the pairs of two files of the sides `from` and the other, by all pairs.
     const HeadManners& heads_beside(Side from, const ScannedFile& file, const ScannedFile& other);
     const HeadManners& heads(Side from);
@@ -67,7 +72,12 @@ private:
     BySide<std::set<std::string>> fresh_names_;
     std::map<std::pair<const ScannedFile*, const ScannedFile*>, std::unique_ptr<KnownWords>> known_;
     std::map<std::pair<const ScannedFile*, const ScannedFile*>, bool> makes_constants_;
-    BySide<std::map<std::pair<std::string, std::string>, Examples>> beside_;  ///< by the files of source and target
+    using ExamplesOf = BySide<std::map<std::pair<std::string, std::string>, Examples>>;
+    /// Learns from the pairs that `takes` takes, up to so many words.
+    void learn(Side from, size_t most_words, const std::function<bool(const JudgedPair&)>& takes, Examples& out) const;
+
+    ExamplesOf beside_;      ///< by the files of source and target
+    ExamplesOf in_folders_;  ///< by their folders
     std::map<std::pair<const ScannedFile*, const ScannedFile*>, HeadManners> heads_beside_;
     BySide<std::optional<HeadManners>> heads_;
     BySide<std::map<std::string_view, const ScannedFile*>> by_path_;

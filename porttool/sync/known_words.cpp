@@ -172,7 +172,12 @@ bool KnownWords::is_of_source(std::string_view word) const {
 }
 
 bool KnownWords::is_from_elsewhere(std::string_view word) const {
-    return !is_of_source(word) && !to_.all.declared().contains(word) && runtime_of(word).empty() &&
+    constexpr std::array<std::string_view, 8> kOfOneRuntime = {"cuda",   "hip",  "sycl", "gpu",
+                                                               "opencl", "dpct", "nv",   "stream"};
+    const std::string name = folded(word);
+    for (const std::string_view part : kOfOneRuntime)
+        if (name.find(part) != std::string::npos) return false;
+    return !is_of_source(word) && !is_declared_there(word) && runtime_of(word).empty() &&
            dialect_.meaning(word) == nullptr && !is_standard(word);
 }
 

@@ -97,6 +97,15 @@ public:
     std::string in_other_manner(std::string_view word) const;
     /// True for what a file of the source's side declares.
     bool is_of_source(std::string_view word) const;
+    /// True where both files may call what a library has: host code of one family of languages.
+    bool are_both_cpp() const {
+        const auto is_cpp = [](Language language) {
+            return language == Language::Cpp || language == Language::C || language == Language::Cuda ||
+                   language == Language::Hip || language == Language::Sycl;
+        };
+        return is_cpp(from_.edited.language) && is_cpp(to_.edited.language);
+    }
+    bool is_declared_there(std::string_view word) const { return to_.all.declared().contains(word); }
     /// True for a name that no file of either side declares, and that is none of a language's run time.
     bool is_from_elsewhere(std::string_view word) const;
     /// True if any file of the side has it, or both sides have it from elsewhere.

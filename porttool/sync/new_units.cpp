@@ -109,14 +109,10 @@ UnitState without_head(UnitState state) {
 }
 
 /// True for a unit whose port a device runs, so that what it calls is marked.
-bool runs_on_device(const ScannedFile* file, const UnitState& port) {
+bool is_on_device(const ScannedFile* file, const UnitState& port) {
     if (file == nullptr || (file->language != Language::Cuda && file->language != Language::Hip)) return false;
-    if (port.kind == UnitKind::Kernel) return true;
     const Unit* unit = unit_named(*file, port.id);
-    if (unit == nullptr) return false;
-    for (uint32_t i = unit->tokens.first; i < unit->name_token; ++i)
-        if (file->lexed.view(i) == "__device__" || file->lexed.view(i) == "__global__") return true;
-    return false;
+    return unit != nullptr && runs_on_device(*file, *unit);
 }
 
 }  // namespace
@@ -331,14 +327,11 @@ std::string NewUnits::write(const Wanted& wanted) {
         if (name != wanted.name) lone.insert(name);
     brought.merge(names_within(wanted.file, wanted.unit));
     const Examples none;
-    const std::function<const Examples&()> beside = [&]() -> const Examples& {
-        const bool forward = from == Side::Source;
-        return knowledge_.beside(forward ? wanted.file.path : wanted.other.path,
-                                 forward ? wanted.other.path : wanted.file.path, from);
-    };
-    const EditTranslator translator(none, beside, names, lone, known, brought);
+    const LearnedBeside beside = knowledge_.learned_beside(from, wanted.file.path, wanted.other.path);
+    const EditTranslator translator(none, beside, names, lone, known, brought,
+                                    !runs_on_device(wanted.file, wanted.unit));
     const bool on_device = wanted.unit.kind == UnitKind::Function &&
-                           runs_on_device(knowledge_.file_of(to, wanted.user.unit[to]->file), *wanted.user.unit[to]);
+                           is_on_device(knowledge_.file_of(to, wanted.user.unit[to]->file), *wanted.user.unit[to]);
     const NewUnit made = port_new_unit(
         {wanted.file, wanted.unit, port_name, on_device},
         {knowledge_.heads_beside(from, wanted.file, wanted.other), knowledge_.heads(from), translator, draft.scanned});

@@ -249,16 +249,15 @@ private:
             if (examples.is_said_variously(name)) lone.insert(name);
         const KnownWords& known = knowledge_.known_words(from, *file, *other);
         const UnitNames& names = knowledge_.unit_names(from);
-        const std::function<const Examples&()> of_file = [&]() -> const Examples& {
-            return knowledge_.beside(pair.unit.source->file, pair.unit.target->file, from);
-        };
+        const LearnedBeside beside = knowledge_.learned_beside(from, file->path, other->path);
+        const bool on_host = unit->kind != UnitKind::Kernel && !runs_on_device(*file, *unit);
         const auto written = [&](size_t i) {
             return is.words[i] == "@" || is.is_added(i) ? is.words[i] : std::string(file->lexed.view(is.tokens[i]));
         };
         const EditTexts texts{old_text, new_text, port_text, edit, across};
         Transplant found;
         // What uses a new name can only be carried with what declares it.
-        do found = transplant(texts, EditTranslator(examples, of_file, names, lone, known, brought), written);
+        do found = transplant(texts, EditTranslator(examples, beside, names, lone, known, brought, on_host), written);
         while (lose_undeclared(is.words, found, from_elsewhere, brought, lone));
         for (const LeftOver& left : found.left) {
             const uint32_t here = line_at(*file, is, left.source_word),

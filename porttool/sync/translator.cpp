@@ -81,7 +81,7 @@ CarriedWords EditTranslator::carry(const std::vector<std::string>& words, size_t
         if (units_.other_parameters.contains(words[i]) && i + 1 < words.size() && words[i + 1] == "(")
             out.unknown.push_back(words[i] + "()");
         if (known_.constructs_vectors() && is_vector_literal(words, i, end)) {
-            const std::string type = word(words[i + 1], false);
+            const std::string type = word(words[i + 1], Use::Type);
             if (type.empty()) out.unknown.push_back(words[i + 1]);
             out.words.push_back({type.empty() ? words[i + 1] : type, i + 1});
             i += 3;
@@ -97,7 +97,7 @@ CarriedWords EditTranslator::carry(const std::vector<std::string>& words, size_t
         while (stop < std::min(end, i + Examples::kLongest) && !lone_.contains(words[stop])) ++stop;
         Examples::Phrase phrase = pair_.longest(words, i, stop);
         if (phrase.length == 0 && is_word_token(words[i]) && !brought_.contains(words[i]))
-            phrase = file_().longest(words, i, stop);
+            phrase = beside_.file().longest(words, i, stop);
         if (phrase.length > 0) {
             drop_prefix_there(out.words, phrase.target);
             add_phrase(phrase, words, i, written, out);
@@ -111,12 +111,14 @@ CarriedWords EditTranslator::carry(const std::vector<std::string>& words, size_t
         }
         const bool member = i > 0 && (words[i - 1] == "." || words[i - 1] == "->");
         const bool method = member && i + 1 < words.size() && words[i + 1] == "(" && !known_.has_methods();
-        const bool called = i + 1 < words.size() && words[i + 1] == "(";
+        const bool called = i + 1 < words.size() && words[i + 1] == "(", scoped = i > 0 && words[i - 1] == "::";
+        const bool declares = i + 1 < words.size() && (is_word_token(words[i + 1]) || words[i + 1] == "*");
+        const Use use = called && !scoped ? Use::Call : declares ? Use::Type : Use::Value;
         const bool is_std = i > 1 && words[i - 1] == "::" && words[i - 2] == "std" && known_.has_std();
         const std::string said = method   ? std::string()
                                  : is_std ? words[i]
                                  : member ? this->member(words[i])
-                                          : word(words[i], called);
+                                          : word(words[i], use);
         if (said.empty()) out.unknown.push_back(words[i]);
         out.words.push_back({said.empty() ? words[i] : said, i});
         ++i;
@@ -148,7 +150,7 @@ bool EditTranslator::are_qualifiers(const std::vector<std::string>& words, size_
 /// As the pair writes numbers, else as its files do; a float of a shading language is one of C's.
 std::string EditTranslator::number(const std::string& written) const {
     if (pair_.knows_mark_of(written)) return pair_.number(written);
-    if (file_().knows_mark_of(written)) return file_().number(written);
+    if (beside_.file().knows_mark_of(written)) return beside_.file().number(written);
     return known_.needs_float_marks() ? Examples::marked(written) : written;
 }
 
@@ -156,19 +158,29 @@ std::string EditTranslator::number(const std::string& written) const {
 std::string EditTranslator::member(std::string_view text) const {
     if (is_swizzle(text) && !known_.in_file(text)) return {};
     if (!known_.is_of_source(text)) return std::string(text);
-    return word(text, false);
+    return word(text, Use::Value);
 }
 
-std::string EditTranslator::word(std::string_view text, bool called) const {
+/// A type or a function, which mean the same in all files; a variable may be another one in each.
+std::string EditTranslator::said_in_folder(std::string_view text, Use use) const {
+    if (use == Use::Value) return {};
+    const Examples::Phrase phrase = beside_.folder().longest({std::string(text)}, 0, 1);
+    return phrase.length == 1 && phrase.target.size() == 1 && is_word_token(phrase.target[0]) ? phrase.target[0] : "";
+}
+
+std::string EditTranslator::word(std::string_view text, Use use) const {
     if (const auto unit = units_.names.find(text); unit != units_.names.end() && unit->second.size() == 1)
         return *unit->second.begin();
     if (brought_.contains(text) || word_is(text, kKeyword | kTypePart | kConstant) || known_.in_file(text))
         return std::string(text);
-    if (std::string said = known_.in_dialect(text, called); !said.empty()) return said;
+    if (std::string said = known_.in_dialect(text, use == Use::Call); !said.empty()) return said;
     if (std::string said = pair_.renamed(text); !said.empty()) return said;
-    if (std::string said = file_().renamed(text); !said.empty()) return said;
+    if (std::string said = beside_.file().renamed(text); !said.empty()) return said;
+    if (std::string said = said_in_folder(text, use); !said.empty()) return said;
     if (known_.anywhere(text)) return std::string(text);
-    return known_.in_other_manner(text);
+    if (std::string said = known_.in_other_manner(text); !said.empty()) return said;
+    const bool both_have = use == Use::Call && on_host_ && known_.are_both_cpp() && is_from_elsewhere(text, text);
+    return both_have ? std::string(text) : std::string();
 }
 
 }  // namespace porttool

@@ -27,6 +27,11 @@ struct CarriedWords {
     std::vector<std::string> unknown;
 };
 
+/// What other pairs say, learned when it is asked for: those of the same files, those of the same two folders.
+struct LearnedBeside {
+    std::function<const Examples&()> file, folder;
+};
+
 /// What the target calls the units of the source, by the last part of their names.
 struct UnitNames {
     std::map<std::string, std::set<std::string>, std::less<>> names;
@@ -36,16 +41,23 @@ struct UnitNames {
 /// A number of the normal form as code has it: `1f` is `1.0f`.
 std::string written_number(const std::string& word);
 
-/// Says in the target's manner what the source says: as the pair does elsewhere, else as other pairs of its files do,
-/// else in the words of the dialect that the target's files use, else with the same words where the target knows them.
+/// Says in the target's manner what the source says: as the pair does elsewhere, else as other pairs of its files do
+/// and, of types and functions, those of its folders, else in the words of the dialect that the target's files use,
+/// else with the same words where the target knows them.
 class EditTranslator {
 public:
     /// All must outlive it. `lone`: names of units that have no counterpart yet; `brought`: names that the edit itself
-    /// brings in.
-    EditTranslator(const Examples& pair, const std::function<const Examples&()>& file, const UnitNames& units,
+    /// brings in; `on_host`: nothing of the unit runs on a device.
+    EditTranslator(const Examples& pair, const LearnedBeside& beside, const UnitNames& units,
                    const std::set<std::string, std::less<>>& lone, const KnownWords& known,
-                   const std::set<std::string, std::less<>>& brought)
-        : pair_(pair), file_(file), units_(units), lone_(lone), known_(known), brought_(brought) {}
+                   const std::set<std::string, std::less<>>& brought, bool on_host)
+        : pair_(pair),
+          beside_(beside),
+          units_(units),
+          lone_(lone),
+          known_(known),
+          brought_(brought),
+          on_host_(on_host) {}
 
     /// words[first, end) of the source. `written`: how the source writes each of its words.
     CarriedWords carry(const std::vector<std::string>& words, size_t first, size_t end,
@@ -62,19 +74,27 @@ public:
         return !units_.names.contains(name) && !units_.names.contains(other) && !lone_.contains(other) &&
                known_.is_from_elsewhere(name) && known_.is_from_elsewhere(other);
     }
+    /// True where the target declares `name`, and nobody `other`.
+    bool declares_alone(std::string_view name, std::string_view other) const {
+        return known_.is_declared_there(name) && is_from_elsewhere(other, other);
+    }
 
 private:
+    /// What a word is for where it stands.
+    enum class Use : uint8_t { Value, Type, Call };
     /// How the target says the word alone; "" if that is not known.
-    std::string word(std::string_view text, bool called) const;
+    std::string word(std::string_view text, Use use) const;
+    std::string said_in_folder(std::string_view text, Use use) const;
     std::string number(const std::string& written) const;
     std::string member(std::string_view text) const;
 
     const Examples& pair_;
-    const std::function<const Examples&()>& file_;
+    const LearnedBeside& beside_;
     const UnitNames& units_;
     const std::set<std::string, std::less<>>& lone_;
     const KnownWords& known_;
     const std::set<std::string, std::less<>>& brought_;
+    bool on_host_;
 };
 
 }  // namespace porttool

@@ -414,6 +414,9 @@ private:
     void put(const Hunk& hunk, size_t first, size_t end, const CarriedWords& now) {
         if (!now.unknown.empty() && !is_renamed_elsewhere(hunk, first, end))
             return leave_run(hunk, first, "nothing tells how the port says " + listed(now.unknown));
+        if (hunk.end == hunk.first + 1 && hunk.now_end == hunk.now_first + 1 && end == first + 1 &&
+            translator_.declares_alone(texts_.target.words[first], texts_.now.words[hunk.now_first]))
+            return leave_run(hunk, first, "the port declares `" + texts_.target.words[first] + "` itself");
         if (const std::string name = indexed_otherwise(now.words); !name.empty())
             return leave_run(hunk, first, "the port has `" + name + "` with other indices");
         out_.replaced.push_back({first, end, now.words, hunk.now_first, hunk.now_end});

@@ -9,6 +9,13 @@
 
 namespace porttool {
 
+bool runs_on_device(const ScannedFile& file, const Unit& unit) {
+    if (unit.kind == UnitKind::Kernel) return true;
+    for (uint32_t i = unit.tokens.first; i < unit.name_token; ++i)
+        if (file.lexed.view(i) == "__device__" || file.lexed.view(i) == "__global__") return true;
+    return false;
+}
+
 UnitWords words_of_unit(const ScannedFile& file, const Unit& unit) {
     UnitWords out;
     write_normal_form(file, unit, [&](std::string_view text, uint32_t token) {

@@ -25,6 +25,9 @@ struct UnitWords {
     bool is_added(size_t i) const { return !tokens.empty() && tokens[i] == kNoToken; }
 };
 
+/// True for a kernel, and for a function that is marked as the device's.
+bool runs_on_device(const ScannedFile& file, const Unit& unit);
+
 UnitWords words_of_unit(const ScannedFile& file, const Unit& unit);
 UnitWords words_of_record(const NormalText& text);
 

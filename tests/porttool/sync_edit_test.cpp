@@ -807,5 +807,44 @@ TEST(SyncEdit, AFunctionThatOneSideDeclaresKeepsItsName) {
     EXPECT_NE(synced(one).state(), "proposed");
 }
 
+TEST(SyncEdit, ATypeIsSaidAsThePortsOfTheSameFolderSayIt) {
+    const auto here = [](const std::string& name, const std::string& body) {
+        return "REAL4 " + name + "(REAL4 z, __global sFractal *fractal)\n{\n" + body + "  return z;\n}\n";
+    };
+    const auto there = [](const std::string& name, const std::string& body) {
+        return "CVector4 " + name + "(CVector4 z, const sFractal *fractal)\n{\n" + body + "  return z;\n}\n";
+    };
+    const std::string plain = "  z += fractal->offset;\n  z *= fractal->scale;\n";
+    MemoryDisk disk;
+    for (const std::string name : {"fold", "turn", "bend"}) {
+        disk.files["/r/src/" + name + ".cl"] =
+            here(name, plain + "  REAL part = z.x * fractal->scale;\n  REAL rest = part - z.y;\n  z.x += rest;\n");
+        disk.files["/r/port/" + name + ".cpp"] =
+            there(name, plain + "  double part = z.x * fractal->scale;\n  double rest = part - z.y;\n  z.x += rest;\n");
+    }
+    disk.files["/r/src/add.cl"] = here("add", plain);
+    disk.files["/r/port/add.cpp"] = there("add", plain);
+    ASSERT_EQ(run(disk, {"-C", "/r", "init", "--source", "src/*", "--target", "port/*"}).exit_code, 0);
+    disk.files["/r/src/add.cl"] = here("add", plain + "  REAL half_x = z.x * fractal->scale;\n  z.y += half_x;\n");
+    const CommandRun got = run(disk, {"-C", "/r", "sync", "--format", "json"});
+    EXPECT_NE(got.out.find("+  double half_x = z.x * fractal->scale;\\n"), std::string::npos) << got.out << got.err;
+}
+
+TEST(SyncEdit, AFunctionThatNeitherSideDeclaresIsALibrarys) {
+    const std::string head =
+        "#include \"reference.h\"\nint run(const int* in, int* out, int n) {\n  launch(in, out, n);\n";
+    const std::string gained = "  check_on_host(in, n);\n";
+    expect_ported({"k.cu", "k.cpp", head + "  return out[0];\n}\n", head + gained + "  return out[0];\n}\n",
+                   head + "  return out[0];\n}\n", head + gained + "  return out[0];\n}\n"});
+}
+
+TEST(SyncEdit, WhatADeviceCallsMayBeItsLanguagesOwn) {
+    const std::string body = "void f(int* out, int n) {\n  out[0] = n;\n";
+    const EditCase one{
+        "k.cu",       "k.cpp", "__global__ " + body + "}\n", "__global__ " + body + "  atomicWhatever(out, n);\n}\n",
+        body + "}\n", ""};
+    EXPECT_NE(synced(one).state(), "proposed");
+}
+
 }  // namespace
 }  // namespace porttool::testing
