@@ -49,7 +49,7 @@ ExitCode run_render(const Options& options, Console& console) {
     if (Status status = write_stats(options, json); !status.ok()) return fail(console, status);
     const std::string text = render_text(options, file, stats);
     if (!options.output.empty()) {
-        console.detail(text.substr(0, text.size() - 1));
+        console.note(text.substr(0, text.size() - 1));
         return DONE;
     }
     console.result(options.format == Format::json ? json_text(json) : text);

@@ -71,20 +71,44 @@ Container open_container(Bytes bytes) {
     bytes = bytes.first(length);
     Container container;
     container.text = as_text(glb_chunk(bytes, 12, JSON_CHUNK, "JSON"));
-    const size_t next = 12 + 8 + container.text.size();
+    size_t next = 12 + 8 + container.text.size();
     // Padding should be spaces; some exporters write zeros.
     while (!container.text.empty() && container.text.back() == '\0') container.text.remove_suffix(1);
-    if (bytes.size() >= next + 8) container.binary = glb_chunk(bytes, next, BINARY_CHUNK, "BIN");
+    // Chunks of other kinds are to be passed over (glTF 2.0, 4.4.3).
+    while (bytes.size() - std::min(next, bytes.size()) >= 8) {
+        const uint32_t type = read_u32(bytes, next + 4);
+        const Bytes chunk = glb_chunk(bytes, next, type, type == BINARY_CHUNK ? "BIN" : "next");
+        next += 8 + chunk.size();
+        if (type != BINARY_CHUNK) continue;
+        container.binary = chunk;
+        break;
+    }
     return container;
 }
 
-json parse_json(std::string_view text) {
-    const auto guard = [](int depth, json::parse_event_t, json&) {
+// Before it is parsed: with a callback for it, the parser goes through the whole list again after each object in it.
+void check_depth(std::string_view text) {
+    int depth = 0;
+    bool quoted = false;
+    for (size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        if (c == '"') quoted = !quoted;
+        if (quoted && c == '\\') ++i;
+        if (quoted) continue;
+        depth += c == '{' || c == '[' ? 1 : c == '}' || c == ']' ? -1 : 0;
         if (depth > DEEPEST_JSON) fail_at("", "its JSON is nested too deeply" + EXPORT_AGAIN);
-        return true;
-    };
+    }
+}
+
+json parse_json(std::string_view text) {
+    check_depth(text);
     try {
-        return json::parse(text.begin(), text.end(), guard);
+        return json::parse(text.begin(), text.end());
+    } catch (const json::out_of_range& error) {
+        // "number overflow parsing '1e999'"
+        const std::string what = error.what();
+        fail_at("",
+                "holds a number past the range of its type (" + what.substr(what.find("number")) + ")" + EXPORT_AGAIN);
     } catch (const json::exception& error) {
         // What the parser says after its own error number: "parse error at line 1, column 2: ..."
         const std::string what = error.what();

@@ -74,9 +74,6 @@ public:
         read_specular(source);
         // Index 0 stands for one past all bounds: all light is reflected, and nothing behind is ever seen.
         if (material_.ior == 0.0f) material_.transmission = 0.0f;
-        if (source.occlusionTexture.index >= 0) {
-            document_.omissions.add("occlusion textures, in whose stead light is followed", place_);
-        }
         if (Status status = check_material(material_); !status.ok()) fail_at(place_, status.message + EXPORT_AGAIN);
         return material_;
     }

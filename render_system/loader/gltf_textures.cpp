@@ -43,12 +43,6 @@ GltfTextures::Key GltfTextures::key_of(int texture, TextureRole role) const {
     // One filter serves both ways; where only one is given, that one.
     key.nearest = sampler.magFilter == TINYGLTF_TEXTURE_FILTER_NEAREST ||
                   (sampler.magFilter < 0 && nearest_inside(sampler.minFilter));
-    const bool mixed = sampler.magFilter >= 0 && sampler.minFilter >= 0 &&
-                       nearest_inside(sampler.minFilter) != (sampler.magFilter == TINYGLTF_TEXTURE_FILTER_NEAREST);
-    if (mixed) {
-        document_.omissions.add("minFilter where it differs from magFilter",
-                                "/samplers/" + std::to_string(source.sampler));
-    }
     return key;
 }
 
@@ -70,8 +64,10 @@ uint32_t GltfTextures::load(int texture, const Key& key) {
             error.message = image_place(key.image) + ": " + error.message;
             throw;
         }
-        warn(texture, key.image, error.message);
-        if (key.role == TextureRole::data) return NONE;
+        const bool is_data = key.role == TextureRole::data;
+        warn(texture, key.image,
+             error.message + (is_data ? "; it is left out" : "; a placeholder is shown in its stead"));
+        if (is_data) return NONE;
         result = build_texture(placeholder_image(), key.role, false);
         result.nearest = true;
         return scene_.add_texture(std::move(result));
@@ -101,7 +97,7 @@ Image GltfTextures::read(int image) const {
 void GltfTextures::warn(int texture, int image, const std::string& why) {
     const std::string place = image >= 0 ? image_place(image) : "/textures/" + std::to_string(texture);
     if (!warned_.insert(place).second) return;
-    document_.warnings.push_back(place + ": " + why + "; a placeholder is shown in its stead");
+    document_.warnings.push_back(place + ": " + why);
 }
 
 }  // namespace render_system

@@ -82,6 +82,7 @@ TEST_F(Pathtracer, RendersToThePlaceAskedForAndKeepsStdoutEmpty) {
     const RunResult result = render({"-o", "a.png"});
     EXPECT_EQ(result.exit_code, 0) << result.err;
     EXPECT_THAT(result.out, IsEmpty());
+    EXPECT_THAT(result.err, HasSubstr("a.png: 16x9, 2 samples per pixel"));
     EXPECT_THAT(files_in(folder.path), ElementsAre("a.png", scene));
     EXPECT_EQ(read_file(folder.path / "a.png").substr(0, 4), "\x89PNG");
 }

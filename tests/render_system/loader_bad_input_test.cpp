@@ -116,6 +116,34 @@ TEST(LoaderBadInput, AGlbCutOffAnywhere) {
     EXPECT_THAT(message("a.glb", swapped), HasSubstr("another chunk where its JSON chunk"));
 }
 
+TEST(LoaderBadInput, ChunksOfOtherKindsArePassedOver) {
+    const auto word = [](uint32_t value) { return std::string(reinterpret_cast<const char*>(&value), 4); };
+    const std::string whole = one_triangle().glb(), extra = word(8) + "PLUS" + std::string(8, 'x');
+    uint32_t json_bytes = 0;
+    std::memcpy(&json_bytes, whole.data() + 12, 4);
+    for (const size_t place : {size_t{20} + json_bytes, whole.size()}) {
+        std::string longer = whole;
+        longer.insert(place, extra);
+        longer.replace(8, 4, word(static_cast<uint32_t>(longer.size())));
+        const TempFolder folder;
+        write_file(folder / "a.glb", longer);
+        EXPECT_EQ(load_scene(folder / "a.glb").status.message, "") << place;
+        if (place == whole.size()) continue;  // what follows the BIN chunk is never looked at
+        longer.replace(place, 4, word(1000));
+        longer.resize(place + 8);
+        longer.replace(8, 4, word(static_cast<uint32_t>(longer.size())));
+        EXPECT_THAT(message("a.glb", longer), HasSubstr("needs 1000 bytes")) << place;
+    }
+}
+
+TEST(LoaderBadInput, ANumberPastADoubleIsNamed) {
+    EXPECT_THAT(message("a.gltf", R"({"asset": {"version": "2.0"}, "scene": 1e999})"),
+                AllOf(HasSubstr("past the range of its type"), HasSubstr("'1e999'"), Not(HasSubstr("is not JSON"))));
+    const std::string within =
+        R"({"asset": {"version": "2.0", "generator": "a \" b)" + std::string(300, '[') + R"("}})";
+    EXPECT_THAT(message("a.gltf", within), HasSubstr("there is no scene")) << "brackets in a string nest nothing";
+}
+
 TEST(LoaderBadInput, BuffersThatAreMissingShortOrRemote) {
     const GltfFile file = one_triangle();
     EXPECT_THAT(message("a.gltf", file.text_external("missing.bin")),
