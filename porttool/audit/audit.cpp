@@ -149,7 +149,9 @@ private:
                 asked.push_back(pair);
         }
         if (asked.empty()) return;
-        const DifftestResult result = difftest(patches_->project(), all, asked, {}, place_.disk);
+        DifftestSettings settings;
+        settings.defines = patches_->project().map.defines;
+        const DifftestResult result = difftest(patches_->project(), all, asked, settings, place_.disk);
         for (AuditItem& item : items)
             for (const DifftestPair& ran : result.pairs)
                 if (ran.source == item.id.source && ran.target == item.id.target) take_witness(ran, item);

@@ -106,6 +106,8 @@ void declare_difftest(Declare& declare, Options& options) {
                  "How far results may be apart, in units in the last place (4); 0: to the bit");
     declare.text("--seed", options.seed, "N", "Other inputs (1)");
     declare.text("--evidence", options.evidence, "FILE", "Write what was seen, and of which texts, to FILE");
+    declare.texts("--define", options.defines, "NAME[=VALUE]", "What the build defines, for every file")
+        .one_at_a_time();
     declare.flag("--record", options.records,
                  "Record pairs that are in step and gave the same as verified, in portmap.lock");
     declare.text("--keep", options.keep, "DIR", "Leave the programs that were built, and their texts, in DIR");
@@ -122,6 +124,8 @@ Outcome run_difftest(const Options& options, Workplace& place) {
     if (options.records && !options.source.empty())
         throw CannotDo("--record marks pairs of portmap.toml; give it without --source and --target");
     const Project project = read_snapshot(open_project(options, place, true), {}, place.disk, Depth::Scanned).project;
+    settings.defines = options.defines;
+    settings.defines.insert(settings.defines.end(), project.map.defines.begin(), project.map.defines.end());
     const std::vector<PairIds> all = known_pairs(project, options.source.empty());
     const DifftestResult result = difftest(project, all, asked_pairs(options, project, all), settings, place.disk);
     const std::vector<DifftestPair>& pairs = result.pairs;

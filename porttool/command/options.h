@@ -33,10 +33,11 @@ struct Options : CheckChoice {
     std::string verify, verify_timeout;
     bool verifies = false;
     std::string inputs, ulps, seed, evidence, keep;  ///< difftest's
-    bool records = false;                            ///< difftest's --record
-    std::string since;                               ///< history's and audit's
-    std::string limit;                               ///< audit's
-    bool runs = false;                               ///< audit's --run
+    std::vector<std::string> defines;                ///< difftest's, as is the next
+    bool records = false;
+    std::string since;  ///< history's and audit's
+    std::string limit;  ///< audit's
+    bool runs = false;  ///< audit's --run
     bool no_cache = false;
     bool spirv = false;  ///< ask glslang whether an edit reaches the compiled code
 };

@@ -83,6 +83,12 @@ public:
         }
     }
 
+    /// Ends all that run, with their groups, and lets no other start.
+    void end_all() {
+        mutex_.lock();  // for good: this program ends
+        for (const pid_t child : running_) (void)::kill(-child, SIGKILL);
+    }
+
 private:
     bool end_strays() const {
         bool any = false;
@@ -117,6 +123,8 @@ bool take_first_output(int pipe, std::string& text, size_t most) {
 
 }  // namespace
 
+void end_processes() { own_processes().end_all(); }
+
 std::string program_path(const std::string& name) {
     const char* const path = std::getenv("PATH");
     const std::string_view folders = path == nullptr ? "/usr/bin:/bin" : path;
@@ -144,6 +152,9 @@ ProcessEnd run_process(const std::vector<std::string>& arguments, const std::str
     const pid_t child = own_processes().start([] { return ::fork(); });
     if (child < 0) return {127, false, "no process can be started"};
     if (child == 0) {
+        sigset_t none;
+        (void)::sigemptyset(&none);
+        (void)::pthread_sigmask(SIG_SETMASK, &none, nullptr);
         become_bounded(limits, parent, writer.get());
         if (::chdir(folder.c_str()) == 0) ::execve(argv[0], argv.data(), envp.data());
         ::_exit(127);

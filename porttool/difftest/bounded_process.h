@@ -32,4 +32,7 @@ ProcessEnd run_process(const std::vector<std::string>& arguments, const std::str
 /// The path of a program that PATH has; "" for none.
 std::string program_path(const std::string& name);
 
+/// Ends every program that runs by run_process(), for one that ends itself.
+void end_processes();
+
 }  // namespace porttool

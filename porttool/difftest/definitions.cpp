@@ -96,8 +96,12 @@ std::string_view type_name(const LexedText& lexed, TokenRange statement) {
         return statement.end > statement.first + 3 && lexed.view(statement.first + 2) == "="
                    ? lexed.view(statement.first + 1)
                    : std::string_view();
-    for (uint32_t i = statement.end; i-- > statement.first + 1;)
-        if (lexed.tokens[i].kind == TokenKind::Identifier) return lexed.view(i);
+    int depth = 0;  // of the bounds of an array
+    for (uint32_t i = statement.end; i-- > statement.first + 1;) {
+        if (lexed.view(i) == "]") ++depth;
+        if (lexed.view(i) == "[") --depth;
+        if (depth == 0 && lexed.tokens[i].kind == TokenKind::Identifier) return lexed.view(i);
+    }
     return {};
 }
 
@@ -263,12 +267,42 @@ std::vector<const Definition*> Definitions::all_of(Definition::Kind kind) const 
     return out;
 }
 
-void Definitions::add(Definition definition) {
-    if (definition.name.empty()) return;
+const Definition* Definitions::add(Definition definition) {
+    if (definition.name.empty()) return nullptr;
     all_.push_back(std::move(definition));
     const Definition* const one = &all_.back();
     by_file_[one->file][one->name].push_back(one);
     everywhere_[one->name].push_back(one);
+    return one;
+}
+
+void Definitions::add_names(const Definition& one) {
+    const LexedText& lexed = one.file->lexed;
+    const auto name_it = [&](std::string_view name) {
+        if (name == one.name) return;
+        by_file_[one.file][std::string(name)].push_back(&one);
+        everywhere_[std::string(name)].push_back(&one);
+    };
+    uint32_t open = one.tokens.first;
+    bool is_enum = false, is_typedef = false;
+    for (; open < one.tokens.end && lexed.view(open) != "{" && lexed.view(open) != ";"; ++open) {
+        is_enum = is_enum || lexed.view(open) == "enum";
+        is_typedef = is_typedef || lexed.view(open) == "typedef";
+    }
+    if (open >= one.tokens.end || lexed.view(open) != "{" || (!is_enum && !is_typedef)) return;
+    int depth = 0;
+    uint32_t i = open;
+    for (; i < one.tokens.end; ++i) {
+        const std::string_view word = lexed.view(i);
+        if (word == "{" || word == "(") ++depth;
+        if (word == "}" || word == ")") --depth;
+        if (depth == 0) break;
+        const bool starts = i > open && (lexed.view(i - 1) == "{" || lexed.view(i - 1) == ",");
+        if (is_enum && depth == 1 && starts && lexed.tokens[i].kind == TokenKind::Identifier) name_it(word);
+    }
+    if (is_typedef)
+        for (++i; i < one.tokens.end && lexed.view(i) != ";"; ++i)
+            if (lexed.tokens[i].kind == TokenKind::Identifier) name_it(lexed.view(i));
 }
 
 void Definitions::add_file(const ScannedFile& file) {
@@ -276,7 +310,10 @@ void Definitions::add_file(const ScannedFile& file) {
     const Conditions conditions(file);
     const auto add_with = [&](Definition definition) {
         conditions.set(definition);
-        add(std::move(definition));
+        const Definition* const added = add(std::move(definition));
+        const bool has_names = added != nullptr && added->kind != Definition::Kind::Function &&
+                               added->kind != Definition::Kind::Macro && added->kind != Definition::Kind::Variable;
+        if (has_names) add_names(*added);
     };
     size_t tables = 0;
     std::vector<TokenRange> taken;
@@ -345,8 +382,8 @@ void Definitions::add_file(const ScannedFile& file) {
 }
 
 Definitions::Definitions(const std::vector<ScannedFile>& files, const std::string& root, const Disk& disk,
-                         const std::vector<std::string>& preamble)
-    : root_(root), disk_(disk) {
+                         const std::vector<std::string>& preamble, const BuildDefines& build)
+    : root_(root), disk_(disk), build_(build) {
     for (const ScannedFile& file : files) paths_.emplace(file.path, &file);
     for (const ScannedFile& file : files) add_file(file);
     if (!preamble.empty()) {
@@ -421,7 +458,8 @@ ReadingOrder Definitions::reading_order(const std::vector<const ScannedFile*>& f
     std::set<const ScannedFile*> entered;
     std::vector<std::pair<const ScannedFile*, size_t>> open;
     const auto enter = [&](const ScannedFile* file) {
-        if (!entered.insert(file).second) return;
+        // What the build defines stands before all.
+        if (of_build_.contains(file) || !entered.insert(file).second) return;
         out.add(*file, 0);
         open.emplace_back(file, 0);
     };
@@ -442,12 +480,30 @@ ReadingOrder Definitions::reading_order(const std::vector<const ScannedFile*>& f
     return out;
 }
 
+const ScannedFile* Definitions::build_text(const ScannedFile& from) const {
+    const std::string& text = build_.text_for(from.path);
+    if (text.empty()) return nullptr;
+    const auto [at, is_new] = build_texts_.try_emplace(text, nullptr);
+    if (is_new) {
+        read_.push_back(scan_text("build_flags.h", text));
+        at->second = &read_.back();
+        of_build_.insert(at->second);
+        const_cast<Definitions*>(this)->add_file(read_.back());
+    }
+    return at->second;
+}
+
+std::vector<const ScannedFile*> Definitions::all_reached(const ScannedFile& from) const {
+    std::vector<const ScannedFile*> out = reached(from);
+    if (preamble_ != nullptr) out.push_back(preamble_);
+    if (const ScannedFile* const build = build_text(from); build != nullptr) out.push_back(build);
+    return out;
+}
+
 const std::vector<const Definition*>& Definitions::find(const ScannedFile& from, std::string_view name) const {
     const auto [at, is_new] = found_.try_emplace({&from, std::string(name)});
     if (!is_new) return at->second;
-    std::vector<const ScannedFile*> order = reached(from);
-    if (preamble_ != nullptr) order.push_back(preamble_);
-    for (const ScannedFile* file : order) {
+    for (const ScannedFile* file : all_reached(from)) {
         const auto names = by_file_.find(file);
         if (names == by_file_.end()) continue;
         if (const auto found = names->second.find(name); found != names->second.end()) {
@@ -466,6 +522,7 @@ const std::vector<const Definition*>& Definitions::find(const ScannedFile& from,
     const std::string folder = folder_of(from.path);
     const ScannedFile* best = nullptr;
     for (const Definition* one : other->second) {
+        if (of_build_.contains(one->file)) continue;  // that of another folder
         if (one->kind == Definition::Kind::Variable || !are_related(one->file->language, from.language)) continue;
         if (only_conditional && one->kind == Definition::Kind::Macro) continue;
         if (best == nullptr || (folder_of(one->file->path) == folder && folder_of(best->path) != folder))
@@ -477,9 +534,7 @@ const std::vector<const Definition*>& Definitions::find(const ScannedFile& from,
 }
 
 std::vector<const Definition*> Definitions::find_macro(const ScannedFile& from, std::string_view name) const {
-    std::vector<const ScannedFile*> order = reached(from);
-    if (preamble_ != nullptr) order.push_back(preamble_);
-    for (const ScannedFile* file : order) {
+    for (const ScannedFile* file : all_reached(from)) {
         const auto names = by_file_.find(file);
         if (names == by_file_.end()) continue;
         if (const auto found = names->second.find(name); found != names->second.end()) return found->second;

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "porttool/difftest/build_defines.h"
 #include "porttool/read/disk.h"
 #include "porttool/scan/unit.h"
 
@@ -50,9 +51,10 @@ private:
 class Definitions {
 public:
     /// Headers that files of the side include and that no glob names are read from the disk, beneath `root`.
-    /// `preamble`: what the host puts before a text, which every file sees. All must outlive it.
+    /// `preamble`: what the host puts before a text, which every file sees. `build`: what a build defines. All must
+    /// outlive it.
     Definitions(const std::vector<ScannedFile>& files, const std::string& root, const Disk& disk,
-                const std::vector<std::string>& preamble);
+                const std::vector<std::string>& preamble, const BuildDefines& build);
 
     /// What `from` means by the name: definitions of its own file, else of the nearest that it includes, else of
     /// another file of the side; all overloads that stand in that file.
@@ -83,16 +85,31 @@ public:
 
     /// Headers of the standard library that a file and those that it includes ask for.
     std::set<std::string> standard_headers(const ScannedFile& from) const;
+    /// The same of all that a function is made with.
+    template <class Pieces>
+    std::set<std::string> standard_headers(const ScannedFile& from, const Pieces& pieces) const {
+        std::set<std::string> out = standard_headers(from);
+        std::set<const ScannedFile*> seen = {&from};
+        for (const auto& piece : pieces)
+            if (seen.insert(piece.definition->file).second) out.merge(standard_headers(*piece.definition->file));
+        return out;
+    }
 
 private:
     using ByName = std::map<std::string, std::vector<const Definition*>, std::less<>>;
     void add_file(const ScannedFile& file);
-    void add(Definition definition);
+    const Definition* add(Definition definition);
+    /// Further names of what was added: `param_t` of `typedef struct param {...} *param_t;`, the values of an enum.
+    void add_names(const Definition& one);
     /// The file and what it includes, the nearest first.
     /// What a file includes, and behind which byte.
     using Includes = std::vector<std::pair<size_t, const ScannedFile*>>;
     const Includes& includes(const ScannedFile& file) const;
     const std::vector<const ScannedFile*>& reached(const ScannedFile& from) const;
+    /// What the build defines for a file, as a text of its own, or nullptr.
+    const ScannedFile* build_text(const ScannedFile& from) const;
+    /// What the file sees of texts that no file includes, behind `order`.
+    std::vector<const ScannedFile*> all_reached(const ScannedFile& from) const;
     const ScannedFile* included(const ScannedFile& from, std::string_view what) const;
 
     const std::string& root_;
@@ -108,6 +125,9 @@ private:
     mutable std::map<const ScannedFile*, std::vector<const ScannedFile*>> reached_;
     mutable std::map<std::pair<const ScannedFile*, std::string>, std::vector<const Definition*>> found_;
     const ScannedFile* preamble_ = nullptr;
+    const BuildDefines& build_;
+    mutable std::map<std::string, const ScannedFile*> build_texts_;  ///< by what stands there
+    mutable std::set<const ScannedFile*> of_build_;
 };
 
 }  // namespace porttool

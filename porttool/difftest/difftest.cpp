@@ -19,6 +19,8 @@
 
 #include "porttool/difftest/bounded_process.h"
 #include "porttool/difftest/build.h"
+#include "porttool/difftest/interrupt.h"
+#include "porttool/difftest/lift.h"
 #include "porttool/difftest/shrink.h"
 #include "porttool/difftest/subject.h"
 #include "porttool/difftest/trial.h"
@@ -43,7 +45,8 @@ public:
         if (::mkdtemp(name.data()) == nullptr) throw CannotDo("no temporary folder can be made: " + name);
         path_ = name;
     }
-    ~TemporaryFolder() {
+    ~TemporaryFolder() { remove(); }
+    void remove() {
         if (is_kept_) return;
         std::error_code ignored;
         std::filesystem::remove_all(path_, ignored);
@@ -187,9 +190,18 @@ public:
         : map_(project.map),
           settings_(settings),
           folder_(settings.keep),
-          source_(project.source, project.root, disk, project.map.shaders.preamble),
-          target_(project.target, target_root_ = target_root(project), disk, {}),
+          interrupt_([this] {
+              end_processes();
+              folder_.remove();
+          }),
+          target_root_(target_root(project)),
+          build_{BuildDefines(project.root, disk, settings.defines),
+                 BuildDefines(target_root_, disk, settings.defines)},
+          source_(project.source, project.root, disk, project.map.shaders.preamble, build_.source),
+          target_(project.target, target_root_, disk, {}, build_.target),
           units_{SideUnits(project.source, source_), SideUnits(project.target, target_)} {
+        for (const auto* files : {&project.source, &project.target})
+            for (const ScannedFile& file : *files) own_files_.insert(&file);
         workshop_.compiler = find_compiler();
         workshop_.folder = folder_.path();
         if (workshop_.compiler.empty())
@@ -236,6 +248,8 @@ public:
     std::map<std::string, std::string> texts() const {
         std::map<std::string, std::string> out;
         const auto add = [&](const ScannedFile& file, Side side) {
+            // What no glob names, as a header elsewhere or flags of a build, no one can hold against the tree.
+            if (!own_files_.contains(&file)) return;
             const std::string path = side == Side::Source ? file.path : target_path(map_, file.path);
             if (out.contains(path)) return;
             Fingerprinter print;
@@ -293,19 +307,42 @@ private:
 
     void look_at(size_t i) {
         PairWork& work = work_[i];
-        for (const Side side : kBothSides) {
+        for (const Side side : kBothSides)
             if (!is_function(work.unit[side])) {
                 pairs[i].reason = side == Side::Source ? "the source is no function" : "the target is no function";
                 return;
             }
-            work.subject[side] = subject_of(*work.unit[side], definitions(side), stand_ins_[side]);
+        for (const Side side : kBothSides) {
+            work.subject[side] =
+                subject_of(*work.unit[side], definitions(side), stand_ins_[side], *work.unit[other(side)]);
             if (!work.subject[side].reason.empty()) {
                 pairs[i].reason = work.subject[side].reason;
                 return;
             }
         }
+        guess_alike(work);
         if (work.subject.source.stood_in != work.subject.target.stood_in)
             pairs[i].reason = "the sides read bindings by different helpers";
+    }
+
+    /// Where one side does not tell how long an array is, the other's is as long.
+    static void guess_alike(PairWork& work) {
+        auto &ours = work.subject.source.parameters, &theirs = work.subject.target.parameters;
+        for (size_t i = 0; i < std::min(ours.size(), theirs.size()); ++i) {
+            if (!ours[i].is_pointer || !theirs[i].is_pointer || (!ours[i].is_guess && !theirs[i].is_guess)) continue;
+            for (SubjectParameter* one : {&ours[i], &theirs[i]}) {
+                one->is_guess = true;
+                one->elements = kGuessedElements;
+            }
+        }
+    }
+
+    /// The array whose length is a guess; "" for none.
+    static std::string guessed(const PairWork& work) {
+        for (const Side side : kBothSides)
+            for (const SubjectParameter& parameter : work.subject[side].parameters)
+                if (parameter.is_guess) return parameter.name;
+        return {};
     }
 
     void build() {
@@ -316,7 +353,8 @@ private:
                     parts[side].push_back(
                         {number_of(i, side),
                          subject_text(work_[i].subject[side], number_of(i, side), definitions(side), stand_ins_[side]),
-                         definitions(side).standard_headers(*work_[i].unit[side]->file)});
+                         definitions(side).standard_headers(*work_[i].unit[side]->file,
+                                                            work_[i].subject[side].closure.pieces)});
         BySide<BuiltParts> built;
         in_parallel(2, [&](size_t which) {
             const Side side = kBothSides.at(which);
@@ -334,6 +372,10 @@ private:
                 }
                 const std::string& program = built[side].programs[number];
                 if (!listed.contains(program)) listed[program] = list(program);
+                if (!listed[program].contains(number)) {
+                    pairs[i].reason = "what it takes cannot be listed";
+                    break;
+                }
                 work_[i].built[side] = {program, number, listed[program][number]};
                 pairs[i].reason = work_[i].built[side].leaves.reason;
             }
@@ -362,7 +404,8 @@ private:
             parts.push_back(
                 {number_of(i, side),
                  subject_text(work_[i].subject[side], number_of(i, side), definitions(side), stand_ins_[side], true),
-                 definitions(side).standard_headers(*work_[i].unit[side]->file)});
+                 definitions(side).standard_headers(*work_[i].unit[side]->file,
+                                                    work_[i].subject[side].closure.pieces)});
         const BuiltParts built = build_parts(parts, workshop_, side == Side::Source ? "wide_source" : "wide_target");
         std::map<std::string, std::map<int, Leaves>> listed;
         for (const size_t i : which) {
@@ -372,6 +415,7 @@ private:
             BuiltSide& wide = work_[i].wide[side];
             wide = {program->second, program->first, listed[program->second][program->first]};
             const Leaves& narrow = work_[i].built[side].leaves;
+            if (!work_[i].built[side].calls.empty()) wide = lifted(wide, narrow).value_or(BuiltSide());
             if (wide.leaves.in.size() != narrow.in.size() || wide.leaves.out.size() != narrow.out.size()) wide = {};
         }
     }
@@ -381,13 +425,16 @@ private:
     std::map<int, Leaves> list(const std::string& program) const {
         ProcessLimits limits;
         limits.time = std::chrono::seconds(5);
+        limits.output = 64 << 20;
         return read_leaves(run_process({program, "list"}, workshop_.folder, limits).output);
     }
 
     void compare(size_t i) {
         DifftestPair& pair = pairs[i];
         PairWork& work = work_[i];
-        const LeafMatch match = match_leaves(work.built.source.leaves, work.built.target.leaves);
+        LeafMatch match = match_leaves(work.built.source.leaves, work.built.target.leaves);
+        const std::string why_not = match.reason;
+        if (!why_not.empty() && lift(work)) match = match_leaves(work.built.source.leaves, work.built.target.leaves);
         pair.reason = match.reason;
         if (!pair.reason.empty()) return;
         Trial trial(work.built.source, work.built.target, match, {settings_.ulps}, workshop_.folder,
@@ -396,11 +443,45 @@ private:
         constexpr size_t kMostSlots = 12'000'000;
         const size_t width = std::max<size_t>(1, trial.inputs().size());
         const size_t records = std::max<size_t>(1, std::min(settings_.inputs, kMostSlots / width));
-        const InputTable table = draw_inputs(trial.inputs(), constants_in(work.subject.source, work.subject.target),
-                                             records, settings_.seed);
+        const std::vector<double> constants = constants_in(work.subject.source, work.subject.target);
+        const std::string array = guessed(work);
+        InputTable table =
+            draw_inputs(trial.inputs(), constants, records, settings_.seed, array.empty() ? 0 : kGuessedCount);
         pair.reason = trial.run(table);
+        if (trial.is_endless()) {
+            constexpr int64_t kTame = 64;
+            table = draw_inputs(trial.inputs(), constants, records, settings_.seed, kTame);
+            pair.reason = trial.run(table);
+        }
         if (!pair.reason.empty()) return;
-        judge(pair, trial, table, work);
+        const size_t differing = judge(pair, trial, table, work);
+        if (!array.empty()) tell_guess(pair, array, records);
+        if (work.built.source.calls.empty() && work.built.target.calls.empty()) return;
+        // That one does to components what the other does to numbers was a guess.
+        if (2 * differing > pair.inputs) pair = {pair.source, pair.target, DifftestState::NotRun, 0, "", {}, why_not};
+        if (pair.state != DifftestState::NotRun)
+            pair.reason = "component by component" + (pair.reason.empty() ? "" : "; " + pair.reason);
+    }
+
+    /// Makes a side for numbers one for the other's vectors. True where that is to be tried.
+    static bool lift(PairWork& work) {
+        for (const Side side : kBothSides) {
+            std::optional<BuiltSide> wide = lifted(work.built[side], work.built[other(side)].leaves);
+            if (!wide) continue;
+            work.built[side] = *std::move(wide);
+            return true;
+        }
+        return false;
+    }
+
+    /// Where nearly no input stays within the arrays, nothing was tested.
+    static void tell_guess(DifftestPair& pair, const std::string& array, size_t records) {
+        constexpr size_t kFewest = 50;
+        if (pair.inputs * kFewest < records)
+            pair = {pair.source, pair.target, DifftestState::NotRun, 0, "", {}, "pointer of unknown length: " + array};
+        else if (pair.state != DifftestState::NotRun)
+            pair.reason = fmt::format("arrays of {} elements{}{}", kGuessedElements, pair.reason.empty() ? "" : "; ",
+                                      pair.reason);
     }
 
     /// True for a difference that says little: at an input that is no finite number, or so large that a result
@@ -411,8 +492,10 @@ private:
         return std::isinf(size) || (size > kLarge && !trial.is_finite(record, *trial.first_difference(record)));
     }
 
-    void judge(DifftestPair& pair, Trial& trial, const InputTable& table, const PairWork& work) {
+    /// Says what became of a pair. Returns on how many inputs it differs.
+    size_t judge(DifftestPair& pair, Trial& trial, const InputTable& table, const PairWork& work) {
         const size_t width = trial.inputs().size();
+        size_t differing = 0;
         std::optional<size_t> simplest, extreme;
         int least = 0;
         bool exact = true;
@@ -422,6 +505,7 @@ private:
             ++pair.inputs;
             exact = exact && trial.distance(record) == 0;
             if (outcome == Outcomes::Same) continue;
+            ++differing;
             const uint64_t* const row = table.data() + record * width;
             if (is_extreme(trial, row, record)) {
                 if (!extreme) extreme = record;
@@ -435,11 +519,11 @@ private:
         if ((simplest || extreme) && !trial.repeats(table)) {
             pair.inputs = 0;
             pair.reason = "it gives something else on every call";
-            return;
+            return 0;
         }
         if (pair.inputs == 0) {
             pair.reason = "no input on which both sides give a number";
-            return;
+            return 0;
         }
         pair.tolerance = exact || settings_.ulps == 0 ? "bits" : fmt::format("{} ulps", settings_.ulps);
         pair.state = simplest ? DifftestState::Differs : DifftestState::Same;
@@ -449,6 +533,7 @@ private:
             pair.reason = "but for inputs that are not finite, or so large that a result overflows, it differs";
         if (simplest || extreme)
             pair.counterexample = counterexample(trial, table, simplest ? *simplest : *extreme, work);
+        return differing;
     }
 
     std::optional<Counterexample> counterexample(Trial& trial, const InputTable& table, size_t chosen,
@@ -468,10 +553,13 @@ private:
     }
 
     const MapFile& map_;
+    std::set<const ScannedFile*> own_files_;
     DifftestSettings settings_;
     TemporaryFolder folder_;
+    CleanOnInterrupt interrupt_;
     Workshop workshop_;
     std::string target_root_;
+    BySide<BuildDefines> build_;
     Definitions source_, target_;
     BySide<SideUnits> units_;
     BySide<StandIns> stand_ins_;

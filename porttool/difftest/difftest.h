@@ -19,7 +19,8 @@ struct DifftestSettings {
     size_t inputs = 100000;  ///< records a pair
     int ulps = 4;            ///< 0: to the bit
     uint64_t seed = 1;
-    std::string keep;  ///< a folder for the programs and their texts, which stay there; "" for none
+    std::vector<std::string> defines;  ///< NAME or NAME=VALUE, for every file
+    std::string keep;                  ///< a folder for the programs and their texts, which stay there; "" for none
 };
 
 /// A number as it went in or came out: a real, or a whole number.

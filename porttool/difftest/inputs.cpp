@@ -212,7 +212,7 @@ std::vector<Leaf> common_inputs(const Leaves& source, const Leaves& target, cons
 }
 
 InputTable draw_inputs(const std::vector<Leaf>& leaves, const std::vector<double>& constants, size_t records,
-                       uint64_t seed, bool tame) {
+                       uint64_t seed, int64_t most) {
     const size_t width = leaves.size();
     InputTable out(width * records);
     Drawer drawer(leaves, constants, seed);
@@ -232,11 +232,10 @@ InputTable draw_inputs(const std::vector<Leaf>& leaves, const std::vector<double
             }
     for (size_t turn = 0; row < records; ++row, ++turn)
         drawer.record(&out[row * width], turn % 8 < 4 ? 0 : turn % 8 < 7 ? 1 : 2);
-    constexpr int64_t kTame = 64;
-    if (tame)
+    if (most > 0)
         for (size_t i = 0; i < out.size(); ++i)
             if (const Leaf& leaf = leaves[i % width]; !leaf.is_real())
-                out[i] = static_cast<uint64_t>(static_cast<int64_t>(out[i]) % (kTame + 1));
+                out[i] = static_cast<uint64_t>(static_cast<int64_t>(out[i]) % (most + 1));
     return out;
 }
 

@@ -44,6 +44,7 @@ std::vector<TokenRange> list_parts(const LexedText& lexed, TokenRange range) {
 SubjectParameter parameter_of(const ScannedFile& file, TokenRange range, const CppManner& manner) {
     const LexedText& lexed = file.lexed;
     SubjectParameter out;
+    bool is_text = false;  // strings, and what is behind `void*`, are drawn by nobody
     for (uint32_t i = range.first; i < range.end; ++i) {
         const std::string_view word = lexed.view(i);
         if (word == "=") break;
@@ -52,9 +53,14 @@ SubjectParameter parameter_of(const ScannedFile& file, TokenRange range, const C
             while (close < range.end && lexed.view(close) != "]") ++close;
             out.bound = cpp_text_of(file, {i + 1, close}, manner);
             out.is_pointer = out.bound.empty();
+            out.can_be_array = out.is_pointer && !is_text;
             break;
         }
-        if (word == "*") out.is_pointer = true;
+        if (word == "*") {
+            out.can_be_array = !out.is_pointer && !is_text;
+            out.is_pointer = true;
+        }
+        is_text = is_text || word == "char" || word == "void" || word == "FILE";
         if (lexed.tokens[i].kind == TokenKind::Identifier) out.name = word;
     }
     return out;
@@ -155,8 +161,33 @@ private:
     std::map<std::pair<const Definition*, std::string>, int> seen_;  ///< 1 while one is looked at: it may call itself
 };
 
-/// `<float>` for `template <class T>`; "?" where a parameter is no type.
-std::string template_arguments(const ScannedFile& file, const Unit& unit) {
+/// What a function works on, by the types of its parameters: whole numbers where there are no others.
+std::string number_type_of(const Definition& function) {
+    const LexedText& lexed = function.file->lexed;
+    std::string whole;
+    for (uint32_t i = function.unit->parameters.first; i < function.unit->parameters.end; ++i) {
+        const std::string_view word = lexed.view(i);
+        const auto is_of = [&](std::string_view name) {
+            return word.starts_with(name) && word.size() <= name.size() + 1;  // float4
+        };
+        for (const char* name : {"float", "double", "half", "vec", "real"})
+            if (is_of(name)) return "float";
+        for (const char* name : {"uint", "unsigned", "uvec", "uint32_t"})
+            if (is_of(name)) whole = "unsigned int";
+        for (const char* name : {"int", "ivec", "int32_t", "size_t"})
+            if (whole.empty() && is_of(name)) whole = "int";
+    }
+    return whole.empty() ? "float" : whole;
+}
+
+/// True for the type of a value that a template can be made for.
+bool is_whole_type(std::string_view word) {
+    return word == "int" || word == "unsigned" || word == "size_t" || word == "uint" || word == "uint32_t" ||
+           word == "int32_t" || word == "long" || word == "short";
+}
+
+/// `<float, 4>` for `template <class T, int N>`; "?" where a parameter is neither a type nor a number.
+std::string template_arguments(const ScannedFile& file, const Unit& unit, const std::string& type) {
     const LexedText& lexed = file.lexed;
     if (lexed.view(unit.tokens.first) != "template" || lexed.view(unit.tokens.first + 1) != "<") return {};
     std::string out;
@@ -168,11 +199,38 @@ std::string template_arguments(const ScannedFile& file, const Unit& unit) {
         if (depth > 1) return "?";
     }
     for (const TokenRange part : list_parts(lexed, {unit.tokens.first + 2, i})) {
-        const std::string_view first = lexed.view(part.first);
-        if (first != "class" && first != "typename") return "?";
-        out += out.empty() ? "<float" : ", float";
+        uint32_t first = part.first;
+        while (first < part.end && lexed.view(first) == "const") ++first;
+        const std::string_view word = lexed.view(first);
+        constexpr const char* kValue = "4";  // as wide as vectors are, and a power of two
+        const std::string argument = word == "class" || word == "typename" ? type
+                                     : word == "bool"                      ? "true"
+                                     : is_whole_type(word)                 ? kValue
+                                                                           : "";
+        if (argument.empty()) return "?";
+        out += (out.empty() ? "<" : ", ") + argument;
     }
     return out.empty() ? out : out + ">";
+}
+
+/// What each parameter of a template stands for, by name.
+std::map<std::string, std::string> template_values(const ScannedFile& file, const Unit& unit,
+                                                   const std::string& arguments) {
+    std::map<std::string, std::string> out;
+    if (arguments.empty()) return out;
+    const LexedText& lexed = file.lexed;
+    uint32_t end = unit.tokens.first + 2;
+    while (end < unit.name_token && lexed.view(end) != ">") ++end;
+    size_t at = 1;
+    for (const TokenRange part : list_parts(lexed, {unit.tokens.first + 2, end})) {
+        const size_t next = std::min(arguments.find_first_of(",>", at), arguments.size());
+        std::string_view name;
+        for (uint32_t i = part.first; i < part.end && lexed.view(i) != "="; ++i)
+            if (lexed.tokens[i].kind == TokenKind::Identifier) name = lexed.view(i);
+        out.emplace(name, arguments.substr(at, next - at));
+        at = std::min(next + 2, arguments.size());
+    }
+    return out;
 }
 
 /// The head `template <class F>` of a struct and its arguments `<F>`; both "" for others.
@@ -370,7 +428,8 @@ void take_stand_ins(Subject& subject, const StandIns& stand_ins) {
 
 }  // namespace
 
-Subject subject_of(const Definition& function, const Definitions& definitions, const StandIns& stand_ins) {
+Subject subject_of(const Definition& function, const Definitions& definitions, const StandIns& stand_ins,
+                   const Definition& counterpart) {
     Subject out;
     out.function = &function;
     const ScannedFile& file = *function.file;
@@ -395,7 +454,7 @@ Subject subject_of(const Definition& function, const Definitions& definitions, c
     out.reason = out.closure.missing;
     if (!out.reason.empty()) return out;
     take_stand_ins(out, stand_ins);
-    out.template_arguments = template_arguments(file, unit);
+    out.template_arguments = template_arguments(file, unit, number_type_of(counterpart));
     if (out.template_arguments == "?") {
         out.reason = "a template over more than types";
         return out;
@@ -403,10 +462,15 @@ Subject subject_of(const Definition& function, const Definitions& definitions, c
     const std::set<std::string, std::less<>> fields = fields_in(out.closure);
     out.parameters = parameters_of(file, unit, manner_of(function, definitions, fields));
     PointerReach reach(definitions);
+    const std::map<std::string, std::string> values = template_values(file, unit, out.template_arguments);
     for (SubjectParameter& parameter : out.parameters) {
+        if (const auto value = values.find(parameter.bound); value != values.end()) parameter.bound = value->second;
         if (!parameter.is_pointer) continue;
         parameter.elements = reach.of(function, parameter.name);
-        if (parameter.elements == 0) out.reason = "pointer of unknown length: " + parameter.name;
+        if (parameter.elements != 0) continue;
+        if (!parameter.can_be_array) out.reason = "pointer of unknown length: " + parameter.name;
+        parameter.is_guess = true;
+        parameter.elements = kGuessedElements;
     }
     const CppManner manner = manner_of(function, definitions, fields);
     for (const Piece& piece : out.closure.pieces)

@@ -15,9 +15,15 @@ namespace porttool {
 struct SubjectParameter {
     std::string name;
     bool is_pointer = false;
-    int elements = 1;   ///< behind a pointer, as far as the function looks
-    std::string bound;  ///< of an array, as written; "" for none
+    bool can_be_array = false;  ///< a pointer to numbers, of whatever length
+    bool is_guess = false;      ///< how many there are behind the pointer, the function's other arguments say
+    int elements = 1;           ///< behind a pointer, as far as the function looks
+    std::string bound;          ///< of an array, as written; "" for none
 };
+
+/// Elements of an array whose length is a guess, and the largest whole number that goes with it: a count, or an index.
+inline constexpr int kGuessedElements = 64;
+inline constexpr int kGuessedCount = 8;
 
 /// What stands in for something that one side of the other does not have either, by a name alone.
 struct NamedAnswer {
@@ -51,8 +57,10 @@ struct Subject {
 /// True for a function that gives nothing.
 bool gives_nothing(const Definition& function);
 
-/// Looks at a function. Never fails: `reason` says why it cannot be run.
-Subject subject_of(const Definition& function, const Definitions& definitions, const StandIns& stand_ins);
+/// Looks at a function. Never fails: `reason` says why it cannot be run. `counterpart`: what a template is to be run
+/// for follows from the types that stand there.
+Subject subject_of(const Definition& function, const Definitions& definitions, const StandIns& stand_ins,
+                   const Definition& counterpart);
 
 /// The subject as a part of a program: in a namespace of its own, `subject_N`. `widens`: with doubles for floats.
 std::string subject_text(const Subject& subject, int number, const Definitions& definitions, const StandIns& stand_ins,

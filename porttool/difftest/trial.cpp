@@ -67,15 +67,33 @@ Trial::Trial(const BuiltSide& source, const BuiltSide& target, const LeafMatch& 
 
 std::string Trial::run_side(const BuiltSide& side, const InputTable& table, bool is_target,
                             std::vector<uint64_t>& out) {
-    const size_t width = inputs_.size();
     std::vector<uint64_t> slots(std::max<size_t>(1, table.size()));
     for (size_t row = 0; row < records_; ++row)
-        for (size_t i = 0; i < width; ++i) {
+        for (size_t i = 0; i < inputs_.size(); ++i) {
             const size_t place = is_target ? match_.in[i] : i;
-            slots[row * width + place] = slot_of(table[row * width + i], inputs_[i], side.leaves.in[place]);
+            slots[row * inputs_.size() + place] =
+                slot_of(table[row * inputs_.size() + i], inputs_[i], side.leaves.in[place]);
         }
-    const size_t out_width = side.leaves.out.size() + 1;
-    out.assign(records_ * out_width, 1);
+    if (side.calls.empty()) return run_slots(side, slots, inputs_.size(), side.leaves.out.size(), is_target, out);
+    const size_t calls = side.calls.size();
+    std::vector<uint64_t> parts, results;
+    for (size_t row = 0; row < records_; ++row)
+        for (const std::vector<size_t>& numbers : side.calls)
+            for (const size_t place : numbers) parts.push_back(slots[row * inputs_.size() + place]);
+    std::string failure = run_slots(side, parts, side.calls.front().size(), 1, is_target, results);
+    out.assign(records_ * (calls + 1), 0);
+    for (size_t i = 0; i < records_ * calls; ++i) {
+        uint64_t* const row = &out[i / calls * (calls + 1)];
+        row[0] = std::max(row[0], results[2 * i]);
+        row[1 + i % calls] = results[2 * i + 1];
+    }
+    return failure;
+}
+
+std::string Trial::run_slots(const BuiltSide& side, const std::vector<uint64_t>& slots, size_t width, size_t outputs,
+                             bool is_target, std::vector<uint64_t>& out) {
+    const size_t out_width = outputs + 1;
+    out.assign(records_ * std::max<size_t>(1, side.calls.size()) * out_width, 1);
     const std::string in_path = folder_ + "/in" + std::to_string(side.number),
                       out_path = folder_ + "/out" + std::to_string(side.number);
     if (!write_slots(in_path, slots) || !write_slots(out_path, out))

@@ -16,6 +16,8 @@ struct BuiltSide {
     std::string program;
     int number = 0;
     Leaves leaves;
+    /// Where it is called once a component of a vector: for each call, which of `leaves.in` its numbers are.
+    std::vector<std::vector<size_t>> calls = {};
 };
 
 /// How alike two results must be.
@@ -61,6 +63,8 @@ public:
 
 private:
     std::string run_side(const BuiltSide& side, const InputTable& table, bool is_target, std::vector<uint64_t>& out);
+    std::string run_slots(const BuiltSide& side, const std::vector<uint64_t>& slots, size_t width, size_t outputs,
+                          bool is_target, std::vector<uint64_t>& out);
     uint64_t distance_at(size_t record, size_t output) const;
     bool is_rounding(size_t record, size_t output) const;
     std::optional<double> wide_result(Side side, size_t record, size_t output) const;

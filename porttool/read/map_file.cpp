@@ -44,7 +44,7 @@ public:
         const toml::table root = parse();
         only(root,
              {"version", "sides", "pair", "ignore", "block", "rules", "dialect", "spirv", "cost", "reuse", "effort",
-              "sync"},
+              "sync", "difftest"},
              "portmap.toml");
         const auto version = root["version"].value<int64_t>();
         if (!version || *version != 1)
@@ -70,6 +70,10 @@ public:
         if (const toml::table* spirv = section(root, "spirv")) {
             only(*spirv, {"include", "preamble"}, "[spirv]");
             map_.shaders = {list(*spirv, "include", false), list(*spirv, "preamble", false)};
+        }
+        if (const toml::table* difftest = section(root, "difftest")) {
+            only(*difftest, {"defines"}, "[difftest]");
+            map_.defines = list(*difftest, "defines", false);
         }
         if (const toml::table* sync = section(root, "sync")) {
             only(*sync, {"verify"}, "[sync]");

@@ -91,6 +91,7 @@ struct MapFile {
     std::map<Rule, Level> rules;
     std::vector<std::pair<std::string, std::string>> dialect;
     MapShaders shaders;
+    std::vector<std::string> defines;        ///< [difftest]: NAME or NAME=VALUE, what the build defines
     metrics::LineWeights weights;            ///< [cost]
     metrics::ReuseSettings reuse;            ///< [reuse]
     std::vector<MapEffort> efforts;          ///< [[effort]]

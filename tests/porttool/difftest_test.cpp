@@ -3,11 +3,15 @@
 // Functions of both sides, built and run: what differs is found with an input that a reader can check by hand, what
 // cannot run says why, and what would harm does not.
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <chrono>
 #include <cmath>
+#include <csignal>
 
 #include "porttool/difftest/bounded_process.h"
+#include "porttool/difftest/build_defines.h"
 #include "tests/porttool/temporary_repository.h"
 
 namespace porttool::testing {
@@ -122,7 +126,7 @@ TEST_F(Difftest, RecordsThatAPairRanTheSame) {
     EXPECT_EQ(checked["findings"][0]["rule"], "unexplained-difference");
     EXPECT_EQ(checked["findings"][0]["source"]["id"], "a/a.glsl:twice");
     EXPECT_EQ(checked["summary"]["verified"], 1);
-    const CommandRun got = porttool({"difftest", "--inputs", "200", "--record"});
+    const CommandRun got = porttool({"difftest", "a/a.glsl:half_of", "--inputs", "200", "--record"});
     EXPECT_NE(got.out.find("1 pairs recorded as verified"), std::string::npos) << got.out << got.err;
     const std::string after = read_text(root / "portmap.lock");
     EXPECT_NE(after.find("difftest 2"), std::string::npos);
@@ -158,7 +162,7 @@ __global__ void fill(float* out) { out[threadIdx.x] = 1.0f; }
     EXPECT_EQ(pair_of(pairs, "shaded")["state"], "same") << pairs.dump(1);
     EXPECT_EQ(pair_of(pairs, "picked")["state"], "differs");
     EXPECT_EQ(pair_of(pairs, "picked")["counterexample"]["inputs"]["kind"], 1);
-    EXPECT_EQ(pair_of(pairs, "sum")["reason"], "pointer of unknown length: values");
+    EXPECT_EQ(pair_of(pairs, "sum")["reason"], "arrays of 64 elements");
     EXPECT_EQ(pair_of(pairs, "fill")["reason"], "a kernel: it takes its work from a launch");
 }
 
@@ -236,6 +240,99 @@ int well(int x) { return x + 1; }
     EXPECT_EQ(pair_of(pairs, "leaves")["state"], "not_run");
     EXPECT_EQ(pair_of(pairs, "divides")["state"], "same");
     EXPECT_EQ(pair_of(pairs, "well")["state"], "same");
+}
+
+TEST_F(Difftest, HoldsVectorsAgainstNumbersAndGuessesWhatATextLeavesOpen) {
+    write("a/Makefile", "FLAGS = -O2 -DSINGLE -DSTEPS=3 -DNAME=$(NAME)\nifdef DEBUG\nFLAGS += -DSTEPS=9\nendif\n");
+    write("b/Makefile", "FLAGS = -DSINGLE -DSTEPS=4\n");
+    const std::string head =
+        "#ifdef SINGLE\ntypedef float real_t;\n#else\n#error reals\n#endif\n"
+        "typedef struct pairing { real_t first, second; } *pairing_t;\nenum { LOW = 2, HIGH = 5 };\n";
+    const nlohmann::json pairs = run_on("a.cu", head + R"(
+float3 limited(float3 v, float3 low, float high) { v.x = fminf(fmaxf(v.x, low.x), high); v.y = fminf(fmaxf(v.y, low.y), high); v.z = fminf(fmaxf(v.z, low.z), high); return v; }
+float3 turned(float3 v) { return make_float3(v.y, v.z, v.x); }
+float scaled(float x) { return x * STEPS; }
+real_t joined(const pairing_t p) { return p->first * LOW + p->second * HIGH; }
+float total(const float* values, int count) { float s = 0; for (int i = 0; i < count; ++i) s += values[i]; return s; }
+void shifted(float* out, const float* in, int count) { for (int i = 0; i + 1 < count; ++i) out[i] = in[i + 1]; }
+float far_away(const float* values) { return values[1000000]; }
+template <int N, class T> T power(T x) { T out = x; for (int i = 1; i < N; ++i) out *= x; return out; }
+)",
+                                        "b.h", head + R"(
+float limited(float v, float low, float high) { v = v < low ? low : v; return v > high ? high : v; }
+float turned(float v) { return v; }
+float scaled(float x) { return x * STEPS; }
+real_t joined(const pairing_t p) { return p->first * 2 + p->second * 5; }
+float total(const float* values, int count) { float s = 0; for (int i = 0; i < count; ++i) s += values[i]; return s; }
+void shifted(float* out, const float* in, int count) { for (int i = 0; i < count; ++i) out[i] = in[i]; }
+float far_away(const float* values) { return values[1000000]; }
+template <int N, class T> T power(T x) { T out = 1; for (int i = 0; i < N; ++i) out *= x; return out; }
+)",
+                                        {"--inputs", "1000"});
+    const nlohmann::json limited = pair_of(pairs, "limited");
+    EXPECT_EQ(limited["state"], "same") << limited.dump(1);
+    EXPECT_EQ(limited["reason"].get<std::string>().find("component by component"), 0u) << limited["reason"];
+    EXPECT_EQ(pair_of(pairs, "turned")["reason"],
+              "the parameters differ: 3 numbers in the source, 1 number in the target")
+        << "no function of each component";
+    const nlohmann::json scaled = pair_of(pairs, "scaled");
+    ASSERT_EQ(scaled["state"], "differs") << "3 against 4: the builds say so";
+    EXPECT_EQ(scaled["counterexample"]["target"].get<double>() * 3,
+              scaled["counterexample"]["source"].get<double>() * 4);
+    EXPECT_EQ(pair_of(pairs, "joined")["state"], "same") << pair_of(pairs, "joined").dump(1);
+    EXPECT_EQ(pair_of(pairs, "total")["state"], "same") << pair_of(pairs, "total").dump(1);
+    EXPECT_EQ(pair_of(pairs, "total")["reason"], "arrays of 64 elements");
+    EXPECT_EQ(pair_of(pairs, "shifted")["state"], "differs") << pair_of(pairs, "shifted").dump(1);
+    EXPECT_EQ(pair_of(pairs, "far_away")["reason"], "pointer of unknown length: values");
+    EXPECT_EQ(pair_of(pairs, "power")["state"], "same") << pair_of(pairs, "power").dump(1);
+}
+
+TEST(BuildDefines, AreReadFromTextsAlone) {
+    const auto joined = [](const Macros& macros) {
+        std::string out;
+        for (const auto& [name, value] : macros) out += name + "=" + value + " ";
+        return out;
+    };
+    EXPECT_EQ(joined(macros_in_flags("-O2 -DA -D B=2 '-DC=3' -DD=$(X) -I -DE=\"q\" -D1=2 -DF=(1+2)")),
+              "A=1 B=2 C=3 E=q F=(1+2) ");
+    EXPECT_EQ(
+        joined(macros_in_makefile("X = -DA \\\n -DB=2 # -DC\nifeq ($(D),1)\nX += -DD\nelse\nX += -DE\nendif\nY=-DF")),
+        "A=1 B=2 F=1 ");
+    EXPECT_EQ(
+        joined(macros_in_cmake("add_definitions(-DA -DB=2)\nif(X)\nadd_definitions(-DC)\nendif()\n"
+                               "target_compile_definitions(t PRIVATE D=4 $<X:E>\n PUBLIC F)\n# add_definitions(-DG)\n"
+                               "add_compile_definitions(H")),
+        "A=1 B=2 D=4 F=1 H=1 ");
+    MemoryDisk disk;
+    disk.files["/r/build/compile_commands.json"] =
+        R"([{"directory": "/r/build", "file": "../a/k.cpp", "command": "g++ -DN=5 -c ../a/k.cpp"}, 7, {"file": 3}])";
+    disk.files["/r/a/Makefile"] = "F = -DN=6 -DM\n";
+    const std::string root = "/r";
+    const BuildDefines build(root, disk, {"GIVEN=1", "N=4"});
+    EXPECT_EQ(build.text_for("a/k.cpp"), "#define GIVEN 1\n#define N 4\n") << "what is given wins";
+    const BuildDefines plain(root, disk, {});
+    EXPECT_EQ(plain.text_for("a/k.cpp"), "#define N 5\n");
+    EXPECT_EQ(plain.text_for("a/b/deep.h"), "#define N 6\n#define M 1\n");
+    EXPECT_EQ(plain.text_for("k.h"), "");
+}
+
+TEST_F(Difftest, LeavesNothingBehindWhenInterrupted) {
+    write("a/a.h", "inline float f(float x) { return x; }\n");
+    write("b/b.h", "inline float f(float x) { return x; }\n");
+    std::filesystem::create_directory(root / "tmp");
+    const pid_t child = fork();
+    if (child == 0) {
+        setenv("TMPDIR", (root / "tmp").c_str(), 1);
+        (void)porttool({"difftest", "--source", "a/*", "--target", "b/*"});
+        _exit(0);
+    }
+    for (int i = 0; i < 500 && std::filesystem::is_empty(root / "tmp"); ++i) usleep(10'000);
+    usleep(100'000);  // in the middle of a compilation
+    kill(child, SIGINT);
+    int status = 0;
+    ASSERT_EQ(waitpid(child, &status, 0), child);
+    EXPECT_EQ(WEXITSTATUS(status), 130);
+    EXPECT_TRUE(std::filesystem::is_empty(root / "tmp"));
 }
 
 TEST_F(Difftest, SaysWhatIsMissing) {

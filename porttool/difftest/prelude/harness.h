@@ -53,6 +53,7 @@ struct Lister {
     const char* direction;
     int param;
     std::string path;
+    size_t count = 0;
 
     size_t enter(const char* name) {
         const size_t before = path.size();
@@ -63,6 +64,9 @@ struct Lister {
     void leave(size_t before) { path.resize(before); }
     template <class T>
     void number(T&) {
+        constexpr size_t kMost = 2048;  // more is nobody's input
+        if (++count == kMost) unusable("many");
+        if (count >= kMost) return;
         std::printf("%s %d %s %s\n", direction, param, kind_of<T>(), path.c_str());
     }
     void unusable(const char* why) { std::printf("bad %d %s %s\n", param, why, path.c_str()); }
@@ -223,6 +227,19 @@ void noted(int number, A... arguments) {
     (walk(noter, "", arguments), ...);
 }
 
+/// Memory for an array whose length is a guess: who looks behind it, or a page before it, does not come back.
+inline void* guarded(size_t size) {
+    const auto page = static_cast<size_t>(sysconf(_SC_PAGESIZE));
+    const size_t room = (size + page - 1) / page * page;
+    void* const all = mmap(nullptr, room + 2 * page, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    if (all == MAP_FAILED) _exit(4);
+    char* const first = static_cast<char*>(all) + page;
+    if (mprotect(first, room, PROT_READ | PROT_WRITE) != 0) _exit(4);
+    return first + room - size;
+}
+constexpr int kGuess = 64;                ///< elements, of subject.cpp
+constexpr size_t kMostOfGuess = 1 << 14;  ///< bytes: of what is larger there is one
+
 /// What a parameter of type A is made from: one value, or those behind a pointer.
 template <class A>
 struct Holder {
@@ -240,8 +257,11 @@ struct Holder {
     std::remove_cvref_t<A> pointer = {};
 
     explicit Holder(int elements) requires kPointer : count(elements < 1 ? 1 : elements), pointer() {
+        const bool is_guess = count == kGuess;
+        if (is_guess && sizeof(Stored) * kGuess > kMostOfGuess) count = 1;
         values = static_cast<Stored*>(
-            std::calloc(static_cast<size_t>(count) + 8, sizeof(Stored) < 64 ? 64 : sizeof(Stored)));
+            is_guess ? guarded(static_cast<size_t>(count) * sizeof(Stored))
+                     : std::calloc(static_cast<size_t>(count) + 8, sizeof(Stored) < 64 ? 64 : sizeof(Stored)));
     }
     template <class V>
     void visit(V& v, const char* name) {
@@ -450,6 +470,10 @@ inline int start(int argc, char** argv, const Subject* subjects, size_t count) {
 }  // namespace porttool_harness
 
 namespace porttool_prelude {
+template <class T, class V>
+void porttool_visit(vec1<T>& x, V& v) {
+    porttool_harness::walk(v, "x", x.x);
+}
 template <class T, int N, class V>
 void porttool_visit(vec<T, N>& x, V& v) {
     static constexpr const char* kNames[] = {"x", "y", "z", "w"};

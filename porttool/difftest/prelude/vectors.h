@@ -227,7 +227,13 @@ using longlong = long long;
 using ulonglong = unsigned long long;
 using half = _Float16;
 
+template <class T>
+struct vec1 {
+    T x;
+};
+
 #define PORTTOOL_VECTORS(T, cuda)                       \
+    using cuda##1 = vec1<T>;                            \
     using cuda##2 = vec<T, 2>;                          \
     using cuda##3 = vec<T, 3>;                          \
     using cuda##4 = vec<T, 4>;                          \
