@@ -3,6 +3,8 @@
 #include "render_system/texture.h"
 
 #include <algorithm>
+#include <functional>
+#include <utility>
 
 #include "render_system/texel.h"
 
@@ -16,13 +18,23 @@ struct Level {
     std::vector<glm::vec4> texels;
 };
 
+// Linear texels of one level, a row at a time: the largest level never stands in memory as floats.
+struct Rows {
+    uint32_t width;
+    uint32_t height;
+    std::function<void(size_t y, glm::vec4* row)> read;
+};
+
 // The common case, where both sides are even: the mean of four.
-Level halve_evenly(const Level& level) {
+Level halve_evenly(const Rows& level) {
     Level half{level.width / 2, level.height / 2, {}};
     half.texels.reserve(static_cast<size_t>(half.width) * half.height);
+    std::vector<glm::vec4> pair(size_t{2} * level.width);
     for (size_t y = 0; y < half.height; ++y) {
-        const glm::vec4* upper = &level.texels[2 * y * level.width];
+        const glm::vec4* upper = pair.data();
         const glm::vec4* lower = upper + level.width;
+        level.read(2 * y, pair.data());
+        level.read(2 * y + 1, pair.data() + level.width);
         for (size_t x = 0; x < half.width; ++x, upper += 2, lower += 2) {
             half.texels.push_back(0.25f * ((upper[0] + upper[1]) + (lower[0] + lower[1])));
         }
@@ -30,52 +42,64 @@ Level halve_evenly(const Level& level) {
     return half;
 }
 
-// Averages `from` values (step `stride` apart) into `to`: output i covers [i * from / to, (i + 1) * from / to).
-// With from = 2 * to this is the plain mean of two.
-void average_line(const glm::vec4* in, uint32_t from, size_t in_stride, glm::vec4* out, uint32_t to,
-                  size_t out_stride) {
-    for (uint32_t i = 0; i < to; ++i) {
-        // In units of 1 / to of an input texel, so that all borders are whole numbers.
-        const uint64_t begin = static_cast<uint64_t>(i) * from;
-        const uint64_t end = begin + from;
-        glm::dvec4 sum(0.0);
-        for (uint64_t j = begin / to; j * to < end; ++j) {
-            const uint64_t covered = std::min(end, (j + 1) * to) - std::max(begin, j * to);
-            sum += static_cast<double>(covered) * glm::dvec4(in[j * in_stride]);
-        }
-        out[i * out_stride] = sum / static_cast<double>(from);
+// Calls add(j, share) for what output i of `to` covers of `from` inputs: [i * from / to, (i + 1) * from / to), in units
+// of 1 / to of an input, so that all borders are whole numbers. The shares' sum is `from`.
+template <class Add>
+void cover(uint64_t i, uint64_t from, uint64_t to, Add&& add) {
+    const uint64_t begin = i * from, end = begin + from;
+    for (uint64_t j = begin / to; j * to < end; ++j) {
+        add(j, static_cast<double>(std::min(end, (j + 1) * to) - std::max(begin, j * to)));
     }
 }
 
-Level halve(const Level& level) {
+// Along the rows first, then across them. With an even side this is the plain mean of two.
+Level halve(const Rows& level) {
     if (level.width % 2 == 0 && level.height % 2 == 0) return halve_evenly(level);
     const uint32_t width = std::max(1u, level.width / 2);
     const uint32_t height = std::max(1u, level.height / 2);
-    std::vector<glm::vec4> rows(static_cast<size_t>(width) * level.height);
-    for (size_t y = 0; y < level.height; ++y) {
-        average_line(&level.texels[y * level.width], level.width, 1, &rows[y * width], width, 1);
-    }
     Level half{width, height, std::vector<glm::vec4>(static_cast<size_t>(width) * height)};
-    for (size_t x = 0; x < width; ++x) average_line(&rows[x], level.height, width, &half.texels[x], height, width);
+    std::vector<glm::vec4> row(level.width);
+    std::vector<glm::dvec4> sums(width);
+    for (uint32_t y = 0; y < height; ++y) {
+        std::fill(sums.begin(), sums.end(), glm::dvec4(0.0));
+        cover(y, level.height, height, [&](uint64_t j, double row_share) {
+            level.read(j, row.data());
+            for (uint32_t x = 0; x < width; ++x) {
+                glm::dvec4 sum(0.0);
+                cover(x, level.width, width, [&](uint64_t k, double share) { sum += share * glm::dvec4(row[k]); });
+                sums[x] += row_share * glm::dvec4(glm::vec4(sum / static_cast<double>(level.width)));
+            }
+        });
+        for (uint32_t x = 0; x < width; ++x) {
+            half.texels[size_t{y} * width + x] = sums[x] / static_cast<double>(level.height);
+        }
+    }
     return half;
 }
 
-Level linear_level(const Image& image, TexelFormat format) {
-    Level level{image.width, image.height, {}};
-    if (image.floats.empty()) {
-        level.texels.reserve(image.bytes.size());
-        for (uint32_t texel : image.bytes) level.texels.push_back(unpack_texel(texel, format));
-        return level;
+// A float texel as the format's own texels are once they are read.
+glm::vec4 linear_texel(glm::vec4 texel, TexelFormat format) {
+    if (format == TexelFormat::rgba8_srgb) {
+        for (int i = 0; i < 3; ++i) texel[i] = srgb_to_linear(texel[i]);
+    } else if (format == TexelFormat::rgb9e5) {
+        texel = glm::vec4(unpack_rgb9e5(pack_rgb9e5(glm::vec3(texel))), 1.0f);  // clamped; NaN gone
     }
-    level.texels = image.floats;
-    for (glm::vec4& texel : level.texels) {
-        if (format == TexelFormat::rgba8_srgb) {
-            for (int i = 0; i < 3; ++i) texel[i] = srgb_to_linear(texel[i]);
-        } else if (format == TexelFormat::rgb9e5) {
-            texel = glm::vec4(unpack_rgb9e5(pack_rgb9e5(glm::vec3(texel))), 1.0f);  // clamped; NaN gone
-        }
-    }
-    return level;
+    return texel;
+}
+
+Rows rows_of(const Image& image, TexelFormat format) {
+    return {image.width, image.height, [&image, format](size_t y, glm::vec4* row) {
+                const size_t first = y * image.width;
+                for (size_t x = 0; x < image.width; ++x) {
+                    row[x] = image.floats.empty() ? unpack_texel(image.bytes[first + x], format)
+                                                  : linear_texel(image.floats[first + x], format);
+                }
+            }};
+}
+
+Rows rows_of(const Level& level) {
+    return {level.width, level.height,
+            [&level](size_t y, glm::vec4* row) { std::copy_n(&level.texels[y * level.width], level.width, row); }};
 }
 
 uint32_t full_chain_levels(uint32_t width, uint32_t height) {
@@ -86,7 +110,7 @@ uint32_t full_chain_levels(uint32_t width, uint32_t height) {
 
 }  // namespace
 
-HostTexture build_texture(const Image& image, TextureRole role, bool with_mips) {
+HostTexture build_texture(Image image, TextureRole role, bool with_mips) {
     HostTexture texture;
     texture.width = image.width;
     texture.height = image.height;
@@ -94,14 +118,22 @@ HostTexture build_texture(const Image& image, TextureRole role, bool with_mips) 
     texture.format = image.is_hdr                 ? TexelFormat::rgb9e5
                      : role == TextureRole::color ? TexelFormat::rgba8_srgb
                                                   : TexelFormat::rgba8;
-    texture.texels = image.bytes;
-    if (texture.levels == 1 && !image.bytes.empty()) return texture;
-    Level level = linear_level(image, texture.format);
-    if (image.bytes.empty()) {
-        for (const glm::vec4& texel : level.texels) texture.texels.push_back(pack_texel(texel, texture.format));
+    Level level{};
+    if (texture.levels > 1) level = halve(rows_of(image, texture.format));
+    texture.texels = std::move(image.bytes);
+    if (texture.texels.empty()) {
+        texture.texels.reserve(image.floats.size());
+        for (const glm::vec4& texel : image.floats) {
+            texture.texels.push_back(pack_texel(linear_texel(texel, texture.format), texture.format));
+        }
+        image.floats = {};
     }
+    size_t chain = 0;
+    for (uint32_t i = 0; i < texture.levels; ++i)
+        chain += size_t{std::max(1u, image.width >> i)} * std::max(1u, image.height >> i);
+    texture.texels.reserve(chain);
     for (uint32_t i = 1; i < texture.levels; ++i) {
-        level = halve(level);
+        if (i > 1) level = halve(rows_of(level));
         for (const glm::vec4& texel : level.texels) texture.texels.push_back(pack_texel(texel, texture.format));
     }
     return texture;

@@ -26,7 +26,7 @@ enum class TextureRole { color, data };
 /// images become rgb9e5. Level 0 of an 8-bit image holds the file's bytes as they are. Each level is the exact area
 /// average (box) of the one above, taken before that one is rounded; odd sizes share texels by fractions.
 /// `with_mips` false leaves level 0 alone. Wrap modes and filter are for the caller to set.
-HostTexture build_texture(const Image& image, TextureRole role, bool with_mips = true);
+HostTexture build_texture(Image image, TextureRole role, bool with_mips = true);
 
 /// The mean of level 0 in linear light.
 glm::vec3 mean_color(const HostTexture& texture);

@@ -80,7 +80,12 @@ void pack_materials(std::span<const CoreMaterial> materials, SceneTables& tables
 
 void pack_textures(std::span<const CoreTexture> textures, SceneTables& tables) {
     tables.textures.assign(textures.size(), uvec4(0u));
-    tables.texels.clear();
+    size_t texels = 0;
+    for (const CoreTexture& texture : textures) {
+        texels += texture.texels.size();
+    }
+    tables.texels = {};
+    tables.texels.reserve(texels);  // growing would take as much again
     for (size_t i = 0; i < textures.size(); ++i) {
         const CoreTexture& texture = textures[i];
         uint wrap_s = static_cast<uint>(texture.wrap_s) << TEXTURE_WRAP_S_SHIFT;
