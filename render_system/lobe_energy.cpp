@@ -32,11 +32,11 @@ double smith(double cosine, double alpha) { return std::sqrt(alpha * alpha + (1.
 // A Fibonacci lattice: a turn's cosine and sine, and a number from 0 to 1.
 const std::vector<glm::dvec3>& lattice() {
     static const std::vector<glm::dvec3> points = [] {
-        constexpr uint32_t kPoints = 610, kGenerator = 377;
+        constexpr uint32_t kLattice = 610, kGenerator = 377;
         std::vector<glm::dvec3> made;
-        for (uint32_t i = 0; i < kPoints; ++i) {
-            const double turn = kTwoPi * static_cast<double>(i * kGenerator % kPoints) / kPoints;
-            made.emplace_back(std::cos(turn), std::sin(turn), (i + 0.5) / kPoints);
+        for (uint32_t i = 0; i < kLattice; ++i) {
+            const double turn = kTwoPi * static_cast<double>(i * kGenerator % kLattice) / kLattice;
+            made.emplace_back(std::cos(turn), std::sin(turn), (i + 0.5) / kLattice);
         }
         return made;
     }();
