@@ -10,6 +10,7 @@
 #include "porttool/normal/diff.h"
 #include "porttool/normal/normal_form.h"
 #include "porttool/normal/statements.h"
+#include "porttool/text/letters.h"
 
 namespace porttool {
 namespace {
@@ -174,10 +175,8 @@ std::string plain_word(const std::string& word, const Dialect& dialect) {
     constexpr size_t kShort = 3;  // N and n are two things
     if (is_number_token(word)) return number_value(word);
     if (!is_word_token(word) || word.size() < kShort) return word;
-    std::string small = word;
-    std::transform(small.begin(), small.end(), small.begin(),
-                   [](unsigned char c) { return static_cast<char>(c >= 'A' && c <= 'Z' ? c + 32 : c); });
-    if (const std::string* known = dialect.find(small); known != nullptr && !known->empty()) return *known;
+    if (const std::string* known = dialect.find(in_small_letters(word)); known != nullptr && !known->empty())
+        return *known;
     return folded(word);
 }
 

@@ -4,8 +4,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <string>
+
+#include "porttool/text/letters.h"
 
 namespace porttool {
 namespace {
@@ -40,8 +41,7 @@ constexpr std::array<std::string_view, 5> kBuild = {"compil", "build", "driver",
 }  // namespace
 
 MessageSays read_message(std::string_view message) {
-    std::string text(message);
-    std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
+    const std::string text = in_small_letters(message);
     const std::string first = text.substr(0, text.find('\n'));
     MessageSays out{speaks_of(first, kFix), false, speaks_of(first, kManner), speaks_of(first, kSpeed)};
     if (speaks_of(first, kBuild)) {

@@ -7,6 +7,7 @@
 
 #include "porttool/language/words.h"
 #include "porttool/normal/declaration_words.h"
+#include "porttool/text/letters.h"
 
 namespace porttool {
 namespace {
@@ -14,13 +15,6 @@ namespace {
 using Text = std::vector<std::string>;
 
 bool is_access(std::string_view word) { return word == "." || word == "->"; }
-
-std::string small(std::string_view word) {
-    std::string out(word);
-    std::transform(out.begin(), out.end(), out.begin(),
-                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-    return out;
-}
 
 constexpr size_t kFarthest = 64;  // words, of a value
 
@@ -65,7 +59,7 @@ std::string only_name(const std::map<std::string, std::set<std::string>>& names,
 std::string without_type(std::string_view name) {
     const size_t underscore = name.find('_');
     const bool of_type = underscore != std::string_view::npos && name[0] >= 'A' && name[0] <= 'Z';
-    return of_type ? small(name.substr(underscore + 1)) : std::string();
+    return of_type ? in_small_letters(name.substr(underscore + 1)) : std::string();
 }
 
 /// True before the name of a function that is declared: a type.
@@ -119,21 +113,21 @@ void CalledForms::add(const Words& text) {
         if (text[i + 1] != "(" || !is_word_token(text[i])) continue;
         const std::string name(text[i]);
         if (i > 0 && is_access(text[i - 1])) {
-            methods_[small(name)].insert(name);
+            methods_[in_small_letters(name)].insert(name);
             continue;
         }
-        functions_[small(name)].insert(name);
+        functions_[in_small_letters(name)].insert(name);
         if (const std::string plain = without_type(name); !plain.empty()) functions_[plain].insert(name);
     }
 }
 
 std::string CalledForms::function_for(const std::string& name) const {
-    return methods_.contains(small(name)) ? std::string() : only_name(functions_, small(name));
+    return methods_.contains(in_small_letters(name)) ? std::string() : only_name(functions_, in_small_letters(name));
 }
 
 std::string CalledForms::method_for(const std::string& name) const {
-    if (functions_.contains(small(name))) return {};
-    const std::string found = only_name(methods_, small(name)), plain = without_type(name);
+    if (functions_.contains(in_small_letters(name))) return {};
+    const std::string found = only_name(methods_, in_small_letters(name)), plain = without_type(name);
     return found.empty() && !plain.empty() ? only_name(methods_, plain) : found;
 }
 

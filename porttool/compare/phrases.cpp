@@ -8,6 +8,7 @@
 
 #include "porttool/language/words.h"
 #include "porttool/normal/declaration_words.h"
+#include "porttool/text/letters.h"
 
 namespace porttool {
 namespace {
@@ -232,9 +233,8 @@ void add_launch(Text& out, std::vector<Text> arguments) {
 }
 
 bool says_that_it_checks(std::string_view name) {
-    const auto same = [](char a, char b) { return (a >= 'A' && a <= 'Z' ? static_cast<char>(a + 32) : a) == b; };
     for (const std::string_view part : {"check", "chk", "safecall"})
-        if (std::search(name.begin(), name.end(), part.begin(), part.end(), same) != name.end()) return true;
+        if (holds_in_any_case(name, part)) return true;
     return false;
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "porttool/language/word_list.h"
+#include "porttool/text/letters.h"
 
 namespace porttool {
 namespace {
@@ -64,8 +65,7 @@ bool contains_any(std::string_view text, std::initializer_list<std::string_view>
 const LanguageTraits& traits_of(Language language) { return kLanguages[static_cast<size_t>(language)]; }
 
 Language language_of_path(std::string_view path) {
-    std::string lower(path.substr(path.find_last_of('/') + 1));
-    std::transform(lower.begin(), lower.end(), lower.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? c + 32 : c; });
+    const std::string lower = in_small_letters(path.substr(path.find_last_of('/') + 1));
     Language found = Language::Unknown;
     size_t longest = 0;
     for (const LanguageTraits& row : kLanguages)

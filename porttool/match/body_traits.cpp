@@ -5,18 +5,16 @@
 #include <algorithm>
 #include <array>
 
+#include "porttool/text/letters.h"
+
 namespace porttool {
 namespace {
 
-/// True if the name has the word, in small letters, whatever the case: `clEnqueueNDRangeKernel` has `enqueue`.
-bool has_word(std::string_view name, std::string_view word) {
-    const auto same = [](char a, char b) { return (a >= 'A' && a <= 'Z' ? static_cast<char>(a + 32) : a) == b; };
-    return std::search(name.begin(), name.end(), word.begin(), word.end(), same) != name.end();
-}
-
+/// True if the name has one of the words, whatever the case: `clEnqueueNDRangeKernel` has `enqueue`.
 template <size_t N>
 bool has_any(std::string_view name, const std::array<std::string_view, N>& words) {
-    return std::any_of(words.begin(), words.end(), [&](std::string_view word) { return has_word(name, word); });
+    return std::any_of(words.begin(), words.end(),
+                       [&](std::string_view word) { return holds_in_any_case(name, word); });
 }
 
 /// The name of a call that enqueues a kernel or hands it an argument: what all APIs, and the wrappers that projects
@@ -25,13 +23,14 @@ bool is_launch_name(std::string_view name) {
     constexpr std::array<std::string_view, 6> kStart = {"enqueue", "launch", "dispatch", "invoke", "execute", "run"};
     constexpr std::array<std::string_view, 4> kWork = {"kernel", "ndrange", "nd_range", "task"};
     constexpr std::array<std::string_view, 4> kGrid = {"compute", "cmd", "thread", "group"};
-    if (has_word(name, "kernel")) {
-        if (has_word(name, "arg")) return has_word(name, "set") || has_word(name, "add");
+    if (holds_in_any_case(name, "kernel")) {
+        if (holds_in_any_case(name, "arg")) return holds_in_any_case(name, "set") || holds_in_any_case(name, "add");
         return has_any(name, kStart);
     }
-    if (has_word(name, "enqueue")) return has_any(name, kWork);
-    if (has_word(name, "dispatch")) return has_any(name, kGrid);
-    return name == "parallel_for" || name == "single_task" || name == "optixLaunch" || has_word(name, "cmdtracerays");
+    if (holds_in_any_case(name, "enqueue")) return has_any(name, kWork);
+    if (holds_in_any_case(name, "dispatch")) return has_any(name, kGrid);
+    return name == "parallel_for" || name == "single_task" || name == "optixLaunch" ||
+           holds_in_any_case(name, "cmdtracerays");
 }
 
 /// Methods that hand a kernel object its arguments; they say so only where the body speaks of kernels.
@@ -74,7 +73,8 @@ private:
 
     bool speaks_of_kernels(const Unit& unit) const {
         for (uint32_t i = unit.body.first; i < unit.body.end; ++i)
-            if (lexed_.tokens[i].kind == TokenKind::Identifier && has_word(lexed_.view(i), "kernel")) return true;
+            if (lexed_.tokens[i].kind == TokenKind::Identifier && holds_in_any_case(lexed_.view(i), "kernel"))
+                return true;
         return false;
     }
 

@@ -7,15 +7,13 @@
 #include <unordered_set>
 
 #include "porttool/language/words.h"
+#include "porttool/text/letters.h"
 
 namespace porttool {
 namespace {
 
-bool is_upper(char c) { return c >= 'A' && c <= 'Z'; }
-bool is_lower(char c) { return c >= 'a' && c <= 'z'; }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
-bool is_alphanumeric(char c) { return is_upper(c) || is_lower(c) || is_digit(c); }
-char lower(char c) { return is_upper(c) ? static_cast<char>(c + 32) : c; }
+bool is_alphanumeric(char c) { return is_capital_letter(c) || is_small_letter(c) || is_digit(c); }
 
 /// The sign of `V::operator+`; of other names nothing. What an operator is named after is its sign.
 std::string_view operator_sign(std::string_view name) {
@@ -42,7 +40,7 @@ size_t joint_in(std::string_view word) {
     constexpr size_t kBefore = 3, kAfter = 2;
     const auto letters = [&](size_t first, size_t end) {
         return std::all_of(word.begin() + static_cast<std::ptrdiff_t>(first),
-                           word.begin() + static_cast<std::ptrdiff_t>(end), is_lower);
+                           word.begin() + static_cast<std::ptrdiff_t>(end), is_small_letter);
     };
     const size_t at = word.find('2');
     if (at == std::string_view::npos || at < kBefore || at + 1 + kAfter > word.size()) return std::string_view::npos;
@@ -50,7 +48,8 @@ size_t joint_in(std::string_view word) {
 }
 
 bool ends_with_joint(std::string_view word) {
-    return word.size() > 3 && word.back() == '2' && is_lower(word[word.size() - 2]) && is_lower(word[word.size() - 3]);
+    return word.size() > 3 && word.back() == '2' && is_small_letter(word[word.size() - 2]) &&
+           is_small_letter(word[word.size() - 3]);
 }
 
 void add_word(std::string word, std::vector<std::string>& words) {
@@ -112,10 +111,10 @@ bool tells_how(std::string_view word) {
 bool converts(std::string_view name) {
     for (size_t i = 1; i + 1 < name.size(); ++i) {
         if (name[i] == '2' && !is_digit(name[i - 1]) && !is_digit(name[i + 1])) return true;
-        const bool to = lower(name[i]) == 't' && lower(name[i + 1]) == 'o' && i + 2 < name.size();
+        const bool to = small_letter(name[i]) == 't' && small_letter(name[i + 1]) == 'o' && i + 2 < name.size();
         if (!to) continue;
         const bool snake = name[i - 1] == '_' && name[i + 2] == '_';
-        const bool camel = name[i] == 'T' && name[i + 1] == 'o' && is_upper(name[i + 2]);
+        const bool camel = name[i] == 'T' && name[i + 1] == 'o' && is_capital_letter(name[i + 2]);
         if (snake || camel) return true;
     }
     return false;
@@ -150,11 +149,12 @@ std::vector<std::string> split_words(std::string_view name) {
         const char before = i > 0 ? name[i - 1] : '\0';
         const char after = i + 1 < name.size() ? name[i + 1] : '\0';
         // camelCase, and the last capital of BSDFValue
-        if (is_upper(c) && (is_lower(before) || is_digit(before) || (is_upper(before) && is_lower(after)))) {
-            if (is_lower(after) && ends_with_joint(word)) word.pop_back();  // RGB2Lab
+        if (is_capital_letter(c) &&
+            (is_small_letter(before) || is_digit(before) || (is_capital_letter(before) && is_small_letter(after)))) {
+            if (is_small_letter(after) && ends_with_joint(word)) word.pop_back();  // RGB2Lab
             finish();
         }
-        word += lower(c);
+        word += small_letter(c);
     }
     finish();
     drop_joints(words);
@@ -163,10 +163,10 @@ std::vector<std::string> split_words(std::string_view name) {
 }
 
 std::string fold(std::string_view name) {
-    if (name.size() > 2 && name[0] == 'k' && is_upper(name[1])) name.remove_prefix(1);
+    if (name.size() > 2 && name[0] == 'k' && is_capital_letter(name[1])) name.remove_prefix(1);
     std::string folded;
     for (const char c : name)
-        if (is_alphanumeric(c)) folded += lower(c);
+        if (is_alphanumeric(c)) folded += small_letter(c);
     folded += operator_sign(name);
     return folded;
 }

@@ -8,6 +8,7 @@
 #include <cstdio>
 
 #include "porttool/language/words.h"
+#include "porttool/text/letters.h"
 
 namespace porttool {
 namespace {
@@ -179,7 +180,7 @@ private:
 std::string plain_digits(std::string_view text) {
     std::string plain;
     for (const char c : text)
-        if (c != '\'') plain += c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
+        if (c != '\'') plain += small_letter(c);
     return plain;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "porttool/normal/normal_form.h"
+#include "porttool/text/letters.h"
 
 namespace porttool {
 namespace {
@@ -74,7 +75,7 @@ bool ends_lambda_head(const Words& words) {
 std::string folded(std::string_view word) {
     std::string out;
     for (const char c : word)
-        if (c != '_') out += c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
+        if (c != '_') out += small_letter(c);
     return out.empty() ? std::string(word) : out;
 }
 

@@ -23,6 +23,7 @@
 
 #include "porttool/read/glob.h"
 #include "porttool/read/refusals.h"
+#include "porttool/text/letters.h"
 
 namespace porttool {
 namespace {
@@ -139,11 +140,7 @@ Descriptor open_by_kernel([[maybe_unused]] int root, [[maybe_unused]] const Tree
 
 }  // namespace
 
-bool is_git_folder(std::string_view name) {
-    constexpr std::string_view kName = ".git";
-    return std::equal(name.begin(), name.end(), kName.begin(), kName.end(),
-                      [](char a, char b) { return (a >= 'A' && a <= 'Z' ? a + 32 : a) == b; });
-}
+bool is_git_folder(std::string_view name) { return is_in_any_case(name, ".git"); }
 
 bool names_git_folder(std::string_view path) {
     const auto parts = components_of(path);

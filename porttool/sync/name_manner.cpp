@@ -3,17 +3,13 @@
 #include "porttool/sync/name_manner.h"
 
 #include <algorithm>
-#include <cctype>
 #include <map>
 #include <tuple>
 
+#include "porttool/text/letters.h"
+
 namespace porttool {
 namespace {
-
-bool is_upper(char c) { return std::isupper(static_cast<unsigned char>(c)) != 0; }
-bool is_lower(char c) { return std::islower(static_cast<unsigned char>(c)) != 0; }
-char upper(char c) { return static_cast<char>(std::toupper(static_cast<unsigned char>(c))); }
-char lower(char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }
 
 /// `sheenWeight`, `SheenWeight`, `sheen_weight`, `SHEEN_WEIGHT`. One word in small letters may be the first or the
 /// third.
@@ -28,10 +24,10 @@ std::vector<std::string> parts_of(const std::string& name) {
             starts = true;
             continue;
         }
-        if (i > 0 && is_upper(name[i]) && is_lower(name[i - 1])) starts = true;
+        if (i > 0 && is_capital_letter(name[i]) && is_small_letter(name[i - 1])) starts = true;
         if (starts) out.emplace_back();
         starts = false;
-        out.back() += lower(name[i]);
+        out.back() += small_letter(name[i]);
     }
     return out;
 }
@@ -42,7 +38,7 @@ std::string written_as(const std::vector<std::string>& parts, Manner manner) {
         if (i > 0 && (manner == Manner::Snake || manner == Manner::Capitals)) out += '_';
         for (size_t k = 0; k < parts[i].size(); ++k) {
             const bool head = k == 0 && (manner == Manner::Pascal || (manner == Manner::Camel && i > 0));
-            out += head || manner == Manner::Capitals ? upper(parts[i][k]) : parts[i][k];
+            out += head || manner == Manner::Capitals ? capital_letter(parts[i][k]) : parts[i][k];
         }
     }
     return out;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "porttool/text/letters.h"
 #include "porttool/text/visible.h"
 
 namespace porttool {
@@ -48,16 +49,9 @@ std::string code_of(std::string_view text) {
     }
 }
 
-bool is_same_folded(char a, char lower) { return (a >= 'A' && a <= 'Z' ? a - 'A' + 'a' : a) == lower; }
-
-bool contains_folded(std::string_view word, std::string_view lower) {
-    return std::search(word.begin(), word.end(), lower.begin(), lower.end(), is_same_folded) != word.end();
-}
-
 /// Whether a text begins with `lower`.
 bool is_folded(std::string_view text, std::string_view lower) {
-    return text.size() >= lower.size() &&
-           std::equal(lower.begin(), lower.end(), text.begin(), [](char b, char a) { return is_same_folded(a, b); });
+    return is_in_any_case(text.substr(0, lower.size()), lower);
 }
 
 /// `:name:`, an emoji where one has that name.
@@ -86,7 +80,7 @@ bool acts_after_escaping(std::string_view word) {
             return true;
         if (begins && is_issue_key(word.substr(i))) return true;
     }
-    return word.find("://") != std::string_view::npos || contains_folded(word, "www.") || has_emoji_name(word);
+    return word.find("://") != std::string_view::npos || holds_in_any_case(word, "www.") || has_emoji_name(word);
 }
 
 std::string escaped_word(std::string_view word) {
