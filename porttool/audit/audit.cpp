@@ -110,9 +110,10 @@ public:
         out.shallow = walked.cut;
         out.squashed = walked.steps.size() == 1 && walked.steps.front().parents == 0;
         std::vector<FoundEdit> found = read_pairs(lineages, dialect);
-        out.items = ranked(std::move(found), walked, today_);
+        const Habits habits = habits_of(found, differing_, today_.pairs.size());
+        out.items = ranked(std::move(found), walked, today_, habits, alike_);
         if (choice_.since.empty())
-            for (AuditItem& item : items_of_today(differing_, today_)) out.items.push_back(std::move(item));
+            for (AuditItem& item : items_of_today(differing_, today_, habits)) out.items.push_back(std::move(item));
         std::stable_sort(out.items.begin(), out.items.end(),
                          [](const AuditItem& a, const AuditItem& b) { return a.certainty > b.certainty; });
         out.found = out.items.size();
@@ -182,6 +183,7 @@ private:
                               &words[side]};
             }
             PairReading reading = read_pair(pair, dialect);
+            alike_.push_back(reading.alike);
             if (!reading.differs.empty()) differing_.push_back({i, reading.alike, std::move(reading.differs)});
             for (MissingEdit& edit : reading.missing) out.push_back({i, reading.alike, std::move(edit)});
         }
@@ -194,6 +196,7 @@ private:
     Workplace& place_;
     TodaysPairs today_;
     std::vector<DifferingPair> differing_;
+    std::vector<float> alike_;  ///< of each pair
     std::optional<PortPatches> patches_;
 };
 

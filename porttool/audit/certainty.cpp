@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include "porttool/audit/message.h"
 #include "porttool/language/language.h"
@@ -37,6 +38,20 @@ std::string core_of(const MissingPlace& place, const std::string& commit) {
     return names ? out : commit + out;
 }
 
+/// The words that source and target have of their own in a place where both say something; "" for others.
+std::string habit_of(const MissingPlace& place, Side now_is) {
+    if (place.now.empty() || place.there.empty()) return {};
+    const std::vector<std::string> now = words_of_statement(place.now), there = words_of_statement(place.there);
+    const bool source = now_is == Side::Source;
+    const auto& ours = source ? now : there;
+    const auto& theirs = source ? there : now;
+    std::string out;
+    for (const DiffStep& step : diff(ours, theirs))
+        if (step.kind != DiffStep::Keep)
+            out += step.kind == DiffStep::Add ? " +" + theirs[step.now] : " -" + ours[step.before];
+    return out;
+}
+
 const MissingPlace& strongest(const MissingEdit& edit) {
     return *std::max_element(edit.places.begin(), edit.places.end(),
                              [](const MissingPlace& a, const MissingPlace& b) { return a.strength < b.strength; });
@@ -67,9 +82,10 @@ struct Judged {
 /// Sums up what speaks for an edit and against it, as a logistic regression does.
 class Judge {
 public:
-    Judge(const WalkedPast& walked, const TodaysPairs& today) : walked_(walked), today_(today) {}
+    Judge(const WalkedPast& walked, const TodaysPairs& today, const Habits& habits)
+        : walked_(walked), today_(today), habits_(habits) {}
 
-    Judged of(const FoundEdit& found) {
+    Judged of(const FoundEdit& found, bool elsewhere) {
         out_ = {};
         z_ = -3.0 + 5.0 * static_cast<double>(strength_of(found.edit));
         weigh_message(walked_.steps[found.edit.commit].message);
@@ -79,7 +95,15 @@ public:
             z_ -= strongest(found.edit).kind == MissingPlace::Kind::Replaced ? 0.6 : 1.2;
             out_.why.emplace_back("the commit edited both sides, and this did not come along");
         }
+        if (elsewhere) {
+            z_ += 1;
+            out_.why.emplace_back("another port of the same function has it");
+        }
         weigh_pair(found);
+        if (habits_.contains(habit_of(strongest(found.edit), found.edit.side))) {
+            z_ -= 3;
+            out_.why.emplace_back("many pairs differ in the same words: it may be a manner of the two sides");
+        }
         out_.certainty = 1 / (1 + std::exp(-z_));
         return std::move(out_);
     }
@@ -129,6 +153,7 @@ private:
 
     const WalkedPast& walked_;
     const TodaysPairs& today_;
+    const Habits& habits_;
     Judged out_;
     double z_ = 0;
 };
@@ -169,7 +194,42 @@ AuditItem item_of(FoundEdit found, Judged judgement, const WalkedPast& walked, c
     return item;
 }
 
+/// Which edits some other port of the same unit has, by their places in `found`.
+std::set<size_t> known_to_other_ports(const std::vector<FoundEdit>& found, const TodaysPairs& today,
+                                      const std::vector<float>& alike) {
+    constexpr float kPort = 0.5f;  // from that on a pair says enough alike for its silence to tell something
+    std::map<std::string, std::set<size_t>> pairs_of;  // by the unit's id
+    for (size_t i = 0; i < today.pairs.size(); ++i)
+        if (alike[i] >= kPort)
+            for (const Side side : kBothSides) pairs_of[today.pairs[i].id[side]].insert(i);
+    std::map<std::pair<std::string, uint32_t>, std::set<size_t>> lack;  // by unit and commit: the pairs
+    const auto unit_of = [&](const FoundEdit& one) { return today.pairs[one.pair].id[one.edit.side]; };
+    for (const FoundEdit& one : found) lack[{unit_of(one), one.edit.commit}].insert(one.pair);
+    std::set<size_t> out;
+    for (size_t i = 0; i < found.size(); ++i) {
+        const std::set<size_t>& missing = lack[{unit_of(found[i]), found[i].edit.commit}];
+        const std::set<size_t>& ports = pairs_of[unit_of(found[i])];
+        if (std::any_of(ports.begin(), ports.end(), [&](size_t pair) { return !missing.contains(pair); }))
+            out.insert(i);
+    }
+    return out;
+}
+
 }  // namespace
+
+Habits habits_of(const std::vector<FoundEdit>& found, const std::vector<DifferingPair>& differing, size_t pairs) {
+    std::map<std::string, std::set<size_t>> seen;  // in which pairs
+    for (const FoundEdit& one : found)
+        for (const MissingPlace& place : one.edit.places) seen[habit_of(place, one.edit.side)].insert(one.pair);
+    for (const DifferingPair& one : differing)
+        for (const MissingPlace& place : one.places) seen[habit_of(place, Side::Source)].insert(one.pair);
+    seen.erase("");
+    constexpr size_t kFewest = 8, kShare = 25;  // of the pairs, as one in so many
+    Habits out;
+    for (const auto& [words, where] : seen)
+        if (where.size() >= std::max(kFewest, pairs / kShare)) out.insert(words);
+    return out;
+}
 
 void take_witness(const DifftestPair& ran, AuditItem& item) {
     constexpr double kSeen = 3, kNotSeen = -2;  // what it adds, as logarithm of the odds
@@ -188,13 +248,15 @@ void take_witness(const DifftestPair& ran, AuditItem& item) {
     }
 }
 
-std::vector<AuditItem> items_of_today(const std::vector<DifferingPair>& differing, const TodaysPairs& today) {
+std::vector<AuditItem> items_of_today(const std::vector<DifferingPair>& differing, const TodaysPairs& today,
+                                      const Habits& habits) {
     constexpr double kMost = 0.3;  // nothing tells which side is right, or whether they were ever to be the same
     std::map<std::string, size_t> folded;  // by the words that differ: an item
     std::vector<AuditItem> out;
     for (const DifferingPair& one : differing) {
         const TodaysPair& pair = today.pairs[one.pair];
         MissingPlace place = one.places.front();
+        if (habits.contains(habit_of(place, Side::Source))) continue;
         place.before = place.there;
         const auto [known, is_new] = folded.try_emplace(core_of(place, pair.id.source), out.size());
         if (!is_new) {
@@ -216,13 +278,15 @@ std::vector<AuditItem> items_of_today(const std::vector<DifferingPair>& differin
     return out;
 }
 
-std::vector<AuditItem> ranked(std::vector<FoundEdit> found, const WalkedPast& walked, const TodaysPairs& today) {
-    Judge judge(walked, today);
+std::vector<AuditItem> ranked(std::vector<FoundEdit> found, const WalkedPast& walked, const TodaysPairs& today,
+                              const Habits& habits, const std::vector<float>& alike) {
+    Judge judge(walked, today, habits);
     std::vector<Judged> judgements;
     std::vector<size_t> order;
-    for (const FoundEdit& one : found) {
-        order.push_back(judgements.size());
-        judgements.push_back(judge.of(one));
+    const std::set<size_t> elsewhere = known_to_other_ports(found, today, alike);
+    for (size_t i = 0; i < found.size(); ++i) {
+        order.push_back(i);
+        judgements.push_back(judge.of(found[i], elsewhere.contains(i)));
     }
     std::stable_sort(order.begin(), order.end(),
                      [&](size_t a, size_t b) { return judgements[a].certainty > judgements[b].certainty; });

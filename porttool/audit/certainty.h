@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <set>
+#include <string>
 #include <vector>
 
 #include "porttool/audit/audit.h"
@@ -24,13 +26,21 @@ struct FoundEdit {
     MissingEdit edit;
 };
 
-/// Items for pairs that differ today, without a commit that tells why; the least certain of all.
-std::vector<AuditItem> items_of_today(const std::vector<DifferingPair>& differing, const TodaysPairs& today);
+/// What so many pairs say in two ways that it is a manner of the sides: `i ++` here, `i += WIDTH` there. By the words
+/// that the source and the target have of their own.
+using Habits = std::set<std::string>;
+Habits habits_of(const std::vector<FoundEdit>& found, const std::vector<DifferingPair>& differing, size_t pairs);
+
+/// Items for pairs that differ today, without a commit that tells why; the least certain of all. Habits make none.
+std::vector<AuditItem> items_of_today(const std::vector<DifferingPair>& differing, const TodaysPairs& today,
+                                      const Habits& habits);
 
 /// Takes in what running both sides has shown.
 void take_witness(const DifftestPair& ran, AuditItem& item);
 
-/// Makes items of them, the most certain first: one for each commit and edit, however many pairs lack it.
-std::vector<AuditItem> ranked(std::vector<FoundEdit> found, const WalkedPast& walked, const TodaysPairs& today);
+/// Makes items of them, the most certain first: one for each commit and edit, however many pairs lack it. `alike`: of
+/// each pair, how much of it is alike today.
+std::vector<AuditItem> ranked(std::vector<FoundEdit> found, const WalkedPast& walked, const TodaysPairs& today,
+                              const Habits& habits, const std::vector<float>& alike);
 
 }  // namespace porttool

@@ -398,9 +398,20 @@ private:
         if (only_brings(side, line.index)) return;
         place.strength = said_in_one(side, line.index) * 0.8f * std::min(1.0f, (1 - there) / 0.6f) *
                          known_names(side, line.index) * (0.35f + 0.65f * neighbours(side, line.index)) *
-                         told_by(now.sum) * lacks_words(side, line.index);
+                         told_by(now.sum) * lacks_words(side, line.index) * in_common_calls(side, line.index);
         if (place.strength < kFaint) return;
         note(born.commit, std::move(place));
+    }
+
+    /// Less than 1 for a statement that calls what its side uses throughout and the other nowhere: what such a call
+    /// does, the other side says in its own way, or has not at all.
+    float in_common_calls(Side side, size_t index) const {
+        constexpr float kOwnManner = 0.5f;
+        const KnownThere there = known_there(side);
+        const std::vector<std::string>& words = sides_[side].words[index];
+        for (size_t i = 0; i + 1 < words.size(); ++i)
+            if (words[i + 1] == "(" && is_word_token(words[i]) && there.degree(words[i]) <= 0) return kOwnManner;
+        return 1;
     }
 
     /// How well the other side's unit knows a statement's names.

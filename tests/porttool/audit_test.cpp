@@ -185,6 +185,47 @@ TEST_F(Audit, OneEditOfManyUnitsIsOneItem) {
     EXPECT_EQ(found[0]["same"].size(), 2);
 }
 
+// What the two sides say throughout in two ways is no edit that one of them lacks.
+TEST_F(Audit, AMannerOfTheSidesIsNoItem) {
+    std::string gpu, cpu;
+    for (int i = 0; i < 12; ++i) {
+        const std::string n = std::to_string(i);
+        const std::string rest = " += values[i] * weight" + n + " + bias" + n + "; return sum; }\n";
+        const std::string head = "float total" + n + "(const float* values, int count, float weight" + n +
+                                 ", float bias" + n + ") { float sum = " + n + ".0f; ";
+        gpu += "__device__ " + head + "for (int i = 0; i < count; i += WIDTH) sum" + rest;
+        cpu += head + "for (int i = 0; i < count; ++i) sum" + rest;
+    }
+    write("gpu/sums.cu", gpu);
+    write("cpu/sums.cpp", cpu);
+    commit("Sums", 2);
+    EXPECT_EQ(items(), nlohmann::json::array());
+    change("gpu/sums.cu", "* weight7", "* weight7 * 0.5f");
+    commit("Fix the seventh sum", 3);
+    const auto found = items();
+    ASSERT_EQ(found.size(), 1) << found;
+    EXPECT_EQ(found[0]["source"], "gpu/sums.cu:total7");
+}
+
+TEST_F(Audit, WhatAnotherPortHasIsMoreCertain) {
+    write("old/shade.cpp", kCppShade);
+    write("portmap.toml",
+          "version = 1\n[sides]\nsource = [\"gpu/*\"]\n[sides.targets]\ncpu = [\"cpu/*\"]\nold = [\"old/*\"]\n"
+          "[[pair]]\nsource = \"gpu/shade.cu:shade\"\ntarget = [\"cpu/shade.cpp:shade\", \"old/shade.cpp:shade\"]\n");
+    commit("A second port", 2);
+    change("gpu/shade.cu", "level < 0.001f", "level < 0.0001f");
+    commit("Another threshold", 3);
+    const auto both = nlohmann::json::parse(porttool({"audit", "--format", "json"}).out)["items"];
+    ASSERT_EQ(both.size(), 1) << both;
+    change("cpu/shade.cpp", "level < 0.001f", "level < 0.0001f");
+    commit("Port it", 4);
+    const auto one = nlohmann::json::parse(porttool({"audit", "--format", "json"}).out)["items"];
+    ASSERT_EQ(one.size(), 1) << one;
+    EXPECT_EQ(one[0]["target"], "old/shade.cpp:shade");
+    EXPECT_NE(one[0]["why"].dump().find("another port of the same function has it"), std::string::npos) << one;
+    EXPECT_GT(one[0]["certainty"].get<double>(), both[0]["certainty"].get<double>());
+}
+
 TEST_F(Audit, SinceLeavesOutWhatIsOlder) {
     change("gpu/shade.cu", "level < 0.001f", "level < 0.0001f");
     commit("Fix dark surfaces", 5);
