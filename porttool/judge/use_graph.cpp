@@ -3,6 +3,7 @@
 #include "porttool/judge/use_graph.h"
 
 #include <limits>
+#include <set>
 #include <string_view>
 #include <unordered_map>
 
@@ -32,27 +33,36 @@ UseGraph::UseGraph(const std::map<std::string, UnitState>& units) {
     // A name is a node of its own, so that many uses of many bearers are no product.
     using Names = std::unordered_map<std::string_view, uint32_t>;
     Names anywhere;
+    std::set<std::string> called;  // NAME( of functions
     std::unordered_map<std::string_view, Names> in_file;
     const auto name_node = [&](Names& names, std::string_view name, uint32_t bearer) {
         const auto [found, is_new] = names.emplace(name, static_cast<uint32_t>(uses_.size()));
         if (is_new) uses_.emplace_back();
         uses_[found->second].push_back(bearer);
     };
+    // A function is used where it is called: a local may bear the name of one. Names of the others count anywhere.
+    const auto as_called = [&](std::string_view name) { return called.insert(std::string(name) + "(").first; };
     for (uint32_t i = 0; i < units_.size(); ++i) {
-        if (units_[i]->kind == UnitKind::File) continue;
-        name_node(anywhere, borne_name(*units_[i]), i);
-        name_node(in_file[units_[i]->file], borne_name(*units_[i]), i);
+        const UnitState& unit = *units_[i];
+        if (unit.kind == UnitKind::File) continue;
+        const bool is_code = unit.kind == UnitKind::Function || unit.kind == UnitKind::Kernel;
+        const std::string_view name = is_code ? std::string_view(*as_called(borne_name(unit))) : borne_name(unit);
+        name_node(anywhere, name, i);
+        name_node(in_file[unit.file], name, i);
     }
     for (uint32_t i = 0; i < units_.size(); ++i) {
         const Names& near = in_file[units_[i]->file];
-        std::vector<uint32_t>& used = uses_[i];
-        for (size_t k = 0; k < units_[i]->text.size(); ++k) {
-            const std::string_view word = units_[i]->text[k];
-            if (!is_word_token(word)) continue;
-            if (const auto here = near.find(word); here != near.end())
-                used.push_back(here->second);
-            else if (const auto there = anywhere.find(word); there != anywhere.end())
-                used.push_back(there->second);
+        const NormalText& text = units_[i]->text;
+        const auto use = [&](std::string_view name) {
+            if (const auto here = near.find(name); here != near.end())
+                uses_[i].push_back(here->second);
+            else if (const auto there = anywhere.find(name); there != anywhere.end())
+                uses_[i].push_back(there->second);
+        };
+        for (size_t k = 0; k < text.size(); ++k) {
+            if (!is_word_token(text[k])) continue;
+            use(text[k]);
+            if (k + 1 < text.size() && (text[k + 1] == "(" || text[k + 1] == "<")) use(std::string(text[k]) + "(");
         }
     }
     users_.resize(uses_.size());

@@ -105,6 +105,14 @@ TEST_F(Evidence, AnEditElsewhereExplainsNothing) {
     EXPECT_EQ(rules(report({"/e/f.json"})), (Rules{"unexplained-difference", "source-changed", "source-changed"}));
 }
 
+TEST_F(Evidence, ALocalThatBearsTheNameOfAFunctionIsNoUseOfIt) {
+    disk = started(kSource + "__device__ float haze(float fresnel) { return fresnel * 2.0f; }\n",
+                   kPort + "float haze(float fresnel) { return fresnel * 2.0; }\n");
+    edit("m * m", "m * m * m");
+    functions(json::array({pair_of("haze", "differs")}));
+    EXPECT_EQ(rules(report({"/e/f.json"})), (Rules{"source-changed", "unexplained-difference"}));
+}
+
 TEST_F(Evidence, ACommentSettlesItAndIsNotIdleWithout) {
     edit("__device__ float shade",
          "// porttool: ignore(unexplained-difference) half precision\n__device__ float shade");
