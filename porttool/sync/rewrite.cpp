@@ -100,7 +100,7 @@ private:
     /// What stands between two neighbouring words of the source's new text.
     std::string source_gap(size_t word) const {
         const UnitWords& words = source_.words;
-        if (word == 0 || words.is_added(word)) return {};
+        if (word == 0 || word >= words.size() || words.is_added(word)) return {};
         size_t before = word;
         do --before;
         while (before > 0 && words.is_added(before));

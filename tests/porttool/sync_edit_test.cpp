@@ -846,5 +846,19 @@ TEST(SyncEdit, WhatADeviceCallsMayBeItsLanguagesOwn) {
     EXPECT_NE(synced(one).state(), "proposed");
 }
 
+/// Found by fuzzing: the block that the normal form adds had no word of the file after it.
+TEST(SyncEdit, ASourceThatEndsInTheMiddleOfABranchIsRead) {
+    const std::string head = "void shape(float4& z, Aux& aux) {\n  float4 q = fabs(z) - offset;\n";
+    const std::string tail = "  aux.dist = min(aux.dist, q.x);\n}\n";
+    const EditCase one{"k.cpp",
+                       "k.cl",
+                       head + tail,
+                       "void shape(float4& z, Aux& aux)\n\t{\n\t\tif (z.z > max(z.y, z.x))",
+                       "void shape(float4* z, Aux* aux)\n{\n  float4 q = fabs(*z) - offset;\n"
+                       "  aux->dist = min(aux->dist, q.x);\n}\n",
+                       ""};
+    EXPECT_NE(synced(one).state(), "proposed");
+}
+
 }  // namespace
 }  // namespace porttool::testing
