@@ -9,6 +9,7 @@
 #include "porttool/language/words.h"
 #include "porttool/normal/normal_form.h"
 #include "porttool/normal/normal_text.h"
+#include "porttool/sync/operands.h"
 
 namespace porttool {
 namespace {
@@ -179,43 +180,6 @@ private:
         change_words(hunks, was, is, there);
     }
 
-    /// The words of a clause that make its value, of `a = b + c ;` and `return b + c ;` the sum.
-    static Clause value_of(const std::vector<std::string>& words, Clause clause) {
-        if (clause.size() > 0 && words[clause.end - 1] == ";") --clause.end;
-        int depth = 0;
-        for (size_t i = clause.first; i < clause.end; ++i) {
-            depth += is_opening(words[i]) ? 1 : is_closing(words[i]) ? -1 : 0;
-            if (depth == 0 && (words[i] == "=" || words[i] == "return")) clause.first = i + 1;
-        }
-        return clause;
-    }
-    static bool is_opening(const std::string& word) { return word == "(" || word == "[" || word == "{"; }
-    static bool is_closing(const std::string& word) { return word == ")" || word == "]" || word == "}"; }
-
-    /// True if words are one operand, whatever stands beside them: a name, a call, something in parentheses.
-    static bool is_operand(const std::vector<std::string>& words, size_t first, size_t end) {
-        int depth = 0;
-        for (size_t i = first; i < end; ++i) {
-            const bool closes = is_closing(words[i]);
-            depth += is_opening(words[i]) ? 1 : closes ? -1 : 0;
-            if (depth < 0) return false;
-            if (depth > 0 || closes || is_accessor(words[i])) continue;
-            if (!is_name(words[i]) && !is_number_token(words[i])) return false;
-        }
-        return first < end && depth == 0;
-    }
-
-    /// The only clause of a text that gives back a value; none if there are several.
-    static std::optional<size_t> only_result(const AlignedText& text) {
-        std::optional<size_t> out;
-        for (size_t c = 0; c < text.clauses.size(); ++c) {
-            if (text.words[text.clauses[c].first] != "return") continue;
-            if (out) return std::nullopt;
-            out = c;
-        }
-        return out;
-    }
-
     /// What both sides give back is the same, however they come to it: `return f ( a ) ;` that became
     /// `return 0.5 * f ( a ) ;` makes `return 0.5f * sum ;` of the port's `return sum ;`.
     bool change_result(size_t was, size_t is) {
@@ -232,9 +196,11 @@ private:
                                        word(texts_.before, old.first), word(texts_.before, old.end));
         if (found == word(texts_.now, made.end)) return false;
         const size_t at = static_cast<size_t>(found - texts_.now.exact.begin());
+        const size_t after = at + old.size();
         if (at > made.first && is_accessor(texts_.now.words[at - 1])) return false;
+        if (after < made.end && goes_on(texts_.now.words[after])) return false;
         CarriedWords front = carry_new(made.first, at);
-        const CarriedWords back = carry_new(at + old.size(), made.end);
+        const CarriedWords back = carry_new(after, made.end);
         if (!front.unknown.empty() || !back.unknown.empty()) return false;
         const bool bare = is_operand(texts_.target.words, port.first, port.end);
         if (!bare) front.words.push_back({"(", CarriedWord::kNoSource});
@@ -490,16 +456,6 @@ private:
         return word;
     }
 
-    static bool is_accessor(const std::string& word) { return word == "." || word == "->" || word == "::"; }
-
-    /// True if the target's words [first, end) lead to the word after them: `consts -> params .`.
-    bool is_path(size_t first, size_t end) const {
-        if (end < first + 2 || (end - first) % 2 != 0) return false;
-        for (size_t i = first; i < end; i += 2)
-            if (!is_name(texts_.target.words[i]) || !is_accessor(texts_.target.words[i + 1])) return false;
-        return true;
-    }
-
     bool insert_run(const Hunk& hunk, size_t was, size_t there) {
         const Clause &here = before(was), &other = target(there);
         size_t left = hunk.first, right = hunk.first;
@@ -522,7 +478,8 @@ private:
         if (first != end) {
             const bool after_left = left == hunk.first && words[hunk.now_first] == ",";
             const bool before_right = right == hunk.first && words[hunk.now_end - 1] == ",";
-            const bool before_operand = left == hunk.first && right == hunk.first && is_path(first, end) &&
+            const bool before_operand = left == hunk.first && right == hunk.first &&
+                                        is_path(texts_.target.words, first, end) &&
                                         !is_accessor(words[hunk.now_end - 1]);
             if (after_left == before_right && !before_operand) return false;
             place = after_left || before_operand ? first : end;
@@ -736,10 +693,6 @@ private:
             return false;
         };
         return shares(was_before) || shares(was_after);
-    }
-
-    static bool is_name(const std::string& word) {
-        return is_word_token(word) && !is_type_word(word) && !word_is(word, kKeyword);
     }
 
     size_t before_end(size_t was_after) const {
