@@ -135,7 +135,15 @@ bool is_lit(const Point& point, size_t number, const LightTable& table, RayProbe
             ++taken;
         }
     }
-    return unshadowed * seen / kShadowRays > kEnough;
+    if (seen > 0.0) return unshadowed * seen / kShadowRays > kEnough;
+    // A few that see nothing say nothing of a bright light through a small opening: all of them are asked.
+    double lit = 0.0;
+    for (const Candidate& candidate : candidates) {
+        if (!(candidate.geometry > 0.0)) continue;
+        lit += candidate.geometry * probe.passage(point.place, candidate.place, point.hit);
+        if (lit / kCandidates * static_cast<double>(table.total_weight) > kEnough) return true;
+    }
+    return false;
 }
 
 double smooth_step(double from, double to, double x) {

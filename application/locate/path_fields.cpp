@@ -40,7 +40,8 @@ constexpr FieldPlace MEAN = {PathField::pixel, PathRow::mean, 0, 4};
 
 bool agree(float a, float b, float allowed) {
     if (allowed == 0.0f) return std::bit_cast<uint32_t>(a) == std::bit_cast<uint32_t>(b);
-    return a == b || std::abs(a - b) <= allowed || (std::isnan(a) && std::isnan(b));
+    if (!std::isfinite(a) || !std::isfinite(b)) return a == b || (std::isnan(a) && std::isnan(b));
+    return std::abs(a - b) <= allowed;
 }
 
 /// Where one side has no such row there is nothing to hold against each other.
@@ -50,7 +51,8 @@ bool agrees(const FieldPlace& place, const PathView& a, const PathView& b, PathT
     if (!left || !right) return true;
     float largest = 0.0f;
     for (uint32_t i = place.first; i < place.first + place.count; ++i)
-        largest = std::max({largest, std::abs(left[i]), std::abs(right[i])});
+        for (const float value : {left[i], right[i]})
+            if (std::isfinite(value)) largest = std::max(largest, std::abs(value));
     for (uint32_t i = place.first; i < place.first + place.count; ++i)
         if (!agree(left[i], right[i], tolerance.relative * largest)) return false;
     return true;

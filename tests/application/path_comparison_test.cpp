@@ -8,6 +8,7 @@
 
 #include <bit>
 #include <functional>
+#include <limits>
 #include <vector>
 
 namespace path_comparison_test {
@@ -117,6 +118,15 @@ TEST(PathComparison, NamesKernelFieldAndPixel) {
     expect(PathKernel::shade, PathField::pdf, 1, [](Wave& w) { w.throughputs[7] = 0.5f; });
     expect(PathKernel::connect, PathField::radiance, 1, [](Wave& w) { w.radiances[4] = 3; });
     expect(PathKernel::finalize, PathField::pixel, 0, [](Wave& w) { w.means[0] = 1e-30f; });
+}
+
+TEST(PathComparison, InfinityIsNoCloserToANumberThanAnyOther) {
+    const auto overflow = [](Wave& w) { w.shadow_contributions[0] = std::numeric_limits<float>::infinity(); };
+    expect_one(differences_with(PathKernel::shade, overflow, NATIVE_TOLERANCE), PathKernel::shade,
+               PathField::shadow_contribution, 1);
+    const auto no_number = [](Wave& w) { w.shadow_contributions[0] = std::numeric_limits<float>::quiet_NaN(); };
+    expect_one(differences_with(PathKernel::shade, no_number, NATIVE_TOLERANCE), PathKernel::shade,
+               PathField::shadow_contribution, 1);
 }
 
 TEST(PathComparison, LeavesAsideWhatNoLaterKernelReads) {

@@ -88,6 +88,20 @@ TEST_F(DefaultSky, WhatStandsInTheWayIsSeen) {
     EXPECT_FALSE(lit());
 }
 
+// The strip of the panel that a point sees through a slit w wide, half way up: about 2 w of 2 across, above it. The
+// irradiance is at least 20 w for w = 0.04, and below 0.05 for w = 0.0004.
+TEST_F(DefaultSky, ASlitLetsEnoughOfABrightLightThrough) {
+    camera_ = look_at({0, 0.5f, 0.01f}, {0, 0, 0}, {0, 0, -1}, 0.3f);
+    for (const float half : {0.02f, 0.0002f}) {
+        HostScene empty = scene_;
+        panel(16.0f, 2.0f, material(20.0f));
+        quad({-9, 1, -9}, {9 - half, 0, 0}, {0, 0, 18}, floor_);
+        quad({half, 1, -9}, {9 - half, 0, 0}, {0, 0, 18}, floor_);
+        EXPECT_EQ(lit(), half == 0.02f);
+        scene_ = empty;
+    }
+}
+
 // A wall beside the light shades the floor up to x: the share that is lit decides.
 TEST_F(DefaultSky, AtLeastHalfOfThePointsCount) {
     for (const float edge : {-0.1f, 0.1f}) {
