@@ -74,6 +74,7 @@ public:
         return !units_.names.contains(name) && !units_.names.contains(other) && !lone_.contains(other) &&
                known_.is_from_elsewhere(name) && known_.is_from_elsewhere(other);
     }
+    bool lacks_references() const { return known_.lacks_casts(); }
     /// True where the target declares `name`, and nobody `other`.
     bool declares_alone(std::string_view name, std::string_view other) const {
         return known_.is_declared_there(name) && is_from_elsewhere(other, other);

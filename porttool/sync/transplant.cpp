@@ -105,6 +105,7 @@ private:
     /// there is not known.
     void find_doubtful() {
         doubtful_.assign(texts_.before.clauses.size(), false);
+        find_doubtful_directives();
         for (size_t c = 0; c < doubtful_.size(); ++c) {
             const Clause& clause = before(c);
             if (!clause.opens || counterpart(c) == kNothing) continue;
@@ -118,6 +119,33 @@ private:
                 const Clause& there = target(counterpart(c));
                 doubtful_[c] = !says(there.first, there.end, carry_old(clause.first, clause.end).words, true);
             }
+        }
+    }
+
+    /// What a text asks its preprocessor, in order: `ifdef FAST`, and of an expression how it begins.
+    static std::vector<std::string> conditions_of(const std::vector<std::string>& words) {
+        std::vector<std::string> out;
+        for (size_t i = 0; i + 2 < words.size(); ++i) {
+            const bool asks = words[i + 1].starts_with("if") || words[i + 1].starts_with("elif");
+            if (words[i] == "#" && asks)
+                out.push_back(shown(words, i + 1, std::min(words.size(), i + (words[i + 1].ends_with("def") ? 3 : 5))));
+        }
+        return out;
+    }
+
+    /// What stands between `#if` and `#endif` where the port has conditions, and others.
+    void find_doubtful_directives() {
+        in_doubtful_directive_.assign(texts_.before.clauses.size(), false);
+        const std::vector<std::string> there = conditions_of(texts_.target.words);
+        if (there.empty() || there == conditions_of(texts_.before.words)) return;
+        int depth = 0;
+        for (size_t c = 0; c < texts_.before.clauses.size(); ++c) {
+            for (size_t i = before(c).first; i + 1 < before(c).end; ++i) {
+                if (texts_.before.words[i] != "#") continue;
+                const std::string& kind = texts_.before.words[i + 1];
+                depth += kind.starts_with("if") ? 1 : kind == "endif" ? -1 : 0;
+            }
+            in_doubtful_directive_[c] = depth > 0;
         }
     }
 
@@ -138,10 +166,13 @@ private:
 
     /// True if a clause of the source's old text stands in such a branch; `c` may be none.
     bool is_doubtful(size_t c) const {
+        if (c != Clause::kNone && c < in_doubtful_directive_.size() && in_doubtful_directive_[c]) return true;
         for (; c != Clause::kNone; c = before(c).inside)
             if (doubtful_[c]) return true;
         return false;
     }
+
+    bool is_doubtful_directive(size_t c) const { return in_doubtful_directive_[c]; }
 
     // A clause that stayed, perhaps with other words.
 
@@ -319,6 +350,8 @@ private:
     }
 
     void change_run(Hunk hunk, size_t was, size_t there) {
+        if (was == 0 && loses_way_out(hunk))
+            return leave_run(hunk, target(there).first, "nothing tells how the port hands a value back so");
         if (is_neutral(hunk)) return respell(hunk);
         if (hunk.first == hunk.end ? insert_run(hunk, was, there) : replace_run(hunk)) return;
         const Clause &here = before(was), &other = target(there);
@@ -386,6 +419,21 @@ private:
         if (const std::string name = indexed_otherwise(now.words); !name.empty())
             return leave_run(hunk, first, "the port has `" + name + "` with other indices");
         out_.replaced.push_back({first, end, now.words, hunk.now_first, hunk.now_end});
+    }
+
+    /// True for words of a head that hand a value back, where what the port would have of them does not.
+    bool loses_way_out(const Hunk& hunk) const {
+        const auto hands_back = [](const std::string& word) { return word == "out" || word == "inout"; };
+        const auto first = texts_.now.words.begin() + static_cast<std::ptrdiff_t>(hunk.now_first);
+        const auto end = texts_.now.words.begin() + static_cast<std::ptrdiff_t>(hunk.now_end);
+        const std::vector<std::string> said = texts_of(carry_new(hunk.now_first, hunk.now_end).words);
+        const auto says_one_of = [&](std::initializer_list<std::string_view> words) {
+            return std::any_of(said.begin(), said.end(), [&](const std::string& word) {
+                return std::find(words.begin(), words.end(), word) != words.end();
+            });
+        };
+        if (translator_.lacks_references() && says_one_of({"&"})) return true;
+        return std::any_of(first, end, hands_back) && !says_one_of({"&", "*"}) && !translator_.lacks_references();
     }
 
     /// True where both sides call a function by one name, which neither declares, and the source calls it by a new one
@@ -583,7 +631,8 @@ private:
         const size_t block = was_before == kNothing     ? Clause::kNone
                              : before(was_before).opens ? was_before
                                                         : before(was_before).inside;
-        if (is_doubtful(block)) return give_up("the port's condition there is another one");
+        if (is_doubtful(block) || (was_before != kNothing && is_doubtful_directive(was_before)))
+            return give_up("the port's condition there is another one");
         if (left == kNothing && right == kNothing)
             return give_up("the port has nothing that stands for its neighbours");
         if (left != kNothing && right != kNothing && right <= left)
@@ -671,12 +720,35 @@ private:
             leaves_nearest |= texts_.now.words[i] == "break" || texts_.now.words[i] == "continue";
         }
         if (!leaves_unit && !leaves_nearest) return false;
+        bool is_nearest = true;
         for (size_t c = block_at(place); c != Clause::kNone; c = target(c).inside) {
-            if (!word_is(texts_.target.words[target(c).first], kLoopHead)) continue;
-            if (!stands_for_something(c)) return true;
-            if (!leaves_unit) return false;
+            const std::string& head = texts_.target.words[target(c).first];
+            if (!word_is(head, kLoopHead) && head != "do" && (head != "switch" || !is_nearest)) continue;
+            if (!stands_for_something(c)) {
+                if (is_nearest || leaves_unit || !holds_all_beside(c, first)) return true;
+            }
+            is_nearest = false;
         }
         return false;
+    }
+
+    /// True if a loop that the port alone has holds what the source has beside its own loop around the new clause
+    /// `is`, as one over all threads does; a tile's does not.
+    bool holds_all_beside(size_t loop, size_t is) const {
+        size_t own = now(is).inside;
+        while (own != Clause::kNone && !word_is(texts_.now.words[now(own).first], kLoopHead)) own = now(own).inside;
+        if (own == Clause::kNone) return false;
+        bool any = false;
+        for (size_t c = 0; c < origin_.size(); ++c) {
+            if (c == own || now(c).inside != now(own).inside || now(c).closes || origin_[c] == kNothing) continue;
+            const size_t there = counterpart(origin_[c]);
+            if (there == kNothing || there == 0) continue;
+            size_t around = target(there).inside;
+            while (around != Clause::kNone && around != loop) around = target(around).inside;
+            if (around != loop) return false;
+            any = true;
+        }
+        return any;
     }
 
     /// True if a neighbour without a counterpart, which the port may have within another statement, shares names.
@@ -748,7 +820,8 @@ private:
         const size_t all = clauses.size();
         size_t at = 0;
         std::erase_if(clauses, [&](const ClauseAdded& clause) {
-            if (now(clause.source).closes) return false;
+            const std::string& head = texts_.now.words[now(clause.source).first];
+            if (now(clause.source).closes || head == "break" || head == "continue") return false;
             for (size_t i = at; i < own.size(); ++i)
                 if (says(target(own[i]).first, target(own[i]).end, clause.words)) {
                     at = i + 1;
@@ -794,7 +867,8 @@ private:
                   place_now(was), near(was));
             return;
         }
-        if (!clause.closes && (is_said_more_often(was, there) || is_doubtful(clause.inside)))
+        if (!clause.closes &&
+            (is_said_more_often(was, there) || is_doubtful(clause.inside) || is_doubtful_directive(was)))
             return leave("the source lost `" + shown(texts_.before.words, clause.first, clause.end) +
                              "`; the port says that in more places, or under another condition",
                          place_now(was), target(there).first);
@@ -823,11 +897,12 @@ private:
     const EditTexts& texts_;
     const EditTranslator& translator_;
     const std::function<std::string(size_t)>& written_;
-    std::vector<bool> doubtful_;   ///< heads of the source's old text
-    std::set<size_t> held_;        ///< clauses of the source's old text whose successor is left
-    std::set<size_t> stands_for_;  ///< clauses of the target that have a counterpart
-    std::set<size_t> moved_;       ///< clauses of the source's old text that stand elsewhere in its new one
-    std::vector<size_t> origin_;   ///< of each clause of now, the one before
+    std::vector<bool> in_doubtful_directive_;  ///< clauses of the source's old text
+    std::vector<bool> doubtful_;               ///< heads of the source's old text
+    std::set<size_t> held_;                    ///< clauses of the source's old text whose successor is left
+    std::set<size_t> stands_for_;              ///< clauses of the target that have a counterpart
+    std::set<size_t> moved_;                   ///< clauses of the source's old text that stand elsewhere in its new one
+    std::vector<size_t> origin_;               ///< of each clause of now, the one before
     std::vector<WordsReplaced> respelled_;
     Transplant out_;
 };

@@ -728,8 +728,9 @@ TEST(SyncEdit, ABreakLeavesTheLoopThatBothSidesHave) {
                           "void f(float* out, int n, int all) {\n  for (int g = 0; g < all; ++g) {\n"
                           "    for (int i = 0; i < n; ++i) {\n      out[g] += i;\n",
                       ported = "      if (out[g] > 9.0f) {\n        break;\n      }\n";
-    expect_ported({"k.cl", "k.cpp", head + loop + "  }\n}\n", head + loop + gained + "  }\n}\n",
-                   port + "    }\n  }\n}\n", port + ported + "    }\n  }\n}\n"});
+    const std::string end = "  }\n  out[g] *= 2.0f;\n}\n", there_end = "    }\n    out[g] *= 2.0f;\n  }\n}\n";
+    expect_ported(
+        {"k.cl", "k.cpp", head + loop + end, head + loop + gained + end, port + there_end, port + ported + there_end});
 }
 
 TEST(SyncEdit, ABreakDoesNotLeaveALoopOfThePortsOwn) {
@@ -858,6 +859,36 @@ TEST(SyncEdit, ASourceThatEndsInTheMiddleOfABranchIsRead) {
                        "  aux->dist = min(aux->dist, q.x);\n}\n",
                        ""};
     EXPECT_NE(synced(one).state(), "proposed");
+}
+
+/// Each port gave the same as its source before the edit, and would not have after it.
+TEST(SyncEdit, WhatWouldBeAnotherEditInThePortIsLeft) {
+    const auto sides = [](const std::string& before, const std::string& after, const std::string& port) {
+        const std::string head = "float f(const float* k, int n) {\n  float s = 0.0f;\n", end = "  return s;\n}\n";
+        return EditCase{
+            "k.cu", "k.cpp", "__device__ " + head + before + end, "__device__ " + head + after + end, head + port + end,
+            ""};
+    };
+    // The port's loop over tiles goes on where the source's ends.
+    const std::string add = "    s += k[j];\n    if (k[j] > 3.0f) { s += 1.0f; ",
+                      loop = "  for (int j = 0; j < n; ++j) {\n";
+    expect_left(sides(loop + add + "}\n  }\n", loop + add + "break; }\n  }\n",
+                      "  for (int t = 0; t < n; t += 4) {\n    for (int j = t; j < n && j < t + 4; ++j) {\n" + add +
+                          "}\n    }\n  }\n"));
+    // The break ends the port's case, and the source's loop.
+    expect_left(sides(loop + "    if (k[j] == 1) { s += 5.0f; } else if (k[j] == 2) { s += 7.0f; }\n  }\n",
+                      loop + "    if (k[j] == 1) { s += 5.0f; } else if (k[j] == 2) { s += 7.0f; break; }\n  }\n",
+                      loop + "    switch ((int)k[j]) {\n    case 1: s += 5.0f; break;\n    case 2: s += 7.0f; break;\n"
+                             "    }\n  }\n"));
+    // The port asks the other way round.
+    expect_left(sides("#ifdef FAST\n  s *= 2.0f;\n#else\n  s *= 3.0f;\n#endif\n",
+                      "#ifdef FAST\n  s *= 2.0f;\n#else\n  s *= 3.0f;\n  s += 7.0f;\n#endif\n",
+                      "#ifndef FAST\n  s *= 3.0f;\n#else\n  s *= 2.0f;\n#endif\n"));
+    // A value that is given back is no value that is handed in.
+    const std::string body = " b) {\n  a = a + b;\n";
+    expect_left({"k.comp", "k.cpp", "void f(inout float a, float" + body + "}\n",
+                 "void f(inout float a, out float c, float" + body + "  c = b;\n}\n",
+                 "void f(float& a, float" + body + "}\n", ""});
 }
 
 }  // namespace
