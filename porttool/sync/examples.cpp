@@ -7,6 +7,7 @@
 #include "porttool/language/words.h"
 #include "porttool/normal/normal_form.h"
 #include "porttool/normal/normal_text.h"
+#include "porttool/sync/operands.h"
 
 namespace porttool {
 namespace {
@@ -77,8 +78,6 @@ bool declares(const std::vector<std::string>& words) {
     return false;
 }
 
-bool picks_member(const std::string& word) { return word == "." || word == "->" || word == "::"; }
-
 /// True if two runs of words of one length have the same operators: `a > b` does not stand for `a <= b`.
 bool same_operators(const std::vector<std::string>& source, size_t first, size_t end,
                     const std::vector<std::string>& target, size_t there) {
@@ -86,7 +85,7 @@ bool same_operators(const std::vector<std::string>& source, size_t first, size_t
         const std::string &here = source[i], &other = target[there + (i - first)];
         const bool name = is_word_token(here) || is_number_token(here);
         if (name != (is_word_token(other) || is_number_token(other))) return false;
-        if (!name && here != other && !(picks_member(here) && picks_member(other))) return false;
+        if (!name && here != other && !(is_accessor(here) && is_accessor(other))) return false;
     }
     return true;
 }
@@ -145,7 +144,7 @@ void Examples::learn(const AlignedText& source, const AlignedText& target, const
                 const size_t last = after(end);
                 if (last == Alignment::kNone || last < first || last - first > 2 * kLongest) continue;
                 if (is_prefix(source.words, i, end) && (last == first || is_prefix(target.words, first, last)) &&
-                    (i == here.first || !picks_member(source.words[i - 1]))) {
+                    (i == here.first || !is_accessor(source.words[i - 1]))) {
                     note(source, i, end, target, first, last);
                     continue;
                 }
@@ -230,7 +229,7 @@ Examples::Phrase Examples::longest(const std::vector<std::string>& words, size_t
         key += words[i];
         key += '\x1f';
         // `aux . i < n && aux` must not part the last name from what picks a member of it.
-        if (i + 1 < words.size() && picks_member(words[i + 1]) && is_word_token(words[i]) &&
+        if (i + 1 < words.size() && is_accessor(words[i + 1]) && is_word_token(words[i]) &&
             !is_primary(words, at, i + 1))
             continue;
         const auto found = phrases_.find(key);

@@ -250,7 +250,7 @@ private:
         const KnownWords& known = knowledge_.known_words(from, *file, *other);
         const UnitNames& names = knowledge_.unit_names(from);
         const LearnedBeside beside = knowledge_.learned_beside(from, file->path, other->path);
-        const bool on_host = unit->kind != UnitKind::Kernel && !runs_on_device(*file, *unit);
+        const bool on_host = !runs_on_device(*file, *unit);
         const auto written = [&](size_t i) {
             return is.words[i] == "@" || is.is_added(i) ? is.words[i] : std::string(file->lexed.view(is.tokens[i]));
         };

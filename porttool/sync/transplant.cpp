@@ -166,7 +166,7 @@ private:
 
     /// True if a clause of the source's old text stands in such a branch; `c` may be none.
     bool is_doubtful(size_t c) const {
-        if (c != Clause::kNone && c < in_doubtful_directive_.size() && in_doubtful_directive_[c]) return true;
+        if (c != Clause::kNone && in_doubtful_directive_[c]) return true;
         for (; c != Clause::kNone; c = before(c).inside)
             if (doubtful_[c]) return true;
         return false;
