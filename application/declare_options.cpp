@@ -94,6 +94,8 @@ void declare_picture(CLI::App& app, Options& options) {
         "What brings a PNG's radiance into 0 to 1: none (cut off), neutral (Khronos PBR Neutral), aces "
         "or agx (none)")
         ->type_name("CURVE");
+    add_name(app, "--variant", options.variant, "The variant of the scene's materials to show (its own)")
+        ->type_name("NAME");
     app.add_flag("--allow-outside", options.allow_outside, "Let the scene name files outside its own folder");
 }
 

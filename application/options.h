@@ -55,6 +55,7 @@ struct Options {
     bool next_event_estimation = true;
     float indirect_limit = 0.0f;  ///< `--clamp`; 0: none
     bool exact = false;
+    std::string variant;         ///< of KHR_materials_variants; empty: the file's own materials
     bool allow_outside = false;  ///< the scene may name files outside its folder
     CameraChoice camera;
     std::optional<LookAt> look_at;

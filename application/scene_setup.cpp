@@ -136,7 +136,8 @@ Result<SceneSetup> set_up_scene(const Options& options, Console& console) {
     const auto start = std::chrono::steady_clock::now();
     auto companions = read_companions(options, console);
     if (!companions.ok()) return companions.status;
-    auto loaded = render_system::load_scene(scene_path(options.scene), {.allow_outside = options.allow_outside});
+    auto loaded = render_system::load_scene(scene_path(options.scene),
+                                            {.allow_outside = options.allow_outside, .variant = options.variant});
     if (!loaded.ok()) return loaded.status;
     for (const std::string& warning : loaded->warnings) console.warning(warning);
     HostScene& scene = loaded->scene;

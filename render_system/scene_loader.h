@@ -22,6 +22,7 @@ struct LoadedScene {
 /// What the caller lets a scene do.
 struct LoadOptions {
     bool allow_outside = false;  ///< buffers and images may lie outside the scene's folder
+    std::string variant;         ///< of KHR_materials_variants, by name; empty: the file's own materials
 };
 
 /// Reads a glTF 2.0 file (.gltf or .glb, told apart by content). Cameras are those of the scene's perspective camera

@@ -8,6 +8,8 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "render_system/loader/gltf_extensions.h"
+#include "render_system/loader/gltf_meshopt.h"
 #include "render_system/loader/gltf_schema.h"
 #include "render_system/loader/load_error.h"
 
@@ -20,12 +22,6 @@ using Bytes = std::span<const std::byte>;
 
 // Deeper nesting than any real file has; tinygltf walks `extras` by recursion.
 constexpr int DEEPEST_JSON = 128;
-
-const std::set<std::string> SUPPORTED_EXTENSIONS = {
-    "KHR_lights_punctual",    "KHR_materials_emissive_strength", "KHR_materials_ior",
-    "KHR_materials_specular", "KHR_materials_transmission",      "KHR_materials_volume",
-    "KHR_mesh_quantization",  "KHR_texture_transform",
-};
 
 struct Container {
     std::string_view text;
@@ -123,17 +119,6 @@ void check_version(const json& document) {
     if (version.substr(0, 2) != "2.") fail_at("/asset/version", "is \"" + version + "\"; convert the file to glTF 2.0");
     const std::string least = document["asset"].value("minVersion", "2.0");
     if (least != "2.0") fail_at("/asset/minVersion", "asks for glTF " + least + "; only 2.0 is supported");
-}
-
-void check_extensions(const json& document, Omissions& omissions) {
-    for (const json& name : document.value("extensionsRequired", json::array())) {
-        if (SUPPORTED_EXTENSIONS.count(name) > 0) continue;
-        fail_at("/extensionsRequired", "the file cannot be shown without " + name.get<std::string>() +
-                                           ", which is not supported; export it without");
-    }
-    for (const json& name : document.value("extensionsUsed", json::array())) {
-        if (SUPPORTED_EXTENSIONS.count(name) == 0) omissions.add("extension " + name.get<std::string>());
-    }
 }
 
 std::string count_text(size_t count) { return std::to_string(count); }
@@ -247,6 +232,7 @@ tinygltf::Model parse_model(json& document) {
 void check_views(const GltfDocument& document) {
     for (size_t i = 0; i < document.model.bufferViews.size(); ++i) {
         const tinygltf::BufferView& view = document.model.bufferViews[i];
+        if (document.decoded_views.contains(static_cast<int>(i))) continue;
         const size_t size = document.buffers[static_cast<size_t>(view.buffer)].bytes.size();
         if (view.byteOffset <= size && view.byteLength <= size - view.byteOffset) continue;
         fail_at("/bufferViews/" + std::to_string(i),
@@ -279,6 +265,8 @@ std::string Omissions::text() const {
 
 std::span<const std::byte> GltfDocument::view_bytes(int buffer_view) const {
     const tinygltf::BufferView& view = model.bufferViews[static_cast<size_t>(buffer_view)];
+    const auto decoded = decoded_views.find(buffer_view);
+    if (decoded != decoded_views.end()) return std::span(decoded->second).first(view.byteLength);
     return buffers[static_cast<size_t>(view.buffer)].bytes.subspan(view.byteOffset, view.byteLength);
 }
 
@@ -287,7 +275,7 @@ void GltfDocument::release_pages() const {
     for (const GltfBuffer& buffer : buffers) buffer.file.release_pages();
 }
 
-GltfDocument open_gltf(const std::filesystem::path& path, Reach reach) {
+GltfDocument open_gltf(const std::filesystem::path& path, Reach reach, const std::string& variant) {
     GltfDocument document;
     document.path = path;
     document.reach = reach;
@@ -298,9 +286,13 @@ GltfDocument open_gltf(const std::filesystem::path& path, Reach reach) {
     check_version(root);
     check_extensions(root, document.omissions);
     note_moving_parts(root, document.omissions);
+    apply_variant(root, variant);
+    take_webp_images(root);
     if (root.contains("buffers")) {
+        const std::vector<bool> fallback = meshopt_fallback_buffers(root);
         for (size_t i = 0; i < root["buffers"].size(); ++i) {
-            document.buffers.push_back(open_buffer(root["buffers"][i], i, document, container.binary));
+            document.buffers.push_back(fallback[i] ? GltfBuffer()
+                                                   : open_buffer(root["buffers"][i], i, document, container.binary));
             root["buffers"][i].erase("uri");  // it may have been most of the file
         }
     }
@@ -311,6 +303,7 @@ GltfDocument open_gltf(const std::filesystem::path& path, Reach reach) {
             check_reach(document, document.images.back().uri, place + "/uri");
         }
     }
+    decode_meshopt_views(root, document);
     document.model = parse_model(root);
     check_views(document);
     return document;

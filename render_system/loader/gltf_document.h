@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <filesystem>
 #include <map>
@@ -51,7 +52,9 @@ struct GltfDocument {
     tinygltf::Model model;
     std::vector<GltfBuffer> buffers;
     std::vector<GltfImage> images;
-    uint64_t geometry_bytes = 0;  ///< what the meshes read so far take, at least
+    std::map<int, std::vector<std::byte>> decoded_views;  ///< of views that are packed in the file
+    std::vector<std::array<int, 2>> uv_sets;              ///< by material: the file's numbers of the two sets it reads
+    uint64_t geometry_bytes = 0;                          ///< what the meshes read so far take, at least
     Omissions omissions;
     std::vector<std::string> warnings;
 
@@ -60,8 +63,8 @@ struct GltfDocument {
     void release_pages() const;
 };
 
-/// Reads and checks a .gltf or .glb file and opens its buffers. Throws LoadError, also where a buffer or an image lies
-/// beyond `reach`.
-GltfDocument open_gltf(const std::filesystem::path& path, Reach reach);
+/// Reads and checks a .gltf or .glb file and opens its buffers; primitives have the materials of the variant of that
+/// name, if one is given. Throws LoadError, also where a buffer or an image lies beyond `reach`.
+GltfDocument open_gltf(const std::filesystem::path& path, Reach reach, const std::string& variant);
 
 }  // namespace render_system

@@ -3,7 +3,11 @@
 #include "render_system/loader/gltf_materials.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <iterator>
+#include <optional>
+#include <set>
 #include <string>
 
 #include "render_system/loader/gltf_textures.h"
@@ -67,11 +71,20 @@ public:
         const tinygltf::Material& source = document_.model.materials[index];
         place_ = "/materials/" + std::to_string(index);
         material_ = CoreMaterial();
-        read_base(source);
         read_alpha(source);
-        read_emission(source);
-        read_transmission(source);
-        read_specular(source);
+        if (find(source.extensions, "KHR_materials_unlit")) {
+            read_unlit(source);
+        } else {
+            if (const Value* glossy = find(source.extensions, "KHR_materials_pbrSpecularGlossiness"))
+                read_specular_glossiness(*glossy);
+            else
+                read_base(source);
+            read_surface(source);
+            read_emission(source);
+            read_transmission(source);
+            read_specular(source);
+        }
+        document_.uv_sets[index] = resolve_uv_sets();
         // Index 0 stands for one past all bounds: all light is reflected, and nothing behind is ever seen.
         if (material_.ior == 0.0f) material_.transmission = 0.0f;
         if (Status status = check_material(material_); !status.ok()) fail_at(place_, status.message + EXPORT_AGAIN);
@@ -87,9 +100,45 @@ private:
         material_.roughness = unit(pbr.roughnessFactor);
         material_.base_color_texture = slot(info_of(pbr.baseColorTexture), TextureRole::color);
         material_.metallic_roughness_texture = slot(info_of(pbr.metallicRoughnessTexture), TextureRole::data);
+    }
+
+    void read_surface(const tinygltf::Material& source) {
         material_.normal_texture = slot(info_of(source.normalTexture), TextureRole::data);
         material_.normal_scale = static_cast<float>(source.normalTexture.scale);
-        material_.double_sided = source.doubleSided;
+    }
+
+    // KHR_materials_specular, "Conversions": such a material is one without metal whose index of refraction stands past
+    // all bounds, so that the specular colour alone is what it reflects at normal incidence.
+    void read_specular_glossiness(const Value& source) {
+        const float glossiness = unit(static_cast<double>(number(source, "glossinessFactor", 1.0f)));
+        const glm::vec3 diffuse = numbers(source, "diffuseFactor", glm::vec3(1.0f));
+        const glm::vec3 specular = numbers(source, "specularFactor", glm::vec3(1.0f));
+        for (int i = 0; i < 3; ++i) {
+            material_.base_color[i] = unit(static_cast<double>(diffuse[i]));
+            material_.specular_color[i] = unit(static_cast<double>(specular[i]));
+        }
+        if (source.Has("diffuseFactor")) material_.alpha = unit(source.Get("diffuseFactor").Get(3).GetNumberAsDouble());
+        material_.base_color_texture = slot(info_in(source, "diffuseTexture"), TextureRole::color);
+        material_.metallic = 0.0f;
+        material_.roughness = 1.0f - glossiness;
+        material_.ior = 0.0f;
+        const TextureInfo packed = info_in(source, "specularGlossinessTexture");
+        if (packed.texture < 0) return;
+        material_.specular_color_texture = slot(packed, TextureRole::color);
+        material_.metallic_roughness_texture = slot(packed, TextureRole::data, glossiness);
+        if (material_.metallic_roughness_texture.texture != NONE) material_.roughness = 1.0f;
+    }
+
+    // Its colour is what one sees, whatever light there is: here, what it gives off. It reflects nothing.
+    void read_unlit(const tinygltf::Material& source) {
+        read_base(source);
+        material_.emission = material_.base_color;
+        material_.emission_texture = material_.base_color_texture;
+        material_.base_color = glm::vec3(0.0f);
+        material_.metallic = 0.0f;
+        material_.specular = 0.0f;
+        material_.metallic_roughness_texture = CoreTextureSlot();
+        if (material_.opaque) material_.base_color_texture = CoreTextureSlot();  // else it has the coverage
     }
 
     void read_alpha(const tinygltf::Material& source) {
@@ -97,6 +146,7 @@ private:
         // A mask that everything passes is opaque.
         material_.opaque = source.alphaMode == "OPAQUE" || (source.alphaMode == "MASK" && cutoff == 0.0f);
         if (source.alphaMode == "MASK") material_.alpha_cutoff = cutoff;
+        material_.double_sided = source.doubleSided;
     }
 
     void read_emission(const tinygltf::Material& source) {
@@ -148,7 +198,9 @@ private:
         }
     }
 
-    CoreTextureSlot slot(const TextureInfo& info, TextureRole role) {
+    // With a `glossiness` the texture's roughness is 1 minus that times its alpha. The slot's set of coordinates is the
+    // file's number until resolve_uv_sets has seen all of the material's.
+    CoreTextureSlot slot(const TextureInfo& info, TextureRole role, std::optional<float> glossiness = {}) {
         CoreTextureSlot slot;
         if (info.texture < 0) return slot;
         int uv_set = info.uv_set;
@@ -156,13 +208,27 @@ private:
             apply_transform(*info.transform, slot);
             if (info.transform->Has("texCoord")) uv_set = info.transform->Get("texCoord").GetNumberAsInt();
         }
-        if (uv_set > 1) {
-            document_.omissions.add("textures on more than two uv sets", place_);
-            uv_set = 0;
-        }
         slot.uv_set = static_cast<uint32_t>(uv_set);
-        slot.texture = textures_.add(info.texture, role);
+        slot.texture = textures_.add(info.texture, role, glossiness);
         return slot;
+    }
+
+    // A mesh has two sets of coordinates; which of the file's they are is each material's choice.
+    std::array<int, 2> resolve_uv_sets() {
+        std::set<uint32_t> used;
+        for (const auto member : kTextureSlots) {
+            if ((material_.*member).texture != NONE) used.insert((material_.*member).uv_set);
+        }
+        std::array<int, 2> sets{0, 1};
+        if (used.empty() || *used.rbegin() <= 1) return sets;
+        sets[0] = static_cast<int>(*used.begin());
+        sets[1] = used.size() > 1 ? static_cast<int>(*std::next(used.begin())) : sets[0];
+        if (used.size() > 2) document_.omissions.add("a third uv set in one material", place_);
+        for (const auto member : kTextureSlots) {
+            CoreTextureSlot& slot = material_.*member;
+            slot.uv_set = static_cast<int>(slot.uv_set) == sets[1] && sets[1] != sets[0] ? 1 : 0;
+        }
+        return sets;
     }
 
     // KHR_texture_transform: translation * rotation * scale. Angles turn counter-clockwise as seen in the picture,
@@ -197,6 +263,7 @@ private:
 void add_materials(GltfDocument& document, const std::vector<bool>& used, HostScene& scene) {
     MaterialReader reader(document, scene);
     const size_t count = document.model.materials.size();
+    document.uv_sets.assign(count + 1, {0, 1});
     for (size_t i = 0; i < count; ++i) {
         scene.add_material({document.model.materials[i].name, used[i] ? reader.read(i) : CoreMaterial()});
     }

@@ -4,6 +4,7 @@
 
 #include <unistd.h>
 
+#include <array>
 #include <cmath>
 #include <string>
 
@@ -23,7 +24,7 @@ bool has_triangles(const tinygltf::Primitive& primitive) {
            primitive.mode == TINYGLTF_MODE_TRIANGLE_FAN;
 }
 
-int attribute(const tinygltf::Primitive& primitive, const char* name) {
+int attribute(const tinygltf::Primitive& primitive, const std::string& name) {
     const auto found = primitive.attributes.find(name);
     return found == primitive.attributes.end() ? MISSING : found->second;
 }
@@ -109,8 +110,16 @@ private:
         if (primitive.mode == TINYGLTF_MODE_POINTS) omissions.add("points", place_);
         if (!has_triangles(primitive) && primitive.mode != TINYGLTF_MODE_POINTS) omissions.add("lines", place_);
         if (!primitive.targets.empty()) omissions.add("morph targets", mesh_place_);
-        if (attribute(primitive, "TEXCOORD_2") != MISSING) omissions.add("more than two uv sets", mesh_place_);
+        if (attribute(primitive, "COLOR_0") != MISSING && is_unlit(primitive)) {
+            omissions.add("vertex colours of unlit materials", mesh_place_);
+        }
         if (attribute(primitive, "COLOR_1") != MISSING) omissions.add("more than one set of colours", mesh_place_);
+    }
+
+    bool is_unlit(const tinygltf::Primitive& primitive) const {
+        const uint32_t material = material_of(document_, primitive);
+        return material < document_.model.materials.size() &&
+               document_.model.materials[material].extensions.contains("KHR_materials_unlit");
     }
 
     void add(const tinygltf::Primitive& primitive) {
@@ -125,8 +134,12 @@ private:
         const bool has_tangents = !flat && attribute(primitive, "TANGENT") != MISSING;
         add_attribute(primitive, "NORMAL", mesh_.normals);
         add_attribute(primitive, has_tangents ? "TANGENT" : "", mesh_.tangents);
-        add_coordinates(primitive, "TEXCOORD_0", mesh_.uv0);
-        add_coordinates(primitive, "TEXCOORD_1", mesh_.uv1);
+        const std::array<int, 2>& uv_sets = document_.uv_sets[material_of(document_, primitive)];
+        add_coordinates(primitive, "TEXCOORD_" + std::to_string(uv_sets[0]), mesh_.uv0);
+        if (uv_sets[1] != uv_sets[0])
+            add_coordinates(primitive, "TEXCOORD_" + std::to_string(uv_sets[1]), mesh_.uv1);
+        else if (!mesh_.uv1.empty())
+            mesh_.uv1.resize(mesh_.positions.size(), glm::vec2(0.0f));
         add_colors(primitive);
         add_triangles(primitive);
         if (flat)
@@ -143,7 +156,7 @@ private:
 
     // An array that one primitive of a mesh has, all of them get: filled with `T(0)` for those before.
     template <class T>
-    void add_attribute(const tinygltf::Primitive& primitive, const char* name, std::vector<T>& array) {
+    void add_attribute(const tinygltf::Primitive& primitive, const std::string& name, std::vector<T>& array) {
         const int accessor = attribute(primitive, name);
         if (accessor != MISSING) {
             check_count(name, accessor);
@@ -154,7 +167,7 @@ private:
         }
     }
 
-    void add_coordinates(const tinygltf::Primitive& primitive, const char* name, std::vector<glm::vec2>& array) {
+    void add_coordinates(const tinygltf::Primitive& primitive, const std::string& name, std::vector<glm::vec2>& array) {
         add_attribute(primitive, name, array);
         if (within_texture(array)) return;
         fail_at(place_ + "/attributes/" + name, "holds a texture coordinate past 1e8" + EXPORT_AGAIN);
@@ -172,7 +185,7 @@ private:
         }
     }
 
-    void check_count(const char* name, int accessor) const {
+    void check_count(const std::string& name, int accessor) const {
         const uint64_t count = accessor_count(document_, accessor);
         const uint64_t vertices = mesh_.positions.size() - first_vertex_;
         if (count == vertices) return;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "render_system/loader/gltf_document.h"
+#include "render_system/loader/gltf_instancing.h"
 #include "render_system/loader/gltf_materials.h"
 #include "render_system/loader/gltf_meshes.h"
 #include "render_system/loader/load_error.h"
@@ -47,7 +48,21 @@ struct PlacedNode {
     int node = -1;
     uint32_t parent = NONE;  // into the list of placed nodes
     glm::dmat4 world{1.0};
+    bool visible = true;
 };
+
+// KHR_node_visibility: a node that is not hides all below it.
+bool is_shown(const tinygltf::Node& node) {
+    const auto found = node.extensions.find("KHR_node_visibility");
+    return found == node.extensions.end() || !found->second.Has("visible") || found->second.Get("visible").Get<bool>();
+}
+
+bool is_finite(const glm::dmat4& matrix) {
+    for (int i = 0; i < 12; ++i) {
+        if (!std::isfinite(static_cast<float>(matrix[i / 3][i % 3]))) return false;
+    }
+    return true;
+}
 
 // The nodes of the scene to show, parents first. Refuses what is not a tree.
 std::vector<PlacedNode> place_nodes(const tinygltf::Model& model) {
@@ -61,10 +76,9 @@ std::vector<PlacedNode> place_nodes(const tinygltf::Model& model) {
         seen[static_cast<size_t>(node)] = true;
         PlacedNode entry{node, parent, local_transform(model.nodes[static_cast<size_t>(node)], node_place(node))};
         if (parent != NONE) entry.world = placed[parent].world * entry.world;
-        for (int i = 0; i < 12; ++i) {
-            if (!std::isfinite(static_cast<float>(entry.world[i / 3][i % 3]))) {
-                fail_at(node_place(node), "its transform is past the range of a float" + EXPORT_AGAIN);
-            }
+        entry.visible = is_shown(model.nodes[static_cast<size_t>(node)]) && (parent == NONE || placed[parent].visible);
+        if (!is_finite(entry.world)) {
+            fail_at(node_place(node), "its transform is past the range of a float" + EXPORT_AGAIN);
         }
         placed.push_back(entry);
     };
@@ -87,13 +101,15 @@ bool is_scaled_to_nothing(const CoreTransform& world) {
 
 class SceneReader {
 public:
-    SceneReader(const std::filesystem::path& path, Reach reach) : document_(open_gltf(path, reach)) {}
+    SceneReader(const std::filesystem::path& path, const LoadOptions& options)
+        : document_(open_gltf(path, options.allow_outside ? Reach::anywhere : Reach::folder, options.variant)) {}
 
     LoadedScene read() {
         if (document_.model.scenes.empty()) {
             fail_at("/scenes", "there is no scene, so nothing to show; export the file with one");
         }
         nodes_ = place_nodes(document_.model);
+        check_copies();
         add_meshes();
         // What a node carries is numbered by node, whatever the order of the hierarchy.
         std::vector<size_t> order(nodes_.size());
@@ -102,6 +118,7 @@ public:
         std::vector<HostNode> host_nodes(nodes_.size());  // in the hierarchy's order
         for (size_t i : order) host_nodes[i] = carry(nodes_[i]);
         for (HostNode& node : host_nodes) scene().add_node(std::move(node));
+        for (size_t i : order) add_copies(static_cast<uint32_t>(i));
         if (scene().triangle_count() == 0) {
             if (first_hidden_ >= 0) {
                 fail_at(node_place(first_hidden_),
@@ -123,7 +140,7 @@ private:
     void add_meshes() {
         std::map<int, uint32_t> used;
         for (const PlacedNode& node : nodes_) {
-            if (source(node).mesh >= 0) used.emplace(source(node).mesh, 0);
+            if (source(node).mesh >= 0 && node.visible) used.emplace(source(node).mesh, 0);
         }
         std::vector<int> meshes;
         for (const auto& entry : used) meshes.push_back(entry.first);
@@ -148,23 +165,55 @@ private:
         host.parent = placed.parent;
         host.local = local_transform(node, node_place(placed.node));
         const auto mesh = mesh_ids_.find(node.mesh);
-        if (mesh != mesh_ids_.end()) {
-            const CoreTransform transform = core_transform(placed.world);
-            const bool hidden = is_scaled_to_nothing(transform);
-            if (hidden && first_hidden_ < 0) first_hidden_ = placed.node;
-            if (hidden)
-                document_.omissions.add("instances scaled to nothing", node_place(placed.node));
-            else
-                check_instance(placed.node, mesh->second, transform);
-            host.instance = scene().add_instance(hidden ? NONE : mesh->second, transform);
+        if (mesh != mesh_ids_.end() && placed.visible && !instancing_of(node)) {
+            host.instance = add_instance(placed.node, mesh->second, placed.world);
         }
         if (node.camera >= 0) host.camera = add_camera(placed.node, node.camera);
         const auto light = node.extensions.find("KHR_lights_punctual");
-        if (light != node.extensions.end()) {
+        if (light != node.extensions.end() && placed.visible) {
             host.light = add_light(light->second.Get("light").GetNumberAsInt());
             fail_unless(check_light_position(glm::vec3(placed.world[3])), node_place(placed.node));
         }
         return host;
+    }
+
+    uint32_t add_instance(int node, uint32_t mesh, const glm::dmat4& world) {
+        const CoreTransform transform = core_transform(world);
+        const bool hidden = is_scaled_to_nothing(transform);
+        if (hidden && first_hidden_ < 0) first_hidden_ = node;
+        if (hidden)
+            document_.omissions.add("instances scaled to nothing", node_place(node));
+        else
+            check_instance(node, mesh, transform);
+        return scene().add_instance(hidden ? NONE : mesh, transform);
+    }
+
+    void check_copies() const {
+        uint64_t total = 0;
+        for (const PlacedNode& placed : nodes_) {
+            const tinygltf::Value* instancing = instancing_of(source(placed));
+            if (instancing) total += instance_count(document_, *instancing, node_place(placed.node));
+        }
+        check_instance_total(total);
+    }
+
+    // EXT_mesh_gpu_instancing: the node's mesh once for each element of the attributes, as a child of the node.
+    void add_copies(uint32_t parent) {
+        const PlacedNode& placed = nodes_[parent];
+        const tinygltf::Value* instancing = instancing_of(source(placed));
+        const auto mesh = mesh_ids_.find(source(placed).mesh);
+        if (!instancing || !placed.visible || mesh == mesh_ids_.end()) return;
+        for (const glm::dmat4& local : instance_transforms(document_, *instancing, node_place(placed.node))) {
+            HostNode copy;
+            copy.parent = parent;
+            copy.local = local;
+            const glm::dmat4 world = placed.world * local;
+            if (!is_finite(world)) {
+                fail_at(node_place(placed.node), "an instance's transform is past the range of a float" + EXPORT_AGAIN);
+            }
+            copy.instance = add_instance(placed.node, mesh->second, world);
+            scene().add_node(std::move(copy));
+        }
     }
 
     static void fail_unless(const Status& status, const std::string& place) {
@@ -241,7 +290,7 @@ private:
 
 Result<LoadedScene> load_scene(const std::filesystem::path& path, const LoadOptions& options) {
     try {
-        return SceneReader(path, options.allow_outside ? Reach::anywhere : Reach::folder).read();
+        return SceneReader(path, options).read();
     } catch (const LoadError& error) {
         return Status::error(error.code, path.string() + ": " + error.message);
     } catch (const std::bad_alloc&) {

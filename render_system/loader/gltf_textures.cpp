@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render_system/loader/gltf_textures.h"
 
+#include <cmath>
+
 #include "render_system/loader/image_reader.h"
 #include "render_system/loader/load_error.h"
 #include "render_system/loader/uri.h"
@@ -26,6 +28,14 @@ bool nearest_inside(int min_filter) {
            min_filter == TINYGLTF_TEXTURE_FILTER_NEAREST_MIPMAP_LINEAR;
 }
 
+void make_roughness(Image& image, float glossiness) {
+    for (uint32_t& texel : image.bytes) {
+        const float alpha = static_cast<float>(texel >> 24) / 255.0f;
+        texel = 0xFF000000u | static_cast<uint32_t>(std::lround(255.0f * (1.0f - alpha * glossiness))) << 8;
+    }
+    for (glm::vec4& texel : image.floats) texel = {0.0f, 1.0f - texel.w * glossiness, 0.0f, 1.0f};
+}
+
 std::string image_place(int image) { return "/images/" + std::to_string(image); }
 
 }  // namespace
@@ -46,8 +56,9 @@ GltfTextures::Key GltfTextures::key_of(int texture, TextureRole role) const {
     return key;
 }
 
-uint32_t GltfTextures::add(int texture, TextureRole role) {
-    const Key key = key_of(texture, role);
+uint32_t GltfTextures::add(int texture, TextureRole role, std::optional<float> glossiness) {
+    Key key = key_of(texture, role);
+    key.glossiness = glossiness;
     if (key.image < 0) return load(texture, key);
     const auto found = known_.find(key);
     if (found != known_.end()) return found->second;
@@ -57,8 +68,10 @@ uint32_t GltfTextures::add(int texture, TextureRole role) {
 uint32_t GltfTextures::load(int texture, const Key& key) {
     HostTexture result;
     try {
-        if (key.image < 0) fail_at("", "has no image in a supported format");
-        result = build_texture(read(key.image), key.role, key.mips);
+        if (key.image < 0) fail_at("", "has no image in a supported format; export it as PNG, JPEG or WebP");
+        Image image = read(key.image);
+        if (key.glossiness) make_roughness(image, *key.glossiness);
+        result = build_texture(std::move(image), key.role, key.mips);
     } catch (LoadError& error) {
         if (error.hostile) {
             error.message = image_place(key.image) + ": " + error.message;

@@ -5,6 +5,7 @@
 #include <compare>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 
@@ -20,8 +21,9 @@ public:
     GltfTextures(GltfDocument& document, HostScene& scene) : document_(document), scene_(scene) {}
 
     /// The scene's texture for `texture` of the file. An image that cannot be read gives a warning; in its stead
-    /// colour is a visible checkerboard, and data is NONE (the factors alone hold).
-    uint32_t add(int texture, TextureRole role);
+    /// colour is a visible checkerboard, and data is NONE (the factors alone hold). With a `glossiness` the texture's
+    /// green is not the image's, but 1 minus the image's alpha times that: roughness of a glossy material.
+    uint32_t add(int texture, TextureRole role, std::optional<float> glossiness = {});
 
 private:
     struct Key {
@@ -31,6 +33,7 @@ private:
         TextureWrap wrap_t = TextureWrap::repeat;
         bool nearest = false;
         bool mips = true;
+        std::optional<float> glossiness;
 
         auto operator<=>(const Key&) const = default;
     };

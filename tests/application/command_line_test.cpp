@@ -41,6 +41,7 @@ TEST(CommandLine, ASceneAloneTakesEveryDefault) {
     EXPECT_TRUE(options.next_event_estimation);
     EXPECT_FALSE(options.exact);
     EXPECT_FALSE(options.allow_outside);
+    EXPECT_TRUE(options.variant.empty());
     EXPECT_EQ(options.threads, 0u);
     EXPECT_EQ(options.gpu_memory_limit, 0u);
     EXPECT_EQ(options.format, Format::text);
@@ -51,7 +52,8 @@ TEST(CommandLine, EveryOptionOfTheContractIsTaken) {
     const Options options =
         parse(
             "render a.glb -o b.exr --core target --size 320x180 --spp 4 --seed 7 --max-path-length 3 --no-roulette "
-            "--no-nee --exact --allow-outside --camera 2 --sky 1,2,3 --threads 5 --gpu-memory-limit 64 --kernels dir "
+            "--no-nee --exact --allow-outside --variant beach --camera 2 --sky 1,2,3 --threads 5 --gpu-memory-limit 64 "
+            "--kernels dir "
             "--stats s.json "
             "--format json --quiet --color never --progress")
             .options;
@@ -67,6 +69,7 @@ TEST(CommandLine, EveryOptionOfTheContractIsTaken) {
     EXPECT_FALSE(options.next_event_estimation);
     EXPECT_TRUE(options.exact);
     EXPECT_TRUE(options.allow_outside);
+    EXPECT_EQ(options.variant, "beach");
     EXPECT_EQ(options.camera.index, 2u);
     EXPECT_THAT(*options.sky.radiance, ElementsAre(1.0f, 2.0f, 3.0f));
     EXPECT_EQ(options.threads, 5u);

@@ -289,14 +289,14 @@ TEST(LoaderMaterial, ShowsAPlaceholderForImagesThatCannotBeDecoded) {
 
 TEST(LoaderMaterial, ATextureWithoutASupportedImageGetsAPlaceholder) {
     GltfFile file = one_triangle();
-    file.root["extensionsUsed"] = {"EXT_texture_webp"};
-    file.root["textures"] = {{{"extensions", {{"EXT_texture_webp", {{"source", 0}}}}}}};
+    file.root["extensionsUsed"] = {"KHR_texture_basisu"};
+    file.root["textures"] = {{{"extensions", {{"KHR_texture_basisu", {{"source", 0}}}}}}};
     file.root["meshes"][0]["primitives"][0]["material"] =
         file.add_material({{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}}});
     std::vector<std::string> warnings;
     const HostScene scene = loaded(file, &warnings);
     EXPECT_TRUE(is_checkerboard(scene.textures()[0]));
-    EXPECT_THAT(warnings, ElementsAre(HasSubstr("extension EXT_texture_webp"), HasSubstr("/textures/0")));
+    EXPECT_THAT(warnings, ElementsAre(HasSubstr("extension KHR_texture_basisu"), HasSubstr("/textures/0")));
 }
 
 TEST(LoaderMaterial, ReadsOnlyTheTexturesOfMaterialsInUse) {
