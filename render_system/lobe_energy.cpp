@@ -3,6 +3,7 @@
 #include "render_system/lobe_energy.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace render_system {
@@ -17,14 +18,15 @@ struct Interface {
     double f0;
     double f90;
 
-    // Of the light that meets a microfacet at that cosine.
-    double reflected(double cosine) const {
-        if (eta == 0.0) return 1.0;
+    // Schlick's weight where light meets a microfacet at that cosine.
+    double weight(double cosine) const {
+        if (eta == 0.0) return std::pow(1.0 - std::clamp(cosine, 0.0, 1.0), 5.0);
         const double sine2 = (1.0 - cosine * cosine) / (eta * eta);
         const double larger = eta < 1.0 ? std::sqrt(std::max(1.0 - sine2, 0.0)) : cosine;
         const double m = 1.0 - std::clamp(larger, 0.0, 1.0);
-        return f0 + (f90 - f0) * (m * m) * (m * m) * m;
+        return (m * m) * (m * m) * m;
     }
+    double reflected(double weight) const { return f0 + (f90 - f0) * weight; }
 };
 
 double smith(double cosine, double alpha) { return std::sqrt(alpha * alpha + (1.0 - alpha * alpha) * cosine * cosine); }
@@ -52,38 +54,42 @@ glm::dvec3 visible_normal(const glm::dvec3& wo, double alpha, const glm::dvec3& 
     return glm::normalize(glm::dvec3(h.x * alpha, h.y * alpha, h.z));
 }
 
-// What leaves by one microfacet, of what meets it.
-double leaving(const Interface& face, const glm::dvec3& wo, const glm::dvec3& h, double alpha) {
+// What leaves by one microfacet, of what meets it: all, and what is reflected times Schlick's weight.
+glm::dvec2 leaving(const Interface& face, const glm::dvec3& wo, const glm::dvec3& h, double alpha) {
     const double cosine = glm::dot(wo, h), root_o = smith(wo.z, alpha);
-    const double reflected = face.reflected(cosine);
-    double sum = 0.0;
+    const double weight = face.weight(cosine), reflected = face.reflected(weight);
+    glm::dvec2 sum(0.0);
     const double up = 2.0 * cosine * h.z - wo.z;
-    if (up > 0.0) sum += reflected * up * (wo.z + root_o) / (wo.z * smith(up, alpha) + up * root_o);
+    if (up > 0.0) {
+        const double unmasked = up * (wo.z + root_o) / (wo.z * smith(up, alpha) + up * root_o);
+        sum = unmasked * glm::dvec2(reflected, weight);
+    }
     const double sine2 = face.eta > 0.0 ? (1.0 - cosine * cosine) / (face.eta * face.eta) : 1.0;
     if (sine2 >= 1.0) return sum;
     const double down = wo.z / face.eta - h.z * (cosine / face.eta - std::sqrt(1.0 - sine2));
-    if (down > 0.0) sum += (1.0 - reflected) * 2.0 * down / (down + smith(down, alpha));
+    if (down > 0.0) sum.x += (1.0 - reflected) * 2.0 * down / (down + smith(down, alpha));
     return sum;
 }
 
-double energy(const Interface& face, double cosine, double roughness) {
+glm::dvec2 energy(const Interface& face, double cosine, double roughness) {
     const double alpha = roughness * roughness;
-    if (alpha == 0.0) return 1.0;
+    if (alpha == 0.0) return {1.0, face.weight(cosine)};
     const double z = std::max(cosine, 1e-4);
     const glm::dvec3 wo(std::sqrt(1.0 - z * z), 0.0, z);
-    double sum = 0.0;
+    glm::dvec2 sum(0.0);
     for (const glm::dvec3& point : lattice()) sum += leaving(face, wo, visible_normal(wo, alpha, point), alpha);
     // What sums and interpolation miss, up to a thousandth, shall take light away, not make it.
-    return std::min(1.001 * sum / static_cast<double>(lattice().size()), 1.0);
+    return glm::min(1.001 * sum / static_cast<double>(lattice().size()), 1.0);
 }
 
 std::vector<glm::vec4> slice_of(const Interface& face) {
     constexpr uint32_t kCorners = kEnergyCells + 1;
     std::vector<float> values;
+    const auto in_16_bits = [](double value) { return static_cast<uint32_t>(std::lround(value * 65535.0)); };
     for (uint32_t i = 0; i < kCorners * kCorners; ++i) {
         const double root = static_cast<double>(i % kCorners) / kEnergyCells;
-        values.push_back(
-            static_cast<float>(energy(face, root * root, static_cast<double>(i / kCorners) / kEnergyCells)));
+        const glm::dvec2 value = energy(face, root * root, static_cast<double>(i / kCorners) / kEnergyCells);
+        values.push_back(std::bit_cast<float>(in_16_bits(value.x) | in_16_bits(value.y) << 16));
     }
     std::vector<glm::vec4> rows;
     for (uint32_t i = 0; i < kEnergyCells * kEnergyCells; ++i) {

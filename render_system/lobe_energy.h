@@ -23,7 +23,9 @@ float bending_ior(const CoreMaterial& material);
 /// again in truth, and a core gives it back by that factor: Turquin 2019, "Practical multiple scattering compensation
 /// for microfacet models", after Kulla and Conty 2017. Tabulated by the cosine of the view (its root) and the
 /// roughness, in slices of kEnergyCells^2 rows; a row is one cell, its corners' values in x and y at the lower
-/// roughness, in z and w at the higher. The numbers are the same for all cores.
+/// roughness, in z and w at the higher. A value is two numbers in 16 bits: what returns of all light (low), and what is
+/// reflected times Schlick's weight (high), by which a Fresnel term of any strength is summed up. The numbers are the
+/// same for all cores.
 class LobeEnergy {
 public:
     /// Row of the slices for that material: the first for light that comes from its front, the second from behind. 0

@@ -53,6 +53,10 @@ inline Vec2<F> operator+(Vec2<F> a, Vec2<F> b) {
     return {a.x + b.x, a.y + b.y};
 }
 template <class F>
+inline Vec2<F> operator-(Vec2<F> a, Vec2<F> b) {
+    return {a.x - b.x, a.y - b.y};
+}
+template <class F>
 inline Vec2<F> operator*(Vec2<F> a, std::type_identity_t<F> s) {
     return {a.x * s, a.y * s};
 }

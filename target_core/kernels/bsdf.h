@@ -17,8 +17,8 @@ const float SMOOTH_ALPHA = 1.0e-3f;
 
 struct Bsdf {
     vec3 wo;
-    vec3 side;  // geometric normal on the side of wo
-    vec3 diffuse_color;
+    vec3 side;           // geometric normal on the side of wo
+    vec3 diffuse_color;  // of what enters, over the mean of what leaves
     vec3 transmission_color;
     vec3 again_reflected;    // of light that is scattered more than once, the shares that leave on wo's side
     vec3 again_transmitted;  // and behind
@@ -82,15 +82,21 @@ inline Float smith_root(Float cosine, Float alpha) {
     return sqrt(a2 + (1.0f - a2) * cosine * cosine);
 }
 
-// The share of a white surface's light that comes back after one scattering, from the table.
-inline Float lobe_energy(Uint first_row, Float cosine, Float roughness) {
+inline vec2 unpack_energy(Float corner) {
+    Uint bits = floatBitsToUint(corner);
+    return vec2(Float(bits & ENERGY_MASK), Float(bits >> ENERGY_SHIFT)) * 1.52590219e-5f;
+}
+
+// Of a white surface's light, from the table: x comes back after one scattering, y is what Schlick's weight would let
+// reflection give back of it.
+inline vec2 lobe_energy(Uint first_row, Float cosine, Float roughness) {
     Float x = sqrt(saturate(cosine)) * float(ENERGY_CELLS);
     Float y = saturate(roughness) * float(ENERGY_CELLS);
     Float column = min(floor(x), float(ENERGY_CELLS - 1u));
     Float line = min(floor(y), float(ENERGY_CELLS - 1u));
     vec4 corners = fetch_lobe_energy(first_row + Uint(line) * ENERGY_CELLS + Uint(column));
-    Float smoother = blend(corners.x, corners.y, x - column);
-    Float rougher = blend(corners.z, corners.w, x - column);
+    vec2 smoother = blend(unpack_energy(corners.x), unpack_energy(corners.y), x - column);
+    vec2 rougher = blend(unpack_energy(corners.z), unpack_energy(corners.w), x - column);
     return blend(smoother, rougher, y - line);
 }
 
@@ -120,39 +126,47 @@ inline Bsdf make_bsdf(Material material, vec3 wo, vec3 side, Mask front) {
     bsdf.f90 = blend(dielectric_f90, Float(1.0f), material.metallic);
     bsdf.dielectric_f0 = max_component(dielectric_f0);
     bsdf.dielectric_f90 = dielectric_f90;
-    bsdf.diffuse_color = material.base_color * (body * (1.0f - material.transmission));
-    bsdf.transmission_color = material.base_color * (body * material.transmission);
+    // From within, a solid has no body that scatters: what its interface lets pass goes out.
+    Float clear = body * select(bsdf.eta < 1.0f, Float(1.0f), material.transmission);
+    Float opaque = body - clear;
+    bsdf.transmission_color = material.base_color * clear;
     bsdf.alpha = square(material.roughness);
     bsdf.is_smooth = bsdf.alpha < SMOOTH_ALPHA;
     bsdf.root_o = smith_root(wo.z, bsdf.alpha);
-    Float weight = fresnel_weight(bsdf, wo.z);
+    // What one scattering returns of a white surface's light, and Schlick's weight for it on average.
+    vec2 energy = lobe_energy(Uint(0u), wo.z, material.roughness);
+    vec2 inside = energy;
+    if (has_feature(FEATURE_TRANSMISSION)) {
+        Uint energy_row = material.energy_row + select(front, Uint(0u), Uint(ENERGY_ROWS));
+        inside = select(bsdf.refracts, lobe_energy(energy_row, wo.z, material.roughness), energy);
+    }
+    Float returned = select(bsdf.is_smooth, Float(1.0f), energy.x);
+    Float weight = select(bsdf.is_smooth, fresnel_weight(bsdf, wo.z), min(inside.y / max(returned, SMALLEST), 1.0f));
+    // Kulla and Conty 2017, "Revisiting Physically Based Shading at Imageworks": what one scattering does not return
+    // leaves like diffuse light, coloured once more; at an interface their mean Fresnel term shares it out.
+    Float kept = 1.0f - returned;
+    Float kept_inside = select(bsdf.is_smooth, Float(0.0f), 1.0f - inside.x);
+    vec3 dielectric_again = dielectric_f0 * dielectric_f0 * (opaque * kept);
+    bsdf.again_reflected = material.base_color * material.base_color * (material.metallic * kept) + dielectric_again;
+    // A white body gives back all that the interface does not. Schlick's weight is 1/21 in the hemisphere's mean.
     Float entering = 1.0f - dielectric_reflectance(bsdf, weight);
-    Float diffuse = max_component(bsdf.diffuse_color) * entering;
+    Float below = 1.0f - dielectric_reflectance(bsdf, weight) * returned - square(bsdf.dielectric_f0) * kept;
+    Float mean_leaving = 1.0f - dielectric_reflectance(bsdf, Float(0.0476190476f));
+    bsdf.diffuse_color = material.base_color * (opaque * max(below, 0.0f) / max(mean_leaving, SMALLEST));
+    Float diffuse = max_component(material.base_color) * opaque * entering;
     Float passed = max_component(bsdf.transmission_color);
     Float glossy = max_component(reflectance(bsdf, weight)) + passed * entering;
     Float scale = 1.0f / max(diffuse + glossy, SMALLEST);
     bsdf.pick_diffuse = diffuse * scale;
     bsdf.pick_glossy = glossy * scale;
     bsdf.passing = passed / max(passed + material.metallic, SMALLEST);
-    // Kulla and Conty 2017, "Revisiting Physically Based Shading at Imageworks": what one scattering does not return
-    // leaves like diffuse light, coloured once more; at an interface their mean Fresnel term shares it out.
-    Float kept = 1.0f - lobe_energy(Uint(0u), wo.z, material.roughness);
-    Float kept_inside = kept;
-    if (has_feature(FEATURE_TRANSMISSION)) {
-        Uint energy_row = material.energy_row + select(front, Uint(0u), Uint(ENERGY_ROWS));
-        kept_inside = select(bsdf.refracts, 1.0f - lobe_energy(energy_row, wo.z, material.roughness), kept);
-    }
-    kept = select(bsdf.is_smooth, Float(0.0f), kept);
-    kept_inside = select(bsdf.is_smooth, Float(0.0f), kept_inside);
-    bsdf.again_reflected = bsdf.f0 * bsdf.f0 * kept;
     bsdf.again_transmitted = vec3(0.0f);
     bsdf.pick_reflected = bsdf.pick_glossy * kept;
     bsdf.pick_transmitted = 0.0f;
-    Float clear = body * material.transmission;
     if (any_lane(clear > 0.0f)) {
         Float turned_back = mean_fresnel(select(bsdf.refracts, bsdf.eta, material.ior));
         Float going_through = kept_inside * (1.0f - turned_back);
-        bsdf.again_reflected = blend(bsdf.again_reflected, vec3(kept_inside * turned_back), clear);
+        bsdf.again_reflected = bsdf.again_reflected + vec3(clear * kept_inside * turned_back);
         bsdf.again_transmitted = bsdf.transmission_color * going_through;
         bsdf.pick_reflected = bsdf.pick_glossy * blend(kept, kept_inside * turned_back, bsdf.passing);
         bsdf.pick_transmitted = bsdf.pick_glossy * bsdf.passing * going_through;
@@ -196,10 +210,9 @@ inline BsdfValue evaluate_diffuse(Bsdf bsdf, vec3 wi) {
     Float along = dot(bsdf.side, wi);
     Float above = select(along > 0.0f, cosine * INVERSE_PI, Float(0.0f));
     Float below = select(along < 0.0f, cosine_behind * INVERSE_PI, Float(0.0f));
-    Float entering = 1.0f - dielectric_reflectance(bsdf, fresnel_weight(bsdf, bsdf.wo.z));
     Float leaving = 1.0f - dielectric_reflectance(bsdf, fresnel_weight(bsdf, max(wi.z, folded)));
     BsdfValue result;
-    result.value = (bsdf.diffuse_color * (entering * leaving) + bsdf.again_reflected) * above;
+    result.value = (bsdf.diffuse_color * leaving + bsdf.again_reflected) * above;
     result.value = result.value + bsdf.again_transmitted * below;
     result.pdf = (bsdf.pick_diffuse + bsdf.pick_reflected) * above + bsdf.pick_transmitted * below;
     return result;

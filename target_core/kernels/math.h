@@ -31,6 +31,8 @@ inline vec3 blend(vec3 a, vec3 b, Float t) { return a + (b - a) * t; }
 
 inline vec4 blend(vec4 a, vec4 b, Float t) { return a + (b - a) * t; }
 
+inline vec2 blend(vec2 a, vec2 b, Float t) { return a + (b - a) * t; }
+
 // The vector at length 1; the zero vector stays zero.
 inline vec3 normalized(vec3 v) { return v * (1.0f / sqrt(max(dot(v, v), SMALLEST))); }
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <string>
+#include <vector>
 
 #include "tests/physics/photometer.h"
 
@@ -28,14 +30,14 @@ Reading sphere_in_furnace(const char* core, const HostMaterial& material, uint32
 }
 
 // A large plane seen at that cosine: all directions above see the sky.
-Reading plane_in_furnace(const char* core, const HostMaterial& material, double cosine) {
+Reading plane_in_furnace(const char* core, const HostMaterial& material, double cosine, uint32_t size = 32) {
     HostScene scene;
     place(scene, quad_mesh({-1000, -1000, 0}, {2000, 0, 0}, {0, 2000, 0}, scene.add_material(material)));
     set_sky(scene, 1.0f);
     double sine = std::sqrt(1.0 - cosine * cosine);
     glm::vec3 eye(static_cast<float>(sine), 0.0f, static_cast<float>(cosine));
     Exposure exposure;
-    exposure.size = 32;
+    exposure.size = size;
     return measure(core, scene, square_view(eye, {0, 0, 0}, 0.001f), exposure);
 }
 
@@ -169,6 +171,71 @@ TEST_P(Furnace, SolidGlassOfAnyRoughnessAndIndexIsInvisible) {
             Reading reading = sphere_in_furnace(GetParam(), material, is_source ? 64 : 1024);
             EXPECT_LE(reading.mean, 1.0 + 4.0 * reading.error) << ior << ", " << roughness;
             EXPECT_GE(reading.mean, 0.99) << ior << ", " << roughness;
+        }
+    }
+}
+
+// Each mixture of metal, glass and white body, over three roughnesses.
+std::vector<HostMaterial> mixtures(bool thin) {
+    std::vector<HostMaterial> all;
+    for (float metallic : {0.0f, 0.5f, 1.0f}) {
+        for (float transmission : {0.0f, 0.5f, 1.0f}) {
+            for (float roughness : {0.0f, 0.4f, 1.0f}) {
+                all.push_back(glass(roughness, thin));
+                all.back().core.metallic = metallic;
+                all.back().core.transmission = transmission;
+            }
+        }
+    }
+    return all;
+}
+
+std::string told(const HostMaterial& material, double cosine) {
+    return "metallic " + std::to_string(material.core.metallic) + ", transmission " +
+           std::to_string(material.core.transmission) + ", roughness " + std::to_string(material.core.roughness) +
+           ", thin " + std::to_string(material.core.thin_walled) + ", cosine " + std::to_string(cosine);
+}
+
+TEST_P(Furnace, MixturesOfMetalGlassAndBodyAreInvisible) {
+    for (bool thin : {true, false}) {
+        for (double cosine : {0.9, 0.2}) {
+            if (GetParam() == std::string("source")) {
+                // Every opening takes half a second: all mixtures in one picture, tiles that fill it.
+                HostScene scene;
+                float column = 0.0f;
+                for (const HostMaterial& material : mixtures(thin)) {
+                    place(scene, quad_mesh({-1.0f, column / 13.5f - 1.0f, 0}, {2, 0, 0}, {0, 1.0f / 13.5f, 0},
+                                           scene.add_material(material)));
+                    column += 1.0f;
+                }
+                set_sky(scene, 1.0f);
+                glm::vec3 eye(static_cast<float>(std::sqrt(1.0 - cosine * cosine)), 0.0f, static_cast<float>(cosine));
+                Reading reading =
+                    measure("source", scene, square_view(100.0f * eye, {0, 0, 0}, 0.002f), {.size = 54, .samples = 4});
+                EXPECT_LE(reading.mean, 1.0 + 4.0 * reading.error) << cosine;
+                EXPECT_GE(reading.mean, 0.99) << cosine;
+                continue;
+            }
+            for (const HostMaterial& material : mixtures(thin)) {
+                Reading reading = plane_in_furnace(GetParam(), material, cosine, 8);
+                EXPECT_LE(reading.mean, 1.0 + 4.0 * reading.error) << told(material, cosine);
+                EXPECT_GE(reading.mean, 0.99) << told(material, cosine);
+            }
+        }
+    }
+}
+
+// From within as well, and on long paths.
+TEST_P(Furnace, BallsOfMixturesAreInvisible) {
+    const bool is_source = GetParam() == std::string("source");
+    for (float ior : is_source ? std::vector{1.5f} : std::vector{1.2f, 2.5f}) {
+        for (float roughness : is_source ? std::vector{1.0f} : std::vector{0.2f, 0.5f, 1.0f}) {
+            HostMaterial material = glass(roughness, false);
+            material.core.transmission = 0.5f;
+            material.core.ior = ior;
+            Reading reading = sphere_in_furnace(GetParam(), material, is_source ? 64 : 256);
+            EXPECT_LE(reading.mean, 1.0 + 4.0 * reading.error) << ior << ", " << roughness;
+            EXPECT_GE(reading.mean, 0.98) << ior << ", " << roughness;
         }
     }
 }
