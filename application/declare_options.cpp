@@ -81,6 +81,14 @@ void declare_picture(CLI::App& app, Options& options) {
         "Vertical field of view (the camera's; 40)")
         ->type_name("DEGREES");
     add_parsed(
+        app, "--aperture", parse_length, [&options](float radius) { options.aperture = radius; },
+        "Radius of a thin lens, in scene units (a pinhole)")
+        ->type_name("A");
+    add_parsed(
+        app, "--focus", parse_length, [&options](float distance) { options.focus = distance; },
+        "How far off the lens is sharp, in scene units (where --look-at looks)")
+        ->type_name("D");
+    add_parsed(
         app, "--sky", parse_sky, [&options](const SkyChoice& sky) { options.sky = sky; },
         "Constant radiance, or an HDR map (black; a neutral studio where the scene does not light itself)")
         ->type_name("R,G,B|FILE.hdr");

@@ -139,6 +139,12 @@ Result<float> parse_fov(std::string_view text) {
     return Status::invalid(fmt::format("'{}' is no vertical field of view; give degrees from 0.001 to 179", text));
 }
 
+Result<float> parse_length(std::string_view text) {
+    const auto length = number_from<float>(text);
+    if (length && *length > 0.0f && std::isfinite(*length)) return *length;
+    return Status::invalid(fmt::format("'{}' is no length; give one above 0 in scene units, e.g. 0.1", text));
+}
+
 Result<float> parse_limit(std::string_view text) {
     const auto limit = number_from<float>(text);
     if (limit && *limit > 0.0f && std::isfinite(*limit)) return *limit;

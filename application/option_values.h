@@ -55,6 +55,9 @@ Result<LookAt> parse_look_at(std::string_view text);
 /// Degrees between 0 and 180, as radians.
 Result<float> parse_fov(std::string_view text);
 
+/// A length above 0, in scene units.
+Result<float> parse_length(std::string_view text);
+
 /// A radiance above 0.
 Result<float> parse_limit(std::string_view text);
 

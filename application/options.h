@@ -60,6 +60,8 @@ struct Options {
     CameraChoice camera;
     std::optional<LookAt> look_at;
     std::optional<float> vertical_fov;  ///< radians
+    std::optional<float> aperture;      ///< radius of a thin lens
+    std::optional<float> focus;         ///< where it is sharp; none: where `look_at` looks
     SkyChoice sky;
     float exposure = 0.0f;  ///< stops, of PNGs
     ToneMap tone_map = ToneMap::none;

@@ -76,6 +76,21 @@ Result<std::optional<Camera>> camera_of_scene(const Options& options, const Host
     return Status::invalid(fmt::format("--camera: there is no camera {}: {} {}", index, options.scene, offer));
 }
 
+/// `--aperture` and `--focus`; a lens that is told no focus is sharp where `--look-at` looks.
+Status put_lens(const Options& options, Camera& camera) {
+    if (!options.aperture) return Status::success();
+    if (!options.focus && !options.look_at)
+        return Status::invalid("--aperture: a lens needs --focus, the distance at which the picture is sharp");
+    camera.aperture = *options.aperture;
+    if (options.focus) {
+        camera.focus = *options.focus;
+    } else {
+        const auto& [eye, target] = *options.look_at;
+        camera.focus = glm::distance(glm::vec3(eye[0], eye[1], eye[2]), glm::vec3(target[0], target[1], target[2]));
+    }
+    return Status::success();
+}
+
 Result<Camera> choose_camera(const Options& options, const Companions& companions, const HostScene& scene,
                              Console& console) {
     std::optional<Camera> camera;
@@ -94,6 +109,7 @@ Result<Camera> choose_camera(const Options& options, const Companions& companion
     }
     if (!camera) camera = default_camera(options, scene, console);
     if (options.vertical_fov) camera->vertical_fov = *options.vertical_fov;
+    if (const Status lens = put_lens(options, *camera); !lens.ok()) return lens;
     const Status status = check_camera(*camera);
     if (status.ok()) return *camera;
     return Status::error(status.code, fmt::format("{}: {}; or give --look-at", options.scene, status.message));

@@ -15,12 +15,14 @@ namespace render_system {
 
 constexpr uint32_t NONE = 0xFFFFFFFFu;  ///< "no texture", "no mesh"
 
-/// Four points: the eye and three corners of the screen. The fourth corner completes the parallelogram.
+/// Four points: the eye and three corners of the screen. The fourth corner completes the parallelogram. With a lens the
+/// screen stands where pictures are sharp.
 struct ViewPyramid {
     glm::vec3 eye{0.0f, 0.0f, 0.0f};
     glm::vec3 top_left{-1.0f, 1.0f, -1.0f};
     glm::vec3 top_right{1.0f, 1.0f, -1.0f};
     glm::vec3 bottom_left{-1.0f, -1.0f, -1.0f};
+    float aperture = 0.0f;  ///< radius of a thin lens around the eye; 0: a pinhole
 };
 
 /// Converge adds samples to those already taken; Restart drops them first.

@@ -65,6 +65,15 @@ Status check_eye(const glm::vec3& eye) {
                            " can be rendered: move the camera or scale the scene");
 }
 
+Status check_lens(float aperture, float focus) {
+    if (!(aperture >= 0.0f && aperture <= FARTHEST_EYE))
+        return Status::invalid("the lens's radius is " + shown(static_cast<double>(aperture)) + "; give 0 to " +
+                               shown(static_cast<double>(FARTHEST_EYE)));
+    if (focus > 0.0f && focus <= FARTHEST_EYE) return Status::success();
+    return Status::invalid("the lens's focus is at " + shown(static_cast<double>(focus)) + "; give a distance up to " +
+                           shown(static_cast<double>(FARTHEST_EYE)));
+}
+
 std::string instance_name(const HostScene& scene, size_t instance) {
     return "instance " + std::to_string(instance) + mesh_name(scene, scene.instances()[instance].mesh) + ": ";
 }
@@ -183,8 +192,8 @@ Status check_view(const ViewPyramid& view) {
             return Status::invalid("the screen's corners are too far apart; take a smaller field of view");
         reach = std::max(reach, largest_coordinate(corner - view.eye));
     }
-    if (reach > 0.0) return Status::success();
-    return Status::invalid("the screen's corners coincide with the eye");
+    if (!(reach > 0.0)) return Status::invalid("the screen's corners coincide with the eye");
+    return check_lens(view.aperture, 1.0f);
 }
 
 Status check_camera(const Camera& camera) {
@@ -193,7 +202,7 @@ Status check_camera(const Camera& camera) {
         if (!(largest_coordinate(direction) <= 2.0))
             return Status::invalid("the camera's directions are not of unit length");
     }
-    return Status::success();
+    return check_lens(camera.aperture, camera.focus);
 }
 
 Status check_light_position(const glm::vec3& position) {
@@ -205,7 +214,7 @@ Status check_light_position(const glm::vec3& position) {
 
 Status check_scene_limits(const HostScene& scene, const ViewPyramid& view) {
     if (Status status = check_view(view); !status.ok()) return status;
-    double reach = largest_coordinate(view.eye);
+    double reach = largest_coordinate(view.eye) + static_cast<double>(view.aperture);
     std::vector<std::pair<size_t, Placement>> placements;
     for (size_t i = 0; i < scene.instances().size(); ++i) {
         const HostInstance& instance = scene.instances()[i];

@@ -284,6 +284,8 @@ Settings SourceCore::frame_settings(const ViewPyramid& view) const {
     frame.screen = glm::vec4(screen.corner, 0.0f);
     frame.screen_right = glm::vec4(screen.right, 0.0f);
     frame.screen_down = glm::vec4(screen.down, 0.0f);
+    frame.lens_right = glm::vec4(screen.lens_right, view.aperture);
+    frame.lens_down = glm::vec4(screen.lens_down, 0.0f);
     frame.width = target().width;
     frame.height = target().height;
     frame.seed = settings().seed;
