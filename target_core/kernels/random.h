@@ -11,6 +11,7 @@ namespace target_core::kernels {
 // handled never matters. Order of draws at path vertex k (the contract between the cores): the pairs below.
 
 const uint PAIR_PIXEL = 0u;        // position inside the pixel
+const uint PAIR_LENS = 1u;         // and on the lens
 const uint PAIRS_PER_VERTEX = 5u;  // vertex k, from 1, uses pairs k * PAIRS_PER_VERTEX + ...
 const uint PAIR_BSDF = 0u;         // direction of the next segment
 const uint PAIR_LOBE = 1u;         // x: lobe, y: Russian roulette

@@ -97,6 +97,8 @@ TEST(OptionValues, AnglesAndStopsKeepToTheirRange) {
     for (const char* text : {"0", "-1", "180", "nan", "inf", "", "40deg"}) EXPECT_FALSE(parse_fov(text).ok()) << text;
     EXPECT_EQ(*parse_limit("0.5"), 0.5f);
     for (const char* text : {"0", "-1", "nan", "inf", "", "x"}) EXPECT_FALSE(parse_limit(text).ok()) << text;
+    EXPECT_EQ(*parse_length("0.25"), 0.25f);
+    for (const char* text : {"0", "-1", "nan", "inf", "", "x"}) EXPECT_FALSE(parse_length(text).ok()) << text;
     for (const char* text : {"101", "nan", "-inf", "", "+1"}) EXPECT_FALSE(parse_exposure(text).ok()) << text;
 }
 

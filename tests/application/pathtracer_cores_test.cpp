@@ -124,6 +124,15 @@ TEST_F(Cores, AgreeInEveryBitInExactModeOnTheParityScene) {
     }
 }
 
+TEST_F(Cores, AgreeInEveryBitInExactModeThroughALens) {
+    SKIP_WITHOUT("source");
+    SKIP_WITHOUT("target");
+    const RunResult result = run({"compare", SCENE, "--size", "96x54", "--spp", "2", "--exact", "--aperture", "0.1",
+                                  "--focus", "3", "--format", "json"});
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_EQ(json::parse(result.out)["results"][0]["identical_pixels"], 1.0);
+}
+
 TEST_F(Cores, WithoutVulkanTheTargetCoreStillWorks) {
     SKIP_WITHOUT("target");
     const std::string expected = picture("target");

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <string>
 
 #include "tests/physics/photometer.h"
 
@@ -167,6 +168,35 @@ TEST_P(Lighting, AClampHoldsWhatEachIndirectPathBrings) {
         }
         EXPECT_NEAR(all, 1.0 + 0.8 + 0.64 + 0.512 + 0.4096 + 0.32768, 1e-4);
         EXPECT_NEAR(clamped.mean, 1.0 + 0.8 + 0.5 + 0.5 + 0.4096 + 0.32768, 1e-4);
+    }
+}
+
+// A lens of radius A, sharp at D, spreads a point at distance z over a disc: seen through the middle of the picture,
+// from the lens's point p the plane of the point is met at p (1 - z/D), so that light from up to A |1 - z/D| aside
+// arrives.
+TEST_P(Lighting, AThinLensHasItsCircleOfConfusion) {
+    constexpr double A = 0.25, D = 4.0, SIDE = 0.05;
+    const bool is_source = GetParam() == std::string("source");  // whose every opening takes half a second
+    for (double z : is_source ? std::vector{10.0} : std::vector{2.0, 4.0, 10.0}) {
+        const double circle = A * std::fabs(1.0 - z / D);
+        const bool sharp = circle == 0.0;
+        const double expected = sharp ? 1.0 : SIDE * SIDE / (std::numbers::pi * circle * circle);
+        for (double aside : {sharp ? 0.1 * SIDE : 0.6 * circle, 1.2 * circle + SIDE}) {
+            HostScene scene;
+            const float corner = static_cast<float>(aside - SIDE / 2);
+            place(scene,
+                  quad_mesh({corner, -SIDE / 2, -z}, {SIDE, 0, 0}, {0, SIDE, 0}, scene.add_material(emitter(1))));
+            Camera camera;
+            camera.vertical_fov = 1e-5f;
+            camera.aperture = A;
+            camera.focus = D;
+            Exposure exposure;
+            exposure.size = 32;
+            exposure.max_path_length = 1;
+            const Reading reading = measure(GetParam(), scene, view_pyramid(camera, 32, 32), exposure);
+            const double truth = aside > circle + SIDE / 2 ? 0.0 : expected;
+            EXPECT_NEAR(reading.mean, truth, 4.0 * reading.error + 1e-6) << "at " << z << ", aside " << aside;
+        }
     }
 }
 

@@ -41,6 +41,21 @@ TEST(Camera, ThePyramidKeepsTheVerticalAngleAndFollowsTheSize) {
     expect_near(tall.top_left, {0.5f, 3, 2});
 }
 
+TEST(Camera, WithALensTheScreenStandsAtTheFocus) {
+    Camera camera;
+    camera.vertical_fov = 90.0f * DEGREE;
+    camera.aperture = 0.5f;
+    camera.focus = 8.0f;
+    const ViewPyramid view = view_pyramid(camera, 200, 100);
+    expect_near(view.top_left, {-16, 8, -8});
+    const Screen screen = screen_of(view, 100);
+    expect_near(screen.lens_right, {0.5f, 0, 0});
+    expect_near(screen.lens_down, {0, -0.5f, 0});
+    camera.aperture = 0.0f;
+    EXPECT_EQ(screen_of(view_pyramid(camera, 200, 100), 100).lens_right, glm::vec3(0.0f));
+    EXPECT_NEAR(screen_of(view_pyramid(camera, 200, 100), 100).pixel_angle, screen.pixel_angle, 1e-9f);
+}
+
 TEST(Camera, LooksAtItsTarget) {
     const Camera camera = look_at({5, 0, 0}, {0, 0, 0}, {0, 3, 0}, 1.0f);
     expect_near(camera.forward, {-1, 0, 0});
