@@ -16,7 +16,8 @@ packages=(
     # The target core
     libembree-dev libtbb-dev
     # Scenes, pictures and the command line
-    libglm-dev libtinygltf-dev libmeshoptimizer-dev libopenimageio-dev libstb-dev libcli11-dev nlohmann-json3-dev libfmt-dev
+    libglm-dev libtinygltf-dev libmeshoptimizer-dev libdraco-dev libtinyobjloader-dev
+    libassimp-dev libopenimageio-dev libstb-dev libcli11-dev nlohmann-json3-dev libfmt-dev
     # The tool
     libgit2-dev zlib1g-dev libtomlplusplus-dev libjemalloc-dev
     # Tests and style

@@ -143,7 +143,8 @@ void declare_machine(CLI::App& app, Options& options) {
 }
 
 void declare_scene(CLI::App& app, Options& options) {
-    add_name(app, "SCENE", options.scene, "A .gltf or .glb file, or the name of a built-in scene: still_life")
+    add_name(app, "SCENE", options.scene,
+             "A .gltf, .glb, .obj or .fbx file, or the name of a built-in scene: still_life")
         ->required()
         ->type_name("");
 }

@@ -3,14 +3,17 @@
 #include "render_system/loader/gltf_document.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cstring>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "render_system/loader/gltf_draco.h"
 #include "render_system/loader/gltf_extensions.h"
 #include "render_system/loader/gltf_meshopt.h"
 #include "render_system/loader/gltf_schema.h"
+#include "render_system/loader/import_process.h"
 #include "render_system/loader/load_error.h"
 
 namespace render_system {
@@ -110,7 +113,7 @@ json parse_json(std::string_view text) {
         const std::string what = error.what();
         const size_t start = what.find("] ");
         fail_at("", "is not JSON, so no glTF (" + (start == std::string::npos ? what : what.substr(start + 2)) +
-                        "); name a .gltf or .glb file");
+                        "); name a .gltf, .glb, .obj or .fbx file");
     }
 }
 
@@ -241,6 +244,29 @@ void check_views(const GltfDocument& document) {
     }
 }
 
+// The importer's word for what a name's ending says; empty: glTF.
+std::string foreign_format(const std::filesystem::path& path) {
+    std::string ending = path.extension().string();
+    std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
+    return ending == ".obj" || ending == ".fbx" ? ending.substr(1) : std::string();
+}
+
+FileBytes import_file(const std::filesystem::path& path, const std::string& format, Reach reach) {
+    ImportRequest request;
+    request.format = format;
+    request.file_bytes = FileBytes(path).bytes().size();  // also says at once what is no file
+    if (request.file_bytes == 0) fail_at("", "the file is empty; copy or export it again");
+    request.arguments = {std::filesystem::absolute(path).string()};
+    if (reach == Reach::anywhere) request.arguments.push_back("anywhere");
+    return run_importer(request);
+}
+
+// What the importer could not carry over.
+void note_left_out(const json& root, Omissions& omissions) {
+    const json extras = root["asset"].value("extras", json::object());
+    for (const json& what : extras.value("left_out", json::array())) omissions.add(what.get<std::string>());
+}
+
 }  // namespace
 
 void Omissions::add(const std::string& what, const std::string& place) {
@@ -279,10 +305,12 @@ GltfDocument open_gltf(const std::filesystem::path& path, Reach reach, const std
     GltfDocument document;
     document.path = path;
     document.reach = reach;
-    document.file = FileBytes(path);
+    const std::string foreign = foreign_format(path);
+    document.file = foreign.empty() ? FileBytes(path) : import_file(path, foreign, reach);
     const Container container = open_container(document.file.bytes());
     json root = parse_json(container.text);
     check_gltf_schema(root);
+    if (!foreign.empty()) note_left_out(root, document.omissions);
     check_version(root);
     check_extensions(root, document.omissions);
     note_moving_parts(root, document.omissions);
@@ -306,6 +334,7 @@ GltfDocument open_gltf(const std::filesystem::path& path, Reach reach, const std
     decode_meshopt_views(root, document);
     document.model = parse_model(root);
     check_views(document);
+    decode_draco_primitives(document);
     return document;
 }
 

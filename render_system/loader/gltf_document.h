@@ -63,8 +63,9 @@ struct GltfDocument {
     void release_pages() const;
 };
 
-/// Reads and checks a .gltf or .glb file and opens its buffers; primitives have the materials of the variant of that
-/// name, if one is given. Throws LoadError, also where a buffer or an image lies beyond `reach`.
+/// Reads and checks a .gltf or .glb file, or what the importer makes of an .obj or .fbx, and opens its buffers;
+/// primitives have the materials of the variant of that name, if one is given. Throws LoadError, also where a buffer or
+/// an image lies beyond `reach`.
 GltfDocument open_gltf(const std::filesystem::path& path, Reach reach, const std::string& variant);
 
 }  // namespace render_system

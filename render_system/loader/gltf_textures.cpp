@@ -7,6 +7,7 @@
 #include "render_system/loader/image_reader.h"
 #include "render_system/loader/load_error.h"
 #include "render_system/loader/uri.h"
+#include "render_system/texel.h"
 
 namespace render_system {
 
@@ -36,6 +37,18 @@ void make_roughness(Image& image, float glossiness) {
     for (glm::vec4& texel : image.floats) texel = {0.0f, 1.0f - texel.w * glossiness, 0.0f, 1.0f};
 }
 
+// What the importer's own extension may fill of a texture (render_system/importer/glb_builder.h).
+constexpr std::array<const char*, 4> kChannels{"red", "green", "blue", "alpha"};
+
+constexpr uint32_t kWhite = 0xFFFFFFFFu;
+
+// A float image as bytes, so that other images' bytes can be put into it.
+void make_bytes(Image& image) {
+    for (const glm::vec4& texel : image.floats) image.bytes.push_back(pack_texel(texel, TexelFormat::rgba8));
+    image.floats = {};
+    image.is_hdr = false;
+}
+
 std::string image_place(int image) { return "/images/" + std::to_string(image); }
 
 }  // namespace
@@ -45,6 +58,12 @@ GltfTextures::Key GltfTextures::key_of(int texture, TextureRole role) const {
     Key key;
     key.image = source.source;
     key.role = role;
+    const auto pack = source.extensions.find("PORTTOOL_pack");
+    if (pack != source.extensions.end()) {
+        for (size_t i = 0; i < kChannels.size(); ++i) {
+            if (pack->second.Has(kChannels[i])) key.packed[i] = pack->second.Get(kChannels[i]).GetNumberAsInt();
+        }
+    }
     if (source.sampler < 0) return key;
     const tinygltf::Sampler& sampler = document_.model.samplers[static_cast<size_t>(source.sampler)];
     key.wrap_s = wrap_of(sampler.wrapS);
@@ -59,7 +78,7 @@ GltfTextures::Key GltfTextures::key_of(int texture, TextureRole role) const {
 uint32_t GltfTextures::add(int texture, TextureRole role, std::optional<float> glossiness) {
     Key key = key_of(texture, role);
     key.glossiness = glossiness;
-    if (key.image < 0) return load(texture, key);
+    if (key.image < 0 && !key.is_packed()) return load(texture, key);
     const auto found = known_.find(key);
     if (found != known_.end()) return found->second;
     return known_[key] = load(texture, key);
@@ -68,8 +87,9 @@ uint32_t GltfTextures::add(int texture, TextureRole role, std::optional<float> g
 uint32_t GltfTextures::load(int texture, const Key& key) {
     HostTexture result;
     try {
-        if (key.image < 0) fail_at("", "has no image in a supported format; export it as PNG, JPEG or WebP");
-        Image image = read(key.image);
+        if (key.image < 0 && !key.is_packed())
+            fail_at("", "has no image in a supported format; export it as PNG, JPEG or WebP");
+        Image image = key.is_packed() ? read_packed(key) : read(key.image);
         if (key.glossiness) make_roughness(image, *key.glossiness);
         result = build_texture(std::move(image), key.role, key.mips);
     } catch (LoadError& error) {
@@ -104,6 +124,43 @@ Image GltfTextures::read(int image) const {
     } catch (LoadError& error) {
         error.message = file.string() + ": " + error.message;
         throw;
+    }
+}
+
+Image GltfTextures::read_packed(const Key& key) {
+    Image image;
+    if (key.image >= 0) image = read(key.image);
+    if (!image.floats.empty()) make_bytes(image);
+    for (size_t channel = 0; channel < key.packed.size(); ++channel) {
+        if (key.packed[channel] >= 0) pack(image, channel, key.packed[channel]);
+    }
+    if (image.bytes.empty()) fail_at("", "none of its images can be read");
+    return image;
+}
+
+// One channel of `image`, which gets the source's size where it has none. A source that cannot be read leaves it.
+void GltfTextures::pack(Image& image, size_t channel, int source) {
+    Image other;
+    try {
+        other = read(source);
+    } catch (const LoadError& error) {
+        if (error.hostile) throw;
+        return warn(-1, source, error.message + "; it is left out");
+    }
+    if (!other.floats.empty()) make_bytes(other);
+    if (image.bytes.empty()) {
+        image.width = other.width;
+        image.height = other.height;
+        image.bytes.assign(other.bytes.size(), kWhite);
+    }
+    const unsigned shift = static_cast<unsigned>(8 * channel);
+    for (uint32_t y = 0; y < image.height; ++y) {
+        const size_t row = size_t{y} * other.height / image.height * other.width;
+        for (uint32_t x = 0; x < image.width; ++x) {
+            const uint32_t value = other.bytes[row + size_t{x} * other.width / image.width] & 255u;
+            uint32_t& texel = image.bytes[size_t{y} * image.width + x];
+            texel = (texel & ~(255u << shift)) | value << shift;
+        }
     }
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <compare>
 #include <cstdint>
 #include <map>
@@ -34,13 +35,17 @@ private:
         bool nearest = false;
         bool mips = true;
         std::optional<float> glossiness;
+        std::array<int, 4> packed{-1, -1, -1, -1};  // by channel: the image whose red it is
 
         auto operator<=>(const Key&) const = default;
+        bool is_packed() const { return packed != std::array<int, 4>{-1, -1, -1, -1}; }
     };
 
     Key key_of(int texture, TextureRole role) const;
     uint32_t load(int texture, const Key& key);
     Image read(int image) const;
+    Image read_packed(const Key& key);
+    void pack(Image& image, size_t channel, int source);
     void warn(int texture, int image, const std::string& why);
 
     GltfDocument& document_;

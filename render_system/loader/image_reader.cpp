@@ -40,10 +40,11 @@ std::string format_name(Bytes bytes, const std::string& name) {
     if (starts_with(bytes, "\x76\x2F\x31\x01")) return "openexr";
     if (starts_with(bytes, "#?RADIANCE") || starts_with(bytes, "#?RGBE")) return "hdr";
     if (starts_with(bytes, "RIFF") && bytes.size() > 12 && starts_with(bytes.subspan(8), "WEBP")) return "webp";
+    if (starts_with(bytes, "BM")) return "bmp";
     std::string ending = name.substr(std::min(name.size(), name.find_last_of('.')));
     std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
     if (ending == ".tga") return "targa";
-    fail("is no PNG, JPEG, WebP, TGA, HDR or EXR image; convert it to one of these");
+    fail("is no PNG, JPEG, WebP, BMP, TGA, HDR or EXR image; convert it to one of these");
 }
 
 // The chunks of a PNG that make its picture (PNG 1.2, 3 and 4.1). The others are left out: libpng writes to stderr what

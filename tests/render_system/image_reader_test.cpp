@@ -107,7 +107,8 @@ std::string refusal_of(const std::string& content, const std::string& name) {
 
 TEST(ImageReader, RefusesWhatItCannotDecode) {
     EXPECT_THAT(refusal_of("", "a.png"), HasSubstr("is empty"));
-    EXPECT_THAT(refusal_of("GIF89a", "a.gif"), HasSubstr("is no PNG, JPEG, WebP, TGA, HDR or EXR image; convert it"));
+    EXPECT_THAT(refusal_of("GIF89a", "a.gif"),
+                HasSubstr("is no PNG, JPEG, WebP, BMP, TGA, HDR or EXR image; convert it"));
     EXPECT_THAT(refusal_of("GIF89a", "a.png"), HasSubstr("is no PNG"));
     EXPECT_THAT(refusal_of("\x89PNG and then nothing", "a.png"), HasSubstr("is cut off"));
     const std::string whole = png(8, 8, 3, std::vector<uint8_t>(192, 9));

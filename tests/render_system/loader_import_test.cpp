@@ -1,0 +1,370 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+
+// What comes in by way of pathtracer-import: OBJ, FBX, Draco.
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "render_system/loader/uri.h"
+#include "tests/render_system/gltf_file.h"
+
+namespace render_system::testing::loader_import_test {
+namespace {
+
+using nlohmann::json;
+using ::testing::AllOf;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+// A sheet of 4 x 4 squares of 0.5 x 0.25 in two triangles each, normals +z, uv (x / 4, y / 4), colours (50 x, 50 y, 7,
+// 255), as draco 1.5.5 packs it: sequentially without loss, and by edgebreaker with 11, 8 and 10 bits.
+const char* const kSequential =
+    "RFJBQ08CAgEAAAAgGQEAAQICAQMBBAMDBAUEBgUFBgcGCAcHCAkCAwoKAwsDBQsLBQwFBwwMBw0HCQ0NCQ4KCw8PCxALDBAQDBEMDRERDRINDhIS"
+    "DhMPEBQUEBUQERUVERYREhYWEhcSExcXExgBBAAJAwAAAQkDAAEDCQIAAgICBAADAAAAAQAAAAAAAAAAAAAAAAAAAD8AAAAAAAAAAAAAAAAAAIA+"
+    "AAAAAAAAAD8AAIA+AAAAAAAAgD8AAAAAAAAAAAAAgD8AAIA+AAAAAAAAwD8AAAAAAAAAAAAAwD8AAIA+AAAAAAAAAEAAAAAAAAAAAAAAAEAAAIA+"
+    "AAAAAAAAAAAAAAA/AAAAAAAAAD8AAAA/AAAAAAAAgD8AAAA/AAAAAAAAwD8AAAA/AAAAAAAAAEAAAAA/AAAAAAAAAAAAAEA/AAAAAAAAAD8AAEA/"
+    "AAAAAAAAgD8AAEA/AAAAAAAAwD8AAEA/AAAAAAAAAEAAAEA/AAAAAAAAAAAAAIA/AAAAAAAAAD8AAIA/AAAAAAAAgD8AAIA/AAAAAAAAwD8AAIA/"
+    "AAAAAAAAAEAAAIA/AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAACAPwAAAAAAAAAAAACAPwAAAAAAAAAAAACAPwAAAAAAAAAAAACAPwAAAAAAAAAA"
+    "AACAPwAAAAAAAAAAAACAPwAAAAAAAAAAAACAPwAAAAAAAAAAAACAPwAAAAAAAAAAAACAPwAAAAAAAAAAAACAPwAAAAAAAAAAAACAPwAAAAAAAAAA"
+    "AACAPwAAAAAAAAAAAACAPwAAAAAAAAAAAACAPwAAAAAAAAAAAACAPwAAAAAAAAAAAACAPwAAAAAAAAAAAACAPwAAAAAAAAAAAACAPwAAAAAAAAAA"
+    "AACAPwAAAAAAAAAAAACAPwAAAAAAAAAAAACAPwAAAAAAAAAAAACAPwAAAAAAAAAAAACAPwAAAAAAAAAAAACAPwAAAAAAAAAAAACAPgAAAAAAAAAA"
+    "AACAPgAAgD4AAIA+AAAAPwAAAAAAAAA/AACAPgAAQD8AAAAAAABAPwAAgD4AAIA/AAAAAAAAgD8AAIA+AAAAAAAAAD8AAIA+AAAAPwAAAD8AAAA/"
+    "AABAPwAAAD8AAIA/AAAAPwAAAAAAAEA/AACAPgAAQD8AAAA/AABAPwAAQD8AAEA/AACAPwAAQD8AAAAAAACAPwAAgD4AAIA/AAAAPwAAgD8AAEA/"
+    "AACAPwAAgD8AAIA/AAEBAQJx4SqkL6T/T5ECXQ8r7QETAdJeZSb16w72KO7PHus/zucmpQAAAAD/AAAA";
+const char* const kEdgebreaker =
+    "RFJBQ08CAgEBAAAAGSADIAMACu/T6lOt6lPVqhr/ARH/AsxC/wLMQv8CzEIE/wAAAAAAAQAAAgAAAQAJAwAAAgEBCQMAAQMBAwkCAAICAQICBAAD"
+    "AQEBAQAMAzEzIQUXkQKRApECBpiKI5cfg/8HIAD+BxAAAP8BAEAAAAAiAAAgAAAAAAD/BwAAAAAAAAAAAAAAAAAAAAAAQAsAAwEBAYABuT7/90kB"
+    "AyLfnv8AAAB/AAAACAEBAQALAxUuPQoXIQWRAgaopnTq/6H////fP4D+ICQAkIAgAgAAAAD/AwAAAAAAAAAAAAAAAIA/CgEBAQECyQGFO6QvpP9P"
+    "SQGk/4tJAQksXphw8Pzn/4MAAAAA/wAAAA==";
+
+std::string bytes_of(const char* base64_text) {
+    const auto bytes = decode_data_uri(std::string("data:;base64,") + base64_text, "");
+    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+GltfFile draco_file(const std::string& stream) {
+    GltfFile file;
+    const int view = file.add_view(stream);
+    const json attributes = {{"POSITION", file.add_accessor(-1, FLOAT, "VEC3", 25)},
+                             {"NORMAL", file.add_accessor(-1, FLOAT, "VEC3", 25)},
+                             {"TEXCOORD_0", file.add_accessor(-1, FLOAT, "VEC2", 25)},
+                             {"COLOR_0", file.add_accessor(-1, UBYTE, "VEC4", 25, true)}};
+    const json part = {{"bufferView", view},
+                       {"attributes", {{"POSITION", 0}, {"NORMAL", 1}, {"TEXCOORD_0", 2}, {"COLOR_0", 3}}}};
+    file.add_mesh({{"attributes", attributes},
+                   {"indices", file.add_accessor(-1, USHORT, "SCALAR", 96)},
+                   {"extensions", {{"KHR_draco_mesh_compression", part}}}});
+    file.add_node({{"mesh", 0}});
+    file.root["extensionsRequired"] = {"KHR_draco_mesh_compression"};
+    return file;
+}
+
+TEST(LoaderDraco, DecodesBothConnectivitiesAndAllAttributes) {
+    for (const char* text : {kSequential, kEdgebreaker}) {
+        const HostScene scene = loaded(draco_file(bytes_of(text)));
+        ASSERT_EQ(scene.meshes().size(), 1u);
+        const HostMesh& mesh = scene.meshes()[0];
+        ASSERT_EQ(mesh.positions.size(), 25u);
+        ASSERT_EQ(mesh.triangles.size(), 32u);
+        double area = 0.0;
+        for (const glm::uvec4& t : mesh.triangles) {
+            const glm::vec3 way =
+                glm::cross(mesh.positions[t.y] - mesh.positions[t.x], mesh.positions[t.z] - mesh.positions[t.x]);
+            area += 0.5 * static_cast<double>(way.z);  // all wind the same way
+        }
+        EXPECT_NEAR(area, 2.0, 1e-2);
+        for (size_t i = 0; i < 25; ++i) {
+            const float x = mesh.positions[i].x / 0.5f, y = mesh.positions[i].y / 0.25f;
+            EXPECT_NEAR(x, std::round(x), 5e-3f);
+            EXPECT_NEAR(y, std::round(y), 5e-3f);
+            EXPECT_NEAR(mesh.uv0[i].x, x / 4, 2e-3f);
+            EXPECT_NEAR(mesh.uv0[i].y, y / 4, 2e-3f);
+            EXPECT_GT(mesh.normals[i].z, 0.99f);
+            EXPECT_EQ(mesh.colors[i] & 255u, static_cast<uint32_t>(50.0f * std::round(x)));
+            EXPECT_EQ(mesh.colors[i] >> 16 & 255u, 7u);
+        }
+    }
+}
+
+TEST(LoaderDraco, PrefersWhatTheFileHoldsPlain) {
+    GltfFile file = one_triangle();
+    const int view = file.add_view("no Draco stream at all");
+    file.root["meshes"][0]["primitives"][0]["extensions"]["KHR_draco_mesh_compression"] = {
+        {"bufferView", view}, {"attributes", {{"POSITION", 0}}}};
+    EXPECT_EQ(loaded(file).triangle_count(), 1u);
+}
+
+TEST(LoaderDraco, RefusesDamage) {
+    const std::string good = bytes_of(kEdgebreaker);
+    EXPECT_THAT(refusal(draco_file("x")), HasSubstr("its Draco data are damaged"));
+    EXPECT_THAT(refusal(draco_file(good.substr(0, 100))), HasSubstr("its Draco data are damaged"));
+    std::string huge = bytes_of(kSequential);  // faces and points, as varints after 11 bytes of header
+    huge.replace(11, 2, "\xFF\xFF\xFF\xFF\x0F\xFF\xFF\xFF\xFF\x0F");
+    EXPECT_THAT(refusal(draco_file(huge)), HasSubstr("export"));
+    GltfFile file = draco_file(good);
+    file.root["meshes"][0]["primitives"][0]["extensions"]["KHR_draco_mesh_compression"]["attributes"]["NORMAL"] = 9;
+    EXPECT_THAT(refusal(file), HasSubstr("/meshes/0/primitives/0/extensions/KHR_draco_mesh_compression: has no "
+                                         "attribute 9 for NORMAL"));
+    file = draco_file(good);
+    file.root["meshes"][0]["primitives"][0]["attributes"]["POSITION"] = 2;
+    EXPECT_THAT(refusal(file), HasSubstr("its POSITION has 3 components, unlike the accessor"));
+}
+
+Result<LoadedScene> load_text(const TempFolder& folder, const std::string& name, const std::string& text) {
+    write_file(folder / name, text);
+    return load_scene(folder / name);
+}
+
+const CoreMaterial& material_of(const HostScene& scene, const std::string& name) {
+    const auto& all = scene.materials();
+    const auto found = std::find_if(all.begin(), all.end(), [&](const HostMaterial& m) { return m.name == name; });
+    EXPECT_NE(found, all.end()) << name;
+    return found == all.end() ? all.front().core : found->core;
+}
+
+const char* const kQuad = R"(mtllib a.mtl
+o sheet
+v 0 0 0
+v 2 0 0
+v 2 1 0
+v 0 1 0
+vt 0 0
+vt 1 0
+vt 1 1
+vt 0 1
+usemtl paint
+f 1/1 2/2 3/3 4/4
+f -4 -3 -2
+)";
+
+TEST(LoaderObj, ReadsFacesCoordinatesAndMaterials) {
+    const TempFolder folder;
+    write_file(folder / "map.png", png(1, 1, 3, {10, 20, 30}));
+    write_file(folder / "hole.png", png(1, 1, 1, {64}));
+    write_file(folder / "a.mtl", R"(newmtl paint
+Kd 0.5 0.25 0.125
+Ks 1 1 1
+Ns 30
+Ke 0 2 0
+map_Kd .\maps\..\map.png
+map_d hole.png
+norm C:\elsewhere\map.png
+newmtl metal
+Kd 0 0 0
+Ks 0.9 0.6 0.3
+newmtl glass
+Ni 1.4
+illum 7
+newmtl veil
+Kd 1 1 1
+d 0.25
+newmtl pbr
+Kd 1 1 1
+Pr 0.25
+Pm 1
+)");
+    const auto result = load_text(folder, "a.obj", kQuad);
+    ASSERT_TRUE(result.ok()) << result.status.message;
+    EXPECT_THAT(result->warnings, ElementsAre());
+    const HostScene& scene = result->scene;
+    EXPECT_EQ(scene.triangle_count(), 3u);
+    const HostMesh& mesh = scene.meshes()[0];
+    ASSERT_EQ(mesh.positions.size(), 9u);
+    for (size_t i = 3; i < 9; ++i) {  // of the square, which has coordinates: v turned over
+        EXPECT_NEAR(mesh.uv0[i].x, mesh.positions[i].x / 2.0f, 1e-6f);
+        EXPECT_NEAR(mesh.uv0[i].y, 1.0f - mesh.positions[i].y, 1e-6f);
+        EXPECT_EQ(mesh.normals[i], glm::vec3(0, 0, 1));
+    }
+    const CoreMaterial& paint = material_of(scene, "paint");
+    EXPECT_EQ(paint.base_color, glm::vec3(0.5f, 0.25f, 0.125f));
+    EXPECT_NEAR(paint.roughness, 0.5f, 1e-6f);  // (2 / 32)^(1/4)
+    EXPECT_EQ(paint.emission, glm::vec3(0, 2, 0));
+    EXPECT_FALSE(paint.opaque);
+    ASSERT_NE(paint.base_color_texture.texture, NONE);
+    EXPECT_EQ(scene.textures()[paint.base_color_texture.texture].texels[0], 0x401E140Au);  // coverage in alpha
+    EXPECT_NE(paint.normal_texture.texture, NONE);
+}
+
+TEST(LoaderObj, ReadsTheOtherKindsOfMaterial) {
+    const TempFolder folder;
+    write_file(folder / "a.mtl",
+               "newmtl metal\nKd 0 0 0\nKs 0.9 0.6 0.3\nnewmtl glass\nNi 1.4\nillum 7\nnewmtl veil\nKd 1 1 1\nd 0.25\n"
+               "newmtl pbr\nKd 1 1 1\nPr 0.25\nPm 1\n");
+    std::string text = "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\n";
+    for (const char* name : {"metal", "glass", "veil", "pbr"}) text += std::string("usemtl ") + name + "\nf 1 2 3\n";
+    const auto result = load_text(folder, "a.obj", text);
+    ASSERT_TRUE(result.ok()) << result.status.message;
+    EXPECT_EQ(material_of(result->scene, "metal").metallic, 1.0f);
+    EXPECT_EQ(material_of(result->scene, "metal").base_color, glm::vec3(0.9f, 0.6f, 0.3f));
+    EXPECT_EQ(material_of(result->scene, "glass").transmission, 1.0f);
+    EXPECT_EQ(material_of(result->scene, "glass").ior, 1.4f);
+    EXPECT_FALSE(material_of(result->scene, "glass").thin_walled);
+    EXPECT_EQ(material_of(result->scene, "veil").alpha, 0.25f);
+    EXPECT_EQ(material_of(result->scene, "veil").specular, 0.0f);
+    EXPECT_EQ(material_of(result->scene, "pbr").roughness, 0.25f);
+    EXPECT_EQ(material_of(result->scene, "pbr").metallic, 1.0f);
+}
+
+TEST(LoaderObj, SmoothsWhatAGroupAsksFor) {
+    const TempFolder folder;
+    // A roof: two squares at right angles over a ridge along y.
+    const std::string roof = "v -1 0 0\nv 0 0 1\nv 0 1 1\nv -1 1 0\nv 1 0 0\nv 1 1 0\n";
+    const auto normal_at_the_ridge = [&](const std::string& group) {
+        const auto result = load_text(folder, "roof.obj", roof + "s " + group + "\nf 1 2 3 4\nf 2 5 6 3\n");
+        EXPECT_TRUE(result.ok()) << result.status.message;
+        const HostMesh& mesh = result->scene.meshes()[0];
+        for (size_t i = 0; i < mesh.positions.size(); ++i) {
+            if (mesh.positions[i] == glm::vec3(0, 0, 1)) return mesh.normals[i];
+        }
+        return glm::vec3(0.0f);
+    };
+    EXPECT_NEAR(std::abs(normal_at_the_ridge("off").x), std::sqrt(0.5f), 1e-5f);
+    EXPECT_GT(normal_at_the_ridge("1").z, 0.94f);  // twice the one half, once the other: (1, 0, 3) at the least
+}
+
+TEST(LoaderObj, RefusesOrNamesWhatIsWrong) {
+    const TempFolder folder;
+    const auto message = [&](const std::string& text) { return load_text(folder, "a.obj", text).status.message; };
+    EXPECT_THAT(message("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n"), HasSubstr("a.obj: a face names v 9 of 3; export"));
+    EXPECT_THAT(message("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1/7 2/7 3/7\n"), HasSubstr("a face names vt 7 of 0"));
+    EXPECT_THAT(message("v 0 1e999 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"), HasSubstr("v number 1 is not finite"));
+    EXPECT_THAT(message("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 0 1 2\n"), HasSubstr("is no OBJ that can be read"));
+    EXPECT_THAT(message("nothing of use\n"), HasSubstr("the scene has no triangles"));
+    EXPECT_THAT(message(""), HasSubstr("the file is empty"));
+    EXPECT_THAT(load_scene(folder / "none.obj").status.message, HasSubstr("there is no such file"));
+    const auto lacking = load_text(folder, "a.obj", kQuad);  // and no a.mtl
+    ASSERT_TRUE(lacking.ok());
+    EXPECT_THAT(lacking->warnings, ElementsAre(HasSubstr("left out: materials of a.mtl (there is no such file)")));
+}
+
+TEST(LoaderObj, StaysInItsFolder) {
+    const TempFolder folder;
+    std::filesystem::create_directory(folder / "scene");
+    write_file(folder / "a.mtl", "newmtl paint\nKd 1 0 0\n");
+    const std::string text = "mtllib ../a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl paint\nf 1 2 3\n";
+    EXPECT_THAT(load_text(folder, "scene/a.obj", text).status.message,
+                AllOf(HasSubstr("mtllib: \"../a.mtl\" leads out"), HasSubstr("--allow-outside")));
+    const auto allowed = load_scene(folder / "scene/a.obj", {.allow_outside = true});
+    ASSERT_TRUE(allowed.ok()) << allowed.status.message;
+    EXPECT_EQ(material_of(allowed->scene, "paint").base_color, glm::vec3(1, 0, 0));
+}
+
+const char* const kFbx = R"(; FBX 7.4.0 project file
+FBXHeaderExtension:  {
+	FBXHeaderVersion: 1003
+	FBXVersion: 7400
+}
+GlobalSettings:  {
+	Version: 1000
+	Properties70:  {
+		P: "UnitScaleFactor", "double", "Number", "",100
+	}
+}
+Objects:  {
+	Geometry: 10, "Geometry::sheet", "Mesh" {
+		Vertices: *12 {
+			a: 0,0,0,2,0,0,2,1,0,0,1,0
+		}
+		PolygonVertexIndex: *4 {
+			a: 0,1,2,-4
+		}
+		GeometryVersion: 124
+		LayerElementUV: 0 {
+			Version: 101
+			Name: "map1"
+			MappingInformationType: "ByPolygonVertex"
+			ReferenceInformationType: "IndexToDirect"
+			UV: *8 {
+				a: 0,0,1,0,1,1,0,1
+			}
+			UVIndex: *4 {
+				a: 0,1,2,3
+			}
+		}
+		LayerElementMaterial: 0 {
+			Version: 101
+			Name: ""
+			MappingInformationType: "AllSame"
+			ReferenceInformationType: "IndexToDirect"
+			Materials: *1 {
+				a: 0
+			}
+		}
+		Layer: 0 {
+			Version: 100
+			LayerElement:  {
+				Type: "LayerElementUV"
+				TypedIndex: 0
+			}
+			LayerElement:  {
+				Type: "LayerElementMaterial"
+				TypedIndex: 0
+			}
+		}
+	}
+	NodeAttribute: 40, "NodeAttribute::lamp", "Light" {
+		TypeFlags: "Light"
+	}
+	Model: 20, "Model::sheet", "Mesh" {
+		Version: 232
+		Properties70:  {
+			P: "Lcl Translation", "Lcl Translation", "", "A",0,0,5
+		}
+	}
+	Model: 21, "Model::lamp", "Light" {
+		Version: 232
+	}
+	Material: 30, "Material::paint", "" {
+		Version: 102
+		ShadingModel: "phong"
+		Properties70:  {
+			P: "DiffuseColor", "Color", "", "A",0.5,0.25,0.125
+			P: "SpecularColor", "Color", "", "A",1,1,1
+			P: "ShininessExponent", "Number", "", "A",30
+			P: "EmissiveColor", "Color", "", "A",0,1,0
+		}
+	}
+}
+Connections:  {
+	C: "OO",20,0
+	C: "OO",21,0
+	C: "OO",10,20
+	C: "OO",30,20
+	C: "OO",40,21
+}
+)";
+
+TEST(LoaderFbx, ReadsMeshesNodesAndMaterialsInMetres) {
+    const TempFolder folder;
+    const auto result = load_text(folder, "a.FBX", kFbx);
+    ASSERT_TRUE(result.ok()) << result.status.message;
+    EXPECT_THAT(result->warnings, ElementsAre(HasSubstr("left out: lights, which FBX gives no unit (1)")));
+    const HostScene& scene = result->scene;
+    EXPECT_EQ(scene.triangle_count(), 2u);
+    const HostMesh& mesh = scene.meshes()[0];
+    for (size_t i = 0; i < mesh.positions.size(); ++i) {
+        EXPECT_EQ(mesh.uv0[i], glm::vec2(mesh.positions[i].x / 2.0f, 1.0f - mesh.positions[i].y));
+        EXPECT_EQ(transform_point(scene.instances()[0].transform, mesh.positions[i]).z, 5.0f);
+    }
+    const CoreMaterial& paint = material_of(scene, "paint");
+    EXPECT_EQ(paint.base_color, glm::vec3(0.5f, 0.25f, 0.125f));
+    EXPECT_NEAR(paint.roughness, 1.0f - std::sqrt(0.3f), 1e-6f);  // Assimp's rule, which is Blender's
+    EXPECT_EQ(paint.emission, glm::vec3(0, 1, 0));
+}
+
+TEST(LoaderFbx, RefusesDamageInOneLine) {
+    const TempFolder folder;
+    const std::string whole = kFbx;
+    for (const std::string& text : {std::string("Kaydara FBX Binary  \0\x1A\0", 23) + std::string(100, '\xFF'),
+                                    whole.substr(0, 700), std::string("not at all")}) {
+        const std::string message = load_text(folder, "a.fbx", text).status.message;
+        EXPECT_THAT(message, HasSubstr("a.fbx: "));
+        EXPECT_EQ(message.find('\n'), std::string::npos);
+    }
+}
+
+}  // namespace
+}  // namespace render_system::testing::loader_import_test
