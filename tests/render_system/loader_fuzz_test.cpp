@@ -15,6 +15,7 @@
 #include "render_system/light_table.h"
 #include "render_system/loader/image_reader.h"
 #include "render_system/loader/load_error.h"
+#include "render_system/loader/uri.h"
 #include "render_system/scene_limits.h"
 #include "tests/render_system/gltf_file.h"
 
@@ -187,9 +188,11 @@ void expect_sound(const HostScene& scene) {
 
 class LoaderFuzz : public ::testing::Test {
 protected:
-    void try_file(const std::string& content, int number) {
-        write_file(folder_ / "fuzzed.glb", content);
-        const Result<LoadedScene> result = load_scene(folder_ / "fuzzed.glb");
+    void try_file(const std::string& content, int number) { try_file(folder_ / "fuzzed.glb", content, number); }
+
+    void try_file(const std::filesystem::path& file, const std::string& content, int number) {
+        write_file(file, content);
+        const Result<LoadedScene> result = load_scene(file);
         if (result.ok()) {
             ++loaded_;
             expect_sound(result->scene);
@@ -244,6 +247,46 @@ TEST_F(LoaderFuzz, DamagedBuffers) {
         try_file(file.glb(), i);
     }
     EXPECT_GT(loaded_, 100);
+}
+
+// How often more the damage is tried; PORTTOOL_FUZZ_ROUNDS=N in the environment.
+int fuzz_rounds() {
+    const char* more = std::getenv("PORTTOOL_FUZZ_ROUNDS");
+    return more ? std::max(1, std::atoi(more)) : 1;
+}
+
+// The models of docs/formats.md: packed streams, instancing, variants; OBJ and FBX by way of the importer.
+TEST_F(LoaderFuzz, DamagedModelsOfEachFormat) {
+    Dice dice(5);
+    const int rounds = 10 * fuzz_rounds();
+    int tried = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(FORMATS)) {
+        const std::string ending = entry.path().extension();
+        if (ending == ".py") continue;
+        const std::string seed = read_file(entry.path());
+        const bool is_gltf = ending == ".gltf";
+        const json document = is_gltf ? json::parse(seed) : json();
+        const std::string packed = is_gltf ? document["buffers"][0]["uri"].get<std::string>() : "";
+        for (int i = 0; i < rounds && !HasFatalFailure(); ++i, ++tried) {
+            const std::filesystem::path file = folder_ / ("fuzzed" + (ending == ".mtl" ? ".obj" : ending));
+            std::string content = is_gltf && i % 2 == 0 ? mutated(document, dice).dump() : mutated(seed, dice);
+            if (is_gltf && i % 3 == 0) {  // the buffer, whose text is base64
+                json other = document;
+                const auto bytes = decode_data_uri(packed, "");
+                std::string damaged =
+                    mutated(std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size()), dice);
+                damaged.resize(bytes.size());
+                other["buffers"][0]["uri"] = "data:;base64," + base64(damaged);
+                content = other.dump();
+            }
+            if (ending == ".mtl") {
+                write_file(folder_ / "sheet.mtl", content);
+                content = read_file(FORMATS "/sheet.obj");
+            }
+            try_file(file, content, i);
+        }
+    }
+    EXPECT_GT(loaded_, tried / 10);
 }
 
 // A file of every format the reader knows.

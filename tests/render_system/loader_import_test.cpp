@@ -252,94 +252,21 @@ TEST(LoaderObj, StaysInItsFolder) {
     EXPECT_EQ(material_of(allowed->scene, "paint").base_color, glm::vec3(1, 0, 0));
 }
 
-const char* const kFbx = R"(; FBX 7.4.0 project file
-FBXHeaderExtension:  {
-	FBXHeaderVersion: 1003
-	FBXVersion: 7400
+// Its light is what FBX cannot say enough of.
+const char* const kLamp =
+    "\tNodeAttribute: 40, \"NodeAttribute::lamp\", \"Light\" {\n\t\tTypeFlags: \"Light\"\n\t}\n"
+    "\tModel: 21, \"Model::lamp\", \"Light\" {\n\t\tVersion: 232\n\t}\n";
+
+std::string fbx_with_a_lamp() {
+    std::string text = read_file(FORMATS "/sheet.fbx");
+    text.insert(text.find("\tMaterial: 30"), kLamp);
+    text.insert(text.find("\tC: \"OO\",20,0"), "\tC: \"OO\",21,0\n\tC: \"OO\",40,21\n");
+    return text;
 }
-GlobalSettings:  {
-	Version: 1000
-	Properties70:  {
-		P: "UnitScaleFactor", "double", "Number", "",100
-	}
-}
-Objects:  {
-	Geometry: 10, "Geometry::sheet", "Mesh" {
-		Vertices: *12 {
-			a: 0,0,0,2,0,0,2,1,0,0,1,0
-		}
-		PolygonVertexIndex: *4 {
-			a: 0,1,2,-4
-		}
-		GeometryVersion: 124
-		LayerElementUV: 0 {
-			Version: 101
-			Name: "map1"
-			MappingInformationType: "ByPolygonVertex"
-			ReferenceInformationType: "IndexToDirect"
-			UV: *8 {
-				a: 0,0,1,0,1,1,0,1
-			}
-			UVIndex: *4 {
-				a: 0,1,2,3
-			}
-		}
-		LayerElementMaterial: 0 {
-			Version: 101
-			Name: ""
-			MappingInformationType: "AllSame"
-			ReferenceInformationType: "IndexToDirect"
-			Materials: *1 {
-				a: 0
-			}
-		}
-		Layer: 0 {
-			Version: 100
-			LayerElement:  {
-				Type: "LayerElementUV"
-				TypedIndex: 0
-			}
-			LayerElement:  {
-				Type: "LayerElementMaterial"
-				TypedIndex: 0
-			}
-		}
-	}
-	NodeAttribute: 40, "NodeAttribute::lamp", "Light" {
-		TypeFlags: "Light"
-	}
-	Model: 20, "Model::sheet", "Mesh" {
-		Version: 232
-		Properties70:  {
-			P: "Lcl Translation", "Lcl Translation", "", "A",0,0,5
-		}
-	}
-	Model: 21, "Model::lamp", "Light" {
-		Version: 232
-	}
-	Material: 30, "Material::paint", "" {
-		Version: 102
-		ShadingModel: "phong"
-		Properties70:  {
-			P: "DiffuseColor", "Color", "", "A",0.5,0.25,0.125
-			P: "SpecularColor", "Color", "", "A",1,1,1
-			P: "ShininessExponent", "Number", "", "A",30
-			P: "EmissiveColor", "Color", "", "A",0,1,0
-		}
-	}
-}
-Connections:  {
-	C: "OO",20,0
-	C: "OO",21,0
-	C: "OO",10,20
-	C: "OO",30,20
-	C: "OO",40,21
-}
-)";
 
 TEST(LoaderFbx, ReadsMeshesNodesAndMaterialsInMetres) {
     const TempFolder folder;
-    const auto result = load_text(folder, "a.FBX", kFbx);
+    const auto result = load_text(folder, "a.FBX", fbx_with_a_lamp());
     ASSERT_TRUE(result.ok()) << result.status.message;
     EXPECT_THAT(result->warnings, ElementsAre(HasSubstr("left out: lights, which FBX gives no unit (1)")));
     const HostScene& scene = result->scene;
@@ -357,7 +284,7 @@ TEST(LoaderFbx, ReadsMeshesNodesAndMaterialsInMetres) {
 
 TEST(LoaderFbx, RefusesDamageInOneLine) {
     const TempFolder folder;
-    const std::string whole = kFbx;
+    const std::string whole = read_file(FORMATS "/sheet.fbx");
     for (const std::string& text : {std::string("Kaydara FBX Binary  \0\x1A\0", 23) + std::string(100, '\xFF'),
                                     whole.substr(0, 700), std::string("not at all")}) {
         const std::string message = load_text(folder, "a.fbx", text).status.message;
