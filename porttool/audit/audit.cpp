@@ -117,6 +117,7 @@ public:
         std::stable_sort(out.items.begin(), out.items.end(),
                          [](const AuditItem& a, const AuditItem& b) { return a.certainty > b.certainty; });
         out.found = out.items.size();
+        if (choice_.limit <= kFew) drop_unlikely(out.items);
         add_patches(out.items);
         if (out.items.size() > choice_.limit) out.items.resize(choice_.limit);
         if (choice_.runs) add_witnesses(out.items);
@@ -124,6 +125,12 @@ public:
     }
 
 private:
+    /// What no commit tells of stays where there is nothing else.
+    static void drop_unlikely(std::vector<AuditItem>& items) {
+        const bool any = std::any_of(items.begin(), items.end(), [](const AuditItem& one) { return one.commit; });
+        if (any) std::erase_if(items, [](const AuditItem& one) { return one.certainty < kLikely; });
+    }
+
     /// Of as many items as are shown; those that need no port, as `sync` says, go.
     void add_patches(std::vector<AuditItem>& items) {
         PortPatches& patches = patches_.emplace(today_, place_.disk);
@@ -174,6 +181,9 @@ private:
         FileStatements statements(today_.snapshot.project, dialect);
         const Project& project = today_.snapshot.project;
         const BySide<UsesOnSide> words{uses_on(project.source, dialect), uses_on(project.target, dialect)};
+        std::map<std::string, std::set<uint32_t>> file_edits;  // the commits that edited each file's units
+        for (const auto& [id, lineage] : lineages)
+            for (const auto& [commit, places] : lineage.edits()) file_edits[split_id(id).first].insert(commit);
         std::vector<FoundEdit> out;
         for (size_t i = 0; i < today_.pairs.size(); ++i) {
             BySide<SideOfPair> pair;
@@ -185,11 +195,17 @@ private:
             PairReading reading = read_pair(pair, dialect);
             alike_.push_back(reading.alike);
             if (!reading.differs.empty()) differing_.push_back({i, reading.alike, std::move(reading.differs)});
-            for (MissingEdit& edit : reading.missing) out.push_back({i, reading.alike, std::move(edit)});
+            for (MissingEdit& edit : reading.missing) {
+                const auto there = file_edits.find(pair[other(edit.side)].unit->file);
+                const bool both = there != file_edits.end() && there->second.contains(edit.commit);
+                out.push_back({i, reading.alike, std::move(edit), both});
+            }
         }
         return out;
     }
 
+    static constexpr size_t kFew = 20;           ///< whoever asks for no more than that wants what is likely
+    static constexpr double kLikely = 0.25;      ///< fewer than half of those below were real where that was counted
     static constexpr size_t kMostPatches = 100;  ///< beyond, nobody reads them, and each takes a while
 
     const AuditChoice& choice_;

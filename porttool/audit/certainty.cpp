@@ -57,6 +57,9 @@ const MissingPlace& strongest(const MissingEdit& edit) {
                              [](const MissingPlace& a, const MissingPlace& b) { return a.strength < b.strength; });
 }
 
+/// Of a switch: there is but one way to say it.
+bool is_label(const MissingPlace& place) { return place.before.empty() && place.now.starts_with("case"); }
+
 float strength_of(const MissingEdit& edit) {
     float rest = -strongest(edit).strength;
     for (const MissingPlace& place : edit.places) rest += place.strength;
@@ -74,6 +77,22 @@ bool is_device_code(const UnitState& unit) {
     return false;
 }
 
+/// Of each pair whether one of its units is paired with several functions of the other's file: then each is a part.
+std::vector<bool> shared_pairs(const TodaysPairs& today) {
+    std::map<std::pair<std::string, std::string>, std::set<std::string_view>> partners;  // by unit and partner's file
+    const auto key = [&](const TodaysPair& pair, Side side) {
+        return std::pair(pair.id[side], today.unit(pair, other(side)).file);
+    };
+    for (const TodaysPair& pair : today.pairs)
+        for (const Side side : kBothSides)
+            partners[key(pair, side)].insert(leaf_of(today.unit(pair, other(side)).name));
+    std::vector<bool> out;
+    for (const TodaysPair& pair : today.pairs)
+        out.push_back(partners.at(key(pair, Side::Source)).size() > 1 ||
+                      partners.at(key(pair, Side::Target)).size() > 1);
+    return out;
+}
+
 struct Judged {
     double certainty = 0;
     std::vector<std::string> why;
@@ -83,7 +102,7 @@ struct Judged {
 class Judge {
 public:
     Judge(const WalkedPast& walked, const TodaysPairs& today, const Habits& habits)
-        : walked_(walked), today_(today), habits_(habits) {}
+        : walked_(walked), today_(today), habits_(habits), shared_(shared_pairs(today)) {}
 
     Judged of(const FoundEdit& found, bool elsewhere) {
         out_ = {};
@@ -91,9 +110,19 @@ public:
         weigh_message(walked_.steps[found.edit.commit].message);
         weigh_places(found.edit.places);
         weigh_commit(walked_.units[found.edit.commit]);
+        weigh_size(found);
         if (found.edit.both) {
             z_ -= strongest(found.edit).kind == MissingPlace::Kind::Replaced ? 0.6 : 1.2;
             out_.why.emplace_back("the commit edited both sides, and this did not come along");
+        } else if (found.both_files && !is_label(strongest(found.edit))) {
+            z_ -= 0.8;
+            out_.why.emplace_back("the commit edited the other side's file, too");
+        }
+        if (strongest(found.edit).kind == MissingPlace::Kind::Removed) z_ -= 1.2;
+        if (found.edit.since && strongest(found.edit).kind == MissingPlace::Kind::Added &&
+            !is_label(strongest(found.edit))) {
+            z_ -= 0.4;
+            out_.why.emplace_back("the other side was edited since");
         }
         if (elsewhere) {
             z_ += 1;
@@ -111,15 +140,21 @@ public:
 private:
     void weigh_message(const std::string& message) {
         const MessageSays says = read_message(message);
-        if (says.fix) {
+        if (says.fix && says.manner) {
+            z_ += 0.2;
+        } else if (says.fix) {
             z_ += says.in_text ? 0.5 : 1.3;
             out_.why.emplace_back("the commit message speaks of a fix");
         } else if (says.manner) {
             z_ -= 0.8;
             out_.why.emplace_back("the commit message speaks of looks or structure");
         } else if (says.speed) {
-            z_ -= 1.0;
+            z_ -= 1.3;
             out_.why.emplace_back("the commit message speaks of speed");
+        }
+        if (says.platform) {
+            z_ -= 0.7;
+            out_.why.emplace_back("the commit message speaks of one platform");
         }
     }
 
@@ -136,6 +171,17 @@ private:
         if (count > kSmall) z_ -= std::min(1.5, 0.15 * (count - kSmall));
     }
 
+    /// Who writes a unit anew says the same in other words, too.
+    void weigh_size(const FoundEdit& found) {
+        constexpr double kSmall = 6, kPart = 0.15;  // places, and the share of the unit
+        const UnitState& unit = today_.unit(today_.pairs[found.pair], found.edit.side);
+        const auto all = static_cast<double>(written_statements(unit.text.words()).size());
+        const auto size = static_cast<double>(found.edit.size);
+        if (size <= kSmall || size <= kPart * all) return;
+        z_ -= std::min(2.0, 0.6 * std::log2(size / std::max(kSmall, kPart * all)));
+        out_.why.push_back("the commit edited " + std::to_string(found.edit.size) + " places of the unit");
+    }
+
     void weigh_commit(uint32_t units) {
         constexpr uint32_t kFew = 8;
         if (units <= kFew) return;
@@ -149,12 +195,16 @@ private:
             z_ -= today_.unit(pair, found.edit.side).name == "main" ? 1.5 : 0.4;
         z_ += 2.0 * (static_cast<double>(found.alike) - 0.4);
         if (!pair.confirmed) z_ += 3 * (pair.score - 0.9);
+        if (shared_[found.pair]) z_ -= 1;
+        const auto is_program = [&](Side side) { return today_.unit(pair, side).name == "main"; };
+        if (is_program(Side::Source) != is_program(Side::Target)) z_ -= 0.8;  // a kernel, and all that is around it
     }
 
     const WalkedPast& walked_;
     const TodaysPairs& today_;
     const Habits& habits_;
     Judged out_;
+    std::vector<bool> shared_;
     double z_ = 0;
 };
 

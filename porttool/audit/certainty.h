@@ -24,6 +24,7 @@ struct FoundEdit {
     size_t pair = 0;  ///< in TodaysPairs
     float alike = 0;  ///< how much of the pair is alike today
     MissingEdit edit;
+    bool both_files = false;  ///< the commit edited a unit of the other side's file
 };
 
 /// What so many pairs say in two ways that it is a manner of the sides: `i ++` here, `i += WIDTH` there. By the words

@@ -17,10 +17,10 @@ namespace {
 
 using Text = std::vector<std::string>;
 
-/// True where an operand begins: a `*`, `&` or `-` there has one operand.
-bool begins_operand(const Text& words, size_t i) {
-    if (i == 0) return true;
-    const std::string& last = words[i - 1];
+/// True where an operand begins behind these words: a `*`, `&` or `-` there has one operand.
+bool begins_operand(const Text& before) {
+    if (before.empty()) return true;
+    const std::string& last = before.back();
     if (last == "return") return true;
     return !is_word_token(last) && !is_number_token(last) && last != ")" && last != "]";
 }
@@ -55,15 +55,28 @@ Text without_declaration(const Text& words) {
     return out;
 }
 
-/// Without `*` and `&` before an operand, casts and template arguments.
+/// Where the `)` of a cast stands that begins there; the place itself where none does. `( name ) name` is one whatever
+/// the name.
+size_t end_of_cast(const Text& words, size_t first, const Text& before) {
+    if (words[first] != "(" || !begins_operand(before)) return first;
+    size_t end = first + 1;
+    bool is_type = false;
+    for (; end < words.size() && (is_word_token(words[end]) || words[end] == "::"); ++end)
+        is_type = is_type || is_type_word(words[end]);
+    if (end == first + 1) return first;
+    for (; end < words.size() && (words[end] == "*" || words[end] == "&"); ++end) is_type = true;
+    if (end + 1 >= words.size() || words[end] != ")") return first;
+    const std::string& next = words[end + 1];
+    return is_type || is_word_token(next) || is_number_token(next) ? end : first;
+}
+
+/// Without `*` and `&` before an operand, casts, template arguments and the names of what holds a name.
 Text without_marks(const Text& words) {
     Text out;
     for (size_t i = 0; i < words.size(); ++i) {
-        if ((words[i] == "*" || words[i] == "&") && begins_operand(words, i)) continue;
-        const bool cast = words[i] == "(" && i + 2 < words.size() && begins_operand(words, i) &&
-                          is_type_word(words[i + 1]) && (words[i + 2] == ")" || words[i + 2] == "*");
-        if (cast) {
-            while (i < words.size() && words[i] != ")") ++i;
+        if ((words[i] == "*" || words[i] == "&") && begins_operand(out)) continue;
+        if (const size_t end = end_of_cast(words, i, out); end != i) {
+            i = end;
             continue;
         }
         if (words[i] == "<" && i > 0 && is_word_token(words[i - 1])) {
@@ -77,7 +90,10 @@ Text without_marks(const Text& words) {
                 continue;
             }
         }
-        out.push_back(words[i] == "->" ? "." : words[i]);
+        const size_t held = words[i][0] == '"' ? std::string::npos : words[i].rfind("::");
+        out.push_back(words[i] == "->"                                           ? "."
+                      : held == std::string::npos || held + 2 == words[i].size() ? words[i]
+                                                                                 : words[i].substr(held + 2));
     }
     return out;
 }
@@ -90,6 +106,31 @@ bool is_path(const Text& words, size_t first) {
         if (!mark && !points && !is_word_token(words[i]) && !is_number_token(words[i])) return false;
     }
     return true;
+}
+
+/// `a ++` and `++ a` as `a += 1`, where nothing else takes the value.
+Text with_plain_steps(const Text& words) {
+    Text out;
+    const auto ends = [&](size_t i) {
+        return i >= words.size() || words[i] == ")" || words[i] == ";" || words[i] == ",";
+    };
+    const auto begins = [&] { return out.empty() || out.back() == ";" || out.back() == ","; };
+    const auto is_step = [](const std::string& word) { return word == "++" || word == "--"; };
+    for (size_t i = 0; i < words.size(); ++i) {
+        const bool before =
+            i + 1 < words.size() && is_step(words[i]) && is_word_token(words[i + 1]) && begins() && ends(i + 2);
+        const bool behind =
+            i + 1 < words.size() && is_step(words[i + 1]) && is_word_token(words[i]) && begins() && ends(i + 2);
+        if (!before && !behind) {
+            out.push_back(words[i]);
+            continue;
+        }
+        out.push_back(words[before ? i + 1 : i]);
+        out.push_back(words[before ? i : i + 1].substr(0, 1) + "=");
+        out.emplace_back("1");
+        ++i;
+    }
+    return out;
 }
 
 /// `a += b` as `a = a + b`.
@@ -108,14 +149,19 @@ Text with_plain_assignment(const Text& words) {
     return words;
 }
 
-/// Methods as functions of their object: `a . b . Length ( x )` is `Length ( a . b , x )`.
+/// Methods as functions of their object: `a . b . Length ( x )` is `Length ( a . b , x )`. Those that hand out what
+/// their object holds are left out: `a . data ( )` is `a`.
 Text with_plain_calls(const Text& words) {
     Text out;
     for (size_t i = 0; i < words.size(); ++i) {
         const bool calls = words[i] == "." && i > 0 && i + 2 < words.size() && is_word_token(words[i - 1]) &&
-                           is_word_token(words[i + 1]) && words[i + 2] == "(";
+                           is_word_token(words[i + 1]) && words[i + 2] == "(" && i + 3 < words.size();
         if (!calls) {
             out.push_back(words[i]);
+            continue;
+        }
+        if (words[i + 3] == ")" && (words[i + 1] == "data" || words[i + 1] == "get" || words[i + 1] == "c_str")) {
+            i += 3;
             continue;
         }
         size_t first = out.size() - 1;  // of the object
@@ -135,6 +181,23 @@ constexpr std::array<std::string_view, 12> kAsides = {"print", "log",   "assert"
 /// What the words of one place of a change are: some matter to the other side, some it has no name for.
 struct Matter {
     float known = 0, unknown = 0;
+    float slight = 0;  ///< known names of a letter or two that took another's place: another index, mostly
+
+    float degree() const {
+        constexpr float kBesideNewNames = 0.2f;
+        const float all = known + (unknown > 0 ? kBesideNewNames : 1.0f) * slight;
+        return all <= 0 ? 0 : std::min(1.0f, all) * all / (all + unknown);
+    }
+
+    /// A number that got a name, or a name whose number is written out: most often the same value.
+    void add_named_number(const std::vector<const std::string*>& words, const KnownThere& there) {
+        constexpr float kOtherValue = 0.3f;
+        for (const std::string* word : words)
+            if (is_word_token(*word) && !is_type_word(*word)) {
+                known += kOtherValue * there.degree(*word);
+                unknown += 1 - there.degree(*word);
+            }
+    }
 
     /// `replaces`: it stands in the place of other words, which a name that is new there would only rename.
     void add(const std::string& word, const KnownThere& there, bool replaces) {
@@ -142,11 +205,13 @@ struct Matter {
         if (is_number_token(word)) {
             known += 1;
         } else if (!is_word_token(word)) {
-            const bool slight = word.size() == 1 && kBrackets.find(word[0]) != std::string_view::npos;
-            if (!slight && word != "->" && word != "::") known += 1;
+            const bool bracket = word.size() == 1 && kBrackets.find(word[0]) != std::string_view::npos;
+            if (!bracket && word != "->" && word != "::") known += 1;
         } else if (!is_type_word(word) && word != "return") {
-            const float degree = replaces && !there.side->contains(word) ? 0.0f : there.degree(word);
-            known += degree;
+            const bool only_here =
+                !there.side->contains(word) || (there.own->contains(word) && !there.unit->contains(word));
+            const float degree = replaces && only_here ? 0.0f : there.degree(word);
+            (replaces && word.size() < 3 ? slight : known) += degree;
             unknown += 1 - degree;
         }
     }
@@ -186,7 +251,18 @@ float substance_of(const Text& before, const Text& now, const KnownThere& there)
     Matter matter;
     const auto finish = [&] {
         const bool way = (lost.empty() && is_way_to_value(gained)) || (gained.empty() && is_way_to_value(lost));
-        if (!way)
+        const auto is_number = [](const auto& words) { return words.size() == 1 && is_number_token(*words[0]); };
+        const auto has_name = [](const auto& words) {
+            return std::any_of(words.begin(), words.end(), [](const std::string* one) { return is_word_token(*one); });
+        };
+        const bool drops_argument = gained.empty() && lost.size() == 2 && *lost[0] == "," &&
+                                    (is_word_token(*lost[1]) || is_number_token(*lost[1]));
+        if (drops_argument) {
+            matter.add(*lost[1], there, true);
+            matter.unknown += 1;
+        } else if ((is_number(lost) && has_name(gained)) || (is_number(gained) && has_name(lost)))
+            matter.add_named_number(gained.size() > lost.size() || is_number(lost) ? gained : lost, there);
+        else if (!way)
             for (const std::string* word : gained.empty() ? lost : gained)
                 matter.add(*word, there, !lost.empty() && !gained.empty());
         lost.clear();
@@ -198,14 +274,32 @@ float substance_of(const Text& before, const Text& now, const KnownThere& there)
         if (step.kind == DiffStep::Keep) finish();
     }
     finish();
-    return matter.known <= 0 ? 0 : std::min(1.0f, matter.known) * matter.known / (matter.known + matter.unknown);
+    return matter.degree();
 }
 
 Text essence_of(const Text& words, const Dialect& dialect) {
-    Text out = with_plain_assignment(with_plain_calls(without_marks(without_declaration(words))));
+    Text out = with_plain_assignment(with_plain_steps(with_plain_calls(without_marks(without_declaration(words)))));
     for (std::string& word : out) word = plain_word(word, dialect);
     std::erase_if(out, [](const std::string& word) { return word == "this"; });
     return out;
+}
+
+bool is_turned_round(const Text& before, const Text& now) {
+    if (before.empty() || now.empty() || before[0] != "if" || now[0] != "if") return false;
+    constexpr std::array<std::pair<std::string_view, std::string_view>, 3> kOpposites = {
+        {{"<", ">="}, {">", "<="}, {"==", "!="}}};
+    const std::vector<DiffStep> steps = diff(before, now);
+    std::vector<std::string> lost, gained;
+    for (const DiffStep& step : steps) {
+        if (step.kind == DiffStep::Remove) lost.push_back(before[step.before]);
+        if (step.kind == DiffStep::Add) gained.push_back(now[step.now]);
+    }
+    for (const Text* one : {&lost, &gained})
+        if (one->size() > 1) return false;
+    if (lost.empty() || gained.empty()) return (lost.empty() ? gained : lost) == Text{"!"};
+    return std::any_of(kOpposites.begin(), kOpposites.end(), [&](const auto& two) {
+        return (lost[0] == two.first && gained[0] == two.second) || (lost[0] == two.second && gained[0] == two.first);
+    });
 }
 
 bool is_bare_return(const Text& written) { return !written.empty() && written[0] == "return" && is_path(written, 1); }
@@ -234,6 +328,7 @@ bool is_bare_declaration(const Text& written) {
 
 bool is_aside(const Text& words) {
     if (words.empty() || words[0] == "#" || words[0] == "return") return !words.empty() && words[0] == "#";
+    if (words[0] == "template") return true;
     const bool says = std::any_of(words.begin(), words.end(),
                                   [](const std::string& word) { return !word.empty() && word[0] == '"'; });
     const bool measures = std::any_of(words.begin(), words.end(), [](const std::string& word) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <set>
 #include <string>
 #include <unordered_map>
 #include <unordered_set>
@@ -32,16 +33,18 @@ using UsesOnSide = std::unordered_map<std::string, uint32_t>;
 /// new there, as the edit is, or a manner of the side that was edited: that one is used in many files.
 struct KnownThere {
     const WordsOfSide *unit, *file;
-    const UsesOnSide *side, *other;  ///< of the side that the unit is on, and of the one that was edited
+    const UsesOnSide *side, *other;    ///< of the side that the unit is on, and of the one that was edited
+    const std::set<std::string>* own;  ///< parameters and locals of the unit that was edited
 
     float degree(const std::string& word) const {
         constexpr float kInFile = 0.9f, kOnSide = 0.5f, kNew = 0.45f;
-        constexpr uint32_t kFewFiles = 4;
+        constexpr uint32_t kFewFiles = 4, kTimes = 8;
         if (unit->contains(word)) return 1;
         if (file->contains(word)) return kInFile;
-        if (side->contains(word)) return kOnSide;
-        const auto uses = other->find(word);
-        return uses == other->end() || uses->second <= kFewFiles ? kNew : 0.0f;
+        const auto known = side->find(word), uses = other->find(word);
+        const uint32_t there = known == side->end() ? 0 : known->second, here = uses == other->end() ? 0 : uses->second;
+        if (here > kFewFiles && here > kTimes * there) return 0;
+        return there > 0 ? kOnSide : kNew;
     }
 };
 
@@ -53,6 +56,9 @@ std::vector<std::string> value_of(const std::vector<std::string>& words);
 /// variable for the same value, and another way to it do not.
 float substance_of(const std::vector<std::string>& before, const std::vector<std::string>& now,
                    const KnownThere& there);
+
+/// True where a condition became its own opposite: what left the function, or went on, now stands in a block.
+bool is_turned_round(const std::vector<std::string>& before, const std::vector<std::string>& now);
 
 /// True for a variable that is declared without a value, with numbers alone, or as a short name for what another one
 /// holds: `float3 n = p -> n`.

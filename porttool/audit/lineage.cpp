@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "porttool/audit/lineage.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace porttool {
@@ -14,7 +15,8 @@ UnitLineage::UnitLineage(std::vector<WrittenStatement> today) : today_(std::move
 }
 
 void UnitLineage::add(const UnitEdit& edit, uint32_t commit) {
-    if (edit.counts()) commits_.insert(commit);
+    const auto count = std::count_if(edit.places.begin(), edit.places.end(), [](const auto& one) { return !one.idle; });
+    if (count > 0) commits_[commit] += static_cast<size_t>(count);
     std::vector<std::pair<std::string, size_t>> older;  // not before all places are read: one may become another's text
     for (const EditedPlace& place : edit.places) {
         if (place.now.empty()) continue;

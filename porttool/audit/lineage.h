@@ -3,7 +3,7 @@
 #pragma once
 
 #include <cstdint>
-#include <set>
+#include <map>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -48,13 +48,22 @@ public:
     const std::vector<RemovedStatement>& removed() const { return removed_; }
     /// True if the commit edited the unit.
     bool edited_in(uint32_t commit) const { return commits_.contains(commit); }
+    /// True if a newer commit did.
+    bool edited_since(uint32_t commit) const { return !commits_.empty() && commits_.begin()->first < commit; }
+    /// The commits that edited it, each with the number of places.
+    const std::map<uint32_t, size_t>& edits() const { return commits_; }
+    /// In how many places the commit did.
+    size_t places_edited(uint32_t commit) const {
+        const auto found = commits_.find(commit);
+        return found == commits_.end() ? 0 : found->second;
+    }
 
 private:
     std::vector<WrittenStatement> today_;
     std::vector<StatementLineage> lines_;
     std::unordered_multimap<std::string, size_t> live_;  ///< by what each was, as far back as the walk has come
     std::vector<RemovedStatement> removed_;
-    std::set<uint32_t> commits_;
+    std::map<uint32_t, size_t> commits_;  ///< with the number of places
 };
 
 }  // namespace porttool

@@ -27,23 +27,39 @@ constexpr std::array<std::string_view, 37> kFix = {
     "leak",      "broken",     "missing", "mistake",   "invalid",  "out of bound", "out-of-bound", "divi",
     "undefined", "uninitiali", "regress", "issue",     "artifact", "failure",      "should be",    "accura",
     "inf ",      "workaround", "oops",    "repair",    "segfault"};
-constexpr std::array<std::string_view, 27> kManner = {
-    "measure",  "profil",  "compil",   "build",    "support for", "port to", "refactor",   "cleanup",  "clean up",
-    "clean-up", "rename",  "reformat", "format",   "style",       "indent",  "whitespace", "license",  "copyright",
-    "comment",  "warning", "move",     "reorgani", "merge",       "sync",    "tidy",       "cosmetic", "simplif"};
-constexpr std::array<std::string_view, 14> kSpeed = {"optimi", "speed",     "perf",      "faster",   "unroll",
-                                                     "tune",   "tuning",    "occupancy", "register", "vectori",
-                                                     "cache",  "benchmark", "inline",    "latency"};
+constexpr std::array<std::string_view, 35> kManner = {
+    "rewrit",  "rewrote",  "rework",   "restructur",  "migrat",  "switch to",  "unify",    "extract",   "measure",
+    "profil",  "compil",   "build",    "support for", "port to", "refactor",   "cleanup",  "clean up",  "clean-up",
+    "rename",  "reformat", "format",   "style",       "indent",  "whitespace", "license",  "copyright", "comment",
+    "warning", "move",     "reorgani", "merge",       "sync",    "tidy",       "cosmetic", "simplif"};
+constexpr std::array<std::string_view, 19> kSpeed = {
+    "simd", "bandwidth", "throughput", "prefetch", "coalesc", "optimi", "speed",     "perf",   "faster", "unroll",
+    "tune", "tuning",    "occupancy",  "register", "vectori", "cache",  "benchmark", "inline", "latency"};
 
 /// What is mended there is the build, not what the code does.
-constexpr std::array<std::string_view, 5> kBuild = {"compil", "build", "driver", "warning", "script"};
+constexpr std::array<std::string_view, 7> kBuild = {"compil", "build",    "driver",   "warning",
+                                                    "script", "makefile", "dependenc"};
+
+/// What is mended there may have been wrong there alone.
+constexpr std::array<std::string_view, 20> kPlatform = {"opencl", "cuda",  "hip ",  "sycl", "metal", "vulkan",  "gpu",
+                                                        "opengl", "cpu",   "os x",  "osx",  "mac",   "windows", "msvc",
+                                                        "gcc",    "clang", "intel", "amd",  "arm",   "nvidia"};
+
+/// Without the `cuda:` or `[cuda]` at its start: so some mark all that they do there.
+std::string without_tag(const std::string& text) {
+    constexpr size_t kLongest = 24;
+    const size_t end = text.starts_with("[") ? text.find(']') : text.find(':');
+    return end == std::string::npos || end > kLongest ? text : text.substr(end + 1);
+}
 
 }  // namespace
 
 MessageSays read_message(std::string_view message) {
     const std::string text = in_small_letters(message);
     const std::string first = text.substr(0, text.find('\n'));
-    MessageSays out{speaks_of(first, kFix), false, speaks_of(first, kManner), speaks_of(first, kSpeed)};
+    MessageSays out{
+        .fix = speaks_of(first, kFix), .manner = speaks_of(first, kManner), .speed = speaks_of(first, kSpeed)};
+    out.platform = speaks_of(without_tag(first), kPlatform);
     if (speaks_of(first, kBuild)) {
         out.fix = false;
         out.manner = true;

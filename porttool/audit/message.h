@@ -8,9 +8,10 @@ namespace porttool {
 
 /// What a commit message says of the edit, as far as its words tell.
 struct MessageSays {
-    bool fix = false;      ///< something was wrong before
-    bool in_text = false;  ///< not the first line says so, but what follows
-    bool manner = false;   ///< it is about looks, names, structure or tools
+    bool fix = false;       ///< something was wrong before
+    bool in_text = false;   ///< not the first line says so, but what follows
+    bool platform = false;  ///< it names a platform, beyond the tag that it begins with
+    bool manner = false;    ///< it is about looks, names, structure or tools
     bool speed = false;
 };
 

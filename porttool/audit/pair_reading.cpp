@@ -234,6 +234,7 @@ private:
             MissingPlace place;
             place.now = source.written[i];
             place.there = target.written[near.index];
+            if (renames_what_it_declares(words_of_statement(place.there), words_of_statement(place.now))) continue;
             place.strength = substance;
             out.push_back(std::move(place));
         }
@@ -244,10 +245,14 @@ private:
     void judge_side(Side side, std::vector<MissingEdit>& out) {
         std::map<uint32_t, MissingEdit> by_commit;
         const auto note = [&](uint32_t commit, MissingPlace place) {
-            MissingEdit& edit =
-                by_commit
-                    .try_emplace(commit, MissingEdit{side, commit, {}, pair_[other(side)].lineage->edited_in(commit)})
-                    .first->second;
+            MissingEdit& edit = by_commit
+                                    .try_emplace(commit, MissingEdit{side,
+                                                                     commit,
+                                                                     {},
+                                                                     pair_[other(side)].lineage->edited_in(commit),
+                                                                     pair_[other(side)].lineage->edited_since(commit),
+                                                                     pair_[side].lineage->places_edited(commit)})
+                                    .first->second;
             edit.places.push_back(std::move(place));
         };
         for (const StatementLineage& line : pair_[side].lineage->statements()) judge_line(side, line, note);
@@ -315,8 +320,11 @@ private:
         place.there = sides_[other(side)].written[found.index];
         const float substance =
             substance_of(translated(place.before, side, true), sides_[side].words[line.index], known_there(side));
-        place.strength = std::min(1.0f, (leaning - 0.3f) / 0.7f) * std::min(1.0f, (near - 0.3f) / 0.7f) *
-                         told_by(old_text.sum) * substance;
+        place.strength =
+            std::min(1.0f, (leaning - 0.3f) / 0.7f) * std::min(1.0f, (near - 0.3f) / 0.7f) * told_by(old_text.sum) *
+            substance * still_itself(likeness(old_text, now)) * (same_head(side, place) ? 1.0f : 0.4f) *
+            (brings_call(side, place) ? 0.5f : 1.0f) * (counts_threads_otherwise(place) ? 0.2f : 1.0f) *
+            (is_turned_round(words_of_statement(place.before), words_of_statement(place.now)) ? 0.2f : 1.0f);
         if (place.strength < kFaint) return;
         place.strength *= anchored(translated(place.before, side, true), sides_[side].words[line.index],
                                    sides_[other(side)].words[found.index]);
@@ -359,6 +367,38 @@ private:
         return asked == 0 ? 1 : 0.3f + 0.7f * static_cast<float>(known) / static_cast<float>(asked);
     }
 
+    /// What became something else altogether was not edited, but written anew: what stands elsewhere may say the same.
+    static float still_itself(float alike) { return std::clamp((alike - 0.2f) / 0.4f, 0.2f, 1.0f); }
+
+    /// What a statement begins with, without its declaration: the variable that it sets, the word that rules it.
+    static std::string head_of(const std::vector<std::string>& words) { return words.empty() ? "" : words[0]; }
+
+    bool same_head(Side side, const MissingPlace& place) const {
+        return head_of(translated(place.before, side, true)) == head_of(translated(place.now, side, true));
+    }
+
+    /// True where one side says how many groups of threads run, and the other how many threads.
+    static bool counts_threads_otherwise(const MissingPlace& place) {
+        const auto has = [](const WrittenStatement& statement, std::string_view name) {
+            const std::vector<std::string> words = words_of_statement(statement);
+            return std::find(words.begin(), words.end(), name) != words.end();
+        };
+        return has(place.now, "dim3") != has(place.there, "dim3") &&
+               has(place.now, "range") != has(place.there, "range");
+    }
+
+    /// True where the edit calls a function of which the other side has never heard.
+    bool brings_call(Side side, const MissingPlace& place) const {
+        const std::vector<std::string> before = translated(place.before, side, true),
+                                       now = translated(place.now, side, true);
+        for (size_t i = 0; i + 1 < now.size(); ++i)
+            if (now[i + 1] == "(" && is_word_token(now[i]) && !is_type_word(now[i]) &&
+                !pair_[other(side)].uses->contains(now[i]) &&
+                std::find(before.begin(), before.end(), now[i]) == before.end())
+                return true;
+        return false;
+    }
+
     /// A statement of few words stands anywhere by chance.
     static float told_by(float weight) { return std::min(1.0f, weight / 5.0f); }
 
@@ -372,13 +412,16 @@ private:
 
     KnownThere known_there(Side side) const {
         const SideOfPair& there = pair_[other(side)];
-        return {&unit_words_[other(side)], there.file_words, there.uses, pair_[side].uses};
+        return {&unit_words_[other(side)], there.file_words, there.uses, pair_[side].uses, &own_names_[side]};
+    }
+
+    bool stands_in_file_of(Side side, const WrittenStatement& statement) const {
+        const std::set<std::string>* there = pair_[side].elsewhere;
+        return there != nullptr && there->contains(statement_key(statement, dialect_));
     }
 
     bool has_elsewhere(Side side, size_t index) const {
-        const std::set<std::string>* there = pair_[other(side)].elsewhere;
-        return there != nullptr && sides_[side].weighed[index].sum >= 3 &&
-               there->contains(statement_key(sides_[side].written[index], dialect_));
+        return sides_[side].weighed[index].sum >= 3 && stands_in_file_of(other(side), sides_[side].written[index]);
     }
 
     /// A statement that a commit brought in, where the other side has none like it.
@@ -395,12 +438,43 @@ private:
         MissingPlace place;
         place.kind = MissingPlace::Kind::Added;
         place.now = sides_[side].written[line.index];
-        if (only_brings(side, line.index)) return;
+        if (only_brings(side, line.index) || only_guards(side, line.index)) return;
         place.strength = said_in_one(side, line.index) * 0.8f * std::min(1.0f, (1 - there) / 0.6f) *
                          known_names(side, line.index) * (0.35f + 0.65f * neighbours(side, line.index)) *
-                         told_by(now.sum) * lacks_words(side, line.index) * in_common_calls(side, line.index);
+                         (is_label(side, line.index) ? 1.0f : told_by(now.sum)) * lacks_words(side, line.index) *
+                         in_common_calls(side, line.index) * sets_new(side, line.index);
         if (place.strength < kFaint) return;
         note(born.commit, std::move(place));
+    }
+
+    /// True for `if ( p )` with nothing but a local of the unit: whether it may be null is the side's own affair.
+    bool only_guards(Side side, size_t index) const {
+        const std::vector<std::string>& words = sides_[side].words[index];
+        if (words.size() < 4 || words[0] != "if") return false;
+        return std::all_of(words.begin() + 1, words.end(), [&](const std::string& word) {
+            return word == "(" || word == ")" || word == "!" || own_names_[side].contains(word);
+        });
+    }
+
+    /// Less than 1 where the other side sets the same variable as often: then it does so in another way.
+    float sets_new(Side side, size_t index) const {
+        constexpr float kSetThere = 0.3f;
+        const auto is_set = [](const std::vector<std::string>& words) {
+            return words.size() > 2 && is_word_token(words[0]) && words[1] == "=";
+        };
+        const std::vector<std::string>& own = sides_[side].words[index];
+        if (!is_set(own)) return 1;
+        const auto times = [&](Side where) {
+            return std::count_if(sides_[where].words.begin(), sides_[where].words.end(),
+                                 [&](const auto& words) { return is_set(words) && words[0] == own[0]; });
+        };
+        return times(other(side)) >= times(side) ? kSetThere : 1;
+    }
+
+    /// True for a label of a switch: few words, which say all.
+    bool is_label(Side side, size_t index) const {
+        const std::vector<std::string>& words = sides_[side].words[index];
+        return words.size() > 2 && words[0] == "case";
     }
 
     /// Less than 1 for a statement that calls what its side uses throughout and the other nowhere: what such a call
@@ -426,12 +500,15 @@ private:
         return names == 0 ? 0.5f : known / names;
     }
 
-    /// True for a statement that only names a value in its side's own manner: `n = LOAD ( p . n )`.
+    /// True for a statement that only names a value, be it in its side's own manner: `n = LOAD ( p . n [ i + 1 ] )`.
     bool only_brings(Side side, size_t index) const {
         const KnownThere there = known_there(side);
         size_t calls = 0;
         const std::vector<std::string> value = value_of(sides_[side].words[index]);
+        int depth = 0;  // of brackets: what stands there says which one
         for (size_t i = 0; i < value.size(); ++i) {
+            depth += value[i] == "[" ? 1 : value[i] == "]" ? -1 : 0;
+            if (depth > 0) continue;
             const bool called = i + 1 < value.size() && value[i + 1] == "(";
             if (called && (!is_word_token(value[i]) || there.degree(value[i]) > 0)) return false;
             calls += called ? 1 : 0;
@@ -439,7 +516,7 @@ private:
                 value[i].size() == 1 && std::string_view("()[].,").find(value[i][0]) != std::string_view::npos;
             if (!slight && !is_word_token(value[i]) && !is_number_token(value[i])) return false;
         }
-        return calls == 1 && value.size() < sides_[side].words[index].size();
+        return calls <= 1 && value.size() < sides_[side].words[index].size();
     }
 
     /// Less than 1 where a single statement of the other side has all names that tell what this one is about.
@@ -465,6 +542,7 @@ private:
     /// often: then it may say the same in another way.
     float lacks_words(Side side, size_t index) const {
         constexpr float kSaidOtherwise = 0.4f, kNoWords = 0.7f;
+        constexpr size_t kLeast = 3;
         constexpr size_t kTelling = 4;  // letters of a name that another ends with: `clamp`, `spectrumclamp`
         const auto is_in = [](const std::string& one, const std::string& word) {
             return one == word || (word.size() >= kTelling && one.ends_with(word)) ||
@@ -479,8 +557,8 @@ private:
         const KnownThere there = known_there(side);
         bool any = false;
         for (const std::string& word : sides_[side].words[index]) {
-            const bool tells = is_number_token(word) ||
-                               (is_word_token(word) && !own_names_[side].contains(word) && there.degree(word) > 0);
+            const bool tells = is_number_token(word) || (is_word_token(word) && word.size() >= kLeast &&
+                                                         !own_names_[side].contains(word) && there.degree(word) > 0);
             if (!tells || is_type_word(word)) continue;
             any = true;
             if (count(other(side), word) < count(side, word)) return 1;
@@ -514,6 +592,7 @@ private:
         const Nearest near = nearest(old_text, others), own = nearest(old_text, sides_[side].weighed);
         if (!near.any || near.index == 0) return;
         if (own.any && likeness(old_text, sides_[side].weighed[own.index]) > 0.6f) return;  // it became that
+        if (stands_in_file_of(side, one.text)) return;                                      // it moved there
         const float there = 1 - near.distance / (old_text.sum + others[near.index].sum);
         if (there < 0.85f || is_explained(side, old_text, near.index, near.distance, sides_[side].written.size()))
             return;

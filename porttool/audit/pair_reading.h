@@ -31,7 +31,9 @@ struct MissingEdit {
     Side side = Side::Source;  ///< that was edited
     uint32_t commit = 0;       ///< by its place in the walk
     std::vector<MissingPlace> places;
-    bool both = false;  ///< the commit edited the other side, too
+    bool both = false;   ///< the commit edited the other side, too
+    bool since = false;  ///< the other side was edited later
+    size_t size = 0;     ///< places of the unit that the commit edited, here or not
 };
 
 /// A side of a pair: its unit as it is today, with what is known of its past.

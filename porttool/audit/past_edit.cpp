@@ -50,6 +50,64 @@ Words with_plain_lists(const Words& text) {
     return out;
 }
 
+/// Puts a `;` wherever a statement ends for whoever looks for edits: behind labels of a switch, of which one that a
+/// commit adds to a long list is a statement that came, behind the head of a loop or branch, with braces or without,
+/// and around lines of the preprocessor whose end can be told.
+class LoneStatements {
+public:
+    explicit LoneStatements(const Words& text) : text_(text) {}
+
+    Words run() {
+        for (size_t i = 0; i < text_.size(); ++i) {
+            const std::string_view word = text_[i];
+            if (word == "#" && depth_ == 0 && is_directive(at(i + 1))) {
+                i = take_directive(i);
+                continue;
+            }
+            in_label_ = in_label_ || (word == "case" && depth_ == 0);
+            in_head_ =
+                in_head_ || (depth_ == 0 && at(i + 1) == "(" && is_one_of(word, {"if", "for", "while", "switch"}));
+            if (word == "(" || word == "[") ++depth_;
+            if (word == ")" || word == "]") --depth_;
+            out_.push_back(word);
+            const bool ends_label = in_label_ && word == ":" && depth_ == 0;
+            const bool ends_head = in_head_ && word == ")" && depth_ == 0;
+            const bool lone_else = word == "else" && at(i + 1) != "if";
+            if (ends_label) in_label_ = false;
+            if (ends_head) in_head_ = false;
+            if (ends_label || ((ends_head || lone_else) && !is_one_of(at(i + 1), {"{", ";"}))) end_statement();
+        }
+        return std::move(out_);
+    }
+
+private:
+    static bool is_directive(std::string_view word) {
+        return is_one_of(
+            word, {"if", "ifdef", "ifndef", "elif", "else", "endif", "define", "undef", "pragma", "include", "error"});
+    }
+    std::string_view at(size_t i) const { return i < text_.size() ? text_[i] : std::string_view(); }
+    void end_statement() { out_.emplace_back(";"); }
+
+    size_t take_directive(size_t i) {
+        if (!out_.empty() && !is_one_of(out_.back(), {";", "{", "}"})) end_statement();
+        const std::string_view name = at(i + 1);
+        out_.push_back(text_[i++]);
+        out_.push_back(name);
+        const bool has_name = is_one_of(name, {"ifdef", "ifndef", "undef"}) && i + 1 < text_.size();
+        if (has_name) out_.push_back(text_[++i]);
+        if (has_name || is_one_of(name, {"else", "endif"})) end_statement();
+        return i;
+    }
+
+    const Words& text_;
+    Words out_;
+    int depth_ = 0;
+    bool in_label_ = false, in_head_ = false;
+};
+
+/// A unit's text as its statements are told apart here.
+Words with_plain_statements(const Words& text) { return LoneStatements(with_plain_lists(without_prelude(text))).run(); }
+
 /// Pairs what was lost in one place with what was gained there, in order, so that as much as possible is alike.
 class PlaceAligner {
 public:
@@ -184,7 +242,9 @@ public:
     }
 
     bool is_all_of(const EditedPlace& place) const {
-        if (names_.empty() || place.before.empty() || place.now.empty()) return false;
+        if (place.before.empty() || place.now.empty()) return false;
+        if (renames_what_it_declares(words_of_statement(place.before), words_of_statement(place.now))) return true;
+        if (names_.empty()) return false;
         std::vector<std::string> words = words_of_statement(place.now);
         for (std::string& word : words)
             if (const auto found = names_.find(word); found != names_.end()) word = found->second;
@@ -246,9 +306,24 @@ std::vector<std::string> words_of_statement(const WrittenStatement& statement) {
     return out;
 }
 
+bool renames_what_it_declares(const std::vector<std::string>& before, const std::vector<std::string>& now) {
+    if (before.size() != now.size()) return false;
+    const auto [old_word, new_word] = std::mismatch(before.begin(), before.end(), now.begin());
+    if (old_word == before.end() || old_word == before.begin()) return false;
+    const std::string &from = *old_word, &to = *new_word, &type = *(old_word - 1);
+    if (!is_word_token(from) || !is_word_token(to) || !is_word_token(type) ||
+        is_one_of(type, {"return", "case", "goto", "else", "new", "delete", "throw"}))
+        return false;
+    for (size_t i = 0; i < before.size(); ++i) {
+        if (before[i] == to || now[i] == from) return false;
+        if (before[i] != now[i] && (before[i] != from || now[i] != to)) return false;
+    }
+    return true;
+}
+
 std::vector<WrittenStatement> written_statements(const Words& text) {
     std::vector<WrittenStatement> out;
-    for (const Statement& statement : split_statements(with_plain_lists(without_prelude(text)), as_written_words))
+    for (const Statement& statement : split_statements(with_plain_statements(text), as_written_words))
         if (!statement.is_brace()) out.push_back(written(statement.common));
     return out;
 }
@@ -258,8 +333,7 @@ UnitEdit unit_edit(const NormalText& before, const NormalText& now, UnitKind kin
     UnitEdit out;
     if (before.size() + now.size() > kMostWordsOfUnit) return out;
     const Words old_words = before.words(), new_words = now.words();
-    const Words old_text = with_plain_lists(without_prelude(old_words)),
-                new_text = with_plain_lists(without_prelude(new_words));
+    const Words old_text = with_plain_statements(old_words), new_text = with_plain_statements(new_words);
     if (old_text == new_text) return out;
     out.places = places_of(statement_edit(old_text, new_text, as_written_words));
     drop_moved(out.places);

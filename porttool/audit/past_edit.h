@@ -18,6 +18,9 @@ namespace porttool {
 using WrittenStatement = std::string;
 std::vector<std::string> words_of_statement(const WrittenStatement& statement);
 
+/// True for `for (int i = 0; i < n; ++i)` with another name for `i`, as words.
+bool renames_what_it_declares(const std::vector<std::string>& before, const std::vector<std::string>& now);
+
 /// What an edit did in one place of a unit: a statement came, went, or became another one.
 struct EditedPlace {
     WrittenStatement before, now;

@@ -14,7 +14,8 @@ namespace {
 /// Where a statement stands in a text; the end if it does not, or stands there twice.
 size_t only_place(const std::vector<std::string>& text, const std::vector<std::string>& statement) {
     const auto begins = [&](size_t i) {
-        return i == 0 || text[i - 1] == ";" || text[i - 1] == "{" || text[i - 1] == "}";
+        return i == 0 || text[i - 1] == ";" || text[i - 1] == "{" || text[i - 1] == "}" || text[i - 1] == ":" ||
+               text[i - 1] == ")" || text[i - 1] == "else";
     };
     size_t found = text.size();
     for (size_t i = 0; i + statement.size() <= text.size(); ++i) {
@@ -33,7 +34,7 @@ bool take_back(std::vector<std::string>& text, const MissingPlace& place) {
     const size_t at = only_place(text, now);
     if (at == text.size()) return false;
     size_t end = at + now.size();
-    if (before.empty()) {  // a statement of its own, not the head of a block
+    if (before.empty() && now.back() != ":") {  // a statement of its own, not the head of a block
         if (end >= text.size() || text[end] != ";") return false;
         ++end;
     }

@@ -311,6 +311,70 @@ TEST_F(Audit, IgnoreSettlesAnItemForGood) {
     EXPECT_EQ(porttool({"audit"}).exit_code, 0);
 }
 
+/// Units of one line each, as they were on both sides and as one side has them now.
+struct HandMade {
+    const char *name, *before, *now;
+    bool is_item;
+};
+
+// Labelled by reading: what a maintainer of the other side would want to know, and what says the same otherwise.
+TEST_F(Audit, HandMadeEdits) {
+    const HandMade all[] = {
+        {"label", "switch (k) { case A_ADD: case A_MUL: x = 2.0f * w; break; default: x = w; }",
+         "switch (k) { case A_ADD: case A_MUL: case A_DIV: x = 2.0f * w; break; default: x = w; }", true},
+        {"guard", "for (int i = 0; i < n; ++i) sum += w[i] * v[i];",
+         "for (int i = 0; i < n; ++i) if (v[i] > 0.0f) sum += w[i] * v[i];", true},
+        {"index", "const float xi = x[col]; sum += xi * xi + w[col];",
+         "const float xi = x[col * stride]; sum += xi * xi + w[col];", true},
+        {"term", "if (wide || (flat && open)) level = level * 2.0f + w[k];", "if (wide) level = level * 2.0f + w[k];",
+         true},
+        {"braces", "if (wide > 2.0f) level = w[k] + 2.0f; sum += level;",
+         "if (wide > 2.0f) { level = w[k] + 2.0f; } sum += level;", false},
+        {"loop", "for (int i = 0; i < k; i += step) sum += level * 2.0f;",
+         "for (int n = 0; n < k; n += step) sum += level * 2.0f;", false},
+        {"cast", "sum += load((int*)&(row[k]), 1) + level * w[k];", "sum += load(&row[k], 1) + level * w[k];", false},
+        {"steps", "for (int i = 0; i < k; i++) sum += level * w[i];",
+         "for (int i = 0; i < k; i += 1) sum += level * w[i];", false},
+        {"null", "level = w[k] * 2.0f; *out = level + 1.0f; sum += level;",
+         "level = w[k] * 2.0f; if (out) *out = level + 1.0f; sum += level;", false},
+    };
+    std::string gpu, cpu, edited;
+    for (const HandMade& one : all) {
+        const std::string head = std::string("float ") + one.name +
+                                 "(const float* w, const float* v, const float* x, int* row, float* out, float level, "
+                                 "float sum, float wide, bool flat, bool open, int n, int k, int col, int stride, int "
+                                 "step) { float base = w[0] * level + v[0]; sum += base * 0.5f; ";
+        const std::string tail = " return sum * base + level * 0.25f; }\n";
+        gpu += "__device__ " + head + one.before + tail;
+        cpu += head + one.before + tail;
+        edited += "__device__ " + head + one.now + tail;
+    }
+    write("gpu/all.cu", gpu);
+    write("cpu/all.cpp", cpu);
+    commit("More", 2);
+    write("gpu/all.cu", edited);
+    commit("Some of these matter", 3);
+    std::set<std::string> found, wanted;
+    for (const auto& item : items()) {
+        const std::string id = item["source"];
+        found.insert(id.substr(id.find(':') + 1));
+    }
+    for (const HandMade& one : all)
+        if (one.is_item) wanted.insert(one.name);
+    EXPECT_EQ(found, wanted);
+}
+
+TEST_F(Audit, WhatIsUnlikelyIsListedWhereManyAreAskedFor) {
+    change("gpu/shade.cu", "level < 0.001f", "level < 0.0001f");
+    commit("Fix dark surfaces", 2);
+    change("gpu/shade.cu", "albedo * weight * 0.3183f", "albedo * scale(weight)");
+    commit("Simplify: vectorised, faster, one cache line less", 3);
+    EXPECT_EQ(items().size(), 1);
+    const auto found = items({"--limit", "21"});
+    ASSERT_EQ(found.size(), 2);
+    EXPECT_LT(found[1]["certainty"], 0.25);
+}
+
 TEST_F(Audit, WithoutAPastOnlyWhatDiffersToday) {
     change("gpu/shade.cu", "level < 0.001f", "level < 0.0001f");
     git("add -A && git commit -q --amend -m All");
