@@ -75,6 +75,8 @@ struct CoreMaterial {
     glm::vec3 emission{0.0f};        ///< emissiveFactor times KHR_materials_emissive_strength
     float emission_weight = 0.0f;    ///< luminance of the mean emission that alpha leaves; see CoreLights::total_weight
     float normal_scale = 1.0f;
+    glm::vec3 sheen_color{0.0f};                 ///< KHR_materials_sheen
+    float sheen_roughness = 0.0f;                ///< KHR_materials_sheen
     CoreTextureSlot base_color_texture;          ///< RGB, alpha in A
     CoreTextureSlot metallic_roughness_texture;  ///< roughness in G, metallic in B
     CoreTextureSlot normal_texture;              ///< tangent space
@@ -82,14 +84,18 @@ struct CoreMaterial {
     CoreTextureSlot transmission_texture;        ///< R
     CoreTextureSlot specular_texture;            ///< A
     CoreTextureSlot specular_color_texture;      ///< RGB
+    CoreTextureSlot sheen_color_texture;         ///< RGB
+    CoreTextureSlot sheen_roughness_texture;     ///< A
 };
 
 /// Every texture slot of a material, each once: what goes for all of them goes through this list. Its order is that of
 /// the slots in the cores' rows (MATERIAL_SLOTS in layout.h).
 constexpr CoreTextureSlot CoreMaterial::*kTextureSlots[] = {
-    &CoreMaterial::base_color_texture,     &CoreMaterial::metallic_roughness_texture, &CoreMaterial::normal_texture,
-    &CoreMaterial::emission_texture,       &CoreMaterial::transmission_texture,       &CoreMaterial::specular_texture,
-    &CoreMaterial::specular_color_texture,
+    &CoreMaterial::base_color_texture,      &CoreMaterial::metallic_roughness_texture,
+    &CoreMaterial::normal_texture,          &CoreMaterial::emission_texture,
+    &CoreMaterial::transmission_texture,    &CoreMaterial::specular_texture,
+    &CoreMaterial::specular_color_texture,  &CoreMaterial::sheen_color_texture,
+    &CoreMaterial::sheen_roughness_texture,
 };
 
 /// One triangle mesh. `triangles` holds three vertex indices and the material of each triangle in w.

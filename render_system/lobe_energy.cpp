@@ -82,13 +82,48 @@ glm::dvec2 energy(const Interface& face, double cosine, double roughness) {
     return glm::min(1.001 * sum / static_cast<double>(lattice().size()), 1.0);
 }
 
-std::vector<glm::vec4> slice_of(const Interface& face) {
+// Charlie's sheen: Estevez and Kulla 2017, "Production Friendly Microfacet Sheen BRDF", with its fitted shadowing.
+struct Sheen {
+    double alpha;
+
+    double fit(double x) const {
+        const double t = (1.0 - alpha) * (1.0 - alpha);
+        const auto between = [t](double rough, double smooth) { return rough + (smooth - rough) * t; };
+        return between(21.5473, 25.3245) / (1.0 + between(3.82987, 3.32435) * std::pow(x, between(0.19823, 0.16801))) +
+               between(-1.97760, -1.27393) * x + between(-4.32054, -4.85967);
+    }
+    double lambda(double cosine) const {
+        return std::exp(cosine < 0.5 ? fit(cosine) : 2.0 * fit(0.5) - fit(1.0 - cosine));
+    }
+};
+
+// What sheen returns of the light, and what that is to be scaled by.
+glm::dvec2 sheen_energy(double cosine, double roughness) {
+    constexpr int kPolar = 48, kAround = 32;
+    const Sheen sheen{std::max(roughness, 0.07) * std::max(roughness, 0.07)};
+    const double z = std::max(cosine, 1e-3), x = std::sqrt(1.0 - z * z), lambda_o = sheen.lambda(z);
+    double sum = 0.0;
+    for (int i = 0; i < kPolar; ++i) {
+        const double polar = 0.25 * kTwoPi * (i + 0.5) / kPolar, zi = std::cos(polar), xi = std::sin(polar);
+        const double visible = xi / (4.0 * z * (1.0 + lambda_o + sheen.lambda(zi)));
+        for (int j = 0; j < kAround; ++j) {
+            const double around = 0.5 * kTwoPi * (j + 0.5) / kAround;
+            const glm::dvec3 h = glm::normalize(glm::dvec3(x + xi * std::cos(around), xi * std::sin(around), z + zi));
+            sum += visible * std::pow(std::max(1.0 - h.z * h.z, 0.0), 0.5 / sheen.alpha);
+        }
+    }
+    sum *= (2.0 + 1.0 / sheen.alpha) * (0.25 * kTwoPi / kPolar) / kAround;
+    return {std::min(sum, 1.0), 1.0 / std::max(sum, 1.0)};
+}
+
+template <class Values>
+std::vector<glm::vec4> slice_with(Values&& values_at) {
     constexpr uint32_t kCorners = kEnergyCells + 1;
     std::vector<float> values;
     const auto in_16_bits = [](double value) { return static_cast<uint32_t>(std::lround(value * 65535.0)); };
     for (uint32_t i = 0; i < kCorners * kCorners; ++i) {
         const double root = static_cast<double>(i % kCorners) / kEnergyCells;
-        const glm::dvec2 value = energy(face, root * root, static_cast<double>(i / kCorners) / kEnergyCells);
+        const glm::dvec2 value = values_at(root * root, static_cast<double>(i / kCorners) / kEnergyCells);
         values.push_back(std::bit_cast<float>(in_16_bits(value.x) | in_16_bits(value.y) << 16));
     }
     std::vector<glm::vec4> rows;
@@ -97,6 +132,10 @@ std::vector<glm::vec4> slice_of(const Interface& face) {
         rows.emplace_back(corner[0], corner[1], corner[kCorners], corner[kCorners + 1]);
     }
     return rows;
+}
+
+std::vector<glm::vec4> slice_of(const Interface& face) {
+    return slice_with([&face](double cosine, double roughness) { return energy(face, cosine, roughness); });
 }
 
 const std::vector<glm::vec4>& reflection_slice() {
@@ -110,6 +149,15 @@ float bending_ior(const CoreMaterial& material) {
     constexpr float kNearest = 1e-3f;
     if (std::abs(material.ior - 1.0f) >= kNearest) return material.ior;
     return material.ior < 1.0f ? 1.0f - kNearest : 1.0f + kNearest;
+}
+
+uint32_t LobeEnergy::sheen_row() {
+    if (rows_.empty()) rows_ = reflection_slice();
+    if (sheen_row_ != NONE) return sheen_row_;
+    sheen_row_ = static_cast<uint32_t>(rows_.size());
+    static const std::vector<glm::vec4> slice = slice_with(sheen_energy);
+    rows_.insert(rows_.end(), slice.begin(), slice.end());
+    return sheen_row_;
 }
 
 uint32_t LobeEnergy::row_of(const CoreMaterial& material) {

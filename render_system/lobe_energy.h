@@ -32,10 +32,16 @@ public:
     /// for what does not refract: the slice of reflection alone, which is all that lets itself be mirrored.
     uint32_t row_of(const CoreMaterial& material);
 
+    /// Row of sheen's slice, made when it is first asked for: of KHR_materials_sheen's lobe at colour 1, in the low
+    /// bits what it returns, in the high ones by what it is scaled to return no more than there is (Charlie's fit
+    /// gives 2.5 times the light at grazing angles and low roughness).
+    uint32_t sheen_row();
+
     const std::vector<glm::vec4>& rows() const { return rows_; }
 
 private:
     std::vector<glm::vec4> rows_;
+    uint32_t sheen_row_ = NONE;
     std::map<std::tuple<float, float, float>, uint32_t> known_;  // by index, F0 and F90
 };
 

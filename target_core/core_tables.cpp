@@ -40,6 +40,8 @@ constexpr uint kSlotFeatures[] = {
     FEATURE_TEXTURES | FEATURE_SPECULAR_TEXTURES,  // transmission
     FEATURE_TEXTURES | FEATURE_SPECULAR_TEXTURES,  // specular
     FEATURE_TEXTURES | FEATURE_SPECULAR_TEXTURES,  // specular_color
+    0u,                                            // sheen_color: the source core alone
+    0u,                                            // sheen_roughness: the source core alone
 };
 static_assert(ENERGY_CELLS == kEnergyCells);
 static_assert(std::size(kSlotFeatures) == std::size(kTextureSlots));
@@ -56,7 +58,7 @@ void pack_materials(std::span<const CoreMaterial> materials, SceneTables& tables
     for (const CoreMaterial& material : materials) {
         uint flags = (material.opaque ? MATERIAL_OPAQUE : 0u) | (material.double_sided ? MATERIAL_DOUBLE_SIDED : 0u) |
                      (material.thin_walled ? MATERIAL_THIN_WALLED : 0u);
-        float slots[8] = {};
+        float slots[12] = {};
         static_assert(std::size(kTextureSlots) <= std::size(slots));
         for (uint i = 0; i < std::size(kTextureSlots); ++i) {
             slots[i] = as_float(pack_slot(material.*kTextureSlots[i], tables.texture_slots));

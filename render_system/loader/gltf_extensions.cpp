@@ -39,6 +39,7 @@ constexpr ExtensionRow kExtensionRows[] = {
     {"KHR_materials_emissive_strength", Treatment::supported},
     {"KHR_materials_ior", Treatment::supported},
     {"KHR_materials_pbrSpecularGlossiness", Treatment::supported},
+    {"KHR_materials_sheen", Treatment::supported},
     {"KHR_materials_specular", Treatment::supported},
     {"KHR_materials_transmission", Treatment::supported},
     {"KHR_materials_unlit", Treatment::supported},

@@ -83,6 +83,7 @@ public:
             read_emission(source);
             read_transmission(source);
             read_specular(source);
+            read_sheen(source);
         }
         document_.uv_sets[index] = resolve_uv_sets();
         // Index 0 stands for one past all bounds: all light is reflected, and nothing behind is ever seen.
@@ -196,6 +197,17 @@ private:
             material_.specular_texture = slot(info_in(*extension, "specularTexture"), TextureRole::data);
             material_.specular_color_texture = slot(info_in(*extension, "specularColorTexture"), TextureRole::color);
         }
+    }
+
+    void read_sheen(const tinygltf::Material& source) {
+        const Value* extension = find(source.extensions, "KHR_materials_sheen");
+        if (!extension) return;
+        const glm::vec3 color = numbers(*extension, "sheenColorFactor", glm::vec3(0.0f));
+        for (int i = 0; i < 3; ++i) material_.sheen_color[i] = unit(static_cast<double>(color[i]));
+        if (material_.sheen_color == glm::vec3(0.0f)) return;
+        material_.sheen_roughness = unit(static_cast<double>(number(*extension, "sheenRoughnessFactor", 0.0f)));
+        material_.sheen_color_texture = slot(info_in(*extension, "sheenColorTexture"), TextureRole::color);
+        material_.sheen_roughness_texture = slot(info_in(*extension, "sheenRoughnessTexture"), TextureRole::data);
     }
 
     // With a `glossiness` the texture's roughness is 1 minus that times its alpha. The slot's set of coordinates is the
