@@ -431,12 +431,15 @@ def parity_meshes(scene):
     glass = scene.material("glass", (0.95, 1, 0.97), roughness=0.1, extensions={
         "KHR_materials_transmission": {"transmissionFactor": 0.9}, "KHR_materials_ior": {"ior": 1.45},
         "KHR_materials_volume": {"thicknessFactor": 1.0}})
+    cloth = scene.material("cloth", (0.4, 0.1, 0.12), roughness=0.7, extensions={"KHR_materials_sheen": {
+        "sheenColorFactor": [0.9, 0.7, 0.5], "sheenRoughnessFactor": 0.6, "sheenColorTexture": {"index": checker},
+        "sheenRoughnessTexture": {"index": leaf}}})
     lamp = scene.material("lamp", (0, 0, 0), emissiveFactor=[1.0, 0.7, 0.4],
                           extensions={"KHR_materials_emissive_strength": {"emissiveStrength": 6.0}})
     return [scene.mesh(name, shape, material) for name, shape, material in (
         ("masked card", card, mask), ("blended card", card, blend), ("tiled cube", cube, tiles),
         ("patchy ball", ball, patchy), ("tiled ball", ball, tiles), ("glass ball", ball, glass),
-        ("masked cube", cube, mask))], scene.mesh("lamp", card, lamp)
+        ("masked cube", cube, mask), ("cloth ball", ball, cloth))], scene.mesh("lamp", card, lamp)
 
 
 def parity(folder):

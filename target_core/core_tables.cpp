@@ -40,11 +40,13 @@ constexpr uint kSlotFeatures[] = {
     FEATURE_TEXTURES | FEATURE_SPECULAR_TEXTURES,  // transmission
     FEATURE_TEXTURES | FEATURE_SPECULAR_TEXTURES,  // specular
     FEATURE_TEXTURES | FEATURE_SPECULAR_TEXTURES,  // specular_color
-    0u,                                            // sheen_color: the source core alone
-    0u,                                            // sheen_roughness: the source core alone
+    FEATURE_TEXTURES | FEATURE_LOBE_TEXTURES,      // sheen_color
+    FEATURE_TEXTURES | FEATURE_LOBE_TEXTURES,      // sheen_roughness
 };
 static_assert(ENERGY_CELLS == kEnergyCells);
 static_assert(std::size(kSlotFeatures) == std::size(kTextureSlots));
+
+bool has_sheen(const CoreMaterial& material) { return material.sheen_color != glm::vec3(0.0f); }
 
 bool has_alpha_texture(const CoreMaterial& material) {
     return material.base_color_texture.texture != render_system::NONE;
@@ -72,6 +74,10 @@ void pack_materials(std::span<const CoreMaterial> materials, SceneTables& tables
                                     as_float(tables.energies.row_of(material)));
         rows[MATERIAL_SLOTS] = vec4(slots[0], slots[1], slots[2], slots[3]);
         rows[MATERIAL_MORE_SLOTS] = vec4(slots[4], slots[5], slots[6], slots[7]);
+        rows[MATERIAL_SHEEN] = row(material.sheen_color, material.sheen_roughness);
+        uint sheen_row = has_sheen(material) ? tables.energies.sheen_row() : 0u;
+        rows[MATERIAL_LOBES] = vec4(as_float(sheen_row), 0.0f, 0.0f, 0.0f);
+        rows[MATERIAL_LOBE_SLOTS] = vec4(slots[8], slots[9], slots[10], slots[11]);
         tables.materials.insert(tables.materials.end(), rows, rows + MATERIAL_ROWS);
     }
     tables.lobe_energy.clear();
@@ -202,6 +208,7 @@ uint material_features(std::span<const CoreMaterial> materials) {
             raise((material.*kTextureSlots[i]).texture != render_system::NONE, kSlotFeatures[i]);
         }
         raise(material.transmission > 0.0f && !material.thin_walled, FEATURE_TRANSMISSION);
+        raise(has_sheen(material), FEATURE_SHEEN);
     }
     return features;
 }

@@ -59,10 +59,10 @@ const uint MATERIAL_DOUBLE_SIDED = 2u;
 const uint MATERIAL_THIN_WALLED = 4u;
 
 // lobe_energy: what one scattering returns of the light, by the root of the cosine (columns) and the roughness (lines).
-// A row is a cell: values at its corners, both of the lower roughness first. A value is two of 16 bits: of all light, and
-// above it of what is reflected, times Schlick's weight. Slice 0 is of reflection alone; a material
-// that refracts has one for light from the front and one from behind. Sheen has its own: what it returns, and above it
-// what it is scaled by to return no more than there is.
+// A row is a cell: values at its corners, both of the lower roughness first. A value is two of 16 bits: of all light,
+// and above it of what is reflected, times Schlick's weight. Slice 0 is of reflection alone; a material that refracts
+// has one for light from the front and one from behind. Sheen has its own: what it returns, and above it what it is
+// scaled by to return no more than there is.
 const uint ENERGY_CELLS = 23u;  // columns, and lines
 const uint ENERGY_ROWS = 529u;  // of a slice
 const uint ENERGY_MASK = 65535u;

@@ -8,8 +8,8 @@
 
 namespace target_core::kernels {
 
-// The metallic-roughness model of glTF 2.0 (appendix B) with KHR_materials_transmission, _ior, _specular and, for
-// solids, refraction. Directions are local: z is the shading normal on the side of wo; wo and wi point away.
+// The metallic-roughness model of glTF 2.0 (appendix B) with KHR_materials_transmission, _ior, _specular, _sheen and,
+// for solids, refraction. Directions are local: z is the shading normal on the side of wo; wo and wi point away.
 // Radiance is not scaled by the squared ratio of indices at an interface: it cancels over a closed solid.
 
 // Below this GGX alpha a surface is a perfect mirror or pane: its lobe is a delta and has no density.
@@ -36,6 +36,13 @@ struct Bsdf {
     Float passing;         // how far its Fresnel term decides; 0: all is reflected
     Float pick_reflected;  // of pick_glossy, what microfacets throw onto each other and leaves on wo's side
     Float pick_transmitted;
+    vec3 sheen_color;  // scaled to return no more light than there is
+    Float sheen_strength;
+    Float sheen_roughness;
+    Uint sheen_row;
+    Float sheen_shadow;  // Charlie's lambda of wo
+    Float under_sheen;   // of wo's light, what gets through to the rest
+    Float pick_sheen;
 };
 
 struct BsdfValue {
@@ -107,6 +114,51 @@ inline Float mean_fresnel(Float eta) {
     return saturate(select(eta < 1.0f, from_inside, from_outside));
 }
 
+// Estevez and Kulla 2017, "Production Friendly Microfacet Sheen BRDF": the logarithm of the fitted shadowing.
+inline Float sheen_shadow_fit(Float x, Float alpha) {
+    Float t = square(1.0f - alpha);
+    Float a = blend(Float(21.5473f), Float(25.3245f), t);
+    Float b = blend(Float(3.82987f), Float(3.32435f), t);
+    Float c = blend(Float(0.19823f), Float(0.16801f), t);
+    Float d = blend(Float(-1.97760f), Float(-1.27393f), t);
+    Float e = blend(Float(-4.32054f), Float(-4.85967f), t);
+    return a / (1.0f + b * power(x, c)) + d * x + e;
+}
+
+inline Float sheen_shadow(Float cosine, Float roughness) {
+    Float alpha = square(roughness);
+    Mask low = cosine < 0.5f;
+    Float fitted = sheen_shadow_fit(select(low, cosine, 1.0f - cosine), alpha);
+    Float exponent = select(low, fitted, 2.0f * sheen_shadow_fit(Float(0.5f), alpha) - fitted);
+    return exp_2(exponent * 1.44269504f);
+}
+
+// Sets what concerns sheen, which lies above everything else and takes its share of the light (KHR_materials_sheen,
+// albedo scaling) and of the samples.
+inline Bsdf with_sheen(Bsdf below, Material material) {
+    Bsdf bsdf = below;
+    bsdf.sheen_strength = max_component(material.sheen_color);
+    bsdf.sheen_roughness = max(material.sheen_roughness, 0.07f);
+    bsdf.sheen_row = material.sheen_row;
+    bsdf.sheen_color = material.sheen_color;
+    bsdf.sheen_shadow = 0.0f;
+    bsdf.under_sheen = 1.0f;
+    bsdf.pick_sheen = 0.0f;
+    if (any_lane(bsdf.sheen_strength > 0.0f)) {
+        vec2 energy = lobe_energy(bsdf.sheen_row, bsdf.wo.z, bsdf.sheen_roughness);
+        bsdf.sheen_color = material.sheen_color * energy.y;
+        bsdf.sheen_shadow = sheen_shadow(bsdf.wo.z, bsdf.sheen_roughness);
+        bsdf.under_sheen = 1.0f - bsdf.sheen_strength * energy.x;
+        bsdf.pick_diffuse = bsdf.pick_diffuse * bsdf.under_sheen;
+        bsdf.pick_glossy = bsdf.pick_glossy * bsdf.under_sheen;
+        bsdf.pick_reflected = bsdf.pick_reflected * bsdf.under_sheen;
+        bsdf.pick_transmitted = bsdf.pick_transmitted * bsdf.under_sheen;
+        Mask shines = bsdf.sheen_strength > 0.0f;
+        bsdf.pick_sheen = select(shines, 1.0f - (bsdf.pick_diffuse + bsdf.pick_glossy), Float(0.0f));
+    }
+    return bsdf;
+}
+
 inline Bsdf make_bsdf(Material material, vec3 wo, vec3 side, Mask front) {
     Mask thin = (material.flags & MATERIAL_THIN_WALLED) != 0u;
     Float f0 = square((material.ior - 1.0f) / (material.ior + 1.0f));
@@ -170,6 +222,9 @@ inline Bsdf make_bsdf(Material material, vec3 wo, vec3 side, Mask front) {
         bsdf.again_transmitted = bsdf.transmission_color * going_through;
         bsdf.pick_reflected = bsdf.pick_glossy * blend(kept, kept_inside * turned_back, bsdf.passing);
         bsdf.pick_transmitted = bsdf.pick_glossy * bsdf.passing * going_through;
+    }
+    if (has_feature(FEATURE_SHEEN)) {
+        bsdf = with_sheen(bsdf, material);
     }
     return bsdf;
 }
@@ -253,6 +308,29 @@ inline BsdfValue evaluate_refraction(Bsdf bsdf, vec3 wi, vec3 h, Float weight) {
     return result;
 }
 
+// Of the light between wo and wi, what sheen lets through to the rest.
+inline Float share_under_sheen(Bsdf bsdf, vec3 wi) {
+    Float returned = lobe_energy(bsdf.sheen_row, abs(wi.z), bsdf.sheen_roughness).x;
+    return min(bsdf.under_sheen, 1.0f - bsdf.sheen_strength * returned);
+}
+
+// Charlie's inverted Gaussian (Estevez and Kulla 2017), sampled evenly: most of it is at grazing angles.
+inline BsdfValue evaluate_sheen(Bsdf bsdf, vec3 wi) {
+    Mask above = dot(bsdf.side, wi) > 0.0f;
+    vec3 h = normalized(bsdf.wo + wi);
+    Float inverse_alpha = 1.0f / square(bsdf.sheen_roughness);
+    Float sine = sqrt(max(1.0f - h.z * h.z, 0.0f));
+    Float density = (2.0f + inverse_alpha) * power(sine, inverse_alpha) * INVERSE_TWO_PI;
+    Float shadows = 1.0f + bsdf.sheen_shadow + sheen_shadow(saturate(wi.z), bsdf.sheen_roughness);
+    Mask returns = above && wi.z > 0.0f && bsdf.sheen_strength > 0.0f;
+    BsdfValue result;
+    result.value = select(returns, bsdf.sheen_color * (density / (4.0f * bsdf.wo.z * shadows)), vec3(0.0f));
+    Float upright = select(wi.z > 0.0f, Float(INVERSE_TWO_PI), Float(0.0f));
+    Float folded = select(mirrored(wi, bsdf.side).z > 0.0f, Float(INVERSE_TWO_PI), Float(0.0f));
+    result.pdf = select(above, bsdf.pick_sheen * (upright + folded), Float(0.0f));
+    return result;
+}
+
 inline BsdfValue evaluate_bsdf(Bsdf bsdf, vec3 wi) {
     Mask above = dot(bsdf.side, wi) > 0.0f;
     Mask refracted = bsdf.refracts && !above;
@@ -272,6 +350,11 @@ inline BsdfValue evaluate_bsdf(Bsdf bsdf, vec3 wi) {
     BsdfValue result;
     result.value = diffuse.value + select(has_glossy, glossy.value, vec3(0.0f));
     result.pdf = diffuse.pdf + select(has_glossy, glossy.pdf, Float(0.0f));
+    if (has_feature(FEATURE_SHEEN)) {
+        BsdfValue sheen = evaluate_sheen(bsdf, wi);
+        result.value = result.value * share_under_sheen(bsdf, wi) + sheen.value;
+        result.pdf = result.pdf + sheen.pdf;
+    }
     return result;
 }
 
@@ -279,6 +362,13 @@ inline vec3 sample_diffuse(Bsdf bsdf, vec2 u) {
     vec2 around = cos_sin_turns(u.y);
     Float sine = sqrt(u.x);
     vec3 wi = vec3(sine * around.x, sine * around.y, sqrt(max(1.0f - u.x, 0.0f)));
+    return select(dot(bsdf.side, wi) < 0.0f, mirrored(wi, bsdf.side), wi);
+}
+
+inline vec3 sample_sheen(Bsdf bsdf, vec2 u) {
+    vec2 around = cos_sin_turns(u.y);
+    Float sine = sqrt(max(1.0f - u.x * u.x, 0.0f));
+    vec3 wi = vec3(sine * around.x, sine * around.y, u.x);
     return select(dot(bsdf.side, wi) < 0.0f, mirrored(wi, bsdf.side), wi);
 }
 
@@ -332,6 +422,10 @@ inline BsdfSample sample_bsdf(Bsdf bsdf, vec2 u, Float lobe) {
     Float unmasked = (high - low) * unmasked_share(bsdf, wi, reflects);
     Mask again = !diffuses && !bsdf.is_smooth && lobe - low >= unmasked;
     wi = select(diffuses, sample_diffuse(bsdf, u), wi);
+    if (has_feature(FEATURE_SHEEN)) {
+        Mask by_sheen = bsdf.pick_sheen > 0.0f && lobe >= bsdf.pick_glossy + bsdf.pick_diffuse;
+        wi = select(by_sheen, sample_sheen(bsdf, u), wi);
+    }
     if (any_lane(again)) {
         vec3 scattered = sample_diffuse(bsdf, numbers_from(u));
         Float kept = ((lobe - low) - unmasked) / max((high - low) - unmasked, SMALLEST);
@@ -349,6 +443,9 @@ inline BsdfSample sample_bsdf(Bsdf bsdf, vec2 u, Float lobe) {
     if (any_lane(is_delta)) {
         vec3 color = select(reflects, reflectance(bsdf, weight),
                             bsdf.transmission_color * (1.0f - dielectric_reflectance(bsdf, weight)));
+        if (has_feature(FEATURE_SHEEN)) {
+            color = color * share_under_sheen(bsdf, wi);
+        }
         Float picked = bsdf.pick_glossy * select(reflects, share, 1.0f - share);
         result.weight = select(is_delta, color * (1.0f / max(picked, SMALLEST)), result.weight);
         result.pdf = select(is_delta, Float(0.0f), result.pdf);

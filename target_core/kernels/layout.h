@@ -38,15 +38,18 @@ const uint INSTANCE_TRANSFORM = 0u;  // 3 rows of the object-to-world matrix
 const uint INSTANCE_MESH = 3u;       // first mesh triangle, first vertex, flags (all as bits), determinant's sign
 const uint INSTANCE_HAS_TANGENTS = 1u;
 
-// materials: 7 rows per material. The slots are in the order of the render system's kTextureSlots.
-const uint MATERIAL_ROWS = 7u;
+// materials: 10 rows per material. The slots are in the order of the render system's kTextureSlots.
+const uint MATERIAL_ROWS = 10u;
 const uint MATERIAL_BASE_COLOR = 0u;  // base_color.rgb, alpha
 const uint MATERIAL_SURFACE = 1u;     // metallic, roughness, specular, transmission
 const uint MATERIAL_EMISSION = 2u;    // emission.rgb, emission_weight
 const uint MATERIAL_SPECULAR = 3u;    // specular_color.rgb, ior
 const uint MATERIAL_ALPHA = 4u;       // normal_scale, alpha_cutoff, flags as bits, row in lobe_energy as bits
 const uint MATERIAL_SLOTS = 5u;       // slots as bits: base_color, metallic_roughness, normal, emission
-const uint MATERIAL_MORE_SLOTS = 6u;  // slots as bits: transmission, specular, specular_color, unused
+const uint MATERIAL_MORE_SLOTS = 6u;  // slots as bits: transmission, specular, specular_color, sheen_color
+const uint MATERIAL_SHEEN = 7u;       // sheen_color.rgb, sheen_roughness
+const uint MATERIAL_LOBES = 8u;       // sheen's row in lobe_energy as bits, unused, unused, unused
+const uint MATERIAL_LOBE_SLOTS = 9u;  // slots as bits: sheen_roughness, unused, unused, unused
 const uint MATERIAL_OPAQUE = 1u;
 const uint MATERIAL_DOUBLE_SIDED = 2u;
 const uint MATERIAL_THIN_WALLED = 4u;
@@ -54,7 +57,8 @@ const uint MATERIAL_THIN_WALLED = 4u;
 // lobe_energy: what one scattering returns of the light, by the root of the cosine (columns) and the roughness (lines).
 // A row is a cell: values at its corners, both of the lower roughness first. A value is two of 16 bits: of all light,
 // and above it of what is reflected, times Schlick's weight. Slice 0 is of reflection alone; a material that refracts
-// has one for light from the front and one from behind.
+// has one for light from the front and one from behind. Sheen has its own: what it returns, and above it what it is
+// scaled by to return no more than there is.
 const uint ENERGY_CELLS = 23u;  // columns, and lines
 const uint ENERGY_ROWS = 529u;  // of a slice
 const uint ENERGY_MASK = 65535u;
@@ -116,6 +120,8 @@ const uint FEATURE_TRANSMISSION = 256u;
 const uint FEATURE_PUNCTUAL_LIGHTS = 512u;
 const uint FEATURE_VERTEX_COLORS = 1024u;
 const uint FEATURE_SPECULAR_TEXTURES = 2048u;  // transmission, specular or specular colour from a texture
+const uint FEATURE_SHEEN = 4096u;
+const uint FEATURE_LOBE_TEXTURES = 8192u;  // some of sheen from a texture
 
 const uint NONE = 0xFFFFFFFFu;
 

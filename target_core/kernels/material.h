@@ -20,6 +20,9 @@ struct Material {
     Float emission_weight;
     Uint flags;
     Uint energy_row;
+    vec3 sheen_color;
+    Float sheen_roughness;
+    Uint sheen_row;
 };
 
 inline Material fetch_material(Surface surface) {
@@ -56,6 +59,18 @@ inline Material fetch_material(Surface surface) {
             material.transmission = material.transmission * sample_slot(floatBitsToUint(more.x), surface.coordinates).x;
             material.specular = material.specular * sample_slot(floatBitsToUint(more.y), surface.coordinates).w;
             material.specular_color = material.specular_color * vec3(specular_color_texel);
+        }
+    }
+    if (has_feature(FEATURE_SHEEN)) {
+        vec4 sheen = fetch_materials(rows, MATERIAL_SHEEN);
+        material.sheen_color = vec3(sheen);
+        material.sheen_roughness = sheen.w;
+        material.sheen_row = floatBitsToUint(fetch_materials(rows, MATERIAL_LOBES).x);
+        if (has_feature(FEATURE_LOBE_TEXTURES)) {
+            Uint color_slot = floatBitsToUint(fetch_materials(rows, MATERIAL_MORE_SLOTS).w);
+            Uint roughness_slot = floatBitsToUint(fetch_materials(rows, MATERIAL_LOBE_SLOTS).x);
+            material.sheen_color = material.sheen_color * vec3(sample_slot(color_slot, surface.coordinates));
+            material.sheen_roughness = material.sheen_roughness * sample_slot(roughness_slot, surface.coordinates).w;
         }
     }
     return material;

@@ -13,6 +13,7 @@ namespace target_core::kernels {
 
 const float PI = 3.14159265358979f;
 const float INVERSE_PI = 0.318309886183791f;
+const float INVERSE_TWO_PI = 0.159154943091895f;
 const float HALF_PI = 1.57079632679490f;
 const float TWO_PI_SQUARED = 19.7392088021787f;
 const float SMALLEST = 1.0e-30f;
@@ -103,6 +104,19 @@ inline Float log_2(Float x) {
     Float p = 2.88539008f * t * (1.0f + t2 * (0.333333333f + t2 * (0.2f + t2 * (0.142857143f + t2 * 0.111111111f))));
     return Float(exponent) + p;
 }
+
+// Two to the power of x, for x from -126 to 127, within 2e-7 of its value: the whole part makes the exponent, the rest
+// of at most 1/2 goes through a Taylor polynomial of degree 6.
+inline Float exp_2(Float x) {
+    Float nearest = floor(x + 0.5f);
+    Float t = x - nearest;
+    Float p = 9.61812911e-3f + t * (1.33335581e-3f + t * 1.54035304e-4f);
+    p = 1.0f + t * (0.693147181f + t * (0.240226507f + t * (5.55041087e-2f + t * p)));
+    return p * uintBitsToFloat(Uint(Int(nearest) + 127) << 23);
+}
+
+// x to the power of y, for x in (0, 1] and a power that exp_2 can hold.
+inline Float power(Float x, Float y) { return exp_2(max(y * log_2(max(x, SMALLEST)), -126.0f)); }
 
 // An orthonormal frame around a unit normal: Duff et al. 2017, "Building an Orthonormal Basis, Revisited".
 struct Frame {

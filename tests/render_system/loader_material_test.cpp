@@ -95,6 +95,17 @@ TEST(LoaderMaterial, ReadsTransmissionIorAndSpecular) {
     EXPECT_EQ(m.specular_color, glm::vec3(0.5f, 2, 1));
 }
 
+TEST(LoaderMaterial, ReadsSheen) {
+    const char* name = "KHR_materials_sheen";
+    EXPECT_EQ(material_with(extension(name, json::object())).sheen_color, glm::vec3(0));
+    std::vector<std::string> warnings;
+    const CoreMaterial m = material_with(
+        extension(name, {{"sheenColorFactor", {0.25, 0.5, 1.5}}, {"sheenRoughnessFactor", 0.75}}), &warnings);
+    EXPECT_EQ(m.sheen_color, glm::vec3(0.25f, 0.5f, 1.0f));
+    EXPECT_EQ(m.sheen_roughness, 0.75f);
+    EXPECT_THAT(warnings, ElementsAre(HasSubstr("clamped (/materials/0)")));
+}
+
 TEST(LoaderMaterial, AVolumeWithThicknessIsSolidAndItsAttenuationIsNamed) {
     EXPECT_FALSE(material_with(extension("KHR_materials_volume", {{"thicknessFactor", 0.1}})).thin_walled);
     EXPECT_TRUE(material_with(extension("KHR_materials_volume", json::object())).thin_walled);
@@ -125,6 +136,8 @@ TEST(LoaderMaterial, ReadsEverySlotWithTheRightRole) {
                     {"emissiveFactor", {1, 1, 1}},
                     {"extensions",
                      {{"KHR_materials_transmission", {{"transmissionTexture", info}}},
+                      {"KHR_materials_sheen",
+                       {{"sheenColorFactor", {1, 1, 1}}, {"sheenColorTexture", info}, {"sheenRoughnessTexture", info}}},
                       {"KHR_materials_specular", {{"specularTexture", info}, {"specularColorTexture", info}}}}}},
                    nullptr, {png_uri(1, 1, 3, RED)});
     const CoreMaterial& m = scene.materials()[0].core;
@@ -138,6 +151,8 @@ TEST(LoaderMaterial, ReadsEverySlotWithTheRightRole) {
     EXPECT_EQ(format(m.normal_texture), TexelFormat::rgba8);
     EXPECT_EQ(format(m.transmission_texture), TexelFormat::rgba8);
     EXPECT_EQ(format(m.specular_texture), TexelFormat::rgba8);
+    EXPECT_EQ(format(m.sheen_color_texture), TexelFormat::rgba8_srgb);
+    EXPECT_EQ(format(m.sheen_roughness_texture), TexelFormat::rgba8);
     EXPECT_EQ(m.normal_scale, 0.5f);
     EXPECT_FLOAT_EQ(m.emission_weight, 0.2126f);  // white times a red texture
 }

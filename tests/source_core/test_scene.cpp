@@ -87,6 +87,8 @@ Status send_feature_scene(CoreAPI& core) {
     plain.metallic_roughness_texture.texture = 0;
     plain.normal_texture.texture = 0;
     plain.specular_texture.texture = 0;
+    plain.sheen_color = glm::vec3(0.5f);
+    plain.sheen_color_texture.texture = 0;
     CoreMaterial leaf;
     leaf.opaque = false;
     leaf.alpha_cutoff = 0.5f;

@@ -22,12 +22,13 @@ struct Case {
     float metallic, roughness, specular, transmission, ior;
     bool thin, front;
     float cosine;  // of wo
+    float sheen = 0.0f, sheen_roughness = 0.0f;
 };
 
 std::ostream& operator<<(std::ostream& out, const Case& c) { return out << c.name << ", cosine " << c.cosine; }
 
 Bsdf bsdf_of(const Case& c, vec3 base_color = vec3(1.0f)) {
-    settings.features = FEATURE_TRANSMISSION;
+    settings.features = FEATURE_TRANSMISSION | (c.sheen > 0.0f ? FEATURE_SHEEN : 0u);
     Material material{};
     material.base_color = base_color;
     material.metallic = c.metallic;
@@ -46,6 +47,9 @@ Bsdf bsdf_of(const Case& c, vec3 base_color = vec3(1.0f)) {
     core.specular = c.specular;
     material.energy_row = energies.row_of(core);
     material.ior = render_system::bending_ior(core);
+    material.sheen_color = vec3(c.sheen);
+    material.sheen_roughness = c.sheen_roughness;
+    material.sheen_row = energies.sheen_row();
     bound.lobe_energy = reinterpret_cast<const vec4*>(energies.rows().data());
     return make_bsdf(material, vec3(sine * 0.6f, sine * 0.8f, c.cosine), vec3(0.0f, 0.0f, 1.0f), c.front);
 }
@@ -196,6 +200,10 @@ INSTANTIATE_TEST_SUITE_P(Models, RoughBsdf,
                                          Case{"half transmitting wall", 0, 0.6f, 1, 0.5f, 1.5f, true, true, 0.5f},
                                          Case{"rough solid glass, entering", 0, 0.5f, 1, 1, 1.5f, false, true, 0.7f},
                                          Case{"rough solid glass, leaving", 0, 0.5f, 1, 1, 1.5f, false, false, 0.85f},
+                                         Case{"sheen on plastic", 0, 0.4f, 1, 0, 1.5f, true, true, 0.6f, 0.8f, 0.4f},
+                                         Case{"sheen on metal, grazing", 1, 0.5f, 1, 0, 1.5f, true, true, 0.15f, 1,
+                                              0.2f},
+                                         Case{"sheen on glass", 0, 0.5f, 1, 1, 1.5f, false, true, 0.5f, 1, 1},
                                          Case{"rough solid glass, leaving past the critical angle", 0, 0.4f, 1, 1, 1.5f,
                                               false, false, 0.4f}));
 

@@ -75,6 +75,10 @@ protected:
             material.metallic_roughness_texture.texture = i % 5 == 2 ? 0 : render_system::NONE;
             material.metallic_roughness_texture.uv_set = 1;
             material.emission_texture.texture = i % 14 == 0 ? 1 : render_system::NONE;
+            material.sheen_color = glm::vec3(i % 6 == 2 ? 0.6f : 0.0f);
+            material.sheen_roughness = 0.1f * static_cast<float>(i % 9);
+            material.sheen_color_texture.texture = i % 12 == 2 ? 1 : render_system::NONE;
+            material.sheen_roughness_texture.texture = i % 12 == 2 ? 0 : render_system::NONE;
             materials_.push_back(material);
         }
         pack_materials(materials_, tables_);
