@@ -108,7 +108,10 @@ Result<Camera> choose_camera(const Options& options, const Companions& companion
                                         fov);
     }
     if (!camera) camera = default_camera(options, scene, console);
-    if (options.vertical_fov) camera->vertical_fov = *options.vertical_fov;
+    if (options.vertical_fov) {
+        camera->vertical_fov = *options.vertical_fov;
+        camera->parallel_height = 0.0f;  // an orthographic one becomes one by perspective
+    }
     if (const Status lens = put_lens(options, *camera); !lens.ok()) return lens;
     const Status status = check_camera(*camera);
     if (status.ok()) return *camera;

@@ -45,11 +45,16 @@ Camera look_at(const glm::vec3& position, const glm::vec3& target, const glm::ve
 }
 
 ViewPyramid view_pyramid(const Camera& camera, uint32_t width, uint32_t height) {
+    const bool parallel = camera.parallel_height > 0.0f;
     const float half_height = static_cast<float>(std::tan(0.5 * static_cast<double>(camera.vertical_fov)));
     const float aspect = static_cast<float>(static_cast<double>(width) / static_cast<double>(height));
-    const float distance = camera.aperture > 0.0f ? camera.focus : screen_distance(camera.position);
-    const glm::vec3 across = camera.right * (half_height * aspect * distance);
-    const glm::vec3 upwards = camera.up * (half_height * distance);
+    // As far off as it is high, or rounding on it would turn parallel rays.
+    const float distance = camera.aperture > 0.0f ? camera.focus
+                           : parallel             ? std::max(camera.parallel_height, screen_distance(camera.position))
+                                                  : screen_distance(camera.position);
+    const float half_screen = parallel ? 0.5f * camera.parallel_height : half_height * distance;
+    const glm::vec3 across = camera.right * (aspect * half_screen);
+    const glm::vec3 upwards = camera.up * half_screen;
     const glm::vec3 middle = camera.position + camera.forward * distance;
     ViewPyramid view;
     view.eye = camera.position;
@@ -57,6 +62,7 @@ ViewPyramid view_pyramid(const Camera& camera, uint32_t width, uint32_t height) 
     view.top_right = middle + across + upwards;
     view.bottom_left = middle - across - upwards;
     view.aperture = camera.aperture;
+    view.parallel = parallel;
     return view;
 }
 
@@ -67,6 +73,10 @@ Screen screen_of(const ViewPyramid& view, uint32_t height) {
     screen.down = view.bottom_left - view.top_left;
     const float distance = glm::length(screen.corner + 0.5f * (screen.right + screen.down));
     screen.pixel_angle = glm::length(screen.down) / (static_cast<float>(height) * std::max(distance, 1.0e-30f));
+    if (view.parallel) {
+        screen.parallel_pixel = glm::length(screen.down) / static_cast<float>(height);
+        screen.pixel_angle = 0.0f;
+    }
     if (view.aperture > 0.0f) {
         screen.lens_right = screen.right * (view.aperture / std::max(glm::length(screen.right), 1.0e-30f));
         screen.lens_down = screen.down * (view.aperture / std::max(glm::length(screen.down), 1.0e-30f));

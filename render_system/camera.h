@@ -18,6 +18,7 @@ struct Camera {
     glm::vec3 forward{0.0f, 0.0f, -1.0f};
     float vertical_fov = 0.6981317f;  ///< full angle, radians
     float aperture = 0.0f;            ///< radius of the lens; 0: a pinhole
+    float parallel_height = 0.0f;     ///< orthographic: the height of what is seen; 0: by perspective
     float focus = 1.0f;               ///< with a lens: along `forward`, how far off pictures are sharp
 };
 
@@ -32,12 +33,13 @@ ViewPyramid view_pyramid(const Camera& camera, uint32_t width, uint32_t height);
 
 /// A screen as camera rays are made from it.
 struct Screen {
-    glm::vec3 corner{0.0f};      ///< the top left one, seen from the eye
-    glm::vec3 right{0.0f};       ///< from there to the top right
-    glm::vec3 down{0.0f};        ///< from there to the bottom left
-    float pixel_angle = 0.0f;    ///< of one pixel in the middle, radians: how fast ray cones grow
-    glm::vec3 lens_right{0.0f};  ///< the lens's radius, along `right`
-    glm::vec3 lens_down{0.0f};   ///< and along `down`
+    glm::vec3 corner{0.0f};       ///< the top left one, seen from the eye
+    glm::vec3 right{0.0f};        ///< from there to the top right
+    glm::vec3 down{0.0f};         ///< from there to the bottom left
+    float pixel_angle = 0.0f;     ///< of one pixel in the middle, radians: how fast ray cones grow
+    glm::vec3 lens_right{0.0f};   ///< the lens's radius, along `right`
+    glm::vec3 lens_down{0.0f};    ///< and along `down`
+    float parallel_pixel = 0.0f;  ///< height of a pixel where all rays are parallel, else 0
 };
 
 Screen screen_of(const ViewPyramid& view, uint32_t height);

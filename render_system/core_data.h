@@ -23,6 +23,7 @@ struct ViewPyramid {
     glm::vec3 top_right{1.0f, 1.0f, -1.0f};
     glm::vec3 bottom_left{-1.0f, -1.0f, -1.0f};
     float aperture = 0.0f;  ///< radius of a thin lens around the eye; 0: a pinhole
+    bool parallel = false;  ///< orthographic: all rays go from the screen's shadow at the eye to the screen; no lens
 };
 
 /// Converge adds samples to those already taken; Restart drops them first.

@@ -59,13 +59,15 @@ glm::vec3 emission_at(const HostScene& scene, const RayProbe::Hit& hit) {
 
 /// What the camera sees of surfaces that do not emit, evenly chosen; `emitters` counts the other rays that met one.
 std::vector<Point> seen_points(const HostScene& scene, const Camera& camera, RayProbe& probe, size_t& emitters) {
-    const double slope = std::tan(0.5 * static_cast<double>(camera.vertical_fov));
-    const glm::dvec3 eye(camera.position);
+    const double beside = 0.5 * static_cast<double>(camera.parallel_height);
+    const double slope = beside > 0.0 ? 0.0 : std::tan(0.5 * static_cast<double>(camera.vertical_fov));
     std::vector<Point> points;
     for (uint32_t i = 0; i < kGrid * kGrid; ++i) {
         const double x = (2.0 * (i % kGrid) + 1.0) / kGrid - 1.0, y = (2.0 * (i / kGrid) + 1.0) / kGrid - 1.0;
         const glm::dvec3 direction = glm::dvec3(camera.forward) + glm::dvec3(camera.right) * (kAspect * x * slope) +
                                      glm::dvec3(camera.up) * (y * slope);
+        const glm::dvec3 eye = glm::dvec3(camera.position) + glm::dvec3(camera.right) * (kAspect * x * beside) +
+                               glm::dvec3(camera.up) * (y * beside);
         const auto hit = probe.first_hit(eye, direction);
         if (!hit) continue;
         if (luminance(emission_at(scene, *hit)) > kEmits) {

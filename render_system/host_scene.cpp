@@ -37,6 +37,7 @@ Camera placed_camera(const Camera& camera, const glm::dmat4& world) {
     const glm::vec3 forward(-glm::dvec3(world[2]));
     Camera placed = look_at(glm::vec3(0.0f), forward, glm::vec3(world[1]), camera.vertical_fov);
     placed.position = glm::vec3(world[3]);
+    placed.parallel_height = camera.parallel_height;
     return placed;
 }
 

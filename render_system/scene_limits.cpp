@@ -194,6 +194,7 @@ Status check_view(const ViewPyramid& view) {
         reach = std::max(reach, largest_coordinate(corner - view.eye));
     }
     if (!(reach > 0.0)) return Status::invalid("the screen's corners coincide with the eye");
+    if (view.parallel && view.aperture > 0.0f) return Status::invalid("an orthographic camera has no lens");
     return check_lens(view.aperture, 1.0f);
 }
 
@@ -203,6 +204,10 @@ Status check_camera(const Camera& camera) {
         if (!(largest_coordinate(direction) <= 2.0))
             return Status::invalid("the camera's directions are not of unit length");
     }
+    if (!(camera.parallel_height >= 0.0f && camera.parallel_height <= FARTHEST_VERTEX))
+        return Status::invalid("the orthographic camera's height is past 1e9");
+    if (camera.parallel_height > 0.0f && camera.aperture > 0.0f)
+        return Status::invalid("an orthographic camera has no lens; leave --aperture out, or give --fov");
     return check_lens(camera.aperture, camera.focus);
 }
 
@@ -216,6 +221,7 @@ Status check_light_position(const glm::vec3& position) {
 Status check_scene_limits(const HostScene& scene, const ViewPyramid& view) {
     if (Status status = check_view(view); !status.ok()) return status;
     double reach = largest_coordinate(view.eye) + static_cast<double>(view.aperture);
+    if (view.parallel) reach += 2.0 * largest_coordinate(view.top_left - view.eye);
     std::vector<std::pair<size_t, Placement>> placements;
     for (size_t i = 0; i < scene.instances().size(); ++i) {
         const HostInstance& instance = scene.instances()[i];

@@ -285,7 +285,7 @@ Settings SourceCore::frame_settings(const ViewPyramid& view) const {
     frame.screen_right = glm::vec4(screen.right, 0.0f);
     frame.screen_down = glm::vec4(screen.down, 0.0f);
     frame.lens_right = glm::vec4(screen.lens_right, view.aperture);
-    frame.lens_down = glm::vec4(screen.lens_down, 0.0f);
+    frame.lens_down = glm::vec4(screen.lens_down, screen.parallel_pixel);
     frame.width = target().width;
     frame.height = target().height;
     frame.seed = settings().seed;

@@ -175,7 +175,7 @@ Settings TargetCore::frame_settings(const ViewPyramid& view) const {
     frame.screen_right = to_row(screen.right);
     frame.screen_down = to_row(screen.down);
     frame.lens_right = to_row(screen.lens_right, view.aperture);
-    frame.lens_down = to_row(screen.lens_down);
+    frame.lens_down = to_row(screen.lens_down, screen.parallel_pixel);
     frame.sky_radiance = to_row(sky_radiance_);
     frame.scene_extent = vec4(0.0f);
     frame.width = target().width;

@@ -36,7 +36,7 @@ class Omissions {
 public:
     void add(const std::string& what, const std::string& place = "");
     bool empty() const { return places_.empty(); }
-    /// "orthographic cameras (/nodes/3), skins (2)"
+    /// "points (/meshes/3/primitives/0), skins (2)"
     std::string text() const;
 
 private:

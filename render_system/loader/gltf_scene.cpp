@@ -230,17 +230,20 @@ private:
 
     uint32_t add_camera(int node, int index) {
         const tinygltf::Camera& source = document_.model.cameras[static_cast<size_t>(index)];
-        if (source.type == "orthographic") {
-            document_.omissions.add("orthographic cameras", node_place(node));
-            return NONE;
-        }
         const std::string place = "/cameras/" + std::to_string(index);
-        if (!(source.perspective.yfov > 0.0 && source.perspective.yfov < 2.0 * HALF_PI)) {
-            fail_at(place + "/perspective/yfov", "must be between 0 and pi" + EXPORT_AGAIN);
-        }
         HostCamera camera;
         const std::string& node_name = document_.model.nodes[static_cast<size_t>(node)].name;
         camera.name = node_name.empty() ? source.name : node_name;
+        if (source.type == "orthographic") {
+            camera.camera.parallel_height = 2.0f * std::abs(static_cast<float>(source.orthographic.ymag));
+            fail_unless(check_camera(camera.camera), place);
+            if (!(camera.camera.parallel_height > 0.0f))
+                fail_at(place + "/orthographic/ymag", "must not be 0" + EXPORT_AGAIN);
+            return scene().add_camera(std::move(camera));
+        }
+        if (!(source.perspective.yfov > 0.0 && source.perspective.yfov < 2.0 * HALF_PI)) {
+            fail_at(place + "/perspective/yfov", "must be between 0 and pi" + EXPORT_AGAIN);
+        }
         camera.camera.vertical_fov = static_cast<float>(source.perspective.yfov);
         return scene().add_camera(std::move(camera));
     }

@@ -139,7 +139,7 @@ struct Settings {
     vec4 sky_radiance;  // rgb of a constant sky
     vec4 scene_extent;  // largest coordinate in magnitude: x, y, z; w unused
     vec4 lens_right;    // along screen_right, as long as the lens's radius; w: the radius, 0 for a pinhole
-    vec4 lens_down;     // along screen_down, as long
+    vec4 lens_down;     // along screen_down, as long; w: the height of one pixel where rays are parallel, else 0
     uint width;
     uint height;
     uint seed;

@@ -9,7 +9,8 @@
 namespace target_core::kernels {
 
 // Starts one path: a ray from the eye through a random point of its pixel (box filter). With a thin lens it starts from
-// a random point of that, for the same point of the screen, which stands where pictures are sharp.
+// a random point of that, for the same point of the screen, which stands where pictures are sharp. Orthographic rays
+// start beside the eye and all go the same way.
 inline void generate_path(Uint job) {
     Uint pixel = job + pass.first_pixel;
     Uint row = pixel / settings.width;
@@ -26,10 +27,14 @@ inline void generate_path(Uint job) {
         on_lens = vec3(settings.lens_right) * around.x + vec3(settings.lens_down) * around.y;
         through = through - on_lens;
     }
+    if (settings.lens_down.w > 0.0f) {
+        on_lens = vec3(settings.screen_right) * (x - 0.5f) + vec3(settings.screen_down) * (y - 0.5f);
+        through = through - on_lens;
+    }
     PathRay path_ray;
     path_ray.ray.origin = vec3(settings.eye) + on_lens;
     path_ray.ray.direction = normalized(through);
-    path_ray.cone_width = 0.0f;
+    path_ray.cone_width = Float(settings.lens_down.w);
     path_ray.cone_spread = settings.eye.w;
     Throughput throughput;
     throughput.weight = vec3(1.0f);

@@ -200,6 +200,22 @@ TEST_P(Lighting, AThinLensHasItsCircleOfConfusion) {
     }
 }
 
+// However far off: a square of side 1 in a picture 4 high covers a sixteenth of it.
+TEST_P(Lighting, AnOrthographicCameraSeesSizesWhateverTheirDistance) {
+    for (float z : {0.5f, 50.0f}) {
+        HostScene scene;
+        place(scene, quad_mesh({0.25f, -0.5f, -z}, {1, 0, 0}, {0, 1, 0}, scene.add_material(emitter(1))));
+        Camera camera;
+        camera.parallel_height = 4.0f;
+        Exposure exposure;
+        exposure.size = 32;
+        exposure.max_path_length = 1;
+        const Reading reading = measure(GetParam(), scene, view_pyramid(camera, 32, 32), exposure);
+        EXPECT_NEAR(reading.mean, 1.0 / 16.0, 4.0 * reading.error + 1e-6) << z;
+        if (GetParam() == std::string("source")) break;  // whose every opening takes half a second
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(Cores, Lighting, testing::Values("target", "source"),
                          [](const auto& core) { return std::string(core.param); });
 

@@ -56,6 +56,19 @@ TEST(Camera, WithALensTheScreenStandsAtTheFocus) {
     EXPECT_NEAR(screen_of(view_pyramid(camera, 200, 100), 100).pixel_angle, screen.pixel_angle, 1e-9f);
 }
 
+TEST(Camera, OrthographicRaysStartAPixelApartAndGoOneWay) {
+    Camera camera = look_at({0, 0, 1000}, {0, 0, 0}, {0, 1, 0}, 1.0f);
+    camera.parallel_height = 4.0f;
+    const ViewPyramid view = view_pyramid(camera, 200, 100);
+    EXPECT_TRUE(view.parallel);
+    const Screen screen = screen_of(view, 100);
+    expect_near(screen.right, {8, 0, 0});
+    expect_near(screen.down, {0, -4, 0});
+    EXPECT_NEAR(screen.parallel_pixel, 0.04f, 1e-7f);
+    EXPECT_EQ(screen.pixel_angle, 0.0f);
+    expect_near(glm::normalize(screen.corner + 0.5f * (screen.right + screen.down)), {0, 0, -1});
+}
+
 TEST(Camera, LooksAtItsTarget) {
     const Camera camera = look_at({5, 0, 0}, {0, 0, 0}, {0, 3, 0}, 1.0f);
     expect_near(camera.forward, {-1, 0, 0});

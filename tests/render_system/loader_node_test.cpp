@@ -130,6 +130,19 @@ TEST(LoaderNode, ReadsPerspectiveCamerasInNodeOrder) {
     expect_near(scene.cameras()[1].camera.up, {0, 1, 0});
 }
 
+TEST(LoaderNode, ReadsOrthographicCameras) {
+    GltfFile file =
+        with_nodes({{{"mesh", 0}}, {{"camera", 0}, {"translation", {1, 2, 3}}, {"scale", {5, 5, 5}}}}, {0, 1});
+    file.root["cameras"] = {
+        {{"type", "orthographic"}, {"orthographic", {{"xmag", 9}, {"ymag", 1.5}, {"zfar", 9}, {"znear", 0}}}}};
+    const HostScene scene = loaded(file);
+    ASSERT_EQ(scene.cameras().size(), 1u);
+    EXPECT_EQ(scene.cameras()[0].camera.parallel_height, 3.0f);
+    EXPECT_EQ(scene.cameras()[0].camera.position, glm::vec3(1, 2, 3));
+    file.root["cameras"][0]["orthographic"]["ymag"] = 0;
+    EXPECT_THAT(refusal(file), HasSubstr("/cameras/0/orthographic/ymag: must not be 0"));
+}
+
 TEST(LoaderNode, NamesEverythingUnsupportedInOneWarning) {
     GltfFile file = with_nodes({{{"mesh", 0}, {"skin", 0}}, {{"camera", 0}}, {{"camera", 1}}}, {0, 1, 2});
     file.root["cameras"] = {
@@ -142,11 +155,10 @@ TEST(LoaderNode, NamesEverythingUnsupportedInOneWarning) {
     primitive["targets"] = {{{"POSITION", 0}}};
     std::vector<std::string> warnings;
     const HostScene scene = loaded(file, &warnings);
-    EXPECT_EQ(scene.cameras().size(), 1u);
+    EXPECT_EQ(scene.cameras().size(), 2u);
     ASSERT_EQ(warnings.size(), 1u);
     EXPECT_THAT(warnings[0], AllOf(HasSubstr("animations (1)"), HasSubstr("extension KHR_materials_clearcoat"),
-                                   HasSubstr("morph targets (/meshes/0)"), HasSubstr("skins (1)"),
-                                   HasSubstr("orthographic cameras (/nodes/1)")));
+                                   HasSubstr("morph targets (/meshes/0)"), HasSubstr("skins (1)")));
     EXPECT_THAT(warnings[0], ::testing::Not(HasSubstr("KHR_texture_transform")));
 }
 

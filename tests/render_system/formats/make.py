@@ -183,6 +183,9 @@ def nodes():
     model.root["nodes"].append({"camera": 0, "translation": [0, 0, 3]})
     model.root["scenes"][0]["nodes"].append(1)
     model.write("perspective")
+    lens = {"xmag": 1, "ymag": 0.5, "znear": 0.1, "zfar": 9}
+    model.root["cameras"] = [{"type": "orthographic", "orthographic": lens}]
+    model.write("orthographic")
 
     model = Model()
     model.root["extensions"] = {"KHR_lights_punctual": {"lights": [
