@@ -9,6 +9,8 @@
 #include <cmath>
 #include <optional>
 
+#include "render_system/scene_limits.h"
+
 namespace application {
 namespace {
 
@@ -169,14 +171,14 @@ Result<SkyChoice> parse_sky(std::string_view text) {
     bool sound = parts.size() == radiance.size();
     for (size_t i = 0; sound && i < radiance.size(); ++i) {
         const auto value = number_from<float>(parts[i]);
-        sound = value && std::isfinite(*value) && *value >= 0.0f;
+        sound = value && *value >= 0.0f && *value <= render_system::BRIGHTEST_LIGHT;
         if (sound) radiance[i] = *value;
     }
     if (!sound) {
         return Status::invalid(
-            fmt::format("'{}' is no sky; give a linear radiance R,G,B of three numbers not below 0, e.g. "
+            fmt::format("'{}' is no sky; give a linear radiance R,G,B of three numbers from 0 to {:g}, e.g. "
                         "1,1,1, or the file of an HDR map",
-                        text));
+                        text, render_system::BRIGHTEST_LIGHT));
     }
     choice.radiance = radiance;
     return choice;

@@ -293,6 +293,10 @@ FramingView framing_view(const HostScene& scene, float aspect, float vertical_fo
         distance = std::max(distance, glm::dot(corner, towards) + std::max(wide, high));
     }
     if (!(distance > 0.0)) distance = 1.0;
+    // Far from the origin eye and target must not round to one point, nor to two that lie askew.
+    constexpr double kLeastShare = 0x1p-18;
+    const double reach = std::max({std::abs(center.x), std::abs(center.y), std::abs(center.z)});
+    distance = std::max(distance, kLeastShare * reach);
     return {glm::vec3(center + towards * distance), glm::vec3(center)};
 }
 

@@ -91,8 +91,8 @@ Rows rows_of(const Image& image, TexelFormat format) {
     return {image.width, image.height, [&image, format](size_t y, glm::vec4* row) {
                 const size_t first = y * image.width;
                 for (size_t x = 0; x < image.width; ++x) {
-                    row[x] = image.floats.empty() ? unpack_texel(image.bytes[first + x], format)
-                                                  : linear_texel(image.floats[first + x], format);
+                    row[x] = image.bytes.empty() ? linear_texel(image.texel(first + x), format)
+                                                 : unpack_texel(image.bytes[first + x], format);
                 }
             }};
 }
@@ -110,6 +110,11 @@ uint32_t full_chain_levels(uint32_t width, uint32_t height) {
 
 }  // namespace
 
+glm::vec4 Image::texel(size_t i) const {
+    if (!bytes.empty()) return unpack_texel(bytes[i], TexelFormat::rgba8);
+    return shorts.empty() ? floats[i] : glm::vec4(shorts[i]) / 65535.0f;
+}
+
 HostTexture build_texture(Image image, TextureRole role, bool with_mips) {
     HostTexture texture;
     texture.width = image.width;
@@ -122,10 +127,11 @@ HostTexture build_texture(Image image, TextureRole role, bool with_mips) {
     if (texture.levels > 1) level = halve(rows_of(image, texture.format));
     texture.texels = std::move(image.bytes);
     if (texture.texels.empty()) {
-        texture.texels.reserve(image.floats.size());
-        for (const glm::vec4& texel : image.floats) {
-            texture.texels.push_back(pack_texel(linear_texel(texel, texture.format), texture.format));
+        texture.texels.reserve(image.texels());
+        for (size_t i = 0; i < image.texels(); ++i) {
+            texture.texels.push_back(pack_texel(linear_texel(image.texel(i), texture.format), texture.format));
         }
+        image.shorts = {};
         image.floats = {};
     }
     size_t chain = 0;

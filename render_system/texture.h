@@ -10,13 +10,18 @@
 
 namespace render_system {
 
-/// A picture as it came from a file: rows top to bottom, RGBA, one of the two arrays filled.
+/// A picture as it came from a file: rows top to bottom, RGBA, one of the three arrays filled.
 struct Image {
     uint32_t width = 0;
     uint32_t height = 0;
-    std::vector<uint32_t> bytes;    ///< rgba8 as stored in the file, red in the lowest byte
-    std::vector<glm::vec4> floats;  ///< 16-bit files: 0 to 1, as stored; float files: linear radiance
-    bool is_hdr = false;            ///< `floats` is linear light without an upper limit
+    std::vector<uint32_t> bytes;       ///< rgba8 as stored in the file, red in the lowest byte
+    std::vector<glm::u16vec4> shorts;  ///< 16-bit files: as stored, 65535 is 1
+    std::vector<glm::vec4> floats;     ///< float files: linear radiance
+    bool is_hdr = false;               ///< `floats` is linear light without an upper limit
+
+    size_t texels() const { return size_t{width} * height; }
+    /// Texel i of whichever array is filled, as stored: 0 to 1 but for float files.
+    glm::vec4 texel(size_t i) const;
 };
 
 /// What a texture's numbers mean, which decides how they are stored and filtered.

@@ -55,7 +55,7 @@ ExitCode run_bench(const Options& options, Console& console) {
     if (!options.output.empty()) {
         if (Status status = check_writable(options.output); !status.ok()) return fail(console, status);
     }
-    if (Status status = check_files(options); !status.ok()) return fail(console, status);
+    if (Status status = check_files(options, options.output); !status.ok()) return fail(console, status);
     auto setup = set_up_scene(options, console);
     if (!setup.ok()) return fail(console, setup.status);
     CoreSession session(options, std::move(*setup), console);

@@ -19,7 +19,24 @@ ExitCode fail(Console& console, const Status& status) {
     return FAILED;
 }
 
-Status check_files(const Options& options) {
+namespace {
+
+// The same file under two options: the second to be written would take the first one's place.
+Status check_distinct(const char* option, const std::string& a, const std::string& b) {
+    std::error_code error;
+    const auto file_of = [&](const std::string& name) {
+        return std::filesystem::weakly_canonical(std::filesystem::absolute(name), error);
+    };
+    if (a.empty() || b.empty() || file_of(a) != file_of(b)) return Status::success();
+    return Status::invalid(
+        fmt::format("{} {}: another option writes that file; give each a name of its own", option, a));
+}
+
+}  // namespace
+
+Status check_files(const Options& options, const std::string& output) {
+    if (Status status = check_distinct("--stats", options.stats, output); !status.ok()) return status;
+    if (Status status = check_distinct("--evidence", options.evidence, options.stats); !status.ok()) return status;
     if (!options.stats.empty()) {
         if (Status status = check_writable(options.stats); !status.ok()) return status;
     }

@@ -17,8 +17,9 @@ namespace application {
 /// Says why not and answers the exit code for it.
 ExitCode fail(Console& console, const render_system::Status& status);
 
-/// What can be known to be wrong before anything is loaded: the place of the statistics, the folder of kernels.
-render_system::Status check_files(const Options& options);
+/// What can be known to be wrong before anything is loaded: the place of the statistics, which must not be `output`,
+/// and the folder of kernels.
+render_system::Status check_files(const Options& options, const std::string& output);
 
 /// Starts the core that the options ask for; with `auto` one line on stderr says which and why.
 render_system::Result<render_system::CoreChoice> start_chosen_core(CoreSession& session, const Options& options,

@@ -180,7 +180,7 @@ Status check_compare(const Options& options, Console& console) {
     if (!options.output.empty()) {
         if (Status status = prepare_folder(options.output); !status.ok()) return status;
     }
-    return check_files(options);
+    return check_files(options, options.output);
 }
 
 bool passes(const std::vector<Comparison>& comparisons, const std::optional<double>& limit) {

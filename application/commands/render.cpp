@@ -29,7 +29,7 @@ ExitCode run_render(const Options& options, Console& console) {
     const auto kind = image_kind(file);
     if (!kind.ok()) return fail(console, kind.status);
     if (Status status = check_writable(file); !status.ok()) return fail(console, status);
-    if (Status status = check_files(options); !status.ok()) return fail(console, status);
+    if (Status status = check_files(options, file); !status.ok()) return fail(console, status);
 
     if (*kind == ImageKind::exr && changes_colors(options))
         console.note("--exposure and --tone-map act on PNG alone: an EXR holds radiance as it is");

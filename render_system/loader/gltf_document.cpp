@@ -99,6 +99,24 @@ void check_depth(std::string_view text) {
     }
 }
 
+// Where a number stands, of which the parser says no more than how it is written; `number` ends with a quote.
+std::string line_of(std::string_view text, std::string number) {
+    number = number.substr(0, number.find('\''));
+    bool quoted = false;
+    size_t line = 1, line_start = 0;
+    for (size_t i = 0; i < text.size(); ++i) {
+        if (text[i] == '\n') {
+            ++line;
+            line_start = i + 1;
+        }
+        if (text[i] == '"') quoted = !quoted;
+        if (quoted && text[i] == '\\') ++i;
+        if (quoted || text.substr(i, number.size()) != number) continue;
+        return "line " + std::to_string(line) + ", column " + std::to_string(i - line_start + 1);
+    }
+    return {};
+}
+
 json parse_json(std::string_view text) {
     check_depth(text);
     try {
@@ -106,7 +124,7 @@ json parse_json(std::string_view text) {
     } catch (const json::out_of_range& error) {
         // "number overflow parsing '1e999'"
         const std::string what = error.what();
-        fail_at("",
+        fail_at(line_of(text, what.substr(std::min(what.size(), what.find('\'') + 1))),
                 "holds a number past the range of its type (" + what.substr(what.find("number")) + ")" + EXPORT_AGAIN);
     } catch (const json::exception& error) {
         // What the parser says after its own error number: "parse error at line 1, column 2: ..."

@@ -34,6 +34,10 @@ void make_roughness(Image& image, float glossiness) {
         const float alpha = static_cast<float>(texel >> 24) / 255.0f;
         texel = 0xFF000000u | static_cast<uint32_t>(std::lround(255.0f * (1.0f - alpha * glossiness))) << 8;
     }
+    for (glm::u16vec4& texel : image.shorts) {
+        const float rough = 65535.0f - static_cast<float>(texel.w) * glossiness;
+        texel = glm::u16vec4(0, std::lround(rough), 0, 65535);
+    }
     for (glm::vec4& texel : image.floats) texel = {0.0f, 1.0f - texel.w * glossiness, 0.0f, 1.0f};
 }
 
@@ -42,9 +46,13 @@ constexpr std::array<const char*, 4> kChannels{"red", "green", "blue", "alpha"};
 
 constexpr uint32_t kWhite = 0xFFFFFFFFu;
 
-// A float image as bytes, so that other images' bytes can be put into it.
+// An image as bytes, so that other images' bytes can be put into it.
 void make_bytes(Image& image) {
-    for (const glm::vec4& texel : image.floats) image.bytes.push_back(pack_texel(texel, TexelFormat::rgba8));
+    if (!image.bytes.empty()) return;
+    std::vector<uint32_t> bytes;
+    for (size_t i = 0; i < image.texels(); ++i) bytes.push_back(pack_texel(image.texel(i), TexelFormat::rgba8));
+    image.bytes = std::move(bytes);
+    image.shorts = {};
     image.floats = {};
     image.is_hdr = false;
 }
@@ -130,7 +138,7 @@ Image GltfTextures::read(int image) const {
 Image GltfTextures::read_packed(const Key& key) {
     Image image;
     if (key.image >= 0) image = read(key.image);
-    if (!image.floats.empty()) make_bytes(image);
+    make_bytes(image);
     for (size_t channel = 0; channel < key.packed.size(); ++channel) {
         if (key.packed[channel] >= 0) pack(image, channel, key.packed[channel]);
     }
@@ -147,7 +155,7 @@ void GltfTextures::pack(Image& image, size_t channel, int source) {
         if (error.hostile) throw;
         return warn(-1, source, error.message + "; it is left out");
     }
-    if (!other.floats.empty()) make_bytes(other);
+    make_bytes(other);
     if (image.bytes.empty()) {
         image.width = other.width;
         image.height = other.height;

@@ -120,6 +120,12 @@ void fill_bytes(Image& image, const std::vector<uint8_t>& pixels, size_t count, 
     }
 }
 
+void fill_shorts(Image& image, const std::vector<uint16_t>& pixels, size_t count, int channels) {
+    for (size_t i = 0; i < count; ++i) {
+        image.shorts.push_back(rgba_of<uint16_t>(&pixels[i * static_cast<size_t>(channels)], channels, 65535));
+    }
+}
+
 void fill_floats(Image& image, const std::vector<float>& pixels, size_t count, int channels) {
     for (size_t i = 0; i < count; ++i) {
         image.floats.push_back(rgba_of<float>(&pixels[i * static_cast<size_t>(channels)], channels, 1.0f));
@@ -155,8 +161,12 @@ Image read_image(std::span<const std::byte> bytes, const std::string& name) {
         read_strips<uint8_t>(*input, spec, spec.nchannels, OIIO::TypeUnknown, [&](const auto& pixels, size_t count) {
             fill_bytes(image, pixels, count, spec.nchannels);
         });
+    } else if (spec.format == OIIO::TypeDesc::UINT16) {
+        image.shorts.reserve(texels);
+        read_strips<uint16_t>(*input, spec, spec.nchannels, OIIO::TypeUnknown, [&](const auto& pixels, size_t count) {
+            fill_shorts(image, pixels, count, spec.nchannels);
+        });
     } else {
-        // 16-bit integers become 0 to 1, which is what the texture builder expects of them.
         image.is_hdr = spec.format.is_floating_point();
         const bool as_stored = spec.format == OIIO::TypeDesc::FLOAT && spec.nchannels <= 4;
         const OIIO::TypeDesc type = as_stored ? OIIO::TypeUnknown : OIIO::TypeDesc(OIIO::TypeDesc::FLOAT);

@@ -65,6 +65,8 @@ TEST_F(Pathtracer, RefusesNonsenseInOneOrTwoLines) {
     expect_refused({"render", scene, "-o", "missing/a.png"}, {"missing/a.png", "no folder"});
     expect_refused({"render", scene, "-o", "."}, {"."});
     expect_refused({"render", scene, "--stats", "missing/a.json"}, {"missing/a.json"});
+    expect_refused({"render", scene, "-o", "a.png", "--stats", "./a.png"}, {"--stats ./a.png", "a name of its own"});
+    expect_refused({"render", scene, "--sky", "3e38,1,1"}, {"3e38,1,1", "1e+12"});
     expect_refused({"render", scene, "--kernels", "missing"}, {"--kernels", "missing"});
     expect_refused({"render", "missing.gltf"}, {"missing.gltf"});
     expect_refused({"render", scene, "--camera", "1"}, {"--camera", scene});

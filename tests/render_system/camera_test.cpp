@@ -111,6 +111,9 @@ TEST(Camera, TheDefaultViewOfASinglePointIsStillAView) {
     EXPECT_GT(camera.position.z, 1.0f);
     expect_near(camera.forward, -glm::normalize(glm::vec3(1, 0.75f, 1.5f)));
     expect_near(framing_camera(HostScene()).forward, camera.forward);
+    // As far off floats are 8 apart: the way is still the same one.
+    const Camera far = framing_camera(box_scene(glm::vec3(1e8f), glm::vec3(1e8f)));
+    EXPECT_GT(glm::dot(far.forward, camera.forward), 0.999f);
 }
 
 // Of an axis's plane: how far off it the default view of that box looks, in degrees.

@@ -55,10 +55,10 @@ TEST(ImageReader, ReadsSixteenBitPngs) {
     const Image image = round_trip(".png", OIIO::TypeDesc::UINT16, 3, {0.25f, 0.5f, 1.0f, 0, 0, 0});
     EXPECT_TRUE(image.bytes.empty());
     EXPECT_FALSE(image.is_hdr);
-    EXPECT_NEAR(image.floats[0].x, 0.25f, 1e-5f);
-    EXPECT_NEAR(image.floats[0].y, 0.5f, 1e-5f);
-    EXPECT_EQ(image.floats[0].z, 1.0f);
-    EXPECT_EQ(image.floats[0].w, 1.0f);
+    EXPECT_NEAR(image.texel(0).x, 0.25f, 1e-5f);
+    EXPECT_NEAR(image.texel(0).y, 0.5f, 1e-5f);
+    EXPECT_EQ(image.texel(0).z, 1.0f);
+    EXPECT_EQ(image.texel(0).w, 1.0f);
 }
 
 TEST(ImageReader, ReadsTgaByItsName) {

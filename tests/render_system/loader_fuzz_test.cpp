@@ -314,7 +314,7 @@ TEST(ImageFuzz, DamagedImages) {
                 const Image image =
                     read_image({reinterpret_cast<const std::byte*>(content.data()), content.size()}, name);
                 const size_t count = static_cast<size_t>(image.width) * image.height;
-                ASSERT_EQ(image.bytes.size() + image.floats.size(), count);
+                ASSERT_EQ(image.bytes.size() + image.shorts.size() + image.floats.size(), count);
                 ++read;
             } catch (const LoadError& error) {
                 ASSERT_FALSE(error.message.empty());
