@@ -76,8 +76,11 @@ struct CoreMaterial {
     glm::vec3 emission{0.0f};        ///< emissiveFactor times KHR_materials_emissive_strength
     float emission_weight = 0.0f;    ///< luminance of the mean emission that alpha leaves; see CoreLights::total_weight
     float normal_scale = 1.0f;
-    glm::vec3 sheen_color{0.0f};                 ///< KHR_materials_sheen
-    float sheen_roughness = 0.0f;                ///< KHR_materials_sheen
+    glm::vec3 sheen_color{0.0f};   ///< KHR_materials_sheen
+    float sheen_roughness = 0.0f;  ///< KHR_materials_sheen
+    float coat = 0.0f;             ///< KHR_materials_clearcoat
+    float coat_roughness = 0.0f;   ///< KHR_materials_clearcoat
+    float coat_normal_scale = 1.0f;
     CoreTextureSlot base_color_texture;          ///< RGB, alpha in A
     CoreTextureSlot metallic_roughness_texture;  ///< roughness in G, metallic in B
     CoreTextureSlot normal_texture;              ///< tangent space
@@ -87,6 +90,9 @@ struct CoreMaterial {
     CoreTextureSlot specular_color_texture;      ///< RGB
     CoreTextureSlot sheen_color_texture;         ///< RGB
     CoreTextureSlot sheen_roughness_texture;     ///< A
+    CoreTextureSlot coat_texture;                ///< R
+    CoreTextureSlot coat_roughness_texture;      ///< G
+    CoreTextureSlot coat_normal_texture;         ///< tangent space; without one the coat follows the geometry's normal
 };
 
 /// Every texture slot of a material, each once: what goes for all of them goes through this list. Its order is that of
@@ -96,7 +102,8 @@ constexpr CoreTextureSlot CoreMaterial::*kTextureSlots[] = {
     &CoreMaterial::normal_texture,          &CoreMaterial::emission_texture,
     &CoreMaterial::transmission_texture,    &CoreMaterial::specular_texture,
     &CoreMaterial::specular_color_texture,  &CoreMaterial::sheen_color_texture,
-    &CoreMaterial::sheen_roughness_texture,
+    &CoreMaterial::sheen_roughness_texture, &CoreMaterial::coat_texture,
+    &CoreMaterial::coat_roughness_texture,  &CoreMaterial::coat_normal_texture,
 };
 
 /// One triangle mesh. `triangles` holds three vertex indices and the material of each triangle in w.

@@ -108,12 +108,26 @@ Status check_material(const CoreMaterial& material) {
     if (!is_light(material.emission) || !std::isfinite(material.emission_weight)) {
         return Status::invalid("its emission is not a number from 0 to " + shown(static_cast<double>(BRIGHTEST_LIGHT)));
     }
-    const float factors[] = {material.base_color.x,     material.base_color.y,    material.base_color.z,
-                             material.specular_color.x, material.sheen_color.x,   material.sheen_color.y,
-                             material.sheen_color.z,    material.sheen_roughness, material.specular_color.y,
-                             material.specular_color.z, material.alpha,           material.alpha_cutoff,
-                             material.metallic,         material.roughness,       material.ior,
-                             material.specular,         material.transmission};
+    const float factors[] = {material.base_color.x,
+                             material.base_color.y,
+                             material.base_color.z,
+                             material.specular_color.x,
+                             material.sheen_color.x,
+                             material.sheen_color.y,
+                             material.sheen_color.z,
+                             material.sheen_roughness,
+                             material.coat,
+                             material.coat_roughness,
+                             material.coat_normal_scale,
+                             material.specular_color.y,
+                             material.specular_color.z,
+                             material.alpha,
+                             material.alpha_cutoff,
+                             material.metallic,
+                             material.roughness,
+                             material.ior,
+                             material.specular,
+                             material.transmission};
     for (const float factor : factors) {
         if (!(factor >= 0.0f && std::isfinite(factor)))
             return Status::invalid("one of its factors is negative or not finite");

@@ -42,6 +42,9 @@ constexpr uint kSlotFeatures[] = {
     FEATURE_TEXTURES | FEATURE_SPECULAR_TEXTURES,  // specular_color
     FEATURE_TEXTURES | FEATURE_LOBE_TEXTURES,      // sheen_color
     FEATURE_TEXTURES | FEATURE_LOBE_TEXTURES,      // sheen_roughness
+    0u,                                            // coat: the source core alone
+    0u,                                            // coat_roughness: the source core alone
+    0u,                                            // coat_normal: the source core alone
 };
 static_assert(ENERGY_CELLS == kEnergyCells);
 static_assert(std::size(kSlotFeatures) == std::size(kTextureSlots));

@@ -36,6 +36,7 @@ constexpr ExtensionRow kExtensionRows[] = {
     {"EXT_texture_webp", Treatment::supported},
     {"KHR_draco_mesh_compression", Treatment::supported},
     {"KHR_lights_punctual", Treatment::supported},
+    {"KHR_materials_clearcoat", Treatment::supported},
     {"KHR_materials_emissive_strength", Treatment::supported},
     {"KHR_materials_ior", Treatment::supported},
     {"KHR_materials_pbrSpecularGlossiness", Treatment::supported},

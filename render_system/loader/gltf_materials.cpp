@@ -84,6 +84,7 @@ public:
             read_transmission(source);
             read_specular(source);
             read_sheen(source);
+            read_coat(source);
         }
         document_.uv_sets[index] = resolve_uv_sets();
         // Index 0 stands for one past all bounds: all light is reflected, and nothing behind is ever seen.
@@ -208,6 +209,19 @@ private:
         material_.sheen_roughness = unit(static_cast<double>(number(*extension, "sheenRoughnessFactor", 0.0f)));
         material_.sheen_color_texture = slot(info_in(*extension, "sheenColorTexture"), TextureRole::color);
         material_.sheen_roughness_texture = slot(info_in(*extension, "sheenRoughnessTexture"), TextureRole::data);
+    }
+
+    void read_coat(const tinygltf::Material& source) {
+        const Value* extension = find(source.extensions, "KHR_materials_clearcoat");
+        if (!extension) return;
+        material_.coat = unit(static_cast<double>(number(*extension, "clearcoatFactor", 0.0f)));
+        if (material_.coat == 0.0f) return;
+        material_.coat_roughness = unit(static_cast<double>(number(*extension, "clearcoatRoughnessFactor", 0.0f)));
+        material_.coat_texture = slot(info_in(*extension, "clearcoatTexture"), TextureRole::data);
+        material_.coat_roughness_texture = slot(info_in(*extension, "clearcoatRoughnessTexture"), TextureRole::data);
+        material_.coat_normal_texture = slot(info_in(*extension, "clearcoatNormalTexture"), TextureRole::data);
+        if (extension->Has("clearcoatNormalTexture"))
+            material_.coat_normal_scale = number(extension->Get("clearcoatNormalTexture"), "scale", 1.0f);
     }
 
     // With a `glossiness` the texture's roughness is 1 minus that times its alpha. The slot's set of coordinates is the

@@ -280,7 +280,9 @@ private:
 
     // Only a normal map needs tangents. Those of the file are taken as they are, made to be of unit length.
     void make_tangents(const tinygltf::Primitive& primitive, bool given) {
-        const CoreTextureSlot& slot = scene_.materials()[material_of(document_, primitive)].core.normal_texture;
+        const CoreMaterial& material = scene_.materials()[material_of(document_, primitive)].core;
+        const bool bent = material.normal_texture.texture != NONE;
+        const CoreTextureSlot& slot = bent ? material.normal_texture : material.coat_normal_texture;
         if (given) {
             for (size_t i = first_vertex_; i < mesh_.tangents.size(); ++i) {
                 glm::vec4& tangent = mesh_.tangents[i];
