@@ -434,12 +434,17 @@ def parity_meshes(scene):
     cloth = scene.material("cloth", (0.4, 0.1, 0.12), roughness=0.7, extensions={"KHR_materials_sheen": {
         "sheenColorFactor": [0.9, 0.7, 0.5], "sheenRoughnessFactor": 0.6, "sheenColorTexture": {"index": checker},
         "sheenRoughnessTexture": {"index": leaf}}})
+    lacquer = scene.material("lacquer", (0.1, 0.3, 0.7), metallic=0.5, roughness=0.6, normalTexture={"index": bumps},
+                             extensions={"KHR_materials_clearcoat": {
+        "clearcoatFactor": 0.9, "clearcoatRoughnessFactor": 0.3, "clearcoatTexture": {"index": checker},
+        "clearcoatRoughnessTexture": {"index": metal}, "clearcoatNormalTexture": {"index": bumps, "scale": 0.4}}})
     lamp = scene.material("lamp", (0, 0, 0), emissiveFactor=[1.0, 0.7, 0.4],
                           extensions={"KHR_materials_emissive_strength": {"emissiveStrength": 6.0}})
     return [scene.mesh(name, shape, material) for name, shape, material in (
         ("masked card", card, mask), ("blended card", card, blend), ("tiled cube", cube, tiles),
         ("patchy ball", ball, patchy), ("tiled ball", ball, tiles), ("glass ball", ball, glass),
-        ("masked cube", cube, mask), ("cloth ball", ball, cloth))], scene.mesh("lamp", card, lamp)
+        ("masked cube", cube, mask), ("cloth ball", ball, cloth),
+        ("lacquered ball", ball, lacquer))], scene.mesh("lamp", card, lamp)
 
 
 def parity(folder):

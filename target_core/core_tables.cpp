@@ -42,9 +42,9 @@ constexpr uint kSlotFeatures[] = {
     FEATURE_TEXTURES | FEATURE_SPECULAR_TEXTURES,  // specular_color
     FEATURE_TEXTURES | FEATURE_LOBE_TEXTURES,      // sheen_color
     FEATURE_TEXTURES | FEATURE_LOBE_TEXTURES,      // sheen_roughness
-    0u,                                            // coat: the source core alone
-    0u,                                            // coat_roughness: the source core alone
-    0u,                                            // coat_normal: the source core alone
+    FEATURE_TEXTURES | FEATURE_LOBE_TEXTURES,      // coat
+    FEATURE_TEXTURES | FEATURE_LOBE_TEXTURES,      // coat_roughness
+    FEATURE_TEXTURES | FEATURE_LOBE_TEXTURES,      // coat_normal
 };
 static_assert(ENERGY_CELLS == kEnergyCells);
 static_assert(std::size(kSlotFeatures) == std::size(kTextureSlots));
@@ -79,7 +79,8 @@ void pack_materials(std::span<const CoreMaterial> materials, SceneTables& tables
         rows[MATERIAL_MORE_SLOTS] = vec4(slots[4], slots[5], slots[6], slots[7]);
         rows[MATERIAL_SHEEN] = row(material.sheen_color, material.sheen_roughness);
         uint sheen_row = has_sheen(material) ? tables.energies.sheen_row() : 0u;
-        rows[MATERIAL_LOBES] = vec4(as_float(sheen_row), 0.0f, 0.0f, 0.0f);
+        rows[MATERIAL_LOBES] =
+            vec4(as_float(sheen_row), material.coat, material.coat_roughness, material.coat_normal_scale);
         rows[MATERIAL_LOBE_SLOTS] = vec4(slots[8], slots[9], slots[10], slots[11]);
         tables.materials.insert(tables.materials.end(), rows, rows + MATERIAL_ROWS);
     }
@@ -212,6 +213,7 @@ uint material_features(std::span<const CoreMaterial> materials) {
         }
         raise(material.transmission > 0.0f && !material.thin_walled, FEATURE_TRANSMISSION);
         raise(has_sheen(material), FEATURE_SHEEN);
+        raise(material.coat > 0.0f, FEATURE_COAT);
     }
     return features;
 }

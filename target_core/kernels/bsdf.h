@@ -8,12 +8,15 @@
 
 namespace target_core::kernels {
 
-// The metallic-roughness model of glTF 2.0 (appendix B) with KHR_materials_transmission, _ior, _specular, _sheen and,
-// for solids, refraction. Directions are local: z is the shading normal on the side of wo; wo and wi point away.
-// Radiance is not scaled by the squared ratio of indices at an interface: it cancels over a closed solid.
+// The metallic-roughness model of glTF 2.0 (appendix B) with KHR_materials_transmission, _ior, _specular, _sheen,
+// _clearcoat and, for solids, refraction. Directions are local: z is the shading normal on the side of wo; wo and wi
+// point away. Radiance is not scaled by the squared ratio of indices at an interface: it cancels over a closed solid.
 
 // Below this GGX alpha a surface is a perfect mirror or pane: its lobe is a delta and has no density.
 const float SMOOTH_ALPHA = 1.0e-3f;
+
+// Of a coat, whose index is 1.5.
+const float COAT_F0 = 0.04f;
 
 struct Bsdf {
     vec3 wo;
@@ -43,6 +46,14 @@ struct Bsdf {
     Float sheen_shadow;  // Charlie's lambda of wo
     Float under_sheen;   // of wo's light, what gets through to the rest
     Float pick_sheen;
+    Float albedo;  // what sampling takes for the share of the light that everything below a coat returns
+    Frame coat_frame;
+    vec3 coat_wo;  // in that frame
+    Float coat;
+    Float coat_alpha;
+    Float coat_root_o;
+    Float under_coat;
+    Float pick_coat;
 };
 
 struct BsdfValue {
@@ -114,6 +125,17 @@ inline Float mean_fresnel(Float eta) {
     return saturate(select(eta < 1.0f, from_inside, from_outside));
 }
 
+// Leaves that share of the samples to what is there already.
+inline Bsdf with_picks_scaled(Bsdf below, Float share) {
+    Bsdf bsdf = below;
+    bsdf.pick_diffuse = bsdf.pick_diffuse * share;
+    bsdf.pick_glossy = bsdf.pick_glossy * share;
+    bsdf.pick_reflected = bsdf.pick_reflected * share;
+    bsdf.pick_transmitted = bsdf.pick_transmitted * share;
+    bsdf.pick_sheen = bsdf.pick_sheen * share;
+    return bsdf;
+}
+
 // Estevez and Kulla 2017, "Production Friendly Microfacet Sheen BRDF": the logarithm of the fitted shadowing.
 inline Float sheen_shadow_fit(Float x, Float alpha) {
     Float t = square(1.0f - alpha);
@@ -148,14 +170,34 @@ inline Bsdf with_sheen(Bsdf below, Material material) {
         vec2 energy = lobe_energy(bsdf.sheen_row, bsdf.wo.z, bsdf.sheen_roughness);
         bsdf.sheen_color = material.sheen_color * energy.y;
         bsdf.sheen_shadow = sheen_shadow(bsdf.wo.z, bsdf.sheen_roughness);
-        bsdf.under_sheen = 1.0f - bsdf.sheen_strength * energy.x;
-        bsdf.pick_diffuse = bsdf.pick_diffuse * bsdf.under_sheen;
-        bsdf.pick_glossy = bsdf.pick_glossy * bsdf.under_sheen;
-        bsdf.pick_reflected = bsdf.pick_reflected * bsdf.under_sheen;
-        bsdf.pick_transmitted = bsdf.pick_transmitted * bsdf.under_sheen;
-        Mask shines = bsdf.sheen_strength > 0.0f;
-        bsdf.pick_sheen = select(shines, 1.0f - (bsdf.pick_diffuse + bsdf.pick_glossy), Float(0.0f));
+        Float returned = bsdf.sheen_strength * energy.x;
+        bsdf.under_sheen = 1.0f - returned;
+        bsdf.albedo = returned + bsdf.under_sheen * bsdf.albedo;
+        Float share = returned / max(bsdf.albedo, SMALLEST);
+        bsdf = with_picks_scaled(bsdf, 1.0f - share);
+        bsdf.pick_sheen = share;
     }
+    return bsdf;
+}
+
+// Adds a coat (KHR_materials_clearcoat): a dielectric of index 1.5 above everything else, by GGX along a normal of its
+// own. What one scattering off it does not return goes to the rest. At least this rough it needs no delta lobe.
+inline Bsdf with_coat(Bsdf below, Material material, vec3 normal) {
+    Bsdf bsdf = below;
+    // Light inside a solid does not see its coat.
+    bsdf.coat = select(bsdf.eta < 1.0f, Float(0.0f), material.coat);
+    bsdf.coat_frame = frame_around(normal);
+    vec3 wo = to_local(bsdf.coat_frame, bsdf.wo);
+    bsdf.coat_wo = vec3(wo.x, wo.y, max(wo.z, 1.0e-6f));
+    bsdf.coat_alpha = max(square(material.coat_roughness), 2.0e-3f);
+    bsdf.coat_root_o = smith_root(bsdf.coat_wo.z, bsdf.coat_alpha);
+    vec2 energy = lobe_energy(Uint(0u), bsdf.coat_wo.z, material.coat_roughness);
+    Float returned = bsdf.coat * (COAT_F0 * (energy.x - energy.y) + energy.y);
+    bsdf.under_coat = 1.0f - returned;
+    bsdf.albedo = returned + bsdf.under_coat * bsdf.albedo;
+    Float share = returned / max(bsdf.albedo, SMALLEST);
+    bsdf = with_picks_scaled(bsdf, 1.0f - share);
+    bsdf.pick_coat = share;
     return bsdf;
 }
 
@@ -209,6 +251,7 @@ inline Bsdf make_bsdf(Material material, vec3 wo, vec3 side, Mask front) {
     Float passed = max_component(bsdf.transmission_color);
     Float glossy = max_component(reflectance(bsdf, weight)) + passed * entering;
     Float scale = 1.0f / max(diffuse + glossy, SMALLEST);
+    bsdf.albedo = diffuse + glossy;
     bsdf.pick_diffuse = diffuse * scale;
     bsdf.pick_glossy = glossy * scale;
     bsdf.passing = passed / max(passed + material.metallic, SMALLEST);
@@ -223,6 +266,7 @@ inline Bsdf make_bsdf(Material material, vec3 wo, vec3 side, Mask front) {
         bsdf.pick_reflected = bsdf.pick_glossy * blend(kept, kept_inside * turned_back, bsdf.passing);
         bsdf.pick_transmitted = bsdf.pick_glossy * bsdf.passing * going_through;
     }
+    bsdf.pick_sheen = 0.0f;
     if (has_feature(FEATURE_SHEEN)) {
         bsdf = with_sheen(bsdf, material);
     }
@@ -331,6 +375,21 @@ inline BsdfValue evaluate_sheen(Bsdf bsdf, vec3 wi) {
     return result;
 }
 
+inline BsdfValue evaluate_coat(Bsdf bsdf, vec3 wi) {
+    vec3 local = to_local(bsdf.coat_frame, wi);
+    vec3 h = normalized(bsdf.coat_wo + local);
+    Float root_i = smith_root(local.z, bsdf.coat_alpha);
+    Float density = ggx_density(h, bsdf.coat_alpha);
+    Float visible = 0.5f / max(bsdf.coat_wo.z * root_i + local.z * bsdf.coat_root_o, SMALLEST);
+    Float fresnel = COAT_F0 + (1.0f - COAT_F0) * schlick_weight(dot(bsdf.coat_wo, h));
+    Mask returns = local.z > 0.0f && dot(bsdf.side, wi) > 0.0f;
+    BsdfValue result;
+    result.value = vec3(select(returns, bsdf.coat * fresnel * density * visible * local.z, Float(0.0f)));
+    Float chosen = bsdf.pick_coat * density * 0.5f / (bsdf.coat_wo.z + bsdf.coat_root_o);
+    result.pdf = select(returns, chosen, Float(0.0f));
+    return result;
+}
+
 inline BsdfValue evaluate_bsdf(Bsdf bsdf, vec3 wi) {
     Mask above = dot(bsdf.side, wi) > 0.0f;
     Mask refracted = bsdf.refracts && !above;
@@ -355,6 +414,11 @@ inline BsdfValue evaluate_bsdf(Bsdf bsdf, vec3 wi) {
         result.value = result.value * share_under_sheen(bsdf, wi) + sheen.value;
         result.pdf = result.pdf + sheen.pdf;
     }
+    if (has_feature(FEATURE_COAT)) {
+        BsdfValue coat = evaluate_coat(bsdf, wi);
+        result.value = result.value * bsdf.under_coat + coat.value;
+        result.pdf = result.pdf + coat.pdf;
+    }
     return result;
 }
 
@@ -370,6 +434,11 @@ inline vec3 sample_sheen(Bsdf bsdf, vec2 u) {
     Float sine = sqrt(max(1.0f - u.x * u.x, 0.0f));
     vec3 wi = vec3(sine * around.x, sine * around.y, u.x);
     return select(dot(bsdf.side, wi) < 0.0f, mirrored(wi, bsdf.side), wi);
+}
+
+inline vec3 sample_coat(Bsdf bsdf, vec2 u) {
+    vec3 h = sample_visible_normal(bsdf.coat_wo, bsdf.coat_alpha, u);
+    return to_world(bsdf.coat_frame, h * (2.0f * dot(bsdf.coat_wo, h)) - bsdf.coat_wo);
 }
 
 // The share of visible microfacets' light in direction wi that no other microfacet keeps; 0 past the horizon.
@@ -426,6 +495,12 @@ inline BsdfSample sample_bsdf(Bsdf bsdf, vec2 u, Float lobe) {
         Mask by_sheen = bsdf.pick_sheen > 0.0f && lobe >= bsdf.pick_glossy + bsdf.pick_diffuse;
         wi = select(by_sheen, sample_sheen(bsdf, u), wi);
     }
+    Mask coated_out = false;
+    if (has_feature(FEATURE_COAT)) {
+        Mask by_coat = bsdf.pick_coat > 0.0f && lobe >= bsdf.pick_glossy + bsdf.pick_diffuse + bsdf.pick_sheen;
+        wi = select(by_coat, sample_coat(bsdf, u), wi);
+        coated_out = by_coat && (dot(bsdf.coat_frame.normal, wi) <= 0.0f || dot(bsdf.side, wi) <= 0.0f);
+    }
     if (any_lane(again)) {
         vec3 scattered = sample_diffuse(bsdf, numbers_from(u));
         Float kept = ((lobe - low) - unmasked) / max((high - low) - unmasked, SMALLEST);
@@ -446,6 +521,9 @@ inline BsdfSample sample_bsdf(Bsdf bsdf, vec2 u, Float lobe) {
         if (has_feature(FEATURE_SHEEN)) {
             color = color * share_under_sheen(bsdf, wi);
         }
+        if (has_feature(FEATURE_COAT)) {
+            color = color * bsdf.under_coat;
+        }
         Float picked = bsdf.pick_glossy * select(reflects, share, 1.0f - share);
         result.weight = select(is_delta, color * (1.0f / max(picked, SMALLEST)), result.weight);
         result.pdf = select(is_delta, Float(0.0f), result.pdf);
@@ -454,7 +532,7 @@ inline BsdfSample sample_bsdf(Bsdf bsdf, vec2 u, Float lobe) {
     Mask seen = (wi.z > 0.0f) == reflects && (dot(bsdf.side, wi) > 0.0f) == reflects;
     Mask through_horizon = by_microfacet && !seen;
     result.valid = is_delta || (rough.pdf > 0.0f && !through_horizon);
-    result.valid = result.valid && !total_reflection;
+    result.valid = result.valid && !total_reflection && !coated_out;
     return result;
 }
 

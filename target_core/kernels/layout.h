@@ -48,8 +48,8 @@ const uint MATERIAL_ALPHA = 4u;       // normal_scale, alpha_cutoff, flags as bi
 const uint MATERIAL_SLOTS = 5u;       // slots as bits: base_color, metallic_roughness, normal, emission
 const uint MATERIAL_MORE_SLOTS = 6u;  // slots as bits: transmission, specular, specular_color, sheen_color
 const uint MATERIAL_SHEEN = 7u;       // sheen_color.rgb, sheen_roughness
-const uint MATERIAL_LOBES = 8u;       // sheen's row in lobe_energy as bits, unused, unused, unused
-const uint MATERIAL_LOBE_SLOTS = 9u;  // slots as bits: sheen_roughness, unused, unused, unused
+const uint MATERIAL_LOBES = 8u;       // sheen's row in lobe_energy as bits, coat, coat_roughness, coat_normal_scale
+const uint MATERIAL_LOBE_SLOTS = 9u;  // slots as bits: sheen_roughness, coat, coat_roughness, coat_normal
 const uint MATERIAL_OPAQUE = 1u;
 const uint MATERIAL_DOUBLE_SIDED = 2u;
 const uint MATERIAL_THIN_WALLED = 4u;
@@ -121,7 +121,8 @@ const uint FEATURE_PUNCTUAL_LIGHTS = 512u;
 const uint FEATURE_VERTEX_COLORS = 1024u;
 const uint FEATURE_SPECULAR_TEXTURES = 2048u;  // transmission, specular or specular colour from a texture
 const uint FEATURE_SHEEN = 4096u;
-const uint FEATURE_LOBE_TEXTURES = 8192u;  // some of sheen from a texture
+const uint FEATURE_LOBE_TEXTURES = 8192u;  // something of sheen or coat from a texture
+const uint FEATURE_COAT = 16384u;
 
 const uint NONE = 0xFFFFFFFFu;
 

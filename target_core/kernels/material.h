@@ -23,6 +23,8 @@ struct Material {
     vec3 sheen_color;
     Float sheen_roughness;
     Uint sheen_row;
+    Float coat;
+    Float coat_roughness;
 };
 
 inline Material fetch_material(Surface surface) {
@@ -73,6 +75,17 @@ inline Material fetch_material(Surface surface) {
             material.sheen_roughness = material.sheen_roughness * sample_slot(roughness_slot, surface.coordinates).w;
         }
     }
+    if (has_feature(FEATURE_COAT)) {
+        vec4 lobes = fetch_materials(rows, MATERIAL_LOBES);
+        material.coat = lobes.y;
+        material.coat_roughness = lobes.z;
+        if (has_feature(FEATURE_LOBE_TEXTURES)) {
+            vec4 slots = fetch_materials(rows, MATERIAL_LOBE_SLOTS);
+            material.coat = material.coat * sample_slot(floatBitsToUint(slots.y), surface.coordinates).x;
+            material.coat_roughness =
+                material.coat_roughness * sample_slot(floatBitsToUint(slots.z), surface.coordinates).y;
+        }
+    }
     return material;
 }
 
@@ -85,6 +98,20 @@ inline vec3 shading_normal(Surface surface) {
         vec4 alpha = fetch_materials(rows, MATERIAL_ALPHA);
         if (any_lane(floatBitsToUint(slots.z) != NONE)) {
             normal = bend_normal(surface, floatBitsToUint(slots.z), alpha.x);
+        }
+    }
+    return normal;
+}
+
+// The normal of a coat, which the surface's own normal map does not bend.
+inline vec3 coat_normal(Surface surface) {
+    vec3 normal = surface.normal;
+    if (has_feature(FEATURE_LOBE_TEXTURES)) {
+        Rows rows = rows_from(surface.material * MATERIAL_ROWS);
+        vec4 slots = fetch_materials(rows, MATERIAL_LOBE_SLOTS);
+        vec4 lobes = fetch_materials(rows, MATERIAL_LOBES);
+        if (any_lane(floatBitsToUint(slots.w) != NONE)) {
+            normal = bend_normal(surface, floatBitsToUint(slots.w), lobes.w);
         }
     }
     return normal;

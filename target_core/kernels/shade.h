@@ -42,6 +42,12 @@ inline Scatterer make_scatterer(Surface surface, Material material, vec3 directi
     vec3 wo = to_local(scatterer.frame, towards);
     wo = vec3(wo.x, wo.y, max(wo.z, 1.0e-6f));
     scatterer.bsdf = make_bsdf(material, wo, to_local(scatterer.frame, side), surface.front);
+    if (has_feature(FEATURE_COAT)) {
+        vec3 coat = coat_normal(surface);
+        coat = select(surface.front, coat, -coat);
+        coat = select(dot(coat, towards) > 1.0e-3f, coat, side);
+        scatterer.bsdf = with_coat(scatterer.bsdf, material, to_local(scatterer.frame, coat));
+    }
     return scatterer;
 }
 

@@ -288,6 +288,27 @@ TEST_P(Furnace, SheenTakesItsShareAndMakesNoLight) {
     }
 }
 
+// KHR_materials_clearcoat: over black the lobe alone, of index 1.5; over white all light.
+TEST_P(Furnace, ACoatTakesItsShareAndLeavesTheRest) {
+    const bool is_source = GetParam() == std::string("source");
+    for (float roughness : is_source ? std::vector{0.5f} : std::vector{0.0f, 0.25f, 1.0f}) {
+        for (double cosine : is_source ? std::vector{0.3} : std::vector{0.1, 0.95}) {
+            HostMaterial lacquer = lambert(1.0f);
+            lacquer.core.coat = 0.75f;
+            lacquer.core.coat_roughness = roughness;
+            const Reading over_white = plane_in_furnace(GetParam(), lacquer, cosine);
+            EXPECT_LE(over_white.mean, 1.0 + 4.0 * over_white.error + 1e-6) << roughness << ", " << cosine;
+            EXPECT_GE(over_white.mean, 0.99) << roughness << ", " << cosine;
+            lacquer.core.base_color = glm::vec3(0.0f);
+            const Reading alone = plane_in_furnace(GetParam(), lacquer, cosine);
+            const Microfacets model{std::max(static_cast<double>(roughness) * roughness, 2e-3), 0.04, 1.5};
+            const double truth =
+                roughness > 0.0f ? model.albedo(cosine, [](double f) { return f; }) : model.fresnel(cosine);
+            EXPECT_NEAR(alone.mean, 0.75 * truth, 4.0 * alone.error + TABLED) << roughness << ", " << cosine;
+        }
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(Cores, Furnace, testing::Values("target", "source"),
                          [](const auto& core) { return std::string(core.param); });
 

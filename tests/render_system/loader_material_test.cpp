@@ -106,6 +106,18 @@ TEST(LoaderMaterial, ReadsSheen) {
     EXPECT_THAT(warnings, ElementsAre(HasSubstr("clamped (/materials/0)")));
 }
 
+TEST(LoaderMaterial, ReadsClearcoat) {
+    const char* name = "KHR_materials_clearcoat";
+    EXPECT_EQ(material_with(extension(name, json::object())).coat, 0.0f);
+    const CoreMaterial m =
+        material_with(extension(name, {{"clearcoatFactor", 0.5}, {"clearcoatRoughnessFactor", 0.25}}));
+    EXPECT_EQ(m.coat, 0.5f);
+    EXPECT_EQ(m.coat_roughness, 0.25f);
+    std::vector<std::string> warnings;
+    EXPECT_EQ(material_with(extension(name, {{"clearcoatFactor", 2}}), &warnings).coat, 1.0f);
+    EXPECT_THAT(warnings, ElementsAre(HasSubstr("clamped (/materials/0)")));
+}
+
 TEST(LoaderMaterial, AVolumeWithThicknessIsSolidAndItsAttenuationIsNamed) {
     EXPECT_FALSE(material_with(extension("KHR_materials_volume", {{"thicknessFactor", 0.1}})).thin_walled);
     EXPECT_TRUE(material_with(extension("KHR_materials_volume", json::object())).thin_walled);
@@ -138,6 +150,11 @@ TEST(LoaderMaterial, ReadsEverySlotWithTheRightRole) {
                      {{"KHR_materials_transmission", {{"transmissionTexture", info}}},
                       {"KHR_materials_sheen",
                        {{"sheenColorFactor", {1, 1, 1}}, {"sheenColorTexture", info}, {"sheenRoughnessTexture", info}}},
+                      {"KHR_materials_clearcoat",
+                       {{"clearcoatFactor", 1},
+                        {"clearcoatTexture", info},
+                        {"clearcoatRoughnessTexture", info},
+                        {"clearcoatNormalTexture", {{"index", 0}, {"scale", 0.25}}}}},
                       {"KHR_materials_specular", {{"specularTexture", info}, {"specularColorTexture", info}}}}}},
                    nullptr, {png_uri(1, 1, 3, RED)});
     const CoreMaterial& m = scene.materials()[0].core;
@@ -153,6 +170,10 @@ TEST(LoaderMaterial, ReadsEverySlotWithTheRightRole) {
     EXPECT_EQ(format(m.specular_texture), TexelFormat::rgba8);
     EXPECT_EQ(format(m.sheen_color_texture), TexelFormat::rgba8_srgb);
     EXPECT_EQ(format(m.sheen_roughness_texture), TexelFormat::rgba8);
+    EXPECT_EQ(format(m.coat_texture), TexelFormat::rgba8);
+    EXPECT_EQ(format(m.coat_roughness_texture), TexelFormat::rgba8);
+    EXPECT_EQ(format(m.coat_normal_texture), TexelFormat::rgba8);
+    EXPECT_EQ(m.coat_normal_scale, 0.25f);
     EXPECT_EQ(m.normal_scale, 0.5f);
     EXPECT_FLOAT_EQ(m.emission_weight, 0.2126f);  // white times a red texture
 }

@@ -150,14 +150,14 @@ TEST(LoaderNode, NamesEverythingUnsupportedInOneWarning) {
         {{"type", "perspective"}, {"perspective", {{"yfov", 0.5}, {"znear", 0.1}}}}};
     file.root["skins"] = {{{"joints", {0}}}};
     file.root["animations"] = {{{"channels", json::array()}, {"samplers", json::array()}}};
-    file.root["extensionsUsed"] = {"KHR_materials_clearcoat", "KHR_texture_transform"};
+    file.root["extensionsUsed"] = {"KHR_materials_dispersion", "KHR_texture_transform"};
     json& primitive = file.root["meshes"][0]["primitives"][0];
     primitive["targets"] = {{{"POSITION", 0}}};
     std::vector<std::string> warnings;
     const HostScene scene = loaded(file, &warnings);
     EXPECT_EQ(scene.cameras().size(), 2u);
     ASSERT_EQ(warnings.size(), 1u);
-    EXPECT_THAT(warnings[0], AllOf(HasSubstr("animations (1)"), HasSubstr("extension KHR_materials_clearcoat"),
+    EXPECT_THAT(warnings[0], AllOf(HasSubstr("animations (1)"), HasSubstr("extension KHR_materials_dispersion"),
                                    HasSubstr("morph targets (/meshes/0)"), HasSubstr("skins (1)")));
     EXPECT_THAT(warnings[0], ::testing::Not(HasSubstr("KHR_texture_transform")));
 }

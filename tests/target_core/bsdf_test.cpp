@@ -23,12 +23,14 @@ struct Case {
     bool thin, front;
     float cosine;  // of wo
     float sheen = 0.0f, sheen_roughness = 0.0f;
+    float coat = 0.0f, coat_roughness = 0.0f;  // along a normal of its own
 };
 
 std::ostream& operator<<(std::ostream& out, const Case& c) { return out << c.name << ", cosine " << c.cosine; }
 
 Bsdf bsdf_of(const Case& c, vec3 base_color = vec3(1.0f)) {
-    settings.features = FEATURE_TRANSMISSION | (c.sheen > 0.0f ? FEATURE_SHEEN : 0u);
+    settings.features =
+        FEATURE_TRANSMISSION | (c.sheen > 0.0f ? FEATURE_SHEEN : 0u) | (c.coat > 0.0f ? FEATURE_COAT : 0u);
     Material material{};
     material.base_color = base_color;
     material.metallic = c.metallic;
@@ -51,7 +53,10 @@ Bsdf bsdf_of(const Case& c, vec3 base_color = vec3(1.0f)) {
     material.sheen_roughness = c.sheen_roughness;
     material.sheen_row = energies.sheen_row();
     bound.lobe_energy = reinterpret_cast<const vec4*>(energies.rows().data());
-    return make_bsdf(material, vec3(sine * 0.6f, sine * 0.8f, c.cosine), vec3(0.0f, 0.0f, 1.0f), c.front);
+    material.coat = c.coat;
+    material.coat_roughness = c.coat_roughness;
+    const Bsdf bsdf = make_bsdf(material, vec3(sine * 0.6f, sine * 0.8f, c.cosine), vec3(0.0f, 0.0f, 1.0f), c.front);
+    return c.coat > 0.0f ? with_coat(bsdf, material, normalized(vec3(0.2f, -0.1f, 1.0f))) : bsdf;
 }
 
 BsdfSample sample_nr(const Bsdf& bsdf, uint i) {
@@ -190,22 +195,25 @@ TEST_P(RoughBsdf, EvaluationEqualsWhatSamplingReturns) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Models, RoughBsdf,
-                         testing::Values(Case{"Lambert", 0, 1, 0, 0, 1.5f, true, true, 0.7f},
-                                         Case{"plastic", 0, 0.4f, 1, 0, 1.5f, true, true, 0.8f},
-                                         Case{"plastic, grazing", 0, 0.5f, 1, 0, 1.5f, true, true, 0.15f},
-                                         Case{"metal", 1, 0.3f, 1, 0, 1.5f, true, true, 0.6f},
-                                         Case{"rough metal, grazing", 1, 1.0f, 1, 0, 1.5f, true, true, 0.1f},
-                                         Case{"thin rough glass", 0, 0.5f, 1, 1, 1.5f, true, true, 0.7f},
-                                         Case{"half transmitting wall", 0, 0.6f, 1, 0.5f, 1.5f, true, true, 0.5f},
-                                         Case{"rough solid glass, entering", 0, 0.5f, 1, 1, 1.5f, false, true, 0.7f},
-                                         Case{"rough solid glass, leaving", 0, 0.5f, 1, 1, 1.5f, false, false, 0.85f},
-                                         Case{"sheen on plastic", 0, 0.4f, 1, 0, 1.5f, true, true, 0.6f, 0.8f, 0.4f},
-                                         Case{"sheen on metal, grazing", 1, 0.5f, 1, 0, 1.5f, true, true, 0.15f, 1,
-                                              0.2f},
-                                         Case{"sheen on glass", 0, 0.5f, 1, 1, 1.5f, false, true, 0.5f, 1, 1},
-                                         Case{"rough solid glass, leaving past the critical angle", 0, 0.4f, 1, 1, 1.5f,
-                                              false, false, 0.4f}));
+INSTANTIATE_TEST_SUITE_P(
+    Models, RoughBsdf,
+    testing::Values(Case{"Lambert", 0, 1, 0, 0, 1.5f, true, true, 0.7f},
+                    Case{"plastic", 0, 0.4f, 1, 0, 1.5f, true, true, 0.8f},
+                    Case{"plastic, grazing", 0, 0.5f, 1, 0, 1.5f, true, true, 0.15f},
+                    Case{"metal", 1, 0.3f, 1, 0, 1.5f, true, true, 0.6f},
+                    Case{"rough metal, grazing", 1, 1.0f, 1, 0, 1.5f, true, true, 0.1f},
+                    Case{"thin rough glass", 0, 0.5f, 1, 1, 1.5f, true, true, 0.7f},
+                    Case{"half transmitting wall", 0, 0.6f, 1, 0.5f, 1.5f, true, true, 0.5f},
+                    Case{"rough solid glass, entering", 0, 0.5f, 1, 1, 1.5f, false, true, 0.7f},
+                    Case{"rough solid glass, leaving", 0, 0.5f, 1, 1, 1.5f, false, false, 0.85f},
+                    Case{"sheen on plastic", 0, 0.4f, 1, 0, 1.5f, true, true, 0.6f, 0.8f, 0.4f},
+                    Case{"sheen on metal, grazing", 1, 0.5f, 1, 0, 1.5f, true, true, 0.15f, 1, 0.2f},
+                    Case{"sheen on glass", 0, 0.5f, 1, 1, 1.5f, false, true, 0.5f, 1, 1},
+                    Case{"coat on metal", 1, 0.6f, 1, 0, 1.5f, true, true, 0.6f, 0, 0, 1, 0.3f},
+                    Case{"coat on sheen on plastic", 0, 0.4f, 1, 0, 1.5f, true, true, 0.5f, 0.7f, 0.5f, 0.6f, 0.5f},
+                    Case{"coat on glass", 0, 0.5f, 1, 1, 1.5f, false, true, 0.7f, 0, 0, 1, 1},
+                    Case{"rough solid glass, leaving past the critical angle", 0, 0.4f, 1, 1, 1.5f, false, false,
+                         0.4f}));
 
 TEST(SmoothBsdf, LambertMirrorAndGlassConserveEnergyExactly) {
     for (float cosine : {0.05f, 0.3f, 0.7f, 1.0f}) {

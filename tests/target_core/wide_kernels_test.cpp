@@ -79,6 +79,11 @@ protected:
             material.sheen_roughness = 0.1f * static_cast<float>(i % 9);
             material.sheen_color_texture.texture = i % 12 == 2 ? 1 : render_system::NONE;
             material.sheen_roughness_texture.texture = i % 12 == 2 ? 0 : render_system::NONE;
+            material.coat = i % 5 == 3 ? 0.8f : 0.0f;
+            material.coat_roughness = 0.08f * static_cast<float>(i % 9);
+            material.coat_texture.texture = i % 10 == 3 ? 0 : render_system::NONE;
+            material.coat_roughness_texture.texture = i % 10 == 3 ? 0 : render_system::NONE;
+            material.coat_normal_texture.texture = i % 10 == 8 ? 0 : render_system::NONE;
             materials_.push_back(material);
         }
         pack_materials(materials_, tables_);
