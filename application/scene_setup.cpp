@@ -118,12 +118,14 @@ Result<Camera> choose_camera(const Options& options, const Companions& companion
     return Status::error(status.code, fmt::format("{}: {}; or give --look-at", options.scene, status.message));
 }
 
-/// `--sky`, else the camera file's, else black where the scene lights itself.
+/// `--sky`, else the camera file's, else the scene's own, else black where the scene lights itself.
 void choose_sky(Companions& companions, const Camera& camera, HostScene& scene, Console& console) {
     if (companions.sky) {
         scene.set_sky(std::move(*companions.sky));
     } else if (companions.camera && companions.camera->has_sky) {
         scene.set_sky({.radiance = companions.camera->sky_radiance});
+    } else if (!scene.sky().texels.empty()) {
+        return;
     } else if (!lights_itself(scene, camera)) {
         console.note("the scene does not light itself: it stands in a neutral studio sky; --sky 0,0,0 leaves it black");
         scene.set_sky(render_system::studio_sky());

@@ -27,7 +27,8 @@ struct LoadOptions {
 
 /// Reads a glTF 2.0 file (.gltf or .glb, told apart by content), or a Wavefront OBJ or an FBX (told by the name's
 /// ending) through `pathtracer-import`, a program beside this one. Cameras are those of the scene's camera nodes in
-/// node order; light intensities are taken as radiometric. A buffer or image outside the scene's folder is
+/// node order; light intensities are taken as radiometric; its sky is black but for
+/// an image-based light. A buffer or image outside the scene's folder is
 /// refused unless allowed, and so is what a core could not take (scene_limits.h). Fails with not_found or unreadable;
 /// the message names the file, the place in it, what is wrong and what to do.
 Result<LoadedScene> load_scene(const std::filesystem::path& path, const LoadOptions& options = {});

@@ -11,6 +11,7 @@
 
 #include "render_system/loader/gltf_draco.h"
 #include "render_system/loader/gltf_extensions.h"
+#include "render_system/loader/gltf_image_light.h"
 #include "render_system/loader/gltf_meshopt.h"
 #include "render_system/loader/gltf_schema.h"
 #include "render_system/loader/import_process.h"
@@ -350,9 +351,12 @@ GltfDocument open_gltf(const std::filesystem::path& path, Reach reach, const std
         }
     }
     decode_meshopt_views(root, document);
+    const json* light = image_light(root);
+    const json kept = light ? *light : json();
     document.model = parse_model(root);
     check_views(document);
     decode_draco_primitives(document);
+    if (light) document.sky = read_image_light(kept, document);
     return document;
 }
 

@@ -6,11 +6,13 @@
 #include <cstddef>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <set>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "render_system/host_scene.h"
 #include "render_system/loader/file_bytes.h"
 #include "render_system/loader/tinygltf_model.h"
 #include "render_system/loader/uri.h"
@@ -54,6 +56,7 @@ struct GltfDocument {
     std::vector<GltfImage> images;
     std::map<int, std::vector<std::byte>> decoded_views;  ///< of views that are packed in the file
     std::vector<std::array<int, 2>> uv_sets;              ///< by material: the file's numbers of the two sets it reads
+    std::optional<Sky> sky;                               ///< of EXT_lights_image_based
     uint64_t geometry_bytes = 0;                          ///< what the meshes read so far take, at least
     Omissions omissions;
     std::vector<std::string> warnings;

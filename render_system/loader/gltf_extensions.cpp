@@ -31,6 +31,7 @@ constexpr std::string_view kOtherImages = "export it with PNG, JPEG or WebP imag
 
 // The first row that fits counts.
 constexpr ExtensionRow kExtensionRows[] = {
+    {"EXT_lights_image_based", Treatment::supported},
     {"EXT_mesh_gpu_instancing", Treatment::supported},
     {"EXT_meshopt_compression", Treatment::supported},
     {"EXT_texture_webp", Treatment::supported},

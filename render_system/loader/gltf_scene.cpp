@@ -126,6 +126,7 @@ public:
             }
             fail_at("", "the scene has no triangles; name a file with a mesh in its scene");
         }
+        if (document_.sky) scene().set_sky(std::move(*document_.sky));
         write_warnings();
         return std::move(loaded_);
     }

@@ -70,6 +70,13 @@ const Rule RULES[] = {
     {"extensions.KHR_lights_punctual.lights[].spot.innerConeAngle", Kind::number},
     {"extensions.KHR_lights_punctual.lights[].spot.outerConeAngle", Kind::number},
 
+    {"extensions.EXT_lights_image_based", Kind::object},
+    {"extensions.EXT_lights_image_based.lights", Kind::array, "", 0, REQUIRED},
+    {"extensions.EXT_lights_image_based.lights[]", Kind::object},
+    {"extensions.EXT_lights_image_based.lights[].intensity", Kind::number},
+    {"extensions.EXT_lights_image_based.lights[].rotation", Kind::numbers, "", 4},
+    {"extensions.EXT_lights_image_based.lights[].specularImages", Kind::array, "", 0, REQUIRED},
+    {"extensions.EXT_lights_image_based.lights[].specularImages[]", Kind::indices, "images"},
     {"extensions.KHR_materials_variants", Kind::object},
     {"extensions.KHR_materials_variants.variants", Kind::array, "", 0, REQUIRED},
     {"extensions.KHR_materials_variants.variants[]", Kind::object},
@@ -237,6 +244,10 @@ const Rule RULES[] = {
     {"scenes", Kind::array},
     {"scenes[]", Kind::object},
     {"scenes[].nodes", Kind::indices, "nodes"},
+    {"scenes[].extensions", Kind::object},
+    {"scenes[].extensions.EXT_lights_image_based", Kind::object},
+    {"scenes[].extensions.EXT_lights_image_based.light", Kind::index, "extensions.EXT_lights_image_based.lights", 0,
+     REQUIRED},
     {"scene", Kind::index, "scenes"},
 };
 

@@ -61,6 +61,20 @@ std::string image_place(int image) { return "/images/" + std::to_string(image); 
 
 }  // namespace
 
+Image read_document_image(const GltfDocument& document, int image) {
+    const GltfImage& source = document.images[static_cast<size_t>(image)];
+    if (source.buffer_view >= 0) return read_image(document.view_bytes(source.buffer_view), source.mime_type);
+    if (is_data_uri(source.uri)) return read_image(decode_data_uri(source.uri, ""), "");
+    const std::filesystem::path file = file_of_uri(source.uri, document.path.parent_path(), document.reach, "");
+    try {
+        const FileBytes bytes(file);
+        return read_image(bytes.bytes(), file.string());
+    } catch (LoadError& error) {
+        error.message = file.string() + ": " + error.message;
+        throw;
+    }
+}
+
 GltfTextures::Key GltfTextures::key_of(int texture, TextureRole role) const {
     const tinygltf::Texture& source = document_.model.textures[static_cast<size_t>(texture)];
     Key key;
@@ -97,7 +111,7 @@ uint32_t GltfTextures::load(int texture, const Key& key) {
     try {
         if (key.image < 0 && !key.is_packed())
             fail_at("", "has no image in a supported format; export it as PNG, JPEG or WebP");
-        Image image = key.is_packed() ? read_packed(key) : read(key.image);
+        Image image = key.is_packed() ? read_packed(key) : read_document_image(document_, key.image);
         if (key.glossiness) make_roughness(image, *key.glossiness);
         result = build_texture(std::move(image), key.role, key.mips);
     } catch (LoadError& error) {
@@ -121,23 +135,9 @@ uint32_t GltfTextures::load(int texture, const Key& key) {
     return scene_.add_texture(std::move(result));
 }
 
-Image GltfTextures::read(int image) const {
-    const GltfImage& source = document_.images[static_cast<size_t>(image)];
-    if (source.buffer_view >= 0) return read_image(document_.view_bytes(source.buffer_view), source.mime_type);
-    if (is_data_uri(source.uri)) return read_image(decode_data_uri(source.uri, ""), "");
-    const std::filesystem::path file = file_of_uri(source.uri, document_.path.parent_path(), document_.reach, "");
-    try {
-        const FileBytes bytes(file);
-        return read_image(bytes.bytes(), file.string());
-    } catch (LoadError& error) {
-        error.message = file.string() + ": " + error.message;
-        throw;
-    }
-}
-
 Image GltfTextures::read_packed(const Key& key) {
     Image image;
-    if (key.image >= 0) image = read(key.image);
+    if (key.image >= 0) image = read_document_image(document_, key.image);
     make_bytes(image);
     for (size_t channel = 0; channel < key.packed.size(); ++channel) {
         if (key.packed[channel] >= 0) pack(image, channel, key.packed[channel]);
@@ -150,7 +150,7 @@ Image GltfTextures::read_packed(const Key& key) {
 void GltfTextures::pack(Image& image, size_t channel, int source) {
     Image other;
     try {
-        other = read(source);
+        other = read_document_image(document_, source);
     } catch (const LoadError& error) {
         if (error.hostile) throw;
         return warn(-1, source, error.message + "; it is left out");

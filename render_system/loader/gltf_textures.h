@@ -16,6 +16,9 @@
 
 namespace render_system {
 
+/// Decodes an image of the document, wherever it lies. Throws LoadError.
+Image read_document_image(const GltfDocument& document, int image);
+
 /// Reads textures as materials ask for them, each combination of image, role and sampler once.
 class GltfTextures {
 public:
@@ -43,7 +46,6 @@ private:
 
     Key key_of(int texture, TextureRole role) const;
     uint32_t load(int texture, const Key& key);
-    Image read(int image) const;
     Image read_packed(const Key& key);
     void pack(Image& image, size_t channel, int source);
     void warn(int texture, int image, const std::string& why);

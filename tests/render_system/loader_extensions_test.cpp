@@ -296,6 +296,32 @@ TEST(LoaderExtensions, BoundsTheNumberOfInstances) {
     EXPECT_THAT(refusal(file), HasSubstr("makes 2097152 instances; 1048576 are the most, split the scene"));
 }
 
+TEST(LoaderExtensions, AnImageBasedLightIsTheSky) {
+    // Six faces of one texel: face i has 40 i in red and 255 in green; the last, -z, an alpha of 128 (RGBD). All four
+    // columns of a sky so small look up or down by 45 degrees.
+    const TempFolder folder;
+    json document = json::parse(read_file(FORMATS "/image_light.gltf"));
+    const auto sky_turned = [&](const json& rotation) {
+        document["extensions"]["EXT_lights_image_based"]["lights"][0]["rotation"] = rotation;
+        write_file(folder / "a.gltf", document.dump());
+        auto result = load_scene(folder / "a.gltf");
+        EXPECT_TRUE(result.ok()) << result.status.message;
+        return result->scene.sky();
+    };
+    const auto expect_rows = [](const Sky& sky, const glm::vec2& upper, const glm::vec2& lower) {
+        ASSERT_EQ(sky.texels.size(), 8u);
+        for (size_t i = 0; i < 8; ++i) {
+            EXPECT_NEAR(sky.texels[i].x, i < 4 ? upper.x : lower.x, 1e-4f) << i;
+            EXPECT_NEAR(sky.texels[i].y, i < 4 ? upper.y : lower.y, 1e-4f) << i;
+        }
+    };
+    const auto linear = [](float red) { return std::pow((red / 255.0f + 0.055f) / 1.055f, 2.4f); };
+    expect_rows(sky_turned({0, 0, 0, 1}), {2 * linear(80), 2}, {2 * linear(120), 2});
+    // A quarter turn about x takes -z up and z down.
+    const float h = std::sqrt(0.5f), more = 255.0f / 128.0f;
+    expect_rows(sky_turned({h, 0, 0, h}), {2 * more * linear(200), 2 * more}, {2 * linear(160), 2});
+}
+
 TEST(LoaderExtensions, HidesNodesThatAreNotVisible) {
     GltfFile file = one_triangle();
     file.add_node({{"mesh", 0}});

@@ -197,6 +197,15 @@ def nodes():
     model.write("lights")
 
     model = Model()
+    faces = [model.texture(data_uri("image/png", png(40 * face, 255, 0, 255 if face < 5 else 128))) for face in range(6)]
+    light = {"intensity": 2, "rotation": [0, 0, 0, 1], "specularImageSize": 1, "specularImages": [faces],
+             "irradianceCoefficients": [[1, 1, 1]] * 9}
+    model.root["extensions"] = {"EXT_lights_image_based": {"lights": [light]}}
+    model.root["scenes"][0]["extensions"] = {"EXT_lights_image_based": {"light": 0}}
+    model.use("EXT_lights_image_based")
+    model.write("image_light")
+
+    model = Model()
     model.root["nodes"].append({})
     model.root["skins"] = [{"joints": [1]}]
     model.root["nodes"][0]["skin"] = 0
