@@ -9,8 +9,8 @@
 #include <unordered_map>
 #include <vector>
 
-#include "porttool/language/dialect.h"
 #include "porttool/compare/clauses.h"
+#include "porttool/language/dialect.h"
 
 namespace porttool {
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "porttool/compare/learned_words.h"
 
+#include <algorithm>
 #include <map>
 #include <set>
 
@@ -26,8 +27,16 @@ public:
         const AlignedText a = keys.text(source, false), b = keys.text(target, false);
         const Alignment found = align(a, b, {});
         marks_at_.resize(source.size(), Marks::Unknown);
-        for (size_t i = 0; i < source.size(); ++i)
-            if (found.word_of[i] != Alignment::kNone) marks_at_[i] = note(source[i], target[found.word_of[i]]);
+        type_at_.resize(source.size());
+        // What a function gives back tells nothing of what it takes: `REAL4 f ( REAL4 z )`, `void f ( Vector & z )`.
+        const auto name = std::find(source.begin(), source.end(), "@");
+        const size_t first = name == source.end() ? 0 : static_cast<size_t>(name - source.begin());
+        for (size_t i = first; i < source.size(); ++i) {
+            if (found.word_of[i] == Alignment::kNone) continue;
+            const std::string& there = target[found.word_of[i]];
+            marks_at_[i] = note(source[i], there);
+            if (is_type_word(source[i]) && is_word_token(there)) type_at_[i] = there;
+        }
         source_words_.insert(texts.source_before.begin(), texts.source_before.end());
         target_words_.insert(texts.target_before.begin(), texts.target_before.end());
     }
@@ -35,14 +44,16 @@ public:
     LearnedWords run() const {
         LearnedWords out;
         const Marks usual = learn_marks();
-        const auto marks_or_usual = [&](size_t place) {
-            return place == kNoPlace || marks_at_[place] == Marks::Unknown ? usual : marks_at_[place];
+        const auto said_at = [&](std::string_view word, size_t place) {
+            const bool known = place != kNoPlace && marks_at_[place] != Marks::Unknown;
+            return said(word, known ? marks_at_[place] : usual, place == kNoPlace ? std::string() : type_at_[place],
+                        out);
         };
         for (size_t i = 0; i < texts_.source_before.size(); ++i)
-            out.before.push_back(said(texts_.source_before[i], marks_or_usual(i), out));
+            out.before.push_back(said_at(texts_.source_before[i], i));
         const std::vector<size_t> places = places_before();
         for (size_t i = 0; i < texts_.source_now.size(); ++i)
-            out.now.push_back(said(texts_.source_now[i], marks_or_usual(places[i]), out));
+            out.now.push_back(said_at(texts_.source_now[i], places[i]));
         return out;
     }
 
@@ -80,9 +91,12 @@ private:
         return places;
     }
 
-    std::string_view said(std::string_view word, Marks marks, LearnedWords& out) const {
+    /// `there`: the type that the target has at its place, or "".
+    std::string_view said(std::string_view word, Marks marks, const std::string& there, LearnedWords& out) const {
         std::string other;
-        if (is_word_token(word)) {
+        if (is_type_word(word) && target_words_.contains(word)) {
+            other = type_among_several(std::string(word), there);
+        } else if (is_word_token(word)) {
             other = counterpart(std::string(word));
         } else if (is_number_token(word) && marks == Marks::Added && is_unmarked_real(word)) {
             other = normal_number(std::string(word) + "f");
@@ -114,6 +128,13 @@ private:
         return source_words_.contains(there) || target_words_.contains(word) ? std::string() : there;
     }
 
+    /// A port that says `double` here and there says `REAL` for most of the source's: what is new is `REAL` there.
+    std::string type_among_several(const std::string& word, const std::string& there) const {
+        const std::string most = usual(there_of_, word);
+        if (most.empty() || most == word || usual(here_of_, most) != word || source_words_.contains(most)) return {};
+        return there == word ? word : most;
+    }
+
     /// Whether one side alone marks its floats, by the numbers that stand for each other.
     Marks learn_marks() const {
         if (marks_added_ > 0 && plain_kept_ == 0) return Marks::Added;
@@ -123,7 +144,8 @@ private:
 
     const PairTexts& texts_;
     std::map<std::string, std::map<std::string, size_t>> there_of_, here_of_;
-    std::vector<Marks> marks_at_;  ///< of the source's words before
+    std::vector<Marks> marks_at_;       ///< of the source's words before
+    std::vector<std::string> type_at_;  ///< what stands for each of its types there
     size_t marks_added_ = 0, marks_dropped_ = 0, marks_kept_ = 0, plain_kept_ = 0;
     std::set<std::string, std::less<>> source_words_, target_words_;
 };

@@ -295,8 +295,10 @@ std::vector<std::string> Meaning::translate(const Words& statement, Side side, b
         if (known != nullptr && known->empty() && chain.scope.empty() && is_qualifier(tokens, i)) continue;
         out.push_back(scoped(chain.scope, tokens[i], side));
     }
-    out = with_common_phrases(with_plain_launches(without_idle_parentheses(with_functional_casts(out, dialect_))));
+    out = with_functional_casts(with_constructed_literals(out), dialect_);
+    out = with_common_phrases(with_plain_launches(without_idle_parentheses(out)));
     drop_status_check(out);
+    write_plain_barrier(out);
     drop_cast_to_declared_type(out);
     return out;
 }

@@ -183,6 +183,17 @@ size_t after_brackets(const Text& words, size_t open) {
     return 0;
 }
 
+/// True if there is a comma directly within the brackets [first, end).
+bool has_parts(const Text& words, size_t first, size_t end) {
+    int depth = 0;
+    for (size_t i = first; i < end; ++i) {
+        depth += words[i] == "(" || words[i] == "[" || words[i] == "{" ? 1 : 0;
+        depth -= words[i] == ")" || words[i] == "]" || words[i] == "}" ? 1 : 0;
+        if (depth == 1 && words[i] == ",") return true;
+    }
+    return false;
+}
+
 /// What stands between commas in [first, end); `dim3 ( n )` of one number is `n`, and brackets around all of it go.
 std::vector<Text> launch_arguments(const Text& words, size_t first, size_t end) {
     std::vector<Text> out(1);
@@ -355,6 +366,37 @@ void drop_status_check(Text& words) {
         return;
     words.pop_back();
     words.erase(words.begin(), words.begin() + 2);
+}
+
+Text with_constructed_literals(const Text& words) {
+    std::vector<size_t> closing;  // of the literals that are open
+    Text out;
+    for (size_t i = 0; i < words.size(); ++i) {
+        const bool typed = words[i] == "(" && is_word_token(word(words, i + 1)) && word(words, i + 2) == ")" &&
+                           (i == 0 || !is_word_token(words[i - 1]) || words[i - 1] == "return");
+        const std::string_view bracket = typed ? word(words, i + 3) : std::string_view();
+        const size_t end = bracket == "{" || bracket == "(" ? after_brackets(words, i + 3) : 0;
+        if (end == 0 || (bracket == "(" && !has_parts(words, i + 3, end))) {
+            const bool closes = !closing.empty() && closing.back() == i;
+            if (closes) closing.pop_back();
+            out.push_back(closes ? ")" : words[i]);
+            continue;
+        }
+        out.insert(out.end(), {words[i + 1], "("});
+        closing.push_back(end - 1);
+        i += 3;
+    }
+    return out;
+}
+
+void write_plain_barrier(Text& words) {
+    const size_t at = words.size() > 3 && words[1] == "." ? 2 : 0;
+    if (word(words, at) != "barrier" || word(words, at + 1) != "(" || after_brackets(words, at + 1) != words.size())
+        return;
+    const bool names_other = std::any_of(words.begin(), words.end(), [](const std::string& each) {
+        return holds_in_any_case(each, "global") || holds_in_any_case(each, "device");
+    });
+    if (!names_other) words = {"barrier", "(", ")"};
 }
 
 void drop_cast_to_declared_type(Text& words) {

@@ -24,6 +24,9 @@ std::vector<std::string> with_common_phrases(const std::vector<std::string>& wor
 /// where they cannot be a cast or a call.
 std::vector<std::string> without_idle_parentheses(const std::vector<std::string>& words);
 
+/// `( float4 ) { a , b }` and `( float4 ) ( a , b )`, values of several parts, are `float4 ( a , b )`.
+std::vector<std::string> with_constructed_literals(const std::vector<std::string>& words);
+
 /// Writes HIP's and CUDA's two ways to launch a kernel in one: `k < < < g , b > > > ( a )` and
 /// `hipLaunchKernelGGL ( k , g , b , 0 , 0 , a )`.
 std::vector<std::string> with_plain_launches(const std::vector<std::string>& words);
@@ -31,6 +34,11 @@ std::vector<std::string> with_plain_launches(const std::vector<std::string>& wor
 /// `HIP_CHECK ( hipFree ( p ) )` is `hipFree ( p )`: what only looks at the status that a call of a runtime gives back,
 /// as its name says, changes no value. Only where it is the whole statement.
 void drop_status_check(std::vector<std::string>& words);
+
+/// `item . barrier ( sycl :: access :: fence_space :: local_space )` is `barrier ( )`: a barrier among the threads of a
+/// group, whatever object it is called of. One that names other memory than the group's stays as it is. Only where it
+/// is the whole statement.
+void write_plain_barrier(std::vector<std::string>& words);
 
 /// `int i = int ( x )`: the value is converted to the variable's type in any case, so the cast goes.
 void drop_cast_to_declared_type(std::vector<std::string>& words);

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "porttool/normal/directive_end.h"
+#include "porttool/normal/literal.h"
 #include "porttool/normal/normal_form.h"
 #include "porttool/text/letters.h"
 
@@ -89,19 +91,38 @@ std::string common_word(std::string_view token, const Dialect& dialect) {
 std::vector<Statement> split_statements(const Words& tokens, const Translator& translator) {
     std::vector<Statement> out;
     Words current;
-    std::vector<size_t> heads;  // of the blocks that are open
-    std::vector<int> outside;   // of each that is a lambda's body how many parentheses are open around it, else 0
-    int parens = 0;
+    std::vector<size_t> heads;   // of the blocks that are open
+    std::vector<int> outside;    // of each that is a lambda's body how many parentheses are open around it, else 0
+    int parens = 0, braces = 0;  ///< that are open; braces of literals
     bool in_body = false;
     auto head = [&] { return heads.empty() ? Statement::kNoHead : heads.back(); };
     auto finish = [&] {
         if (!current.empty()) out.push_back(make_statement(current, translator(current, in_body), head()));
         current.clear();
     };
-    for (const std::string_view token : tokens) {
+    for (size_t i = 0; i < tokens.size(); ++i) {
+        const std::string_view token = tokens[i];
+        // A line of the preprocessor is no part of the statement that follows.
+        if (const size_t end = parens > 0 || !current.empty() ? 0 : directive_end(tokens, i); end > i) {
+            current.assign(tokens.begin() + static_cast<std::ptrdiff_t>(i),
+                           tokens.begin() + static_cast<std::ptrdiff_t>(end));
+            finish();
+            i = end - 1;
+            continue;
+        }
         if (token == "(") ++parens;
         if (token == ")") --parens;
         // The body of a lambda that is an argument is a block as any other.
+        if (parens == 0 && token == "{" && opens_literal(tokens, i < current.size() ? 0 : i - current.size(), i)) {
+            ++braces;
+        } else if (braces > 0 && token == "{") {
+            ++braces;
+        }
+        if (braces > 0) {
+            braces -= token == "}" ? 1 : 0;
+            current.push_back(token);
+            continue;
+        }
         const bool opens_lambda = token == "{" && parens > 0 && ends_lambda_head(current);
         if (!opens_lambda && (parens > 0 || (token != ";" && token != "{" && token != "}"))) {
             current.push_back(token);

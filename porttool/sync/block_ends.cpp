@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "porttool/sync/block_ends.h"
 
+#include <algorithm>
+
 namespace porttool {
 
 namespace {
@@ -20,6 +22,18 @@ void stand_for(const AlignedText& first, size_t clause, const AlignedText& secon
 }
 
 }  // namespace
+
+void match_only_clauses(const AlignedText& first, const AlignedText& second, Alignment& alignment) {
+    if (first.clauses.size() != 1 || second.clauses.size() != 1 || alignment.clause_of[0] != Alignment::kNone) return;
+    alignment.clause_of[0] = 0;
+    alignment.likeness[0] = 1.0;
+    const size_t here = first.words.size(), there = second.words.size(), most = std::min(here, there);
+    size_t head = 0, tail = 0;
+    while (head < most && first.exact[head] == second.exact[head]) ++head;
+    while (tail < most - head && first.exact[here - 1 - tail] == second.exact[there - 1 - tail]) ++tail;
+    for (size_t i = 0; i < head; ++i) alignment.word_of[i] = i;
+    for (size_t i = 1; i <= tail; ++i) alignment.word_of[here - i] = there - i;
+}
 
 void match_block_ends(const AlignedText& first, const AlignedText& second, Alignment& alignment) {
     std::vector<size_t> wanted = alignment.clause_of;

@@ -17,4 +17,8 @@ namespace porttool {
 ///                            }               but this one
 void match_block_ends(const AlignedText& first, const AlignedText& second, Alignment& alignment);
 
+/// Lets the only clause of a text stand for the only one of another, however unlike: `# define N 32` and
+/// `# define N ( 2 * SIZE )`. Of the words those at both ends that are the same stand for each other.
+void match_only_clauses(const AlignedText& first, const AlignedText& second, Alignment& alignment);
+
 }  // namespace porttool

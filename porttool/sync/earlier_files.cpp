@@ -14,4 +14,10 @@ std::map<std::string, std::string> EarlierFiles::read(Side side, const std::set<
     return files.error.empty() ? std::move(files.files) : std::map<std::string, std::string>();
 }
 
+const std::string* EarlierTexts::of(Side side, const std::string& path) {
+    if (!texts_[side]) texts_[side] = files_.read(side, expected_[side]);
+    const auto found = texts_[side]->find(path);
+    return found == texts_[side]->end() ? nullptr : &found->second;
+}
+
 }  // namespace porttool

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 
@@ -23,6 +24,23 @@ public:
 private:
     const CheckedProject& checked_;
     std::string revision_;
+};
+
+/// The same of the files that a run asks for, read at once when the first of them is.
+class EarlierTexts {
+public:
+    /// Must outlive it.
+    explicit EarlierTexts(const EarlierFiles& files) : files_(files) {}
+
+    /// A file that will be asked for.
+    void expect(Side side, const std::string& path) { expected_[side].insert(path); }
+    /// nullptr for one that the commit has not, and for one that was not expected.
+    const std::string* of(Side side, const std::string& path);
+
+private:
+    const EarlierFiles& files_;
+    BySide<std::set<std::string>> expected_;
+    BySide<std::optional<std::map<std::string, std::string>>> texts_;
 };
 
 }  // namespace porttool

@@ -165,6 +165,52 @@ void Examples::learn(const AlignedText& source, const AlignedText& target, const
             }
         }
     }
+    learn_parameter_types(source, target, alignment);
+    learn_statements(source, target, alignment);
+}
+
+/// `REAL4 z` is `CVector4 & z` there: a parameter's type is that of what it stands for, however it is handed over.
+void Examples::learn_parameter_types(const AlignedText& source, const AlignedText& target, const Alignment& alignment) {
+    if (source.clauses.empty() || alignment.clause_of[0] != 0) return;
+    const Clause &here = source.clauses[0], &there = target.clauses[0];
+    for (size_t i = here.first + 2; i + 1 < here.end; ++i) {
+        const size_t k = alignment.word_of[i];
+        const bool ends = source.words[i + 1] == "," || source.words[i + 1] == ")";
+        if (!ends || k == Alignment::kNone || k < there.first + 4 || source.words[i] != target.words[k]) continue;
+        const bool plain = is_name(source.words[i - 1]) && (source.words[i - 2] == "," || source.words[i - 2] == "(");
+        const std::string& before = target.words[k - 3];
+        if (plain && target.words[k - 1] == "&" && is_name(target.words[k - 2]) &&
+            (before == "," || before == "(" || before == "const"))
+            note(source, i - 1, i, target, k - 2, k - 1);
+    }
+}
+
+/// Where each time one statement of the source and one of the target, as unlike as they are, stand between the same
+/// neighbours, they say the same: `__syncthreads ( ) ;` and `item . barrier ( ) ;`.
+void Examples::learn_statements(const AlignedText& source, const AlignedText& target, const Alignment& alignment) {
+    std::map<std::string, std::vector<std::pair<size_t, size_t>>> found;
+    const auto is_statement = [](const AlignedText& text, const Clause& clause) {
+        return !clause.opens && !clause.closes && text.words[clause.end - 1] == ";";
+    };
+    for (size_t c = 1; c + 1 < source.clauses.size(); ++c) {
+        const size_t left = alignment.clause_of[c - 1], right = alignment.clause_of[c + 1];
+        if (alignment.clause_of[c] != Alignment::kNone || left == Alignment::kNone || right != left + 2) continue;
+        const Clause &here = source.clauses[c], &there = target.clauses[left + 1];
+        if (!is_statement(source, here) || !is_statement(target, there) || here.size() > kLongest) continue;
+        found[joined(source.words, here.first, here.end)].emplace_back(c, left + 1);
+    }
+    for (const auto& [words, places] : found) {
+        const Clause& first = target.clauses[places.front().second];
+        const std::string said = joined(target.words, first.first, first.end);
+        const bool always = std::all_of(places.begin(), places.end(), [&](const auto& place) {
+            const Clause& there = target.clauses[place.second];
+            return joined(target.words, there.first, there.end) == said;
+        });
+        if (places.size() < 2 || !always) continue;
+        const Clause& here = source.clauses[places.front().first];
+        for (size_t i = 0; i < places.size(); ++i)
+            note(source, here.first, here.end - 1, target, first.first, first.end - 1);
+    }
 }
 
 bool Examples::is_said_variously(const std::string& word) const {

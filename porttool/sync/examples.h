@@ -47,6 +47,8 @@ public:
     std::string renamed(std::string_view word) const;
 
 private:
+    void learn_parameter_types(const AlignedText& source, const AlignedText& target, const Alignment& alignment);
+    void learn_statements(const AlignedText& source, const AlignedText& target, const Alignment& alignment);
     void note(const AlignedText& source, size_t first, size_t end, const AlignedText& target, size_t there,
               size_t there_end);
 

@@ -3,6 +3,8 @@
 #include "porttool/sync/include_carrier.h"
 
 #include <algorithm>
+#include <map>
+#include <optional>
 
 #include "porttool/scan/scan.h"
 #include "porttool/sync/file_text.h"
@@ -36,12 +38,6 @@ bool same_units(const ScannedFile& a, const ScannedFile& b) {
 }
 
 }  // namespace
-
-const std::string* IncludeCarrier::earlier_text(Side side, const std::string& path) {
-    if (!texts_[side]) texts_[side] = earlier_.read(side, expected_[side]);
-    const auto found = texts_[side]->find(path);
-    return found == texts_[side]->end() ? nullptr : &found->second;
-}
 
 /// How the port's side includes the file that stands for one of the source's.
 std::string IncludeCarrier::own_there(const std::string& name, const ScannedFile& port, Side from) const {
@@ -85,7 +81,7 @@ void IncludeCarrier::carry(const JudgedPair& pair, Side from) {
     if (!done_.insert({here, there}).second) return;
     const ScannedFile *file = knowledge_.file_of(from, here), *other = knowledge_.file_of(to, there);
     if (file == nullptr || other == nullptr || include_lines(*file).empty()) return;
-    const std::string* text = earlier_text(from, here);
+    const std::string* text = earlier_.of(from, here);
     if (text == nullptr) return;
     Draft& draft = drafts_.of(to, *other);
     const std::vector<TextEdit> edits =

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <map>
-#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -19,25 +17,20 @@ namespace porttool {
 class IncludeCarrier {
 public:
     /// All must outlive it.
-    IncludeCarrier(const CheckedProject& checked, const EarlierFiles& earlier, Knowledge& knowledge, Drafts& drafts)
+    IncludeCarrier(const CheckedProject& checked, EarlierTexts& earlier, Knowledge& knowledge, Drafts& drafts)
         : checked_(checked), earlier_(earlier), knowledge_(knowledge), drafts_(drafts) {}
 
-    /// A file of whose pairs some will be carried.
-    void expect(Side side, const std::string& path) { expected_[side].insert(path); }
     /// Once for each two files of pairs: the includes that came to the side `from`.
     void carry(const JudgedPair& pair, Side from);
 
 private:
-    const std::string* earlier_text(Side side, const std::string& path);
     std::string said_there(const std::string& what, const ScannedFile& file, const ScannedFile& port, Side from) const;
     std::string own_there(const std::string& name, const ScannedFile& port, Side from) const;
 
     const CheckedProject& checked_;
-    const EarlierFiles& earlier_;
+    EarlierTexts& earlier_;
     Knowledge& knowledge_;
     Drafts& drafts_;
-    BySide<std::set<std::string>> expected_;
-    BySide<std::optional<std::map<std::string, std::string>>> texts_;
     std::set<std::pair<std::string, std::string>> done_;
 };
 

@@ -201,6 +201,35 @@ bool KnownWords::scopes_builtins() const {
     return scoped > 0;
 }
 
+/// How often the target's file has `( T ) {`, or where its language constructs values `T {`.
+size_t KnownWords::times_literal_opens(std::string_view type, std::string_view bracket) const {
+    const LexedText& lexed = to_.edited.lexed;
+    const uint32_t ahead = has_literals() ? 2 : 1;
+    size_t times = 0;
+    for (uint32_t i = 2; i + ahead < lexed.tokens.size(); ++i) {
+        if (lexed.view(i) != type || lexed.view(i + ahead) != bracket) continue;
+        const bool enclosed = lexed.view(i - 1) == "(" && lexed.view(i + 1) == ")";
+        const Token& before = lexed.tokens[has_literals() ? i - 2 : i - 1];
+        const bool named = before.kind == TokenKind::Identifier && lexed.view(before) != "return";
+        times += (!has_literals() || enclosed) && !named ? 1 : 0;
+    }
+    return times;
+}
+
+std::string KnownWords::opens_literal(std::string_view type) const {
+    const size_t braces = times_literal_opens(type, "{"), parentheses = times_literal_opens(type, "(");
+    if (braces + parentheses > 0) return braces > parentheses ? "{" : "(";
+    const LexedText& lexed = to_.edited.lexed;
+    bool is_type = false;
+    for (uint32_t i = 0; i + 2 < lexed.tokens.size() && !is_type; ++i)
+        is_type = lexed.view(i) == type && lexed.tokens[i + 1].kind == TokenKind::Identifier &&
+                  (lexed.view(i + 2) == "=" || lexed.view(i + 2) == ";");
+    if (!is_type) return {};
+    return to_.edited.language == Language::OpenCl || to_.edited.language == Language::Glsl ? "("
+           : to_.edited.language == Language::C                                             ? "{"
+                                                                                            : "";
+}
+
 bool KnownWords::anywhere(std::string_view word) const {
     if (to_.all.known().contains(word)) return true;
     if (is_of_source(word)) return false;

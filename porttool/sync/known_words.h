@@ -78,6 +78,9 @@ public:
         return here == Language::OpenCl && there != Language::OpenCl && there != Language::C &&
                there != Language::Cuda && there != Language::Hip && there != Language::Ispc;
     }
+    /// What opens a value of several parts of a type after what stands for `(T)` or `T`, as the target's file writes
+    /// it or, of a type that it declares variables of, as its language has it: "{" or "("; "" where nothing tells.
+    std::string opens_literal(std::string_view type) const;
     /// True for one with C's literals of structs, `(T){1, 2}`.
     bool has_literals() const { return to_.edited.language == Language::C || to_.edited.language == Language::OpenCl; }
     /// True where a real number without a mark is a float in the source's language and none in the target's.
@@ -116,6 +119,7 @@ private:
 
     bool speaks(std::string_view runtime) const;
     bool scopes_builtins() const;
+    size_t times_literal_opens(std::string_view type, std::string_view bracket) const;
     static std::string usual(const Uses* words);
 
     WordsOfSide from_, to_;

@@ -14,6 +14,7 @@
 #include "porttool/scan/scan.h"
 #include "porttool/sync/block_ends.h"
 #include "porttool/sync/call_carrier.h"
+#include "porttool/sync/declaration_carrier.h"
 #include "porttool/sync/file_text.h"
 #include "porttool/sync/include_carrier.h"
 #include "porttool/sync/knowledge.h"
@@ -39,7 +40,9 @@ public:
           knowledge_(checked),
           drafts_(checked, disk),
           new_units_(checked, earlier_, disk, knowledge_, drafts_, brought_),
-          includes_(checked, earlier_, knowledge_, drafts_),
+          earlier_texts_(earlier_),
+          includes_(checked, earlier_texts_, knowledge_, drafts_),
+          declarations_(earlier_texts_, knowledge_, drafts_),
           calls_(checked, knowledge_, drafts_) {}
 
     /// `keeps_back`: pairs of structs whose new fields nothing else may use.
@@ -48,7 +51,7 @@ public:
             const JudgedPair& pair = checked_.judgement.pairs[i];
             if (!keeps_back.contains(i)) note_brought(pair);
             for (const Side side : kBothSides)
-                if (pair.unit[side] != nullptr) includes_.expect(side, pair.unit[side]->file);
+                if (pair.unit[side] != nullptr) earlier_texts_.expect(side, pair.unit[side]->file);
         }
         for (const size_t i : pairs) result_.proposals.push_back(propose_pair(checked_.judgement.pairs[i]));
         calls_.tell(pairs, result_.proposals);
@@ -164,6 +167,7 @@ private:
             const std::set<std::string> unused =
                 writes ? new_units_.unused(made, ported_words(pair, other_side(from))) : std::set<std::string>();
             if (writes && unused.empty()) {
+                declarations_.carry(pair, from, ported_words(pair, other_side(from)));
                 includes_.carry(pair, from);
                 calls_.carry(pair, from, before[from]);
                 out.is_elsewhere = from == Side::Source && target_root(checked_.project) != checked_.project.root;
@@ -225,6 +229,7 @@ private:
                           port_text = keys.text(there.words, record);
         Alignment edit = align(old_text, new_text, {0.5, false});
         match_block_ends(old_text, new_text, edit);
+        match_only_clauses(old_text, new_text, edit);
         const Alignment across = align(old_text, port_text, {});
         if (holds_a_part(pair, from, across))
             return refuse(
@@ -234,6 +239,7 @@ private:
         examples.learn(old_text, port_text, across);
         std::set<std::string, std::less<>> from_elsewhere = new_units_.brought();
         from_elsewhere.merge(new_members(pair, from));
+        from_elsewhere.merge(declarations_.brings(pair, from));
         std::set<std::string, std::less<>> brought = from_elsewhere, lone;
         const std::map<std::string, std::string, std::less<>> unported = new_units_.unported(from);
         for (const auto& [name, why] : unported) lone.insert(name);
@@ -436,7 +442,9 @@ private:
     Knowledge knowledge_;
     Drafts drafts_;
     NewUnits new_units_;
+    EarlierTexts earlier_texts_;
     IncludeCarrier includes_;
+    DeclarationCarrier declarations_;
     CallCarrier calls_;
     SyncResult result_;
 };

@@ -44,6 +44,19 @@ bool is_vector_literal(const std::vector<std::string>& words, size_t i, size_t e
     return false;
 }
 
+/// Where the bracket that opens at `open` closes, if there is a comma directly within; else `end`.
+size_t end_of_parts(const std::vector<std::string>& words, size_t open, size_t end) {
+    int depth = 0;
+    bool parts = false;
+    for (size_t k = open; k < end; ++k) {
+        const std::string& word = words[k];
+        depth += word == "(" || word == "[" || word == "{" ? 1 : word == ")" || word == "]" || word == "}" ? -1 : 0;
+        parts |= depth == 1 && word == ",";
+        if (depth == 0) return parts ? k : end;
+    }
+    return end;
+}
+
 /// A phrase that begins with the scope that was just written goes on from there.
 void drop_prefix_there(const std::vector<CarriedWord>& written, std::vector<std::string>& phrase) {
     const size_t size = written.size();
@@ -61,6 +74,32 @@ std::string written_number(const std::string& word) {
     return word.substr(0, word.size() - 1) + ".0f";
 }
 
+/// `CVector4 ( a , b )` of C++ is `( REAL4 ) { a , b }` in C, and the other way round, by what the target's file does.
+bool EditTranslator::carry_literal(const std::vector<std::string>& words, size_t& i, size_t end,
+                                   const std::function<std::string(size_t)>& written, CarriedWords& out) const {
+    const bool after_name = i > 0 && ((is_word_token(words[i - 1]) && words[i - 1] != "return") ||
+                                      words[i - 1] == "." || words[i - 1] == "->" || words[i - 1] == "::");
+    const bool enclosed = words[i] == "(" && i + 3 < end && is_word_token(words[i + 1]) && words[i + 2] == ")";
+    const size_t name = enclosed ? i + 1 : i, open = enclosed ? i + 3 : i + 1;
+    if (after_name || enclosed == known_.has_literals() || !is_word_token(words[name]) || open >= end) return false;
+    if (words[open] != "{" && (words[open] != "(" || units_.names.contains(words[name]))) return false;
+    const size_t close = end_of_parts(words, open, end);
+    const std::string type = close == end ? std::string() : type_named(words[name]);
+    const std::string bracket = type.empty() ? type : known_.opens_literal(type);
+    if (bracket.empty()) return false;
+    const auto put = [&](std::string text, size_t from) { out.words.push_back({std::move(text), from}); };
+    if (!enclosed) put("(", CarriedWord::kNoSource);
+    put(type, name);
+    if (!enclosed) put(")", CarriedWord::kNoSource);
+    put(bracket, open);
+    CarriedWords within = carry(words, open + 1, close, written);
+    out.words.insert(out.words.end(), within.words.begin(), within.words.end());
+    out.unknown.insert(out.unknown.end(), within.unknown.begin(), within.unknown.end());
+    put(bracket == "{" ? "}" : ")", close);
+    i = close + 1;
+    return true;
+}
+
 CarriedWords EditTranslator::carry(const std::vector<std::string>& words, size_t first, size_t end,
                                    const std::function<std::string(size_t)>& written) const {
     CarriedWords out;
@@ -70,6 +109,7 @@ CarriedWords EditTranslator::carry(const std::vector<std::string>& words, size_t
             ++i;
             continue;
         }
+        if (carry_literal(words, i, end, written, out)) continue;
         if (known_.lacks_casts() && words[i] == "(" && i + 2 < words.size() && is_type_word(words[i + 1]) &&
             words[i + 2] == ")" && (i == 0 || !is_word_token(words[i - 1]) || words[i - 1] == "return"))
             out.unknown.push_back("(" + words[i + 1] + ")");
@@ -166,6 +206,14 @@ std::string EditTranslator::said_in_folder(std::string_view text, Use use) const
     if (use == Use::Value) return {};
     const Examples::Phrase phrase = beside_.folder().longest({std::string(text)}, 0, 1);
     return phrase.length == 1 && phrase.target.size() == 1 && is_word_token(phrase.target[0]) ? phrase.target[0] : "";
+}
+
+std::string EditTranslator::type_named(const std::string& name) const {
+    for (const Examples* examples : {&pair_, &beside_.file()})
+        if (const Examples::Phrase said = examples->longest({name}, 0, 1);
+            said.length == 1 && said.target.size() == 1 && is_word_token(said.target[0]))
+            return said.target[0];
+    return word(name, Use::Type);
 }
 
 std::string EditTranslator::word(std::string_view text, Use use) const {

@@ -85,8 +85,12 @@ private:
     enum class Use : uint8_t { Value, Type, Call };
     /// How the target says the word alone; "" if that is not known.
     std::string word(std::string_view text, Use use) const;
+    std::string type_named(const std::string& name) const;
     std::string said_in_folder(std::string_view text, Use use) const;
     std::string number(const std::string& written) const;
+    /// Carries a value of several parts in the target's form, and moves `i` behind it; false if none stands there.
+    bool carry_literal(const std::vector<std::string>& words, size_t& i, size_t end,
+                       const std::function<std::string(size_t)>& written, CarriedWords& out) const;
     std::string member(std::string_view text) const;
 
     const Examples& pair_;

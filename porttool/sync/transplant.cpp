@@ -760,6 +760,8 @@ private:
             const Clause& clause = before(c);
             if (counterpart(c) != kNothing || clause.closes || clause.opens || texts_.edit.clause_of[c] == kNothing)
                 return false;
+            // What the source gives back the port may hand back through a reference.
+            if (texts_.before.words[clause.first] == "return" && !only_result(texts_.target)) return false;
             for (size_t i = clause.first; i < clause.end; ++i)
                 if (names.contains(texts_.before.words[i])) return true;
             return false;
@@ -845,6 +847,9 @@ private:
         const bool beside_left = left != kNothing && counterpart(was_before) == left;
         const bool beside_right = right != kNothing && counterpart(was_after) == right;
         if (!beside_left && !beside_right) return std::nullopt;
+        // Behind a `return` of the port's own nothing would run.
+        if (beside_left && own[0] == left + 1 && texts_.target.words[target(own[0]).first] == "return")
+            return target(own[0]).first;
         std::set<std::string> names;
         for (const ClauseAdded& clause : clauses)
             for (const CarriedWord& word : clause.words)
@@ -852,7 +857,11 @@ private:
         for (const size_t c : own)
             for (size_t i = target(c).first; i < target(c).end; ++i)
                 if (names.contains(texts_.target.words[i])) return std::nullopt;
-        return beside_left ? target(left).end : target(right).first;
+        // What a new block goes around begins with its right neighbour, and not with what the port has before that.
+        const bool goes_around =
+            now(clauses.back().source).opens &&
+            std::none_of(own.begin(), own.end(), [&](size_t c) { return target(c).opens || target(c).closes; });
+        return beside_left && !(goes_around && beside_right) ? target(left).end : target(right).first;
     }
 
     // Clauses that went.

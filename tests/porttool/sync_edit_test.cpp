@@ -891,5 +891,66 @@ TEST(SyncEdit, WhatWouldBeAnotherEditInThePortIsLeft) {
                  "void f(float& a, float" + body + "}\n", ""});
 }
 
+TEST(SyncEdit, AConstantGetsAValueOfAnotherKind) {
+    const std::string rest = "int f(int a) {\n  return a * SIZE;\n}\n";
+    expect_ported({"k.cl", "k.cu", "#define SIZE 32\n" + rest, "#define SIZE (2 * 160 + 4)\n" + rest,
+                   "#define SIZE 32\n__device__ " + rest, "#define SIZE (2 * 160 + 4)\n__device__ " + rest});
+}
+
+TEST(SyncEdit, ATypeIsKnownFromAParameterThoughThatIsAReferenceThere) {
+    const std::string body = "  z = fold(z);\n";
+    expect_ported(
+        {"k.cl", "k.cpp", "REAL4 turn(REAL4 z, __constant Scale *s)\n{\n" + body + "  return z;\n}\n",
+         "REAL4 turn(REAL4 z, __constant Scale *s)\n{\n  REAL4 old = z;\n" + body + "  z += old;\n  return z;\n}\n",
+         "void turn(Vector &z, const Scale *s)\n{\n" + body + "}\n",
+         "void turn(Vector &z, const Scale *s)\n{\n  Vector old = z;\n" + body + "  z += old;\n}\n"});
+}
+
+TEST(SyncEdit, UnlikeStatementsBetweenTheSameNeighboursSayTheSame) {
+    const auto text = [](const std::string& head, const std::string& wait, const std::string& between) {
+        return head + "  int next = take(data);\n  " + wait + "\n  data[next] = next + 1;\n" + between +
+               "  int last = give(data);\n  " + wait + "\n  data[last] = last - 1;\n}\n";
+    };
+    const std::string cuda = "__global__ void work(int* data) {\n", sycl = "void work(int* data, nd_item<1>& item) {\n";
+    const std::string wait = "__syncthreads();", wait_there = "item.barrier(access::fence_space::local_space);";
+    expect_ported({"k.cu", "k.cpp", text(cuda, wait, ""), text(cuda, wait, "  " + wait + "\n"),
+                   text(sycl, wait_there, ""), text(sycl, wait_there, "  " + wait_there + "\n")});
+}
+
+TEST(SyncEdit, AValueOfSeveralPartsIsWrittenAsThePortsFileWritesIt) {
+    const std::string cpp = "void fold(Vec4 &z, Vec4 c)\n{\n  z = Vec4(c.x, c.y, c.z, 0.0);\n";
+    const std::string cl = "REAL4 fold(REAL4 z, REAL4 c)\n{\n  z = (REAL4){c.x, c.y, c.z, 0.0f};\n";
+    const std::string gain = "  z += Vec4(c.y, c.x, 1.0, 1.0);\n",
+                      gain_there = "  z += (REAL4){c.y, c.x, 1.0f, 1.0f};\n";
+    expect_ported({"k.cpp", "k.cl", cpp + "}\n", cpp + gain + "}\n", cl + "  return z;\n}\n",
+                   cl + gain_there + "  return z;\n}\n"});
+    expect_ported({"k.cl", "k.cpp", cl + "  return z;\n}\n", cl + gain_there + "  return z;\n}\n", cpp + "}\n",
+                   cpp + gain + "}\n"});
+}
+
+/// C's literal of a vector has braces, and none of them is a block's.
+TEST(SyncEdit, ALiteralWithinASwitchMovesWhole) {
+    const std::string turn =
+        "  switch (n)\n  {\n    case 1: z = Vec4(z.y, z.x, z.z, z.w); break;\n"
+        "    default: z = Vec4(z.z, z.y, z.x, z.w); break;\n  }\n";
+    const std::string turn_there =
+        "  switch (n)\n  {\n    case 1: z = (REAL4){z.y, z.x, z.z, z.w}; break;\n"
+        "    default: z = (REAL4){z.z, z.y, z.x, z.w}; break;\n  }\n";
+    const std::string head = "void f(Vec4 &z, int n)\n{\n  z.x = fabs(z.x);\n",
+                      head_there = "REAL4 f(REAL4 z, int n)\n{\n  z.x = fabs(z.x);\n";
+    const std::string end = "  z.y = fabs(z.y);\n", tail = "  z.z = fabs(z.z);\n";
+    expect_ported({"k.cpp", "k.cl", head + turn + end + tail + "}\n", head + end + turn + tail + "}\n",
+                   head_there + turn_there + end + tail + "  return z;\n}\n",
+                   head_there + end + turn_there + tail + "  return z;\n}\n"});
+}
+
+TEST(SyncEdit, ANewLoopGoesAroundWhatThePortHasOfTheSource) {
+    const std::string head = "int main(int n) {\n  load(n);\n", work = "  start(n);\n  step(n);\n  stop(n);\n",
+                      end = "  clear(n);\n  return 0;\n}\n", loop = "  for (int i = 0; i < 10; i++) {\n";
+    expect_ported({"k.cu", "k.cpp", head + work + end, head + loop + work + "  }\n" + end,
+                   head + "  device_queue q(n);\n" + work + end,
+                   head + "  device_queue q(n);\n" + loop + work + "  }\n" + end});
+}
+
 }  // namespace
 }  // namespace porttool::testing

@@ -414,6 +414,36 @@ TEST_F(SyncNewUnit, AnIncludeThatThePortHasOrThatStandsInABranchStaysOut) {
                            "a * 2.0f", "a * 4.0f"));
 }
 
+TEST_F(SyncNewUnit, AVariableOfTheFileComesWithWhatUsesIt) {
+    start("k.cu", kTimed, "k.cpp", kTimedPort);
+    edit("float shade(", "float gain = 3.0f;\nint unused = 1;\nhalf_word packed = 2;\nfloat shade(");
+    edit("a * 2.0f", "a * gain");
+    expect_ported(replaced(replaced(kTimedPort, "a * 2.0f", "a * gain"), "#include \"cpu_shapes.h\"\n",
+                           "#include \"cpu_shapes.h\"\nfloat gain = 3.0f;\n"));
+}
+
+TEST_F(SyncNewUnit, AVariableOfATypeThatThePortHasNotStaysOut) {
+    start("k.cu", kTimed, "k.cpp", kTimedPort);
+    edit("float shade(", "half_word packed = 2;\nfloat shade(");
+    edit("a * 2.0f", "a * packed");
+    for (const auto& one : proposals(1)) EXPECT_NE(one["state"], "proposed") << one.dump(1);
+}
+
+TEST_F(SyncNewUnit, TheHeadOfAFunctionThatIsDefinedElsewhereFollows) {
+    const std::string source =
+        "void test(const float* __restrict__ a, int n);\nvoid show(int n);\n"
+        "int run(float* a, int n) {\n    test(a, n);\n    show(n);\n    return 0;\n}\n";
+    const std::string port =
+        "void test(const float* __restrict a,\n          int n);\nvoid show(int n);\n"
+        "int run(float* a, int n) {\n    test(a, n);\n    show(n);\n    return 0;\n}\n";
+    start("k.cu", source, "k.cpp", port);
+    edit("void test(", "bool test(");
+    edit("void show(int n)", "void show(int n, bool ok)");
+    edit("    test(a, n);\n    show(n);\n", "    bool ok = test(a, n);\n    show(n, ok);\n");
+    expect_ported(replaced(replaced(replaced(port, "void test(", "bool test("), "show(int n)", "show(int n, bool ok)"),
+                           "    test(a, n);\n    show(n);\n", "    bool ok = test(a, n);\n    show(n, ok);\n"));
+}
+
 const std::string kRoot =
     "__device__ float root(float a, float b) {\n    return sqrtf(a * b);\n}\n"
     "__device__ float shade(float a) {\n    float b = root(a, 2.0f);\n    return b;\n}\n"
