@@ -5,6 +5,7 @@
 #include <set>
 
 #include "porttool/command/commands.h"
+#include "porttool/difftest/build_defines.h"
 #include "porttool/difftest/difftest.h"
 #include "porttool/judge/evidence.h"
 #include "porttool/judge/settle.h"
@@ -78,6 +79,14 @@ uint64_t whole_option(const std::string& name, const std::string& text, uint64_t
     return value;
 }
 
+/// Throws CannotDo where one of them is none. `from`: where they stand.
+void require_macros(const std::vector<std::string>& defines, const std::string& from) {
+    for (const std::string& one : defines)
+        if (!is_macro(one))
+            throw CannotDo(from + " " + terminal_text(one) +
+                           ": expected NAME or NAME=VALUE, with a value on one line without quotes, $, ;, <, > and #");
+}
+
 /// Takes the pairs that ran and gave the same as verified, in portmap.lock. Returns the line that says so.
 std::string record_same(const Options& options, const DifftestResult& result, Workplace& place) {
     const auto guard = guard_lock(options, place);
@@ -123,7 +132,9 @@ Outcome run_difftest(const Options& options, Workplace& place) {
     settings.keep = options.keep;
     if (options.records && !options.source.empty())
         throw CannotDo("--record marks pairs of portmap.toml; give it without --source and --target");
+    require_macros(options.defines, "--define");
     const Project project = read_snapshot(open_project(options, place, true), {}, place.disk, Depth::Scanned).project;
+    require_macros(project.map.defines, project.map_name + ": [difftest] defines:");
     settings.defines = options.defines;
     settings.defines.insert(settings.defines.end(), project.map.defines.begin(), project.map.defines.end());
     const std::vector<PairIds> all = known_pairs(project, options.source.empty());

@@ -68,6 +68,12 @@ std::string folder_above(const std::string& folder) {
 
 }  // namespace
 
+bool is_macro(std::string_view text) {
+    Macros out;
+    add_macro(out, text);
+    return !out.empty();
+}
+
 Macros macros_in_flags(std::string_view flags) {
     Macros out;
     for (size_t at = 0; at < flags.size();) {

@@ -15,6 +15,9 @@ namespace porttool {
 /// Macros with what they stand for, as `-DNAME=VALUE` has them, in their order.
 using Macros = std::vector<std::pair<std::string, std::string>>;
 
+/// True for `NAME` and `NAME=VALUE` that a preprocessor takes as one value.
+bool is_macro(std::string_view text);
+
 /// `-DNAME` and `-DNAME=VALUE` in the flags of a compiler; what holds a variable of the build's language is left out.
 Macros macros_in_flags(std::string_view flags);
 

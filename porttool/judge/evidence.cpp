@@ -56,6 +56,20 @@ bool explains(const Finding& finding) {
     }
 }
 
+/// What ran without its own text among those named could be of any tree.
+void require_own_texts(const EvidenceFile& evidence, const Project& project) {
+    std::set<std::string> named;
+    for (const auto& [file, print] : evidence.texts) named.insert(file);
+    for (const SeenPair& pair : evidence.pairs)
+        for (const Side side : kBothSides) {
+            const std::string file = split_id(pair.id[side]).first;
+            if (named.contains(side == Side::Source ? file : target_path(project.map, file))) continue;
+            throw CannotDo(fmt::format(
+                "--evidence {}: the pair {} ran, and its file {} is not among the \"texts\"\nRun it again here",
+                terminal_text(evidence.path), terminal_line(pair.id[side]), terminal_line(file)));
+        }
+}
+
 std::string share_text(const SeenKernel& kernel) {
     constexpr double kPercent = 100, kTenth = 0.1;
     if (kernel.share <= 0) return kernel.paths > 0 ? fmt::format("{} paths", kernel.paths) : "the paths";
@@ -98,6 +112,7 @@ std::vector<EvidenceFile> evidence_of(const std::vector<std::string>& paths, con
     std::vector<EvidenceFile> out;
     for (const std::string& path : paths) {
         out.push_back(read_evidence(path, disk));
+        require_own_texts(out.back(), project);
         const std::vector<std::string> others = other_texts(out.back().texts, project);
         if (others.empty()) continue;
         constexpr size_t kMost = 8;
@@ -132,6 +147,13 @@ std::vector<const UnitState*> EvidenceJoin::units_of(const std::string& id, Side
     return out;
 }
 
+/// A person left a difference as it is, and the two functions were seen to give the same.
+bool EvidenceJoin::is_settled_for_nothing(const Finding& finding) const {
+    if (!finding.verdict) return false;
+    const auto seen = pairs_.find({finding.map_source, finding.map_target});
+    return seen != pairs_.end() && seen->second->same;
+}
+
 std::vector<const UnitState*> EvidenceJoin::entry_units(const SeenKernel& kernel, Side side) const {
     std::vector<const UnitState*> out = units_of(kernel.entry[side], side);
     return out.empty() ? graph_[side].units_of_stem(kernel.name) : out;
@@ -142,7 +164,8 @@ RunEvidence EvidenceJoin::unexplained(const Judgement& judgement) const {
     for (const Side side : kBothSides) {
         std::vector<UseGraph::Marked> starts;
         for (const Finding& finding : judgement.findings)
-            if (const auto& place = side == Side::Source ? finding.source : finding.target; place && explains(finding))
+            if (const auto& place = side == Side::Source ? finding.source : finding.target;
+                place && explains(finding) && !is_settled_for_nothing(finding))
                 for (const UnitState* unit : units_of(place->id, side)) starts.push_back({unit, 0});
         explained[side] = graph_[side].reached(starts, Along::Users);
     }

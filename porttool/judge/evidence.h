@@ -27,7 +27,8 @@ std::vector<EvidenceFile> evidence_of(const std::vector<std::string>& paths, con
 ///
 /// What explains a difference is a finding that an edit of one side, or two edits that differ, made: one on the unit
 /// that differs, or on what it uses in whatever many steps, on either side. For a kernel of a picture that begins at
-/// its entry functions. Findings that a person settled explain as well; notes do not.
+/// its entry functions. Findings that a person settled explain as well, unless their own pair ran and gave the same;
+/// notes do not.
 class EvidenceJoin {
 public:
     EvidenceJoin(const std::vector<EvidenceFile>& files, const States& states);
@@ -47,6 +48,7 @@ private:
     struct Marks {
         BySide<Marked> pairs, kernels;
     };
+    bool is_settled_for_nothing(const Finding& finding) const;
     std::vector<const UnitState*> units_of(const std::string& id, Side side) const;
     std::vector<const UnitState*> entry_units(const SeenKernel& kernel, Side side) const;
     Marks marks_of(const Judgement& judgement) const;

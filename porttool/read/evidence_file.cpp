@@ -36,9 +36,28 @@ uint64_t count_in(const ordered_json& object, const char* name) {
     return value.is_number_unsigned() ? value.get<uint64_t>() : 0;
 }
 
-std::optional<double> number_in(const ordered_json& object, const char* name) {
+bool is_absent(const ordered_json& object, const char* name) { return member(object, name).is_null(); }
+
+/// A number between two others; none where there is no number or another one.
+std::optional<double> number_in(const ordered_json& object, const char* name, double least, double most) {
     const ordered_json& value = member(object, name);
-    return value.is_number() ? std::optional(value.get<double>()) : std::nullopt;
+    if (!value.is_number()) return std::nullopt;
+    const auto number = value.get<double>();
+    return number >= least && number <= most ? std::optional(number) : std::nullopt;
+}
+
+bool is_pixel(const ordered_json& value) {
+    return value.is_array() && value.size() == 2 && value[0].is_number_unsigned() && value[1].is_number_unsigned();
+}
+
+/// The field of a difference, or of the whole, that holds a number which cannot be; "" for none.
+std::string odd_number(const ordered_json& difference, const ordered_json& whole) {
+    for (const char* name : {"segment", "paths"})
+        if (!is_absent(difference, name) && !member(difference, name).is_number_unsigned()) return name;
+    if (!is_absent(difference, "share") && !number_in(difference, "share", 0, 1)) return "share";
+    if (!is_absent(difference, "pixel") && !is_pixel(member(difference, "pixel"))) return "pixel";
+    if (!is_absent(whole, "ssim") && !number_in(whole, "ssim", -1, 1)) return "ssim";
+    return {};
 }
 
 std::vector<std::string> texts_in(const ordered_json& object, const char* name) {
@@ -98,12 +117,11 @@ SeenKernel kernel_of(const ordered_json& difference, const ordered_json& whole) 
     out.field = text_in(difference, "field");
     out.segment = count_in(difference, "segment");
     out.paths = count_in(difference, "paths");
-    out.share = std::clamp(number_in(difference, "share").value_or(0), 0.0, 1.0);
+    out.share = number_in(difference, "share", 0, 1).value_or(0);
     out.materials = texts_in(difference, "materials");
     const ordered_json& pixel = member(difference, "pixel");
-    if (pixel.is_array() && pixel.size() == 2 && pixel[0].is_number_unsigned() && pixel[1].is_number_unsigned())
-        out.pixel = {pixel[0].get<uint64_t>(), pixel[1].get<uint64_t>()};
-    out.ssim = number_in(whole, "ssim");
+    if (is_pixel(pixel)) out.pixel = {pixel[0].get<uint64_t>(), pixel[1].get<uint64_t>()};
+    out.ssim = number_in(whole, "ssim", -1, 1);
     out.pictures = texts_in(whole, "pictures");
     for (const ordered_json& kernel : member(whole, "kernels"))
         if (text_in(kernel, "kernel") == out.name) out.entry = {text_in(kernel, "source"), text_in(kernel, "target")};
@@ -150,6 +168,8 @@ private:
             const std::string state = text_in(one, "state");
             if (state == "not_run") continue;
             SeenPair pair{{text_in(one, "source"), text_in(one, "target")}};
+            if (!is_absent(one, "inputs") && !member(one, "inputs").is_number_unsigned())
+                fail("has a pair with \"inputs\" that cannot be");
             if (pair.id.source.empty() || pair.id.target.empty() || (state != "same" && state != "differs"))
                 fail("has a pair without source, target or state");
             pair.same = state == "same";
@@ -177,6 +197,8 @@ private:
     }
 
     void add_kernel(const ordered_json& difference, const ordered_json& whole) {
+        if (const std::string odd = odd_number(difference, whole); !odd.empty())
+            fail("has a difference with a \"" + odd + "\" that cannot be");
         out_.kernels.push_back(kernel_of(difference, whole));
         if (out_.kernels.back().name.empty()) fail("has a difference without a kernel");
     }

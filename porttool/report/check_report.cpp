@@ -53,6 +53,18 @@ std::string verified_text(const Summary& summary) {
     return summary.recorded > 0 && summary.verified == 0 ? "; recorded, not verified" : "";
 }
 
+/// True for a path that stays in the folder that it starts in, wherever it is read.
+bool is_beneath(const std::string& path) {
+    if (path.empty() || path[0] == '/' || path.find('\\') != std::string::npos || path.find(':') != std::string::npos)
+        return false;
+    for (size_t at = 0; at <= path.size();) {
+        const size_t end = std::min(path.find('/', at), path.size());
+        if (path.compare(at, end - at, "..") == 0) return false;
+        at = end + 1;
+    }
+    return true;
+}
+
 ordered_json evidence_json(const Finding& finding) {
     if (!finding.evidence) return nullptr;
     const FindingEvidence& seen = *finding.evidence;
@@ -70,7 +82,8 @@ ordered_json evidence_json(const Finding& finding) {
     out["materials"] = seen.kernel->materials;
     if (seen.kernel->pixel) out["pixel"] = *seen.kernel->pixel;
     if (seen.kernel->ssim) out["ssim"] = *seen.kernel->ssim;
-    for (const std::string& picture : seen.kernel->pictures) out["pictures"].push_back(picture_path(seen, picture));
+    for (const std::string& picture : seen.kernel->pictures)
+        if (is_beneath(picture)) out["pictures"].push_back(picture_path(seen, picture));
     return out;
 }
 

@@ -6,6 +6,7 @@
 #include <array>
 #include <optional>
 
+#include "metrics/text/fingerprint.h"
 #include "porttool/scan/suppressions.h"
 
 namespace porttool {
@@ -21,32 +22,6 @@ bool starts_identifier(char c) {
 bool continues_identifier(char c) { return starts_identifier(c) || is_digit(c); }
 
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f' || c == '\0'; }
-
-/// The file without byte order mark, carriage returns and line splices; `splices` are the offsets where a line ended
-/// without a newline being left.
-std::string without_splices(std::string_view file, std::vector<uint32_t>& splices) {
-    if (file.starts_with("\xEF\xBB\xBF")) file.remove_prefix(3);
-    std::string text;
-    text.reserve(file.size() + 1);
-    for (size_t i = 0; i < file.size(); ++i) {
-        char c = file[i];
-        if (c == '\\') {
-            size_t next = i + 1;
-            if (next < file.size() && file[next] == '\r') ++next;
-            if (next < file.size() && file[next] == '\n') {
-                splices.push_back(static_cast<uint32_t>(text.size()));
-                i = next;
-                continue;
-            }
-        }
-        if (c == '\r') {
-            if (i + 1 < file.size() && file[i + 1] == '\n') continue;
-            c = '\n';
-        }
-        text.push_back(c);
-    }
-    return text;
-}
 
 // Angle brackets stay single, so that template lists and `>>` need no second look.
 constexpr std::array<std::string_view, 19> kPunctuators = {
@@ -65,7 +40,7 @@ DirectiveKind directive_kind(std::string_view name) {
 class Lexer {
 public:
     explicit Lexer(std::string_view file) {
-        out_.text = without_splices(file, splices_);
+        out_.text = metrics::plain_text(file, &splices_);
         text_ = out_.text;
         out_.line_starts = {0};
     }

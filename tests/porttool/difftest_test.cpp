@@ -118,7 +118,9 @@ TEST_F(Difftest, RecordsThatAPairRanTheSame) {
           "inline float half_of(float x) { return x / 2; }\ninline float twice(float x) { return x * 3.0f; }\n");
     porttool({"init", "--source", "a/*", "--target", "b/*"});
     const std::string before = read_text(root / "portmap.lock");
-    EXPECT_EQ(porttool({"difftest", "--inputs", "200", "--evidence", (root / "e.json").string()}).exit_code, 1);
+    EXPECT_EQ(
+        porttool({"difftest", "--inputs", "200", "--ulps", "0", "--evidence", (root / "e.json").string()}).exit_code,
+        1);
     EXPECT_EQ(read_text(root / "portmap.lock"), before) << "it writes nothing unless asked";
     const nlohmann::json checked =
         nlohmann::json::parse(porttool({"check", "--format", "json", "--evidence", (root / "e.json").string()}).out);
@@ -126,13 +128,29 @@ TEST_F(Difftest, RecordsThatAPairRanTheSame) {
     EXPECT_EQ(checked["findings"][0]["rule"], "unexplained-difference");
     EXPECT_EQ(checked["findings"][0]["source"]["id"], "a/a.glsl:twice");
     EXPECT_EQ(checked["summary"]["verified"], 1);
-    const CommandRun got = porttool({"difftest", "a/a.glsl:half_of", "--inputs", "200", "--record"});
+    const CommandRun got = porttool({"difftest", "a/a.glsl:half_of", "--inputs", "200", "--ulps", "0", "--record"});
     EXPECT_NE(got.out.find("1 pairs recorded as verified"), std::string::npos) << got.out << got.err;
     const std::string after = read_text(root / "portmap.lock");
     EXPECT_NE(after.find("difftest 2"), std::string::npos);
     EXPECT_EQ(std::count(after.begin(), after.end(), '\n'), std::count(before.begin(), before.end(), '\n'));
     EXPECT_EQ(nlohmann::json::parse(porttool({"check", "--format", "json"}).out)["summary"]["verified"], 1);
     EXPECT_EQ(porttool({"difftest", "--record", "--source", "a/*", "--target", "b/*"}).exit_code, 2);
+}
+
+TEST_F(Difftest, WhatIsNoMacroIsNamed) {
+    write("a/a.glsl", "float half_of(float x) { return x * 0.5; }\n");
+    write("b/b.h", "inline float half_of(float x) { return x / 2; }\n");
+    for (const std::string odd : {"", "1A=2", "A B", "=3", "A=$(B)", "A=1;B", "A=<b>", "A-B=1", "A=\"b"}) {
+        const CommandRun got = porttool({"difftest", "--source", "a/*", "--target", "b/*", "--define", odd});
+        EXPECT_EQ(got.exit_code, 2) << odd;
+        EXPECT_EQ(got.out, "") << odd;
+        EXPECT_EQ(got.err.find("porttool: --define " + odd), 0u) << got.err;
+    }
+    porttool({"init", "--source", "a/*", "--target", "b/*"});
+    write("portmap.toml", read_text(root / "portmap.toml") + "\n[difftest]\ndefines = [\"2X\"]\n");
+    const CommandRun got = porttool({"difftest"});
+    EXPECT_EQ(got.exit_code, 2);
+    EXPECT_NE(got.err.find("[difftest] defines: 2X"), std::string::npos) << got.err;
 }
 
 TEST_F(Difftest, TakesKernelLanguagesForCpp) {
@@ -157,7 +175,7 @@ __device__ int picked(int kind, bool front) { return front ? kind : -kind; }
 __device__ float sum(const float* values, int count) { float s = 0; for (int i = 0; i < count; ++i) s += values[i]; return s; }
 __global__ void fill(float* out) { out[threadIdx.x] = 1.0f; }
 )",
-                                        {"--inputs", "3000"});
+                                        {"--inputs", "3000", "--ulps", "0"});
     EXPECT_EQ(pair_of(pairs, "tone")["state"], "same") << pairs.dump(1);
     EXPECT_EQ(pair_of(pairs, "shaded")["state"], "same") << pairs.dump(1);
     EXPECT_EQ(pair_of(pairs, "picked")["state"], "differs");
@@ -268,7 +286,7 @@ void shifted(float* out, const float* in, int count) { for (int i = 0; i < count
 float far_away(const float* values) { return values[1000000]; }
 template <int N, class T> T power(T x) { T out = 1; for (int i = 0; i < N; ++i) out *= x; return out; }
 )",
-                                        {"--inputs", "1000"});
+                                        {"--inputs", "1000", "--ulps", "0"});
     const nlohmann::json limited = pair_of(pairs, "limited");
     EXPECT_EQ(limited["state"], "same") << limited.dump(1);
     EXPECT_EQ(limited["reason"].get<std::string>().find("component by component"), 0u) << limited["reason"];

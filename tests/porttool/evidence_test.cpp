@@ -96,6 +96,15 @@ TEST_F(Evidence, AnEditOfWhatAFunctionCallsExplainsIt) {
     EXPECT_EQ(rules(report({"/e/f.json"})), Rules{});
 }
 
+TEST_F(Evidence, ASettledEditThatWasSeenToChangeNothingExplainsNothing) {
+    edit("return m * m", "return m * m * 1.0f");
+    run(disk, {"-C", "/r", "ignore", "src/k.cu:fresnel", "--reason", "the same"});
+    functions({pair_of("fresnel", "same"), pair_of("shade", "differs")});
+    EXPECT_EQ(rules(report({"/e/f.json"})), Rules{"unexplained-difference"});
+    functions({pair_of("fresnel", "differs"), pair_of("shade", "differs")});
+    EXPECT_EQ(rules(report({"/e/f.json"})), Rules{});
+}
+
 TEST_F(Evidence, AnEditElsewhereExplainsNothing) {
     edit("d * 0.125f", "d * 0.25f");
     functions(json::array({pair_of("shade", "differs")}));
@@ -174,6 +183,14 @@ TEST_F(Evidence, EveryFormatTellsIt) {
     EXPECT_NE(page.find("other.txt is no PNG"), std::string::npos);
     const json log = json::parse(checked({"/e/p.json"}, "sarif").out);
     EXPECT_EQ(log["runs"][0]["results"][0]["properties"]["evidence"]["pictures"][0], "/e/where.png");
+    for (const char* foreign :
+         {"/secret.png", "../secret.png", "a/../../b.png", "C:\\b.png", "http://x/y.png", "..", ""}) {
+        picture({{"first", parting("k")}, {"pictures", {foreign, "where.png"}}});
+        for (const json& seen :
+             {json::parse(checked({"/e/p.json"}, "sarif").out)["runs"][0]["results"][0]["properties"],
+              report({"/e/p.json"})["findings"][0]})
+            EXPECT_EQ(seen["evidence"]["pictures"], json::array({"/e/where.png"})) << foreign;
+    }
 }
 
 TEST_F(Evidence, OfOtherTextsIsRefusedWithTheirNames) {
@@ -200,6 +217,17 @@ TEST_F(Evidence, WhatIsNoEvidenceIsOneLine) {
         out[name] = value;
         return out.dump();
     };
+    const auto located = [&](const json& difference, const json& more) {
+        json out = {{"version", 1}, {"kind", "locate"}, {"texts", good["texts"]}, {"first", difference}};
+        out.update(more);
+        return out.dump();
+    };
+    const auto odd = [&](const char* name, const json& value) {
+        json difference = parting("shade");
+        difference[name] = value;
+        return located(difference, json::object());
+    };
+    const auto whole = [&](const char* name, const json& value) { return located(parting("shade"), {{name, value}}); };
     const std::vector<std::string> bad = {
         "",
         "{",
@@ -218,6 +246,20 @@ TEST_F(Evidence, WhatIsNoEvidenceIsOneLine) {
         with("texts", {{{"file", "src/none.cu"}, {"fingerprint", "0123456789abcdef"}}}),
         with("pairs", 7),
         with("pairs", {{{"source", "a"}}}),
+        with("texts", json::array({good["texts"][0]})),  // of the source alone
+        with("texts", json::array({good["texts"][1]})),
+        with("pairs", {{{"source", "src/k.cu:shade"}, {"target", "port/other.comp:shade"}, {"state", "same"}}}),
+        with("pairs", {{{"source", "src/k.cu:fog"}, {"target", "port/k.comp:fog"}, {"state", "same"}, {"inputs", -1}}}),
+        odd("share", 1.5),
+        odd("share", -0.25),
+        odd("share", "0.5"),
+        odd("segment", -3),
+        odd("segment", 2.5),
+        odd("paths", -1),
+        odd("pixel", {1, -2}),
+        odd("pixel", {1, 2, 3}),
+        whole("ssim", 2),
+        whole("ssim", "nan"),
     };
     for (const std::string& text : bad) {
         disk.files["/e/bad.json"] = text;
