@@ -305,7 +305,7 @@ std::string seed_image(const std::string& name) {
 
 TEST(ImageFuzz, DamagedImages) {
     Dice dice(4);
-    for (const char* name : {"a.png", "a.jpg", "a.tga", "a.hdr", "a.exr"}) {
+    for (const char* name : {"a.png", "a.jpg", "a.tga", "a.hdr", "a.exr", "a.bmp", "a.webp"}) {
         const std::string seed = seed_image(name);
         int read = 0;
         for (int i = 0; i < 300; ++i) {
