@@ -48,7 +48,7 @@ public:
             tinyobj::LoadMtl(by_name, materials, &stream, warnings, errors);
         } catch (const render_system::LoadError& error) {
             if (error.hostile) throw;
-            builder_.leave_out("materials of " + name + " (there is no such file)");
+            builder_.leave_out("materials of " + name + " (" + error.message + ")");
         }
         return true;
     }
@@ -241,9 +241,19 @@ private:
         if (kind.has_coordinates) attributes["TEXCOORD_0"] = builder_.add_floats(primitive.coordinates, "VEC2", 2);
         if (!primitive.colors.empty()) attributes["COLOR_0"] = builder_.add_floats(primitive.colors, "VEC3", 3);
         json result = {{"attributes", attributes}, {"indices", builder_.add_corners(primitive.corners)}};
-        if (kind.material >= 0 && static_cast<size_t>(kind.material) < materials_.size())
-            result["material"] = kind.material;
+        const bool known = kind.material >= 0 && static_cast<size_t>(kind.material) < materials_.size();
+        result["material"] = known ? static_cast<size_t>(kind.material) : plain_material();
         return result;
+    }
+
+    // For faces without one: glTF's own default would be a metal.
+    size_t plain_material() {
+        json& materials = builder_.root["materials"];
+        if (materials.size() == materials_.size()) {
+            const json pbr = {{"baseColorFactor", {0.8, 0.8, 0.8, 1}}, {"metallicFactor", 0}};
+            materials.push_back({{"name", "default"}, {"doubleSided", true}, {"pbrMetallicRoughness", pbr}});
+        }
+        return materials_.size();
     }
 
     // The loader makes anew what stays without a length.

@@ -237,7 +237,9 @@ TEST(LoaderObj, RefusesOrNamesWhatIsWrong) {
     EXPECT_THAT(load_scene(folder / "none.obj").status.message, HasSubstr("there is no such file"));
     const auto lacking = load_text(folder, "a.obj", kQuad);  // and no a.mtl
     ASSERT_TRUE(lacking.ok());
-    EXPECT_THAT(lacking->warnings, ElementsAre(HasSubstr("left out: materials of a.mtl (there is no such file)")));
+    EXPECT_THAT(lacking->warnings, ElementsAre(HasSubstr("left out: materials of a.mtl (there is no such file; ")));
+    EXPECT_EQ(material_of(lacking->scene, "default").metallic, 0.0f);
+    EXPECT_EQ(material_of(lacking->scene, "default").base_color, glm::vec3(0.8f));
 }
 
 TEST(LoaderObj, StaysInItsFolder) {
