@@ -7,6 +7,7 @@
 #include <set>
 
 #include "porttool/compare/alignment.h"
+#include "porttool/language/words.h"
 #include "porttool/normal/diff.h"
 #include "porttool/normal/normal_form.h"
 
