@@ -251,18 +251,6 @@ tinygltf::Model parse_model(json& document) {
     return model;
 }
 
-void check_views(const GltfDocument& document) {
-    for (size_t i = 0; i < document.model.bufferViews.size(); ++i) {
-        const tinygltf::BufferView& view = document.model.bufferViews[i];
-        if (document.decoded_views.contains(static_cast<int>(i))) continue;
-        const size_t size = document.buffers[static_cast<size_t>(view.buffer)].bytes.size();
-        if (view.byteOffset <= size && view.byteLength <= size - view.byteOffset) continue;
-        fail_at("/bufferViews/" + std::to_string(i),
-                "reaches to byte " + std::to_string(view.byteOffset + view.byteLength) + ", but buffer " +
-                    std::to_string(view.buffer) + " has " + std::to_string(size) + EXPORT_AGAIN);
-    }
-}
-
 // The importer's word for what a name's ending says; empty: glTF.
 std::string foreign_format(const std::filesystem::path& path) {
     std::string ending = path.extension().string();
@@ -312,6 +300,12 @@ std::span<const std::byte> GltfDocument::view_bytes(int buffer_view) const {
     const tinygltf::BufferView& view = model.bufferViews[static_cast<size_t>(buffer_view)];
     const auto decoded = decoded_views.find(buffer_view);
     if (decoded != decoded_views.end()) return std::span(decoded->second).first(view.byteLength);
+    const size_t size = buffers[static_cast<size_t>(view.buffer)].bytes.size();
+    if (view.byteOffset > size || view.byteLength > size - view.byteOffset) {
+        fail_at("/bufferViews/" + std::to_string(buffer_view),
+                "reaches to byte " + std::to_string(view.byteOffset + view.byteLength) + ", but buffer " +
+                    std::to_string(view.buffer) + " has " + std::to_string(size) + EXPORT_AGAIN);
+    }
     return buffers[static_cast<size_t>(view.buffer)].bytes.subspan(view.byteOffset, view.byteLength);
 }
 
@@ -354,7 +348,6 @@ GltfDocument open_gltf(const std::filesystem::path& path, Reach reach, const std
     const json* light = image_light(root);
     const json kept = light ? *light : json();
     document.model = parse_model(root);
-    check_views(document);
     decode_draco_primitives(document);
     if (light) document.sky = read_image_light(kept, document);
     return document;

@@ -45,8 +45,8 @@ private:
     std::map<std::string, std::set<std::string>> places_;
 };
 
-/// A glTF file, parsed and checked: every index in `model` names something that exists, and every buffer view lies in
-/// its buffer. `model.buffers` and `model.images` are empty; `buffers` and `images` stand in their place.
+/// A glTF file, parsed and checked: every index in `model` names something that exists. `model.buffers` and
+/// `model.images` are empty; `buffers` and `images` stand in their place.
 struct GltfDocument {
     std::filesystem::path path;
     Reach reach = Reach::folder;
@@ -61,6 +61,7 @@ struct GltfDocument {
     Omissions omissions;
     std::vector<std::string> warnings;
 
+    /// Throws LoadError where the view does not lie in its buffer: one that nobody reads does no harm.
     std::span<const std::byte> view_bytes(int buffer_view) const;
     /// Lets go of the memory of file bytes already converted.
     void release_pages() const;

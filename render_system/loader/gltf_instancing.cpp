@@ -33,14 +33,18 @@ const tinygltf::Value* instancing_of(const tinygltf::Node& node) {
 uint64_t instance_count(const GltfDocument& document, const tinygltf::Value& instancing, const std::string& place) {
     const tinygltf::Value& attributes = instancing.Get("attributes");
     std::optional<uint64_t> count;
-    for (const std::string& name : attributes.Keys()) {
+    for (const char* name : {"TRANSLATION", "ROTATION", "SCALE"}) {
+        if (!attributes.Has(name)) continue;
         const uint64_t own = accessor_count(document, attributes.Get(name).GetNumberAsInt());
         if (own == count.value_or(own))
             count = own;
         else
             fail_at(place + kWhere, "differ in their numbers of elements" + EXPORT_AGAIN);
     }
-    return count.value_or(0);
+    if (count) return *count;
+    // Others, such as _ID, say nothing of places, but how many there are.
+    const std::vector<std::string> names = attributes.Keys();
+    return names.empty() ? 0 : accessor_count(document, attributes.Get(names.front()).GetNumberAsInt());
 }
 
 void check_instance_total(uint64_t total) {

@@ -280,6 +280,10 @@ TEST(LoaderExtensions, PlacesInstancesBelowTheirNode) {
     json& node = file.root["nodes"][0];
     node["translation"] = {0, 0, 10};
     node["extensions"]["EXT_mesh_gpu_instancing"]["attributes"] = {{"TRANSLATION", moves}, {"SCALE", sizes}};
+    // A view that reaches out of its buffer does no harm where nobody reads it.
+    const int ids = file.add(std::vector<uint16_t>{7, 8});
+    file.root["bufferViews"].back()["byteLength"] = 1000;
+    node["extensions"]["EXT_mesh_gpu_instancing"]["attributes"]["_ID"] = ids;
     const HostScene scene = loaded(file);
     ASSERT_EQ(scene.instances().size(), 2u);
     EXPECT_EQ(transform_point(scene.instances()[0].transform, {1, 1, 1}), glm::vec3(2, 1, 11));
