@@ -6,6 +6,7 @@
 #include <cmath>
 #include <istream>
 #include <streambuf>
+#include <string_view>
 #include <unordered_map>
 
 #include "render_system/importer/glb_builder.h"
@@ -22,12 +23,13 @@ namespace {
 using nlohmann::json;
 using render_system::FileBytes;
 
-// A mapped file as a stream, without a copy of it.
+// A mapped file as a stream, without a copy of it, and without the mark that some editors put before UTF-8.
 class MappedStream : private std::streambuf, public std::istream {
 public:
     explicit MappedStream(const FileBytes& file) : std::istream(this) {
         char* begin = reinterpret_cast<char*>(const_cast<std::byte*>(file.bytes().data()));
-        setg(begin, begin, begin + file.bytes().size());
+        const std::string_view text(begin, file.bytes().size());
+        setg(begin, begin + (text.starts_with("\xEF\xBB\xBF") ? 3 : 0), begin + text.size());
     }
 };
 

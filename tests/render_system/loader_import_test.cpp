@@ -242,6 +242,15 @@ TEST(LoaderObj, RefusesOrNamesWhatIsWrong) {
     EXPECT_EQ(material_of(lacking->scene, "default").base_color, glm::vec3(0.8f));
 }
 
+TEST(LoaderObj, PassesOverTheMarkBeforeUtf8) {
+    const TempFolder folder;
+    const std::string mark = "\xEF\xBB\xBF";
+    write_file(folder / "a.mtl", mark + "newmtl paint\nKd 1 0 0\n");
+    const auto result = load_text(folder, "a.obj", mark + kQuad);
+    ASSERT_TRUE(result.ok()) << result.status.message;
+    EXPECT_EQ(material_of(result->scene, "paint").base_color, glm::vec3(1, 0, 0));
+}
+
 TEST(LoaderObj, StaysInItsFolder) {
     const TempFolder folder;
     std::filesystem::create_directory(folder / "scene");
