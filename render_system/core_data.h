@@ -81,7 +81,10 @@ struct CoreMaterial {
     float coat = 0.0f;             ///< KHR_materials_clearcoat
     float coat_roughness = 0.0f;   ///< KHR_materials_clearcoat
     float coat_normal_scale = 1.0f;
-    CoreTextureSlot base_color_texture;          ///< RGB, alpha in A
+    float film = 0.0f;                         ///< KHR_materials_iridescence
+    float film_ior = 1.3f;                     ///< KHR_materials_iridescence
+    glm::vec2 film_thickness{100.0f, 400.0f};  ///< nanometres, where film_thickness_texture is 0 and 1 (without one: 1)
+    CoreTextureSlot base_color_texture;        ///< RGB, alpha in A
     CoreTextureSlot metallic_roughness_texture;  ///< roughness in G, metallic in B
     CoreTextureSlot normal_texture;              ///< tangent space
     CoreTextureSlot emission_texture;            ///< RGB
@@ -93,17 +96,27 @@ struct CoreMaterial {
     CoreTextureSlot coat_texture;                ///< R
     CoreTextureSlot coat_roughness_texture;      ///< G
     CoreTextureSlot coat_normal_texture;         ///< tangent space; without one the coat follows the geometry's normal
+    CoreTextureSlot film_texture;                ///< R
+    CoreTextureSlot film_thickness_texture;      ///< G
 };
 
 /// Every texture slot of a material, each once: what goes for all of them goes through this list. Its order is that of
 /// the slots in the cores' rows (MATERIAL_SLOTS in layout.h).
 constexpr CoreTextureSlot CoreMaterial::*kTextureSlots[] = {
-    &CoreMaterial::base_color_texture,      &CoreMaterial::metallic_roughness_texture,
-    &CoreMaterial::normal_texture,          &CoreMaterial::emission_texture,
-    &CoreMaterial::transmission_texture,    &CoreMaterial::specular_texture,
-    &CoreMaterial::specular_color_texture,  &CoreMaterial::sheen_color_texture,
-    &CoreMaterial::sheen_roughness_texture, &CoreMaterial::coat_texture,
-    &CoreMaterial::coat_roughness_texture,  &CoreMaterial::coat_normal_texture,
+    &CoreMaterial::base_color_texture,
+    &CoreMaterial::metallic_roughness_texture,
+    &CoreMaterial::normal_texture,
+    &CoreMaterial::emission_texture,
+    &CoreMaterial::transmission_texture,
+    &CoreMaterial::specular_texture,
+    &CoreMaterial::specular_color_texture,
+    &CoreMaterial::sheen_color_texture,
+    &CoreMaterial::sheen_roughness_texture,
+    &CoreMaterial::coat_texture,
+    &CoreMaterial::coat_roughness_texture,
+    &CoreMaterial::coat_normal_texture,
+    &CoreMaterial::film_texture,
+    &CoreMaterial::film_thickness_texture,
 };
 
 /// One triangle mesh. `triangles` holds three vertex indices and the material of each triangle in w.

@@ -45,6 +45,8 @@ constexpr uint kSlotFeatures[] = {
     FEATURE_TEXTURES | FEATURE_LOBE_TEXTURES,      // coat
     FEATURE_TEXTURES | FEATURE_LOBE_TEXTURES,      // coat_roughness
     FEATURE_TEXTURES | FEATURE_LOBE_TEXTURES,      // coat_normal
+    0u,                                            // film: the source core alone
+    0u,                                            // film_thickness: the source core alone
 };
 static_assert(ENERGY_CELLS == kEnergyCells);
 static_assert(std::size(kSlotFeatures) == std::size(kTextureSlots));
@@ -63,7 +65,7 @@ void pack_materials(std::span<const CoreMaterial> materials, SceneTables& tables
     for (const CoreMaterial& material : materials) {
         uint flags = (material.opaque ? MATERIAL_OPAQUE : 0u) | (material.double_sided ? MATERIAL_DOUBLE_SIDED : 0u) |
                      (material.thin_walled ? MATERIAL_THIN_WALLED : 0u);
-        float slots[12] = {};
+        float slots[16] = {};
         static_assert(std::size(kTextureSlots) <= std::size(slots));
         for (uint i = 0; i < std::size(kTextureSlots); ++i) {
             slots[i] = as_float(pack_slot(material.*kTextureSlots[i], tables.texture_slots));

@@ -40,6 +40,7 @@ constexpr ExtensionRow kExtensionRows[] = {
     {"KHR_materials_clearcoat", Treatment::supported},
     {"KHR_materials_emissive_strength", Treatment::supported},
     {"KHR_materials_ior", Treatment::supported},
+    {"KHR_materials_iridescence", Treatment::supported},
     {"KHR_materials_pbrSpecularGlossiness", Treatment::supported},
     {"KHR_materials_sheen", Treatment::supported},
     {"KHR_materials_specular", Treatment::supported},

@@ -85,6 +85,7 @@ public:
             read_specular(source);
             read_sheen(source);
             read_coat(source);
+            read_film(source);
         }
         document_.uv_sets[index] = resolve_uv_sets();
         // Index 0 stands for one past all bounds: all light is reflected, and nothing behind is ever seen.
@@ -222,6 +223,22 @@ private:
         material_.coat_normal_texture = slot(info_in(*extension, "clearcoatNormalTexture"), TextureRole::data);
         if (extension->Has("clearcoatNormalTexture"))
             material_.coat_normal_scale = number(extension->Get("clearcoatNormalTexture"), "scale", 1.0f);
+    }
+
+    void read_film(const tinygltf::Material& source) {
+        const Value* extension = find(source.extensions, "KHR_materials_iridescence");
+        if (!extension) return;
+        const auto length = [&](const char* key, float fallback) {
+            return not_negative(static_cast<double>(number(*extension, key, fallback)),
+                                (std::string("extensions/KHR_materials_iridescence/") + key).c_str());
+        };
+        material_.film = unit(static_cast<double>(number(*extension, "iridescenceFactor", 0.0f)));
+        if (material_.film == 0.0f) return;
+        material_.film_ior = std::clamp(length("iridescenceIor", 1.3f), 1.0f, HIGHEST_IOR);
+        material_.film_thickness = {length("iridescenceThicknessMinimum", 100.0f),
+                                    length("iridescenceThicknessMaximum", 400.0f)};
+        material_.film_texture = slot(info_in(*extension, "iridescenceTexture"), TextureRole::data);
+        material_.film_thickness_texture = slot(info_in(*extension, "iridescenceThicknessTexture"), TextureRole::data);
     }
 
     // With a `glossiness` the texture's roughness is 1 minus that times its alpha. The slot's set of coordinates is the
