@@ -438,13 +438,16 @@ def parity_meshes(scene):
                              extensions={"KHR_materials_clearcoat": {
         "clearcoatFactor": 0.9, "clearcoatRoughnessFactor": 0.3, "clearcoatTexture": {"index": checker},
         "clearcoatRoughnessTexture": {"index": metal}, "clearcoatNormalTexture": {"index": bumps, "scale": 0.4}}})
+    bubble = scene.material("bubble", (0.5, 0.5, 0.5), metallic=0.3, roughness=0.2, extensions={
+        "KHR_materials_iridescence": {"iridescenceFactor": 0.8, "iridescenceThicknessMaximum": 700,
+                                      "iridescenceThicknessTexture": {"index": metal}}})
     lamp = scene.material("lamp", (0, 0, 0), emissiveFactor=[1.0, 0.7, 0.4],
                           extensions={"KHR_materials_emissive_strength": {"emissiveStrength": 6.0}})
     return [scene.mesh(name, shape, material) for name, shape, material in (
         ("masked card", card, mask), ("blended card", card, blend), ("tiled cube", cube, tiles),
         ("patchy ball", ball, patchy), ("tiled ball", ball, tiles), ("glass ball", ball, glass),
         ("masked cube", cube, mask), ("cloth ball", ball, cloth),
-        ("lacquered ball", ball, lacquer))], scene.mesh("lamp", card, lamp)
+        ("lacquered ball", ball, lacquer), ("bubble", ball, bubble))], scene.mesh("lamp", card, lamp)
 
 
 def parity(folder):

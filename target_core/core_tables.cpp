@@ -45,8 +45,8 @@ constexpr uint kSlotFeatures[] = {
     FEATURE_TEXTURES | FEATURE_LOBE_TEXTURES,      // coat
     FEATURE_TEXTURES | FEATURE_LOBE_TEXTURES,      // coat_roughness
     FEATURE_TEXTURES | FEATURE_LOBE_TEXTURES,      // coat_normal
-    0u,                                            // film: the source core alone
-    0u,                                            // film_thickness: the source core alone
+    FEATURE_TEXTURES | FEATURE_LOBE_TEXTURES,      // film
+    FEATURE_TEXTURES | FEATURE_LOBE_TEXTURES,      // film_thickness
 };
 static_assert(ENERGY_CELLS == kEnergyCells);
 static_assert(std::size(kSlotFeatures) == std::size(kTextureSlots));
@@ -84,6 +84,9 @@ void pack_materials(std::span<const CoreMaterial> materials, SceneTables& tables
         rows[MATERIAL_LOBES] =
             vec4(as_float(sheen_row), material.coat, material.coat_roughness, material.coat_normal_scale);
         rows[MATERIAL_LOBE_SLOTS] = vec4(slots[8], slots[9], slots[10], slots[11]);
+        rows[MATERIAL_FILM] =
+            vec4(material.film, material.film_ior, material.film_thickness.x, material.film_thickness.y);
+        rows[MATERIAL_FILM_SLOTS] = vec4(slots[12], slots[13], slots[14], slots[15]);
         tables.materials.insert(tables.materials.end(), rows, rows + MATERIAL_ROWS);
     }
     tables.lobe_energy.clear();
@@ -216,6 +219,7 @@ uint material_features(std::span<const CoreMaterial> materials) {
         raise(material.transmission > 0.0f && !material.thin_walled, FEATURE_TRANSMISSION);
         raise(has_sheen(material), FEATURE_SHEEN);
         raise(material.coat > 0.0f, FEATURE_COAT);
+        raise(material.film > 0.0f, FEATURE_FILM);
     }
     return features;
 }

@@ -9,8 +9,9 @@
 namespace target_core::kernels {
 
 // The metallic-roughness model of glTF 2.0 (appendix B) with KHR_materials_transmission, _ior, _specular, _sheen,
-// _clearcoat and, for solids, refraction. Directions are local: z is the shading normal on the side of wo; wo and wi
-// point away. Radiance is not scaled by the squared ratio of indices at an interface: it cancels over a closed solid.
+// _clearcoat, _iridescence and, for solids, refraction. Directions are local: z is the shading normal on the side of
+// wo; wo and wi point away. Radiance is not scaled by the squared ratio of indices at an interface: it cancels over a
+// closed solid.
 
 // Below this GGX alpha a surface is a perfect mirror or pane: its lobe is a delta and has no density.
 const float SMOOTH_ALPHA = 1.0e-3f;
@@ -201,10 +202,67 @@ inline Bsdf with_coat(Bsdf below, Material material, vec3 normal) {
     return bsdf;
 }
 
+// The cosine of so many turns.
+inline Float wave(Float turns) { return cos_sin_turns(turns - floor(turns)).x; }
+
+// What a film reflects of red, green and blue by interference, over a path of so many nanometres: the eye's sensitivity
+// to wavelengths as Gaussians, Fourier transformed (Belcour and Barla 2017, "A Practical Extension to Microfacet Theory
+// for the Modeling of Varying Iridescence", with the constants of KHR_materials_iridescence).
+inline vec3 film_waves(Float path) {
+    Float squared = path * path;
+    Float x = 0.846590002f * wave(1.6810e-3f * path) * exp_2(max(-2.46491222e-7f * squared, -126.0f)) +
+              0.153868307f * wave(2.2399e-3f * path) * exp_2(max(-2.57905068e-7f * squared, -126.0f));
+    Float y = 1.00022189f * wave(1.7953e-3f * path) * exp_2(max(-5.29946445e-7f * squared, -126.0f));
+    Float z = 1.00112249f * wave(2.2084e-3f * path) * exp_2(max(-3.76594253e-7f * squared, -126.0f));
+    return vec3(3.2404542f * x - 1.5371385f * y - 0.4985314f * z, 1.8760108f * y - 0.9692660f * x + 0.0415560f * z,
+                0.0556434f * x - 0.2040259f * y + 1.0572252f * z);
+}
+
+// One channel of what film and base reflect together; `first` and `second` are of the light that crossed the film once
+// and twice. The wave turns round where it meets the higher index.
+inline Float film_channel(Float f0, Float film_ior, Float outer, Float inner_weight, Float first, Float second) {
+    Float root = sqrt(min(f0, 0.9999f));
+    Float base_ior = (1.0f + root) / (1.0f - root);
+    Float inner = blend(square((base_ior - film_ior) / (base_ior + film_ior)), Float(1.0f), inner_weight);
+    Float both = clamp(outer * inner, 1.0e-5f, 0.9999f);
+    Float through = 1.0f - outer;
+    Float once = through * through * inner / (1.0f - both);
+    Float returned = sqrt(both);
+    Float turned = select(base_ior < film_ior, first, -first);
+    return outer + once + 2.0f * (once - through) * returned * (turned + returned * second);
+}
+
+// The reflectance at normal incidence by which Schlick's term gives what the film gives in direction wo.
+inline vec3 film_f0(vec3 f0, Material material, Float cosine) {
+    Float t = saturate(material.film_thickness * 33.3333333f);
+    Float film_ior = blend(Float(1.0f), material.film_ior, t * t * (3.0f - 2.0f * t));
+    Float inner_cosine = sqrt(max(1.0f - (1.0f - cosine * cosine) / (film_ior * film_ior), 0.0f));
+    Float weight = schlick_weight(cosine);
+    Float inner_weight = schlick_weight(inner_cosine);
+    Float outer = blend(square((film_ior - 1.0f) / (film_ior + 1.0f)), Float(1.0f), weight);
+    Float path = 2.0f * film_ior * material.film_thickness * inner_cosine;
+    vec3 first = film_waves(path);
+    vec3 second = film_waves(2.0f * path);
+    vec3 reflected = vec3(film_channel(f0.x, film_ior, outer, inner_weight, first.x, second.x),
+                          film_channel(f0.y, film_ior, outer, inner_weight, first.y, second.y),
+                          film_channel(f0.z, film_ior, outer, inner_weight, first.z, second.z));
+    Float grazing = min(weight, 0.9999f);
+    vec3 normal = (reflected - vec3(grazing)) * (1.0f / (1.0f - grazing));
+    return blend(f0, vec3(saturate(normal.x), saturate(normal.y), saturate(normal.z)), material.film);
+}
+
 inline Bsdf make_bsdf(Material material, vec3 wo, vec3 side, Mask front) {
     Mask thin = (material.flags & MATERIAL_THIN_WALLED) != 0u;
     Float f0 = square((material.ior - 1.0f) / (material.ior + 1.0f));
     vec3 dielectric_f0 = min(material.specular_color * f0, vec3(1.0f)) * material.specular;
+    vec3 metal_f0 = material.base_color;
+    if (has_feature(FEATURE_FILM)) {
+        metal_f0 = film_f0(metal_f0, material, wo.z);
+        vec3 filmed = film_f0(dielectric_f0, material, wo.z);
+        // What a solid's interface shares out stands in a table: a film changes its colour alone.
+        Float strength = max_component(dielectric_f0) / max(max_component(filmed), SMALLEST);
+        dielectric_f0 = select(!thin && material.transmission > 0.0f, filmed * strength, filmed);
+    }
     Float body = 1.0f - material.metallic;
     Bsdf bsdf;
     bsdf.wo = wo;
@@ -216,7 +274,7 @@ inline Bsdf make_bsdf(Material material, vec3 wo, vec3 side, Mask front) {
     }
     // Light inside a solid is reflected in full past the critical angle, whatever the strength of its reflection.
     Float dielectric_f90 = select(bsdf.eta < 1.0f, Float(1.0f), material.specular);
-    bsdf.f0 = blend(dielectric_f0, material.base_color, material.metallic);
+    bsdf.f0 = blend(dielectric_f0, metal_f0, material.metallic);
     bsdf.f90 = blend(dielectric_f90, Float(1.0f), material.metallic);
     bsdf.dielectric_f0 = max_component(dielectric_f0);
     bsdf.dielectric_f90 = dielectric_f90;
@@ -241,7 +299,7 @@ inline Bsdf make_bsdf(Material material, vec3 wo, vec3 side, Mask front) {
     Float kept = 1.0f - returned;
     Float kept_inside = select(bsdf.is_smooth, Float(0.0f), 1.0f - inside.x);
     vec3 dielectric_again = dielectric_f0 * dielectric_f0 * (opaque * kept);
-    bsdf.again_reflected = material.base_color * material.base_color * (material.metallic * kept) + dielectric_again;
+    bsdf.again_reflected = metal_f0 * metal_f0 * (material.metallic * kept) + dielectric_again;
     // A white body gives back all that the interface does not. Schlick's weight is 1/21 in the hemisphere's mean.
     Float entering = 1.0f - dielectric_reflectance(bsdf, weight);
     Float below = 1.0f - dielectric_reflectance(bsdf, weight) * returned - square(bsdf.dielectric_f0) * kept;

@@ -38,18 +38,20 @@ const uint INSTANCE_TRANSFORM = 0u;  // 3 rows of the object-to-world matrix
 const uint INSTANCE_MESH = 3u;       // first mesh triangle, first vertex, flags (all as bits), determinant's sign
 const uint INSTANCE_HAS_TANGENTS = 1u;
 
-// materials: 10 rows per material. The slots are in the order of the render system's kTextureSlots.
-const uint MATERIAL_ROWS = 10u;
-const uint MATERIAL_BASE_COLOR = 0u;  // base_color.rgb, alpha
-const uint MATERIAL_SURFACE = 1u;     // metallic, roughness, specular, transmission
-const uint MATERIAL_EMISSION = 2u;    // emission.rgb, emission_weight
-const uint MATERIAL_SPECULAR = 3u;    // specular_color.rgb, ior
-const uint MATERIAL_ALPHA = 4u;       // normal_scale, alpha_cutoff, flags as bits, row in lobe_energy as bits
-const uint MATERIAL_SLOTS = 5u;       // slots as bits: base_color, metallic_roughness, normal, emission
-const uint MATERIAL_MORE_SLOTS = 6u;  // slots as bits: transmission, specular, specular_color, sheen_color
-const uint MATERIAL_SHEEN = 7u;       // sheen_color.rgb, sheen_roughness
-const uint MATERIAL_LOBES = 8u;       // sheen's row in lobe_energy as bits, coat, coat_roughness, coat_normal_scale
-const uint MATERIAL_LOBE_SLOTS = 9u;  // slots as bits: sheen_roughness, coat, coat_roughness, coat_normal
+// materials: 12 rows per material. The slots are in the order of the render system's kTextureSlots.
+const uint MATERIAL_ROWS = 12u;
+const uint MATERIAL_BASE_COLOR = 0u;   // base_color.rgb, alpha
+const uint MATERIAL_SURFACE = 1u;      // metallic, roughness, specular, transmission
+const uint MATERIAL_EMISSION = 2u;     // emission.rgb, emission_weight
+const uint MATERIAL_SPECULAR = 3u;     // specular_color.rgb, ior
+const uint MATERIAL_ALPHA = 4u;        // normal_scale, alpha_cutoff, flags as bits, row in lobe_energy as bits
+const uint MATERIAL_SLOTS = 5u;        // slots as bits: base_color, metallic_roughness, normal, emission
+const uint MATERIAL_MORE_SLOTS = 6u;   // slots as bits: transmission, specular, specular_color, sheen_color
+const uint MATERIAL_SHEEN = 7u;        // sheen_color.rgb, sheen_roughness
+const uint MATERIAL_LOBES = 8u;        // sheen's row in lobe_energy as bits, coat, coat_roughness, coat_normal_scale
+const uint MATERIAL_LOBE_SLOTS = 9u;   // slots as bits: sheen_roughness, coat, coat_roughness, coat_normal
+const uint MATERIAL_FILM = 10u;        // film, film_ior, least and greatest thickness in nanometres
+const uint MATERIAL_FILM_SLOTS = 11u;  // slots as bits: film, film_thickness, unused, unused
 const uint MATERIAL_OPAQUE = 1u;
 const uint MATERIAL_DOUBLE_SIDED = 2u;
 const uint MATERIAL_THIN_WALLED = 4u;
@@ -121,8 +123,9 @@ const uint FEATURE_PUNCTUAL_LIGHTS = 512u;
 const uint FEATURE_VERTEX_COLORS = 1024u;
 const uint FEATURE_SPECULAR_TEXTURES = 2048u;  // transmission, specular or specular colour from a texture
 const uint FEATURE_SHEEN = 4096u;
-const uint FEATURE_LOBE_TEXTURES = 8192u;  // something of sheen or coat from a texture
+const uint FEATURE_LOBE_TEXTURES = 8192u;  // something of sheen, coat or film from a texture
 const uint FEATURE_COAT = 16384u;
+const uint FEATURE_FILM = 32768u;
 
 const uint NONE = 0xFFFFFFFFu;
 

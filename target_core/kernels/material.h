@@ -25,6 +25,9 @@ struct Material {
     Uint sheen_row;
     Float coat;
     Float coat_roughness;
+    Float film;
+    Float film_ior;
+    Float film_thickness;  // nanometres
 };
 
 inline Material fetch_material(Surface surface) {
@@ -74,6 +77,18 @@ inline Material fetch_material(Surface surface) {
             material.sheen_color = material.sheen_color * vec3(sample_slot(color_slot, surface.coordinates));
             material.sheen_roughness = material.sheen_roughness * sample_slot(roughness_slot, surface.coordinates).w;
         }
+    }
+    if (has_feature(FEATURE_FILM)) {
+        vec4 film = fetch_materials(rows, MATERIAL_FILM);
+        Float thick = 1.0f;
+        material.film = film.x;
+        material.film_ior = film.y;
+        if (has_feature(FEATURE_LOBE_TEXTURES)) {
+            vec4 slots = fetch_materials(rows, MATERIAL_FILM_SLOTS);
+            material.film = material.film * sample_slot(floatBitsToUint(slots.x), surface.coordinates).x;
+            thick = sample_slot(floatBitsToUint(slots.y), surface.coordinates).y;
+        }
+        material.film_thickness = blend(film.z, film.w, thick);
     }
     if (has_feature(FEATURE_COAT)) {
         vec4 lobes = fetch_materials(rows, MATERIAL_LOBES);

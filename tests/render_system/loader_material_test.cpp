@@ -118,6 +118,21 @@ TEST(LoaderMaterial, ReadsClearcoat) {
     EXPECT_THAT(warnings, ElementsAre(HasSubstr("clamped (/materials/0)")));
 }
 
+TEST(LoaderMaterial, ReadsIridescence) {
+    const char* name = "KHR_materials_iridescence";
+    EXPECT_EQ(material_with(extension(name, json::object())).film, 0.0f);
+    const CoreMaterial plain = material_with(extension(name, {{"iridescenceFactor", 0.5}}));
+    EXPECT_EQ(plain.film, 0.5f);
+    EXPECT_EQ(plain.film_ior, 1.3f);
+    EXPECT_EQ(plain.film_thickness, glm::vec2(100.0f, 400.0f));
+    const CoreMaterial m = material_with(extension(name, {{"iridescenceFactor", 1},
+                                                          {"iridescenceIor", 1.8},
+                                                          {"iridescenceThicknessMinimum", 0},
+                                                          {"iridescenceThicknessMaximum", 900}}));
+    EXPECT_EQ(m.film_ior, 1.8f);
+    EXPECT_EQ(m.film_thickness, glm::vec2(0.0f, 900.0f));
+}
+
 TEST(LoaderMaterial, AVolumeWithThicknessIsSolidAndItsAttenuationIsNamed) {
     EXPECT_FALSE(material_with(extension("KHR_materials_volume", {{"thicknessFactor", 0.1}})).thin_walled);
     EXPECT_TRUE(material_with(extension("KHR_materials_volume", json::object())).thin_walled);
@@ -155,6 +170,8 @@ TEST(LoaderMaterial, ReadsEverySlotWithTheRightRole) {
                         {"clearcoatTexture", info},
                         {"clearcoatRoughnessTexture", info},
                         {"clearcoatNormalTexture", {{"index", 0}, {"scale", 0.25}}}}},
+                      {"KHR_materials_iridescence",
+                       {{"iridescenceFactor", 1}, {"iridescenceTexture", info}, {"iridescenceThicknessTexture", info}}},
                       {"KHR_materials_specular", {{"specularTexture", info}, {"specularColorTexture", info}}}}}},
                    nullptr, {png_uri(1, 1, 3, RED)});
     const CoreMaterial& m = scene.materials()[0].core;
@@ -171,6 +188,8 @@ TEST(LoaderMaterial, ReadsEverySlotWithTheRightRole) {
     EXPECT_EQ(format(m.sheen_color_texture), TexelFormat::rgba8_srgb);
     EXPECT_EQ(format(m.sheen_roughness_texture), TexelFormat::rgba8);
     EXPECT_EQ(format(m.coat_texture), TexelFormat::rgba8);
+    EXPECT_EQ(format(m.film_texture), TexelFormat::rgba8);
+    EXPECT_EQ(format(m.film_thickness_texture), TexelFormat::rgba8);
     EXPECT_EQ(format(m.coat_roughness_texture), TexelFormat::rgba8);
     EXPECT_EQ(format(m.coat_normal_texture), TexelFormat::rgba8);
     EXPECT_EQ(m.coat_normal_scale, 0.25f);

@@ -24,13 +24,14 @@ struct Case {
     float cosine;  // of wo
     float sheen = 0.0f, sheen_roughness = 0.0f;
     float coat = 0.0f, coat_roughness = 0.0f;  // along a normal of its own
+    float film_thickness = 0.0f;
 };
 
 std::ostream& operator<<(std::ostream& out, const Case& c) { return out << c.name << ", cosine " << c.cosine; }
 
 Bsdf bsdf_of(const Case& c, vec3 base_color = vec3(1.0f)) {
-    settings.features =
-        FEATURE_TRANSMISSION | (c.sheen > 0.0f ? FEATURE_SHEEN : 0u) | (c.coat > 0.0f ? FEATURE_COAT : 0u);
+    settings.features = FEATURE_TRANSMISSION | (c.sheen > 0.0f ? FEATURE_SHEEN : 0u) |
+                        (c.coat > 0.0f ? FEATURE_COAT : 0u) | (c.film_thickness > 0.0f ? FEATURE_FILM : 0u);
     Material material{};
     material.base_color = base_color;
     material.metallic = c.metallic;
@@ -55,6 +56,9 @@ Bsdf bsdf_of(const Case& c, vec3 base_color = vec3(1.0f)) {
     bound.lobe_energy = reinterpret_cast<const vec4*>(energies.rows().data());
     material.coat = c.coat;
     material.coat_roughness = c.coat_roughness;
+    material.film = 0.75f;
+    material.film_ior = 1.3f;
+    material.film_thickness = c.film_thickness;
     const Bsdf bsdf = make_bsdf(material, vec3(sine * 0.6f, sine * 0.8f, c.cosine), vec3(0.0f, 0.0f, 1.0f), c.front);
     return c.coat > 0.0f ? with_coat(bsdf, material, normalized(vec3(0.2f, -0.1f, 1.0f))) : bsdf;
 }
@@ -212,8 +216,63 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"coat on metal", 1, 0.6f, 1, 0, 1.5f, true, true, 0.6f, 0, 0, 1, 0.3f},
                     Case{"coat on sheen on plastic", 0, 0.4f, 1, 0, 1.5f, true, true, 0.5f, 0.7f, 0.5f, 0.6f, 0.5f},
                     Case{"coat on glass", 0, 0.5f, 1, 1, 1.5f, false, true, 0.7f, 0, 0, 1, 1},
+                    Case{"film on thin glass", 0.3f, 0.5f, 1, 0.5f, 1.5f, true, true, 0.6f, 0, 0, 0, 0, 380},
+                    Case{"film on solid glass", 0, 0.5f, 1, 1, 1.5f, false, true, 0.6f, 0, 0, 0, 0, 380},
                     Case{"rough solid glass, leaving past the critical angle", 0, 0.4f, 1, 1, 1.5f, false, false,
                          0.4f}));
+
+// The evaluation that KHR_materials_iridescence gives as its reference, in double precision and by its own names.
+double film_reference(double f0, double ior, double thickness, double cos1, int channel) {
+    const auto sq = [](double x) { return x * x; };
+    const auto fresnel = [](double r0, double c) { return r0 + (1.0 - r0) * std::pow(1.0 - c, 5.0); };
+    const double cos2 = std::sqrt(1.0 - (1.0 - sq(cos1)) / sq(ior));
+    const double R12 = fresnel(sq((ior - 1.0) / (ior + 1.0)), cos1), T121 = 1.0 - R12;
+    const double base_ior = (1.0 + std::sqrt(f0)) / (1.0 - std::sqrt(f0));
+    const double R23 = fresnel(sq((base_ior - ior) / (base_ior + ior)), cos2);
+    const double phi = std::numbers::pi + (base_ior < ior ? std::numbers::pi : 0.0);
+    const double R123 = R12 * R23, Rs = sq(T121) * R23 / (1.0 - R123);
+    double sum = R12 + Rs, Cm = Rs - T121;
+    for (int m = 1; m <= 2; ++m) {
+        Cm *= std::sqrt(R123);
+        const double phase = 2.0 * std::numbers::pi * m * 2.0 * ior * thickness * cos2 * 1e-9;
+        const double val[] = {5.4856e-13, 4.4201e-13, 5.2481e-13}, pos[] = {1.6810e6, 1.7953e6, 2.2084e6};
+        const double var[] = {4.3278e9, 9.3046e9, 6.6121e9};
+        double xyz[3];
+        for (int i = 0; i < 3; ++i) {
+            xyz[i] = val[i] * std::sqrt(2.0 * std::numbers::pi * var[i]) * std::cos(pos[i] * phase + m * phi) *
+                     std::exp(-sq(phase) * var[i]);
+        }
+        xyz[0] += 9.7470e-14 * std::sqrt(2.0 * std::numbers::pi * 4.5282e9) * std::cos(2.2399e6 * phase + m * phi) *
+                  std::exp(-4.5282e9 * sq(phase));
+        const double to_rgb[3][3] = {{3.2404542, -1.5371385, -0.4985314},
+                                     {-0.9692660, 1.8760108, 0.0415560},
+                                     {0.0556434, -0.2040259, 1.0572252}};
+        const double* row = to_rgb[channel];
+        sum += Cm * 2.0 * (row[0] * xyz[0] + row[1] * xyz[1] + row[2] * xyz[2]) / 1.0685e-7;
+    }
+    return sum;
+}
+
+TEST(Film, ReflectsWhatTheExtensionsReferenceReflects) {
+    for (float thickness : {100.0f, 280.0f, 550.0f, 1200.0f}) {
+        for (float f0 : {0.02f, 0.3f, 0.9f}) {
+            for (float cosine : {0.3f, 0.7f, 1.0f}) {
+                Material material{};
+                material.film = 1.0f;
+                material.film_ior = 1.4f;
+                material.film_thickness = thickness;
+                const vec3 normal = film_f0(vec3(f0), material, cosine);
+                const double weight = std::pow(1.0 - static_cast<double>(cosine), 5.0);
+                const float got[] = {normal.x, normal.y, normal.z};
+                for (int channel = 0; channel < 3; ++channel) {
+                    const double truth = film_reference(static_cast<double>(f0), 1.4, thickness, cosine, channel);
+                    const double truth_f0 = std::clamp((truth - weight) / (1.0 - weight), 0.0, 1.0);
+                    EXPECT_NEAR(got[channel], truth_f0, 2e-5) << thickness << " " << f0 << " " << cosine;
+                }
+            }
+        }
+    }
+}
 
 TEST(SmoothBsdf, LambertMirrorAndGlassConserveEnergyExactly) {
     for (float cosine : {0.05f, 0.3f, 0.7f, 1.0f}) {

@@ -79,6 +79,9 @@ protected:
             material.sheen_roughness = 0.1f * static_cast<float>(i % 9);
             material.sheen_color_texture.texture = i % 12 == 2 ? 1 : render_system::NONE;
             material.sheen_roughness_texture.texture = i % 12 == 2 ? 0 : render_system::NONE;
+            material.film = i % 4 == 3 ? 0.7f : 0.0f;
+            material.film_texture.texture = i % 8 == 3 ? 0 : render_system::NONE;
+            material.film_thickness_texture.texture = i % 8 == 7 ? 0 : render_system::NONE;
             material.coat = i % 5 == 3 ? 0.8f : 0.0f;
             material.coat_roughness = 0.08f * static_cast<float>(i % 9);
             material.coat_texture.texture = i % 10 == 3 ? 0 : render_system::NONE;
