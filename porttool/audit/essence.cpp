@@ -36,6 +36,15 @@ size_t assignment_in(const Text& words) {
     return words.size();
 }
 
+/// True for `a += b`: no declaration, whatever stands on its right side.
+bool steps_value(const Text& words) {
+    constexpr std::string_view kSigns = "+-*/%&|^";
+    for (size_t i = 1; i < words.size() && words[i] != "(" && words[i] != "="; ++i)
+        if (words[i].size() == 2 && words[i][1] == '=' && kSigns.find(words[i][0]) != std::string_view::npos)
+            return true;
+    return false;
+}
+
 /// Without the words of a declaration before its name.
 Text without_declaration(const Text& words) {
     const size_t end = assignment_in(words);
@@ -47,7 +56,7 @@ Text without_declaration(const Text& words) {
         if (is_word_token(words[i]) && after_word) name = i;
     }
     const bool control = !words.empty() && word_is(words[0], kKeyword) && !is_type_word(words[0]);
-    if (control) return words;
+    if (control || steps_value(words)) return words;
     Text out(words.begin() + static_cast<ptrdiff_t>(name), words.end());
     const bool constructs =
         name > 0 && is_word_token(words[name - 1]) && out.size() > 2 && out[1] == "(" && out.back() == ")";
@@ -67,7 +76,8 @@ size_t end_of_cast(const Text& words, size_t first, const Text& before) {
     for (; end < words.size() && (words[end] == "*" || words[end] == "&"); ++end) is_type = true;
     if (end + 1 >= words.size() || words[end] != ")") return first;
     const std::string& next = words[end + 1];
-    return is_type || is_word_token(next) || is_number_token(next) ? end : first;
+    const bool alone = end == first + 2 && next == "(";
+    return is_type || alone || is_word_token(next) || is_number_token(next) ? end : first;
 }
 
 /// Without `*` and `&` before an operand, casts, template arguments and the names of what holds a name.
@@ -255,10 +265,18 @@ float substance_of(const Text& before, const Text& now, const KnownThere& there)
         const auto has_name = [](const auto& words) {
             return std::any_of(words.begin(), words.end(), [](const std::string* one) { return is_word_token(*one); });
         };
+        const bool by_new_local =
+            std::any_of(gained.begin(), gained.end(),
+                        [&](const std::string* one) { return there.new_locals->contains(*one); }) &&
+            std::none_of(gained.begin(), gained.end(), [&](const std::string* one) {
+                return is_word_token(*one) && !there.new_locals->contains(*one);
+            });
         const bool drops_argument = gained.empty() && lost.size() == 2 && *lost[0] == "," &&
                                     (is_word_token(*lost[1]) || is_number_token(*lost[1]));
         if (drops_argument) {
             matter.add(*lost[1], there, true);
+            matter.unknown += 1;
+        } else if (by_new_local) {
             matter.unknown += 1;
         } else if ((is_number(lost) && has_name(gained)) || (is_number(gained) && has_name(lost)))
             matter.add_named_number(gained.size() > lost.size() || is_number(lost) ? gained : lost, there);
@@ -285,7 +303,7 @@ Text essence_of(const Text& words, const Dialect& dialect) {
 }
 
 bool is_turned_round(const Text& before, const Text& now) {
-    if (before.empty() || now.empty() || before[0] != "if" || now[0] != "if") return false;
+    if (before.empty() || now.empty() || before[0] != now[0] || (now[0] != "if" && now[0] != "return")) return false;
     constexpr std::array<std::pair<std::string_view, std::string_view>, 3> kOpposites = {
         {{"<", ">="}, {">", "<="}, {"==", "!="}}};
     const std::vector<DiffStep> steps = diff(before, now);

@@ -33,8 +33,9 @@ using UsesOnSide = std::unordered_map<std::string, uint32_t>;
 /// new there, as the edit is, or a manner of the side that was edited: that one is used in many files.
 struct KnownThere {
     const WordsOfSide *unit, *file;
-    const UsesOnSide *side, *other;    ///< of the side that the unit is on, and of the one that was edited
-    const std::set<std::string>* own;  ///< parameters and locals of the unit that was edited
+    const UsesOnSide *side, *other;           ///< of the side that the unit is on, and of the one that was edited
+    const std::set<std::string>* own;         ///< parameters and locals of the unit that was edited
+    const std::set<std::string>* new_locals;  ///< of these the locals whose names the other unit does not use
 
     float degree(const std::string& word) const {
         constexpr float kInFile = 0.9f, kOnSide = 0.5f, kNew = 0.45f;

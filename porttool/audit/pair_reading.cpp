@@ -57,6 +57,7 @@ public:
             for (const auto& words : sides_[side].words) unit_words_[side].insert(words.begin(), words.end());
             read_past(side);
         }
+        for (const Side side : kBothSides) find_new_locals(side);
         out.alike = alike();
         if (has_any_past)
             for (const Side side : kBothSides) judge_side(side, out.missing);
@@ -128,6 +129,14 @@ private:
         for (size_t i = 0; i < numbers.size() && words[i] != "{"; ++i)
             if (numbers[i] != 0) out.push_back(folded(words[i]));
         return out;
+    }
+
+    void find_new_locals(Side side) {
+        const std::vector<std::string> parameters = parameters_of(side);
+        for (const std::string& name : own_names_[side])
+            if (std::find(parameters.begin(), parameters.end(), name) == parameters.end() &&
+                !unit_words_[other(side)].contains(name))
+                new_locals_[side].insert(name);
     }
 
     /// Parameters stand for each other by their places where the sides are more alike so: `u0, u1` for `u1, u2`.
@@ -320,11 +329,11 @@ private:
         place.there = sides_[other(side)].written[found.index];
         const float substance =
             substance_of(translated(place.before, side, true), sides_[side].words[line.index], known_there(side));
-        place.strength =
-            std::min(1.0f, (leaning - 0.3f) / 0.7f) * std::min(1.0f, (near - 0.3f) / 0.7f) * told_by(old_text.sum) *
-            substance * still_itself(likeness(old_text, now)) * (same_head(side, place) ? 1.0f : 0.4f) *
-            (brings_call(side, place) ? 0.5f : 1.0f) * (counts_threads_otherwise(place) ? 0.2f : 1.0f) *
-            (is_turned_round(words_of_statement(place.before), words_of_statement(place.now)) ? 0.2f : 1.0f);
+        place.strength = std::min(1.0f, (leaning - 0.3f) / 0.7f) * std::min(1.0f, (near - 0.3f) / 0.7f) *
+                         told_by(old_text.sum) * substance * still_itself(likeness(old_text, now)) *
+                         (same_head(side, place) ? 1.0f : 0.4f) * (brings_call(side, place) ? 0.5f : 1.0f) *
+                         (counts_threads_otherwise(place) ? 0.2f : 1.0f) *
+                         (turns_round(side, place, line.steps[told].commit) ? 0.1f : 1.0f);
         if (place.strength < kFaint) return;
         place.strength *= anchored(translated(place.before, side, true), sides_[side].words[line.index],
                                    sides_[other(side)].words[found.index]);
@@ -377,6 +386,12 @@ private:
         return head_of(translated(place.before, side, true)) == head_of(translated(place.now, side, true));
     }
 
+    /// True where a condition became its opposite among other edits: then the branches changed places.
+    bool turns_round(Side side, const MissingPlace& place, uint32_t commit) const {
+        return pair_[side].lineage->places_edited(commit) > 1 &&
+               is_turned_round(words_of_statement(place.before), words_of_statement(place.now));
+    }
+
     /// True where one side says how many groups of threads run, and the other how many threads.
     static bool counts_threads_otherwise(const MissingPlace& place) {
         const auto has = [](const WrittenStatement& statement, std::string_view name) {
@@ -412,7 +427,8 @@ private:
 
     KnownThere known_there(Side side) const {
         const SideOfPair& there = pair_[other(side)];
-        return {&unit_words_[other(side)], there.file_words, there.uses, pair_[side].uses, &own_names_[side]};
+        return {&unit_words_[other(side)], there.file_words,  there.uses,
+                pair_[side].uses,          &own_names_[side], &new_locals_[side]};
     }
 
     bool stands_in_file_of(Side side, const WrittenStatement& statement) const {
@@ -635,7 +651,8 @@ private:
     BySide<std::map<std::string, std::string>> names_;
     Weigher weigher_;
     BySide<ReadSide> sides_;
-    BySide<std::set<std::string>> own_names_;  ///< parameters and locals
+    BySide<std::set<std::string>> own_names_;   ///< parameters and locals
+    BySide<std::set<std::string>> new_locals_;  ///< no parameters, and nothing that the other unit names, too
     BySide<WordsOfSide> unit_words_;
     BySide<std::set<std::vector<std::string>>> had_;  ///< statements that a side had and has no more
 };

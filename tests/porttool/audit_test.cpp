@@ -335,6 +335,11 @@ TEST_F(Audit, HandMadeEdits) {
         {"cast", "sum += load((int*)&(row[k]), 1) + level * w[k];", "sum += load(&row[k], 1) + level * w[k];", false},
         {"steps", "for (int i = 0; i < k; i++) sum += level * w[i];",
          "for (int i = 0; i < k; i += 1) sum += level * w[i];", false},
+        {"turned", "if (k >= n) return level; sum += level * w[k];",
+         "if (k < n) { sum += level * w[k]; } else { return level; }", false},
+        {"sign", "if (k >= n) sum += level * w[k] * v[col];", "if (k < n) sum += level * w[k] * v[col];", true},
+        {"cached", "sum += level * w[k] * v[col]; level = sum;",
+         "const float held = w[k]; sum += level * held * v[col]; level = sum;", false},
         {"null", "level = w[k] * 2.0f; *out = level + 1.0f; sum += level;",
          "level = w[k] * 2.0f; if (out) *out = level + 1.0f; sum += level;", false},
     };
@@ -356,6 +361,7 @@ TEST_F(Audit, HandMadeEdits) {
     commit("Some of these matter", 3);
     std::set<std::string> found, wanted;
     for (const auto& item : items()) {
+        if (item["commit"].is_null()) continue;  // a difference of today, whoever is right
         const std::string id = item["source"];
         found.insert(id.substr(id.find(':') + 1));
     }
