@@ -80,6 +80,24 @@ void check_size(const OIIO::ImageSpec& spec, size_t file_size) {
     if (texels / MOST_COMPRESSION > file_size) fail("is far too short for its " + size + " pixels; it is cut off");
 }
 
+// OpenImageIO takes memory for a BMP's rows as soon as it is opened, as much as the header asks for.
+void check_bmp_header(Bytes bytes) {
+    constexpr size_t kLeast = 26;
+    if (bytes.size() < kLeast) fail("is cut off: it ends within its header");
+    const auto number = [&](size_t at, size_t size) {
+        uint32_t value = 0;
+        for (size_t i = 0; i < size; ++i) value |= static_cast<uint32_t>(bytes[at + i]) << 8 * i;
+        return value;
+    };
+    constexpr uint32_t kOldHeader = 12;  // whose numbers are of 16 bits
+    const bool old = number(14, 4) == kOldHeader;
+    const uint64_t width = number(18, old ? 2 : 4);
+    const uint32_t rows = old ? number(20, 2) : number(22, 4);
+    const uint64_t height = rows >> 31 != 0 ? -rows : rows;  // negative: rows from the top down
+    if (width * height > MOST_TEXELS || width > MOST_TEXELS) fail("is too large; 16384x16384 is the most");
+    if (width * height / MOST_COMPRESSION > bytes.size()) fail("is far too short for its pixels; it is cut off");
+}
+
 std::string last_error(OIIO::ImageInput& input) {
     std::string error = input.geterror();
     std::replace(error.begin(), error.end(), '\n', ' ');
@@ -142,6 +160,7 @@ Image read_image(std::span<const std::byte> bytes, const std::string& name) {
         picture = picture_chunks(bytes);
         bytes = picture;
     }
+    if (format == "bmp") check_bmp_header(bytes);
     OIIO::Filesystem::IOMemReader memory(const_cast<std::byte*>(bytes.data()), bytes.size());
     OIIO::ImageSpec hints;
     hints.attribute("oiio:UnassociatedAlpha", 1);

@@ -117,6 +117,12 @@ TEST(ImageReader, RefusesWhatItCannotDecode) {
     std::string damaged = whole;
     damaged[whole.find("IDAT") + 8] ^= 0x55;
     EXPECT_THAT(refusal_of(damaged, "a.png"), HasSubstr("cannot be decoded"));
+    // OpenImageIO would take memory for what a BMP's header says before anybody could ask.
+    std::string bmp = "BM" + std::string(12, '\0') + std::string("\x28\0\0\0\xFF\xFF\xFF\x7F\1\0\0\0", 12);
+    EXPECT_THAT(refusal_of(bmp + std::string(100, '\0'), "a.bmp"), HasSubstr("is too large"));
+    bmp.replace(18, 8, std::string("\0\x20\0\0\0\xE0\xFF\xFF", 8));  // 8192 by -8192
+    EXPECT_THAT(refusal_of(bmp + std::string(100, '\0'), "a.bmp"), HasSubstr("far too short"));
+    EXPECT_THAT(refusal_of("BM", "a.bmp"), HasSubstr("is cut off"));
     // A header that promises more pixels than the file can hold.
     std::string huge = whole;
     huge[16] = 0;
