@@ -45,6 +45,7 @@ bool is_shader_function(std::string_view word, Language language) {
     static constexpr std::string_view kFunctions =
         " sign floor ceil trunc fma min max clamp mix step smoothstep length distance dot cross normalize pow exp exp2 "
         "log log2 sqrt sin cos tan asin acos radians degrees ";
+    if (word == "atan2") return language == Language::OpenCl || language == Language::Metal;
     if (language != Language::OpenCl && language != Language::Glsl && language != Language::Metal) return false;
     return kFunctions.find(" " + std::string(word) + " ") != std::string_view::npos;
 }
@@ -150,6 +151,8 @@ std::string KnownWords::usual(const Uses* words) {
 std::string KnownWords::in_dialect(std::string_view word, bool called) const {
     const std::string* meaning = dialect_.meaning(word);
     if (meaning == nullptr || meaning->empty() || !runtime_of(word).empty()) return {};
+    // GLSL alone says `atan` of two numbers.
+    if (word == "atan2" && to_.edited.language != Language::Glsl) return {};
     const auto here = by_meaning_.find("=" + *meaning);
     std::string said = usual(here == by_meaning_.end() ? nullptr : &here->second);
     return called_.contains(said) == called ? said : std::string();
@@ -230,6 +233,17 @@ std::string KnownWords::opens_literal(std::string_view type) const {
                                                                                             : "";
 }
 
+/// True if the target's file says `using namespace std`, or calls `min` or `max` without a scope.
+bool KnownWords::uses_std() const {
+    const LexedText& lexed = to_.edited.lexed;
+    for (uint32_t i = 2; i + 1 < lexed.tokens.size(); ++i) {
+        const std::string_view word = lexed.view(i), last = lexed.view(i - 1);
+        if (word == "std" && last == "namespace" && lexed.view(i - 2) == "using") return true;
+        if ((word == "min" || word == "max") && lexed.view(i + 1) == "(" && last != "::" && last != ".") return true;
+    }
+    return false;
+}
+
 bool KnownWords::anywhere(std::string_view word) const {
     if (to_.all.known().contains(word)) return true;
     if (is_of_source(word)) return false;
@@ -237,6 +251,9 @@ bool KnownWords::anywhere(std::string_view word) const {
     if (dialect_.meaning(word) != nullptr && !is_type_word(word) && scopes_builtins()) return false;
     if (const std::string_view runtime = runtime_of(word); !runtime.empty() && !speaks(runtime)) return false;
     if (here == there || is_shader_function(word, there)) return true;
+    // C++ has them in `std` alone, where CUDA and HIP have them without it.
+    const bool only_in_std = word == "min" || word == "max" || word == "swap";
+    if (only_in_std && there == Language::Cpp && !uses_std()) return false;
     const bool both_c = traits_of(here).literals == Literals::C && traits_of(there).literals == Literals::C;
     return both_c && there != Language::OpenCl && is_standard(word);
 }

@@ -119,6 +119,7 @@ private:
 
     bool speaks(std::string_view runtime) const;
     bool scopes_builtins() const;
+    bool uses_std() const;
     size_t times_literal_opens(std::string_view type, std::string_view bracket) const;
     static std::string usual(const Uses* words);
 

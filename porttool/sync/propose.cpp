@@ -386,7 +386,7 @@ private:
         if (!alone && (unit == nullptr || scanned.balanced != draft.scanned.balanced ||
                        !others_stayed(draft.scanned, scanned, port)))
             return refuse("the port made of this edit could not be read back");
-        leave_out_of_scope(pair, old_words, words_of_unit(scanned, *unit).words, out);
+        leave_out_of_scope(pair, scanned, old_words, words_of_unit(scanned, *unit).words, out);
         const UnitState state = unit_state(scanned, *unit);
         const bool to_target = to == Side::Target;
         const PairComparison found = compare(pair, line, before, to_target ? pair.unit.source->text : state.text,
@@ -403,10 +403,19 @@ private:
         drafts_.write(draft, now, alone ? std::move(draft.scanned) : std::move(whole));
     }
 
-    /// Names that the port would use where it does not declare them any more.
-    static void leave_out_of_scope(const JudgedPair& pair, const std::vector<std::string>& was,
+    /// Names that the port would use where neither it nor its file declares them any more.
+    static void leave_out_of_scope(const JudgedPair& pair, const ScannedFile& file, const std::vector<std::string>& was,
                                    const std::vector<std::string>& is, Proposal& out) {
-        for (const std::string& name : lost_names(was, is))
+        const auto is_of_file = [&](const std::string& name) {
+            return std::any_of(file.units.begin(), file.units.end(),
+                               [&](const Unit& unit) { return leaf_of(unit.name) == name; }) ||
+                   std::any_of(file.variables.begin(), file.variables.end(), [&](const FileVariable& variable) {
+                       return file.lexed.view(variable.name_token) == name;
+                   });
+        };
+        std::set<std::string> lost = lost_names(was, is);
+        std::erase_if(lost, is_of_file);
+        for (const std::string& name : lost)
             out.left.push_back({"the port would use `" + name + "` where it does not declare it",
                                 line_of(pair, Side::Source), line_of(pair, Side::Target)});
     }

@@ -34,9 +34,16 @@ bool may_bring(const std::vector<std::string>& words, size_t i) {
     if (!may_declare(words, i)) return false;
     if (!is_one_of(words[i - 1], {"*", "&", ">", ",", "]"}) && !is_word_token(words[i - 1])) return false;
     constexpr size_t kFarthest = 200;
+    bool with_values = false;  // `int i = 0 , k = 1`
     for (size_t k = i; k > 0 && i - k < kFarthest;) {
         const std::string& word = words[--k];
+        if (word == "=" && words[i - 1] == ",") with_values = true;
+        if (with_values && is_one_of(word, {";", "{", "}", "("})) {
+            const bool head = word == "(";
+            return (!head || (k > 0 && words[k - 1] == "for")) && declares(words, k + 2);
+        }
         if (is_one_of(word, {";", "{", "}"})) return true;
+        if (words[i - 1] == "," && (with_values || word == "=" || is_number_token(word))) continue;
         const bool to_array = word == "(" && words[k + 1] == "*" && k > 0 && is_word_token(words[k - 1]);
         if (to_array) continue;  // `float ( * rows ) [ 4 ]`
         if (word == "(") return k > 0 && (is_one_of(words[k - 1], {"@", "for", "]"}));

@@ -122,6 +122,15 @@ private:
         }
     }
 
+    /// The operators of a clause by which it asks, in order: with the same ones a head asks the same way round.
+    static std::vector<std::string> comparisons(const AlignedText& text, const Clause& clause) {
+        std::vector<std::string> out;
+        for (size_t i = clause.first; i < clause.end; ++i)
+            for (const std::string_view word : {"<", ">", "<=", ">=", "==", "!=", "&&", "||", "!", "?"})
+                if (text.words[i] == word) out.emplace_back(word);
+        return out;
+    }
+
     /// What a text asks its preprocessor, in order: `ifdef FAST`, and of an expression how it begins.
     static std::vector<std::string> conditions_of(const std::vector<std::string>& words) {
         std::vector<std::string> out;
@@ -185,7 +194,9 @@ private:
                              shown(texts_.before.words, before(was).first, before(was).end) +
                              "`; the port says that in more places",
                          now(is).first, target(there).first);
-        if (there != kNothing && is_doubtful(was))
+        const bool asks_alike = there != kNothing && before(was).opens &&
+                                comparisons(texts_.before, before(was)) == comparisons(texts_.target, target(there));
+        if (there != kNothing && is_doubtful(asks_alike ? before(was).inside : was))
             return leave("the source has `" + shown(texts_.now.words, now(is).first, now(is).end) + "` for `" +
                              shown(texts_.before.words, before(was).first, before(was).end) +
                              "`; the port's condition there is another one",
@@ -196,7 +207,8 @@ private:
                 return;
             }
             if (there != kNothing && was == 0) return change_words(hunks, was, is, there);
-            if ((there == kNothing && change_result(was, is)) || change_value(hunks, was)) return;
+            if ((there == kNothing && change_result(was, is)) || change_type(hunks, was) || change_value(hunks, was))
+                return;
             leave("the port has nothing that clearly stands for `" +
                       shown(texts_.before.words, before(was).first, before(was).end) + "`, which became `" +
                       shown(texts_.now.words, now(is).first, now(is).end) + "`",
@@ -263,6 +275,32 @@ private:
             out_.replaced.push_back({*at + (hunk.first - old.first), *at + (hunk.end - old.first), words.words,
                                      hunk.now_first, hunk.now_end});
         }
+        return true;
+    }
+
+    /// `int i = get_id ( 0 ) ;` that became `long i = ...` makes a `long` of the port's `int i`, whatever that is.
+    bool change_type(const std::vector<Hunk>& hunks, size_t was) {
+        const Clause& here = before(was);
+        const auto declares_at = [](const std::vector<std::string>& words, const Clause& clause) {
+            size_t i = clause.first;
+            while (i + 1 < clause.end && is_word_token(words[i]) && words[i + 1] != "=") ++i;
+            return i > clause.first && i + 1 < clause.end && words[i + 1] == "=" ? i : kNothing;
+        };
+        const size_t name = declares_at(texts_.before.words, here);
+        if (name == kNothing || hunks.size() != 1 || hunks.back().end > name) return false;
+        const CarriedWords said = carry_old(here.first, name + 1);
+        const CarriedWords made = carry_new(hunks[0].now_first, hunks[0].now_end);
+        if (!said.unknown.empty() || !made.unknown.empty() || said.words.size() != name + 1 - here.first) return false;
+        std::optional<size_t> place;
+        for (const Clause& clause : texts_.target.clauses) {
+            const size_t there = declares_at(texts_.target.words, clause);
+            if (there == kNothing || !says(clause.first, there + 1, said.words)) continue;
+            if (place) return false;
+            place = clause.first;
+        }
+        if (!place) return false;
+        out_.replaced.push_back({*place + (hunks[0].first - here.first), *place + (hunks[0].end - here.first),
+                                 made.words, hunks[0].now_first, hunks[0].now_end});
         return true;
     }
 

@@ -952,5 +952,57 @@ TEST(SyncEdit, ANewLoopGoesAroundWhatThePortHasOfTheSource) {
                    head + "  device_queue q(n);\n" + loop + work + "  }\n" + end});
 }
 
+TEST(SyncEdit, ALoopOverTwoCounters) {
+    const auto sides = [](const std::string& head, const std::string& loop) {
+        return head + "void f(float* out, int n) {\n" + loop + "    out[k] = 1.0f;\n  }\n}\n";
+    };
+    const std::string old = "  for (int k = 0; k < n; k++) {\n",
+                      made = "  for (int i = 0, k = 0; i < n; i += 4, k += 1) {\n";
+    expect_ported(
+        {"k.cu", "k.cpp", sides("__device__ ", old), sides("__device__ ", made), sides("", old), sides("", made)});
+}
+
+TEST(SyncEdit, AHeadThatPicksOtherwiseGetsItsNewNumber) {
+    const std::string body = " {\n    ok = false;\n  }\n  return ok;\n}\n";
+    const auto cuda = [&](const std::string& number) {
+        return "bool f(float2 r, float x) {\n  bool ok = true;\n  if (fabsf(r.x - x) > " + number + ")" + body;
+    };
+    const auto sycl = [&](const std::string& number) {
+        return "bool f(sycl::float2 r, float x) {\n  bool ok = true;\n  if (fabsf(r.x() - x) > " + number + ")" + body;
+    };
+    expect_ported({"k.cu", "k.cpp", cuda("0.001f"), cuda("0.01f"), sycl("0.001f"), sycl("0.01f")});
+}
+
+TEST(SyncEdit, ATypeChangesWhateverTheValueIs) {
+    const auto sides = [](const std::string& head, const std::string& type, const std::string& value) {
+        return head + "  " + type + " at = " + value + ";\n  out[at] = at * 2 + n;\n}\n";
+    };
+    const std::string cuda = "__global__ void f(int* out, int n) {\n",
+                      sycl = "void f(int* out, int n, nd_item<1>& item) {\n";
+    const std::string there = "item.get_global_linear_id()", here = "blockDim.x * blockIdx.x + threadIdx.x";
+    expect_ported({"k.cpp", "k.cu", sides(sycl, "int", there), sides(sycl, "size_t", there), sides(cuda, "int", here),
+                   sides(cuda, "size_t", here)});
+}
+
+/// GLSL alone has one name for both.
+TEST(SyncEdit, TheAngleOfTwoNumbersKeepsItsName) {
+    const auto cpp = [](const std::string& angle) {
+        return "float f(float y, float x)\n{\n  return 2.0f * " + angle + ";\n}\n";
+    };
+    expect_ported({"k.cpp", "k.cl", cpp("atan(y / x)"), cpp("atan2(y, x)"), cpp("atan(y / x)"), cpp("atan2(y, x)")});
+}
+
+TEST(SyncEdit, WhatCppHasInStdAloneIsNotCalledWithoutIt) {
+    const auto text = [](const std::string& head, const std::string& value) {
+        return head + "int f(int k, int n) {\n  int cap = " + value + ";\n  return cap * 2;\n}\n";
+    };
+    const std::string old = "k < n ? k : n", made = "min(k, n)", other = "int g(int a) { return max(a, 1); }\n";
+    expect_left({"k.cu", "k.cpp", text("__device__ ", old), text("__device__ ", made), text("", old), ""});
+    expect_ported({"k.cu", "k.cpp", text("__device__ ", old), text("__device__ ", made),
+                   text("using namespace std;\n", old), text("using namespace std;\n", made)});
+    expect_ported({"k.cu", "k.cpp", text("__device__ ", old), text("__device__ ", made), other + text("", old),
+                   other + text("", made)});
+}
+
 }  // namespace
 }  // namespace porttool::testing

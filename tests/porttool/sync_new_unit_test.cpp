@@ -444,6 +444,15 @@ TEST_F(SyncNewUnit, TheHeadOfAFunctionThatIsDefinedElsewhereFollows) {
                            "    test(a, n);\n    show(n);\n", "    bool ok = test(a, n);\n    show(n, ok);\n"));
 }
 
+TEST_F(SyncNewUnit, AConstantOfAFunctionThatBecomesTheFilesIsDeclaredThere) {
+    const std::string source =
+        "float shade(float a) {\n    const float kGain = 3.0f;\n    float b = a * kGain;\n    return b;\n}\n";
+    start("k.cu", "__device__ " + source, "k.cpp", source);
+    edit("    const float kGain = 3.0f;\n", "");
+    edit("__device__ float shade", "const float kGain = 3.0f;\n__device__ float shade");
+    expect_ported("const float kGain = 3.0f;\n" + replaced(source, "    const float kGain = 3.0f;\n", ""));
+}
+
 const std::string kRoot =
     "__device__ float root(float a, float b) {\n    return sqrtf(a * b);\n}\n"
     "__device__ float shade(float a) {\n    float b = root(a, 2.0f);\n    return b;\n}\n"
