@@ -69,6 +69,10 @@ Status check_lens(float aperture, float focus) {
     if (!(aperture >= 0.0f && aperture <= FARTHEST_EYE))
         return Status::invalid("the lens's radius is " + shown(static_cast<double>(aperture)) + "; give 0 to " +
                                shown(static_cast<double>(FARTHEST_EYE)));
+    if (focus > 0.0f && focus <= FARTHEST_EYE && aperture > WIDEST_LENS * focus)
+        return Status::invalid("the lens's radius is " + shown(static_cast<double>(aperture)) + " and its focus at " +
+                               shown(static_cast<double>(focus)) + "; give a radius of at most " +
+                               shown(static_cast<double>(WIDEST_LENS)) + " times that distance");
     if (focus > 0.0f && focus <= FARTHEST_EYE) return Status::success();
     return Status::invalid("the lens's focus is at " + shown(static_cast<double>(focus)) + "; give a distance up to " +
                            shown(static_cast<double>(FARTHEST_EYE)));
@@ -213,7 +217,8 @@ Status check_view(const ViewPyramid& view) {
     }
     if (!(reach > 0.0)) return Status::invalid("the screen's corners coincide with the eye");
     if (view.parallel && view.aperture > 0.0f) return Status::invalid("an orthographic camera has no lens");
-    return check_lens(view.aperture, 1.0f);
+    const glm::vec3 middle = 0.5f * (view.top_right + view.bottom_left) - view.eye;
+    return check_lens(view.aperture, view.aperture > 0.0f ? glm::length(middle) : 1.0f);
 }
 
 Status check_camera(const Camera& camera) {

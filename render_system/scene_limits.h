@@ -19,6 +19,8 @@ namespace render_system {
 constexpr float FARTHEST_VERTEX = 1e9f;
 /// Coordinates of the eye and of a light without extent. Three of them are multiplied in a triangle test.
 constexpr float FARTHEST_EYE = 1e12f;
+/// The radius of a lens, in distances of its focus: past about a million times that, rays have no direction left.
+constexpr float WIDEST_LENS = 1000.0f;
 /// What a ray may become in an instance's own space. Embree asserts 1.844e18 of a ray's origin and direction.
 constexpr double FARTHEST_LOCAL = 1e18;
 

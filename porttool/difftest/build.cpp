@@ -151,7 +151,10 @@ private:
                                             path + ".cpp"};
         if (gnu) {
             command[10] = "-fno-diagnostics-show-caret";
-            for (const char* option : {"-fpermissive", "-ftrivial-auto-var-init=zero", "-fmax-errors=300"})
+            // What a function leaves unset of what it gives back is 0 on both sides: for that it must be a variable,
+            // and not the caller's memory.
+            for (const char* option :
+                 {"-fpermissive", "-ftrivial-auto-var-init=zero", "-fno-elide-constructors", "-fmax-errors=300"})
                 command.insert(command.begin() + 1, option);
         }
         ProcessLimits limits;

@@ -440,7 +440,7 @@ private:
         Trial trial(work.built.source, work.built.target, match, {settings_.ulps}, workshop_.folder,
                     {work.wide.source.program.empty() ? nullptr : &work.wide.source,
                      work.wide.target.program.empty() ? nullptr : &work.wide.target});
-        constexpr size_t kMostSlots = 12'000'000;
+        constexpr size_t kMostSlots = 16'000'000;
         const size_t width = std::max<size_t>(1, trial.inputs().size());
         const size_t records = std::max<size_t>(1, std::min(settings_.inputs, kMostSlots / width));
         const std::vector<double> constants = constants_in(work.subject.source, work.subject.target);

@@ -78,7 +78,8 @@ bool declares(const std::vector<std::string>& words) {
     return false;
 }
 
-/// True if two runs of words of one length have the same operators: `a > b` does not stand for `a <= b`.
+/// True if two runs of words of one length have the same operators and numbers: `a > b` does not stand for `a <= b`,
+/// nor `a [ 8 ]` for `a [ 12 ]`.
 bool same_operators(const std::vector<std::string>& source, size_t first, size_t end,
                     const std::vector<std::string>& target, size_t there) {
     for (size_t i = first; i < end; ++i) {
@@ -86,6 +87,7 @@ bool same_operators(const std::vector<std::string>& source, size_t first, size_t
         const bool name = is_word_token(here) || is_number_token(here);
         if (name != (is_word_token(other) || is_number_token(other))) return false;
         if (!name && here != other && !(is_accessor(here) && is_accessor(other))) return false;
+        if (is_number_token(here) && is_number_token(other) && number_value(here) != number_value(other)) return false;
     }
     return true;
 }

@@ -193,8 +193,16 @@ private:
         if (one.first == one.end) return insert(one, before, after, now);
         const size_t first = placed_from(one.first), last = placed_before(one.end);
         if (first == kNone || last == kNone || last < first) return insert(one, before, after, now);
-        if (!now.empty()) return put(start_of(first), end_of(last), now);
+        if (!now.empty()) return put(start_of(first), end_of(last), lead_of(one, before, first) + now);
         cut(before, first, last, after);
+    }
+
+    /// The blank before words that the source sets apart, where those that they take the place of stood close: `i += 1`
+    /// for `i++`.
+    std::string lead_of(const WordsReplaced& one, size_t before, size_t first) const {
+        const bool is_tight = before != kNone && end_of(before) == start_of(first);
+        const bool is_apart = one.words.front().from == one.source_first && !source_gap(one.source_first).empty();
+        return is_tight && is_apart && stand_apart(target_.words.words[before], one.words.front().text) ? " " : "";
     }
 
     void insert(const WordsReplaced& one, size_t before, size_t after, const std::string& now) {

@@ -74,6 +74,7 @@ TEST_F(Pathtracer, RefusesNonsenseInOneOrTwoLines) {
     expect_refused({"render", scene, "--sky", "missing.hdr"}, {"missing.hdr"});
     expect_refused({"render", scene, "--aperture", "0.1"}, {"--aperture", "--focus"});
     expect_refused({"render", scene, "--aperture", "1e13", "--focus", "1"}, {"lens's radius", "1e+12"});
+    expect_refused({"render", scene, "--aperture", "1e9", "--focus", "1", "--fov", "0.01"}, {"lens's radius", "1000"});
     expect_refused({"compare", scene, "--limit-ssim", "0.9", "--size", "10x10"}, {"--limit-ssim", "11"});
     expect_refused({"compare", scene, "-o", scene + "/dir"}, {scene + "/dir"});
 }

@@ -1004,5 +1004,13 @@ TEST(SyncEdit, WhatCppHasInStdAloneIsNotCalledWithoutIt) {
                    other + text("", made)});
 }
 
+TEST(SyncLayout, AnOperatorThatTookThePlaceOfACloseOneStandsApart) {
+    const auto text = [](const std::string& head, const std::string& step) {
+        return head + "int f(int n) {\n    for (int i = 0; i < n; " + step + ") n -= 2;\n    return n;\n}\n";
+    };
+    expect_written({"k.cu", "k.cpp", text("__device__ ", "i++"), text("__device__ ", "i += 4"), text("", "i++"),
+                    text("", "i += 4")});
+}
+
 }  // namespace
 }  // namespace porttool::testing
