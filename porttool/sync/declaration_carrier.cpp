@@ -13,6 +13,7 @@ namespace porttool {
 namespace {
 
 constexpr size_t kNoPlace = static_cast<size_t>(-1);
+constexpr size_t kMostArrivals = 64, kMostNeighbours = 64;  ///< that are looked at
 
 std::string text_of(const ScannedFile& file, const FileStatement& statement) {
     const LexedText& lexed = file.lexed;
@@ -78,8 +79,9 @@ const DeclarationCarrier::Changes& DeclarationCarrier::changes(const std::string
         const bool came = !now[i].is_function && was == before.end() && declares(*file, now[i].name) &&
                           !declares(earlier, now[i].name);
         if (!came) continue;
+        if (out.came.size() == kMostArrivals) continue;
         Arrival arrival{now[i], {}};
-        for (size_t k = i; k-- > 0;) arrival.before.push_back(now[k].words);
+        for (size_t k = i; k-- > 0 && arrival.before.size() < kMostNeighbours;) arrival.before.push_back(now[k].words);
         out.came.push_back(std::move(arrival));
     }
     return out;
@@ -110,9 +112,11 @@ bool DeclarationCarrier::can_stand_in(const Arrival& arrival, const ScannedFile&
     return !known.in_file(arrival.statement.name) && place_of(arrival, port) != kNoPlace;
 }
 
-std::set<std::string, std::less<>> DeclarationCarrier::brings(const JudgedPair& pair, Side from) {
+const std::set<std::string, std::less<>>& DeclarationCarrier::brings(const JudgedPair& pair, Side from) {
     const Side to = other_side(from);
-    std::set<std::string, std::less<>> out;
+    const auto [found, is_new] = brings_.try_emplace({from, {pair.unit[from]->file, pair.unit[to]->file}});
+    std::set<std::string, std::less<>>& out = found->second;
+    if (!is_new) return out;
     const ScannedFile *file = knowledge_.file_of(from, pair.unit[from]->file),
                       *port = knowledge_.file_of(to, pair.unit[to]->file);
     if (file == nullptr || port == nullptr) return out;
@@ -128,22 +132,24 @@ void DeclarationCarrier::carry(const JudgedPair& pair, Side from, const std::vec
     const ScannedFile *file = knowledge_.file_of(from, pair.unit[from]->file),
                       *other = knowledge_.file_of(to, pair.unit[to]->file);
     if (file == nullptr || other == nullptr) return;
-    const auto uses = [&](const std::string& name) {
-        return std::find(words.begin(), words.end(), name) != words.end();
-    };
-    const std::set<std::string, std::less<>> brought = brings(pair, from);
+    const std::set<std::string> used(words.begin(), words.end());
+    const std::set<std::string, std::less<>>& brought = brings(pair, from);
     const Changes& made = changes(file->path, from);
     Draft& draft = drafts_.of(to, *other);
     std::vector<TextEdit> edits;
     for (const Arrival& arrival : made.came) {
         const std::string& name = arrival.statement.name;
         const size_t place = place_of(arrival, draft.scanned);
-        if (place != kNoPlace && brought.contains(name) && uses(name) && !declares(draft.scanned, name))
+        if (place != kNoPlace && brought.contains(name) && used.contains(name) && !declares(draft.scanned, name))
             edits.push_back({place, place, "\n" + text_of(*file, arrival.statement)});
     }
-    for (const FileStatement& there : file_statements(draft.scanned))
-        for (const auto& [was, is] : made.changed)
-            if (uses(was.name)) change_head({*file, was, is}, draft.scanned, there, edits);
+    std::map<std::string_view, const std::pair<FileStatement, FileStatement>*> changed;
+    for (const auto& change : made.changed)
+        if (used.contains(change.first.name)) changed.emplace(change.first.name, &change);
+    if (!changed.empty())
+        for (const FileStatement& there : file_statements(draft.scanned))
+            if (const auto found = changed.find(there.name); found != changed.end())
+                change_head({*file, found->second->first, found->second->second}, draft.scanned, there, edits);
     if (edits.empty()) return;
     std::stable_sort(edits.begin(), edits.end(),
                      [](const TextEdit& a, const TextEdit& b) { return a.first < b.first; });

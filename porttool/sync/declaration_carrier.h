@@ -29,7 +29,7 @@ public:
         : earlier_(earlier), knowledge_(knowledge), drafts_(drafts) {}
 
     /// The variables that came to the file of the pair's unit of the side `from`, and that can come to the port's file.
-    std::set<std::string, std::less<>> brings(const JudgedPair& pair, Side from);
+    const std::set<std::string, std::less<>>& brings(const JudgedPair& pair, Side from);
     /// Those of them that `words`, the port's new ones, use; and the heads that changed.
     void carry(const JudgedPair& pair, Side from, const std::vector<std::string>& words);
 
@@ -51,6 +51,7 @@ private:
     Knowledge& knowledge_;
     Drafts& drafts_;
     std::map<std::pair<Side, std::string>, Changes> changes_;
+    std::map<std::pair<Side, std::pair<std::string, std::string>>, std::set<std::string, std::less<>>> brings_;
 };
 
 }  // namespace porttool

@@ -239,7 +239,8 @@ private:
         examples.learn(old_text, port_text, across);
         std::set<std::string, std::less<>> from_elsewhere = new_units_.brought();
         from_elsewhere.merge(new_members(pair, from));
-        from_elsewhere.merge(declarations_.brings(pair, from));
+        const auto& declared = declarations_.brings(pair, from);
+        from_elsewhere.insert(declared.begin(), declared.end());
         std::set<std::string, std::less<>> brought = from_elsewhere, lone;
         const std::map<std::string, std::string, std::less<>> unported = new_units_.unported(from);
         for (const auto& [name, why] : unported) lone.insert(name);
