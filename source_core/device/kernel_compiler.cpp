@@ -59,13 +59,16 @@ struct GlslangProcess {
 
 Result<std::vector<uint32_t>> finish(const std::string& name, const std::vector<uint32_t>& compiled) {
     spvtools::Optimizer optimizer(SPV_ENV_VULKAN_1_2);
-    optimizer.RegisterPass(spvtools::CreateEliminateDeadFunctionsPass());
+    // What the scene's features leave out goes first: a driver inlines every call that is left, and only then sees what is
+    // never run. On lavapipe that was three quarters of the time that a core takes to start.
+    optimizer.RegisterPass(spvtools::CreateDeadBranchElimPass())
+        .RegisterPass(spvtools::CreateEliminateDeadFunctionsPass());
     spvtools::OptimizerOptions options;
     options.set_run_validator(false);
     const std::vector<uint32_t> words = forbid_contraction(compiled);
     std::vector<uint32_t> live;
     if (!optimizer.Run(words.data(), words.size(), &live, options)) {
-        return Status::error(StatusCode::internal, "failed to remove unused functions from the kernel " + name);
+        return Status::error(StatusCode::internal, "failed to remove what is never run from the kernel " + name);
     }
     return mark_buffer_access(live);
 }

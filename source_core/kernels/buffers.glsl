@@ -17,7 +17,9 @@ layout(set = 0, binding = BINDING_SETTINGS, std140) uniform SettingsBlock { Sett
 layout(set = 0, binding = BINDING_ADDRESSES, std140) uniform AddressesBlock { uvec4 table_addresses[TABLE_COUNT]; };
 layout(push_constant) uniform PassBlock { Pass pass; };
 
-bool has_feature(uint feature) { return (FEATURES & feature) != 0u; }
+// A macro, so that the condition is a constant where it stands: what a scene does not have is gone before any function is
+// inlined.
+#define has_feature(feature) ((FEATURES & (feature)) != 0u)
 
 // ---- Scene tables ----
 
