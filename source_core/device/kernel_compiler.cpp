@@ -59,8 +59,8 @@ struct GlslangProcess {
 
 Result<std::vector<uint32_t>> finish(const std::string& name, const std::vector<uint32_t>& compiled) {
     spvtools::Optimizer optimizer(SPV_ENV_VULKAN_1_2);
-    // What the scene's features leave out goes first: a driver inlines every call that is left, and only then sees what is
-    // never run. On lavapipe that was three quarters of the time that a core takes to start.
+    // What the scene's features leave out goes first: a driver inlines every call that is left, and only then sees what
+    // is never run. On lavapipe that was three quarters of the time that a core takes to start.
     optimizer.RegisterPass(spvtools::CreateDeadBranchElimPass())
         .RegisterPass(spvtools::CreateEliminateDeadFunctionsPass());
     spvtools::OptimizerOptions options;
