@@ -51,6 +51,15 @@ const std::string* first_word(const std::vector<std::string>& arguments) {
     return nullptr;
 }
 
+/// `compare --bias A... -- B...`: takes the words behind the `--` out. Without --bias it means what it does elsewhere.
+std::vector<std::string> take_second_set(std::vector<std::string>& words) {
+    const auto mark = std::find(words.begin(), words.end(), "--");
+    if (mark == words.end() || std::find(words.begin(), mark, "--bias") == mark) return {};
+    std::vector<std::string> second(mark + 1, words.end());
+    words.erase(mark, words.end());
+    return second;
+}
+
 std::vector<std::string> option_names(const CLI::App& app) {
     std::vector<std::string> names;
     for (const CLI::Option* option : app.get_options()) {
@@ -106,6 +115,7 @@ Invocation parse_command_line(std::span<const std::string> arguments) {
     const Command* command = word != nullptr ? find_command(*word) : nullptr;
     if (word != nullptr && command == nullptr) return usage_error("pathtracer", unknown_command(*word));
     const CLI::App* used = command != nullptr ? app.get_subcommand(command->name) : &app;
+    if (command != nullptr && command->name == "compare") invocation.options.images_b = take_second_set(words);
     const std::string where = command != nullptr ? "pathtracer " + command->name : "pathtracer";
 
     try {

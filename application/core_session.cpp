@@ -29,10 +29,11 @@ CoreSession::CoreSession(const Options& options, SceneSetup setup, Console& cons
     : options_(options),
       console_(console),
       system_(std::move(setup.scene)),
-      view_(render_system::view_pyramid(setup.camera, options.width, options.height)) {}
+      view_(render_system::view_pyramid(setup.camera, options.width, options.height)),
+      seed_(options.seed) {}
 
 render_system::CoreSettings CoreSession::settings() const {
-    return {.seed = options_.seed,
+    return {.seed = seed_,
             .max_path_length = options_.max_path_length,
             .russian_roulette = options_.russian_roulette,
             .next_event_estimation = options_.next_event_estimation,
@@ -51,6 +52,12 @@ Result<CoreChoice> CoreSession::start(const std::vector<std::string>& ids, Pictu
                               system_, first_sample);
     if (choice.ok()) console_.detail("core " + choice->core + ": " + stats().device);
     return choice;
+}
+
+Status CoreSession::restart(uint32_t seed, uint32_t samples) {
+    set_seed(seed);
+    Status status = system_.core().Setting(settings());
+    return status.ok() ? render(Convergence::Restart, samples) : status;
 }
 
 Status CoreSession::render(Convergence convergence, uint32_t samples) {

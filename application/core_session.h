@@ -24,6 +24,12 @@ public:
     /// has to stay where it is until the next start.
     render_system::Result<render_system::CoreChoice> start(const std::vector<std::string>& ids, Picture& picture);
 
+    /// The seed from the next start on; without it that of the options.
+    void set_seed(uint32_t seed) { seed_ = seed; }
+
+    /// Begins the picture anew with another seed and renders that many samples in one call.
+    render_system::Status restart(uint32_t seed, uint32_t samples);
+
     /// Renders on until the picture has `samples` samples in all; the bar moves from `samples_before` up. Where a bar
     /// is shown, samples come in portions of about a quarter of a second, which changes no bit of the picture.
     render_system::Status render_up_to(uint32_t samples);
@@ -53,6 +59,7 @@ private:
     render_system::RenderSystem system_;
     render_system::ViewPyramid view_;
     render_system::PathWatch* watch_ = nullptr;
+    uint32_t seed_;
 };
 
 /// A failed call as one line for the user, with the option that helps.

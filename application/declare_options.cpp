@@ -3,7 +3,9 @@
 #include "application/declare_options.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <map>
+#include <set>
 
 #include "application/option_values.h"
 
@@ -166,6 +168,42 @@ void declare_samples(CLI::App& app, Options& options, const std::string& help) {
         ->type_name("N");
 }
 
+/// What acts on image files, too.
+const std::set<std::string> FOR_IMAGES = {"--output", "--limit-ssim", "--bias",  "--alpha",   "--format",
+                                          "--quiet",  "--verbose",    "--color", "--progress"};
+
+/// What `compare` was given: a scene, two image files, or two sets of them (the words after `--` are in images_b).
+void settle_comparison(const CLI::App& app, Options& options) {
+    std::vector<std::string>& a = options.images_a;
+    std::vector<std::string>& b = options.images_b;
+    for (const auto* names : {&a, &b}) {
+        if (std::find(names->begin(), names->end(), "") != names->end())
+            throw CLI::ValidationError("SCENE|A", "the name is empty; give one");
+    }
+    if (!options.bias && app.count("--alpha") > 0) throw CLI::ValidationError("--alpha", "is for --bias; give it too");
+    if (b.empty() && a.size() == 1) {
+        options.scene = a.front();
+        a.clear();
+        return;
+    }
+    if (options.bias && b.empty())
+        throw CLI::ValidationError("--bias", "needs a scene, or two sets of image files: --bias A... -- B...");
+    if (!options.bias && !b.empty())
+        throw CLI::ValidationError("--", "two sets of image files are for --bias; give it too");
+    if (!options.bias && a.size() != 2)
+        throw CLI::ValidationError(
+            "SCENE|A", "a scene, two image files, or --bias A... -- B...; not " + std::to_string(a.size()) + " files");
+    for (const CLI::Option* option : app.get_options()) {
+        const std::string name = option->get_lnames().empty() ? "" : "--" + option->get_lnames().front();
+        if (option->count() > 0 && !name.empty() && !FOR_IMAGES.contains(name))
+            throw CLI::ValidationError(name, "is for rendering a scene; image files are compared as they are");
+    }
+    if (!options.bias) {
+        b = {a.back()};
+        a.pop_back();
+    }
+}
+
 }  // namespace
 
 void declare_common(CLI::App& app, Options& options) {
@@ -187,9 +225,27 @@ void declare_render(CLI::App& app, Options& options) {
 }
 
 void declare_compare(CLI::App& app, Options& options) {
-    declare_scene(app, options);
+    app.footer(
+        "SCENE renders on both cores. A B are two image files; --bias A... -- B... two sets of independent renders.");
+    app.add_option("SCENE|A", options.images_a,
+                   "A scene as for render, or image files of any program: .exr, .png or .hdr")
+        ->required()
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+        ->type_name("");
+    app.parse_complete_callback([&app, &options] { settle_comparison(app, options); });
     add_name(app, "-o,--output", options.output, "Folder for both pictures and their difference times 16 (none)")
         ->type_name("DIR");
+    add_parsed(
+        app, "--seed-target", [](const std::string& text) { return parse_number(text, 0, UINT32_MAX); },
+        [&options](uint32_t seed) { options.seed_target = seed; }, "Another seed for the target core (that of --seed)")
+        ->type_name("N");
+    app.add_flag("--bias", options.bias,
+                 "Tell bias from noise: independent pictures, the means of their tiles tested; exit with 1 where they "
+                 "differ");
+    add_parsed(
+        app, "--alpha", parse_alpha, [&options](double alpha) { options.alpha = alpha; },
+        "With --bias: how often equal means may be called different (0.001)")
+        ->type_name("P");
     add_parsed(
         app, "--spp", parse_sample_counts, [&options](const std::vector<uint32_t>& counts) { options.spp = counts; },
         "Samples per pixel; several counts are separated by commas (16)")

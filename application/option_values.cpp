@@ -85,6 +85,15 @@ Result<double> parse_ssim(std::string_view text) {
     return *limit;
 }
 
+Result<double> parse_alpha(std::string_view text) {
+    const auto alpha = number_from<double>(text);
+    if (!alpha || !(*alpha > 0.0 && *alpha <= 0.5)) {
+        return Status::invalid(
+            fmt::format("'{}' is no such probability; give a number above 0 and up to 0.5, e.g. 0.001", text));
+    }
+    return *alpha;
+}
+
 Result<uint64_t> parse_mebibytes(std::string_view text) {
     constexpr uint32_t MOST = 1u << 30;
     const auto mebibytes = parse_number(text, 1, MOST);

@@ -40,6 +40,9 @@ Result<std::vector<uint32_t>> parse_sample_counts(std::string_view text);
 /// An SSIM from -1 to 1.
 Result<double> parse_ssim(std::string_view text);
 
+/// A probability above 0 and up to 0.5.
+Result<double> parse_alpha(std::string_view text);
+
 /// Mebibytes, as bytes.
 Result<uint64_t> parse_mebibytes(std::string_view text);
 

@@ -42,6 +42,8 @@ struct Options {
     Format format = Format::text;
 
     std::string scene;
+    std::vector<std::string> images_a;  ///< compare: image files in place of a scene; one or a set
+    std::vector<std::string> images_b;
     std::string output;                      ///< empty: the command's own default
     std::string stats;                       ///< empty: none
     std::vector<std::string> cores{"auto"};  ///< in order of preference, or auto alone
@@ -50,6 +52,7 @@ struct Options {
     uint32_t height = 360;
     std::vector<uint32_t> spp{16};  ///< more than one element only for `compare`
     uint32_t seed = 0;
+    std::optional<uint32_t> seed_target;  ///< compare: another seed for the target core
     uint32_t max_path_length = 8;
     bool russian_roulette = true;
     bool next_event_estimation = true;
@@ -69,6 +72,8 @@ struct Options {
     uint64_t gpu_memory_limit = 0;  ///< bytes, 0: the device-local heap
     std::string kernels;            ///< empty: those built into the program
     std::optional<double> limit_ssim;
+    bool bias = false;     ///< compare: bias told from noise
+    double alpha = 0.001;  ///< compare --bias: how often equal pictures may be called different
     bool locate = false;   ///< compare: where the cores part
     std::string evidence;  ///< compare --locate: the file for porttool check --evidence; empty: none
 };

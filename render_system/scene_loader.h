@@ -9,6 +9,7 @@
 
 #include "render_system/host_scene.h"
 #include "render_system/status.h"
+#include "render_system/texture.h"
 
 namespace render_system {
 
@@ -58,5 +59,9 @@ Status add_area_light(HostScene& scene, const QuadLight& light);
 /// Reads an equirectangular map (Radiance .hdr or .exr) as a sky. Negative and NaN texels become 0, which is added to
 /// `warnings` where given. Fails as load_scene does.
 Result<Sky> load_sky(const std::filesystem::path& path, std::vector<std::string>* warnings = nullptr);
+
+/// Reads a picture of any program: PNG, Radiance HDR, OpenEXR, or another kind that a texture may be. Numbers are as
+/// stored, NaN too; grey becomes RGB (`channels` says so). Fails as load_scene does.
+Result<Image> load_image(const std::filesystem::path& path);
 
 }  // namespace render_system

@@ -18,6 +18,7 @@ struct Image {
     std::vector<glm::u16vec4> shorts;  ///< 16-bit files: as stored, 65535 is 1
     std::vector<glm::vec4> floats;     ///< float files: linear radiance
     bool is_hdr = false;               ///< `floats` is linear light without an upper limit
+    int channels = 0;                  ///< of the file
 
     size_t texels() const { return size_t{width} * height; }
     /// Texel i of whichever array is filled, as stored: 0 to 1 but for float files.

@@ -4,17 +4,16 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
-#include <optional>
 #include <set>
 
+#include "application/bias/batches.h"
 #include "application/commands/command_steps.h"
 #include "application/commands/commands.h"
+#include "application/commands/compare_steps.h"
+#include "application/comparison/figures.h"
 #include "application/file_output.h"
 #include "application/locate/in_step.h"
 #include "application/locate/located.h"
-#include "metrics/image/error.h"
-#include "metrics/image/ssim.h"
 
 namespace application {
 namespace {
@@ -24,23 +23,16 @@ using render_system::Status;
 
 constexpr std::array<const char*, 2> CORES = {"source", "target"};
 constexpr const char* LOCATED_PICTURE = "located.png";
-constexpr int DIFFERENCE_GAIN = 16;  // one level off is invisible, sixteen are not
 
-/// How far the two pictures of one sample count are apart.
-struct Comparison {
-    uint32_t spp = 0;
-    double rmse = 0.0;
-    std::optional<double> ssim;
-    std::optional<double> psnr;
-    double rmse_linear = 0.0;
-    double pixels_off = 0.0;
-    double identical_pixels = 0.0;
-};
+std::array<uint32_t, 2> seeds_of(const Options& options) {
+    return {options.seed, options.seed_target.value_or(options.seed)};
+}
 
 /// Renders the counts in rising order, each going on from the one before.
-Result<CoreResult> render_on(const char* core, const Options& options, CoreSession& session) {
+Result<CoreResult> render_on(const char* core, uint32_t seed, const Options& options, CoreSession& session) {
     CoreResult result;
     Picture picture(options.width, options.height);
+    session.set_seed(seed);
     const auto choice = session.start({core}, picture);
     if (!choice.ok()) return choice.status;
     const std::set<uint32_t> counts(options.spp.begin(), options.spp.end());
@@ -58,79 +50,24 @@ Result<InStep> render_on_both(const Options& options, SceneSetup& setup, Console
     CoreSession session(options, std::move(setup), console);
     InStep both;
     for (size_t i = 0; i < CORES.size(); ++i) {
-        auto result = render_on(CORES[i], options, session);
+        auto result = render_on(CORES[i], seeds_of(options)[i], options, session);
         if (!result.ok()) return result.status;
         both.cores[i] = std::move(*result);
     }
     return both;
 }
 
-Comparison compare_pictures(uint32_t spp, const Picture& a, const Picture& b) {
-    const auto levels_a = srgb_levels(a), levels_b = srgb_levels(b);
-    const auto linear_a = linear_values(a), linear_b = linear_values(b);
-    return {.spp = spp,
-            .rmse = metrics::rmse(levels_a.view(), levels_b.view()),
-            .ssim = metrics::ssim(levels_a.view(), levels_b.view()),
-            .psnr = metrics::psnr(levels_a.view(), levels_b.view()),
-            .rmse_linear = metrics::rmse_linear(linear_a.view(), linear_b.view()),
-            .pixels_off = metrics::pixels_off(levels_a.view(), levels_b.view()),
-            .identical_pixels = metrics::identical_pixels(linear_a.view(), linear_b.view())};
+Json comparison_json(const Options& options, const std::vector<Figures>& figures) {
+    return {{"scene", options.scene}, {"size", {options.width, options.height}},
+            {"seed", options.seed},   {"seed_target", seeds_of(options)[1]},
+            {"exact", options.exact}, {"results", figures_json(figures)}};
 }
 
-Json or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
-
-Json comparison_json(const Options& options, const std::vector<Comparison>& comparisons) {
-    Json results = Json::array();
-    for (const Comparison& c : comparisons) {
-        results.push_back({{"spp", c.spp},
-                           {"rmse", c.rmse},
-                           {"ssim", or_null(c.ssim)},
-                           {"psnr", or_null(c.psnr)},
-                           {"rmse_linear", c.rmse_linear},
-                           {"pixels_off", c.pixels_off},
-                           {"identical_pixels", c.identical_pixels}});
-    }
-    return {{"scene", options.scene},
-            {"size", {options.width, options.height}},
-            {"seed", options.seed},
-            {"exact", options.exact},
-            {"results", results}};
-}
-
-std::string comparison_text(const std::vector<Comparison>& comparisons) {
-    std::string text = fmt::format("{:>6}  {:>10}  {:>10}  {:>8}  {:>11}  {:>10}  {:>9}\n", "spp", "RMSE", "SSIM",
-                                   "PSNR", "RMSE linear", "pixels off", "identical");
-    for (const Comparison& c : comparisons) {
-        const std::string ssim = c.ssim ? fmt::format("{:.7f}", *c.ssim) : "-";
-        const std::string psnr = c.psnr ? fmt::format("{:.2f} dB", *c.psnr) : "-";
-        text += fmt::format("{:>6}  {:>10.6f}  {:>10}  {:>8}  {:>11.3e}  {:>10.6f}  {:>8.3f}%\n", c.spp, c.rmse, ssim,
-                            psnr, c.rmse_linear, c.pixels_off, c.identical_pixels * 100.0);
-    }
-    return text;
-}
-
-Status write_png(const Channels<uint8_t>& image, const std::filesystem::path& file) {
-    const auto bytes = encode_png(image);
-    return bytes.ok() ? write_file(file, *bytes) : bytes.status;
-}
-
-/// Before anything is rendered: the folder is there, or can be made, and takes files.
-Status prepare_folder(const std::string& folder) {
-    std::error_code error;
-    std::filesystem::create_directories(folder, error);
-    if (error) {
-        return Status::invalid(
-            fmt::format("cannot make the folder {}: {}; give another place to write to", folder, error.message()));
-    }
-    return check_writable(std::filesystem::path(folder) / "source.png");
-}
-
-Status write_pictures(const std::filesystem::path& folder, uint32_t spp, const Picture& a, const Picture& b) {
-    const auto levels_a = srgb_levels(a), levels_b = srgb_levels(b);
-    const auto difference = difference_image(levels_a, levels_b, DIFFERENCE_GAIN);
-    Status status = write_png(levels_a, folder / fmt::format("source_{}spp.png", spp));
-    if (status.ok()) status = write_png(levels_b, folder / fmt::format("target_{}spp.png", spp));
-    if (status.ok()) status = write_png(difference, folder / fmt::format("difference_{}spp.png", spp));
+Status write_pictures(const std::filesystem::path& folder, uint32_t spp, const BothForms& a, const BothForms& b) {
+    Status status = write_png(a.levels, folder / fmt::format("source_{}spp.png", spp));
+    if (status.ok()) status = write_png(b.levels, folder / fmt::format("target_{}spp.png", spp));
+    if (status.ok())
+        status = write_png(shown_difference(a.levels, b.levels), folder / fmt::format("difference_{}spp.png", spp));
     return status;
 }
 
@@ -166,9 +103,22 @@ Status write_located(const Options& options, const render_system::HostScene& sce
     return write_file(options.evidence, json_text(evidence_json(comparison, options, both.texts, pictures)));
 }
 
+/// Options that contradict each other.
+Status check_questions(const Options& options) {
+    if (!options.evidence.empty() && !options.locate)
+        return Status::invalid("--evidence is what --locate found; give --locate too");
+    if (options.locate && options.bias)
+        return Status::invalid("--locate follows the same paths, --bias needs independent ones; ask one at a time");
+    if (options.locate && options.seed_target)
+        return Status::invalid("--locate follows the same paths on both cores; leave --seed-target out");
+    if (options.bias && options.spp.size() > 1)
+        return Status::invalid("--bias takes one count of samples; give one in --spp");
+    return Status::success();
+}
+
 Status check_compare(const Options& options, Console& console) {
+    if (Status status = check_questions(options); !status.ok()) return status;
     if (!options.evidence.empty()) {
-        if (!options.locate) return Status::invalid("--evidence is what --locate found; give --locate too");
         if (Status status = check_writable(options.evidence); !status.ok()) return status;
     }
     if (options.core_given) console.note("--core is left aside: compare always renders on both cores");
@@ -183,41 +133,91 @@ Status check_compare(const Options& options, Console& console) {
     return check_files(options, options.output);
 }
 
-bool passes(const std::vector<Comparison>& comparisons, const std::optional<double>& limit) {
-    return !limit || std::all_of(comparisons.begin(), comparisons.end(),
-                                 [&](const Comparison& c) { return c.ssim && *c.ssim >= *limit; });
-}
-
-}  // namespace
-
-ExitCode run_compare(const Options& options, Console& console) {
-    if (Status status = check_compare(options, console); !status.ok()) return fail(console, status);
-    auto setup = set_up_scene(options, console);
-    if (!setup.ok()) return fail(console, setup.status);
-    const auto both = render_on_both(options, *setup, console);
+/// The same picture on both cores, sample count by sample count.
+ExitCode compare_renders(const Options& options, SceneSetup& setup, Console& console) {
+    const auto both = render_on_both(options, setup, console);
     if (!both.ok()) return fail(console, both.status);
 
-    std::vector<Comparison> comparisons;
+    std::vector<Figures> rows;
     for (const uint32_t spp : options.spp) {
-        const Picture& a = both->cores[0].pictures.at(spp);
-        const Picture& b = both->cores[1].pictures.at(spp);
-        comparisons.push_back(compare_pictures(spp, a, b));
+        const BothForms a = both_forms(both->cores[0].pictures.at(spp));
+        const BothForms b = both_forms(both->cores[1].pictures.at(spp));
+        rows.push_back(compare_pictures(spp, a, b));
         if (options.output.empty()) continue;
         if (Status status = write_pictures(options.output, spp, a, b); !status.ok()) return fail(console, status);
     }
     const Json stats = {{CORES[0], both->cores[0].stats}, {CORES[1], both->cores[1].stats}};
     if (Status status = write_stats(options, stats); !status.ok()) return fail(console, status);
-    Json figures = comparison_json(options, comparisons);
+    Json figures = comparison_json(options, rows);
     if (options.locate) {
-        if (Status status = write_located(options, setup->scene, *both, figures, console); !status.ok())
+        if (Status status = write_located(options, setup.scene, *both, figures, console); !status.ok())
             return fail(console, status);
     }
     // The folder takes the pictures; the figures are the result and go to stdout all the same.
     if (options.format == Format::json)
         console.result(json_text(figures));
     else
-        console.result(comparison_text(comparisons) + (options.locate ? located_text(figures["locate"]) : ""));
-    return passes(comparisons, options.limit_ssim) ? DONE : ANSWER_NO;
+        console.result(figures_text(rows) + (options.locate ? located_text(figures["locate"]) : ""));
+    return passes(rows, options.limit_ssim) ? DONE : ANSWER_NO;
+}
+
+/// All batches of both cores.
+struct BatchesOfBoth {
+    std::vector<BatchedRender> cores;
+    Json stats;
+};
+
+Result<BatchesOfBoth> render_batches_on_both(const Options& options, const BatchPlan& plan, SceneSetup& setup,
+                                             Console& console) {
+    CoreSession session(options, std::move(setup), console);
+    BatchesOfBoth both;
+    for (uint32_t i = 0; i < CORES.size(); ++i) {
+        Picture picture(options.width, options.height);
+        const auto choice = session.start({CORES[i]}, picture);
+        if (!choice.ok()) return choice.status;
+        auto result = render_batches(session, picture, plan, seeds_of(options)[i], i, console);
+        if (!result.ok()) return result.status;
+        both.cores.push_back(std::move(*result));
+        both.stats[CORES[i]] = core_stats(session, options, choice->reason);
+    }
+    return both;
+}
+
+/// Independent pictures of both cores, and whether their means differ.
+ExitCode compare_means(const Options& options, SceneSetup& setup, Console& console) {
+    const BatchPlan plan = plan_batches(options.spp.front());
+    if (plan.total() != options.spp.front()) {
+        console.note(fmt::format("--bias: {} samples of the {} are taken, {} batches of {}", plan.total(),
+                                 options.spp.front(), plan.batches, plan.samples));
+    }
+    const auto both = render_batches_on_both(options, plan, setup, console);
+    if (!both.ok()) return fail(console, both.status);
+    if (Status status = write_stats(options, both->stats); !status.ok()) return fail(console, status);
+
+    const BothForms a = both_forms(both->cores[0].picture), b = both_forms(both->cores[1].picture);
+    const std::vector<Figures> rows = {compare_pictures(plan.total(), a, b)};
+    BiasReport report = test_for_bias(both->cores[0].means, both->cores[1].means, options.alpha, console);
+    report.name_a = CORES[0];
+    report.name_b = CORES[1];
+    report.unit = "samples";
+    report.samples_needed = samples_of_plan(report.test.samples_needed.value_or(0) * plan.total());
+    if (!options.output.empty()) {
+        Status status = write_pictures(options.output, plan.total(), a, b);
+        if (status.ok()) status = write_bias_map(options, report);
+        if (!status.ok()) return fail(console, status);
+    }
+    return deliver_bias(options, comparison_json(options, rows), rows, report, console);
+}
+
+}  // namespace
+
+ExitCode run_compare(const Options& options, Console& console) {
+    if (!options.images_a.empty())
+        return options.bias ? compare_sets(options, console) : compare_images(options, console);
+    if (Status status = check_compare(options, console); !status.ok()) return fail(console, status);
+    auto setup = set_up_scene(options, console);
+    if (!setup.ok()) return fail(console, setup.status);
+    return options.bias ? compare_means(options, *setup, console) : compare_renders(options, *setup, console);
 }
 
 }  // namespace application

@@ -3,8 +3,9 @@
 #include "metrics/portability/least_squares.h"
 
 #include <cmath>
-#include <numbers>
 #include <utility>
+
+#include "metrics/statistics/student.h"
 
 namespace metrics {
 namespace {
@@ -67,19 +68,6 @@ std::optional<Matrix> inverse_of_products(const Matrix& rows, size_t n) {
     return inverse;
 }
 
-/// Probability that |t| <= value (Abramowitz and Stegun 26.7.3 and 26.7.4).
-double two_sided_probability(double value, int degrees_of_freedom) {
-    const double theta = std::atan(value / std::sqrt(static_cast<double>(degrees_of_freedom)));
-    const double cosine = std::cos(theta), sine = std::sin(theta);
-    const bool odd = degrees_of_freedom % 2 == 1;
-    double term = odd ? cosine : 1, sum = degrees_of_freedom == 1 ? 0 : term;
-    for (int k = odd ? 3 : 2; k <= degrees_of_freedom - 2; k += 2) {
-        term *= cosine * cosine * (k - 1) / k;
-        sum += term;
-    }
-    return odd ? 2 / std::numbers::pi * (theta + sine * sum) : sine * sum;
-}
-
 }  // namespace
 
 std::optional<LinearFit> fit_least_squares(const std::vector<std::vector<double>>& rows,
@@ -111,18 +99,6 @@ Prediction predict(const LinearFit& fit, const std::vector<double>& predictors) 
     constexpr double kUpper = 0.975;
     const double reach = student_quantile(kUpper, fit.degrees_of_freedom) * fit.residual_deviation * std::sqrt(spread);
     return {value, value - reach, value + reach};
-}
-
-double student_quantile(double probability, int degrees_of_freedom) {
-    if (probability < 0.5) return -student_quantile(1 - probability, degrees_of_freedom);
-    const double wanted = 2 * probability - 1;
-    double low = 0, high = 1;
-    while (two_sided_probability(high, degrees_of_freedom) < wanted && high < 1e9) high *= 2;
-    for (int i = 0; i < 100; ++i) {
-        const double middle = 0.5 * (low + high);
-        (two_sided_probability(middle, degrees_of_freedom) < wanted ? low : high) = middle;
-    }
-    return 0.5 * (low + high);
 }
 
 }  // namespace metrics

@@ -28,7 +28,4 @@ struct Prediction {
 };
 Prediction predict(const LinearFit& fit, const std::vector<double>& predictors);
 
-/// The value below which Student's t with so many degrees of freedom lies with that probability (0 < p < 1).
-double student_quantile(double probability, int degrees_of_freedom);
-
 }  // namespace metrics

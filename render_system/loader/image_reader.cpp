@@ -172,6 +172,7 @@ Image read_image(std::span<const std::byte> bytes, const std::string& name) {
     Image image;
     image.width = static_cast<uint32_t>(spec.width);
     image.height = static_cast<uint32_t>(spec.height);
+    image.channels = spec.nchannels;
     const size_t texels = static_cast<size_t>(image.width) * image.height;
     // Without a type, pixels come as they are in the file: OpenImageIO then needs no buffer of its own, which would be
     // of 16 MiB. That takes all channels.

@@ -6,6 +6,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "tests/application/run_pathtracer.h"
@@ -92,6 +94,56 @@ TEST_F(Cores, CompareFindsThePicturesAlike) {
     EXPECT_EQ(files_in(folder.path / "dir"),
               (std::vector<std::string>{"difference_1spp.png", "difference_4spp.png", "source_1spp.png",
                                         "source_4spp.png", "target_1spp.png", "target_4spp.png"}));
+}
+
+// A target core with another seed differs from the source core as it does from itself.
+TEST_F(Cores, ASeedOfItsOwnForTheTargetCoreGivesTheNoiseOfOneCore) {
+    SKIP_WITHOUT("source");
+    SKIP_WITHOUT("target");
+    const RunResult cores = run({"compare", SCENE, "--size", "96x54", "--spp", "4", "--exact", "--seed", "1",
+                                 "--seed-target", "7", "--format", "json"});
+    ASSERT_EQ(cores.exit_code, 0) << cores.err;
+    picture("target", {"--exact", "--seed", "1"});
+    std::filesystem::rename(folder.path / "a.exr", folder.path / "b.exr");
+    picture("target", {"--exact", "--seed", "7"});
+    const RunResult files = run({"compare", "b.exr", "a.exr", "--format", "json"});
+    ASSERT_EQ(files.exit_code, 0) << files.err;
+    json noise = json::parse(cores.out)["results"][0], of_target = json::parse(files.out)["results"][0];
+    EXPECT_GT(noise["rmse"], 5.0);
+    noise.erase("spp");
+    of_target.erase("spp");
+    EXPECT_EQ(noise, of_target);
+    EXPECT_EQ(json::parse(cores.out)["seed_target"], 7);
+}
+
+TEST_F(Cores, CompareTellsBiasFromNoise) {
+    SKIP_WITHOUT("source");
+    SKIP_WITHOUT("target");
+    const std::vector<std::string> words = {"compare", SCENE, "--bias",   "--size", "48x27",
+                                            "--spp",   "32",  "--format", "json"};
+    const RunResult result = run(words);
+    ASSERT_EQ(result.exit_code, 0) << result.err << result.out;
+    const json bias = json::parse(result.out)["bias"];
+    EXPECT_EQ(bias["verdict"], "too_few") << "1,296 pixels do not show a bias of 1 % in 32 samples";
+    EXPECT_GT(bias["samples_needed"], 32);
+    EXPECT_GT(bias["p_value"], 0.001);
+    EXPECT_LT(std::abs(bias["mean_difference"].get<double>()), 6 * bias["standard_error"].get<double>());
+
+    // Kernels that let too much light through.
+    std::filesystem::copy(SOURCE_KERNELS, folder.path / "kernels");
+    std::string text = read_file(folder.path / "kernels/finalize.glsl");
+    const std::string mean = "sum * pass.sample_scale";
+    ASSERT_NE(text.find(mean), std::string::npos);
+    text.replace(text.find(mean), mean.size(), "1.25f * " + mean);
+    std::ofstream(folder.path / "kernels/finalize.glsl") << text;
+    std::vector<std::string> edited = words;
+    edited.insert(edited.end(), {"--kernels", "kernels", "-o", "out"});
+    const RunResult brighter = run(edited);
+    EXPECT_EQ(brighter.exit_code, 1) << brighter.err << brighter.out;
+    const json found = json::parse(brighter.out)["bias"];
+    EXPECT_EQ(found["verdict"], "differ");
+    EXPECT_LT(found["mean_difference"], 0.0) << "target - source";
+    EXPECT_THAT(files_in(folder.path / "out"), testing::Contains("bias.png"));
 }
 
 TEST_F(Cores, CompareExitsWithOneExactlyBelowTheLimit) {

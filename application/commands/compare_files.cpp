@@ -1,0 +1,156 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <string_view>
+
+#include "application/commands/command_steps.h"
+#include "application/commands/compare_steps.h"
+#include "application/comparison/picture_file.h"
+
+namespace application {
+namespace {
+
+using render_system::Result;
+using render_system::Status;
+
+void note_nan(const PictureFile& file, Console& console) {
+    if (const std::string note = nan_note(file.name, file.nan_pixels); !note.empty()) console.warning(note);
+}
+
+/// a.png, b.png and their difference, in which pixels that are NaN in either are magenta.
+Status write_pair(const std::string& folder, const BothForms& a, const BothForms& b,
+                  const std::vector<PixelPlace>& nan_a, const std::vector<PixelPlace>& nan_b) {
+    if (folder.empty()) return Status::success();
+    const std::filesystem::path path = folder;
+    Channels<uint8_t> difference = shown_difference(a.levels, b.levels);
+    mark_pixels(difference, nan_a);
+    mark_pixels(difference, nan_b);
+    Status status = write_png(a.levels, path / "a.png");
+    if (status.ok()) status = write_png(b.levels, path / "b.png");
+    return status.ok() ? write_png(difference, path / "difference.png") : status;
+}
+
+Status check_output(const Options& options) {
+    return options.output.empty() ? Status::success() : prepare_folder(options.output);
+}
+
+/// No SSIM, no limit of it.
+Status check_limit(const Options& options, const Figures& figures) {
+    if (!options.limit_ssim || figures.ssim) return Status::success();
+    return Status::invalid("--limit-ssim: there is no SSIM below 11 pixels; leave it out");
+}
+
+/// One set of pictures: their mean, and what the test needs of each.
+struct PictureSet {
+    metrics::TileMeans means;
+    BothForms mean;
+    std::vector<PixelPlace> nan_pixels;             ///< of all files
+    std::map<uint64_t, std::string> name_of_print;  ///< to find copies
+};
+
+uint64_t print_of(const Channels<float>& image) {
+    const std::string_view bytes(reinterpret_cast<const char*>(image.rgb.data()), image.rgb.size() * sizeof(float));
+    return std::hash<std::string_view>()(bytes);
+}
+
+/// Reads the files one by one; all are held against `first`.
+Result<PictureSet> read_set(const std::vector<std::string>& names, const PictureFile& first, Console& console) {
+    const Channels<float>& shape = first.forms.linear;
+    PictureSet set{metrics::TileMeans(metrics::sixteen_along(shape.width, shape.height)), {}, {}, {}};
+    Picture mean(shape.width, shape.height);
+    std::vector<double> sum(shape.rgb.size());
+    for (const std::string& name : names) {
+        const auto file = read_picture_file(name);
+        if (!file.ok()) return file.status;
+        if (Status status = check_alike(first, *file); !status.ok()) return status;
+        const auto [before, is_new] = set.name_of_print.emplace(print_of(file->forms.linear), name);
+        if (!is_new) {
+            return Status::invalid(
+                fmt::format("{} and {} are one picture, which tells nothing of the noise; "
+                            "give renders with seeds of their own",
+                            before->second, name));
+        }
+        note_nan(*file, console);
+        set.nan_pixels.insert(set.nan_pixels.end(), file->nan_pixels.begin(), file->nan_pixels.end());
+        set.means.add(file->forms.linear.view());
+        for (size_t i = 0; i < sum.size(); ++i) sum[i] += static_cast<double>(file->forms.linear.rgb[i]);
+    }
+    for (size_t i = 0; i < sum.size(); ++i)
+        mean.pixels[i / 3][static_cast<int>(i % 3)] = static_cast<float>(sum[i] / static_cast<double>(names.size()));
+    set.mean = both_forms(mean);
+    return set;
+}
+
+void note_shared(const PictureSet& a, const PictureSet& b, Console& console) {
+    for (const auto& [print, name] : a.name_of_print) {
+        const auto other = b.name_of_print.find(print);
+        if (other == b.name_of_print.end()) continue;
+        console.warning(fmt::format("{} and {} are one picture; sets that share pictures look more alike than they are",
+                                    name, other->second));
+        return;
+    }
+}
+
+Json head(const Json& a, const Json& b, const Channels<float>& shape, const std::vector<PixelPlace>& nan_a,
+          const std::vector<PixelPlace>& nan_b, const Figures& figures) {
+    return {{"a", a},
+            {"b", b},
+            {"size", {shape.width, shape.height}},
+            {"nan_pixels_a", nan_a.size()},
+            {"nan_pixels_b", nan_b.size()},
+            {"nan_places_a", nan_places_json(nan_a)},
+            {"nan_places_b", nan_places_json(nan_b)},
+            {"results", figures_json({figures})}};
+}
+
+}  // namespace
+
+ExitCode compare_images(const Options& options, Console& console) {
+    if (Status status = check_output(options); !status.ok()) return fail(console, status);
+    const auto a = read_picture_file(options.images_a.front());
+    if (!a.ok()) return fail(console, a.status);
+    const auto b = read_picture_file(options.images_b.front());
+    if (!b.ok()) return fail(console, b.status);
+    if (Status status = check_alike(*a, *b); !status.ok()) return fail(console, status);
+
+    const Figures figures = compare_pictures(std::nullopt, a->forms, b->forms);
+    if (Status status = check_limit(options, figures); !status.ok()) return fail(console, status);
+    if (Status status = write_pair(options.output, a->forms, b->forms, a->nan_pixels, b->nan_pixels); !status.ok())
+        return fail(console, status);
+    note_nan(*a, console);
+    note_nan(*b, console);
+    console.result(options.format == Format::json
+                       ? json_text(head(a->name, b->name, a->forms.linear, a->nan_pixels, b->nan_pixels, figures))
+                       : figures_text({figures}));
+    return passes({figures}, options.limit_ssim) ? DONE : ANSWER_NO;
+}
+
+ExitCode compare_sets(const Options& options, Console& console) {
+    if (Status status = check_output(options); !status.ok()) return fail(console, status);
+    const auto first = read_picture_file(options.images_a.front());
+    if (!first.ok()) return fail(console, first.status);
+    const auto a = read_set(options.images_a, *first, console);
+    if (!a.ok()) return fail(console, a.status);
+    const auto b = read_set(options.images_b, *first, console);
+    if (!b.ok()) return fail(console, b.status);
+    note_shared(*a, *b, console);
+
+    const Figures figures = compare_pictures(std::nullopt, a->mean, b->mean);
+    if (Status status = check_limit(options, figures); !status.ok()) return fail(console, status);
+    BiasReport report = test_for_bias(a->means, b->means, options.alpha, console);
+    report.unit = "files";
+    const auto more = static_cast<double>(std::max(a->means.pictures(), b->means.pictures()));
+    report.samples_needed =
+        std::max<uint64_t>(metrics::kFewestPictures, whole_count(report.test.samples_needed.value_or(0) * more));
+    Status status = write_pair(options.output, a->mean, b->mean, {}, {});
+    if (status.ok() && !options.output.empty()) status = write_bias_map(options, report);
+    if (!status.ok()) return fail(console, status);
+    Json json = head(options.images_a, options.images_b, first->forms.linear, a->nan_pixels, b->nan_pixels, figures);
+    return deliver_bias(options, std::move(json), {figures}, report, console);
+}
+
+}  // namespace application
