@@ -5,6 +5,8 @@
 
     scenes/make_scenes.py still_life DIR    the built-in scene (scenes/still_life holds its output)
     scenes/make_scenes.py parity DIR        1,000 instances that ask everything of two cores that must agree
+    scenes/make_scenes.py interior DIR      a furnished room
+    scenes/make_scenes.py city DIR          houses of more than a million triangles
 
 Each scene lands in DIR as <name>.gltf with its buffer and textures beside it. The same call writes the same bytes.
 """
@@ -472,7 +474,101 @@ def parity(folder):
     scene.write(folder)
 
 
-SCENES = {"still_life": still_life, "parity": parity}
+# --- Larger scenes, for measurements ----------------------------------------------------------------------------------
+
+def joined(shapes):
+    """One shape of many."""
+    positions, normals, uvs, indices = [], [], [], []
+    for shape in shapes:
+        indices += [len(positions) + i for i in shape[3]]
+        for whole, part in zip((positions, normals, uvs), shape):
+            whole += part
+    return positions, normals, uvs, indices
+
+
+def interior(folder):
+    """A furnished room of some 170,000 triangles: shelves with books and knots, and the lamp of the still life."""
+    scene = Scene("interior")
+    write_png(folder / "floor.png", 256, 256, lambda x, y: parquet(x, y, 256))
+    plaster = room(scene)
+    board, ball, ring = scene.shape(box()), scene.shape(sphere(48, 24)), scene.shape(knot(2, 3, 0.22, 12, 120))
+    covers = [scene.mesh(f"cover {i}", board, scene.material(f"cover {i}", [0.1 + 0.7 * noise(i, c) for c in range(3)],
+                                                             roughness=0.3 + 0.6 * noise(i, 9))) for i in range(8)]
+    metals = [scene.mesh(f"ornament {i}", shape, scene.material(f"ornament {i}", (0.9, 0.6 + 0.05 * i, 0.4), 1.0, 0.1 + 0.1 * i))
+              for i, shape in enumerate((ball, ring, ball, ring))]
+    shelf = scene.mesh("shelf", board, plaster)
+    for row in range(5):
+        y = 0.3 + 0.48 * row
+        scene.node(mesh=shelf, translation=[0, y - 0.02, -1.75], scale=[1.9, 0.02, 0.24])
+        for i in range(36):
+            x, tall = -1.82 + 0.104 * i, 0.10 + 0.09 * noise(row, i)
+            if (i + 3 * row) % 9 == 4:
+                scene.node(mesh=metals[(i + row) % 4], translation=[x, y + 0.07, -1.7], scale=[0.045] * 3)
+            else:
+                scene.node(mesh=covers[(5 * i + row) % 8], translation=[x, y + tall, -1.75],
+                           scale=[0.042, tall, 0.15], rotation=turn([0, 0, 1], 6 * noise(i, row, 1) - 3))
+    for i in range(40):
+        size = 0.05 + 0.05 * noise(i, 5)
+        scene.node(mesh=metals[i % 4], translation=[-1.7 + 3.4 * noise(i, 6), size, -1.2 + 2.6 * noise(i, 7)], scale=[size] * 3)
+    scene.camera([0.0, 1.42, 5.2], [0.0, 1.16, 0.0], 33.0)
+    scene.write(folder)
+
+
+def brick(x, y, size):
+    row = y // 8
+    in_mortar = y % 8 == 0 or (x + 8 * (row % 2)) % 16 == 0
+    shade = 0.75 + 0.25 * noise((x + 8 * (row % 2)) // 16 % (size // 16), row)
+    return (150, 146, 140) if in_mortar else tuple(int(c * shade) for c in (168, 84, 62))
+
+
+def facade(columns, floors):
+    """The four sides of a house of 1 x 1 x 1 on y = 0 and its roof: walls with window reveals, and the panes apart."""
+    walls, panes = [], []
+    for side in range(4):
+        c, s = ((1, 0), (0, 1), (-1, 0), (0, -1))[side]
+
+        def at(x, y, depth):  # on the side, from its left, and how far inside
+            u, w = x - 0.5, 0.5 - depth
+            return [c * u + s * w, y, -s * u + c * w]
+
+        for i in range(columns):
+            for k in range(floors):
+                l, r, b, t = i / columns, (i + 1) / columns, k / floors, (k + 1) / floors
+                wl, wr, wb, wt, deep = l + 0.25 / columns, r - 0.25 / columns, b + 0.25 / floors, t - 0.2 / floors, 0.01
+                outer, inner = ((l, b), (r, b), (r, t), (l, t)), ((wl, wb), (wr, wb), (wr, wt), (wl, wt))
+                for n in range(4):
+                    o0, o1, i0, i1 = outer[n], outer[(n + 1) % 4], inner[n], inner[(n + 1) % 4]
+                    walls.append(quad(at(*o0, 0), at(*o1, 0), at(*i1, 0), at(*i0, 0)))
+                    walls.append(quad(at(*i0, 0), at(*i1, 0), at(*i1, deep), at(*i0, deep)))
+                panes.append(quad(*(at(*corner, deep) for corner in inner)))
+    walls.append(quad([-0.5, 1, 0.5], [0.5, 1, 0.5], [0.5, 1, -0.5], [-0.5, 1, -0.5]))
+    return joined(walls), joined(panes)
+
+
+def city(folder):
+    """Twelve by twelve blocks of textured houses, more than a million triangles in all; it stands in the studio sky."""
+    scene = Scene("city")
+    write_png(folder / "brick.png", 128, 128, lambda x, y: brick(x, y, 128))
+    bricks = {"baseColorTexture": {"index": scene.texture("brick.png")}}
+    street = scene.material("asphalt", (0.12, 0.12, 0.13), roughness=0.9)
+    glass = scene.material("panes", (0.05, 0.06, 0.08), roughness=0.05)
+    houses = []
+    for number, (columns, floors) in enumerate(((8, 14), (10, 10), (7, 18))):
+        walls, panes = (scene.shape(shape) for shape in facade(columns, floors))
+        wall = scene.material(f"wall {number}", (1, 0.9 - 0.1 * number, 0.8), roughness=0.8, pbr=bricks)
+        houses.append(scene.add("meshes", {"name": f"house {number}", "primitives": [
+            dict(walls, material=wall), dict(panes, material=glass)]}))
+    scene.node(name="street", mesh=scene.mesh("street", scene.shape(quad([-20, 0, 20], [20, 0, 20], [20, 0, -20],
+                                                                         [-20, 0, -20])), street))
+    for i in range(144):
+        x, z = i % 12 - 5.5, i // 12 - 5.5
+        scene.node(mesh=houses[i % 3], translation=[2 * x, 0, 2 * z], scale=[1.2, 1.5 + 2.5 * noise(i, 1), 1.2],
+                   rotation=turn([0, 1, 0], 90 * (i % 4)))
+    scene.camera([9.0, 6.5, 13.0], [0.0, 0.5, 0.0], 40.0)
+    scene.write(folder)
+
+
+SCENES = {"still_life": still_life, "parity": parity, "interior": interior, "city": city}
 
 
 def main(arguments):

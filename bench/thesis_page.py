@@ -1,0 +1,111 @@
+# SPDX-FileCopyrightText: 2026 The porttool authors
+# SPDX-License-Identifier: Apache-2.0
+"""A page of sections with text, tables, bars and pictures, as Markdown and as one HTML file. For bench/thesis.py."""
+import base64
+import html
+import os
+
+STYLE = """body{font:15px/1.5 sans-serif;max-width:78em;margin:2em auto;padding:0 1em;color:#222}
+table{border-collapse:collapse;margin:1em 0;font-size:13px}th,td{border-bottom:1px solid #ddd;padding:.25em .6em;text-align:right}
+th:first-child,td:first-child{text-align:left}th{vertical-align:bottom}figure{display:inline-block;margin:.5em}
+img{image-rendering:auto;max-width:36em}figcaption{font-size:13px;color:#555}.bar{background:#3b6ea5;height:1em;display:inline-block}"""
+
+
+class Section:
+    def __init__(self, title):
+        self.title, self.parts = title, []
+
+    def say(self, text):
+        self.parts.append(("text", text))
+
+    def table(self, columns, rows):
+        self.parts.append(("table", columns, [[str(cell) for cell in row] for row in rows]))
+
+    def picture(self, file, caption):
+        if file.is_file():
+            self.parts.append(("picture", file, caption))
+
+    def bars(self, what, values):
+        self.parts.append(("bars", what, values))
+
+
+class Page:
+    def __init__(self, title):
+        self.title, self.leads, self.sections, self.kernels = title, [], [], {}
+
+    def lead(self, text):
+        self.leads.append(text)
+
+    def section(self, title):
+        self.sections.append(Section(title))
+        return self.sections[-1]
+
+    def markdown(self, folder):
+        lines = [f"# {self.title}", ""]
+        for lead in self.leads:
+            lines += [lead, ""]
+        for section in self.sections:
+            lines += [f"## {section.title}", ""]
+            for part in section.parts:
+                lines += markdown_of(part, folder) + [""]
+        lines += [f"<!-- kernel {file} {digest} -->" for file, digest in self.kernels.items()]
+        return "\n".join(lines) + "\n"
+
+    def html(self):
+        body = [f"<h1>{html.escape(self.title)}</h1>"] + [f"<p>{html.escape(lead)}</p>" for lead in self.leads]
+        for section in self.sections:
+            body += [f"<h2>{html.escape(section.title)}</h2>", *map(html_of, section.parts)]
+        return (f"<!doctype html><html lang=en><meta charset=utf-8><title>{html.escape(self.title)}</title>"
+                f"<style>{STYLE}</style>" + "\n".join(body) + "</html>\n")
+
+    def outline(self):
+        """The structure without the numbers."""
+        lines = []
+        for section in self.sections:
+            lines.append(f"# {section.title}")
+            for kind, *content in section.parts:
+                if kind == "table":
+                    lines.append("table: " + " | ".join(content[0]))
+                    lines += [f"  row: {row[0]}" for row in content[1]]
+                elif kind == "picture":
+                    lines.append(f"picture: {content[1]}")
+                elif kind == "bars":
+                    lines.append(f"bars: {content[0]}: " + ", ".join(content[1]))
+        return "\n".join(lines) + "\n"
+
+    def write(self, folder):
+        for name, text in (("thesis.md", self.markdown(folder)), ("thesis.html", self.html()), ("outline.txt", self.outline())):
+            unfinished = folder / f"{name}.new"
+            unfinished.write_text(text)
+            unfinished.replace(folder / name)
+
+
+def markdown_of(part, folder):
+    kind, *content = part
+    if kind == "text":
+        return [content[0]]
+    if kind == "picture":
+        return [f"![{content[1]}]({os.path.relpath(content[0], folder)})"]
+    if kind == "bars":
+        return []
+    columns, rows = content
+    return ["| " + " | ".join(columns) + " |", "| --- |" + " ---: |" * (len(columns) - 1),
+            *("| " + " | ".join(row) + " |" for row in rows)]
+
+
+def html_of(part):
+    kind, *content = part
+    if kind == "text":
+        return f"<p>{html.escape(content[0])}</p>"
+    if kind == "picture":
+        data = base64.b64encode(content[0].read_bytes()).decode()
+        caption = html.escape(content[1])
+        return f'<figure><img alt="{caption}" src="data:image/png;base64,{data}"><figcaption>{caption}</figcaption></figure>'
+    if kind == "bars":
+        most = max([*content[1].values(), 1e-9])
+        rows = "".join(f"<tr><td>{html.escape(name)}<td style='text-align:left'><span class=bar style='width:{300 * value / most:.0f}px'>"
+                       f"</span> {value:.2f}" for name, value in content[1].items())
+        return f"<table><caption>{html.escape(content[0])}</caption>{rows}</table>"
+    columns, rows = content
+    head = "".join(f"<th>{html.escape(column)}" for column in columns)
+    return f"<table><tr>{head}" + "".join("<tr>" + "".join(f"<td>{html.escape(cell)}" for cell in row) for row in rows) + "</table>"

@@ -1,0 +1,120 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The porttool authors
+# SPDX-License-Identifier: Apache-2.0
+"""bench/thesis.py: thesis_test.py PATHTRACER PORTTOOL. Exit code 77 (skipped) where a core cannot run here."""
+import hashlib
+import json
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+SCRIPT = ROOT / "bench/thesis.py"
+STORED = ROOT / "docs/thesis-numbers.md"
+PATHTRACER, PORTTOOL = (str(pathlib.Path(word).resolve()) for word in sys.argv[1:3])
+
+
+def run(*words):
+    return subprocess.run([sys.executable, str(SCRIPT), *map(str, words)], capture_output=True, text=True, check=False)
+
+
+class QuickRun(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.temporary = tempfile.TemporaryDirectory()
+        cls.folder = pathlib.Path(cls.temporary.name)
+        cls.first = cls.quick()
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.temporary.cleanup()
+
+    @classmethod
+    def quick(cls, *more):
+        return run("--quick", "-o", cls.folder, "--program", PATHTRACER, "--porttool", PORTTOOL, *more)
+
+    def times(self):
+        return {file.name: file.stat().st_mtime_ns for file in (self.folder / "measured").iterdir()}
+
+    def test_1_has_the_stored_structure(self):
+        self.assertEqual(self.first.returncode, 0, self.first.stderr)
+        self.assertEqual((self.folder / "outline.txt").read_text(), (ROOT / "bench/thesis_outline.txt").read_text(),
+                         "bench/thesis_outline.txt is the outline.txt of a quick run")
+
+    def test_2_shows_what_was_measured(self):
+        text = (self.folder / "thesis.md").read_text()
+        same = json.loads((self.folder / "measured/still_life_same.json").read_text())["result"]["results"][0]
+        self.assertIn(f"| 1 | {same['ssim']:.4f} | {same['rmse']:.2f} |", text)
+        row = re.search(r"^\| 4 \|(.*)$", text, re.M)[1].split("|")
+        for ours, itself, apart in zip(row[2:4], row[4:6], (0.002, 0.2)):
+            self.assertAlmostEqual(float(ours), float(itself), delta=apart,
+                                   msg="with a seed each the cores differ as the target core does from itself")
+        page = (self.folder / "thesis.html").read_text()
+        self.assertIn("data:image/png;base64,", page)
+        self.assertNotRegex(page, r'(src|href)="?(http|pictures)')
+
+    def test_3_goes_on_after_an_interruption_and_says_what_is_missing(self):
+        before = self.times()
+        (self.folder / "measured/still_life_bias.json").unlink()
+        (self.folder / "measured/still_life_other_1.new").write_text("{")
+        again = self.quick("--scene", "missing/town.gltf")
+        self.assertEqual(again.returncode, 0, again.stderr)
+        after = self.times()
+        self.assertEqual({name for name in before if after[name] != before[name]}, {"still_life_bias.json"})
+        self.assertRegex((self.folder / "thesis.md").read_text(), r"Left out: town, there is no \S*missing/town.gltf\.")
+
+    def test_4_packs_are_read_back_or_refused(self):
+        before = self.times()
+        pack = self.folder / "gpu.zip"
+        packed = self.quick("--self-test", pack, "--size", "64x36")
+        self.assertEqual(packed.returncode, 0, packed.stderr)
+        self.assertEqual(self.times(), before, "what is packed was measured before")
+        added = self.quick("--with", pack)
+        self.assertEqual(added.returncode, 0, added.stderr)
+        speed = json.loads((self.folder / "measured/still_life_diffuse_target.json").read_text())["result"]["ms_per_frame"]["total"]
+        text = (self.folder / "thesis.md").read_text()
+        self.assertIn("## Another machine: ", text)
+        self.assertIn(f"| target core, diffuse | {speed:.2f} |", text)
+        refused = self.quick("--with", self.folder / "thesis.md")
+        self.assertNotEqual(refused.returncode, 0)
+        self.assertIn("is no file of --self-test", refused.stderr)
+
+
+class Age(unittest.TestCase):
+    """Counted here once more, by other means."""
+
+    def test_the_stored_page_says_how_many_kernel_files_changed(self):
+        text = STORED.read_text()
+        then = dict(re.findall(r"<!-- kernel (\S+) (\w+) -->", text))
+        now = {}
+        for core in ("source", "target"):
+            for file in (ROOT / f"{core}_core/kernels").iterdir():
+                now[file.relative_to(ROOT).as_posix()] = hashlib.sha256(file.read_bytes()).hexdigest()
+        changed = {file for file, digest in now.items() if not digest.startswith(then.get(file, "none"))} | set(then) - set(now)
+        self.assertIn(f"\n{len(changed)} of {len(now)} kernel files changed since", text,
+                      "run bench/thesis.py --age docs/thesis-numbers.md")
+
+    def test_age_counts_what_changed(self):
+        with tempfile.TemporaryDirectory() as folder:
+            page = pathlib.Path(folder) / "page.md"
+            digests = re.findall(r"<!-- kernel (\S+) \w+ -->", STORED.read_text())
+            text = re.sub(r"(kernel \S+) \w+ -->", r"\1 000000000000 -->", STORED.read_text())
+            page.write_text(text)
+            said = run("--age", page)
+            self.assertEqual(said.returncode, 0, said.stderr)
+            self.assertIn(f"{len(digests)} of ", said.stdout)
+            self.assertIn(said.stdout.strip(), page.read_text())
+            page.write_text("nothing\n")
+            self.assertNotEqual(run("--age", page).returncode, 0)
+
+
+if __name__ == "__main__":
+    info = json.loads(subprocess.run([PATHTRACER, "info", "--format", "json"], capture_output=True, text=True, check=True).stdout)
+    missing = [core["id"] for core in info["cores"] if not core["available"]]
+    if missing:
+        print(f"SKIPPED: the {missing[0]} core cannot run here")
+        sys.exit(77)
+    unittest.main(argv=sys.argv[:1], verbosity=2)
