@@ -13,6 +13,8 @@ std::span<const Command> command_table() {
         Command{"map", "Pair source units with target units", declare_map, run_map},
         Command{"init", "Write a first portmap.toml and portmap.lock", declare_init, run_init},
         Command{"check", "Find what changed on one side only, or differently on both", declare_check, run_check},
+        Command{"watch", "Print findings as files are saved", declare_watch, run_watch},
+        Command{"lsp", "Serve an editor: the Language Server Protocol on stdin and stdout", declare_lsp, run_lsp},
         Command{"accept", "Record that a pair is in step now", declare_accept, run_accept},
         Command{"defer", "Postpone a finding", declare_defer, run_defer},
         Command{"ignore", "Settle a finding for good", declare_ignore, run_ignore},

@@ -54,6 +54,14 @@ Outcome run_history(const Options& options, Workplace& place);
 void declare_report(Declare& declare, Options& options);
 Outcome run_report(const Options& options, Workplace& place);
 
+void declare_watch(Declare& declare, Options& options);
+Outcome run_watch(const Options& options, Workplace& place);
+void declare_lsp(Declare& declare, Options& options);
+Outcome run_lsp(const Options& options, Workplace& place);
+
+/// Writes to stdout at once, so that a full disk or a closed pipe is seen here. Throws CannotDo.
+void print(std::ostream& out, const std::string& text);
+
 /// The globs of both sides, for the commands that do without a map.
 void declare_sides(Declare& declare, Options& options);
 

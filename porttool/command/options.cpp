@@ -12,8 +12,6 @@
 namespace porttool {
 namespace {
 
-constexpr const char* kVersion = "porttool 0.1.0";
-
 /// Options that stand before the subcommand or after it.
 void declare_common(Declare declare, Options& options) {
     declare.text("-C", options.directory, "DIR", "Run as if started in this folder");
@@ -86,7 +84,8 @@ ParsedOptions parse_options(int argc, const char* const* argv) {
     Options& options = parsed.options;
     CLI::App app("Finds what was not ported: pairs the functions of two code bases and watches that they stay in step.",
                  "porttool");
-    app.set_version_flag("--version", kVersion);
+    const std::string version = std::string("porttool ") + kVersionNumber;
+    app.set_version_flag("--version", version);
     app.fallthrough();
     app.require_subcommand(1);
     declare_common(Declare(app), options);
@@ -108,7 +107,7 @@ ParsedOptions parse_options(int argc, const char* const* argv) {
         else
             parsed = {options, true, 0, commands.back()->help("porttool"), ""};
     } catch (const CLI::CallForVersion&) {
-        parsed = {options, true, 0, std::string(kVersion) + "\n", ""};
+        parsed = {options, true, 0, version + "\n", ""};
     } catch (const CLI::ParseError& error) {
         parsed = {options, true, 2, "", usage_error(app, error, word)};
     }

@@ -9,6 +9,8 @@
 
 namespace porttool {
 
+inline constexpr const char* kVersionNumber = "0.1.0";
+
 /// What the command line asked for.
 struct Options : CheckChoice {
     std::string command;  ///< "scan", "map", ...; empty if there is only something to print
@@ -39,6 +41,7 @@ struct Options : CheckChoice {
     std::string limit;  ///< audit's
     bool runs = false;  ///< audit's --run
     bool no_cache = false;
+    bool stdio = false;  ///< lsp's
     bool spirv = false;  ///< ask glslang whether an edit reaches the compiled code
 };
 

@@ -23,9 +23,6 @@ void require_format(const std::string& format, std::initializer_list<const char*
     throw CannotDo("--format " + terminal_text(format) + ": not known here; known are " + list);
 }
 
-namespace {
-
-/// Writes to stdout at once, so that a full disk or a closed pipe is seen here; throws CannotDo.
 void print(std::ostream& out, const std::string& text) {
     errno = 0;
     out << text << std::flush;
@@ -33,6 +30,8 @@ void print(std::ostream& out, const std::string& text) {
     const std::string reason = errno != 0 ? std::strerror(errno) : "the stream is closed";
     throw CannotDo("stdout cannot be written: " + reason);
 }
+
+namespace {
 
 /// Where `-o` leads; the folder must be there, so that a slip of the pen makes no tree of folders. Throws CannotDo.
 std::string output_path(const Options& options, const Disk& disk) {
@@ -50,7 +49,7 @@ int run_command(const Options& options, Disk& disk, std::ostream& out, std::ostr
         throw CannotDo("-C " + terminal_text(options.directory) + ": no such folder; name one that exists");
     const bool to_file = !options.output.empty();
     const std::string path = to_file ? output_path(options, disk) : std::string();
-    Workplace place{disk, err};
+    Workplace place{disk, err, {}, &out};
     const Outcome outcome = find_command(options.command)->run(options, place);
     // A source in Latin-1 must not break the format, unless the format is the source's own.
     const std::string text = outcome.is_exact ? outcome.text : as_utf8(outcome.text);

@@ -138,7 +138,8 @@ NormalText text_behind(const CheckedProject& checked, const std::string& print) 
     return found == checked.texts.end() ? base_text(checked.project, checked.disk(), print) : found->second;
 }
 
-CheckedProject check_project(const CheckChoice& choice, Workplace& place, const SameCodeIn& same_code_in) {
+CheckedProject check_project(const CheckChoice& choice, Workplace& place, const SameCodeIn& same_code_in,
+                             CheckedProject* last) {
     if (choice.trusted_map && choice.base.empty())
         throw CannotDo("--trusted-map takes map and lock from the merge base; name it with --base REV");
     Project project = open_project(choice, place, true);
@@ -146,7 +147,9 @@ CheckedProject check_project(const CheckChoice& choice, Workplace& place, const 
     const MapFile map_today = project.map;
     if (choice.trusted_map) take_map_of_base(project, choice.base, place);
     const Moment now{choice.staged ? Moment::Kind::Index : Moment::Kind::WorkTree};
-    CheckedProject checked{read_snapshot(std::move(project), now, place.disk)};
+    CheckedProject checked{last != nullptr && !choice.staged
+                               ? read_snapshot_again(std::move(project), std::move(*last), place.disk)
+                               : read_snapshot(std::move(project), now, place.disk)};
     checked.recorded = checked.disk().exists(lock_path(checked.project));
     checked.suppressions = placed_suppressions(checked.project);
     std::vector<BroughtIn> brought;

@@ -40,8 +40,10 @@ NormalText text_behind(const CheckedProject& checked, const std::string& print);
 /// What can tell that an edited function compiles to the same code; asked for once the project is read.
 using SameCodeIn = std::function<SameCode(const Project& project)>;
 
-/// Reads, scans and judges. Throws CannotDo.
-CheckedProject check_project(const CheckChoice& choice, Workplace& place, const SameCodeIn& same_code_in = {});
+/// Reads, scans and judges. Throws CannotDo. `last`: what the same choice gave before; of the work tree only what
+/// changed since then is scanned again. It is used up.
+CheckedProject check_project(const CheckChoice& choice, Workplace& place, const SameCodeIn& same_code_in = {},
+                             CheckedProject* last = nullptr);
 
 /// A project as it was at merge-base(REV, HEAD), under today's sides, blocks and dialect, so that figures compare, but
 /// with the pairs that its own map named. Throws CannotDo.

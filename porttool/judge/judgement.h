@@ -60,6 +60,9 @@ struct Finding {
     std::optional<FindingEvidence> evidence;
 };
 
+/// True for a finding that is to be acted on: its rule is not off, and nobody has settled it.
+inline bool is_open(const Finding& finding) { return finding.level != Level::Off && !finding.verdict; }
+
 /// How a pair stands, by the worst finding that nothing settles, or by what settles all of them.
 enum class PairStanding : uint8_t { InStep, Review, Drifted, Deferred, Ignored };
 inline constexpr std::array<std::string_view, 5> kPairStandingNames = {"in_step", "review", "drifted", "deferred",

@@ -15,6 +15,7 @@ struct Workplace {
     Disk& disk;
     std::ostream& err;
     std::set<std::string> said = {};
+    std::ostream* out = nullptr;  ///< stdout, for a command whose results come while it runs
 
     /// Says it unless it was said before, as a map may be read twice.
     void say_once(const std::string& text) {

@@ -17,8 +17,6 @@ namespace {
 
 using nlohmann::ordered_json;
 
-bool is_shown(const Finding& finding) { return finding.level != Level::Off && !finding.verdict; }
-
 const char* color_of(Level level) {
     return level == Level::Error ? "\x1b[31m" : level == Level::Warning ? "\x1b[33m" : "\x1b[36m";
 }
@@ -91,24 +89,26 @@ std::string picture_path(const FindingEvidence& evidence, const std::string& pic
     return evidence.folder.empty() ? picture : evidence.folder + "/" + picture;
 }
 
+ordered_json finding_json(const Finding& f) {
+    ordered_json out = {{"rule", rule_name(f.rule)},
+                        {"level", level_name(f.level)},
+                        {"change", f.change ? ordered_json(change_name(*f.change)) : ordered_json(nullptr)},
+                        {"source", place_json(f.source)},
+                        {"target", place_json(f.target)},
+                        {"message", f.message},
+                        {"remedy", f.remedy},
+                        {"fingerprint", f.fingerprint},
+                        {"target_set", f.target_set.empty() ? ordered_json(nullptr) : ordered_json(f.target_set)},
+                        {"evidence", evidence_json(f)}};
+    if (!f.source && !f.target) out["map_line"] = f.map_line;  // in portmap.toml
+    if (!f.details.empty()) out["details"] = f.details;
+    return out;
+}
+
 std::string check_json(const Judgement& judgement) {
     ordered_json findings = ordered_json::array();
-    for (const Finding& f : judgement.findings) {
-        if (!is_shown(f)) continue;
-        ordered_json one = {{"rule", rule_name(f.rule)},
-                            {"level", level_name(f.level)},
-                            {"change", f.change ? ordered_json(change_name(*f.change)) : ordered_json(nullptr)},
-                            {"source", place_json(f.source)},
-                            {"target", place_json(f.target)},
-                            {"message", f.message},
-                            {"remedy", f.remedy},
-                            {"fingerprint", f.fingerprint},
-                            {"target_set", f.target_set.empty() ? ordered_json(nullptr) : ordered_json(f.target_set)},
-                            {"evidence", evidence_json(f)}};
-        if (!f.source && !f.target) one["map_line"] = f.map_line;  // in portmap.toml
-        if (!f.details.empty()) one["details"] = f.details;
-        findings.push_back(std::move(one));
-    }
+    for (const Finding& f : judgement.findings)
+        if (is_open(f)) findings.push_back(finding_json(f));
     ordered_json brought_in = ordered_json::array();
     for (const BroughtIn& one : judgement.brought_in)
         brought_in.push_back(
@@ -120,27 +120,31 @@ std::string check_json(const Judgement& judgement) {
     return json_text(out, 1) + "\n";
 }
 
-std::string check_table(const Judgement& judgement, bool color) {
-    std::string out;
-    for (const Finding& f : judgement.findings) {
-        if (!is_shown(f)) continue;
-        const Place place = f.source ? *f.source : f.target.value_or(Place{"", "portmap.toml", f.map_line, f.map_line});
-        const std::string level = color ? fmt::format("{}{}\x1b[0m", color_of(f.level), level_name(f.level))
-                                        : std::string(level_name(f.level));
-        out += fmt::format("{}:{}: {}: {} [{}]\n", terminal_line(place.file), place.line, level,
-                           terminal_text(f.message), rule_name(f.rule));
-        if (f.source && f.target)
-            out += fmt::format("    port: {}:{}\n", terminal_text(f.target->file), f.target->line);
-        if (f.details.size() > 1)
-            for (const std::string& detail : f.details) out += "    " + terminal_line(detail) + "\n";
-        out += "    " + terminal_line(f.remedy) + "\n";
-    }
-    if (!judgement.brought_in.empty()) out += brought_in_table(judgement.brought_in);
+std::string finding_text(const Finding& f, bool color) {
+    const Place place = f.source ? *f.source : f.target.value_or(Place{"", "portmap.toml", f.map_line, f.map_line});
+    const std::string level =
+        color ? fmt::format("{}{}\x1b[0m", color_of(f.level), level_name(f.level)) : std::string(level_name(f.level));
+    std::string out = fmt::format("{}:{}: {}: {} [{}]\n", terminal_line(place.file), place.line, level,
+                                  terminal_text(f.message), rule_name(f.rule));
+    if (f.source && f.target) out += fmt::format("    port: {}:{}\n", terminal_text(f.target->file), f.target->line);
+    if (f.details.size() > 1)
+        for (const std::string& detail : f.details) out += "    " + terminal_line(detail) + "\n";
+    return out + "    " + terminal_line(f.remedy) + "\n";
+}
+
+std::string summary_text(const Judgement& judgement) {
     const Summary& s = judgement.summary;
-    out += fmt::format("{}: {} pairs, {} in step, {} drifted, {} to review, {} deferred, {} ignored; {}\n",
+    return fmt::format("{}: {} pairs, {} in step, {} drifted, {} to review, {} deferred, {} ignored; {}\n",
                        gate_result_name(judgement.result()), s.pairs, s.in_step, s.drifted, s.review, s.deferred,
                        s.ignored, unwatched_text(s, judgement.reference) + verified_text(s));
-    return out;
+}
+
+std::string check_table(const Judgement& judgement, bool color) {
+    std::string out;
+    for (const Finding& f : judgement.findings)
+        if (is_open(f)) out += finding_text(f, color);
+    if (!judgement.brought_in.empty()) out += brought_in_table(judgement.brought_in);
+    return out + summary_text(judgement);
 }
 
 }  // namespace porttool

@@ -11,6 +11,9 @@ namespace porttool {
 
 std::string check_json(const Judgement& judgement);
 
+/// One finding as it stands in that.
+nlohmann::ordered_json finding_json(const Finding& finding);
+
 /// What programs saw of a finding; null where they saw nothing.
 nlohmann::ordered_json evidence_json(const Finding& finding);
 /// Where a picture of the evidence lies, from where its file was named from.
@@ -21,6 +24,12 @@ std::string unwatched_text(const Summary& summary, Reference reference);
 
 /// What follows in that sentence: that nobody has compared the texts of any pair; "" where somebody has.
 std::string verified_text(const Summary& summary);
+
+/// One finding with its remedy: lines.
+std::string finding_text(const Finding& finding, bool color);
+
+/// How the project stands: a line.
+std::string summary_text(const Judgement& judgement);
 
 /// Findings with their remedies, then one line of summary; `color` adds terminal colours.
 std::string check_table(const Judgement& judgement, bool color);

@@ -21,8 +21,6 @@ namespace {
 
 using nlohmann::ordered_json;
 
-bool is_open(const Finding& f) { return f.level != Level::Off && !f.verdict; }
-
 std::string dumped(const ordered_json& json) { return json_text(json, 1) + "\n"; }
 
 /// A place by its path from the root of the repository. The other checkout of a target may lead out of it.

@@ -3,6 +3,7 @@
 #include "porttool/snapshot/snapshot.h"
 
 #include <algorithm>
+#include <map>
 #include <set>
 #include <unordered_map>
 
@@ -39,9 +40,26 @@ std::vector<ScannedFile> scan_all(const SourceSet& set, const KnownFiles& known,
     return files;
 }
 
-std::vector<ScannedFile> scan_all(const SourceSet& set) {
-    std::set<std::string> same;
-    return scan_all(set, {}, same);
+/// Scans files but for those that stand as they stood, which are taken out of `last`; their paths are noted in `same`.
+/// `written`: the bytes of files whose scanned text is not all of them (it has no carriage returns), then and now.
+std::vector<ScannedFile> scan_again(SourceSet set, std::vector<ScannedFile>& last, std::set<std::string>& same,
+                                    std::map<std::string, std::string>& written) {
+    std::unordered_map<std::string, ScannedFile*> known;
+    for (ScannedFile& file : last) known.emplace(file.path, &file);
+    std::map<std::string, std::string> written_now;
+    std::vector<ScannedFile> files;
+    files.reserve(set.files.size());
+    for (SourceText& source : set.files) {
+        const auto then = known.find(source.path);
+        const auto bytes = written.find(source.path);
+        const bool is_same =
+            then != known.end() && (bytes == written.end() ? then->second->lexed.text : bytes->second) == source.text;
+        if (is_same) same.insert(source.path);
+        files.push_back(is_same ? std::move(*then->second) : scan_text(source.path, source.text));
+        if (files.back().lexed.text != source.text) written_now.emplace(source.path, std::move(source.text));
+    }
+    written = std::move(written_now);
+    return files;
 }
 
 /// A bracket that is never closed stands for itself, as in a shell, which is rarely what was meant.
@@ -100,15 +118,20 @@ SourceSet read_side(const Project& project, const Disk& disk, Side side) {
     return out;
 }
 
-void read_work_tree(Project& project, const Disk& disk) {
-    const SourceSet source = read_side(project, disk, Side::Source), target = read_side(project, disk, Side::Target);
-    project.source = scan_all(source);
-    project.target = scan_all(target);
+/// Reads both sides. What stands as it did in `last` is taken from there; returns the paths of that.
+BySide<std::set<std::string>> read_work_tree(Snapshot& snapshot, Project& last) {
+    Project& project = snapshot.project;
+    SourceSet source = read_side(project, *snapshot.on_disk, Side::Source),
+              target = read_side(project, *snapshot.on_disk, Side::Target);
     project.skipped = source.skipped;
     for (const SkippedFile& file : target.skipped)
         project.skipped.push_back(
             {project.map.target_root.empty() ? file.file : clean_path(join_path(project.map.target_root, file.file)),
              file.reason});
+    BySide<std::set<std::string>> same;
+    project.source = scan_again(std::move(source), last.source, same.source, snapshot.written.source);
+    project.target = scan_again(std::move(target), last.target, same.target, snapshot.written.target);
+    return same;
 }
 
 /// Where the map, its lock and the texts of that stand in the commits of a project, as seen from its root.
@@ -235,11 +258,21 @@ FileText map_text_of(const Snapshot& snapshot) {
 
 Snapshot read_snapshot(Project project, const Moment& at, const Disk& on_disk, Depth depth) {
     Snapshot out{std::move(project), {}, at, "", {}, &on_disk};
+    Project none;
     if (at.kind == Moment::Kind::WorkTree)
-        read_work_tree(out.project, on_disk);
+        read_work_tree(out, none);
     else
         read_from_git(out, nullptr);
+    out.written = {};
     if (depth == Depth::Normal) out.states = read_states(out.project);
+    return out;
+}
+
+Snapshot read_snapshot_again(Project project, Snapshot last, const Disk& on_disk) {
+    Snapshot out{std::move(project), {}, {Moment::Kind::WorkTree}, "", {}, &on_disk, std::move(last.written)};
+    const BySide<std::set<std::string>> same = read_work_tree(out, last.project);
+    const bool same_pairs = last.project.map_text == out.project.map_text;  // which whole files are units
+    out.states = same_pairs ? read_states(out.project, std::move(last.states), same) : read_states(out.project);
     return out;
 }
 

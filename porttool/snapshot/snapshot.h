@@ -27,6 +27,8 @@ struct Snapshot {
     std::string note;               ///< what a user should know of it, or ""
     MemoryDisk git;                 ///< what git gave of it; empty for a work tree
     const Disk* on_disk = nullptr;  ///< of the work tree; not ours
+    /// Of a work tree: the bytes of files whose scanned text is not all of them, for who reads it again.
+    BySide<std::map<std::string, std::string>> written = {};
 
     /// What its lock stands on. An index without a lock goes with that of the work tree.
     const Disk& disk() const;
@@ -49,6 +51,9 @@ FileText map_text_of(const Snapshot& snapshot);
 /// In a work tree each glob must match something, in an index each side. Of another checkout git is asked for the same
 /// revision, or for its HEAD. Throws CannotDo.
 Snapshot read_snapshot(Project project, const Moment& at, const Disk& on_disk, Depth depth = Depth::Normal);
+
+/// The same of a work tree that was read before: what stands as it stood is not scanned again. Throws CannotDo.
+Snapshot read_snapshot_again(Project project, Snapshot last, const Disk& on_disk);
 
 /// The same of a commit, beside a snapshot of another moment under the same pairs: what is the same text there is not
 /// scanned again.

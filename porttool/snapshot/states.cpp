@@ -29,19 +29,17 @@ void add_states(std::map<std::string, UnitState>& states, const std::vector<Scan
 
 States read_states(const Project& project) { return read_states(project, {}, {}); }
 
-States read_states(const Project& project, const States& known, const BySide<std::set<std::string>>& same) {
+States read_states(const Project& project, States known, const BySide<std::set<std::string>>& same) {
     std::set<std::string> named;
     for (const MapPair& pair : project.map.pairs) {
         named.insert(pair.source);
         named.insert(pair.targets.begin(), pair.targets.end());
     }
-    States states;
     for (const Side side : kBothSides) {
-        for (const auto& [id, state] : known[side])
-            if (same[side].contains(state.file)) states[side].emplace_hint(states[side].end(), id, state);
-        add_states(states[side], side == Side::Source ? project.source : project.target, named, same[side]);
+        std::erase_if(known[side], [&](const auto& entry) { return !same[side].contains(entry.second.file); });
+        add_states(known[side], side == Side::Source ? project.source : project.target, named, same[side]);
     }
-    return states;
+    return known;
 }
 
 }  // namespace porttool

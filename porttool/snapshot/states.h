@@ -20,6 +20,6 @@ States read_states(const Project& project);
 
 /// The same, where `known` has read some files already, under the same pairs: those of `same`, by path, are as they
 /// were there.
-States read_states(const Project& project, const States& known, const BySide<std::set<std::string>>& same);
+States read_states(const Project& project, States known, const BySide<std::set<std::string>>& same);
 
 }  // namespace porttool

@@ -66,7 +66,8 @@ TEST(Command, WhatCannotBeDoneIsExitCodeTwoWithEmptyStdout) {
 TEST(Command, AnUnknownSubcommandIsToldInOneLine) {
     MemoryDisk disk;
     const std::string known =
-        "scan, map, init, check, accept, defer, ignore, sync, difftest, audit, review, compare, explain, effort, history, report";
+        "scan, map, init, check, watch, lsp, accept, defer, ignore, sync, difftest, audit, review, compare, explain, "
+        "effort, history, report";
     for (const auto& [arguments, says] : std::vector<std::pair<std::vector<std::string>, std::string>>{
              {{"chekc"}, "unknown command 'chekc'; did you mean 'check'?"},
              {{"chekc", "--strict"}, "unknown command 'chekc'; did you mean 'check'?"},

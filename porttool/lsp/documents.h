@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "porttool/lsp/positions.h"
+
+namespace porttool::lsp {
+
+/// A file that an editor has open, as it stands there.
+struct Document {
+    std::string uri;  ///< as the editor writes it
+    int64_t version = 0;
+    std::string text;
+};
+
+/// The open files by absolute path.
+using Documents = std::map<std::string, Document>;
+
+/// One change of a document; without a range it is the whole text.
+struct DocumentChange {
+    std::optional<Range> range;
+    std::string text;
+};
+
+void apply_change(std::string& text, const DocumentChange& change);
+
+}  // namespace porttool::lsp
