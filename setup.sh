@@ -18,11 +18,13 @@ packages=(
     # Scenes, pictures and the command line
     libglm-dev libtinygltf-dev libmeshoptimizer-dev libdraco-dev libtinyobjloader-dev
     libassimp-dev libopenimageio-dev libstb-dev libcli11-dev nlohmann-json3-dev libfmt-dev
+    # The window, which is left out where these are not there
+    libglfw3-dev libimgui-dev libgl1-mesa-dri
     # The tool
     libgit2-dev zlib1g-dev libtomlplusplus-dev libjemalloc-dev
     # Tests and style
     libgtest-dev libgmock-dev universal-ctags similarity-tester clang-format
-    python3-jsonschema python3-yaml cmark-gfm python3-pyte
+    python3-jsonschema python3-yaml cmark-gfm python3-pyte xvfb xdotool
 )
 
 # What may also come from elsewhere than Debian.

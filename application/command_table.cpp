@@ -13,6 +13,7 @@ std::span<const Command> command_table() {
     static const std::vector<Command> table = {
         {"render", "Render a scene to a picture (.png or .exr)", declare_render, run_render},
         {"compare", "Tell how much the pictures of both cores, or two image files, differ", declare_compare, run_compare},
+        {"view", "Open a window on both cores", declare_view, run_view},
         {"bench", "Count the rays of a scene and time them", declare_bench, run_bench},
         {"info", "List the cores and devices that this machine can use", declare_info, run_info},
     };

@@ -32,18 +32,18 @@ CoreSession::CoreSession(const Options& options, SceneSetup setup, Console& cons
       view_(render_system::view_pyramid(setup.camera, options.width, options.height)),
       seed_(options.seed) {}
 
-render_system::CoreSettings CoreSession::settings() const {
-    return {.seed = seed_,
-            .max_path_length = options_.max_path_length,
-            .russian_roulette = options_.russian_roulette,
-            .next_event_estimation = options_.next_event_estimation,
-            .indirect_limit = options_.indirect_limit};
+render_system::CoreSettings core_settings(const Options& options, uint32_t seed) {
+    return {.seed = seed,
+            .max_path_length = options.max_path_length,
+            .russian_roulette = options.russian_roulette,
+            .next_event_estimation = options.next_event_estimation,
+            .indirect_limit = options.indirect_limit};
 }
 
 Result<CoreChoice> CoreSession::start(const std::vector<std::string>& ids, Picture& picture) {
     const auto first_sample = [&](RenderSystem& system) {
         Status status = system.core().SetTarget({picture.width, picture.height, picture.pixels});
-        if (status.ok()) status = system.core().Setting(settings());
+        if (status.ok()) status = system.core().Setting(core_settings(options_, seed_));
         if (status.ok()) status = system.core().SetWatch(watch_);
         if (status.ok()) status = system.render(view_, Convergence::Restart, 1);
         return status;
@@ -56,7 +56,7 @@ Result<CoreChoice> CoreSession::start(const std::vector<std::string>& ids, Pictu
 
 Status CoreSession::restart(uint32_t seed, uint32_t samples) {
     set_seed(seed);
-    Status status = system_.core().Setting(settings());
+    Status status = system_.core().Setting(core_settings(options_, seed_));
     return status.ok() ? render(Convergence::Restart, samples) : status;
 }
 

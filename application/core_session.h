@@ -52,8 +52,6 @@ public:
     bool measure_embree_limit();
 
 private:
-    render_system::CoreSettings settings() const;
-
     const Options& options_;
     Console& console_;
     render_system::RenderSystem system_;
@@ -61,6 +59,9 @@ private:
     render_system::PathWatch* watch_ = nullptr;
     uint32_t seed_;
 };
+
+/// What the options ask of any core.
+render_system::CoreSettings core_settings(const Options& options, uint32_t seed);
 
 /// A failed call as one line for the user, with the option that helps.
 std::string explain(const render_system::Status& status);

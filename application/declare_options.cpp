@@ -267,6 +267,19 @@ void declare_bench(CLI::App& app, Options& options) {
     declare_rendering(app, options);
 }
 
+void declare_view(CLI::App& app, Options& options) {
+    constexpr uint32_t ENOUGH_SAMPLES = 4096;
+    declare_scene(app, options);
+    add_name(app, "--log", options.log, "Write what happens as JSON lines")->type_name("FILE");
+    add_name(app, "-o,--output", options.output, "Where the key P saves the picture (<scene>.png in this folder)")
+        ->type_name("FILE.png");
+    declare_samples(app, options, "Samples per pixel after which a core rests (4096)");
+    app.preparse_callback([&options](size_t) { options.spp = {ENOUGH_SAMPLES}; });
+    declare_picture(app, options);
+    declare_paths(app, options);
+    declare_machine(app, options);
+}
+
 void declare_info(CLI::App& app, Options& options) {
     declare_format(app, options);
     add_name(app, "-o,--output", options.output, "Write the result here instead of stdout")->type_name("FILE");

@@ -45,6 +45,7 @@ struct Options {
     std::vector<std::string> images_a;  ///< compare: image files in place of a scene; one or a set
     std::vector<std::string> images_b;
     std::string output;                      ///< empty: the command's own default
+    std::string log;                         ///< view: empty: none
     std::string stats;                       ///< empty: none
     std::vector<std::string> cores{"auto"};  ///< in order of preference, or auto alone
     bool core_given = false;

@@ -26,6 +26,8 @@ public:
     /// Takes a core that has been through Init; everything counts as changed for it.
     void use_core(std::unique_ptr<CoreAPI> core);
     CoreAPI& core() { return *core_; }
+    /// Gives the core away; it keeps what it was sent. Then there is none.
+    std::unique_ptr<CoreAPI> take_core() { return std::move(core_); }
 
     /// Sends what changed since the last call. Fails as the core's Set* do.
     Status synchronize();

@@ -124,7 +124,7 @@ TEST(CommandLine, RefusalsNameTheThingAndExitWithTwo) {
     const std::vector<Refusal> refusals = {
         {"", "no command given"},
         {"rendr a.gltf", "unknown command 'rendr'; did you mean 'render'?"},
-        {"watch a.gltf", "unknown command 'watch'; there are render, compare, bench, info"},
+        {"watch a.gltf", "unknown command 'watch'; there are render, compare, view, bench, info"},
         {"--quiet comapre a", "did you mean 'compare'?"},
         {"render", "SCENE"},
         {"render a.gltf b.gltf", "unexpected argument 'b.gltf'"},
@@ -169,12 +169,16 @@ TEST(CommandLine, HelpOfEachCommandNamesItsOptions) {
         EXPECT_EQ(invocation.command, nullptr);
         EXPECT_EQ(invocation.exit_code, DONE);
         EXPECT_THAT(invocation.text, HasSubstr("pathtracer " + command.name));
-        EXPECT_THAT(invocation.text, HasSubstr("--format"));
+        const bool prints = command.name != "view";
+        EXPECT_THAT(invocation.text, HasSubstr(prints ? "--format" : "--log"));
         EXPECT_THAT(invocation.text, HasSubstr("--quiet"));
     }
     EXPECT_THAT(parse("render -h").text, HasSubstr("--max-path-length"));
     EXPECT_THAT(parse("render -h").text, Not(HasSubstr("--limit-ssim")));
     EXPECT_THAT(parse("compare --help").text, HasSubstr("--limit-ssim"));
+    EXPECT_THAT(parse("view --help").text, HasSubstr("--log"));
+    EXPECT_EQ(parse("view a.gltf").options.spp, std::vector<uint32_t>{4096});
+    EXPECT_EQ(parse("view a.gltf --spp 8").options.spp, std::vector<uint32_t>{8});
 }
 
 TEST(CommandLine, HelpAndVersionOfTheProgram) {

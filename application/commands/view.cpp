@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "application/commands/command_steps.h"
+#include "application/commands/commands.h"
+#ifdef PORTTOOL_HAS_WINDOW
+#include <filesystem>
+
+#include "application/view/view_window.h"
+#endif
+
+namespace application {
+
+using render_system::Status;
+using render_system::StatusCode;
+
+#ifdef PORTTOOL_HAS_WINDOW
+namespace {
+
+/// Where porttool looks for its map: the folder of the kernels that are being worked on, else the current one.
+std::string watched_folder(const Options& options) { return options.kernels.empty() ? "." : options.kernels; }
+
+}  // namespace
+
+ExitCode run_view(const Options& options, Console& console) {
+    if (Status status = check_display(); !status.ok()) return fail(console, status);
+    if (Status status = check_files(options, options.output); !status.ok()) return fail(console, status);
+    ViewLog log;
+    if (!options.log.empty())
+        if (Status status = log.open(options.log); !status.ok()) return fail(console, status);
+    auto setup = set_up_scene(options, console);
+    if (!setup.ok()) return fail(console, setup.status);
+    ViewSession session(options, std::move(*setup), log);
+    DriftPanel panel(watched_folder(options), log);
+    const Status status = run_window(options, session, panel, log);
+    return status.ok() ? DONE : fail(console, status);
+}
+#else
+ExitCode run_view(const Options&, Console& console) {
+    return fail(console, Status::error(StatusCode::no_device,
+                                       "view: this program was built without a window; install libglfw3-dev and "
+                                       "libimgui-dev, and build it again"));
+}
+#endif
+
+}  // namespace application

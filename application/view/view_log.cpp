@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "application/view/view_log.h"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+
+namespace application {
+
+using render_system::Status;
+
+Status ViewLog::open(const std::string& file) {
+    file_.reset(std::fopen(file.c_str(), "w"));
+    if (file_) return Status::success();
+    return Status::invalid(
+        fmt::format("--log {}: {}; name a file in a folder that is there", file, std::strerror(errno)));
+}
+
+double ViewLog::now_ms() const {
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start_).count();
+}
+
+void ViewLog::say(const char* event, const nlohmann::ordered_json& detail) {
+    if (!file_) return;
+    constexpr double TENTHS = 10.0;
+    const nlohmann::ordered_json line = {
+        {"t_ms", std::round(now_ms() * TENTHS) / TENTHS}, {"event", event}, {"detail", detail}};
+    const std::string text = line.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+    (void)std::fwrite(text.data(), 1, text.size(), file_.get());
+    (void)std::fflush(file_.get());
+}
+
+}  // namespace application

@@ -1,0 +1,165 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "application/view/view_session.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "application/core_session.h"
+#include "application/cores.h"
+#include "application/file_output.h"
+
+namespace application {
+
+using render_system::CoreAPI;
+using render_system::Result;
+using render_system::Status;
+
+ViewSession::ViewSession(const Options& options, SceneSetup setup, ViewLog& log)
+    : options_(options),
+      log_(log),
+      system_(std::move(setup.scene)),
+      registry_(make_registry(options)),
+      probe_(system_.scene()),
+      bounds_(system_.scene().bounds()),
+      first_camera_(setup.camera, bounds_),
+      camera_(first_camera_),
+      image_{1, 1, {0, 0, 0}} {
+    std::vector<std::string> ids = core_order(options).ids;
+    for (const char* other : {"source", "target"}) {
+        const std::vector<std::string> known = registry_.ids();
+        const bool is_there = std::find(known.begin(), known.end(), other) != known.end();
+        if (is_there && std::find(ids.begin(), ids.end(), other) == ids.end()) ids.emplace_back(other);
+    }
+    pictures_.resize(ids.size());
+    problems_.resize(ids.size());
+    for (const std::string& id : ids)
+        workers_.push_back(std::make_unique<CoreWorker>(
+            id, [this, id] { return open_core(id); }, options.spp.front()));
+    begin();
+}
+
+/// The cores take turns at the one host scene: each is sent all of it, and keeps it.
+Result<std::unique_ptr<CoreAPI>> ViewSession::open_core(const std::string& id) {
+    const std::lock_guard lock(scene_mutex_);
+    auto core = registry_.CreateCoreAPI(id);
+    if (!core.ok()) return core.status;
+    if (Status status = (*core)->Init({.threads = options_.threads, .exact = options_.exact}); !status.ok())
+        return status;
+    if (Status status = (*core)->Setting(core_settings(options_, options_.seed)); !status.ok()) return status;
+    system_.use_core(std::move(*core));
+    if (Status status = system_.synchronize(); !status.ok()) return status;
+    return system_.take_core();
+}
+
+void ViewSession::note_input(const char* kind) {
+    log_.say("input", {{"kind", kind}});
+    if (is_answered_) asked_at_ms_ = log_.now_ms();
+    is_answered_ = false;
+}
+
+void ViewSession::begin() {
+    ++request_;
+    const auto view = render_system::view_pyramid(camera_.camera(), options_.width, options_.height);
+    for (size_t i = 0; i < workers_.size(); ++i) {
+        if (is_needed(i))
+            workers_[i]->show(view, options_.width, options_.height, request_);
+        else
+            workers_[i]->rest();
+    }
+}
+
+void ViewSession::frame_all() {
+    move("frame",
+         [&](ViewCamera& camera) { camera.frame(bounds_, static_cast<double>(options_.width) / options_.height); });
+}
+
+void ViewSession::next_camera() {
+    const auto& cameras = system_.scene().cameras();
+    move("camera", [&](ViewCamera& camera) {
+        camera = next_camera_ < cameras.size() ? ViewCamera(cameras[next_camera_].camera, bounds_) : first_camera_;
+        next_camera_ = next_camera_ < cameras.size() ? next_camera_ + 1 : 0;
+    });
+}
+
+void ViewSession::switch_core() {
+    active_ = (active_ + 1) % workers_.size();
+    note_input("switch");
+    log_.say("switch", {{"core", core_name(active_)}});
+    is_stale_ = true;
+    begin();
+}
+
+void ViewSession::set_show(Show show) {
+    if (workers_.size() < 2) return;
+    composition_.show = show;
+    note_input(show == Show::One ? "one" : show == Show::Split ? "split" : "difference");
+    is_stale_ = true;
+    begin();
+}
+
+void ViewSession::set_split(float split) {
+    composition_.split = std::clamp(split, 0.0f, 1.0f);
+    is_stale_ = true;
+}
+
+void ViewSession::set_gain(int gain) {
+    constexpr int MOST = 256;
+    composition_.gain = std::clamp(gain, 1, MOST);
+    is_stale_ = true;
+}
+
+bool ViewSession::update() {
+    for (size_t i = 0; i < workers_.size(); ++i) {
+        const Status status = workers_[i]->status();
+        if (!status.ok() && problems_[i].empty()) {
+            problems_[i] = explain(status);
+            log_.say("error", {{"core", core_name(i)}, {"message", problems_[i]}});
+            if (i == active_ && !is_stuck()) switch_core();
+        }
+        if (!workers_[i]->take(pictures_[i])) continue;
+        is_stale_ = is_stale_ || is_needed(i);
+        const CorePicture& now = pictures_[i];
+        if (now.request != request_ || i != active_ || is_answered_) continue;
+        is_answered_ = true;
+        log_.say("pixels", {{"core", core_name(i)},
+                            {"samples", now.stats.samples},
+                            {"coarse", now.coarse},
+                            {"answered_ms", std::round(log_.now_ms() - asked_at_ms_)}});
+    }
+    if (!is_stale_) return false;
+    compose();
+    is_stale_ = false;
+    return true;
+}
+
+bool ViewSession::is_stuck() const {
+    return std::none_of(problems_.begin(), problems_.end(), [](const std::string& one) { return one.empty(); });
+}
+
+/// In split and difference the first core of the list is always the first picture. A core that has not drawn yet does
+/// not take the place of one that has.
+void ViewSession::compose() {
+    const auto has_drawn = [&](size_t core) { return pictures_[core].request > 0; };
+    const auto levels = [&](size_t core) {
+        return srgb_levels(pictures_[core].picture, options_.exposure, options_.tone_map);
+    };
+    if (composition_.show != Show::One && has_drawn(0) && has_drawn(1)) {
+        image_ = composed(levels(0), levels(1), composition_);
+    } else if (has_drawn(active_) &&
+               (composition_.show != Show::One || pictures_[active_].request == request_ || image_.width == 1)) {
+        image_ = levels(active_);
+    }
+}
+
+std::optional<Picked> ViewSession::pick_at(double x, double y) {
+    const auto view = render_system::view_pyramid(camera_.camera(), options_.width, options_.height);
+    return pick(system_.scene(), probe_, view, x, y);
+}
+
+Status ViewSession::save(const std::string& file) const {
+    const auto bytes = encode_png(image_);
+    return bytes.ok() ? write_file(file, *bytes) : bytes.status;
+}
+
+}  // namespace application

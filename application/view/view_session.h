@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "application/options.h"
+#include "application/scene_setup.h"
+#include "application/view/composition.h"
+#include "application/view/core_worker.h"
+#include "application/view/picking.h"
+#include "application/view/view_camera.h"
+#include "application/view/view_log.h"
+#include "render_system/core_registry.h"
+#include "render_system/render_system.h"
+
+namespace application {
+
+/// All of the window but the window: one host scene, the cores that draw it, the camera, and what is shown of them.
+class ViewSession {
+public:
+    ViewSession(const Options& options, SceneSetup setup, ViewLog& log);
+
+    /// The camera, for a person who moves it; `kind` is for the log. What is drawn begins anew.
+    template <class Move>
+    void move(const char* kind, Move&& move) {
+        move(camera_);
+        note_input(kind);
+        begin();
+    }
+    void frame_all();
+    /// The next camera of the file, and behind the last one the view that was begun with.
+    void next_camera();
+    /// The other core; the picture of the one before goes on being shown until the first of this one is there.
+    void switch_core();
+    void set_show(Show show);
+    void set_split(float split);
+    void set_gain(int gain);
+    const Composition& composition() const { return composition_; }
+
+    /// Takes what the cores have drawn; true where the picture shown is another one now.
+    bool update();
+    const Channels<uint8_t>& image() const { return image_; }
+    /// True while no pixels have answered the last input.
+    bool is_waiting() const { return !is_answered_; }
+
+    /// What stands at a place of the picture, by shares of its sides.
+    std::optional<Picked> pick_at(double x, double y);
+
+    /// Writes the picture that is shown as it is. Fails as write_file does.
+    render_system::Status save(const std::string& file) const;
+
+    size_t core_count() const { return workers_.size(); }
+    size_t active() const { return active_; }
+    const std::string& core_name(size_t core) const { return workers_[core]->id(); }
+    const CorePicture& picture_of(size_t core) const { return pictures_[core]; }
+    /// Why a core cannot draw; "" as long as it can.
+    const std::string& problem_of(size_t core) const { return problems_[core]; }
+    /// True where no core can draw.
+    bool is_stuck() const;
+
+private:
+    render_system::Result<std::unique_ptr<render_system::CoreAPI>> open_core(const std::string& id);
+    void note_input(const char* kind);
+    void begin();
+    void compose();
+    bool is_needed(size_t core) const { return core == active_ || composition_.show != Show::One; }
+
+    const Options& options_;
+    ViewLog& log_;
+    std::mutex scene_mutex_;
+    render_system::RenderSystem system_;
+    render_system::CoreRegistry registry_;
+    render_system::RayProbe probe_;
+    render_system::Box bounds_;
+    ViewCamera first_camera_, camera_;
+    size_t next_camera_ = 0;
+    std::vector<CorePicture> pictures_;
+    std::vector<std::string> problems_;
+    size_t active_ = 0;
+    Composition composition_;
+    Channels<uint8_t> image_;
+    uint64_t request_ = 0;
+    double asked_at_ms_ = 0.0;  ///< when the first input came that no pixels have answered
+    bool is_answered_ = false;
+    bool is_stale_ = false;                             ///< what is shown is to be made anew
+    std::vector<std::unique_ptr<CoreWorker>> workers_;  // last: they end first
+};
+
+}  // namespace application
