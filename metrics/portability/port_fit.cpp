@@ -33,7 +33,7 @@ Figure predicted_hours(const PortFit& ports, double novel, double carried) {
     return {std::max(0.0, hours.value),
             std::max(0.0, hours.low),
             std::max(0.0, hours.high),
-            "Hakuta and Ohminami, fitted",
+            "linear in novel and carried lines, fitted",
             {{"novel", novel, "lines"},
              {"carried over", carried, "lines"},
              {"ports recorded", static_cast<double>(ports.ports), ""},

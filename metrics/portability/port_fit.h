@@ -21,9 +21,8 @@ struct RecordedPort {
 
 inline constexpr size_t kFewestPorts = 8;
 
-/// The hours of a port as a linear function of its impediments, hours = b0 + b1 novel + b2 carried: the form of Hakuta
-/// and Ohminami ("A study of software portability evaluation", Journal of Systems and Software 38, 1997), with
-/// coefficients from the project's own records and none of theirs.
+/// The hours of a port as a linear function of its lines, hours = b0 + b1 novel + b2 carried, with coefficients from
+/// the project's own records: a model of ours, beside that of Hakuta and Ohminami (power_law.h).
 struct PortFit {
     std::optional<LinearFit> fit;
     size_t ports = 0;

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "metrics/portability/port_fit.h"
+#include "metrics/portability/power_law.h"
 
 namespace porttool {
 namespace {
@@ -50,7 +51,7 @@ void add_prediction(const std::vector<MapEffort>& ledger, RangeEffort& range) {
     }
     const metrics::PortFit fit = metrics::fit_ports(ports);
     if (!fit.fit) {
-        range.missing.push_back("Hakuta and Ohminami: " + fit.refusal);
+        range.missing.push_back("hours, linear in lines: " + fit.refusal);
         return;
     }
     const PortedEdit& totals = range.effort.totals;
@@ -60,11 +61,26 @@ void add_prediction(const std::vector<MapEffort>& ledger, RangeEffort& range) {
         range.degrees.push_back(*degree);
 }
 
+/// The same by Hakuta and Ohminami's equation, from lines and impediments.
+void add_power_law(const MapFile& map, RangeEffort& range) {
+    std::vector<metrics::SizedPort> ports;
+    for (const MapEffort& entry : map.efforts)
+        if (entry.port && entry.lines)
+            ports.push_back({*entry.lines, entry.impediments, entry.port->total(), entry.mined});
+    const metrics::PowerLaw law = metrics::fit_power_law(ports);
+    const double lines = range.effort.totals.carried.lines;
+    if (!law.fit)
+        range.missing.push_back("Hakuta and Ohminami, equation 8: " + law.refusal);
+    else if (lines > 0)
+        range.hours_by_law = metrics::predicted_hours(law, lines, map.impediments);
+}
+
 }  // namespace
 
-void add_ledger(const Past& past, const std::vector<MapEffort>& ledger, RangeEffort& range) {
-    add_degrees(past, ledger, range);
-    add_prediction(ledger, range);
+void add_ledger(const Past& past, const MapFile& map, RangeEffort& range) {
+    add_degrees(past, map.efforts, range);
+    add_prediction(map.efforts, range);
+    add_power_law(map, range);
 }
 
 }  // namespace porttool

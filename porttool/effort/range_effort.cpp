@@ -65,7 +65,7 @@ RangeEffort range_effort(const Past& past, const GitCommit& from, const GitCommi
     if (const auto degree = metrics::degree_from_lines(carried, map.weights)) out.degrees.push_back(*degree);
     if (const auto degree = metrics::degree_from_reuse(carried, map.reuse)) out.degrees.push_back(*degree);
     if (out.degrees.empty()) out.missing.emplace_back("lines: the port gained none, so nothing was ported");
-    add_ledger(past, past.has_map_today ? past.map_today.efforts : map.efforts, out);
+    add_ledger(past, past.has_map_today ? past.map_today : map, out);
     return out;
 }
 

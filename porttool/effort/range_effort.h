@@ -21,7 +21,8 @@ struct RangeEffort {
     PortEffort effort;
     metrics::LineWeights weights;
     std::vector<metrics::Figure> degrees;          ///< of the whole change, one for each model that has its inputs
-    std::optional<metrics::Figure> hours;          ///< predicted from the ledger
+    std::optional<metrics::Figure> hours;          ///< predicted from the ledger, linear in lines
+    std::optional<metrics::Figure> hours_by_law;   ///< the same by Hakuta and Ohminami's equation
     std::optional<metrics::Figure> ledger_degree;  ///< of all recorded ports
     std::vector<std::pair<std::string, metrics::Figure>> ledger_blocks;  ///< of those that name a block, by its name
     std::vector<std::string> missing;  ///< which models have no inputs, and what they need

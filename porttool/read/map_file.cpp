@@ -289,12 +289,27 @@ private:
                                                      : fmt::format("'{}': expected a number of at least 0", key));
         return value;
     }
+    bool flag(const toml::table& table, std::string_view key) const {
+        const toml::node* node = table.get(key);
+        if (node != nullptr && !node->is_boolean())
+            fail(node->source(), fmt::format("'{}': expected true or false", key));
+        return node != nullptr && node->value_or(false);
+    }
     double amount(const toml::table& table, std::string_view key, double otherwise = 0) const {
         return number(table, key, kUnbounded).value_or(otherwise);
     }
 
+    /// `impediments = { p = .., H = .., E = .. }`: alpha of program, hardware and environment.
+    metrics::Impediments impediments(const toml::table& table) {
+        const toml::table* found = section(table, "impediments");
+        if (found == nullptr) return {};
+        only(*found, {"p", "H", "E"}, "impediments");
+        return {amount(*found, "p"), amount(*found, "H"), amount(*found, "E")};
+    }
+
     void read_weights(const toml::table& cost) {
-        only(cost, {"design", "coding", "testing", "documentation", "retest"}, "[cost]");
+        only(cost, {"design", "coding", "testing", "documentation", "retest", "impediments"}, "[cost]");
+        map_.impediments = impediments(cost);
         map_.weights = {amount(cost, "design"), amount(cost, "coding", 1), amount(cost, "testing"),
                         amount(cost, "documentation"), number(cost, "retest", 1).value_or(0)};
         if (redevelopment_from_lines(1, map_.weights).total() <= 0)
@@ -324,7 +339,9 @@ private:
     }
 
     void read_effort(const toml::table& effort) {
-        only(effort, {"what", "block", "from", "to", "lines", "novel", "port", "redevelopment", "uncertainty"},
+        only(effort,
+             {"what", "block", "from", "to", "lines", "novel", "port", "redevelopment", "uncertainty", "impediments",
+              "mined"},
              "[[effort]]");
         MapEffort entry;
         entry.line = static_cast<int>(effort.source().begin.line);
@@ -336,6 +353,8 @@ private:
         if (entry.novel && (!entry.lines || *entry.novel > *entry.lines))
             fail(effort.get("novel")->source(), "'novel': expected at most 'lines', which counts them too");
         entry.uncertainty = number(effort, "uncertainty", kMostUncertain).value_or(0);
+        entry.impediments = impediments(effort);
+        entry.mined = flag(effort, "mined");
         if (const toml::table* port = section(effort, "port")) {
             only(*port, {"coding", "testing", "documentation"}, "port of [[effort]]");
             entry.port = {amount(*port, "coding"), amount(*port, "testing"), amount(*port, "documentation")};

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "metrics/portability/degree.h"
+#include "metrics/portability/impediments.h"
 #include "metrics/portability/reuse.h"
 #include "porttool/read/rule.h"
 #include "porttool/scan/side.h"
@@ -61,6 +62,8 @@ struct MapEffort {
     std::optional<metrics::PortCost> port;  ///< hours
     std::optional<metrics::RedevelopmentCost> redevelopment;
     double uncertainty = 0;
+    metrics::Impediments impediments;
+    bool mined = false;  ///< from another project's public history
     int line = 0;
 };
 
@@ -93,6 +96,7 @@ struct MapFile {
     MapShaders shaders;
     std::vector<std::string> defines;        ///< [difftest]: NAME or NAME=VALUE, what the build defines
     metrics::LineWeights weights;            ///< [cost]
+    metrics::Impediments impediments;        ///< [cost]: of the ports that are to be foretold
     metrics::ReuseSettings reuse;            ///< [reuse]
     std::vector<MapEffort> efforts;          ///< [[effort]]
     std::string verify;                      ///< [sync]: the command that `sync --verify` runs; "" for none

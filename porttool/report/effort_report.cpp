@@ -119,9 +119,10 @@ std::string effort_table(const RangeEffort& report) {
     out += "degree of portability of this change, 1 - cost of the port / cost of redevelopment:\n";
     for (const metrics::Figure& degree : report.degrees)
         out += fmt::format("  {:<28} {}  from {}\n", degree.model, figure_text(degree), inputs_text(degree));
-    if (report.hours)
-        out += fmt::format("hours of this port by the ledger: {}  from {}\n", figure_text(report.hours),
-                           inputs_text(*report.hours));
+    for (const auto& hours : {report.hours, report.hours_by_law})
+        if (hours)
+            out += fmt::format("hours of this port by the ledger ({}): {}  from {}\n", hours->model, figure_text(hours),
+                               inputs_text(*hours));
     if (report.ledger_degree)
         out += fmt::format("degree of portability of all recorded ports, in hours: {}  from {}\n",
                            figure_text(report.ledger_degree), inputs_text(*report.ledger_degree));
@@ -155,6 +156,7 @@ std::string effort_json(const RangeEffort& report) {
                               {"target_outside_pairs", outside_json(effort.target_outside)},
                               {"degrees_of_portability", degrees},
                               {"predicted_hours", figure_json(report.hours)},
+                              {"predicted_hours_by_law", figure_json(report.hours_by_law)},
                               {"ledger_degree_of_portability", figure_json(report.ledger_degree)},
                               {"ledger_blocks", ledger},
                               {"not_given", report.missing}};

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The porttool authors
 // SPDX-License-Identifier: Apache-2.0
 // porttool effort: what porting a range of commits cost, with figures counted by hand.
+#include <cmath>
 #include <map>
 #include <random>
 #include <set>
@@ -343,6 +344,24 @@ TEST_F(Effort, EightRecordedPortsPredictTheHours) {
     const nlohmann::json report = json({"effort", "--from", "HEAD~1"});
     EXPECT_NEAR(report["predicted_hours"]["value"], 1 + 0.5 * 1 + 0.25 * 2, 1e-6);
     EXPECT_NEAR(report["degrees_of_portability"].back()["value"], 1 - 2.0 / 6, 1e-6);
+}
+
+TEST_F(Effort, EightRecordedPortsPredictTheHoursByHakutaAndOhminami) {
+    port_a_change();
+    std::string map = kMap + std::string("[cost]\nimpediments = { p = 0.5 }\n");
+    for (int i = 1; i <= 8; ++i) {  // Y = 0.1 x 10^alpha_p x X
+        const double alpha = 0.1 * (i % 3);
+        map += "[[effort]]\nwhat = \"port\"\nlines = " + std::to_string(10 * i) +
+               "\nmined = " + (i < 3 ? "true" : "false") + "\nimpediments = { p = " + std::to_string(alpha) +
+               " }\nport = { coding = " + std::to_string(0.1 * std::pow(10, alpha) * 10 * i) + " }\n";
+    }
+    write("portmap.toml", map);
+    const nlohmann::json hours = json({"effort", "--from", "HEAD~1"})["predicted_hours_by_law"];
+    EXPECT_EQ(hours["model"], "Hakuta and Ohminami, equation 8, fitted");
+    EXPECT_EQ(hours["inputs"]["of them mined"], 2.0);
+    EXPECT_NEAR(hours["value"], 0.1 * std::pow(10, 0.5) * hours["inputs"]["lines"].get<double>(), 1e-4);
+    write("portmap.toml", kMap + std::string("[[effort]]\nwhat = \"x\"\nmined = 1\n"));
+    EXPECT_NE(porttool({"effort", "--from", "HEAD~1"}).err.find("'mined': expected true or false"), std::string::npos);
 }
 
 TEST_F(Effort, CommitsThatAreNotInLineAreComparedAsTheyAre) {

@@ -4,8 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <vector>
+
+#include "metrics/portability/power_law.h"
 
 namespace port_fit_test {
 namespace {
@@ -70,6 +73,47 @@ TEST(PortFit, WidensWithScatterAndStaysAboveZero) {
     EXPECT_GT(hours.high - hours.low, 4);
     EXPECT_LE(hours.low, hours.value);
     EXPECT_LE(hours.value, hours.high);
+}
+
+// Ports made by Y = 0.05 x 10^(0.8 alpha_p) x 10^(0.3 alpha_E) x X^1.2, alpha_H the same in all.
+std::vector<SizedPort> made_by_law(size_t count) {
+    std::vector<SizedPort> out;
+    for (size_t i = 0; i < count; ++i) {
+        const double lines = 20 + 35 * static_cast<double>(i * i % 11);
+        const Impediments alpha{0.1 * static_cast<double>(i % 4), 0.5, 0.2 * static_cast<double>(i % 3)};
+        const double hours = 0.05 * std::pow(10, 0.8 * alpha.program + 0.3 * alpha.environment) * std::pow(lines, 1.2);
+        out.push_back({lines, alpha, hours, i == 3});
+    }
+    return out;
+}
+
+TEST(PowerLaw, FindsTheLawThatMadeTheRecords) {
+    std::vector<SizedPort> ports = made_by_law(12);
+    ports.push_back({0, {}, 3});
+    const PowerLaw law = fit_power_law(ports);
+    ASSERT_TRUE(law.fit) << law.refusal;
+    EXPECT_EQ(law.ports, 12u) << "without lines there is no logarithm";
+    EXPECT_EQ(law.mined, 1u);
+    EXPECT_EQ(law.told, (std::array<bool, 3>{true, false, true})) << "alpha_H is a part of C";
+    EXPECT_NEAR(law.fit->coefficients[1], 1.2, 1e-9);
+    const Figure hours = predicted_hours(law, 100, {0.3, 0.5, 0.4});
+    EXPECT_NEAR(hours.value, 0.05 * std::pow(10, 0.24 + 0.12) * std::pow(100, 1.2), 1e-6);
+    EXPECT_NEAR(hours.high / hours.low, 1, 1e-6) << "records without scatter leave no doubt";
+}
+
+TEST(PowerLaw, ScatterMakesAnIntervalOfFactors) {
+    std::vector<SizedPort> ports = made_by_law(12);
+    for (size_t i = 0; i < ports.size(); ++i) ports[i].hours *= i % 2 == 0 ? 1.5 : 1 / 1.5;
+    const Figure hours = predicted_hours(fit_power_law(ports), 1, {});
+    EXPECT_GT(hours.low, 0) << "hours are never negative";
+    EXPECT_NEAR(hours.value / hours.low, hours.high / hours.value, 1e-9 * hours.high / hours.value);
+    EXPECT_GT(hours.high / hours.low, 2.25);
+}
+
+TEST(PowerLaw, RefusesFewPortsAndPortsAllAlike) {
+    EXPECT_EQ(fit_power_law(made_by_law(7)).refusal,
+              "7 ports with lines and hours are recorded; a fit needs at least 8");
+    EXPECT_FALSE(fit_power_law(std::vector<SizedPort>(9, {50, {}, 3})).fit);
 }
 
 }  // namespace
