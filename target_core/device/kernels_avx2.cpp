@@ -14,8 +14,20 @@
 
 namespace target_core {
 
-const KernelTable avx2_kernels = {
-    "8 lanes, AVX2",       8, kernels_avx2::generate, kernels_avx2::extend, kernels_avx2::shade, kernels_avx2::connect,
-    kernels_avx2::finalize};
+namespace kernels_avx2_without_lobes {
+void shade();  // of shade_avx2.cpp
+}
+
+namespace {
+
+void shade() {
+    (settings.features & LOBE_FEATURES) != 0u ? kernels_avx2::shade() : kernels_avx2_without_lobes::shade();
+}
+
+}  // namespace
+
+const KernelTable avx2_kernels = {"8 lanes, AVX2",       8,     kernels_avx2::generate,
+                                  kernels_avx2::extend,  shade, kernels_avx2::connect,
+                                  kernels_avx2::finalize};
 
 }  // namespace target_core

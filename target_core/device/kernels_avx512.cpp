@@ -14,16 +14,24 @@
 
 namespace target_core {
 
+namespace kernels_avx512_without_lobes {
+void shade();  // of shade_avx512.cpp
+}
+
 namespace {
 
 // The 16-lane code traces camera rays only, though its text would do for all. Rays that go everywhere are faster by 8,
 // and Embree's code for that is faster again among code without 512 bits.
 void extend() { pass.segment == 1 ? kernels_avx512::extend() : avx2_kernels.extend(); }
 
+void shade() {
+    (settings.features & LOBE_FEATURES) != 0u ? kernels_avx512::shade() : kernels_avx512_without_lobes::shade();
+}
+
 }  // namespace
 
 const KernelTable avx512_kernels = {
-    "16 lanes, AVX-512",     16, kernels_avx512::generate, extend, kernels_avx512::shade, kernels_avx512::connect,
+    "16 lanes, AVX-512",     16, kernels_avx512::generate, extend, shade, kernels_avx512::connect,
     kernels_avx512::finalize};
 
 }  // namespace target_core

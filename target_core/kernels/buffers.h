@@ -8,9 +8,14 @@
 #include "target_core/device/bindings.h"
 #include "target_core/device/lanes.h"
 
+#ifndef TARGET_CORE_WITHOUT
+#define TARGET_CORE_WITHOUT 0u
+#endif
+
 namespace target_core::kernels {
 
-inline bool has_feature(uint feature) { return (settings.features & feature) != 0u; }
+// Asked of the scene at run time; what the text is compiled without is gone from it.
+inline bool has_feature(uint feature) { return (settings.features & feature & ~TARGET_CORE_WITHOUT) != 0u; }
 
 // ---- Scene tables ----
 
