@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "application/console.h"
 
+#include "metrics/text/visible.h"
+
 namespace application {
 namespace {
 
@@ -26,7 +28,7 @@ void Console::line(const char* color, const std::string& label, const std::strin
     progress("");
     const bool colored = color_ && color != nullptr;
     const std::string head = label.empty() ? "" : label + ": ";
-    const std::string text = (colored ? color + head + PLAIN : head) + message + "\n";
+    const std::string text = (colored ? color + head + PLAIN : head) + metrics::visible_lines(message) + "\n";
     std::fputs(text.c_str(), stderr);
 }
 

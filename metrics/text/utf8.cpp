@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The porttool authors
 // SPDX-License-Identifier: Apache-2.0
-#include "porttool/text/utf8.h"
+#include "metrics/text/utf8.h"
 
 #include <cstdint>
 
-namespace porttool {
+namespace metrics {
 
 // Table 3-7 of the Unicode standard.
 size_t utf8_length(std::string_view text) {
@@ -48,4 +48,4 @@ std::string as_utf8(std::string_view bytes) {
     return out;
 }
 
-}  // namespace porttool
+}  // namespace metrics

@@ -1,15 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The porttool authors
 // SPDX-License-Identifier: Apache-2.0
-#include "porttool/text/visible.h"
-
-#include <fmt/format.h>
+#include "metrics/text/visible.h"
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 
-#include "porttool/text/utf8.h"
+#include "metrics/text/utf8.h"
 
-namespace porttool {
+namespace metrics {
 namespace {
 
 struct Range {
@@ -72,7 +71,11 @@ bool is_part_of_picture(char32_t code, char32_t before, std::string_view rest) {
     return code == kJoiner && (is_picture(before) || before == kPictureStyle) && is_picture(first_code(rest));
 }
 
-std::string braced_code(char32_t code) { return fmt::format("\\u{{{:x}}}", static_cast<uint32_t>(code)); }
+std::string braced_code(char32_t code) {
+    char digits[8];
+    const auto end = std::to_chars(std::begin(digits), std::end(digits), static_cast<uint32_t>(code), 16).ptr;
+    return "\\u{" + std::string(digits, end) + "}";
+}
 
 /// A backslash of the text itself that reads like the beginning of an escape is one.
 std::string with_plain_backslashes(std::string_view bytes) {
@@ -85,6 +88,8 @@ std::string with_plain_backslashes(std::string_view bytes) {
     }
     return out += bytes;
 }
+
+std::string braced_code_or_line_break(char32_t code) { return code == '\n' ? "\n" : braced_code(code); }
 
 }  // namespace
 
@@ -118,6 +123,10 @@ std::string visible(std::string_view bytes) {
     return without_log_commands(without_invisible(with_plain_backslashes(bytes), braced_code), "\\u{23}");
 }
 
+std::string visible_lines(std::string_view message) {
+    return without_log_commands(without_invisible(message, braced_code_or_line_break), "\\u{23}");
+}
+
 std::string without_log_commands(std::string text, std::string_view sign) {
     for (size_t at = text.find("##"); at != std::string::npos; at = text.find("##", at + 1)) {
         size_t end = at + 2;
@@ -148,4 +157,4 @@ size_t leading_blanks(std::string_view text) {
     return all - text.size();
 }
 
-}  // namespace porttool
+}  // namespace metrics

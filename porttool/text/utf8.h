@@ -2,18 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <string>
-#include <string_view>
+#include "metrics/text/utf8.h"
 
 namespace porttool {
 
-/// True for well-formed UTF-8 (RFC 3629: no overlong forms, no surrogates, nothing above U+10FFFF).
-bool is_utf8(std::string_view bytes);
-
-/// The bytes of the character that stands first in a text that is not empty, or 0 if they are no UTF-8.
-size_t utf8_length(std::string_view text);
-
-/// The text with U+FFFD in the place of each byte that is no UTF-8.
-std::string as_utf8(std::string_view bytes);
+using metrics::as_utf8;
+using metrics::is_utf8;
+using metrics::utf8_length;
 
 }  // namespace porttool

@@ -31,8 +31,9 @@ public:
     /// green, blue or alpha; -1 as source: white.
     size_t add_texture(int source, bool clamped, const nlohmann::json& pack = nullptr);
 
-    /// What the file has and this cannot carry; told in the loader's one warning.
-    void leave_out(const std::string& what) { left_out_.insert(what); }
+    /// What the file has and this cannot carry, and where; told in the loader's one warning.
+    void leave_out(const std::string& what) { left_out_[what]; }
+    void leave_out(const std::string& what, const std::string& place) { left_out_[what].insert(place); }
 
     /// Writes the .glb to stdout.
     void write();
@@ -41,7 +42,7 @@ private:
     std::string buffer_;
     std::map<std::string, size_t> images_;
     std::map<std::string, size_t> textures_;
-    std::set<std::string> left_out_;
+    std::map<std::string, std::set<std::string>> left_out_;  // places by what
 };
 
 }  // namespace importer

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <istream>
+#include <set>
 #include <streambuf>
 #include <string_view>
 #include <unordered_map>
@@ -12,6 +13,7 @@
 #include "render_system/importer/glb_builder.h"
 #include "render_system/importer/importer.h"
 #include "render_system/importer/obj_materials.h"
+#include "render_system/importer/obj_text.h"
 #include "render_system/loader/file_bytes.h"
 #include "render_system/loader/load_error.h"
 #include "render_system/loader/uri.h"
@@ -23,15 +25,20 @@ namespace {
 using nlohmann::json;
 using render_system::FileBytes;
 
-// A mapped file as a stream, without a copy of it, and without the mark that some editors put before UTF-8.
-class MappedStream : private std::streambuf, public std::istream {
+// A text as a stream, without a copy of it.
+class TextStream : private std::streambuf, public std::istream {
 public:
-    explicit MappedStream(const FileBytes& file) : std::istream(this) {
-        char* begin = reinterpret_cast<char*>(const_cast<std::byte*>(file.bytes().data()));
-        const std::string_view text(begin, file.bytes().size());
-        setg(begin, begin + (text.starts_with("\xEF\xBB\xBF") ? 3 : 0), begin + text.size());
+    explicit TextStream(std::string_view text) : std::istream(this) {
+        char* begin = const_cast<char*>(text.data());
+        setg(begin, begin, begin + text.size());
     }
 };
+
+// Without the mark that some editors put before UTF-8.
+std::string_view text_of(const FileBytes& file) {
+    const std::string_view text(reinterpret_cast<const char*>(file.bytes().data()), file.bytes().size());
+    return text.substr(text.starts_with("\xEF\xBB\xBF") ? 3 : 0);
+}
 
 // Reads MTL files through the loader's one way of reading files, and within its bounds.
 class BoundedMaterials : public tinyobj::MaterialReader {
@@ -39,26 +46,40 @@ public:
     BoundedMaterials(const std::filesystem::path& folder, bool anywhere, GlbBuilder& builder)
         : folder_(folder), anywhere_(anywhere), builder_(builder) {}
 
+    // A line may name several files. tinyobjloader stops at the first that was read, so it is told that none was.
     bool operator()(const std::string& name, std::vector<tinyobj::material_t>* materials,
                     std::map<std::string, int>* by_name, std::string* warnings, std::string* errors) override {
+        if (name.empty() || !known_.insert(name).second) return false;
         std::string uri;
         for (const char c : name) uri += c == '%' ? "%25" : c == '\\' ? "/" : std::string(1, c);
+        const auto reach = anywhere_ ? render_system::Reach::anywhere : render_system::Reach::folder;
         try {
-            const auto reach = anywhere_ ? render_system::Reach::anywhere : render_system::Reach::folder;
-            const FileBytes file(render_system::file_of_uri(uri, folder_, reach, "mtllib"));
-            MappedStream stream(file);
+            const std::filesystem::path path = render_system::file_of_uri(uri, folder_, reach, "mtllib");
+            const std::string text = read(path, name);
+            TextStream stream(text);
             tinyobj::LoadMtl(by_name, materials, &stream, warnings, errors);
         } catch (const render_system::LoadError& error) {
             if (error.hostile) throw;
-            builder_.leave_out("materials of " + name + " (" + error.message + ")");
+            builder_.leave_out("materials of MTL files", name + ": " + error.message);
         }
-        return true;
+        return false;
     }
 
 private:
+    std::string read(const std::filesystem::path& path, const std::string& name) {
+        try {
+            const FileBytes file(path);
+            return plain_mtl(text_of(file), name, builder_);
+        } catch (render_system::LoadError& error) {
+            if (error.hostile) error.message = "mtllib: " + name + " " + error.message;
+            throw;
+        }
+    }
+
     const std::filesystem::path& folder_;
     bool anywhere_;
     GlbBuilder& builder_;
+    std::set<std::string> known_;
 };
 
 // A corner as OBJ has it, with the smoothing group where normals are to be made.
@@ -105,13 +126,17 @@ class ObjConverter {
 public:
     ObjConverter(const std::filesystem::path& path, bool anywhere) : folder_(path.parent_path()) {
         const FileBytes file(path);
-        MappedStream stream(file);
+        const std::string joined = joined_lines(text_of(file));
+        const std::string_view text = joined.empty() ? text_of(file) : joined;
+        const std::map<std::string, size_t> asked = check_obj(text, builder_);
+        TextStream stream(text);
         BoundedMaterials reader(folder_, anywhere, builder_);
         std::string warnings, errors;
         if (!tinyobj::LoadObj(&attributes_, &shapes_, &materials_, &warnings, &errors, &stream, &reader, true, false)) {
             throw ImportError{"is no OBJ that can be read (" + errors.substr(0, errors.find('\n')) +
                               "); export it again"};
         }
+        note_unknown(asked);
         check_finite(attributes_.vertices, 3, "v");
         check_finite(attributes_.normals, 3, "vn");
         check_finite(attributes_.texcoords, 2, "vt");
@@ -129,6 +154,15 @@ public:
     }
 
 private:
+    void note_unknown(const std::map<std::string, size_t>& asked) {
+        std::set<std::string> defined;
+        for (const tinyobj::material_t& material : materials_) defined.insert(material.name);
+        for (const auto& [name, line] : asked) {
+            if (defined.contains(name)) continue;
+            builder_.leave_out("materials that no MTL file defines", name + " in line " + std::to_string(line));
+        }
+    }
+
     static void check_finite(const std::vector<float>& values, size_t components, const char* what) {
         for (size_t i = 0; i < values.size(); ++i) {
             if (std::isfinite(values[i])) continue;

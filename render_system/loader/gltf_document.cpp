@@ -271,7 +271,11 @@ FileBytes import_file(const std::filesystem::path& path, const std::string& form
 // What the importer could not carry over.
 void note_left_out(const json& root, Omissions& omissions) {
     const json extras = root["asset"].value("extras", json::object());
-    for (const json& what : extras.value("left_out", json::array())) omissions.add(what.get<std::string>());
+    const json left_out = extras.value("left_out", json::object());
+    for (const auto& [what, places] : left_out.items()) {
+        omissions.add(what);
+        for (const json& place : places) omissions.add(what, place.get<std::string>());
+    }
 }
 
 }  // namespace

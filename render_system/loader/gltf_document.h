@@ -33,6 +33,12 @@ struct GltfImage {
     std::string mime_type;
 };
 
+/// An image that cannot be read: where it stands in the file, and why; each once.
+struct UnreadImage {
+    std::string place;
+    std::string why;
+};
+
 /// What the file asks for and does not get, gathered into one warning: what, and where or how often.
 class Omissions {
 public:
@@ -59,7 +65,7 @@ struct GltfDocument {
     std::optional<Sky> sky;                               ///< of EXT_lights_image_based
     uint64_t geometry_bytes = 0;                          ///< what the meshes read so far take, at least
     Omissions omissions;
-    std::vector<std::string> warnings;
+    std::vector<UnreadImage> unread_images;
 
     /// Throws LoadError where the view does not lie in its buffer: one that nobody reads does no harm.
     std::span<const std::byte> view_bytes(int buffer_view) const;

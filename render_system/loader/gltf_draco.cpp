@@ -133,8 +133,16 @@ private:
         corners.componentType = TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT;
         corners.type = TINYGLTF_TYPE_SCALAR;
         corners.count = size_t{3} * mesh.header.triangles;
+        if (primitive.indices >= 0)
+            check_count(model_.accessors[static_cast<size_t>(primitive.indices)].count, corners.count);
         primitive.indices = add_accessor(corners, mesh.corners);
         primitive.mode = TINYGLTF_MODE_TRIANGLES;
+    }
+
+    // The stream's own numbers are the ones that fit its values.
+    void check_count(uint64_t promised, uint64_t held) {
+        if (promised == held) return;
+        document_.omissions.add("counts of accessors, which their Draco streams contradict", place_);
     }
 
     int attribute_accessor(const DecodedMesh& mesh, uint32_t id, int accessor, const std::string& name) {
@@ -147,6 +155,7 @@ private:
                 fail_at(place_, "its " + name + " has " + std::to_string(attribute.components) +
                                     " components, unlike the accessor" + EXPORT_AGAIN);
             }
+            check_count(own.count, mesh.header.points);
             own.componentType = static_cast<int>(attribute.component_type);
             own.count = mesh.header.points;
             own.byteOffset = 0;

@@ -187,6 +187,8 @@ private:
         if (const Value* extension = find(source.extensions, "KHR_materials_ior")) {
             const float ior =
                 not_negative(static_cast<double>(number(*extension, "ior", 1.5f)), "extensions/KHR_materials_ior/ior");
+            if (ior > 0.0f && ior < 1.0f)
+                document_.omissions.add("indices of refraction below 1, which were kept", place_);
             material_.ior = ior > 0.0f ? std::clamp(ior, 1.0f / HIGHEST_IOR, HIGHEST_IOR) : 0.0f;
         }
         if (const Value* extension = find(source.extensions, "KHR_materials_specular")) {
@@ -237,6 +239,8 @@ private:
         material_.film_ior = std::clamp(length("iridescenceIor", 1.3f), 1.0f, HIGHEST_IOR);
         material_.film_thickness = {length("iridescenceThicknessMinimum", 100.0f),
                                     length("iridescenceThicknessMaximum", 400.0f)};
+        if (material_.film_thickness.x > material_.film_thickness.y)
+            document_.omissions.add("least thicknesses above the greatest, which were kept", place_);
         material_.film_texture = slot(info_in(*extension, "iridescenceTexture"), TextureRole::data);
         material_.film_thickness_texture = slot(info_in(*extension, "iridescenceThicknessTexture"), TextureRole::data);
     }

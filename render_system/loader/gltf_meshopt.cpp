@@ -97,13 +97,17 @@ uint64_t bytes_in_buffers(const GltfDocument& document) {
 
 }  // namespace
 
-const json* meshopt_part(const json& view) {
+const char* meshopt_name(const json& view) {
     if (!view.contains("extensions")) return nullptr;
     for (const char* name : {"EXT_meshopt_compression", "KHR_meshopt_compression"}) {
-        const auto found = view["extensions"].find(name);
-        if (found != view["extensions"].end()) return &*found;
+        if (view["extensions"].contains(name)) return name;
     }
     return nullptr;
+}
+
+const json* meshopt_part(const json& view) {
+    const char* name = meshopt_name(view);
+    return name ? &view["extensions"][name] : nullptr;
 }
 
 std::vector<bool> meshopt_fallback_buffers(const json& document) {
@@ -128,7 +132,7 @@ void decode_meshopt_views(const json& root, GltfDocument& document) {
         const int number = index++;
         const json* part = meshopt_part(view);
         if (!part) continue;
-        const std::string place = "/bufferViews/" + std::to_string(number) + "/extensions/EXT_meshopt_compression";
+        const std::string place = "/bufferViews/" + std::to_string(number) + "/extensions/" + meshopt_name(view);
         const PackedView packed = packed_view(*part, document, place);
         if (view["byteLength"].get<uint64_t>() > packed.count * packed.stride) {
             fail_at(place, "its " + std::to_string(packed.count) + " elements do not fill the view" + EXPORT_AGAIN);

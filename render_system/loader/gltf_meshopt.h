@@ -9,8 +9,10 @@
 
 namespace render_system {
 
-/// The part of a buffer view that says how meshoptimizer packed it (EXT_meshopt_compression, or the same by its other
-/// name); null where it is plain.
+/// Which of its two names the extension has in a buffer view that meshoptimizer packed; null where the view is plain.
+const char* meshopt_name(const nlohmann::json& view);
+
+/// What the extension says there of how the view is packed; null where it is plain.
 const nlohmann::json* meshopt_part(const nlohmann::json& view);
 
 /// Whether the buffer is read by packed views alone, as what they stand for: then it need not exist.

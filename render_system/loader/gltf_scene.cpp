@@ -6,6 +6,7 @@
 #include <map>
 #include <new>
 #include <string>
+#include <unordered_set>
 #include <vector>
 
 #include "render_system/loader/gltf_document.h"
@@ -204,6 +205,7 @@ private:
         const tinygltf::Value* instancing = instancing_of(source(placed));
         const auto mesh = mesh_ids_.find(source(placed).mesh);
         if (!instancing || !placed.visible || mesh == mesh_ids_.end()) return;
+        std::unordered_set<std::string> places;
         for (const glm::dmat4& local : instance_transforms(document_, *instancing, node_place(placed.node))) {
             HostNode copy;
             copy.parent = parent;
@@ -212,7 +214,14 @@ private:
             if (!is_finite(world)) {
                 fail_at(node_place(placed.node), "an instance's transform is past the range of a float" + EXPORT_AGAIN);
             }
-            copy.instance = add_instance(placed.node, mesh->second, world);
+            const CoreTransform transform = core_transform(world);
+            if (!places.emplace(reinterpret_cast<const char*>(&transform), sizeof(transform)).second) {
+                // Every ray there would look at them all.
+                document_.omissions.add("instances in the place of another", node_place(placed.node));
+                copy.instance = scene().add_instance(NONE, transform);
+            } else {
+                copy.instance = add_instance(placed.node, mesh->second, world);
+            }
             scene().add_node(std::move(copy));
         }
     }
@@ -280,7 +289,18 @@ private:
         if (!document_.omissions.empty()) {
             loaded_.warnings.push_back(file + "not supported and left out: " + document_.omissions.text());
         }
-        for (const std::string& warning : document_.warnings) loaded_.warnings.push_back(file + warning);
+        if (!document_.unread_images.empty()) loaded_.warnings.push_back(file + unread_images_text());
+    }
+
+    // The first with its reason; more are counted.
+    std::string unread_images_text() const {
+        const std::vector<UnreadImage>& images = document_.unread_images;
+        const std::string first = images[0].place + ": " + images[0].why;
+        if (images.size() == 1) return first;
+        Omissions others;
+        const std::string what = std::to_string(images.size() - 1) + " more cannot be read";
+        for (size_t i = 1; i < images.size(); ++i) others.add(what, images[i].place);
+        return first + "; " + others.text();
     }
 
     GltfDocument document_;

@@ -175,7 +175,7 @@ void GltfTextures::pack(Image& image, size_t channel, int source) {
 void GltfTextures::warn(int texture, int image, const std::string& why) {
     const std::string place = image >= 0 ? image_place(image) : "/textures/" + std::to_string(texture);
     if (!warned_.insert(place).second) return;
-    document_.warnings.push_back(place + ": " + why);
+    document_.unread_images.push_back({place, why});
 }
 
 }  // namespace render_system

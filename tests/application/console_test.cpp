@@ -23,5 +23,16 @@ TEST(Color, RespectsNoColorUnlessAskedFor) {
     EXPECT_TRUE(use_color(ColorMode::always, true, "1"));
 }
 
+TEST(Console, ShowsWhatATerminalWouldObey) {
+    application::Options options;
+    application::Console console(options, false, false);
+    ::testing::internal::CaptureStderr();
+    console.warning(
+        "a.obj: \x1B[2J, \xC2\x9B"
+        "31m and \xE2\x80\xAE turned\nand more");
+    EXPECT_EQ(::testing::internal::GetCapturedStderr(),
+              "warning: a.obj: \\u{1b}[2J, \\u{9b}31m and \\u{202e} turned\nand more\n");
+}
+
 }  // namespace
 }  // namespace console_test

@@ -140,10 +140,10 @@ TEST(LoaderMeshopt, UnpacksSequencesOfIndices) {
 }
 
 TEST(LoaderMeshopt, AppliesTheFilters) {
-    // A unit normal, a turn by 90 degrees about z, and a position, each as its filter's encoder packs it.
+    // A unit normal, turns by 90 degrees about z, and a position, each as its filter's encoder packs it.
     const float h = std::sqrt(0.5f);
     const std::vector<glm::vec4> normals(3, glm::vec4(0.6f, 0.0f, 0.8f, 0.0f));
-    const std::vector<glm::vec4> turns(2, glm::vec4(0.0f, 0.0f, h, h));
+    const std::vector<glm::vec4> turns{{0.0f, 0.0f, -h, h}, {0.0f, 0.0f, h, h}};
     const std::vector<glm::vec3> places{{0.1f, 0.2f, 0.3f}, {1.5f, 0.25f, -3.0f}, {7.0f, 100.0f, 0.5f}};
     std::vector<int8_t> oct(12);
     std::vector<int16_t> quat(8);
@@ -186,6 +186,9 @@ TEST(LoaderMeshopt, RefusesDamage) {
     EXPECT_THAT(refused(std::string(good.size(), '\0'), 81, 12, "NONE"), HasSubstr("its packed data are damaged"));
     EXPECT_THAT(refused(good, 1 << 30, 12, "NONE"), HasSubstr("bytes for 1073741824 elements"));
     EXPECT_THAT(refused(good, 81, 13, "NONE"), HasSubstr("a byteStride of 13 does not go with mode ATTRIBUTES"));
+    GltfFile other = one_triangle();
+    add_packed_view(other, good, "ATTRIBUTES", 81, 13, "NONE", "KHR_meshopt_compression");
+    EXPECT_THAT(refusal_packed(other), HasSubstr("/extensions/KHR_meshopt_compression: a byteStride of 13"));
     EXPECT_THAT(refused(good, 81, 12, "QUATERNION"), HasSubstr("does not go with mode ATTRIBUTES and filter QUATERN"));
 }
 
@@ -296,6 +299,9 @@ TEST(LoaderExtensions, BoundsTheNumberOfInstances) {
     GltfFile file = one_triangle();
     const int many = file.add_accessor(-1, FLOAT, "VEC3", 1 << 20);  // zeros, which cost the file nothing
     file.root["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"] = {{"TRANSLATION", many}};
+    std::vector<std::string> warnings;
+    EXPECT_EQ(loaded(file, &warnings).triangle_count(), 1u);  // all in one place
+    EXPECT_THAT(warnings, ElementsAre(HasSubstr("instances in the place of another (/nodes/0)")));
     file.add_node(file.root["nodes"][0]);
     EXPECT_THAT(refusal(file), HasSubstr("makes 2097152 instances; 1048576 are the most, split the scene"));
 }

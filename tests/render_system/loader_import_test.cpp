@@ -4,6 +4,7 @@
 // What comes in by way of pathtracer-import: OBJ, FBX, Draco.
 
 #include <gmock/gmock.h>
+#include <sys/stat.h>
 
 #include <algorithm>
 #include <cmath>
@@ -108,6 +109,11 @@ TEST(LoaderDraco, RefusesDamage) {
     file.root["meshes"][0]["primitives"][0]["extensions"]["KHR_draco_mesh_compression"]["attributes"]["NORMAL"] = 9;
     EXPECT_THAT(refusal(file), HasSubstr("/meshes/0/primitives/0/extensions/KHR_draco_mesh_compression: has no "
                                          "attribute 9 for NORMAL"));
+    file = draco_file(good);
+    file.root["accessors"][0]["count"] = 24;
+    std::vector<std::string> warnings;
+    EXPECT_EQ(loaded(file, &warnings).triangle_count(), 32u);
+    EXPECT_THAT(warnings, ElementsAre(HasSubstr("their Draco streams contradict (/meshes/0/primitives/0/ext")));
     file = draco_file(good);
     file.root["meshes"][0]["primitives"][0]["attributes"]["POSITION"] = 2;
     EXPECT_THAT(refusal(file), HasSubstr("its POSITION has 3 components, unlike the accessor"));
@@ -232,14 +238,50 @@ TEST(LoaderObj, RefusesOrNamesWhatIsWrong) {
     EXPECT_THAT(message("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1/7 2/7 3/7\n"), HasSubstr("a face names vt 7 of 0"));
     EXPECT_THAT(message("v 0 1e999 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"), HasSubstr("v number 1 is not finite"));
     EXPECT_THAT(message("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 0 1 2\n"), HasSubstr("is no OBJ that can be read"));
+    const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+    EXPECT_THAT(message("v 0 0 0\nv 1 nan 0\n"), HasSubstr("a.obj: line 2: v has \"nan\" where a finite number"));
+    EXPECT_THAT(message("v 0 0\n"), HasSubstr("line 1: v has 2 of at least 3 numbers"));
+    EXPECT_THAT(message(points + "f 1 2 4294967299\n"),
+                HasSubstr("line 4: f names \"4294967299\", past the 2147483647"));
+    EXPECT_THAT(message(points + "f 1 2 3x\n"), HasSubstr("line 4: f has \"3x\" where a corner"));
+    std::string round = points + "f";
+    for (int i = 0; i <= 10000; ++i) round += i % 2 == 0 ? " 1" : " 2";
+    EXPECT_THAT(message(round + "\n"), HasSubstr("line 4: a face of 10001 corners; 10000 are the most"));
     EXPECT_THAT(message("nothing of use\n"), HasSubstr("the scene has no triangles"));
     EXPECT_THAT(message(""), HasSubstr("the file is empty"));
     EXPECT_THAT(load_scene(folder / "none.obj").status.message, HasSubstr("there is no such file"));
     const auto lacking = load_text(folder, "a.obj", kQuad);  // and no a.mtl
     ASSERT_TRUE(lacking.ok());
-    EXPECT_THAT(lacking->warnings, ElementsAre(HasSubstr("left out: materials of a.mtl (there is no such file; ")));
+    EXPECT_THAT(lacking->warnings,
+                ElementsAre(HasSubstr("left out: materials of MTL files (a.mtl: there is no such file; ")));
     EXPECT_EQ(material_of(lacking->scene, "default").metallic, 0.0f);
     EXPECT_EQ(material_of(lacking->scene, "default").base_color, glm::vec3(0.8f));
+}
+
+TEST(LoaderObj, NamesWhatItTakesOtherwiseThanWritten) {
+    const TempFolder folder;
+    write_file(folder / "a.mtl",
+               "newmtl grey\nKd 0.25\nNs nan\nnewmtl lost\nKd nan 1 0\nnewmtl ray\nKd spectral a.rfl\nKs xyz 1 1 1\n");
+    write_file(folder / "b.mtl", "newmtl cloud\nKd 1 1 1\nd -halo 0.5\n");
+    std::string text = "mtllib a.mtl b.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2\n";
+    for (const char* name : {"grey", "lost", "ray", "cloud", "none\x1B[2J"})
+        text += std::string("usemtl ") + name + "\nf 1 \\\n2 3\n";
+    const auto result = load_text(folder, "a.obj", text);
+    ASSERT_TRUE(result.ok()) << result.status.message;
+    EXPECT_EQ(result->scene.triangle_count(), 5u);
+    EXPECT_EQ(material_of(result->scene, "grey").base_color, glm::vec3(0.25f));
+    EXPECT_EQ(material_of(result->scene, "lost").base_color, glm::vec3(0.8f));
+    EXPECT_EQ(material_of(result->scene, "cloud").alpha, 0.5f);
+    EXPECT_THAT(result->warnings,
+                ElementsAre(AllOf(HasSubstr("values of MTL that are no numbers (a.mtl line 3, a.mtl line 5)"),
+                                  HasSubstr("spectra or by CIE XYZ (a.mtl line 7, a.mtl line 8)"),
+                                  HasSubstr("(d -halo), which have the same coverage all over (b.mtl line 3)"),
+                                  HasSubstr("faces of fewer than three corners (line 5)"),
+                                  HasSubstr("materials that no MTL file defines (none\x1B[2J in line 18)"))));
+    std::filesystem::remove(folder / "a.mtl");
+    ASSERT_EQ(mkfifo((folder / "a.mtl").c_str(), 0600), 0);
+    EXPECT_THAT(load_scene(folder / "a.obj").status.message,
+                HasSubstr("a.obj: mtllib: a.mtl is not a regular file but a pipe"));
 }
 
 TEST(LoaderObj, PassesOverTheMarkBeforeUtf8) {

@@ -152,6 +152,19 @@ TEST(LoaderMaterial, ClampsFactorsOutsideTheirRangeAndSaysSo) {
     EXPECT_THAT(warnings, ElementsAre(HasSubstr("clamped (/materials/0)")));
 }
 
+TEST(LoaderMaterial, NamesNumbersThatContradictTheirMeaning) {
+    const auto warning = [](const char* name, const json& members) {
+        std::vector<std::string> warnings;
+        material_with(extension(name, members), &warnings);
+        return warnings.empty() ? std::string() : warnings[0];
+    };
+    EXPECT_THAT(warning("KHR_materials_ior", {{"ior", 0.5}}),
+                HasSubstr("indices of refraction below 1, which were kept (/materials/0)"));
+    EXPECT_EQ(warning("KHR_materials_ior", {{"ior", 0}}), "");
+    EXPECT_THAT(warning("KHR_materials_iridescence", {{"iridescenceFactor", 1}, {"iridescenceThicknessMinimum", 500}}),
+                HasSubstr("least thicknesses above the greatest, which were kept (/materials/0)"));
+}
+
 const std::vector<uint8_t> RED = {255, 0, 0};
 
 TEST(LoaderMaterial, ReadsEverySlotWithTheRightRole) {
@@ -321,6 +334,11 @@ TEST(LoaderMaterial, ShowsAPlaceholderForAMissingImageAndWarnsOnce) {
     EXPECT_EQ(scene.materials()[0].core.normal_texture.texture, NONE);
     EXPECT_THAT(warnings, ElementsAre(AllOf(HasSubstr("/images/0"), HasSubstr("nowhere.png: there is no such file"),
                                             HasSubstr("placeholder"))));
+    scene_with({{"pbrMetallicRoughness", {{"baseColorTexture", info}, {"metallicRoughnessTexture", {{"index", 2}}}}},
+                {"normalTexture", {{"index", 1}}}},
+               &warnings, {"nowhere.png", "b.png", "c.png"});
+    EXPECT_THAT(warnings, ElementsAre(AllOf(HasSubstr("/images/0"), HasSubstr("nowhere.png: there is no such file"),
+                                            HasSubstr("2 more cannot be read (/images/1, /images/2)"))));
 }
 
 TEST(LoaderMaterial, ShowsAPlaceholderForImagesThatCannotBeDecoded) {
