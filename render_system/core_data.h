@@ -73,6 +73,7 @@ struct CoreMaterial {
     glm::vec3 specular_color{1.0f};  ///< KHR_materials_specular
     float transmission = 0.0f;       ///< KHR_materials_transmission
     bool thin_walled = true;         ///< transmission without refraction; false: a solid, refracting at ior
+    glm::vec3 absorption{0.0f};      ///< KHR_materials_volume: of a solid, nepers per unit of length
     glm::vec3 emission{0.0f};        ///< emissiveFactor times KHR_materials_emissive_strength
     float emission_weight = 0.0f;    ///< luminance of the mean emission that alpha leaves; see CoreLights::total_weight
     float normal_scale = 1.0f;

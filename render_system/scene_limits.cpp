@@ -135,7 +135,10 @@ Status check_material(const CoreMaterial& material) {
                              material.roughness,
                              material.ior,
                              material.specular,
-                             material.transmission};
+                             material.transmission,
+                             material.absorption.x,
+                             material.absorption.y,
+                             material.absorption.z};
     for (const float factor : factors) {
         if (!(factor >= 0.0f && std::isfinite(factor)))
             return Status::invalid("one of its factors is negative or not finite");

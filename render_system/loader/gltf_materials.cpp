@@ -175,12 +175,21 @@ private:
         const Value* volume = find(source.extensions, "KHR_materials_volume");
         if (!volume) return;
         material_.thin_walled = !(number(*volume, "thicknessFactor", 0.0f) > 0.0f);
-        const bool attenuates = volume->Has("attenuationDistance") &&
-                                numbers(*volume, "attenuationColor", glm::vec3(1.0f)) != glm::vec3(1.0f);
-        if (attenuates && !material_.thin_walled) {
-            document_.omissions.add("attenuation of KHR_materials_volume", place_);
-        }
+        read_attenuation(*volume);
         if (volume->Has("thicknessTexture")) document_.omissions.add("thickness textures", place_);
+    }
+
+    // Beer's law: of each channel its colour is left after one distance. Of black, in truth, nothing: here a millionth.
+    void read_attenuation(const Value& volume) {
+        if (!volume.Has("attenuationDistance")) return;  // infinitely far
+        constexpr float kBlack = 1e-6f, kMost = 1e30f;
+        const float distance = number(volume, "attenuationDistance", 0.0f);
+        const glm::vec3 color = numbers(volume, "attenuationColor", glm::vec3(1.0f));
+        for (int i = 0; i < 3; ++i) {
+            const float left = std::max(unit(static_cast<double>(color[i])), kBlack);
+            if (distance > 0.0f) material_.absorption[i] = std::min(-std::log(left) / distance, kMost);
+        }
+        if (!(distance > 0.0f)) document_.omissions.add("attenuation over a distance that is not above 0", place_);
     }
 
     void read_specular(const tinygltf::Material& source) {
