@@ -432,7 +432,8 @@ def parity_meshes(scene):
                             pbr={"metallicRoughnessTexture": {"index": metal}}, normalTexture={"index": bumps})
     glass = scene.material("glass", (0.95, 1, 0.97), roughness=0.1, extensions={
         "KHR_materials_transmission": {"transmissionFactor": 0.9}, "KHR_materials_ior": {"ior": 1.45},
-        "KHR_materials_volume": {"thicknessFactor": 1.0}})
+        "KHR_materials_volume": {"thicknessFactor": 1.0, "attenuationDistance": 0.5,
+                                 "attenuationColor": [0.9, 0.5, 0.2]}})
     cloth = scene.material("cloth", (0.4, 0.1, 0.12), roughness=0.7, extensions={"KHR_materials_sheen": {
         "sheenColorFactor": [0.9, 0.7, 0.5], "sheenRoughnessFactor": 0.6, "sheenColorTexture": {"index": checker},
         "sheenRoughnessTexture": {"index": leaf}}})

@@ -53,6 +53,10 @@ static_assert(std::size(kSlotFeatures) == std::size(kTextureSlots));
 
 bool has_sheen(const CoreMaterial& material) { return material.sheen_color != glm::vec3(0.0f); }
 
+bool absorbs(const CoreMaterial& material) {
+    return !material.thin_walled && material.transmission > 0.0f && material.absorption != glm::vec3(0.0f);
+}
+
 bool has_alpha_texture(const CoreMaterial& material) {
     return material.base_color_texture.texture != render_system::NONE;
 }
@@ -87,6 +91,7 @@ void pack_materials(std::span<const CoreMaterial> materials, SceneTables& tables
         rows[MATERIAL_FILM] =
             vec4(material.film, material.film_ior, material.film_thickness.x, material.film_thickness.y);
         rows[MATERIAL_FILM_SLOTS] = vec4(slots[12], slots[13], slots[14], slots[15]);
+        rows[MATERIAL_VOLUME] = row(material.absorption, 0.0f);
         tables.materials.insert(tables.materials.end(), rows, rows + MATERIAL_ROWS);
     }
     tables.lobe_energy.clear();
@@ -220,6 +225,7 @@ uint material_features(std::span<const CoreMaterial> materials) {
         raise(has_sheen(material), FEATURE_SHEEN);
         raise(material.coat > 0.0f, FEATURE_COAT);
         raise(material.film > 0.0f, FEATURE_FILM);
+        raise(absorbs(material), FEATURE_VOLUME);
     }
     return features;
 }

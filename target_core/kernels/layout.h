@@ -38,8 +38,8 @@ const uint INSTANCE_TRANSFORM = 0u;  // 3 rows of the object-to-world matrix
 const uint INSTANCE_MESH = 3u;       // first mesh triangle, first vertex, flags (all as bits), determinant's sign
 const uint INSTANCE_HAS_TANGENTS = 1u;
 
-// materials: 12 rows per material. The slots are in the order of the render system's kTextureSlots.
-const uint MATERIAL_ROWS = 12u;
+// materials: 13 rows per material. The slots are in the order of the render system's kTextureSlots.
+const uint MATERIAL_ROWS = 13u;
 const uint MATERIAL_BASE_COLOR = 0u;   // base_color.rgb, alpha
 const uint MATERIAL_SURFACE = 1u;      // metallic, roughness, specular, transmission
 const uint MATERIAL_EMISSION = 2u;     // emission.rgb, emission_weight
@@ -52,6 +52,7 @@ const uint MATERIAL_LOBES = 8u;        // sheen's row in lobe_energy as bits, co
 const uint MATERIAL_LOBE_SLOTS = 9u;   // slots as bits: sheen_roughness, coat, coat_roughness, coat_normal
 const uint MATERIAL_FILM = 10u;        // film, film_ior, least and greatest thickness in nanometres
 const uint MATERIAL_FILM_SLOTS = 11u;  // slots as bits: film, film_thickness, unused, unused
+const uint MATERIAL_VOLUME = 12u;      // absorption.rgb, unused
 const uint MATERIAL_OPAQUE = 1u;
 const uint MATERIAL_DOUBLE_SIDED = 2u;
 const uint MATERIAL_THIN_WALLED = 4u;
@@ -126,6 +127,7 @@ const uint FEATURE_SHEEN = 4096u;
 const uint FEATURE_LOBE_TEXTURES = 8192u;  // something of sheen, coat or film from a texture
 const uint FEATURE_COAT = 16384u;
 const uint FEATURE_FILM = 32768u;
+const uint FEATURE_VOLUME = 65536u;  // some solid absorbs light
 
 const uint NONE = 0xFFFFFFFFu;
 

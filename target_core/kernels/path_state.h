@@ -68,7 +68,15 @@ inline vec3 limited(vec3 contribution, uint segments) {
 
 inline void add_radiance(Uint path, vec3 radiance, Mask where) {
     vec4 sum = load_path_radiance(rows_from(path));
-    store_path_radiance(path, vec4(vec3(sum) + limited(radiance, pass.segment), 0.0f), where);
+    store_path_radiance(path, vec4(vec3(sum) + limited(radiance, pass.segment), sum.w), where);
+}
+
+// The solid that a path's ray goes through stands beside its radiance: 0 for none, else 1 more than its material.
+inline Uint load_medium(Rows path) { return Uint(load_path_radiance(path).w); }
+
+inline void store_medium(Uint path, Uint medium, Mask where) {
+    vec4 row = load_path_radiance(rows_from(path));
+    store_path_radiance(path, vec4(vec3(row), Float(medium)), where);
 }
 
 // Balance of two strategies by the power heuristic, Veach 1997; `pdf` > 0 is the one in use.

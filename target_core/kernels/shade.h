@@ -9,6 +9,20 @@
 
 namespace target_core::kernels {
 
+// Of light that went so far through the body of a solid, the share that is left: Beer and Lambert.
+inline vec3 transmittance(Uint material, Float distance) {
+    vec4 volume = fetch_materials(rows_from(material * MATERIAL_ROWS), MATERIAL_VOLUME);
+    Float halvings = distance * -1.44269504f;
+    return vec3(exp_2(max(volume.x * halvings, -126.0f)), exp_2(max(volume.y * halvings, -126.0f)),
+                exp_2(max(volume.z * halvings, -126.0f)));
+}
+
+// The solid that the ray went through. A surface that is met from behind tells it as well, to rays that begin inside.
+inline Uint medium_before(Rows path, Surface surface, Material material) {
+    Mask is_solid = (material.flags & MATERIAL_THIN_WALLED) == 0u && material.transmission > 0.0f;
+    return select(is_solid && !surface.front, surface.material + 1u, load_medium(path));
+}
+
 inline void shade_emission(Uint path, vec3 direction, Surface surface, Material material, Throughput throughput) {
     Mask double_sided = (material.flags & MATERIAL_DOUBLE_SIDED) != 0u;
     Mask shines = (surface.front || double_sided) && max_component(material.emission) > 0.0f;
@@ -56,6 +70,12 @@ inline vec3 leave_point(Scatterer scatterer, vec3 w) {
     return offset_point(scatterer.position, select(dot(scatterer.side, w) > 0.0f, scatterer.side, -scatterer.side));
 }
 
+// The solid that a path goes through once it left the surface in direction w.
+inline Uint medium_behind(Scatterer scatterer, Surface surface, Uint medium, vec3 w) {
+    Mask crosses = scatterer.bsdf.refracts && dot(scatterer.side, w) < 0.0f;
+    return select(crosses, select(surface.front, surface.material + 1u, Uint(0u)), medium);
+}
+
 // Next event estimation: one light, weighted against the BSDF's own sampling; its ray goes to the shadow queue.
 inline void estimate_next_event(Uint path, Scatterer scatterer, vec3 weight, Uint stream, uint first_pair) {
     LightSample light = sample_light(scatterer.position, stream, pass.sample_index, first_pair);
@@ -81,8 +101,8 @@ inline Float cone_growth(Bsdf bsdf, BsdfSample bsdf_sample) {
     return select(bsdf_sample.pdf > 0.0f, 0.25f * max(bsdf.pick_diffuse, bsdf.alpha), Float(0.0f));
 }
 
-inline void continue_path(Uint path, Scatterer scatterer, Surface surface, PathRay path_ray, vec3 weight, Uint stream,
-                          uint first_pair) {
+inline void continue_path(Uint path, Scatterer scatterer, Surface surface, PathRay path_ray, vec3 weight, Uint medium,
+                          Uint stream, uint first_pair) {
     vec2 u = random_pair(stream, pass.sample_index, first_pair + PAIR_BSDF);
     Float lobe = random_pair(stream, pass.sample_index, first_pair + PAIR_LOBE).x;
     BsdfSample bsdf_sample = sample_bsdf(scatterer.bsdf, u, lobe);
@@ -103,6 +123,9 @@ inline void continue_path(Uint path, Scatterer scatterer, Surface surface, PathR
     onward.weight = carried;
     onward.pdf = bsdf_sample.pdf;
     store_path(path, next, onward, lives);
+    if (has_feature(FEATURE_VOLUME)) {
+        store_medium(path, medium_behind(scatterer, surface, medium, direction), lives);
+    }
     push_extension_ray(path, lives);
 }
 
@@ -119,6 +142,15 @@ inline void shade_path(Uint job) {
     vec3 direction = path_ray.ray.direction;
     Surface surface = make_surface(path_ray, hit, fetch_triangle(hit.instance, hit.triangle));
     Material material = fetch_material(surface);
+    Uint medium = 0u;
+    if (has_feature(FEATURE_VOLUME)) {
+        medium = medium_before(rows, surface, material);
+        if (any_lane(medium != 0u)) {
+            Uint absorbing = select(medium != 0u, medium - 1u, Uint(0u));
+            vec3 left = transmittance(absorbing, sqrt(surface.distance_squared));
+            throughput.weight = throughput.weight * select(medium != 0u, left, vec3(1.0f));
+        }
+    }
     shade_emission(path, direction, surface, material, throughput);
     if (pass.segment < settings.max_path_length) {
         Uint stream = pixel_seed(path + pass.first_pixel, settings.seed);
@@ -127,7 +159,7 @@ inline void shade_path(Uint job) {
         if (has_feature(FEATURE_LIGHTS) && settings.next_event_estimation != 0u) {
             estimate_next_event(path, scatterer, throughput.weight, stream, first_pair);
         }
-        continue_path(path, scatterer, surface, path_ray, throughput.weight, stream, first_pair);
+        continue_path(path, scatterer, surface, path_ray, throughput.weight, medium, stream, first_pair);
     }
 }
 

@@ -309,6 +309,26 @@ TEST_P(Furnace, ACoatTakesItsShareAndLeavesTheRest) {
     }
 }
 
+// Beer and Lambert: a slab of thickness 2 that bends nothing, before a white sky, and with a lamp in its midst. The way
+// to the lamp ends at a surface that is not the solid's own.
+TEST_P(Furnace, ASolidAbsorbsAlongTheWayThroughIt) {
+    for (const bool with_lamp : {false, true}) {
+        HostScene scene;
+        HostMaterial slab = glass(0.0f, false);
+        slab.core.ior = 1.0f;
+        slab.core.absorption = glm::vec3(0.5f);
+        const uint32_t material = scene.add_material(slab);
+        place(scene, quad_mesh({-100, -100, 0}, {200, 0, 0}, {0, 200, 0}, material));
+        place(scene, quad_mesh({-100, -100, -2}, {0, 200, 0}, {200, 0, 0}, material));
+        if (with_lamp)
+            place(scene, quad_mesh({-90, -90, -1}, {180, 0, 0}, {0, 180, 0}, scene.add_material(emitter(1.0f))));
+        set_sky(scene, with_lamp ? 0.0f : 1.0f);
+        const Reading reading =
+            measure(GetParam(), scene, square_view({0, 0, 5}, {0, 0, 0}, 0.001f), {.size = 8, .samples = 1});
+        EXPECT_NEAR(reading.mean, std::exp(with_lamp ? -0.5 : -1.0), 4.0 * reading.error + 1e-4) << with_lamp;
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(Cores, Furnace, testing::Values("target", "source"),
                          [](const auto& core) { return std::string(core.param); });
 

@@ -133,14 +133,20 @@ TEST(LoaderMaterial, ReadsIridescence) {
     EXPECT_EQ(m.film_thickness, glm::vec2(0.0f, 900.0f));
 }
 
-TEST(LoaderMaterial, AVolumeWithThicknessIsSolidAndItsAttenuationIsNamed) {
+TEST(LoaderMaterial, AVolumeWithThicknessIsSolidAndAbsorbs) {
     EXPECT_FALSE(material_with(extension("KHR_materials_volume", {{"thicknessFactor", 0.1}})).thin_walled);
     EXPECT_TRUE(material_with(extension("KHR_materials_volume", json::object())).thin_walled);
+    // Of each colour, after a distance of 2, so much is left: the exponential of -2 times what is absorbed.
     std::vector<std::string> warnings;
-    material_with(extension("KHR_materials_volume",
-                            {{"thicknessFactor", 1}, {"attenuationDistance", 2}, {"attenuationColor", {1, 0.5, 0.5}}}),
-                  &warnings);
-    EXPECT_THAT(warnings, ElementsAre(HasSubstr("attenuation of KHR_materials_volume (/materials/0)")));
+    json members = {{"thicknessFactor", 1}, {"attenuationDistance", 2}, {"attenuationColor", {1, 0.5, 0}}};
+    const glm::vec3 absorption = material_with(extension("KHR_materials_volume", members), &warnings).absorption;
+    EXPECT_THAT(warnings, ElementsAre());
+    EXPECT_EQ(std::exp(-2.0f * absorption.x), 1.0f);
+    EXPECT_NEAR(std::exp(-2.0f * absorption.y), 0.5f, 1e-6f);
+    EXPECT_LT(std::exp(-2.0f * absorption.z), 1e-5f);
+    members["attenuationDistance"] = -1;
+    EXPECT_EQ(material_with(extension("KHR_materials_volume", members), &warnings).absorption, glm::vec3(0.0f));
+    EXPECT_THAT(warnings, ElementsAre(HasSubstr("attenuation over a distance that is not above 0 (/materials/0)")));
 }
 
 TEST(LoaderMaterial, ClampsFactorsOutsideTheirRangeAndSaysSo) {

@@ -101,6 +101,7 @@ Status send_feature_scene(CoreAPI& core) {
     CoreMaterial glass;
     glass.transmission = 1.0f;
     glass.thin_walled = false;
+    glass.absorption = glm::vec3(0.5f);
     CoreMaterial lamp;
     lamp.emission = glm::vec3(4.0f);
     lamp.emission_texture.texture = 0;

@@ -67,6 +67,7 @@ protected:
             material.roughness = 0.25f * static_cast<float>(i % 5);
             material.transmission = i % 4 == 1 ? 0.7f : 0.0f;
             material.thin_walled = i % 8 != 1;
+            material.absorption = glm::vec3(0.1f, 0.4f, 0.0f) * static_cast<float>(i % 3);
             material.emission = glm::vec3(i % 7 == 0 ? 0.5f : 0.0f);
             material.emission_weight = material.emission.x;
             material.double_sided = i % 2 == 0;
@@ -321,6 +322,12 @@ private:
 };
 
 TEST_P(WideKernels, GiveTheBitsOfOneLane) { expect_bits_of_one_lane(); }
+
+TEST_P(WideKernels, GiveTheBitsOfOneLaneInScenesWithoutLobes) {
+    ASSERT_NE(settings_.features & LOBE_FEATURES, 0u);
+    settings_.features &= ~LOBE_FEATURES;
+    expect_bits_of_one_lane();
+}
 
 TEST_P(WideKernels, GiveTheBitsOfOneLaneWhereAllLanesWantTheSameRows) {
     for (uint material : {4u, 9u, 13u, 14u}) {

@@ -281,7 +281,8 @@ def materials():
         model.write(name)
 
     model = Model()
-    model.material(extensions={"KHR_materials_volume": {"thicknessFactor": 1},
+    model.material(extensions={"KHR_materials_volume": {"thicknessFactor": 1, "attenuationDistance": 2,
+                                                        "attenuationColor": [1, 0.5, 0.5]},
                                "KHR_materials_transmission": {"transmissionFactor": 1}})
     model.use("KHR_materials_volume", "KHR_materials_transmission")
     model.write("volume")
