@@ -57,16 +57,23 @@ bool is_number(std::string_view word) {
 
 std::string quoted(std::string_view word) { return "\"" + std::string(word.substr(0, 40)) + "\""; }
 
-void check_numbers(std::string_view keyword, std::string_view rest, size_t least, size_t line) {
+// A corner somewhere else would be another shape.
+void check_position(std::string_view rest, size_t line) {
     size_t count = 0;
     for (std::string_view word = next_word(rest); !word.empty(); word = next_word(rest), ++count) {
         if (is_number(word)) continue;
-        refuse_line(line, std::string(keyword) + " has " + quoted(word) +
-                              " where a finite number should be; export the file again");
+        refuse_line(line, "v has " + quoted(word) + " where a finite number should be; export the file again");
     }
-    if (count >= least) return;
-    refuse_line(line, std::string(keyword) + " has " + std::to_string(count) + " of at least " + std::to_string(least) +
-                          " numbers; export the file again");
+    if (count >= 3) return;
+    refuse_line(line, "v has " + std::to_string(count) + " of at least 3 numbers; export the file again");
+}
+
+bool has_numbers(std::string_view rest, size_t least) {
+    size_t count = 0;
+    for (std::string_view word = next_word(rest); !word.empty(); word = next_word(rest), ++count) {
+        if (!is_number(word)) return false;
+    }
+    return count >= least;
 }
 
 // "7", "7/8", "7//9" or "7/8/9"; an index may count backwards. An index of 0 is tinyobjloader's to refuse.
@@ -187,10 +194,12 @@ std::map<std::string, size_t> check_obj(std::string_view text, GlbBuilder& build
     for (size_t line = 1; !text.empty(); ++line) {
         std::string_view rest = next_line(text);
         const std::string_view keyword = next_word(rest);
-        if (keyword == "v" || keyword == "vn") {
-            check_numbers(keyword, rest, 3, line);
-        } else if (keyword == "vt") {
-            check_numbers(keyword, rest, 1, line);
+        if (keyword == "v") {
+            check_position(rest, line);
+        } else if (keyword == "vn" || keyword == "vt") {
+            if (!has_numbers(rest, keyword == "vn" ? 3 : 1))
+                builder.leave_out("normals and texture coordinates that are no numbers",
+                                  "line " + std::to_string(line));
         } else if (keyword == "f") {
             const size_t corners = check_corners(keyword, rest, line);
             if (corners < 3) builder.leave_out("faces of fewer than three corners", "line " + std::to_string(line));

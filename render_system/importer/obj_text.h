@@ -17,9 +17,10 @@ class GlbBuilder;
 /// is no such line.
 std::string joined_lines(std::string_view text);
 
-/// Throws ImportError, with the line, where a number is none, an index is past 32 bits or a face has more corners than
-/// are cut into triangles in bearable time. Faces of one or two corners are named as left out. Answers the materials
-/// that faces ask for, with the line of the first `usemtl`.
+/// Throws ImportError, with the line, where a position has no numbers, an index is past 32 bits or a face has more
+/// corners than are cut into triangles in bearable time. Faces of one or two corners, and normals and texture
+/// coordinates that are no numbers, are named as left out. Answers the materials that faces ask for, with the line of
+/// the first `usemtl`.
 std::map<std::string, size_t> check_obj(std::string_view text, GlbBuilder& builder);
 
 /// The text of an MTL file called `name`, in which each colour has three numbers. What is no number, and colours given

@@ -263,7 +263,7 @@ TEST(LoaderObj, NamesWhatItTakesOtherwiseThanWritten) {
     write_file(folder / "a.mtl",
                "newmtl grey\nKd 0.25\nNs nan\nnewmtl lost\nKd nan 1 0\nnewmtl ray\nKd spectral a.rfl\nKs xyz 1 1 1\n");
     write_file(folder / "b.mtl", "newmtl cloud\nKd 1 1 1\nd -halo 0.5\n");
-    std::string text = "mtllib a.mtl b.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2\n";
+    std::string text = "mtllib a.mtl b.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvn nan 0 1\nf 1 2\n";
     for (const char* name : {"grey", "lost", "ray", "cloud", "none\x1B[2J"})
         text += std::string("usemtl ") + name + "\nf 1 \\\n2 3\n";
     const auto result = load_text(folder, "a.obj", text);
@@ -276,8 +276,9 @@ TEST(LoaderObj, NamesWhatItTakesOtherwiseThanWritten) {
                 ElementsAre(AllOf(HasSubstr("values of MTL that are no numbers (a.mtl line 3, a.mtl line 5)"),
                                   HasSubstr("spectra or by CIE XYZ (a.mtl line 7, a.mtl line 8)"),
                                   HasSubstr("(d -halo), which have the same coverage all over (b.mtl line 3)"),
-                                  HasSubstr("faces of fewer than three corners (line 5)"),
-                                  HasSubstr("materials that no MTL file defines (none\x1B[2J in line 18)"))));
+                                  HasSubstr("faces of fewer than three corners (line 6)"),
+                                  HasSubstr("coordinates that are no numbers (line 5)"),
+                                  HasSubstr("materials that no MTL file defines (none\x1B[2J in line 19)"))));
     std::filesystem::remove(folder / "a.mtl");
     ASSERT_EQ(mkfifo((folder / "a.mtl").c_str(), 0600), 0);
     EXPECT_THAT(load_scene(folder / "a.obj").status.message,
