@@ -99,7 +99,7 @@ void CoreMeshes::bake(Mesh& mesh, const CoreTransform& transform) {
     });
 }
 
-void CoreMeshes::place(std::span<const CoreMaterial> materials) {
+void CoreMeshes::place(std::span<const CoreMaterial> materials, float reach) {
     // Meshes came one by one; what the tables grew ahead is given back.
     mesh_triangles_.shrink_to_fit();
     vertices_.shrink_to_fit();
@@ -130,6 +130,7 @@ void CoreMeshes::place(std::span<const CoreMaterial> materials) {
         geometry.vertex_count = static_cast<uint>(mesh.vertex_count);
         geometry.triangle_count = static_cast<uint>(mesh.triangle_count);
         geometry.mesh = placed_[i].mesh;
+        geometry.reach = reach;
         geometry.lets_rays_pass = lets_rays_pass(mesh, materials);
         for (int r = 0; r < 3; ++r) {
             geometry.rows[r] = row_of(transform.rows[r]);

@@ -20,8 +20,9 @@ public:
     /// Puts a mesh into the scene, or hides the instance if `mesh` is NONE.
     void set_instance(uint id, uint mesh, const render_system::CoreTransform& transform);
 
-    /// Fills the instance table and `geometry()` for the materials at hand; bakes meshes of one instance.
-    void place(std::span<const render_system::CoreMaterial> materials);
+    /// Fills the instance table and `geometry()` for the materials at hand; bakes meshes of one instance. `reach` is
+    /// the largest coordinate from which rays may come, where exact mode's boxes are to be padded for it.
+    void place(std::span<const render_system::CoreMaterial> materials, float reach = 0.0f);
 
     /// True if some instance's rays-may-pass mark would change with these materials: the scene must be placed anew.
     bool passing_changed(std::span<const render_system::CoreMaterial> materials) const;

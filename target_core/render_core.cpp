@@ -14,6 +14,7 @@
 #include "render_system/checked_core.h"
 #include "target_core/core_mesh.h"
 #include "target_core/core_tables.h"
+#include "target_core/device/coincident.h"
 #include "target_core/device/embree_scene.h"
 #include "target_core/device/kernel_texts.h"
 #include "target_core/frame.h"
@@ -49,6 +50,7 @@ private:
     void set_mesh(uint32_t mesh, const CoreMesh& data) override;
     void set_instance(uint32_t instance, uint32_t mesh, const CoreTransform& transform) override;
     Status prepare() override;
+    Status reach_for(const ViewPyramid& view);
     Status render(const ViewPyramid& view, uint32_t samples) override;
     void close() override;
     uint64_t host_bytes() const override;
@@ -74,6 +76,7 @@ private:
     uint32_t sky_height_ = 0;
     float sky_light_probability_ = 0.0f;
     uint features_ = 0;
+    float ray_reach_ = 0.0f;  // exact mode: the largest coordinate of an eye so far
     bool geometry_dirty_ = true;
     bool materials_dirty_ = true;
     bool measures_limit_ = false;
@@ -145,7 +148,7 @@ Status TargetCore::prepare() {
     }
     if (geometry_dirty_) {
         auto start = std::chrono::steady_clock::now();
-        meshes_.place(materials_);
+        meshes_.place(materials_, ray_reach_);
         std::string message;
         bool built = false;
         arena_->execute([&] { built = embree_.build(meshes_.geometry(), options().exact, message); });
@@ -216,8 +219,21 @@ Bindings TargetCore::bindings() {
     return bindings;
 }
 
+// Rays from far away are tested against triangles that they miss by more than boxes are padded otherwise.
+Status TargetCore::reach_for(const ViewPyramid& view) {
+    const glm::vec3 far = glm::abs(view.eye);
+    const float reach = std::max({far.x, far.y, far.z});
+    // Within four times the scene what boxes are padded by for themselves has been enough.
+    const bool is_near = reach <= std::max(ray_reach_, 4.0f * largest_coordinate(embree_.scene()));
+    if (!options().exact || is_near) return Status::success();
+    ray_reach_ = 2.0f * reach;  // so that an eye on the move does not build anew at every step
+    geometry_dirty_ = true;
+    return prepare();
+}
+
 Status TargetCore::render(const ViewPyramid& view, uint32_t samples) {
     auto start = std::chrono::steady_clock::now();
+    if (const Status status = reach_for(view); !status.ok()) return status;
     std::optional<RayLog> log;
     if (measures_limit_ && !options().exact) {
         log.emplace();

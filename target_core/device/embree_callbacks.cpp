@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "target_core/device/float_mode.h"
 #include "target_core/kernels/trace.h"
@@ -29,20 +30,51 @@ struct Candidate {
     bool met;  // hit, and not let through by its alpha
 };
 
-Candidate test_candidate(const TraceContext& context, uint instance, uint primitive) {
+Candidate test_candidate(const TraceContext& context, uint lane, uint instance, uint primitive) {
     TriangleVertices triangle = fetch_triangle(instance, primitive);
     Candidate candidate;
-    Ray ray = ray_of(context, 0);
+    Ray ray = ray_of(context, lane);
     candidate.test = intersect_triangle(ray.origin, ray.direction, triangle.v0, triangle.v1, triangle.v2);
     candidate.met = candidate.test.hit;
     const InstanceGeometry& geometry = bound.geometry[instance];
     if (candidate.met && geometry.lets_rays_pass) {
         float opacity = bound.opacities[geometry.triangles[primitive].w];
         candidate.met =
-            meets_surface(opacity, key_of(context, 0), instance, primitive, candidate.test.u, candidate.test.v);
+            meets_surface(opacity, key_of(context, lane), instance, primitive, candidate.test.u, candidate.test.v);
     }
     return candidate;
 }
+
+// As in the source core's trace.glsl: room for the rounding of rays that come from far.
+constexpr float PAD_SCALE = 4.76837158203125e-7f;
+
+// Room for rounding in the triangle test, in proportion to the coordinates.
+float pad(float low, float high) { return 1.0e-5f * std::max(std::fabs(low), std::fabs(high)) + 1.0e-30f; }
+
+RTCBounds box_of(const InstanceGeometry& geometry, uint primitive) {
+    uvec4 corners = geometry.triangles[primitive];
+    PackedVertex a = world_vertex(geometry, corners.x);
+    PackedVertex b = world_vertex(geometry, corners.y);
+    PackedVertex c = world_vertex(geometry, corners.z);
+    RTCBounds box{};
+    box.lower_x = std::min({a.x, b.x, c.x});
+    box.lower_y = std::min({a.y, b.y, c.y});
+    box.lower_z = std::min({a.z, b.z, c.z});
+    box.upper_x = std::max({a.x, b.x, c.x});
+    box.upper_y = std::max({a.y, b.y, c.y});
+    box.upper_z = std::max({a.z, b.z, c.z});
+    float margin = std::max({pad(box.lower_x, box.upper_x), pad(box.lower_y, box.upper_y),
+                             pad(box.lower_z, box.upper_z), PAD_SCALE * geometry.reach});
+    box.lower_x -= margin;
+    box.lower_y -= margin;
+    box.lower_z -= margin;
+    box.upper_x += margin;
+    box.upper_y += margin;
+    box.upper_z += margin;
+    return box;
+}
+
+}  // namespace
 
 PackedVertex world_vertex(const InstanceGeometry& geometry, uint index) {
     PackedVertex p = geometry.positions[index];
@@ -52,11 +84,6 @@ PackedVertex world_vertex(const InstanceGeometry& geometry, uint index) {
     vec3 w = transform_point(geometry.rows[0], geometry.rows[1], geometry.rows[2], vec3(p.x, p.y, p.z));
     return {w.x, w.y, w.z};
 }
-
-// Room for rounding in the triangle test, in proportion to the coordinates.
-float pad(float low, float high) { return 1.0e-5f * std::max(std::fabs(low), std::fabs(high)) + 1.0e-30f; }
-
-}  // namespace
 
 void filter_by_alpha(const RTCFilterFunctionNArguments* arguments) {
     // Nothing is bound while the limit is measured: that traces Embree alone.
@@ -85,26 +112,13 @@ void filter_by_alpha(const RTCFilterFunctionNArguments* arguments) {
 }
 
 void bound_triangle(const RTCBoundsFunctionArguments* arguments) {
-    const auto& geometry = *static_cast<const InstanceGeometry*>(arguments->geometryUserPtr);
-    uvec4 corners = geometry.triangles[arguments->primID];
-    PackedVertex a = world_vertex(geometry, corners.x);
-    PackedVertex b = world_vertex(geometry, corners.y);
-    PackedVertex c = world_vertex(geometry, corners.z);
-    RTCBounds& box = *arguments->bounds_o;
-    box.lower_x = std::min({a.x, b.x, c.x});
-    box.lower_y = std::min({a.y, b.y, c.y});
-    box.lower_z = std::min({a.z, b.z, c.z});
-    box.upper_x = std::max({a.x, b.x, c.x});
-    box.upper_y = std::max({a.y, b.y, c.y});
-    box.upper_z = std::max({a.z, b.z, c.z});
-    float margin =
-        std::max({pad(box.lower_x, box.upper_x), pad(box.lower_y, box.upper_y), pad(box.lower_z, box.upper_z)});
-    box.lower_x -= margin;
-    box.lower_y -= margin;
-    box.lower_z -= margin;
-    box.upper_x += margin;
-    box.upper_y += margin;
-    box.upper_z += margin;
+    *arguments->bounds_o = box_of(*static_cast<const InstanceGeometry*>(arguments->geometryUserPtr), arguments->primID);
+}
+
+void bound_shared_triangle(const RTCBoundsFunctionArguments* arguments) {
+    const auto& shared = *static_cast<const SharedTriangles*>(arguments->geometryUserPtr);
+    const SharedTriangle& triangle = shared.triangles[arguments->primID];
+    *arguments->bounds_o = box_of(shared.geometry[triangle.instance], triangle.primitive);
 }
 
 void intersect_exactly(const RTCIntersectFunctionNArguments* arguments) {
@@ -115,7 +129,7 @@ void intersect_exactly(const RTCIntersectFunctionNArguments* arguments) {
     uint instance = arguments->geomID;
     uint primitive = arguments->primID;
     const TraceContext& context = context_of(arguments->context);
-    Candidate candidate = test_candidate(context, instance, primitive);
+    Candidate candidate = test_candidate(context, 0, instance, primitive);
     bool closer = candidate.test.t < best->ray.tfar;
     bool tied = candidate.test.t == best->ray.tfar && best->hit.geomID != RTC_INVALID_GEOMETRY_ID &&
                 (instance < best->hit.geomID || (instance == best->hit.geomID && primitive < best->hit.primID));
@@ -132,9 +146,51 @@ void occlude_exactly(const RTCOccludedFunctionNArguments* arguments) {
         return;
     }
     auto* ray = reinterpret_cast<RTCRay*>(arguments->ray);
-    Candidate candidate = test_candidate(context_of(arguments->context), arguments->geomID, arguments->primID);
+    Candidate candidate = test_candidate(context_of(arguments->context), 0, arguments->geomID, arguments->primID);
     if (candidate.met && candidate.test.t < ray->tfar) {
         ray->tfar = -std::numeric_limits<float>::infinity();
+    }
+}
+
+void intersect_shared_triangle(const RTCIntersectFunctionNArguments* arguments) {
+    if (!bound.geometry) return;  // as in filter_by_alpha
+    KeepDenormals keep;
+    const auto& shared = *static_cast<const SharedTriangles*>(arguments->geometryUserPtr);
+    const auto [instance, primitive] = shared.triangles[arguments->primID];
+    const TraceContext& context = context_of(arguments->context);
+    const uint count = arguments->N;
+    RTCRayN* rays = RTCRayHitN_RayN(arguments->rayhit, count);
+    RTCHitN* hits = RTCRayHitN_HitN(arguments->rayhit, count);
+    for (uint i = 0; i < count; ++i) {
+        if (arguments->valid[i] != -1) continue;
+        const Candidate candidate = test_candidate(context, RTCRayN_id(rays, count, i), instance, primitive);
+        float& far = RTCRayN_tfar(rays, count, i);
+        uint& geometry = RTCHitN_geomID(hits, count, i);
+        uint& placed = RTCHitN_instID(hits, count, i, 0);
+        const uint best = placed != RTC_INVALID_GEOMETRY_ID ? placed : geometry;
+        const bool lower = instance < best || (instance == best && primitive < RTCHitN_primID(hits, count, i));
+        const bool tied = candidate.test.t == far && best != RTC_INVALID_GEOMETRY_ID && lower;
+        if (!candidate.met || !(candidate.test.t < far || tied)) continue;
+        far = candidate.test.t;
+        geometry = instance;
+        placed = RTC_INVALID_GEOMETRY_ID;
+        RTCHitN_primID(hits, count, i) = primitive;
+    }
+}
+
+void occlude_shared_triangle(const RTCOccludedFunctionNArguments* arguments) {
+    if (!bound.geometry) return;
+    KeepDenormals keep;
+    const auto& shared = *static_cast<const SharedTriangles*>(arguments->geometryUserPtr);
+    const auto [instance, primitive] = shared.triangles[arguments->primID];
+    const TraceContext& context = context_of(arguments->context);
+    const uint count = arguments->N;
+    for (uint i = 0; i < count; ++i) {
+        if (arguments->valid[i] != -1) continue;
+        const uint lane = RTCRayN_id(arguments->ray, count, i);
+        const Candidate candidate = test_candidate(context, lane, instance, primitive);
+        float& far = RTCRayN_tfar(arguments->ray, count, i);
+        if (candidate.met && candidate.test.t < far) far = -std::numeric_limits<float>::infinity();
     }
 }
 

@@ -19,7 +19,8 @@ struct InstanceGeometry {
     uint vertex_count = 0;
     uint triangle_count = 0;  // 0: hidden
     uint mesh = 0;
-    uint bin = 0;  // by which order_surfaces sorts
+    uint bin = 0;        // by which order_surfaces sorts
+    float reach = 0.0f;  // the largest coordinate of rays' origins, where boxes are to be padded for it
     bool baked = true;
     bool lets_rays_pass = false;  // some material is not opaque
     vec4 rows[3];

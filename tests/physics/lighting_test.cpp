@@ -216,6 +216,26 @@ TEST_P(Lighting, AnOrthographicCameraSeesSizesWhateverTheirDistance) {
     }
 }
 
+// In either order, of meshes with one instance and of such with two.
+TEST_P(Lighting, OfTwoSurfacesInOnePlaceTheLowerInstanceIsSeen) {
+    for (const float lower : {1.0f, 3.0f}) {
+        for (const bool again : {false, true}) {
+            HostScene scene;
+            for (const float radiance : {lower, 4.0f - lower}) {
+                const uint32_t mesh = scene.add_mesh(
+                    quad_mesh({-1, -1, 0.3f}, {2, 0.1f, 0}, {0, 2, 0.2f}, scene.add_material(emitter(radiance))));
+                scene.add_instance(mesh, CoreTransform());
+                CoreTransform behind;
+                behind.rows[2].w = 20.0f;
+                if (again) scene.add_instance(mesh, behind);
+            }
+            const Reading reading = measure(GetParam(), scene, square_view({0, 0, 5}, {0, 0, 0}, 0.2f),
+                                            {.size = 32, .samples = 1, .max_path_length = 1});
+            EXPECT_EQ(reading.mean, static_cast<double>(lower)) << again;
+        }
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(Cores, Lighting, testing::Values("target", "source"),
                          [](const auto& core) { return std::string(core.param); });
 
