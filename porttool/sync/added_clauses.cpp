@@ -1,0 +1,282 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/sync/added_clauses.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "porttool/language/words.h"
+#include "porttool/normal/normal_text.h"
+#include "porttool/sync/operands.h"
+
+namespace porttool {
+namespace {
+
+class ClauseAdder : EditReading {
+public:
+    ClauseAdder(const EditReading& reading, Transplant& out) : EditReading(reading), out_(out) {}
+
+    AddedSources run() {
+        for (size_t c = 0; c < origin_.size();) {
+            size_t end = c;
+            while (end < origin_.size() && origin_[end] == kNothing) ++end;
+            if (end > c) add(c, end);
+            c = std::max(end, c + 1);
+        }
+        return std::move(sources_);
+    }
+
+private:
+    void add(size_t first, size_t end) {
+        const size_t was_before = first == 0 ? kNothing : origin_[first - 1];
+        const size_t was_after = end == origin_.size() ? kNothing : origin_[end];
+        const size_t left = was_before == kNothing ? kNothing : target_before(was_before);
+        const size_t right = was_after == kNothing ? kNothing : target_after(was_after);
+        const std::string what = shown(texts_.now.words, now(first).first, now(end - 1).end);
+        const size_t close = was_before == kNothing ? 0 : near(was_before);
+        const auto give_up = [&](const std::string& why) {
+            for (size_t c = was_before == kNothing ? 0 : was_before + 1; c < before_end(was_after); ++c)
+                sources_.held.insert(c);
+            out_.left.push_back({"the source gained `" + what + "`; " + why, now(first).first, close});
+        };
+        const size_t block = was_before == kNothing     ? Clause::kNone
+                             : before(was_before).opens ? was_before
+                                                        : before(was_before).inside;
+        if (is_doubtful(block) || (was_before != kNothing && is_doubtful_directive(was_before)))
+            return give_up("the port's condition there is another one");
+        if (left == kNothing && right == kNothing)
+            return give_up("the port has nothing that stands for its neighbours");
+        if (left != kNothing && right != kNothing && right <= left)
+            return give_up("its neighbours stand in another order in the port");
+        std::vector<ClauseAdded> clauses = carried_clauses(first, end);
+        if (was_before != kNothing && was_after != kNothing && depends_on_merged(first, end, was_before, was_after))
+            return give_up("the port has one of its neighbours within another statement");
+        // What the port has of its own between the two neighbours.
+        std::vector<size_t> own;
+        const size_t from = left == kNothing ? own_start(right) : left + 1;
+        const size_t to = right == kNothing ? own_end(left) : right;
+        for (size_t c = from; c < to; ++c)
+            if (!stands_for_something(c)) own.push_back(c);
+        if (!own.empty() && drop_those_there(own, clauses)) {
+            if (clauses.empty()) return;
+            return give_up("the port has a part of it already");
+        }
+        std::optional<size_t> place = place_among(left, right, own, clauses, was_before, was_after);
+        if (!place) return give_up("the port has statements of its own there, and which comes first matters");
+        if (!is_in_counterpart(block, *place)) return give_up("the block around it has no counterpart in the port");
+        if (leaves_loop(first, end, *place))
+            return give_up("the port has a loop of its own around it, which it would leave");
+        std::vector<std::string> unknown;
+        for (size_t c = first; c < end; ++c) {
+            if (moved_from(c)) continue;
+            const CarriedWords carried = carry_new(now(c).first, now(c).end);
+            unknown.insert(unknown.end(), carried.unknown.begin(), carried.unknown.end());
+        }
+        for (const ClauseAdded& clause : clauses)
+            if (const std::string name = indexed_otherwise(clause.words); !name.empty())
+                return give_up("the port has `" + name + "` with other indices");
+        if (!unknown.empty()) return give_up("nothing tells how the port says " + listed(unknown));
+        for (size_t c = first; c < end; ++c)
+            if (const auto source = moved_from(c)) sources_.moved.insert(*source);
+        out_.added.push_back({*place, std::move(clauses)});
+    }
+
+    /// The counterpart of the nearest clause at or before c that has one, within the block that c stands in.
+    size_t target_before(size_t c) const {
+        while (counterpart(c) == kNothing) {
+            if (before(c).opens || c == 0) return kNothing;
+            const size_t from = before(c).closes && before(c).partner != Clause::kNone ? before(c).partner : c;
+            if (from == 0) return kNothing;
+            c = from - 1;
+        }
+        return counterpart(c);
+    }
+
+    size_t target_after(size_t c) const {
+        while (counterpart(c) == kNothing) {
+            if (before(c).closes) return kNothing;
+            const size_t from = before(c).opens && before(c).partner != Clause::kNone ? before(c).partner : c;
+            if (from + 1 >= texts_.before.clauses.size()) return kNothing;
+            c = from + 1;
+        }
+        return counterpart(c);
+    }
+
+    /// True if the nearest block around a place that stands for one of the source's stands for `block`.
+    bool is_in_counterpart(size_t block, size_t place) const {
+        size_t there = block_at(place);
+        while (there != Clause::kNone && !stands_for_something(there)) there = target(there).inside;
+        // Blocks of the source that came with the edit, or that the port never had, are passed over as well.
+        return block == Clause::kNone ? there == Clause::kNone : counterpart(block) == there && there != Clause::kNone;
+    }
+
+    /// The head of the block of the target that a place is in.
+    size_t block_at(size_t place) const {
+        size_t c = 0;
+        while (c < texts_.target.clauses.size() && target(c).first < place) ++c;
+        if (c == texts_.target.clauses.size()) return Clause::kNone;
+        return target(c).closes ? target(c).partner : target(c).inside;
+    }
+
+    /// True if new clauses end what is around them, and that is a loop which the port alone has.
+    bool leaves_loop(size_t first, size_t end, size_t place) const {
+        bool leaves_unit = false, leaves_nearest = false;
+        for (size_t i = now(first).first; i < now(end - 1).end; ++i) {
+            leaves_unit |= texts_.now.words[i] == "return";
+            leaves_nearest |= texts_.now.words[i] == "break" || texts_.now.words[i] == "continue";
+        }
+        if (!leaves_unit && !leaves_nearest) return false;
+        bool is_nearest = true;
+        for (size_t c = block_at(place); c != Clause::kNone; c = target(c).inside) {
+            const std::string& head = texts_.target.words[target(c).first];
+            if (!word_is(head, kLoopHead) && head != "do" && (head != "switch" || !is_nearest)) continue;
+            if (!stands_for_something(c)) {
+                if (is_nearest || leaves_unit || !holds_all_beside(c, first)) return true;
+            }
+            is_nearest = false;
+        }
+        return false;
+    }
+
+    /// True if a loop that the port alone has holds what the source has beside its own loop around the new clause
+    /// `is`, as one over all threads does; a tile's does not.
+    bool holds_all_beside(size_t loop, size_t is) const {
+        size_t own = now(is).inside;
+        while (own != Clause::kNone && !word_is(texts_.now.words[now(own).first], kLoopHead)) own = now(own).inside;
+        if (own == Clause::kNone) return false;
+        bool any = false;
+        for (size_t c = 0; c < origin_.size(); ++c) {
+            if (c == own || now(c).inside != now(own).inside || now(c).closes || origin_[c] == kNothing) continue;
+            const size_t there = counterpart(origin_[c]);
+            if (there == kNothing || there == 0) continue;
+            size_t around = target(there).inside;
+            while (around != Clause::kNone && around != loop) around = target(around).inside;
+            if (around != loop) return false;
+            any = true;
+        }
+        return any;
+    }
+
+    /// True if a neighbour without a counterpart, which the port may have within another statement, shares names.
+    bool depends_on_merged(size_t first, size_t end, size_t was_before, size_t was_after) const {
+        std::set<std::string> names;
+        for (size_t i = now(first).first; i < now(end - 1).end; ++i)
+            if (is_name(texts_.now.words[i])) names.insert(texts_.now.words[i]);
+        const auto shares = [&](size_t c) {
+            const Clause& clause = before(c);
+            if (counterpart(c) != kNothing || clause.closes || clause.opens || texts_.edit.clause_of[c] == kNothing)
+                return false;
+            // What the source gives back the port may hand back through a reference.
+            if (texts_.before.words[clause.first] == "return" && !only_result(texts_.target)) return false;
+            for (size_t i = clause.first; i < clause.end; ++i)
+                if (names.contains(texts_.before.words[i])) return true;
+            return false;
+        };
+        return shares(was_before) || shares(was_after);
+    }
+
+    size_t before_end(size_t was_after) const {
+        return was_after == kNothing ? texts_.before.clauses.size() : was_after;
+    }
+
+    size_t own_start(size_t right) const {
+        size_t c = right;
+        while (c > 0 && !target(c - 1).opens && !stands_for_something(c - 1)) --c;
+        return c;
+    }
+
+    size_t own_end(size_t left) const {
+        size_t c = left + 1;
+        while (c < texts_.target.clauses.size() && !target(c).closes && !stands_for_something(c)) ++c;
+        return c;
+    }
+
+    /// A clause that went elsewhere with the same words: the target's words for it are known.
+    std::optional<size_t> moved_from(size_t is) const {
+        for (size_t c = 0; c < texts_.before.clauses.size(); ++c) {
+            if (texts_.edit.clause_of[c] != kNothing || counterpart(c) == kNothing || before(c).closes) continue;
+            if (before(c).size() != now(is).size() || before(c).size() < 4) continue;
+            bool same = true;
+            for (size_t k = 0; k < now(is).size() && same; ++k)
+                same = texts_.before.exact[before(c).first + k] == texts_.now.exact[now(is).first + k];
+            if (same) return c;
+        }
+        return std::nullopt;
+    }
+
+    std::vector<ClauseAdded> carried_clauses(size_t first, size_t end) const {
+        std::vector<ClauseAdded> out;
+        for (size_t c = first; c < end; ++c) {
+            ClauseAdded one{{}, c};
+            if (const auto from = moved_from(c)) {
+                const Clause& there = target(counterpart(*from));
+                const bool same = there.size() == now(c).size();
+                for (size_t i = there.first; i < there.end; ++i)
+                    one.words.push_back({written_number(texts_.target.words[i]),
+                                         same ? now(c).first + (i - there.first) : CarriedWord::kNoSource});
+            } else {
+                one.words = carry_new(now(c).first, now(c).end).words;
+            }
+            out.push_back(std::move(one));
+        }
+        return out;
+    }
+
+    /// Drops clauses that stand among the target's own; true if any does.
+    bool drop_those_there(const std::vector<size_t>& own, std::vector<ClauseAdded>& clauses) {
+        const size_t all = clauses.size();
+        size_t at = 0;
+        std::erase_if(clauses, [&](const ClauseAdded& clause) {
+            const std::string& head = texts_.now.words[now(clause.source).first];
+            if (now(clause.source).closes || head == "break" || head == "continue") return false;
+            for (size_t i = at; i < own.size(); ++i)
+                if (says(target(own[i]).first, target(own[i]).end, clause.words)) {
+                    at = i + 1;
+                    return true;
+                }
+            return false;
+        });
+        if (clauses.size() < all &&
+            std::all_of(clauses.begin(), clauses.end(), [&](const ClauseAdded& c) { return now(c.source).closes; }))
+            clauses.clear();
+        if (clauses.empty()) ++out_.already;
+        return clauses.size() < all;
+    }
+
+    /// Before which word of the target new clauses go, between the counterparts of their neighbours; none if the order
+    /// among the port's own clauses there matters.
+    std::optional<size_t> place_among(size_t left, size_t right, const std::vector<size_t>& own,
+                                      const std::vector<ClauseAdded>& clauses, size_t was_before,
+                                      size_t was_after) const {
+        if (own.empty()) return left != kNothing ? target(left).end : target(right).first;
+        const bool beside_left = left != kNothing && counterpart(was_before) == left;
+        const bool beside_right = right != kNothing && counterpart(was_after) == right;
+        if (!beside_left && !beside_right) return std::nullopt;
+        // Behind a `return` of the port's own nothing would run.
+        if (beside_left && own[0] == left + 1 && texts_.target.words[target(own[0]).first] == "return")
+            return target(own[0]).first;
+        std::set<std::string> names;
+        for (const ClauseAdded& clause : clauses)
+            for (const CarriedWord& word : clause.words)
+                if (is_name(word.text)) names.insert(word.text);
+        for (const size_t c : own)
+            for (size_t i = target(c).first; i < target(c).end; ++i)
+                if (names.contains(texts_.target.words[i])) return std::nullopt;
+        // What a new block goes around begins with its right neighbour, and not with what the port has before that.
+        const bool goes_around =
+            now(clauses.back().source).opens &&
+            std::none_of(own.begin(), own.end(), [&](size_t c) { return target(c).opens || target(c).closes; });
+        return beside_left && !(goes_around && beside_right) ? target(left).end : target(right).first;
+    }
+
+    Transplant& out_;
+    AddedSources sources_;
+};
+
+}  // namespace
+
+AddedSources carry_added_clauses(const EditReading& reading, Transplant& out) {
+    return ClauseAdder(reading, out).run();
+}
+
+}  // namespace porttool

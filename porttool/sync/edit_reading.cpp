@@ -1,0 +1,182 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/sync/edit_reading.h"
+
+#include <algorithm>
+
+#include "porttool/normal/normal_form.h"
+#include "porttool/normal/normal_text.h"
+
+namespace porttool {
+namespace {
+
+/// What a text asks its preprocessor, in order: `ifdef FAST`, and of an expression how it begins.
+std::vector<std::string> conditions_of(const std::vector<std::string>& words) {
+    std::vector<std::string> out;
+    for (size_t i = 0; i + 2 < words.size(); ++i) {
+        const bool asks = words[i + 1].starts_with("if") || words[i + 1].starts_with("elif");
+        if (words[i] == "#" && asks)
+            out.push_back(
+                EditReading::shown(words, i + 1, std::min(words.size(), i + (words[i + 1].ends_with("def") ? 3 : 5))));
+    }
+    return out;
+}
+
+/// How many indices follow a word: 2 for `m [ i ] [ j ]`.
+template <class WordAt>
+size_t indices_after(size_t i, size_t end, const WordAt& at) {
+    size_t count = 0;
+    for (++i; i < end && at(i) == "["; ++count) {
+        int depth = 0;
+        for (; i < end; ++i) {
+            depth += at(i) == "[" ? 1 : at(i) == "]" ? -1 : 0;
+            if (depth == 0) break;
+        }
+        ++i;
+    }
+    return count;
+}
+
+}  // namespace
+
+EditReading::EditReading(const EditTexts& texts, const EditTranslator& translator,
+                         const std::function<std::string(size_t)>& written)
+    : texts_(texts), translator_(translator), written_(written), origin_(texts.now.clauses.size(), kNothing) {
+    for (size_t c = 0; c < texts.before.clauses.size(); ++c)
+        if (const size_t now = texts.edit.clause_of[c]; now != kNothing) origin_[now] = c;
+    stands_for_.insert(texts.across.clause_of.begin(), texts.across.clause_of.end());
+    find_doubtful();
+}
+
+CarriedWords EditReading::carry_old(size_t first, size_t end) const {
+    return translator_.carry(texts_.before.words, first, end, [this](size_t i) { return texts_.before.words[i]; });
+}
+
+CarriedWords EditReading::carry_new(size_t first, size_t end) const {
+    return translator_.carry(texts_.now.words, first, end, written_);
+}
+
+bool EditReading::says(size_t first, size_t end, const std::vector<CarriedWord>& words, bool values) const {
+    if (end < first || end - first != words.size()) return false;
+    for (size_t i = 0; i < words.size(); ++i) {
+        const std::string &there = texts_.target.words[first + i], &here = words[i].text;
+        if (there == here) continue;
+        if (!is_number_token(there) || !is_number_token(here)) return false;
+        if (values ? number_value(there) != number_value(here) : normal_number(there) != normal_number(here))
+            return false;
+    }
+    return true;
+}
+
+bool EditReading::is_said_more_often(size_t was, size_t there) const {
+    constexpr size_t kShortest = 3;
+    if (before(was).opens || before(was).closes || before(was).size() < kShortest) return false;
+    const auto times = [](const AlignedText& text, const Clause& clause) {
+        return std::count_if(text.clauses.begin(), text.clauses.end(), [&](const Clause& other) {
+            return other.size() == clause.size() &&
+                   std::equal(text.exact.begin() + static_cast<std::ptrdiff_t>(other.first),
+                              text.exact.begin() + static_cast<std::ptrdiff_t>(other.end),
+                              text.exact.begin() + static_cast<std::ptrdiff_t>(clause.first));
+        });
+    };
+    return times(texts_.target, target(there)) > times(texts_.before, before(was));
+}
+
+bool EditReading::stands_for_something(size_t there) const { return stands_for_.contains(there); }
+
+size_t EditReading::near(size_t c) const {
+    for (size_t i = c + 1; i-- > 0;)
+        if (counterpart(i) != kNothing) return target(counterpart(i)).first;
+    return 0;
+}
+
+std::string EditReading::indexed_otherwise(const std::vector<CarriedWord>& words) const {
+    const auto here = [&](size_t i) -> const std::string& { return words[i].text; };
+    const auto there = [&](size_t i) -> const std::string& { return texts_.target.words[i]; };
+    for (size_t i = 0; i + 1 < words.size(); ++i) {
+        if (!is_word_token(words[i].text) || words[i + 1].text != "[") continue;
+        const size_t count = indices_after(i, words.size(), here);
+        bool any = false, same = false;
+        for (size_t k = 0; k + 1 < texts_.target.words.size() && !same; ++k) {
+            if (there(k) != words[i].text || there(k + 1) != "[") continue;
+            any = true;
+            same = indices_after(k, texts_.target.words.size(), there) == count;
+        }
+        if (any && !same) return words[i].text;
+    }
+    return {};
+}
+
+bool EditReading::is_doubtful(size_t c) const {
+    if (c != Clause::kNone && in_doubtful_directive_[c]) return true;
+    for (; c != Clause::kNone; c = before(c).inside)
+        if (doubtful_[c]) return true;
+    return false;
+}
+
+bool EditReading::is_doubtful_directive(size_t c) const { return in_doubtful_directive_[c]; }
+
+std::string EditReading::shown(const std::vector<std::string>& words, size_t first, size_t end) {
+    std::string out;
+    constexpr size_t kMost = 12;
+    for (size_t i = first; i < std::min(end, first + kMost); ++i) out += (i > first ? " " : "") + words[i];
+    return end > first + kMost ? out + " ..." : out;
+}
+
+std::string EditReading::listed(std::vector<std::string> words) {
+    std::sort(words.begin(), words.end());
+    words.erase(std::unique(words.begin(), words.end()), words.end());
+    std::string out;
+    for (const std::string& word : words) out += (out.empty() ? "`" : ", `") + word + "`";
+    return out;
+}
+
+std::vector<std::string> EditReading::comparisons(const AlignedText& text, const Clause& clause) {
+    std::vector<std::string> out;
+    for (size_t i = clause.first; i < clause.end; ++i)
+        for (const std::string_view word : {"<", ">", "<=", ">=", "==", "!=", "&&", "||", "!", "?"})
+            if (text.words[i] == word) out.emplace_back(word);
+    return out;
+}
+
+std::vector<std::string> EditReading::texts_of(const std::vector<CarriedWord>& words) {
+    std::vector<std::string> out;
+    for (const CarriedWord& word : words) out.push_back(word.text);
+    return out;
+}
+
+void EditReading::find_doubtful() {
+    doubtful_.assign(texts_.before.clauses.size(), false);
+    find_doubtful_directives();
+    for (size_t c = 0; c < doubtful_.size(); ++c) {
+        const Clause& clause = before(c);
+        if (!clause.opens || counterpart(c) == kNothing) continue;
+        const std::string& head = texts_.before.words[clause.first];
+        if (head == "else") {
+            // Of the branch before it: that ends where this one begins.
+            const size_t closing = c == 0 ? Clause::kNone : c - 1;
+            const size_t branch = closing == Clause::kNone ? closing : before(closing).partner;
+            doubtful_[c] = branch != Clause::kNone && before(closing).closes && doubtful_[branch];
+        } else if (head == "if" || head == "while" || head == "switch") {
+            const Clause& there = target(counterpart(c));
+            doubtful_[c] = !says(there.first, there.end, carry_old(clause.first, clause.end).words, true);
+        }
+    }
+}
+
+void EditReading::find_doubtful_directives() {
+    in_doubtful_directive_.assign(texts_.before.clauses.size(), false);
+    const std::vector<std::string> there = conditions_of(texts_.target.words);
+    if (there.empty() || there == conditions_of(texts_.before.words)) return;
+    int depth = 0;
+    for (size_t c = 0; c < texts_.before.clauses.size(); ++c) {
+        for (size_t i = before(c).first; i + 1 < before(c).end; ++i) {
+            if (texts_.before.words[i] != "#") continue;
+            const std::string& kind = texts_.before.words[i + 1];
+            depth += kind.starts_with("if") ? 1 : kind == "endif" ? -1 : 0;
+        }
+        in_doubtful_directive_[c] = depth > 0;
+    }
+}
+
+}  // namespace porttool
