@@ -69,6 +69,14 @@ void declare_picture(CLI::App& app, Options& options) {
         },
         "Pixels (640x360)")
         ->type_name("WxH");
+    add_parsed(
+        app, "--time", parse_time,
+        [&options](double seconds) {
+            options.time = seconds;
+            options.time_given = true;
+        },
+        "The time at which an animated scene is shown, in seconds (0)")
+        ->type_name("T");
     add_number(app, "--seed", options.seed, 0, UINT32_MAX, "Seed of the random numbers (0)")->type_name("N");
     add_parsed(
         app, "--camera", parse_camera, [&options](const CameraChoice& camera) { options.camera = camera; },
@@ -204,6 +212,22 @@ void settle_comparison(const CLI::App& app, Options& options) {
     }
 }
 
+void declare_frames(CLI::App& app, Options& options) {
+    add_parsed(
+        app, "--frames", parse_frames, [&options](const FrameRange& frames) { options.frames = frames; },
+        "Render a sequence: frames A to B - 1, frame n at n / fps seconds (one picture)")
+        ->type_name("A:B");
+    add_parsed(
+        app, "--fps", parse_fps,
+        [&options](double rate) {
+            options.fps = rate;
+            options.fps_given = true;
+        },
+        "Frames a second (24)")
+        ->type_name("N");
+    app.add_flag("--resume", options.resume, "Of --frames, keep those that are there and were made with these options");
+}
+
 }  // namespace
 
 void declare_common(CLI::App& app, Options& options) {
@@ -218,9 +242,12 @@ void declare_common(CLI::App& app, Options& options) {
 
 void declare_render(CLI::App& app, Options& options) {
     declare_scene(app, options);
-    add_name(app, "-o,--output", options.output, "The picture, .png or .exr (<scene>.png in this folder)")
+    add_name(app, "-o,--output", options.output,
+             "The picture, .png or .exr (<scene>.png in this folder); of several with #### for the number of the frame "
+             "(<scene>_####.png)")
         ->type_name("FILE");
     declare_samples(app, options, "Samples per pixel (16)");
+    declare_frames(app, options);
     declare_rendering(app, options);
 }
 

@@ -34,11 +34,13 @@ Result<std::string> encode(const std::string& extension, const OIIO::ImageSpec& 
     return std::string(bytes.begin(), bytes.end());
 }
 
-OIIO::ImageSpec plain_spec(uint32_t width, uint32_t height, OIIO::TypeDesc::BASETYPE type) {
+OIIO::ImageSpec plain_spec(uint32_t width, uint32_t height, OIIO::TypeDesc::BASETYPE type,
+                           const std::string& made_with) {
     OIIO::ImageSpec spec(static_cast<int>(width), static_cast<int>(height), 3, type);
     // Left alone, OpenImageIO adds the time of day, and the same pixels would give other bytes. An empty one is not
     // written at all.
     spec.attribute("DateTime", "");
+    if (!made_with.empty()) spec.attribute(kMadeWith, made_with);
     return spec;
 }
 
@@ -54,21 +56,29 @@ Result<ImageKind> image_kind(const std::string& file_name) {
         fmt::format("cannot write {}: its name ends in neither .png nor .exr; give one that does", file_name));
 }
 
-Result<std::string> encode_png(const Channels<uint8_t>& image) {
-    OIIO::ImageSpec spec = plain_spec(image.width, image.height, OIIO::TypeDesc::UINT8);
+std::string made_with(const std::string& file_name) {
+    const auto input = OIIO::ImageInput::open(file_name);
+    if (!input) OIIO::geterror();  // else it is kept, and told at the end of the program
+    return input ? std::string(input->spec().get_string_attribute(kMadeWith)) : std::string();
+}
+
+Result<std::string> encode_png(const Channels<uint8_t>& image, const std::string& made_with) {
+    OIIO::ImageSpec spec = plain_spec(image.width, image.height, OIIO::TypeDesc::UINT8, made_with);
     spec.attribute("oiio:ColorSpace", "sRGB");
     return encode("png", spec, image.rgb.data());
 }
 
-Result<std::string> encode_exr(const Channels<float>& image) {
-    OIIO::ImageSpec spec = plain_spec(image.width, image.height, OIIO::TypeDesc::FLOAT);
+Result<std::string> encode_exr(const Channels<float>& image, const std::string& made_with) {
+    OIIO::ImageSpec spec = plain_spec(image.width, image.height, OIIO::TypeDesc::FLOAT, made_with);
     spec.attribute("oiio:ColorSpace", "Linear");
     spec.attribute("compression", "zip");
     return encode("exr", spec, image.rgb.data());
 }
 
-Result<std::string> encode_picture(const Picture& picture, ImageKind kind, float stops, ToneMap curve) {
-    return kind == ImageKind::png ? encode_png(srgb_levels(picture, stops, curve)) : encode_exr(linear_values(picture));
+Result<std::string> encode_picture(const Picture& picture, ImageKind kind, float stops, ToneMap curve,
+                                   const std::string& made_with) {
+    return kind == ImageKind::png ? encode_png(srgb_levels(picture, stops, curve), made_with)
+                                  : encode_exr(linear_values(picture), made_with);
 }
 
 }  // namespace application

@@ -27,6 +27,12 @@ struct LookAt {
     std::array<float, 3> target;
 };
 
+/// `--frames`: from `first` up to `end`, which is not among them.
+struct FrameRange {
+    uint32_t first = 0;
+    uint32_t end = 0;
+};
+
 /// `--sky`: a radiance, the file of a map, or (neither) what scene and camera file say.
 struct SkyChoice {
     std::optional<std::array<float, 3>> radiance;
@@ -59,8 +65,14 @@ struct Options {
     bool next_event_estimation = true;
     float indirect_limit = 0.0f;  ///< `--clamp`; 0: none
     bool exact = false;
-    std::string variant;         ///< of KHR_materials_variants; empty: the file's own materials
-    bool allow_outside = false;  ///< the scene may name files outside its folder
+    std::string variant;               ///< of KHR_materials_variants; empty: the file's own materials
+    bool allow_outside = false;        ///< the scene may name files outside its folder
+    double time = 0.0;                 ///< seconds, at which an animated scene is shown
+    std::optional<FrameRange> frames;  ///< render: a sequence of pictures
+    double fps = 24.0;                 ///< frames a second
+    bool time_given = false;
+    bool fps_given = false;
+    bool resume = false;  ///< of `frames` those that are there already stay
     CameraChoice camera;
     std::optional<LookAt> look_at;
     std::optional<float> vertical_fov;  ///< radians

@@ -55,12 +55,19 @@ enum class ImageKind { png, exr };
 /// The kind of `file_name`; fails with invalid_argument on any end but .png and .exr, in either case.
 render_system::Result<ImageKind> image_kind(const std::string& file_name);
 
+/// The name of the text that a picture of a sequence carries: what it was made with.
+constexpr const char* kMadeWith = "pathtracer";
+
+/// That text of a file that is there; empty where there is none, or no picture.
+std::string made_with(const std::string& file_name);
+
 /// The bytes of a file: PNG of 8 bits a channel, or EXR of 32-bit floats. The same values give the same bytes: no
 /// date, no host name.
-render_system::Result<std::string> encode_png(const Channels<uint8_t>& image);
-render_system::Result<std::string> encode_exr(const Channels<float>& image);
+render_system::Result<std::string> encode_png(const Channels<uint8_t>& image, const std::string& made_with = "");
+render_system::Result<std::string> encode_exr(const Channels<float>& image, const std::string& made_with = "");
 
 /// The bytes of the picture as a file of that kind; exposure (stops) and tone map act on PNG alone.
-render_system::Result<std::string> encode_picture(const Picture& picture, ImageKind kind, float stops, ToneMap curve);
+render_system::Result<std::string> encode_picture(const Picture& picture, ImageKind kind, float stops, ToneMap curve,
+                                                  const std::string& made_with = "");
 
 }  // namespace application

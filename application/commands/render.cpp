@@ -25,6 +25,11 @@ Status write_picture(const Picture& picture, ImageKind kind, const Options& opti
 }  // namespace
 
 ExitCode run_render(const Options& options, Console& console) {
+    if (options.frames) return run_frames(options, console);
+    if (options.resume)
+        return fail(console, Status::invalid("--resume: there is no sequence to go on with; give --frames"));
+    if (options.fps_given)
+        return fail(console, Status::invalid("--fps: there is no sequence; give --frames, or --time"));
     const std::string file = options.output.empty() ? default_picture_name(options.scene) : options.output;
     const auto kind = image_kind(file);
     if (!kind.ok()) return fail(console, kind.status);
