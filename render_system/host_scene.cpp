@@ -124,6 +124,7 @@ uint32_t HostScene::add_deformer(HostDeformer deformer) {
 }
 
 void HostScene::set_texture(uint32_t id, HostTexture texture) {
+    if (id < removed_.textures.size()) removed_.textures[id] = false;
     texture_means_[id].reset();
     textures_[id] = std::move(texture);
     changes_.textures = true;
@@ -131,6 +132,7 @@ void HostScene::set_texture(uint32_t id, HostTexture texture) {
 }
 
 void HostScene::set_material(uint32_t id, const CoreMaterial& material) {
+    if (id < removed_.materials.size()) removed_.materials[id] = false;
     CoreMaterial next = material;
     next.emission_weight = emission_weight(material);
     if (!same_emission(materials_[id].core, next)) changes_.lights = true;
@@ -139,6 +141,7 @@ void HostScene::set_material(uint32_t id, const CoreMaterial& material) {
 }
 
 void HostScene::set_mesh(uint32_t id, HostMesh mesh) {
+    if (id < removed_.meshes.size()) removed_.meshes[id] = false;
     const bool was_emissive = is_emissive(id);
     meshes_[id] = std::move(mesh);
     changes_.meshes[id] = true;
@@ -147,6 +150,7 @@ void HostScene::set_mesh(uint32_t id, HostMesh mesh) {
 }
 
 void HostScene::set_instance_mesh(uint32_t id, uint32_t mesh) {
+    if (id < removed_.instances.size()) removed_.instances[id] = false;
     const uint32_t before = std::exchange(instances_[id].mesh, mesh);
     changes_.instances[id] = true;
     if ((before != NONE && is_emissive(before)) || (mesh != NONE && is_emissive(mesh))) changes_.lights = true;
@@ -159,6 +163,7 @@ void HostScene::set_instance_transform(uint32_t id, const CoreTransform& transfo
 }
 
 void HostScene::set_punctual_light(uint32_t id, PunctualLight light) {
+    if (id < removed_.lights.size()) removed_.lights[id] = false;
     lights_[id] = std::move(light);
     changes_.lights = true;
 }
@@ -247,6 +252,7 @@ void HostScene::follow_joints(uint32_t first, const std::vector<bool>& moved) {
 }
 
 void HostScene::deform_mesh(const HostDeformer& deformer) {
+    if (deformer.mesh == NONE) return;  // it has been removed
     std::vector<glm::mat4> matrices;
     for (size_t i = 0; deformer.skin && i < deformer.skin->joints.size(); ++i)
         matrices.emplace_back(node_worlds_[deformer.skin->joints[i]] * deformer.skin->inverse_binds[i]);

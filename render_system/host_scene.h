@@ -157,6 +157,8 @@ public:
     const std::vector<HostCamera>& cameras() const { return cameras_; }
     const std::vector<HostNode>& nodes() const { return nodes_; }
     const Sky& sky() const { return sky_; }
+    bool is_removed_material(uint32_t id) const { return id < removed_.materials.size() && removed_.materials[id]; }
+    bool is_removed_light(uint32_t id) const { return id < removed_.lights.size() && removed_.lights[id]; }
     const std::vector<HostDeformer>& deformers() const { return deformers_; }
     /// A node's place in the world.
     const glm::dmat4& node_world(uint32_t node) const { return node_worlds_[node]; }
@@ -180,6 +182,16 @@ public:
     void set_punctual_light(uint32_t id, PunctualLight light);
     void set_camera(uint32_t id, const Camera& camera);
     void set_sky(Sky sky);
+    /// Removal. The memory of what is removed is given back, here and in the core with its next picture; all ids stay
+    /// as they are, and a removed one is never given to anything else. It may be set anew, which brings it back. Fails
+    /// with not_found where there is no such id or it has been removed already, and with invalid_argument where
+    /// something that is left uses it: an instance a mesh, a mesh a material, a material a texture.
+    Status remove_instance(uint32_t id);
+    Status remove_mesh(uint32_t id);
+    Status remove_material(uint32_t id);
+    Status remove_texture(uint32_t id);
+    Status remove_punctual_light(uint32_t id);
+
     /// Moves a node and everything below it: instances, lights, cameras, and the skins that it is a joint of.
     void set_node_transform(uint32_t id, const glm::dmat4& local);
     /// Many nodes and weights in one pass over the hierarchy, each mesh deformed once; what is as it was raises no
@@ -235,6 +247,10 @@ private:
     std::vector<HostNode> nodes_;
     std::vector<glm::dmat4> node_worlds_;  // to world space
     std::vector<bool> flattened_;          // by node: its instance is hidden, since it is scaled to nothing
+    struct Removed {
+        std::vector<bool> instances, meshes, materials, textures, lights;
+    };
+    Removed removed_;  // by id, no longer than need be
     std::vector<HostDeformer> deformers_;
     std::vector<bool> out_of_shape_;  // by deformer
     std::shared_ptr<const Animation> animation_;

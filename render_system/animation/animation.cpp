@@ -38,6 +38,7 @@ CoreMaterial material_of(const MaterialState& state) {
 
 Status play_materials(const Tracks<MaterialState>& tracks, double time, HostScene& scene) {
     for (const MaterialState& state : states_at(tracks, time)) {
+        if (scene.is_removed_material(state.material)) continue;
         CoreMaterial material = material_of(state);
         const HostMaterial& before = scene.materials()[state.material];
         material.emission_weight = before.core.emission_weight;
@@ -52,6 +53,7 @@ Status play_materials(const Tracks<MaterialState>& tracks, double time, HostScen
 void play_lights(const Tracks<LightState>& tracks, double time, HostScene& scene) {
     for (const LightState& state : states_at(tracks, time)) {
         for (const uint32_t id : state.lights) {
+            if (scene.is_removed_light(id)) continue;
             PunctualLight light = scene.punctual_lights()[id];
             light.emission = glm::clamp(glm::vec3(state.color * state.intensity), 0.0f, BRIGHTEST_LIGHT);
             light.outer_cone = state.outer_cone;
