@@ -77,6 +77,9 @@ void declare_picture(CLI::App& app, Options& options) {
         },
         "The time at which an animated scene is shown, in seconds (0)")
         ->type_name("T");
+    add_name(app, "--animation", options.animation,
+             "The animation to play (all; of those that move the same, the file's first)")
+        ->type_name("NAME|INDEX");
     add_number(app, "--seed", options.seed, 0, UINT32_MAX, "Seed of the random numbers (0)")->type_name("N");
     add_parsed(
         app, "--camera", parse_camera, [&options](const CameraChoice& camera) { options.camera = camera; },

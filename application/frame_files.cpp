@@ -75,6 +75,7 @@ std::string sequence_text(const Options& options, bool framed) {
     if (options.indirect_limit > 0.0f) text += fmt::format(" clamp {}", options.indirect_limit);
     if (options.exact) text += " exact";
     if (!options.variant.empty()) text += fmt::format(" variant {}", options.variant);
+    if (!options.animation.empty()) text += fmt::format(" animation {}", options.animation);
     if (!options.kernels.empty()) text += fmt::format(" kernels {}", options.kernels);
     text += camera_text(options, framed) + sky_text(options);
     return text + fmt::format(" exposure {} tone-map {}", options.exposure, static_cast<int>(options.tone_map));

@@ -67,6 +67,7 @@ struct Options {
     bool exact = false;
     std::string variant;               ///< of KHR_materials_variants; empty: the file's own materials
     bool allow_outside = false;        ///< the scene may name files outside its folder
+    std::string animation;             ///< name or number; empty: all
     double time = 0.0;                 ///< seconds, at which an animated scene is shown
     std::optional<FrameRange> frames;  ///< render: a sequence of pictures
     double fps = 24.0;                 ///< frames a second

@@ -170,9 +170,10 @@ Result<SceneSetup> set_up_scene(const Options& options, Console& console) {
     const auto start = std::chrono::steady_clock::now();
     auto companions = read_companions(options, console);
     if (!companions.ok()) return companions.status;
-    auto loaded = render_system::load_scene(
-        scene_path(options.scene),
-        {.allow_outside = options.allow_outside, .variant = options.variant, .time = options.time});
+    auto loaded = render_system::load_scene(scene_path(options.scene), {.allow_outside = options.allow_outside,
+                                                                        .variant = options.variant,
+                                                                        .animation = options.animation,
+                                                                        .time = options.time});
     if (!loaded.ok()) return loaded.status;
     for (const std::string& warning : loaded->warnings) console.warning(warning);
     SceneSetup setup{std::move(loaded->scene), {}, {}, false};

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render_system/loader/gltf_animations.h"
 
+#include <algorithm>
+#include <charconv>
 #include <nlohmann/json.hpp>
-#include <tuple>
 #include <utility>
 
 #include "render_system/host_scene.h"
@@ -255,6 +256,34 @@ std::vector<GltfChannel> read_channels(const json& document, Omissions& omission
         ++index;
     }
     return channels;
+}
+
+std::vector<std::string> animation_names(const json& document) {
+    std::vector<std::string> names;
+    for (const json& animation : document.value("animations", json::array()))
+        names.push_back(animation.value("name", ""));
+    return names;
+}
+
+void choose_animation(GltfDocument& document, const std::string& wanted) {
+    if (wanted.empty()) return;
+    const std::vector<std::string>& names = document.animations;
+    size_t chosen = static_cast<size_t>(std::find(names.begin(), names.end(), wanted) - names.begin());
+    if (chosen == names.size()) {
+        const auto [end, error] = std::from_chars(wanted.data(), wanted.data() + wanted.size(), chosen);
+        if (error != std::errc{} || end != wanted.data() + wanted.size()) chosen = names.size();
+    }
+    if (chosen >= names.size()) {
+        constexpr size_t kShown = 10;
+        if (names.empty()) fail_at("", "--animation: the file has no animations; leave the option out");
+        std::string list;
+        for (size_t i = 0; i < std::min(names.size(), kShown); ++i)
+            list += (i > 0 ? ", " : "") + std::to_string(i) + (names[i].empty() ? "" : " \"" + names[i] + "\"");
+        if (names.size() > kShown) list += " and " + std::to_string(names.size() - kShown) + " more";
+        fail_at("", "--animation: there is no animation \"" + wanted + "\"; there are " + list);
+    }
+    std::erase_if(document.channels,
+                  [chosen](const GltfChannel& channel) { return static_cast<size_t>(channel.animation) != chosen; });
 }
 
 std::set<int> nodes_with_animated_weights(const GltfDocument& document) {

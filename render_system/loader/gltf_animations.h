@@ -16,6 +16,13 @@ namespace render_system {
 /// All channels of the file's animations. Throws LoadError where one has a sampler that is not there.
 std::vector<GltfChannel> read_channels(const nlohmann::json& document, Omissions& omissions);
 
+/// The names of the file's animations; empty where one has none.
+std::vector<std::string> animation_names(const nlohmann::json& document);
+
+/// Keeps the channels of one animation alone: the first of that name, else the one of that number. Throws LoadError
+/// where there is none; an empty `wanted` keeps all.
+void choose_animation(GltfDocument& document, const std::string& wanted);
+
 /// Whether anything animates the weights of the node's mesh.
 std::set<int> nodes_with_animated_weights(const GltfDocument& document);
 

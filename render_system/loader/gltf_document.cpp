@@ -335,6 +335,7 @@ GltfDocument open_gltf(const std::filesystem::path& path, Reach reach, const std
     check_version(root);
     check_extensions(root, document.omissions);
     document.skins = read_skins(root);
+    document.animations = animation_names(root);
     document.channels = read_channels(root, document.omissions);
     apply_variant(root, variant);
     take_webp_images(root);

@@ -83,8 +83,9 @@ struct GltfDocument {
     std::vector<std::array<int, 2>> uv_sets;              ///< by material: the file's numbers of the two sets it reads
     std::optional<Sky> sky;                               ///< of EXT_lights_image_based
     std::vector<GltfSkin> skins;
-    std::vector<GltfChannel> channels;  ///< of all animations, in the file's order
-    uint64_t geometry_bytes = 0;        ///< what the meshes and curves read so far take, at least
+    std::vector<std::string> animations;  ///< their names
+    std::vector<GltfChannel> channels;    ///< of all animations, in the file's order
+    uint64_t geometry_bytes = 0;          ///< what the meshes and curves read so far take, at least
     Omissions omissions;
     std::vector<UnreadImage> unread_images;
 

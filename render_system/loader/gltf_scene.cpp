@@ -94,7 +94,9 @@ class SceneReader {
 public:
     SceneReader(const std::filesystem::path& path, const LoadOptions& options)
         : document_(open_gltf(path, options.allow_outside ? Reach::anywhere : Reach::folder, options.variant)),
-          time_(options.time) {}
+          time_(options.time) {
+        choose_animation(document_, options.animation);
+    }
 
     LoadedScene read() {
         if (document_.model.scenes.empty()) {

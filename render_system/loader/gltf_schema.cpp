@@ -231,6 +231,7 @@ const Rule RULES[] = {
     {"skins[].inverseBindMatrices", Kind::index, "accessors"},
     {"animations", Kind::array},
     {"animations[]", Kind::object},
+    {"animations[].name", Kind::text},
     {"animations[].samplers", Kind::array, "", 0, REQUIRED},
     {"animations[].samplers[]", Kind::object},
     {"animations[].samplers[].input", Kind::index, "accessors", 0, REQUIRED},

@@ -263,6 +263,17 @@ TEST(LoaderAnimation, OfTwoAnimationsThatMoveTheSameTheFirstCounts) {
     EXPECT_EQ(scene.instances()[0].transform.rows[0].w, 1.0f);
     ASSERT_EQ(warnings.size(), 1u);
     EXPECT_THAT(warnings[0], HasSubstr("animations of what another moves already (/animations/1)"));
+    file.root["animations"][1]["name"] = "jump";
+    const TempFolder folder;
+    write_file(folder / "scene.gltf", file.text_embedded());
+    for (const char* name : {"jump", "1"}) {
+        const auto jump = load_scene(folder / "scene.gltf", {.animation = name});
+        ASSERT_TRUE(jump.ok());
+        EXPECT_THAT(jump->warnings, ::testing::IsEmpty());
+        EXPECT_EQ(jump->scene.instances()[0].transform.rows[0].w, 9.0f);
+    }
+    EXPECT_THAT(load_scene(folder / "scene.gltf", {.animation = "run"}).status.message,
+                HasSubstr("there is no animation \"run\"; there are 0, 1 \"jump\""));
 }
 
 TEST(LoaderAnimation, RefusesKeysThatAreNone) {
