@@ -584,7 +584,16 @@ TYPED_TEST_P(CoreContractSuite, WhatIsRemovedGivesItsMemoryBack) {
     const uint64_t held = this->core_->GetCoreStats().memory_bytes;
     ContractScene large;
     large.triangles.clear();
-    for (uint32_t i = 0; i < 50'000; ++i) large.triangles.push_back({i % 2, 2, 3, 0});
+    large.positions.clear();
+    for (uint32_t i = 0; i < 50'000; ++i) {
+        // Each behind the one before: triangles in one place are a matter of their own.
+        const glm::vec3 corner(-0.5f, -0.5f, -1.0f - 0.01f * static_cast<float>(i));
+        large.positions.insert(large.positions.end(),
+                               {corner, corner + glm::vec3(1, 0, 0), corner + glm::vec3(0, 1, 0)});
+        large.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2, 0});
+    }
+    large.normals.assign(large.positions.size(), glm::vec3(0, 0, 1));
+    large.uv0.assign(large.positions.size(), glm::vec2(0));
     large.texels.assign(1 << 20, 0xFFFFFFFFu);
     CoreTexture textures[2] = {scene.texture(), large.texture()};
     textures[1].width = textures[1].height = 1024;
