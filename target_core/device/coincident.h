@@ -21,10 +21,8 @@ struct SharedTriangle {
 /// Of a scene's box, in magnitude.
 float largest_coordinate(RTCScene scene);
 
-/// The triangles of a native scene that have another of their own direction within 1e-5 of the scene's largest
-/// coordinate, in order. Looked for at the middle of each triangle, and near the corners of those that are
-/// longer than a hundredth of the scene: where neither of two lies on the other there, they are not found.
-/// `scene` holds all of `geometry`, by Embree's own triangles. Call inside the task arena whose threads shall look.
-std::vector<SharedTriangle> find_shared_triangles(RTCScene scene, std::span<const InstanceGeometry> geometry);
+/// The triangles that have the same three corners in world space as another, to the bit and in any order: two things
+/// in one place. Surfaces that are cut into triangles otherwise, or lie in one plane by chance, are not looked for.
+std::vector<SharedTriangle> find_shared_triangles(std::span<const InstanceGeometry> geometry);
 
 }  // namespace target_core

@@ -146,10 +146,11 @@ bool EmbreeScene::build(std::span<const InstanceGeometry> geometry, bool exact, 
     has_baked_ = std::any_of(geometry.begin(), geometry.end(), [](const InstanceGeometry& instance) {
         return instance.baked && instance.triangle_count > 0;
     });
-    attach_all(geometry, exact);
-    if (!exact) shared_.triangles = find_shared_triangles(scene_, geometry);
-    if (!shared_.triangles.empty()) {
-        release_scenes();
+    // What moves would take its place among them anew.
+    if (!exact && !alive) shared_.triangles = find_shared_triangles(geometry);
+    if (shared_.triangles.empty()) {
+        attach_all(geometry, exact);
+    } else {
         const std::vector<InstanceGeometry> rest = without_shared(geometry);
         attach_all(rest, false);
         attach_shared();
