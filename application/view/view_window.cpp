@@ -103,7 +103,7 @@ public:
     void run() {
         double looked_at = -1.0;
         int frames = 1;  // to be drawn: after an input Dear ImGui takes a few
-        while (glfwWindowShouldClose(window_) == GLFW_FALSE) {
+        while (glfwWindowShouldClose(window_) == GLFW_FALSE && !session_.is_stuck()) {
             constexpr double TURN_SECONDS = 0.004, CALM_SECONDS = 0.1;
             constexpr int FRAMES_OF_INPUT = 3;
             glfwWaitEventsTimeout(TURN_SECONDS);
@@ -378,6 +378,8 @@ Status run_window(const Options& options, ViewSession& session, DriftPanel& pane
     ImGui_ImplOpenGL3_Shutdown();
     ImGui_ImplGlfw_Shutdown();
     ImGui::DestroyContext();
+    if (session.is_stuck())
+        return Status::error(StatusCode::no_device, "view: " + session.problem_of(session.active()));
     return Status::success();
 }
 

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The porttool authors
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
+#include <poll.h>
 #include <unistd.h>
 
 #include <chrono>
@@ -25,6 +26,14 @@ int64_t milliseconds_since(WatchClock::time_point then) {
     return std::chrono::duration_cast<std::chrono::milliseconds>(WatchClock::now() - then).count();
 }
 
+constexpr int kLookForReaderMs = 2000;
+
+/// True once the other end of a pipe is closed: who started us is gone, and may have been killed.
+bool is_without_reader() {
+    pollfd out{STDOUT_FILENO, 0, 0};
+    return ::poll(&out, 1, 0) > 0 && (out.revents & POLLERR) != 0;
+}
+
 /// Judges a project again and again, and prints what became different.
 class Watcher {
 public:
@@ -42,7 +51,9 @@ public:
         look({});
         if (project_.watch().is_polling()) place_.err << FileWatch::polling_note();
         while (stop.exit_code() == 0) {
-            if (project_.watch().wait(stop.descriptor(), -1) != Woken::Changed) continue;
+            const Woken woken = project_.watch().wait(stop.descriptor(), kLookForReaderMs);
+            if (is_without_reader()) throw CannotDo("stdout cannot be written: nobody reads it any more");
+            if (woken != Woken::Changed) continue;
             const std::set<std::string> files = changed_files();
             try {
                 look(files);

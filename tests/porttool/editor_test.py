@@ -172,6 +172,13 @@ class WatchTest(Project):
             self.assertTrue(self.line().startswith("in_step: "))
             self.stop(number, code)
 
+    def test_ends_when_nobody_reads_any_more(self):
+        self.start()
+        self.line()
+        self.process.stdout.close()
+        self.assertEqual(self.process.wait(10 * SLOW), 2)
+        self.assertIn(b"nobody reads", self.process.stderr.read())
+
     def test_says_at_the_start_what_cannot_be_done(self):
         for arguments, said in ((["-C", self.folder.name, "watch"], b"portmap.toml"),
                                 (["-C", self.root, "watch", "-o", "x"], b"-o"),
