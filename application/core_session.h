@@ -8,6 +8,7 @@
 #include "application/console.h"
 #include "application/options.h"
 #include "application/picture.h"
+#include "application/sampling/sample_sums.h"
 #include "application/scene_setup.h"
 #include "render_system/core_choice.h"
 #include "render_system/render_system.h"
@@ -34,11 +35,19 @@ public:
     /// is shown, samples come in portions of about a quarter of a second, which changes no bit of the picture.
     render_system::Status render_up_to(uint32_t samples);
 
+    /// From the next start on samples go into `sums` in place of the picture; `first_sample` is the index of the first.
+    /// The sums have to stay where they are.
+    void sum_into(SampleSums* sums, uint32_t first_sample);
+
+    /// The next samples are those from `sample` on, whatever came before.
+    render_system::Status go_on_from(uint32_t sample);
+
     /// From the next start on `watch` is shown what the core's kernels do.
     void set_watch(render_system::PathWatch* watch) { watch_ = watch; }
 
     std::vector<render_system::KernelText> kernel_texts() { return system_.core().GetKernelTexts(); }
     const render_system::HostScene& scene() const { return system_.scene(); }
+    const render_system::ViewPyramid& view() const { return view_; }
 
     /// `samples` samples more, or from the first again, in one call of the core.
     render_system::Status render(render_system::Convergence convergence, uint32_t samples);
@@ -58,6 +67,9 @@ private:
     render_system::ViewPyramid view_;
     render_system::PathWatch* watch_ = nullptr;
     uint32_t seed_;
+    SampleSums* sums_ = nullptr;
+    uint32_t first_sample_ = 0;
+    bool restart_ = false;  // with the next samples
 };
 
 /// What the options ask of any core.
