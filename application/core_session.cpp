@@ -51,6 +51,14 @@ void CoreSession::sum_into(SampleSums* sums, uint32_t first_sample) {
     first_sample_ = first_sample;
 }
 
+Status CoreSession::render_part(std::span<render_system::PixelSum> sums, std::span<double> squares,
+                                uint32_t first_pixel, uint32_t first_sample, uint32_t samples) {
+    first_sample_ = first_sample;
+    Status status = system_.core().SetTarget({options_.width, options_.height, pixels_, sums, squares, first_pixel});
+    if (status.ok()) status = system_.core().Setting(settings());
+    return status.ok() ? system_.render(view_, Convergence::Restart, samples) : status;
+}
+
 Status CoreSession::go_on_from(uint32_t sample) {
     first_sample_ = sample;
     restart_ = true;
@@ -59,8 +67,11 @@ Status CoreSession::go_on_from(uint32_t sample) {
 
 Result<CoreChoice> CoreSession::start(const std::vector<std::string>& ids, Picture& picture) {
     const auto first_sample = [&](RenderSystem& system) {
-        render_system::CoreTarget target{picture.width, picture.height, picture.pixels};
-        if (sums_) {
+        pixels_ = picture.pixels;
+        render_system::CoreTarget target{picture.width, picture.height, pixels_};
+        render_system::PixelSum one_pixel;
+        if (only_tries_) target.sums = {&one_pixel, 1};
+        if (sums_ && !only_tries_) {
             sums_->clear();  // a core tried before may have left some
             target.sums = sums_->pixels;
             target.squares = sums_->squares;
@@ -69,7 +80,7 @@ Result<CoreChoice> CoreSession::start(const std::vector<std::string>& ids, Pictu
         if (status.ok()) status = system.core().Setting(settings());
         if (status.ok()) status = system.core().SetWatch(watch_);
         if (status.ok()) status = system.render(view_, Convergence::Restart, 1);
-        if (sums_ && status.ok()) sums_->samples = 1;
+        if (sums_ && !only_tries_ && status.ok()) sums_->samples = 1;
         return status;
     };
     auto choice = choose_core(make_registry(options_), ids, {.threads = options_.threads, .exact = options_.exact},

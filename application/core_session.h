@@ -39,6 +39,17 @@ public:
     /// The sums have to stay where they are.
     void sum_into(SampleSums* sums, uint32_t first_sample);
 
+    /// From the next start on that takes a sample of one pixel alone, to see that the core can do it.
+    void only_try() { only_tries_ = true; }
+
+    /// Samples [first_sample, first_sample + samples) of the pixels [first_pixel, first_pixel + sums.size()), into sums
+    /// and, unless empty, squares.
+    render_system::Status render_part(std::span<render_system::PixelSum> sums, std::span<double> squares,
+                                      uint32_t first_pixel, uint32_t first_sample, uint32_t samples);
+
+    uint32_t width() const { return options_.width; }
+    uint32_t height() const { return options_.height; }
+
     /// The next samples are those from `sample` on, whatever came before.
     render_system::Status go_on_from(uint32_t sample);
 
@@ -70,6 +81,8 @@ private:
     SampleSums* sums_ = nullptr;
     uint32_t first_sample_ = 0;
     bool restart_ = false;  // with the next samples
+    bool only_tries_ = false;
+    std::span<glm::vec4> pixels_;  // of the target
 };
 
 /// What the options ask of any core.

@@ -4,6 +4,7 @@
 
 #include <csignal>
 
+#include "application/cluster/team.h"
 #include "application/commands/command_steps.h"
 #include "application/commands/commands.h"
 #include "application/file_output.h"
@@ -15,9 +16,51 @@ namespace {
 using render_system::CoreStats;
 using render_system::Status;
 
-std::string render_text(const Options& options, const std::string& file, uint32_t samples, const CoreStats& stats) {
+std::string render_text(const Options& options, const std::string& file, uint32_t samples, const CoreStats& stats,
+                        double seconds) {
     return fmt::format("{}: {}x{}, {} samples per pixel, {} core, {:.2f} s\n", file, options.width, options.height,
-                       samples, stats.core, stats.total_ms * 1e-3);
+                       samples, stats.core, seconds);
+}
+
+/// What stands in the way of a rendering and can be known before the scene is.
+Status check_places(const Options& options, const std::string& file, Console& console) {
+    const auto kind = image_kind(file);
+    if (!kind.ok()) return kind.status;
+    if (Status status = check_writable(file); !status.ok()) return status;
+    if (Status status = check_files(options, file); !status.ok()) return status;
+    if (Status status = check_sampling(options, file, console); !status.ok()) return status;
+    if (*kind == ImageKind::exr && changes_colors(options))
+        console.note("--exposure and --tone-map act on PNG alone: an EXR holds radiance as it is");
+    return Status::success();
+}
+
+/// `mine`, or why another member of the team could not go on; alone, `mine`.
+Status agreed(const Status& mine) { return team() ? team()->agree(mine) : mine; }
+
+/// Takes the samples, on the team where there is one.
+Status take_together(PictureRun& run, std::chrono::steady_clock::time_point start) {
+    Status status = run.resume();
+    if (team()) {
+        if (Status same = team()->agree_on(*run.identity()); !same.ok()) return same;
+        status = team()->agree(status);
+    }
+    if (status.ok()) status = run.take(start);
+    if (team() && status.ok()) team()->end();
+    return status;
+}
+
+/// A member of a team that does not lead: nothing is written or said here.
+ExitCode help_team(const Options& options, CoreSession& session, Console& console) {
+    if (Status status = team()->agree_on(run_identity(options, session)); !status.ok()) return FAILED;
+    if (Status status = team()->agree(Status::success()); !status.ok()) return FAILED;
+    const Status status = team()->follow(session, options.sampling.noise.has_value());
+    return status.ok() ? DONE : fail(console, status);
+}
+
+/// Where a team fails, one of it says why.
+ExitCode fail_once(Console& console, const Status& status) {
+    if (team() && !team()->leads()) return FAILED;
+    return fail(console, status);
 }
 
 }  // namespace
@@ -25,34 +68,34 @@ std::string render_text(const Options& options, const std::string& file, uint32_
 ExitCode run_render(const Options& options, Console& console) {
     const auto start = std::chrono::steady_clock::now();
     const std::string file = options.output.empty() ? default_picture_name(options.scene) : options.output;
-    const auto kind = image_kind(file);
-    if (!kind.ok()) return fail(console, kind.status);
-    if (Status status = check_writable(file); !status.ok()) return fail(console, status);
-    if (Status status = check_files(options, file); !status.ok()) return fail(console, status);
-    if (Status status = check_sampling(options, file, console); !status.ok()) return fail(console, status);
-
-    if (*kind == ImageKind::exr && changes_colors(options))
-        console.note("--exposure and --tone-map act on PNG alone: an EXR holds radiance as it is");
+    const bool leads = !team() || team()->leads();
+    if (Status status = agreed(leads ? check_places(options, file, console) : Status::success()); !status.ok())
+        return fail_once(console, status);
 
     auto setup = set_up_scene(options, console);
-    if (!setup.ok()) return fail(console, setup.status);
+    if (Status status = agreed(setup.status); !status.ok()) return fail_once(console, status);
     const KeptInterrupt interrupt;
     CoreSession session(options, std::move(*setup), console);
-    SampleSums sums(options.width, options.height, options.sampling.noise.has_value());
+    SampleSums sums(leads ? options.width : 0, options.height, options.sampling.noise.has_value());
     session.sum_into(&sums, wanted_samples(options).first);
+    if (team()) session.only_try();
     Picture picture(options.width, options.height);
     const auto choice = start_chosen_core(session, options, picture, console);
-    if (!choice.ok()) return fail(console, choice.status);
+    if (Status status = agreed(choice.status); !status.ok()) return fail_once(console, status);
+    if (!leads) return help_team(options, session, console);
     PictureRun run(options, file, session, sums, interrupt, console);
-    if (Status status = run.resume(); !status.ok()) return fail(console, status);
-    if (Status status = run.take(start); !status.ok()) return fail(console, status);
+    const auto loaded = std::chrono::steady_clock::now();
+    if (Status status = take_together(run, start); !status.ok()) return fail(console, status);
+    const std::chrono::duration<double> taking = std::chrono::steady_clock::now() - loaded;
 
     const CoreStats stats = session.stats();
     const Json bench = bench_json(options, stats, session.embree_figures(), mean_frame(stats), stats.samples);
     const Json json = stats_json(bench, options, sums.samples, choice->reason);
     if (Status status = run.write(); !status.ok()) return fail(console, status);
     if (Status status = write_stats(options, json); !status.ok()) return fail(console, status);
-    const std::string text = render_text(options, file, sums.samples, stats);
+    // A core in a team knows of its own tiles alone.
+    const double seconds = team() ? taking.count() : stats.total_ms * 1e-3;
+    const std::string text = render_text(options, file, sums.samples, stats, seconds);
     if (!options.output.empty())
         console.note(text.substr(0, text.size() - 1));
     else

@@ -7,6 +7,7 @@
 #include <csignal>
 #include <utility>
 
+#include "application/cluster/team.h"
 #include "application/file_output.h"
 #include "application/sampling/checkpoint.h"
 #include "application/sampling/sum_file.h"
@@ -17,6 +18,8 @@ namespace {
 using render_system::Result;
 using render_system::Status;
 using std::filesystem::path;
+
+constexpr double kTeamPortionSeconds = 2.0;  // the end of each costs a team up to the time of a tile
 
 bool is_exr(const path& file) {
     const auto kind = image_kind(file.string());
@@ -50,7 +53,7 @@ PictureRun::PictureRun(const Options& options, path file, CoreSession& session, 
       interrupt_(interrupt),
       console_(console),
       wanted_(wanted_samples(options)) {
-    if (is_exr(file_) || keeps_checkpoints()) run_ = run_identity(options, session);
+    if (is_exr(file_) || keeps_checkpoints() || team()) run_ = run_identity(options, session);
 }
 
 Status PictureRun::resume() {
@@ -85,8 +88,15 @@ Status PictureRun::resume() {
 
 Status PictureRun::take(std::chrono::steady_clock::time_point start) {
     const SamplingOptions& sampling = options_.sampling;
-    SamplingPlan plan{wanted_, start, sampling.time_limit, sampling.noise, sampling.checkpoint, {}, &interrupt_};
+    SamplingPlan plan{wanted_, start, sampling.time_limit, sampling.noise, sampling.checkpoint};
+    plan.interrupt = &interrupt_;
     plan.write_checkpoint = [this] { save_checkpoint(); };
+    if (Team* all = team()) {
+        plan.render = [this, all](uint32_t count) {
+            return all->render(session_, sums_, wanted_.first + sums_.samples, count);
+        };
+        plan.portion_seconds = kTeamPortionSeconds;
+    }
     const auto end = take_samples(session_, sums_, plan, console_);
     if (!end.ok()) return end.status;
     end_ = *end;

@@ -38,6 +38,9 @@ public:
     /// Writes the picture; a checkpoint goes when all samples are in it, and is renewed when they are not.
     render_system::Status write();
 
+    /// What decides the bits; there is one where a team renders.
+    const std::optional<RunIdentity>& identity() const { return run_; }
+
     bool interrupted() const { return end_ == SamplingEnd::interrupted; }
 
 private:

@@ -17,7 +17,6 @@ using render_system::Result;
 using render_system::Status;
 using Clock = std::chrono::steady_clock;
 
-constexpr double kPortionSeconds = 0.25;  // between two looks at the clock and at signals
 constexpr uint32_t kFewestForNoise = 8;
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
@@ -32,6 +31,7 @@ bool measures_noise(const SamplingPlan& plan, uint32_t samples) {
 std::optional<SamplingEnd> end_of(const SamplingPlan& plan, const SampleSums& sums, double sample_seconds) {
     if (measures_noise(plan, sums.samples) && noise_of(sums) <= *plan.noise) return SamplingEnd::noise;
     if (sums.samples >= plan.wanted.count()) return SamplingEnd::all_taken;
+    if (sums.samples == 0) return std::nullopt;
     if (plan.interrupt->signal() != 0) return SamplingEnd::interrupted;
     if (plan.time_limit && seconds_since(plan.start) + sample_seconds > *plan.time_limit)
         return SamplingEnd::time_limit;
@@ -41,7 +41,7 @@ std::optional<SamplingEnd> end_of(const SamplingPlan& plan, const SampleSums& su
 /// How many samples go into the next call of the core: about a quarter of a second's, and none past a place where
 /// something is decided.
 uint32_t portion(const SamplingPlan& plan, uint32_t samples, double sample_seconds) {
-    double seconds = kPortionSeconds;
+    double seconds = plan.portion_seconds;
     if (plan.time_limit) seconds = std::min(seconds, *plan.time_limit - seconds_since(plan.start));
     const double fitting = std::max(1.0, seconds / std::max(sample_seconds, 1e-9));
     uint32_t count = static_cast<uint32_t>(std::min<double>(fitting, plan.wanted.count() - samples));
@@ -64,21 +64,27 @@ SampleRange wanted_samples(const Options& options) {
 Result<SamplingEnd> take_samples(CoreSession& session, SampleSums& sums, const SamplingPlan& plan, Console& console) {
     ProgressBar bar(console, session.stats().core);
     Clock::time_point written = Clock::now();
+    const CoreStats first = session.stats();
+    double seconds = sums.samples > 0 ? first.total_ms * 1e-3 : 0.0;  // that `taken` samples took
+    uint32_t taken = sums.samples > 0 ? 1 : 0;
     while (true) {
-        const CoreStats now = session.stats();
-        const double sample_seconds = now.total_ms * 1e-3 / static_cast<double>(std::max<uint64_t>(1, now.samples));
+        const double sample_seconds = seconds / std::max(1u, taken);
         if (const auto end = end_of(plan, sums, sample_seconds)) return *end;
         if (plan.checkpoint && seconds_since(written) + std::min(sample_seconds, *plan.checkpoint) > *plan.checkpoint) {
             plan.write_checkpoint();
             written = Clock::now();
         }
         // What a checkpoint brought counts as if it had taken as long as what came since.
-        const auto all = static_cast<double>(sums.samples);
+        const CoreStats now = session.stats();
         const uint64_t rays = (now.primary_rays + now.extension_rays + now.shadow_rays) * sums.samples /
                               std::max<uint64_t>(1, now.samples);
-        bar.show(sums.samples, plan.wanted.count(), rays, sample_seconds * all);
-        const uint32_t count = portion(plan, sums.samples, sample_seconds);
-        if (Status status = session.render(Convergence::Converge, count); !status.ok()) return status;
+        bar.show(sums.samples, plan.wanted.count(), rays, sample_seconds * sums.samples);
+        const uint32_t count = taken == 0 ? 1 : portion(plan, sums.samples, sample_seconds);
+        const Clock::time_point began = Clock::now();
+        const Status status = plan.render ? plan.render(count) : session.render(Convergence::Converge, count);
+        if (!status.ok()) return status;
+        seconds += seconds_since(began);
+        taken += count;
     }
 }
 

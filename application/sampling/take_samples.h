@@ -28,6 +28,9 @@ struct SamplingPlan {
     std::optional<double> noise;
     std::optional<double> checkpoint;  ///< seconds between two
     std::function<void()> write_checkpoint;
+    /// What takes so many samples of every pixel; none for the session itself.
+    std::function<render_system::Status(uint32_t count)> render = {};
+    double portion_seconds = 0.25;  ///< between two looks at the clock and at signals
     const KeptInterrupt* interrupt = nullptr;
 };
 
