@@ -27,7 +27,7 @@ work=$(mktemp -d)
 root=$work/root
 trap 'rm -rf "$work"' EXIT
 inside() { env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/nonexistent LC_ALL=C.UTF-8 chroot "$root" "$@"; }
-as_nobody() { env -i PATH=/usr/bin:/bin HOME=/nonexistent LC_ALL=C.UTF-8 chroot --userspec=12345:12345 "$root" "$@"; }
+as_nobody() { env -i PATH=/usr/bin:/bin:/usr/sbin HOME=/nonexistent LC_ALL=C.UTF-8 chroot --userspec=12345:12345 "$root" "$@"; }
 wrong() { echo "try_packages: $name: $1" >&2; exit 1; }
 
 for package in "${packages[@]}"; do
@@ -48,10 +48,11 @@ for package in "${packages[@]}"; do
     sed -i 's/2\.5/3.5/' "$root/trial/gpu/a.glsl"
     as_nobody porttool -C /trial check >"$work/out" && wrong "check misses an edit"
     grep -q source-changed "$work/out" || wrong "the finding is not there"
+    dpkg-deb -c "$package" >"$work/list"
     for file in man/man1/porttool.1.gz man/man1/porttool-check.1.gz bash-completion/completions/porttool \
         zsh/vendor-completions/_porttool fish/vendor_completions.d/porttool.fish "doc/$name/copyright"; do
         # Bare roots of containers leave documentation out; what the package holds counts.
-        dpkg-deb -c "$package" | grep -q "\./usr/share/$file\$" || wrong "/usr/share/$file is missing"
+        grep -q "\./usr/share/$file\$" "$work/list" || wrong "/usr/share/$file is missing"
     done
     if [ "$name" != porttool ]; then
         as_nobody pathtracer render still_life --core target --size 64x36 --spp 2 -o /trial/a.png 2>"$work/err" ||
