@@ -72,6 +72,8 @@ public:
     bool measure_embree_limit();
 
 private:
+    render_system::CoreSettings settings() const;
+
     const Options& options_;
     Console& console_;
     render_system::RenderSystem system_;
