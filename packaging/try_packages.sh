@@ -64,7 +64,7 @@ for package in "${packages[@]}"; do
     echo "$name: installs, runs and goes; $(du -h "$package" | cut -f1) packed"
 done
 for engine in podman docker; do
-    command -v "$engine" >/dev/null || continue
+    command -v "$engine" >/dev/null && "$engine" info >/dev/null 2>&1 || continue
     for package in "${packages[@]}"; do
         [ "$(dpkg-deb -f "$package" Package)" = porttool ] || continue
         "$engine" build -q -f packaging/Containerfile -t porttool-trial "$(dirname "$package")" >/dev/null
@@ -73,4 +73,4 @@ for engine in podman docker; do
     done
     exit 0
 done
-echo "try_packages: neither podman nor docker: packaging/Containerfile was not tried"
+echo "try_packages: neither podman nor docker runs here: packaging/Containerfile was not tried"
