@@ -29,6 +29,7 @@ CoreSession::CoreSession(const Options& options, SceneSetup setup, Console& cons
     : options_(options),
       console_(console),
       system_(std::move(setup.scene)),
+      followed_(setup.followed),
       view_(render_system::view_pyramid(setup.camera, options.width, options.height)),
       seed_(options.seed) {}
 
@@ -113,8 +114,16 @@ bool CoreSession::measure_embree_limit() {
     return probe != nullptr;
 }
 
-Status CoreSession::render_up_to(uint32_t samples) {
-    ProgressBar bar(console_, stats().core);
+Status CoreSession::show(double seconds) {
+    if (Status status = system_.scene().play(seconds); !status.ok()) return status;
+    if (!followed_) return Status::success();
+    const auto camera = followed_camera(options_, system_.scene(), *followed_);
+    if (camera.ok()) view_ = render_system::view_pyramid(*camera, options_.width, options_.height);
+    return camera.status;
+}
+
+Status CoreSession::render_up_to(uint32_t samples, const std::string& label) {
+    ProgressBar bar(console_, label);
     while (true) {
         const CoreStats now = stats();
         if (now.samples >= samples) return Status::success();

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,7 +35,11 @@ public:
 
     /// Renders on until the picture has `samples` samples in all; the bar moves from `samples_before` up. Where a bar
     /// is shown, samples come in portions of about a quarter of a second, which changes no bit of the picture.
-    render_system::Status render_up_to(uint32_t samples);
+    render_system::Status render_up_to(uint32_t samples) { return render_up_to(samples, stats().core); }
+    render_system::Status render_up_to(uint32_t samples, const std::string& label);
+
+    /// Brings an animated scene to `seconds`, and the view with it where that is a camera of the scene.
+    render_system::Status show(double seconds);
 
     /// From the next start on samples go into `sums` in place of the picture; `first_sample` is the index of the first.
     /// The sums have to stay where they are.
@@ -77,6 +83,7 @@ private:
     const Options& options_;
     Console& console_;
     render_system::RenderSystem system_;
+    std::optional<uint32_t> followed_;
     render_system::ViewPyramid view_;
     render_system::PathWatch* watch_ = nullptr;
     uint32_t seed_;

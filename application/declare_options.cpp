@@ -69,6 +69,17 @@ void declare_picture(CLI::App& app, Options& options) {
         },
         "Pixels (640x360)")
         ->type_name("WxH");
+    add_parsed(
+        app, "--time", parse_time,
+        [&options](double seconds) {
+            options.time = seconds;
+            options.time_given = true;
+        },
+        "The time at which an animated scene is shown, in seconds (0)")
+        ->type_name("T");
+    add_name(app, "--animation", options.animation,
+             "The animation to play (all; of those that move the same, the file's first)")
+        ->type_name("NAME|INDEX");
     add_number(app, "--seed", options.seed, 0, UINT32_MAX, "Seed of the random numbers (0)")->type_name("N");
     add_parsed(
         app, "--camera", parse_camera, [&options](const CameraChoice& camera) { options.camera = camera; },
@@ -220,7 +231,6 @@ void declare_sampling(CLI::App& app, SamplingOptions& sampling) {
         app, "--checkpoint", parse_duration, [&sampling](double seconds) { sampling.checkpoint = seconds; },
         "How often FILE.checkpoint is written, from which --resume goes on: 90s, 5m, 2h (never)")
         ->type_name("TIME");
-    app.add_flag("--resume", sampling.resume, "Go on from FILE.checkpoint, if there is one, to the same bits");
     add_parsed(
         app, "--time-limit", parse_duration, [&sampling](double seconds) { sampling.time_limit = seconds; },
         "Stop before this has passed since the start, loading included; without --spp as many samples as fit")
@@ -229,6 +239,23 @@ void declare_sampling(CLI::App& app, SamplingOptions& sampling) {
         app, "--noise", parse_noise, [&sampling](double noise) { sampling.noise = noise; },
         "Stop once the mean of standard error / (mean + 0.01) is at most X; without --spp as many samples as it takes")
         ->type_name("X");
+}
+
+void declare_frames(CLI::App& app, Options& options) {
+    add_parsed(
+        app, "--frames", parse_frames, [&options](const FrameRange& frames) { options.frames = frames; },
+        "Render a sequence: frames A to B - 1, frame n at n / fps seconds (one picture)")
+        ->type_name("A:B");
+    add_parsed(
+        app, "--fps", parse_fps,
+        [&options](double rate) {
+            options.fps = rate;
+            options.fps_given = true;
+        },
+        "Frames a second (24)")
+        ->type_name("N");
+    app.add_flag("--resume", options.resume, "Go on from FILE.checkpoint, if there is one, to the same bits; of --frames, keep those that are there and were "
+                 "made with these options");
 }
 
 }  // namespace
@@ -245,10 +272,13 @@ void declare_common(CLI::App& app, Options& options) {
 
 void declare_render(CLI::App& app, Options& options) {
     declare_scene(app, options);
-    add_name(app, "-o,--output", options.output, "The picture, .png or .exr (<scene>.png in this folder)")
+    add_name(app, "-o,--output", options.output,
+             "The picture, .png or .exr (<scene>.png in this folder); of several with #### for the number of the frame "
+             "(<scene>_####.png)")
         ->type_name("FILE");
     declare_samples(app, options, "Samples per pixel (16)");
     declare_sampling(app, options.sampling);
+    declare_frames(app, options);
     declare_rendering(app, options);
 }
 

@@ -34,11 +34,13 @@ Result<std::string> encode(const std::string& extension, const OIIO::ImageSpec& 
     return std::string(bytes.begin(), bytes.end());
 }
 
-OIIO::ImageSpec plain_spec(uint32_t width, uint32_t height, OIIO::TypeDesc::BASETYPE type) {
+OIIO::ImageSpec plain_spec(uint32_t width, uint32_t height, OIIO::TypeDesc::BASETYPE type,
+                           const std::string& made_with) {
     OIIO::ImageSpec spec(static_cast<int>(width), static_cast<int>(height), 3, type);
     // Left alone, OpenImageIO adds the time of day, and the same pixels would give other bytes. An empty one is not
     // written at all.
     spec.attribute("DateTime", "");
+    if (!made_with.empty()) spec.attribute(kMadeWith, made_with);
     return spec;
 }
 
@@ -54,15 +56,21 @@ Result<ImageKind> image_kind(const std::string& file_name) {
         fmt::format("cannot write {}: its name ends in neither .png nor .exr; give one that does", file_name));
 }
 
+std::string made_with(const std::string& file_name) {
+    const auto input = OIIO::ImageInput::open(file_name);
+    if (!input) OIIO::geterror();  // else it is kept, and told at the end of the program
+    return input ? std::string(input->spec().get_string_attribute(kMadeWith)) : std::string();
+}
+
 Result<std::string> encode_png(const Channels<uint8_t>& image, const PictureNotes& notes) {
-    OIIO::ImageSpec spec = plain_spec(image.width, image.height, OIIO::TypeDesc::UINT8);
+    OIIO::ImageSpec spec = plain_spec(image.width, image.height, OIIO::TypeDesc::UINT8, notes.made_with);
     spec.attribute("oiio:ColorSpace", "sRGB");
     if (notes.samples > 0) spec.attribute("samples", std::to_string(notes.samples));
     return encode("png", spec, image.rgb.data());
 }
 
 Result<std::string> encode_exr(const Channels<float>& image, const PictureNotes& notes) {
-    OIIO::ImageSpec spec = plain_spec(image.width, image.height, OIIO::TypeDesc::FLOAT);
+    OIIO::ImageSpec spec = plain_spec(image.width, image.height, OIIO::TypeDesc::FLOAT, notes.made_with);
     spec.attribute("oiio:ColorSpace", "Linear");
     spec.attribute("compression", "zip");
     if (notes.samples > 0) spec.attribute("samples", static_cast<int>(notes.samples));

@@ -201,6 +201,35 @@ Result<float> parse_exposure(std::string_view text) {
         fmt::format("'{}' is no exposure; give stops from -100 to 100, e.g. 1 for twice as bright", text));
 }
 
+Result<double> parse_time(std::string_view text) {
+    const auto seconds = number_from<double>(text);
+    if (seconds && *seconds >= -1e9 && *seconds <= 1e9) return *seconds;
+    return Status::invalid(fmt::format("'{}' is no time; give seconds from -1e9 to 1e9, e.g. 1.5", text));
+}
+
+Result<double> parse_fps(std::string_view text) {
+    const auto rate = number_from<double>(text);
+    if (rate && *rate >= 1e-6 && *rate <= 1e6) return *rate;
+    return Status::invalid(fmt::format("'{}' is no rate; give frames a second from 1e-6 to 1e6, e.g. 24", text));
+}
+
+Result<FrameRange> parse_frames(std::string_view text) {
+    const auto parts = split(text, ':');
+    std::optional<uint32_t> first, end;
+    if (parts.size() == 2) {
+        first = number_from<uint32_t>(parts[0]);
+        end = number_from<uint32_t>(parts[1]);
+    }
+    if (!first || !end || *end > MAX_FRAME)
+        return Status::invalid(
+            fmt::format("'{}' is no range of frames; give A:B, whole numbers up to {}, e.g. 0:24 for frames 0 to 23",
+                        text, MAX_FRAME));
+    if (*first < *end) return FrameRange{*first, *end};
+    return Status::invalid(fmt::format("'{}' holds no frames{}; A:B are frames A to B - 1, e.g. {}:{}", text,
+                                       *first > *end ? ": it runs backwards" : "", std::min(*first, *end),
+                                       std::max(*first, *end) + 1));
+}
+
 Result<SkyChoice> parse_sky(std::string_view text) {
     SkyChoice choice;
     const auto parts = split(text, ',');

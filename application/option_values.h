@@ -23,6 +23,7 @@ constexpr uint64_t MAX_PIXELS = uint64_t{1} << 27;   ///< 2 GiB of float radianc
 constexpr uint32_t MAX_SAMPLES = uint32_t{1} << 24;  ///< a float counts that far
 constexpr uint32_t MAX_PATH_SEGMENTS = 65535;
 constexpr uint32_t MAX_THREADS = 1024;
+constexpr uint32_t MAX_FRAME = 100'000'000;
 
 struct Size {
     uint32_t width = 0;
@@ -75,6 +76,15 @@ Result<float> parse_limit(std::string_view text);
 
 /// Stops from -100 to 100.
 Result<float> parse_exposure(std::string_view text);
+
+/// Seconds from -1e9 to 1e9.
+Result<double> parse_time(std::string_view text);
+
+/// Frames a second, above 0.
+Result<double> parse_fps(std::string_view text);
+
+/// A:B, two whole numbers: frames from A up to, but without, B.
+Result<FrameRange> parse_frames(std::string_view text);
 
 /// Three numbers separated by commas are a radiance; a name with a dot and no comma is a file.
 Result<SkyChoice> parse_sky(std::string_view text);

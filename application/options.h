@@ -27,6 +27,12 @@ struct LookAt {
     std::array<float, 3> target;
 };
 
+/// `--frames`: from `first` up to `end`, which is not among them.
+struct FrameRange {
+    uint32_t first = 0;
+    uint32_t end = 0;
+};
+
 /// `--sky`: a radiance, the file of a map, or (neither) what scene and camera file say.
 struct SkyChoice {
     std::optional<std::array<float, 3>> radiance;
@@ -37,7 +43,6 @@ struct SkyChoice {
 struct SamplingOptions {
     std::optional<std::array<uint32_t, 2>> range;  ///< `--samples`: first and end
     std::optional<double> checkpoint;              ///< seconds between two
-    bool resume = false;
     std::optional<double> time_limit;  ///< seconds
     std::optional<double> noise;       ///< as noise_of measures it
 };
@@ -71,8 +76,15 @@ struct Options {
     bool next_event_estimation = true;
     float indirect_limit = 0.0f;  ///< `--clamp`; 0: none
     bool exact = false;
-    std::string variant;         ///< of KHR_materials_variants; empty: the file's own materials
-    bool allow_outside = false;  ///< the scene may name files outside its folder
+    std::string variant;               ///< of KHR_materials_variants; empty: the file's own materials
+    bool allow_outside = false;        ///< the scene may name files outside its folder
+    std::string animation;             ///< name or number; empty: all
+    double time = 0.0;                 ///< seconds, at which an animated scene is shown
+    std::optional<FrameRange> frames;  ///< render: a sequence of pictures
+    double fps = 24.0;                 ///< frames a second
+    bool time_given = false;
+    bool fps_given = false;
+    bool resume = false;  ///< from a checkpoint; of `frames` those that are there already stay
     CameraChoice camera;
     std::optional<LookAt> look_at;
     std::optional<float> vertical_fov;  ///< radians

@@ -58,9 +58,16 @@ render_system::Result<ImageKind> image_kind(const std::string& file_name);
 /// What a file says of its picture beside the pixels; what is 0 or empty is left out.
 struct PictureNotes {
     uint32_t samples = 0;  ///< of each pixel: the attribute `samples` of an EXR, the text `samples` of a PNG
-    std::string ranges;    ///< which samples these are, as range_text has them: `sampleRanges` of an EXR
-    std::string run;       ///< what decides their bits, as RunIdentity::text has it: `pathtracerRun` of an EXR
+    std::string ranges = {};  ///< which samples these are, as range_text has them: `sampleRanges` of an EXR
+    std::string run = {};     ///< what decides their bits, as RunIdentity::text has it: `pathtracerRun` of an EXR
+    std::string made_with = {};  ///< of a picture of a sequence: the text kMadeWith
 };
+
+/// The name of the text that a picture of a sequence carries: what it was made with.
+constexpr const char* kMadeWith = "pathtracer";
+
+/// That text of a file that is there; empty where there is none, or no picture.
+std::string made_with(const std::string& file_name);
 
 /// The bytes of a file: PNG of 8 bits a channel, or EXR of 32-bit floats. The same values give the same bytes: no
 /// date, no host name.

@@ -65,12 +65,12 @@ Camera default_camera(const Options& options, const HostScene& scene, Console& c
     return render_system::look_at(eye, target, {0.0f, 1.0f, 0.0f}, fov);
 }
 
-/// The camera that `--camera` names by number, or the scene's first; none where there is none to name.
-Result<std::optional<Camera>> camera_of_scene(const Options& options, const HostScene& scene) {
+/// The number of the camera that `--camera` names, or of the scene's first; none where there is none to name.
+Result<std::optional<uint32_t>> camera_of_scene(const Options& options, const HostScene& scene) {
     const auto& cameras = scene.cameras();
     const uint32_t index = options.camera.index.value_or(0);
-    if (index < cameras.size()) return std::optional(cameras[index].camera);
-    if (!options.camera.index) return std::optional<Camera>();
+    if (index < cameras.size()) return std::optional(index);
+    if (!options.camera.index) return std::optional<uint32_t>();
     const std::string offer = cameras.empty() ? "has no camera; leave --camera out for a view of the whole scene"
                                               : fmt::format("has {}; the first is 0", cameras.size());
     return Status::invalid(fmt::format("--camera: there is no camera {}: {} {}", index, options.scene, offer));
@@ -91,15 +91,28 @@ Status put_lens(const Options& options, Camera& camera) {
     return Status::success();
 }
 
-Result<Camera> choose_camera(const Options& options, const Companions& companions, const HostScene& scene,
-                             Console& console) {
+/// Field of view and lens as the options have them.
+Result<Camera> with_lens(const Options& options, Camera camera) {
+    if (options.vertical_fov) {
+        camera.vertical_fov = *options.vertical_fov;
+        camera.parallel_height = 0.0f;  // an orthographic one becomes one by perspective
+    }
+    if (const Status lens = put_lens(options, camera); !lens.ok()) return lens;
+    const Status status = check_camera(camera);
+    if (status.ok()) return camera;
+    return Status::error(status.code, fmt::format("{}: {}; or give --look-at", options.scene, status.message));
+}
+
+/// Sets the camera of `setup`, and whether it is one of the scene's.
+Status choose_camera(const Options& options, const Companions& companions, SceneSetup& setup, Console& console) {
     std::optional<Camera> camera;
     if (companions.camera) {
         camera = companions.camera->camera;
     } else {
-        auto found = camera_of_scene(options, scene);
+        const auto found = camera_of_scene(options, setup.scene);
         if (!found.ok()) return found.status;
-        camera = *found;
+        if (*found) camera = setup.scene.cameras()[**found].camera;
+        if (!options.look_at) setup.followed = *found;
     }
     if (options.look_at) {
         const auto& [eye, target] = *options.look_at;
@@ -107,15 +120,11 @@ Result<Camera> choose_camera(const Options& options, const Companions& companion
         camera = render_system::look_at({eye[0], eye[1], eye[2]}, {target[0], target[1], target[2]}, {0.0f, 1.0f, 0.0f},
                                         fov);
     }
-    if (!camera) camera = default_camera(options, scene, console);
-    if (options.vertical_fov) {
-        camera->vertical_fov = *options.vertical_fov;
-        camera->parallel_height = 0.0f;  // an orthographic one becomes one by perspective
-    }
-    if (const Status lens = put_lens(options, *camera); !lens.ok()) return lens;
-    const Status status = check_camera(*camera);
-    if (status.ok()) return *camera;
-    return Status::error(status.code, fmt::format("{}: {}; or give --look-at", options.scene, status.message));
+    setup.framed = !camera;
+    if (!camera) camera = default_camera(options, setup.scene, console);
+    const auto chosen = with_lens(options, *camera);
+    if (chosen.ok()) setup.camera = *chosen;
+    return chosen.status;
 }
 
 /// `--sky`, else the camera file's, else the scene's own, else black where the scene lights itself.
@@ -153,27 +162,33 @@ path scene_path(const std::string& scene) {
 
 std::string default_picture_name(const std::string& scene) { return path(scene).stem().string() + ".png"; }
 
+Result<Camera> followed_camera(const Options& options, const HostScene& scene, uint32_t followed) {
+    return with_lens(options, scene.cameras()[followed].camera);
+}
+
 Result<SceneSetup> set_up_scene(const Options& options, Console& console) {
     const auto start = std::chrono::steady_clock::now();
     auto companions = read_companions(options, console);
     if (!companions.ok()) return companions.status;
-    auto loaded = render_system::load_scene(scene_path(options.scene),
-                                            {.allow_outside = options.allow_outside, .variant = options.variant});
+    auto loaded = render_system::load_scene(scene_path(options.scene), {.allow_outside = options.allow_outside,
+                                                                        .variant = options.variant,
+                                                                        .animation = options.animation,
+                                                                        .time = options.time});
     if (!loaded.ok()) return loaded.status;
     for (const std::string& warning : loaded->warnings) console.warning(warning);
-    HostScene& scene = loaded->scene;
+    SceneSetup setup{std::move(loaded->scene), {}, {}, false};
+    HostScene& scene = setup.scene;
 
     if (companions->camera) {
         if (Status status = add_area_lights(*companions->camera, scene); !status.ok()) return status;
     }
-    const auto camera = choose_camera(options, *companions, scene, console);
-    if (!camera.ok()) return camera.status;
-    const auto view = render_system::view_pyramid(*camera, options.width, options.height);
+    if (Status status = choose_camera(options, *companions, setup, console); !status.ok()) return status;
+    const auto view = render_system::view_pyramid(setup.camera, options.width, options.height);
     if (const Status status = check_scene_limits(scene, view); !status.ok()) {
         return Status::error(status.code, options.scene + ": " + status.message);
     }
 
-    choose_sky(*companions, *camera, scene, console);
+    choose_sky(*companions, setup.camera, scene, console);
 
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
     console.detail(
@@ -181,7 +196,7 @@ Result<SceneSetup> set_up_scene(const Options& options, Console& console) {
                     "{:.2f} s",
                     options.scene, scene.triangle_count(), scene.instances().size(), scene.meshes().size(),
                     scene.materials().size(), scene.textures().size(), seconds.count()));
-    return SceneSetup{std::move(scene), *camera};
+    return setup;
 }
 
 }  // namespace application

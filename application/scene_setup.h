@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "application/console.h"
@@ -24,10 +26,17 @@ std::string default_picture_name(const std::string& scene);
 struct SceneSetup {
     render_system::HostScene scene;
     render_system::Camera camera;
+    std::optional<uint32_t> followed;  ///< the scene's camera that `camera` is, where nothing else was asked for
+    bool framed = false;               ///< no camera was there: `camera` frames the scene as it is now
 };
 
-/// Loads the scene, adds what the camera file brings, chooses camera and sky. Says on the console what was warned of
-/// and what was chosen in place of what is missing.
+/// The scene's camera `followed` as it stands now, with lens and field of view as the options have them. Fails with
+/// invalid_argument where it is out of bounds.
+render_system::Result<render_system::Camera> followed_camera(const Options& options,
+                                                             const render_system::HostScene& scene, uint32_t followed);
+
+/// Loads the scene as it is at `--time`, adds what the camera file brings, chooses camera and sky. Says on the console
+/// what was warned of and what was chosen in place of what is missing.
 render_system::Result<SceneSetup> set_up_scene(const Options& options, Console& console);
 
 }  // namespace application

@@ -59,6 +59,8 @@ struct CoreTextureSlot {
     uint32_t uv_set = 0;
     glm::vec3 row_u{1.0f, 0.0f, 0.0f};
     glm::vec3 row_v{0.0f, 1.0f, 0.0f};
+
+    bool operator==(const CoreTextureSlot&) const = default;
 };
 
 /// One material in the metallic-roughness model of glTF 2.0. Factors multiply what the slots read.
@@ -101,6 +103,8 @@ struct CoreMaterial {
     CoreTextureSlot coat_normal_texture;         ///< tangent space; without one the coat follows the geometry's normal
     CoreTextureSlot film_texture;                ///< R
     CoreTextureSlot film_thickness_texture;      ///< G
+
+    bool operator==(const CoreMaterial&) const = default;
 };
 
 /// Every texture slot of a material, each once: what goes for all of them goes through this list. Its order is that of
@@ -138,6 +142,8 @@ struct CoreMesh {
 /// Rows of the object-to-world matrix: world.x = dot(rows[0].xyz, p) + rows[0].w.
 struct CoreTransform {
     glm::vec4 rows[3]{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}};
+
+    bool operator==(const CoreTransform&) const = default;
 };
 
 /// One entry of Walker's alias table: take `self` if the random fraction is below threshold, else `alias`.

@@ -6,7 +6,9 @@
 #include <cmath>
 #include <utility>
 
+#include "render_system/animation/animation.h"
 #include "render_system/light_table.h"
+#include "render_system/scene_limits.h"
 #include "render_system/texture.h"
 
 namespace render_system {
@@ -108,12 +110,21 @@ uint32_t HostScene::add_camera(HostCamera camera) {
 uint32_t HostScene::add_node(HostNode node) {
     nodes_.push_back(std::move(node));
     node_worlds_.emplace_back(1.0);
+    flattened_.push_back(false);
     const uint32_t id = static_cast<uint32_t>(nodes_.size() - 1);
-    place_subtree(id);
+    place(id);
     return id;
 }
 
+uint32_t HostScene::add_deformer(HostDeformer deformer) {
+    deformers_.push_back(std::move(deformer));
+    out_of_shape_.push_back(false);
+    deform_mesh(deformers_.back());
+    return static_cast<uint32_t>(deformers_.size() - 1);
+}
+
 void HostScene::set_texture(uint32_t id, HostTexture texture) {
+    if (id < removed_.textures.size()) removed_.textures[id] = false;
     texture_means_[id].reset();
     textures_[id] = std::move(texture);
     changes_.textures = true;
@@ -121,6 +132,7 @@ void HostScene::set_texture(uint32_t id, HostTexture texture) {
 }
 
 void HostScene::set_material(uint32_t id, const CoreMaterial& material) {
+    if (id < removed_.materials.size()) removed_.materials[id] = false;
     CoreMaterial next = material;
     next.emission_weight = emission_weight(material);
     if (!same_emission(materials_[id].core, next)) changes_.lights = true;
@@ -129,6 +141,7 @@ void HostScene::set_material(uint32_t id, const CoreMaterial& material) {
 }
 
 void HostScene::set_mesh(uint32_t id, HostMesh mesh) {
+    if (id < removed_.meshes.size()) removed_.meshes[id] = false;
     const bool was_emissive = is_emissive(id);
     meshes_[id] = std::move(mesh);
     changes_.meshes[id] = true;
@@ -137,6 +150,7 @@ void HostScene::set_mesh(uint32_t id, HostMesh mesh) {
 }
 
 void HostScene::set_instance_mesh(uint32_t id, uint32_t mesh) {
+    if (id < removed_.instances.size()) removed_.instances[id] = false;
     const uint32_t before = std::exchange(instances_[id].mesh, mesh);
     changes_.instances[id] = true;
     if ((before != NONE && is_emissive(before)) || (mesh != NONE && is_emissive(mesh))) changes_.lights = true;
@@ -149,6 +163,7 @@ void HostScene::set_instance_transform(uint32_t id, const CoreTransform& transfo
 }
 
 void HostScene::set_punctual_light(uint32_t id, PunctualLight light) {
+    if (id < removed_.lights.size()) removed_.lights[id] = false;
     lights_[id] = std::move(light);
     changes_.lights = true;
 }
@@ -163,23 +178,99 @@ void HostScene::set_sky(Sky sky) {
 }
 
 void HostScene::set_node_transform(uint32_t id, const glm::dmat4& local) {
-    nodes_[id].local = local;
-    place_subtree(id);
+    const NodeMove move{id, local};
+    set_poses({&move, 1}, {});
+}
+
+void HostScene::set_poses(std::span<const NodeMove> moves, std::span<const NewWeights> weights) {
+    for (const auto& [id, changed] : weights) {
+        std::vector<double>& own = deformers_[id].weights;
+        if (std::equal(own.begin(), own.end(), changed.begin(), changed.end())) continue;
+        own.assign(changed.begin(), changed.end());
+        out_of_shape_[id] = true;
+    }
+    move_nodes(moves);
+    for (size_t i = 0; i < deformers_.size(); ++i) {
+        if (out_of_shape_[i]) deform_mesh(deformers_[i]);
+        out_of_shape_[i] = false;
+    }
+}
+
+void HostScene::move_nodes(std::span<const NodeMove> moves) {
+    uint32_t first = NONE;
+    for (const NodeMove& move : moves) {
+        if (nodes_[move.node].local != move.local) first = std::min(first, move.node);
+    }
+    if (first == NONE) return;
+    std::vector<bool> moved(nodes_.size() - first, false);  // from `first` on
+    for (const NodeMove& move : moves) {
+        if (nodes_[move.node].local == move.local) continue;
+        nodes_[move.node].local = move.local;
+        moved[move.node - first] = true;
+    }
+    place_below(first, std::move(moved));
 }
 
 // Parents come first, so one pass over what follows finds all that hangs below.
-void HostScene::place_subtree(uint32_t id) {
-    std::vector<bool> moved(nodes_.size() - id, false);  // from `id` on
-    for (uint32_t i = id; i < nodes_.size(); ++i) {
-        const HostNode& node = nodes_[i];
-        if (i != id && (node.parent == NONE || node.parent < id || !moved[node.parent - id])) continue;
-        moved[i - id] = true;
-        const glm::dmat4 world = node.parent == NONE ? node.local : node_worlds_[node.parent] * node.local;
-        node_worlds_[i] = world;
-        if (node.instance != NONE) set_instance_transform(node.instance, core_transform(world));
-        if (node.camera != NONE) set_camera(node.camera, placed_camera(cameras_[node.camera].camera, world));
-        if (node.light != NONE) set_punctual_light(node.light, placed_light(lights_[node.light], world));
+void HostScene::place_below(uint32_t first, std::vector<bool> moved) {
+    for (uint32_t i = first; i < nodes_.size(); ++i) {
+        const uint32_t parent = nodes_[i].parent;
+        if (parent != NONE && parent >= first && moved[parent - first]) moved[i - first] = true;
+        if (moved[i - first]) place(i);
     }
+    follow_joints(first, moved);
+}
+
+void HostScene::place(uint32_t id) {
+    const HostNode& node = nodes_[id];
+    const glm::dmat4 world = node.parent == NONE ? node.local : node_worlds_[node.parent] * node.local;
+    node_worlds_[id] = world;
+    if (node.instance != NONE) place_instance(id, core_transform(world));
+    if (node.camera != NONE) set_camera(node.camera, placed_camera(cameras_[node.camera].camera, world));
+    if (node.light != NONE) set_punctual_light(node.light, placed_light(lights_[node.light], world));
+}
+
+// What is scaled to nothing has no normals and no way back into the mesh's space: it is hidden for as long.
+void HostScene::place_instance(uint32_t id, const CoreTransform& transform) {
+    const HostNode& node = nodes_[id];
+    const bool flat = node.mesh != NONE && is_scaled_to_nothing(transform);
+    if (flat != flattened_[id]) {
+        flattened_[id] = flat;
+        set_instance_mesh(node.instance, flat ? NONE : node.mesh);
+    }
+    set_instance_transform(node.instance, transform);
+}
+
+void HostScene::follow_joints(uint32_t first, const std::vector<bool>& moved) {
+    for (size_t i = 0; i < deformers_.size(); ++i) {
+        if (!deformers_[i].skin) continue;
+        const std::vector<uint32_t>& joints = deformers_[i].skin->joints;
+        out_of_shape_[i] = out_of_shape_[i] || std::any_of(joints.begin(), joints.end(), [&](uint32_t joint) {
+                               return joint >= first && moved[joint - first];
+                           });
+    }
+}
+
+void HostScene::deform_mesh(const HostDeformer& deformer) {
+    if (deformer.mesh == NONE) return;  // it has been removed
+    std::vector<glm::mat4> matrices;
+    for (size_t i = 0; deformer.skin && i < deformer.skin->joints.size(); ++i)
+        matrices.emplace_back(node_worlds_[deformer.skin->joints[i]] * deformer.skin->inverse_binds[i]);
+    HostMesh& mesh = meshes_[deformer.mesh];
+    deform(*deformer.rest, deformer.weights, matrices, mesh);
+    mesh_boxes_[deformer.mesh] = box_of(mesh);
+    changes_.meshes[deformer.mesh] = true;
+    if (is_emissive(deformer.mesh)) changes_.lights = true;
+}
+
+void HostScene::set_animation(Animation animation) {
+    animation_ = std::make_shared<const Animation>(std::move(animation));
+}
+
+bool HostScene::is_animated() const { return animation_ && !animation_->empty(); }
+
+Status HostScene::play(double time) {
+    return is_animated() ? play_animation(*animation_, time, *this) : Status::success();
 }
 
 uint64_t HostScene::triangle_count() const {

@@ -4,14 +4,20 @@
 
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "render_system/animation/deformation.h"
 #include "render_system/camera.h"
 #include "render_system/core_data.h"
+#include "render_system/status.h"
 
 namespace render_system {
+
+struct Animation;
 
 /// A box in space; empty (contains nothing) as long as lower > upper.
 struct Box {
@@ -94,8 +100,36 @@ struct HostNode {
     uint32_t parent = NONE;
     glm::dmat4 local{1.0};  ///< to the parent's space
     uint32_t instance = NONE;
+    uint32_t mesh = NONE;    ///< what that instance shows: while the node is scaled to nothing, it is hidden
     uint32_t light = NONE;   ///< into punctual_lights()
     uint32_t camera = NONE;  ///< into cameras()
+};
+
+/// Where a node goes.
+struct NodeMove {
+    uint32_t node = NONE;
+    glm::dmat4 local{1.0};  ///< to the parent's space
+};
+
+/// The weights of a deformer's morph targets, from the first on.
+struct NewWeights {
+    uint32_t deformer = NONE;
+    std::span<const double> weights;
+};
+
+/// The nodes that pull at skinned meshes, and what takes a mesh's vertices into each one's space.
+struct Skin {
+    std::vector<uint32_t> joints;
+    std::vector<glm::dmat4> inverse_binds;  ///< one a joint
+};
+
+/// A mesh that is made of another by weights and joints, anew whenever these change. A skinned mesh lies in world
+/// space: its instance stands where it was put, and no node places it.
+struct HostDeformer {
+    uint32_t mesh = NONE;  ///< what it makes; has the triangles and all that does not change
+    std::shared_ptr<const RestMesh> rest;
+    std::vector<double> weights;       ///< of the morph targets
+    std::shared_ptr<const Skin> skin;  ///< null: none
 };
 
 /// What has changed since the core was last brought up to date: one flag per element.
@@ -123,6 +157,11 @@ public:
     const std::vector<HostCamera>& cameras() const { return cameras_; }
     const std::vector<HostNode>& nodes() const { return nodes_; }
     const Sky& sky() const { return sky_; }
+    bool is_removed_material(uint32_t id) const { return id < removed_.materials.size() && removed_.materials[id]; }
+    bool is_removed_light(uint32_t id) const { return id < removed_.lights.size() && removed_.lights[id]; }
+    const std::vector<HostDeformer>& deformers() const { return deformers_; }
+    /// A node's place in the world.
+    const glm::dmat4& node_world(uint32_t node) const { return node_worlds_[node]; }
 
     uint32_t add_texture(HostTexture texture);
     uint32_t add_material(HostMaterial material);
@@ -132,6 +171,8 @@ public:
     uint32_t add_camera(HostCamera camera);
     /// The node's parent must have been added before. Places what the node carries.
     uint32_t add_node(HostNode node);
+    /// Deforms the mesh at once.
+    uint32_t add_deformer(HostDeformer deformer);
 
     void set_texture(uint32_t id, HostTexture texture);
     void set_material(uint32_t id, const CoreMaterial& material);
@@ -141,8 +182,28 @@ public:
     void set_punctual_light(uint32_t id, PunctualLight light);
     void set_camera(uint32_t id, const Camera& camera);
     void set_sky(Sky sky);
-    /// Moves a node and everything below it: instances, lights, cameras.
+    /// Removal. The memory of what is removed is given back, here and in the core with its next picture; all ids stay
+    /// as they are, and a removed one is never given to anything else. It may be set anew, which brings it back. Fails
+    /// with not_found where there is no such id or it has been removed already, and with invalid_argument where
+    /// something that is left uses it: an instance a mesh, a mesh a material, a material a texture.
+    Status remove_instance(uint32_t id);
+    Status remove_mesh(uint32_t id);
+    Status remove_material(uint32_t id);
+    Status remove_texture(uint32_t id);
+    Status remove_punctual_light(uint32_t id);
+
+    /// Moves a node and everything below it: instances, lights, cameras, and the skins that it is a joint of.
     void set_node_transform(uint32_t id, const glm::dmat4& local);
+    /// Many nodes and weights in one pass over the hierarchy, each mesh deformed once; what is as it was raises no
+    /// flag.
+    void set_poses(std::span<const NodeMove> moves, std::span<const NewWeights> weights);
+
+    /// Gives the scene something to play.
+    void set_animation(Animation animation);
+    bool is_animated() const;
+    /// Brings everything to `time` seconds, through the setters above. Without an animation nothing changes. Fails as
+    /// play_animation does.
+    Status play(double time);
 
     /// The box of a mesh in its own space.
     const Box& mesh_box(uint32_t mesh) const { return mesh_boxes_[mesh]; }
@@ -167,7 +228,12 @@ private:
     float emission_weight(const CoreMaterial& material);
     void describe_mesh(uint32_t id);
     void update_emission_weights(uint32_t texture);
-    void place_subtree(uint32_t id);
+    void move_nodes(std::span<const NodeMove> moves);
+    void place_below(uint32_t first, std::vector<bool> moved);
+    void place(uint32_t node);
+    void place_instance(uint32_t node, const CoreTransform& transform);
+    void follow_joints(uint32_t first, const std::vector<bool>& moved);
+    void deform_mesh(const HostDeformer& deformer);
 
     std::vector<HostTexture> textures_;
     std::vector<std::optional<float>> texture_means_;  // luminance of level 0, of those that light something
@@ -180,6 +246,14 @@ private:
     std::vector<HostCamera> cameras_;
     std::vector<HostNode> nodes_;
     std::vector<glm::dmat4> node_worlds_;  // to world space
+    std::vector<bool> flattened_;          // by node: its instance is hidden, since it is scaled to nothing
+    struct Removed {
+        std::vector<bool> instances, meshes, materials, textures, lights;
+    };
+    Removed removed_;  // by id, no longer than need be
+    std::vector<HostDeformer> deformers_;
+    std::vector<bool> out_of_shape_;  // by deformer
+    std::shared_ptr<const Animation> animation_;
     Sky sky_;
     SceneChanges changes_;
 };

@@ -176,6 +176,14 @@ bool is_invertible(const CoreTransform& transform) {
     return true;
 }
 
+bool is_scaled_to_nothing(const CoreTransform& transform) {
+    constexpr double kLarge = 1e9;
+    for (const glm::vec4& row : transform.rows) {
+        if (!(largest_coordinate(glm::vec3(row)) <= kLarge)) return false;
+    }
+    return !is_invertible(transform);
+}
+
 Placement placement_of(const Box& box, const CoreTransform& transform) {
     Placement placement;
     for (const glm::vec4& row : transform.rows) {

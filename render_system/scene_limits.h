@@ -43,6 +43,10 @@ struct Placement {
 /// Whether floats can invert the matrix: neither flattened nor sheared to nearly nothing, nor scaled past their range.
 bool is_invertible(const CoreTransform& transform);
 
+/// Whether the matrix flattens everything: that leaves no normals, and no way back from world to object space. What is
+/// not invertible for being too large is none of this.
+bool is_scaled_to_nothing(const CoreTransform& transform);
+
 /// Of an invertible matrix; `box` is in the mesh's own space and may be empty.
 Placement placement_of(const Box& box, const CoreTransform& transform);
 

@@ -24,6 +24,8 @@ struct LoadedScene {
 struct LoadOptions {
     bool allow_outside = false;  ///< buffers and images may lie outside the scene's folder
     std::string variant;         ///< of KHR_materials_variants, by name; empty: the file's own materials
+    std::string animation;       ///< the only one to play, by name or else by number; empty: all of the file's
+    double time = 0.0;           ///< seconds, at which an animated scene is shown
 };
 
 /// Reads a glTF 2.0 file (.gltf or .glb, told apart by content), or a Wavefront OBJ or an FBX (told by the name's

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <glm/glm.hpp>
+#include <optional>
 #include <vector>
 
 #include "render_system/core_data.h"
@@ -28,6 +30,48 @@ struct CoreInstance {
     render_system::CoreTransform transform;
 };
 
+/// What has moved or changed its shape since it was first built: by id; what is past the end has not.
+struct MovingParts {
+    std::vector<bool> instances;
+    std::vector<bool> meshes;
+
+    bool moves(uint32_t instance, uint32_t mesh) const {
+        return (instance < instances.size() && instances[instance]) || deforms(mesh);
+    }
+    bool deforms(uint32_t mesh) const { return mesh < meshes.size() && meshes[mesh]; }
+};
+
+/// Where a build has put a mesh.
+struct MeshPlan {
+    uint32_t first_triangle = 0;  ///< rows of the tables
+    uint32_t first_vertex = 0;
+    uint32_t first_slot = 0;
+    uint32_t first_node = 0;
+    uint32_t node_room = 0;
+    bool is_empty = true;   ///< no tree, or one of nothing
+    glm::vec3 lower{0.0f};  ///< of the tree
+    glm::vec3 upper{0.0f};
+    WideTree tree;            ///< of a mesh that deforms, to be fitted again
+    double built_cost = 0.0;  ///< its walk_cost when it was built
+};
+
+/// What an update needs to know of the build before it.
+struct GeometryPlan {
+    std::vector<MeshPlan> meshes;
+    std::vector<uint32_t> recorded;   ///< instances that have records, in their order
+    std::vector<uint32_t> record_of;  ///< by instance, its place in `recorded`; NONE: baked or hidden
+    uint32_t first_record = 0;
+    uint32_t spare_node = 0;  ///< the first of those behind the table, for the top of the tree
+    uint32_t spare_count = 0;
+    uint32_t still_root = 0;  ///< node of the tree of all that is baked
+    bool has_still = false;
+    bool top_has_records_alone = false;  ///< nothing but records and that tree hang on the top
+    glm::vec3 still_lower{0.0f};
+    glm::vec3 still_upper{0.0f};
+    glm::vec3 still_extent{0.0f};
+    uint32_t top_stack = 0;  ///< entries that a walk through the top may need
+};
+
 /// The tables that follow from meshes and instances, ready for upload.
 struct GeometryTables {
     std::vector<WideNode> nodes;
@@ -39,6 +83,20 @@ struct GeometryTables {
     glm::vec3 extent{0.0f};       ///< largest coordinate in magnitude, world space
     uint32_t features = 0;        ///< FEATURE_INSTANCES, FEATURE_ALPHA, ... as the triangles need them
     uint64_t triangle_count = 0;  ///< in all visible instances
+    GeometryPlan plan;
+};
+
+/// Bytes to be put into a table in place of those that are there.
+struct TablePatch {
+    uint32_t table = 0;
+    uint64_t offset = 0;  ///< bytes
+    std::vector<std::byte> rows;
+};
+
+/// What an update changes.
+struct GeometryUpdate {
+    std::vector<TablePatch> patches;
+    glm::vec3 extent{0.0f};
 };
 
 /// Opacity of a material on a mesh, as trace's triangle rows carry it.
@@ -48,10 +106,21 @@ using OpacityOf = std::function<float(uint32_t material, bool mesh_has_colors)>;
 uint64_t least_bytes(uint64_t triangles, uint64_t vertices);
 
 /// Builds trees and tables. A mesh with one visible instance goes into the tree of the scene in world space; one with
-/// several gets a tree of its own. `threads` 0: all. Fails with invalid_argument where the scene has more triangles
-/// than the tables can count.
+/// several, or which moves, gets a tree of its own. Once something moves, all that is baked is a tree of its own too,
+/// which hangs as a child on the top: so an update needs to build nothing but the top. `threads` 0: all. Fails with
+/// invalid_argument where the scene has more triangles than the tables can count.
 render_system::Result<GeometryTables> build_geometry(const std::vector<CoreMeshCopy>& meshes,
                                                      const std::vector<CoreInstance>& instances,
-                                                     const OpacityOf& opacity_of, uint32_t threads);
+                                                     const OpacityOf& opacity_of, uint32_t threads,
+                                                     const MovingParts& moving = {});
+
+/// Brings what build_geometry made up to date where `moved` instances have other transforms and `deformed` meshes other
+/// vertices: their own rows, their records, trees fitted again, and the top of the tree. A mesh's tree whose walk_cost
+/// has grown to 1.4 times that of its build is built anew (the threshold of Lauterbach et al. 2006, "RT-DEFORM"). None
+/// where that does not do: something that is baked has changed, or there is no room.
+std::optional<GeometryUpdate> update_geometry(const std::vector<CoreMeshCopy>& meshes,
+                                              const std::vector<CoreInstance>& instances,
+                                              const std::vector<uint32_t>& moved, const std::vector<uint32_t>& deformed,
+                                              const OpacityOf& opacity_of, uint32_t threads, GeometryPlan& plan);
 
 }  // namespace source_core

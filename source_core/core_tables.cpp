@@ -106,7 +106,7 @@ void pack_textures(std::span<const CoreTexture> textures, SceneTables& tables) {
     for (const CoreTexture& texture : textures) {
         texels += texture.texels.size();
     }
-    tables.texels = {};
+    std::vector<uint32_t>().swap(tables.texels);  // `= {}` would keep the room
     tables.texels.reserve(texels);  // growing would take as much again
     for (size_t i = 0; i < textures.size(); ++i) {
         const CoreTexture& texture = textures[i];

@@ -223,7 +223,7 @@ Status SourceCore::upload() {
     for (uint32_t table = 0; table < TABLE_COUNT; ++table) {
         if (scene_.changed(table) || !gpu_->scene.buffer(table)) {
             Status status = gpu_->scene.replace(*gpu_->device, *gpu_->budget, *gpu_->staging, table, scene_.rows(table),
-                                                variant_.tables[table]);
+                                                scene_.bytes(table), variant_.tables[table]);
             if (!status.ok()) {
                 return status;
             }
@@ -231,6 +231,15 @@ Status SourceCore::upload() {
     }
     if (scene_.changed(BINDING_TRIANGLES)) {
         primitives_.clear();
+    }
+    for (const TablePatch& patch : scene_.patches()) {
+        Status status = gpu_->staging->upload(*gpu_->device, gpu_->scene.buffer(patch.table), patch.rows, patch.offset);
+        if (!status.ok()) {
+            return status;
+        }
+        if (patch.table == BINDING_TRIANGLES) {
+            primitives_.clear();
+        }
     }
     scene_.uploaded();
     return Status::success();

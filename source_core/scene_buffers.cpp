@@ -59,10 +59,10 @@ Result<TableAccess> choose_access(const DeviceLimits& limits, uint32_t table, ui
 uint64_t table_bytes(uint64_t bytes) { return std::max(bytes, SMALLEST_TABLE); }
 
 Status SceneBuffers::replace(const Device& device, MemoryBudget& budget, const Staging& staging, uint32_t table,
-                             std::span<const std::byte> rows, TableAccess access) {
+                             std::span<const std::byte> rows, uint64_t bytes, TableAccess access) {
     views_[table] = {};
     buffers_[table] = {};
-    const uint64_t size = table_bytes(rows.size());
+    const uint64_t size = table_bytes(bytes);
     Result<Buffer> buffer = Buffer::create(
         device, budget, table_name(table), size,
         usage_of(access) | VK_BUFFER_USAGE_TRANSFER_DST_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT, BufferPlace::device);

@@ -22,12 +22,12 @@ Result<TableAccess> choose_access(const DeviceLimits& limits, uint32_t table, ui
 /// once read row 0 for the lanes that need none.
 uint64_t table_bytes(uint64_t bytes);
 
-/// The scene tables on the device. A table is replaced as a whole.
+/// The scene tables on the device.
 class SceneBuffers {
 public:
-    /// Replaces table `table`. The old one is freed first.
+    /// Replaces table `table` by one of `bytes`, zeros after its rows. The old one is freed first.
     Status replace(const Device& device, MemoryBudget& budget, const Staging& staging, uint32_t table,
-                   std::span<const std::byte> rows, TableAccess access);
+                   std::span<const std::byte> rows, uint64_t bytes, TableAccess access);
 
     const Buffer& buffer(uint32_t table) const { return buffers_[table]; }
     VkBufferView view(uint32_t table) const { return views_[table].get(); }

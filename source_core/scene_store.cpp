@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <iterator>
+#include <type_traits>
 
 #include "source_core/scene_buffers.h"
 
@@ -17,6 +19,19 @@ namespace {
 constexpr uint64_t NODE_BYTES_PER_TRIANGLE = 32;
 
 uint64_t least_bytes_of(const CoreMeshCopy& mesh) { return least_bytes(mesh.triangles.size(), mesh.positions.size()); }
+
+// Raises a flag by id.
+void raise(std::vector<bool>& flags, uint32_t id) {
+    flags.resize(std::max<size_t>(flags.size(), size_t{id} + 1), false);
+    flags[id] = true;
+}
+
+// Whether only the vertices differ.
+bool same_shape(const CoreMeshCopy& mesh, const CoreMesh& data) {
+    return mesh.positions.size() == data.positions.size() && mesh.has_tangents == !data.tangents.empty() &&
+           mesh.has_colors == !data.colors.empty() &&
+           std::equal(mesh.triangles.begin(), mesh.triangles.end(), data.triangles.begin(), data.triangles.end());
+}
 
 }  // namespace
 
@@ -60,23 +75,38 @@ void SceneStore::set_mesh(uint32_t mesh, const CoreMesh& data) {
         meshes_.emplace_back();
     }
     CoreMeshCopy& copy = meshes_[mesh];
+    const bool deforms = !geometry_changed_ && same_shape(copy, data);
     mesh_bytes_ -= least_bytes_of(copy);
-    copy.positions.assign(data.positions.begin(), data.positions.end());
-    copy.triangles.assign(data.triangles.begin(), data.triangles.end());
+    copy.positions = {data.positions.begin(), data.positions.end()};  // no more room than that
+    copy.triangles = {data.triangles.begin(), data.triangles.end()};
     copy.vertex_rows = pack_vertices(data);
     copy.tangents = pack_tangents(data);
     copy.has_tangents = !data.tangents.empty();
     copy.has_colors = !data.colors.empty();
     mesh_bytes_ += least_bytes_of(copy);
-    geometry_changed_ = true;
+    if (!deforms) {
+        geometry_changed_ = true;
+        return;
+    }
+    raise(moving_.meshes, mesh);
+    deformed_.push_back(mesh);
 }
 
 void SceneStore::set_instance(uint32_t instance, uint32_t mesh, const CoreTransform& transform) {
     if (instance == instances_.size()) {
         instances_.emplace_back();
+        geometry_changed_ = true;
     }
+    if (instances_[instance].mesh == mesh && instances_[instance].transform == transform && !geometry_changed_) {
+        return;
+    }
+    const bool moves = !geometry_changed_ && instances_[instance].mesh == mesh;
     instances_[instance] = {mesh, transform};
-    geometry_changed_ = true;
+    geometry_changed_ = geometry_changed_ || !moves;
+    if (moves && mesh != NONE) {
+        raise(moving_.instances, instance);
+        moved_.push_back(instance);
+    }
 }
 
 uint64_t SceneStore::plain_table_bytes() const {
@@ -102,26 +132,40 @@ void SceneStore::update_opacities() {
     for (const CoreMaterial& material : materials_) {
         codes.push_back({opacity_code(material, false), opacity_code(material, true)});
     }
-    geometry_changed_ = geometry_changed_ || codes != opacities_;
+    // No triangle that is built names a material that is new.
+    geometry_changed_ = geometry_changed_ || codes.size() < opacities_.size() ||
+                        !std::equal(opacities_.begin(), opacities_.end(), codes.begin());
     opacities_ = std::move(codes);
 }
 
-Status SceneStore::update_geometry(uint32_t threads) {
-    const auto start = std::chrono::steady_clock::now();
-    const OpacityOf opacity_of = [this](uint32_t material, bool colored) {
+OpacityOf SceneStore::opacity_function() const {
+    return [this](uint32_t material, bool colored) {
         return colored ? opacities_[material].colored : opacities_[material].plain;
     };
-    Result<GeometryTables> built = build_geometry(meshes_, instances_, opacity_of, threads);
+}
+
+Status SceneStore::rebuild_geometry(uint32_t threads) {
+    Result<GeometryTables> built = build_geometry(meshes_, instances_, opacity_function(), threads, moving_);
     if (!built.ok()) {
         return built.status;
     }
     geometry_ = std::move(*built);
-    const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - start;
-    build_ms_ = taken.count();
+    patches_.clear();
     mark({BINDING_NODES, BINDING_TRIANGLES, BINDING_MESH_TRIANGLES, BINDING_VERTICES, BINDING_TANGENTS,
           BINDING_INSTANCES});
-    geometry_changed_ = false;
+    bytes_[BINDING_NODES] += geometry_.plan.spare_count * sizeof(WideNode);
     return Status::success();
+}
+
+// Touches what has moved alone; false where that does not do.
+bool SceneStore::move_geometry(uint32_t threads) {
+    auto update = update_geometry(meshes_, instances_, moved_, deformed_, opacity_function(), threads, geometry_.plan);
+    if (!update) {
+        return false;
+    }
+    geometry_.extent = update->extent;
+    std::move(update->patches.begin(), update->patches.end(), std::back_inserter(patches_));
+    return true;
 }
 
 Status SceneStore::build(uint32_t threads) {
@@ -131,7 +175,23 @@ Status SceneStore::build(uint32_t threads) {
         mark({BINDING_MATERIALS, BINDING_TEXTURE_SLOTS, BINDING_LOBE_ENERGY});
         materials_changed_ = false;
     }
-    return geometry_changed_ ? update_geometry(threads) : Status::success();
+    if (!geometry_changed_ && moved_.empty() && deformed_.empty()) {
+        return Status::success();
+    }
+    const auto start = std::chrono::steady_clock::now();
+    // What is half done by an update that fails is overwritten by a build.
+    geometry_changed_ = geometry_changed_ || !move_geometry(threads);
+    if (geometry_changed_) {
+        if (Status status = rebuild_geometry(threads); !status.ok()) {
+            return status;
+        }
+    }
+    const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - start;
+    build_ms_ = taken.count();
+    geometry_changed_ = false;
+    moved_.clear();
+    deformed_.clear();
+    return Status::success();
 }
 
 std::span<const std::byte> SceneStore::rows(uint32_t table) const {
@@ -174,12 +234,14 @@ std::span<const std::byte> SceneStore::rows(uint32_t table) const {
 
 void SceneStore::uploaded() {
     changed_.fill(false);
-    geometry_.nodes = {};
-    geometry_.triangles = {};
-    geometry_.mesh_triangles = {};
-    geometry_.vertices = {};
-    geometry_.tangents = {};
-    geometry_.instances = {};
+    patches_.clear();
+    const auto give_back = [](auto& rows) { std::remove_reference_t<decltype(rows)>().swap(rows); };  // `= {}` keeps it
+    give_back(geometry_.nodes);
+    give_back(geometry_.triangles);
+    give_back(geometry_.mesh_triangles);
+    give_back(geometry_.vertices);
+    give_back(geometry_.tangents);
+    give_back(geometry_.instances);
 }
 
 void SceneStore::describe(Settings& settings) const {

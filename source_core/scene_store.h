@@ -34,6 +34,8 @@ public:
     /// Builds what changed. Afterwards rows() of the tables marked in changed() are there, and bytes() of all.
     render_system::Status build(uint32_t threads);
     bool changed(uint32_t table) const { return changed_[table]; }
+    /// Parts of tables that are on the device already, to be put in place after all that changed() marks.
+    const std::vector<TablePatch>& patches() const { return patches_; }
     std::span<const std::byte> rows(uint32_t table) const;
     uint64_t bytes(uint32_t table) const { return bytes_[table]; }
     /// To be called when everything is on the device: drops what only an upload needs.
@@ -53,7 +55,9 @@ private:
 
     void mark(std::initializer_list<uint32_t> tables);
     void update_opacities();
-    render_system::Status update_geometry(uint32_t threads);
+    render_system::Status rebuild_geometry(uint32_t threads);
+    bool move_geometry(uint32_t threads);
+    OpacityOf opacity_function() const;
     uint64_t plain_table_bytes() const;
 
     std::vector<CoreMeshCopy> meshes_;
@@ -61,6 +65,10 @@ private:
     std::vector<render_system::CoreMaterial> materials_;
     SceneTables tables_;
     GeometryTables geometry_;
+    MovingParts moving_;
+    std::vector<uint32_t> moved_;     // instances, since the last build
+    std::vector<uint32_t> deformed_;  // meshes
+    std::vector<TablePatch> patches_;
     std::vector<OpacityCodes> opacities_;
     std::array<bool, TABLE_COUNT> changed_{};
     std::array<uint64_t, TABLE_COUNT> bytes_{};

@@ -34,7 +34,86 @@ bool is_identity(const CoreTransform& transform) {
 
 vec4 row_of(const glm::vec4& row) { return vec4(row.x, row.y, row.z, row.w); }
 
+std::vector<PackedVertex> packed_positions(const CoreMesh& data) {
+    std::vector<PackedVertex> positions(data.positions.size() + 1);
+    std::transform(data.positions.begin(), data.positions.end(), positions.begin(), [](const glm::vec3& p) {
+        return PackedVertex{p.x, p.y, p.z};
+    });
+    return positions;
+}
+
+// A box that grows.
+struct Reach {
+    glm::vec3 lower{1e30f};
+    glm::vec3 upper{-1e30f};
+
+    void include(const PackedVertex& p) {
+        lower = glm::min(lower, glm::vec3(p.x, p.y, p.z));
+        upper = glm::max(upper, glm::vec3(p.x, p.y, p.z));
+    }
+    void include(const Reach& other) {
+        lower = glm::min(lower, other.lower);
+        upper = glm::max(upper, other.upper);
+    }
+    double half_area() const {
+        glm::dvec3 size = glm::dvec3(upper) - glm::dvec3(lower);
+        return size.x * size.y + size.y * size.z + size.z * size.x;
+    }
+};
+
+// How much a fitted tree may be worse than a built one.
+constexpr double kWorn = 1.4;
+
 }  // namespace
+
+bool CoreMeshes::has_shape_of(const Mesh& mesh, const CoreMesh& data) const {
+    if (mesh.vertex_count != data.positions.size() || mesh.triangle_count != data.triangles.size() ||
+        mesh.has_tangents == data.tangents.empty() || mesh.has_colors == data.colors.empty())
+        return false;
+    const uvec4* triangle = mesh_triangles_.data() + mesh.first_triangle;
+    return std::all_of(data.triangles.begin(), data.triangles.end(), [&](const glm::uvec4& t) {
+        const uvec4& own = *triangle++;
+        return own.x == t.x && own.y == t.y && own.z == t.z && own.w == t.w;
+    });
+}
+
+// What a tree that was built over other places must cost by now, in the absence of a look into Embree's: the half areas
+// of the boxes around every 32 triangles, which lie together in a mesh's list, over that of all. After Lauterbach et
+// al. 2006, "RT-DEFORM", who compare the areas of nodes so and build anew at 1.4 times.
+double CoreMeshes::spread_of(const Mesh& mesh) const {
+    constexpr size_t kTogether = 32;
+    Reach all, some;
+    double sum = 0.0;
+    for (size_t i = 0; i < mesh.triangle_count; ++i) {
+        const uvec4& t = mesh_triangles_[mesh.first_triangle + i];
+        some.include(mesh.positions[t.x]);
+        some.include(mesh.positions[t.y]);
+        some.include(mesh.positions[t.z]);
+        if (i % kTogether + 1 < kTogether && i + 1 < mesh.triangle_count) continue;
+        sum += some.half_area();
+        all.include(some);
+        some = {};
+    }
+    const double whole = mesh.triangle_count > 0 ? all.half_area() : 0.0;
+    return whole > 0.0 ? sum / whole : 0.0;
+}
+
+// Where Embree and the tables have the mesh already, the vertices take their places.
+void CoreMeshes::move_vertices(uint id, const CoreMesh& data) {
+    Mesh& mesh = meshes_[id];
+    std::vector<PackedVertex> positions = packed_positions(data);
+    std::copy(positions.begin(), positions.end(), mesh.positions.begin());
+    splice(vertices_, mesh.first_vertex * VERTEX_ROWS, mesh.vertex_count * VERTEX_ROWS, pack_vertices(data));
+    splice(tangents_, mesh.first_vertex, mesh.vertex_count, pack_tangents(data));
+    mesh.is_baked = false;
+    edits_.shape = edits_.shape || !mesh.deforms;
+    edits_.deformed.push_back(id);
+    is_alive_ = mesh.deforms = true;
+    const double spread = spread_of(mesh);
+    const bool worn = !(spread <= kWorn * mesh.spread);
+    if (worn || edits_.shape) mesh.spread = spread;
+    if (worn) edits_.worn.push_back(id);
+}
 
 void CoreMeshes::set_mesh(uint id, const CoreMesh& data) {
     if (id == meshes_.size()) {
@@ -43,6 +122,11 @@ void CoreMeshes::set_mesh(uint id, const CoreMesh& data) {
         meshes_.back().first_vertex = tangents_.size();
     }
     Mesh& mesh = meshes_[id];
+    if (!edits_.shape && has_shape_of(mesh, data)) {
+        move_vertices(id, data);
+        return;
+    }
+    edits_.shape = true;
     std::vector<uvec4> triangles;
     triangles.reserve(data.triangles.size());
     mesh.materials.clear();
@@ -54,11 +138,9 @@ void CoreMeshes::set_mesh(uint id, const CoreMesh& data) {
     }
     std::sort(mesh.materials.begin(), mesh.materials.end());
     mesh.materials.erase(std::unique(mesh.materials.begin(), mesh.materials.end()), mesh.materials.end());
-    mesh.positions.resize(data.positions.size() + 1);
-    std::transform(data.positions.begin(), data.positions.end(), mesh.positions.begin(), [](const glm::vec3& p) {
-        return PackedVertex{p.x, p.y, p.z};
-    });
+    mesh.positions = packed_positions(data);
     mesh.baked = {};
+    mesh.is_baked = false;
     mesh.has_tangents = !data.tangents.empty();
     mesh.has_colors = !data.colors.empty();
     splice(mesh_triangles_, mesh.first_triangle, mesh.triangle_count, triangles);
@@ -70,13 +152,26 @@ void CoreMeshes::set_mesh(uint id, const CoreMesh& data) {
     }
     mesh.triangle_count = triangles.size();
     mesh.vertex_count = data.positions.size();
+    if (mesh.deforms) mesh.spread = spread_of(mesh);
 }
 
 void CoreMeshes::set_instance(uint id, uint mesh, const CoreTransform& transform) {
     if (id == placed_.size()) {
         placed_.emplace_back();
+        edits_.shape = true;
     }
-    placed_[id] = {mesh, transform};
+    Instance& placed = placed_[id];
+    if (placed.mesh == mesh && placed.transform == transform && !edits_.shape) return;
+    edits_.shape = edits_.shape || placed.mesh != mesh;
+    placed.mesh = mesh;
+    placed.transform = transform;
+    if (edits_.shape || mesh == NONE) return;
+    // Once; then it is no longer baked, and its transform alone has to follow.
+    edits_.shape = geometry_[id].baked;
+    edits_.moved.push_back(id);
+    moves_.resize(placed_.size(), false);
+    moves_[id] = true;
+    is_alive_ = true;
 }
 
 bool CoreMeshes::lets_rays_pass(const Mesh& mesh, std::span<const CoreMaterial> materials) const {
@@ -85,6 +180,9 @@ bool CoreMeshes::lets_rays_pass(const Mesh& mesh, std::span<const CoreMaterial> 
 }
 
 void CoreMeshes::bake(Mesh& mesh, const CoreTransform& transform) {
+    if (mesh.is_baked && mesh.placed_by == transform) return;
+    mesh.is_baked = true;
+    mesh.placed_by = transform;
     if (is_identity(transform)) {
         mesh.baked = {};
         return;
@@ -119,11 +217,13 @@ void CoreMeshes::place(std::span<const CoreMaterial> materials, float reach) {
         Mesh& mesh = meshes_[placed_[i].mesh];
         const CoreTransform& transform = placed_[i].transform;
         InstanceGeometry& geometry = geometry_[i];
-        geometry.baked = uses[placed_[i].mesh] == 1;
+        geometry.baked = uses[placed_[i].mesh] == 1 && !(i < moves_.size() && moves_[i]) && !mesh.deforms;
+        geometry.deforms = mesh.deforms;
         if (geometry.baked) {
             bake(mesh, transform);
         } else {
             mesh.baked = {};
+            mesh.is_baked = false;
         }
         geometry.positions = mesh.baked.empty() ? mesh.positions.data() : mesh.baked.data();
         geometry.triangles = mesh_triangles_.data() + mesh.first_triangle;

@@ -10,6 +10,14 @@
 
 namespace target_core {
 
+/// What a tree has to follow.
+struct GeometryEdits {
+    bool shape = true;             ///< more than the rest says: all is built anew
+    std::vector<uint> moved{};     ///< instances with another transform
+    std::vector<uint> deformed{};  ///< meshes with other vertices
+    std::vector<uint> worn{};      ///< of these, those that have drifted so far apart that their trees are built anew
+};
+
 /// All meshes and instances: the tables mesh_triangles, vertices, tangents and instances, and the positions that
 /// Embree reads.
 class CoreMeshes {
@@ -20,8 +28,17 @@ public:
     /// Puts a mesh into the scene, or hides the instance if `mesh` is NONE.
     void set_instance(uint id, uint mesh, const render_system::CoreTransform& transform);
 
-    /// Fills the instance table and `geometry()` for the materials at hand; bakes meshes of one instance. `reach` is
-    /// the largest coordinate from which rays may come, where exact mode's boxes are to be padded for it.
+    /// What has happened since the last `settle`.
+    const GeometryEdits& edits() const { return edits_; }
+    void settle() { edits_ = {.shape = false}; }
+    /// The tree is lost.
+    void start_anew() { edits_.shape = true; }
+    /// Whether an instance has moved or a mesh changed its shape since it was first there.
+    bool is_alive() const { return is_alive_; }
+
+    /// Fills the instance table and `geometry()` for the materials at hand; bakes meshes of one instance that stand
+    /// still. `reach` is the largest coordinate from which rays may come, where exact mode's boxes are to be padded for
+    /// it.
     void place(std::span<const render_system::CoreMaterial> materials, float reach = 0.0f);
 
     /// True if some instance's rays-may-pass mark would change with these materials: the scene must be placed anew.
@@ -49,17 +66,27 @@ private:
         size_t vertex_count = 0;
         bool has_tangents = false;
         bool has_colors = false;
-        std::vector<uint> materials;  // the distinct ones
+        bool deforms = false;
+        bool is_baked = false;                   // `baked` is that of `placed_by`
+        render_system::CoreTransform placed_by;  // of the last bake
+        double spread = 0.0;                     // spread_of, when its tree was built
+        std::vector<uint> materials;             // the distinct ones
     };
     struct Instance {
         uint mesh = render_system::NONE;
         render_system::CoreTransform transform;
     };
+    void move_vertices(uint id, const render_system::CoreMesh& data);
+    bool has_shape_of(const Mesh& mesh, const render_system::CoreMesh& data) const;
+    double spread_of(const Mesh& mesh) const;
     bool lets_rays_pass(const Mesh& mesh, std::span<const render_system::CoreMaterial> materials) const;
     void bake(Mesh& mesh, const render_system::CoreTransform& transform);
 
     std::vector<Mesh> meshes_;
     std::vector<Instance> placed_;
+    std::vector<bool> moves_;  // by instance
+    GeometryEdits edits_;
+    bool is_alive_ = false;
     std::vector<InstanceGeometry> geometry_;
     std::vector<uvec4> mesh_triangles_;
     std::vector<vec4> vertices_;

@@ -142,19 +142,29 @@ void TargetCore::set_instance(uint32_t instance, uint32_t mesh, const CoreTransf
 
 // Builds what changed since the last Render.
 Status TargetCore::prepare() {
+    bool new_passing = false;
     if (materials_dirty_) {
         pack_materials(materials_, tables_);
-        geometry_dirty_ = geometry_dirty_ || meshes_.passing_changed(materials_);
+        new_passing = meshes_.passing_changed(materials_);
+        geometry_dirty_ = geometry_dirty_ || new_passing;
     }
     if (geometry_dirty_) {
         auto start = std::chrono::steady_clock::now();
         meshes_.place(materials_, ray_reach_);
         std::string message;
         bool built = false;
-        arena_->execute([&] { built = embree_.build(meshes_.geometry(), options().exact, message); });
+        const GeometryEdits& edits = meshes_.edits();
+        // In exact mode all is one tree of triangles in world space.
+        const bool anew = edits.shape || new_passing || options().exact || embree_.stands_still();
+        arena_->execute([&] {
+            built = anew ? embree_.build(meshes_.geometry(), options().exact, meshes_.is_alive(), message)
+                         : embree_.update(meshes_.geometry(), edits.moved, edits.deformed, edits.worn, message);
+        });
         if (!built) {
+            meshes_.start_anew();
             return Status::out_of_memory("target core: " + message, host_bytes(), 0);
         }
+        meshes_.settle();
         stats().build_ms = milliseconds_since(start);
     }
     if (materials_dirty_ || geometry_dirty_) {

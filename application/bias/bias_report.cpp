@@ -59,13 +59,14 @@ uint64_t whole_count(double value) {
 
 Json bias_json(const BiasReport& report) {
     const metrics::BiasTest& test = report.test;
+    const bool tested = !test.tiles.empty();  // one picture a side has no spread
     const bool known = test.detectable && std::isfinite(*test.detectable);
     return {{"verdict", verdict_name(test.verdict)},
-            {"p_value", test.p_value},
+            {"p_value", tested ? Json(test.p_value) : Json(nullptr)},
             {"tiles", report.grid.tiles()},
             {"tiles_different", test.tiles_different},
             {"mean_difference", test.mean_difference},
-            {"standard_error", test.standard_error},
+            {"standard_error", tested ? Json(test.standard_error) : Json(nullptr)},
             {"samples_needed", report.samples_needed},
             {"alpha", report.question.alpha},
             {"resolution", report.question.resolution},
@@ -79,13 +80,19 @@ Json bias_json(const BiasReport& report) {
 std::string bias_text(const BiasReport& report) {
     const metrics::BiasTest& test = report.test;
     std::string text =
-        fmt::format("bias: {}\n  {} - {}: {:+.3e} of {:.3e} in the mean, standard error {:.1e} ({} and {} {})\n",
+        fmt::format("bias: {}\n  {} - {}: {:+.3e} of {:.3e} in the mean",
                     test.verdict == BiasVerdict::too_few ? "too few to tell" : verdict_name(test.verdict),
-                    report.name_b, report.name_a, test.mean_difference, report.mean, test.standard_error,
-                    report.batches_a, report.batches_b, report.unit == "files" ? "files" : "batches");
-    text +=
-        fmt::format("  p = {:.2g} at alpha {:g}, corrected for {} tiles of {} pixels a side; {} of them differ\n",
-                    test.p_value, report.question.alpha, report.grid.tiles(), report.grid.side, test.tiles_different);
+                    report.name_b, report.name_a, test.mean_difference, report.mean);
+    const std::string made_of =
+        fmt::format("({} and {} {})", report.batches_a, report.batches_b, report.unit == "files" ? "files" : "batches");
+    if (test.tiles.empty()) {
+        text += fmt::format(" {}; one picture a side says nothing of the noise\n", made_of);
+    } else {
+        text += fmt::format(", standard error {:.1e} {}\n", test.standard_error, made_of);
+        text += fmt::format(
+            "  p = {:.2g} at alpha {:g}, corrected for {} tiles of {} pixels a side; {} of them differ\n", test.p_value,
+            report.question.alpha, report.grid.tiles(), report.grid.side, test.tiles_different);
+    }
     if (test.detectable)
         text += fmt::format("  a bias of {} of the picture would be found in 9 of 10 such comparisons\n",
                             percent(*test.detectable));

@@ -11,6 +11,8 @@
 namespace application {
 
 ExitCode run_render(const Options& options, Console& console);
+/// `render --frames`: one picture a frame, each there whole or not at all.
+ExitCode run_frames(const Options& options, Console& console);
 ExitCode run_compare(const Options& options, Console& console);
 ExitCode run_bench(const Options& options, Console& console);
 ExitCode run_view(const Options& options, Console& console);

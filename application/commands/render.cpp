@@ -57,6 +57,16 @@ ExitCode help_team(const Options& options, CoreSession& session, Console& consol
     return status.ok() ? DONE : fail(console, status);
 }
 
+/// What one picture alone can be told.
+Status check_sequence(const Options& options) {
+    const SamplingOptions& sampling = options.sampling;
+    if (sampling.range || sampling.checkpoint || sampling.time_limit || sampling.noise)
+        return Status::invalid(
+            "--frames: --samples, --checkpoint, --time-limit and --noise are for one picture; leave them out");
+    if (team()) return Status::invalid("--frames: several ranks render one picture, no sequence; start one rank");
+    return Status::success();
+}
+
 /// Where a team fails, one of it says why.
 ExitCode fail_once(Console& console, const Status& status) {
     if (team() && !team()->leads()) return FAILED;
@@ -67,6 +77,12 @@ ExitCode fail_once(Console& console, const Status& status) {
 
 ExitCode run_render(const Options& options, Console& console) {
     const auto start = std::chrono::steady_clock::now();
+    if (options.frames) {
+        if (Status status = check_sequence(options); !status.ok()) return fail_once(console, status);
+        return run_frames(options, console);
+    }
+    if (options.fps_given)
+        return fail_once(console, Status::invalid("--fps: there is no sequence; give --frames, or --time"));
     const std::string file = options.output.empty() ? default_picture_name(options.scene) : options.output;
     const bool leads = !team() || team()->leads();
     if (Status status = agreed(leads ? check_places(options, file, console) : Status::success()); !status.ok())

@@ -32,12 +32,12 @@ Status check_sampling(const Options& options, const path& file, Console& console
     const SamplingOptions& sampling = options.sampling;
     if (sampling.range && !is_exr(file))
         console.note("a PNG of some samples cannot be added to others: pathtracer merge takes .exr");
-    if (!sampling.checkpoint && !sampling.resume) return Status::success();
+    if (!sampling.checkpoint && !options.resume) return Status::success();
     const path checkpoint = checkpoint_of(file);
     if (Status status = check_writable(checkpoint); !status.ok()) return status;
     for (const path& written : {file, checkpoint}) remove_abandoned(written);
     std::error_code error;
-    if (!sampling.resume && std::filesystem::exists(checkpoint, error))
+    if (!options.resume && std::filesystem::exists(checkpoint, error))
         console.warning(fmt::format("{} is there: this run starts anew and will replace it; --resume goes on from it",
                                     checkpoint.string()));
     return Status::success();
@@ -57,7 +57,7 @@ PictureRun::PictureRun(const Options& options, path file, CoreSession& session, 
 }
 
 Status PictureRun::resume() {
-    if (!options_.sampling.resume) return Status::success();
+    if (!options_.resume) return Status::success();
     auto read = read_checkpoint(checkpoint_);
     if (!read.ok()) return read.status;
     if (!*read) {

@@ -44,7 +44,7 @@ public:
     bool interrupted() const { return end_ == SamplingEnd::interrupted; }
 
 private:
-    bool keeps_checkpoints() const { return options_.sampling.checkpoint || options_.sampling.resume; }
+    bool keeps_checkpoints() const { return options_.sampling.checkpoint || options_.resume; }
     void save_checkpoint();
 
     const Options& options_;

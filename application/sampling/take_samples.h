@@ -27,7 +27,7 @@ struct SamplingPlan {
     std::optional<double> time_limit;             ///< seconds
     std::optional<double> noise;
     std::optional<double> checkpoint;  ///< seconds between two
-    std::function<void()> write_checkpoint;
+    std::function<void()> write_checkpoint = {};
     /// What takes so many samples of every pixel; none for the session itself.
     std::function<render_system::Status(uint32_t count)> render = {};
     double portion_seconds = 0.25;  ///< between two looks at the clock and at signals

@@ -129,6 +129,37 @@ float to_float(T value, bool normalized) {
     return static_cast<float>(value);
 }
 
+// An element of any number of components.
+template <int Length>
+struct Components {
+    float values[Length];
+
+    static constexpr int length() { return Length; }
+    float& operator[](int i) { return values[i]; }
+    float operator[](int i) const { return values[i]; }
+};
+
+// How glTF calls an element of that many.
+struct ElementType {
+    int type;
+    const char* name;
+};
+
+ElementType element_type(int components) {
+    switch (components) {
+        case 1:
+            return {TINYGLTF_TYPE_SCALAR, "SCALAR"};
+        case 2:
+            return {TINYGLTF_TYPE_VEC2, "VEC2"};
+        case 3:
+            return {TINYGLTF_TYPE_VEC3, "VEC3"};
+        case 4:
+            return {TINYGLTF_TYPE_VEC4, "VEC4"};
+        default:
+            return {TINYGLTF_TYPE_MAT4, "MAT4"};
+    }
+}
+
 template <class T, class Vec>
 void convert(const Elements& from, bool normalized, Vec* out) {
     for (uint64_t i = 0; i < from.count; ++i) {
@@ -169,12 +200,11 @@ void check_finite(const Accessor& accessor, const Vec* values) {
 template <class Vec>
 void append(const GltfDocument& document, int index, bool must_be_finite, std::vector<Vec>& out) {
     const Accessor accessor = open_accessor(document, index);
-    if (accessor.components != static_cast<size_t>(Vec::length()) ||
-        document.model.accessors[static_cast<size_t>(index)].type != Vec::length()) {
-        fail_at(accessor.place, "is not of type VEC" + std::to_string(Vec::length()) + EXPORT_AGAIN);
-    }
+    const ElementType wanted = element_type(Vec::length());
+    if (document.model.accessors[static_cast<size_t>(index)].type != wanted.type)
+        fail_at(accessor.place, std::string("is not of type ") + wanted.name + EXPORT_AGAIN);
     const size_t first = out.size();
-    out.resize(first + accessor.count, Vec(0.0f));
+    out.resize(first + accessor.count, Vec{});
     Vec* values = out.data() + first;
     if (accessor.base.data) convert(accessor.base, accessor.component, accessor.normalized, values);
     if (accessor.sparse_index.count > 0) {
@@ -185,6 +215,16 @@ void append(const GltfDocument& document, int index, bool must_be_finite, std::v
         }
     }
     if (must_be_finite) check_finite(accessor, values);
+}
+
+template <int Length>
+std::vector<float> read_elements(const GltfDocument& document, int accessor) {
+    std::vector<Components<Length>> elements;
+    append(document, accessor, true, elements);
+    std::vector<float> floats;
+    floats.reserve(elements.size() * Length);
+    for (const auto& element : elements) floats.insert(floats.end(), element.values, element.values + Length);
+    return floats;
 }
 
 }  // namespace
@@ -203,6 +243,21 @@ void append_vectors(const GltfDocument& document, int accessor, bool must_be_fin
 
 void append_vectors(const GltfDocument& document, int accessor, bool must_be_finite, std::vector<glm::vec4>& out) {
     append(document, accessor, must_be_finite, out);
+}
+
+std::vector<float> read_floats(const GltfDocument& document, int accessor, int components) {
+    switch (components) {
+        case 1:
+            return read_elements<1>(document, accessor);
+        case 2:
+            return read_elements<2>(document, accessor);
+        case 3:
+            return read_elements<3>(document, accessor);
+        case 4:
+            return read_elements<4>(document, accessor);
+        default:
+            return read_elements<16>(document, accessor);
+    }
 }
 
 void append_colors(const GltfDocument& document, int accessor, std::vector<uint32_t>& out) {

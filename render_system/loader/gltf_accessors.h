@@ -24,6 +24,10 @@ void append_vectors(const GltfDocument& document, int accessor, bool must_be_fin
 void append_vectors(const GltfDocument& document, int accessor, bool must_be_finite, std::vector<glm::vec3>& out);
 void append_vectors(const GltfDocument& document, int accessor, bool must_be_finite, std::vector<glm::vec4>& out);
 
+/// All of an accessor's numbers one after another, where it has `components` an element: 1 (SCALAR), 2 (VEC2),
+/// 3 (VEC3), 4 (VEC4) or 16 (MAT4, by columns). Fails as append_vectors does; all must be finite.
+std::vector<float> read_floats(const GltfDocument& document, int accessor, int components);
+
 /// Appends colours (VEC3 or VEC4) as linear rgba8, red in the lowest byte; VEC3 has alpha 1. Values outside 0 to 1 are
 /// clamped.
 void append_colors(const GltfDocument& document, int accessor, std::vector<uint32_t>& out);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render_system/loader/gltf_document.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cctype>
 #include <cstring>
@@ -9,11 +11,13 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "render_system/loader/gltf_animations.h"
 #include "render_system/loader/gltf_draco.h"
 #include "render_system/loader/gltf_extensions.h"
 #include "render_system/loader/gltf_image_light.h"
 #include "render_system/loader/gltf_meshopt.h"
 #include "render_system/loader/gltf_schema.h"
+#include "render_system/loader/gltf_skins.h"
 #include "render_system/loader/import_process.h"
 #include "render_system/loader/load_error.h"
 
@@ -141,15 +145,6 @@ void check_version(const json& document) {
     if (version.substr(0, 2) != "2.") fail_at("/asset/version", "is \"" + version + "\"; convert the file to glTF 2.0");
     const std::string least = document["asset"].value("minVersion", "2.0");
     if (least != "2.0") fail_at("/asset/minVersion", "asks for glTF " + least + "; only 2.0 is supported");
-}
-
-std::string count_text(size_t count) { return std::to_string(count); }
-
-void note_moving_parts(const json& document, Omissions& omissions) {
-    for (const char* what : {"skins", "animations"}) {
-        const size_t count = document.contains(what) ? document[what].size() : 0;
-        if (count > 0) omissions.add(what, count_text(count));
-    }
 }
 
 GltfBuffer open_buffer(const json& entry, size_t index, const GltfDocument& document, Bytes binary) {
@@ -313,6 +308,15 @@ std::span<const std::byte> GltfDocument::view_bytes(int buffer_view) const {
     return buffers[static_cast<size_t>(view.buffer)].bytes.subspan(view.byteOffset, view.byteLength);
 }
 
+void GltfDocument::take_memory(uint64_t bytes, const std::string& place) {
+    const uint64_t machine =
+        static_cast<uint64_t>(sysconf(_SC_PHYS_PAGES)) * static_cast<uint64_t>(sysconf(_SC_PAGE_SIZE));
+    geometry_bytes += bytes;
+    if (geometry_bytes <= machine) return;
+    fail_at(place, "with it the meshes take " + std::to_string(geometry_bytes >> 20) +
+                       " MiB, more memory than this machine has; split the scene");
+}
+
 void GltfDocument::release_pages() const {
     file.release_pages();
     for (const GltfBuffer& buffer : buffers) buffer.file.release_pages();
@@ -330,7 +334,9 @@ GltfDocument open_gltf(const std::filesystem::path& path, Reach reach, const std
     if (!foreign.empty()) note_left_out(root, document.omissions);
     check_version(root);
     check_extensions(root, document.omissions);
-    note_moving_parts(root, document.omissions);
+    document.skins = read_skins(root);
+    document.animations = animation_names(root);
+    document.channels = read_channels(root, document.omissions);
     apply_variant(root, variant);
     take_webp_images(root);
     if (root.contains("buffers")) {

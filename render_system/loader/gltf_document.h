@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "render_system/animation/curve.h"
 #include "render_system/host_scene.h"
 #include "render_system/loader/file_bytes.h"
 #include "render_system/loader/tinygltf_model.h"
@@ -39,6 +40,24 @@ struct UnreadImage {
     std::string why;
 };
 
+/// What a skin hangs on: nodes, and the accessor of their matrices (-1: identities).
+struct GltfSkin {
+    std::vector<int> joints;
+    int inverse_binds = -1;
+};
+
+/// One channel of an animation with its sampler.
+struct GltfChannel {
+    std::string place;
+    int animation = 0;
+    int input = -1;  ///< accessors
+    int output = -1;
+    Interpolation interpolation = Interpolation::linear;
+    int node = -1;        ///< -1: none
+    std::string path;     ///< "translation", "rotation", "scale", "weights" or "pointer"
+    std::string pointer;  ///< of KHR_animation_pointer
+};
+
 /// What the file asks for and does not get, gathered into one warning: what, and where or how often.
 class Omissions {
 public:
@@ -63,12 +82,18 @@ struct GltfDocument {
     std::map<int, std::vector<std::byte>> decoded_views;  ///< of views that are packed in the file
     std::vector<std::array<int, 2>> uv_sets;              ///< by material: the file's numbers of the two sets it reads
     std::optional<Sky> sky;                               ///< of EXT_lights_image_based
-    uint64_t geometry_bytes = 0;                          ///< what the meshes read so far take, at least
+    std::vector<GltfSkin> skins;
+    std::vector<std::string> animations;  ///< their names
+    std::vector<GltfChannel> channels;    ///< of all animations, in the file's order
+    uint64_t geometry_bytes = 0;          ///< what the meshes and curves read so far take, at least
     Omissions omissions;
     std::vector<UnreadImage> unread_images;
 
     /// Throws LoadError where the view does not lie in its buffer: one that nobody reads does no harm.
     std::span<const std::byte> view_bytes(int buffer_view) const;
+    /// Counts what is about to be read. Throws LoadError where it all would be more than the machine's memory: parts of
+    /// a file may share their bytes, so that a small one can ask for any amount.
+    void take_memory(uint64_t bytes, const std::string& place);
     /// Lets go of the memory of file bytes already converted.
     void release_pages() const;
 };

@@ -10,6 +10,7 @@
 #include <set>
 #include <string>
 
+#include "render_system/loader/gltf_animations.h"
 #include "render_system/loader/gltf_textures.h"
 #include "render_system/loader/load_error.h"
 #include "render_system/scene_limits.h"
@@ -65,12 +66,15 @@ TextureInfo info_in(const Value& object, const char* key) {
 
 class MaterialReader {
 public:
-    MaterialReader(GltfDocument& document, HostScene& scene) : document_(document), textures_(document, scene) {}
+    MaterialReader(GltfDocument& document, HostScene& scene)
+        : document_(document), textures_(document, scene), animated_(animated_materials(document)) {}
 
     CoreMaterial read(size_t index) {
         const tinygltf::Material& source = document_.model.materials[index];
         place_ = "/materials/" + std::to_string(index);
         material_ = CoreMaterial();
+        // What is nothing now need not be read, unless an animation may make it something.
+        changes_ = animated_.contains(static_cast<int>(index));
         read_alpha(source);
         if (find(source.extensions, "KHR_materials_unlit")) {
             read_unlit(source);
@@ -163,7 +167,7 @@ private:
         for (int i = 0; i < 3; ++i) {
             if (!std::isfinite(material_.emission[i])) fail_at(place_, "its emission is past the range of a float");
         }
-        if (material_.emission == glm::vec3(0.0f)) return;  // a texture times zero need not be read
+        if (material_.emission == glm::vec3(0.0f) && !changes_) return;
         material_.emission_texture = slot(info_of(source.emissiveTexture), TextureRole::color);
     }
 
@@ -217,7 +221,7 @@ private:
         if (!extension) return;
         const glm::vec3 color = numbers(*extension, "sheenColorFactor", glm::vec3(0.0f));
         for (int i = 0; i < 3; ++i) material_.sheen_color[i] = unit(static_cast<double>(color[i]));
-        if (material_.sheen_color == glm::vec3(0.0f)) return;
+        if (material_.sheen_color == glm::vec3(0.0f) && !changes_) return;
         material_.sheen_roughness = unit(static_cast<double>(number(*extension, "sheenRoughnessFactor", 0.0f)));
         material_.sheen_color_texture = slot(info_in(*extension, "sheenColorTexture"), TextureRole::color);
         material_.sheen_roughness_texture = slot(info_in(*extension, "sheenRoughnessTexture"), TextureRole::data);
@@ -227,7 +231,7 @@ private:
         const Value* extension = find(source.extensions, "KHR_materials_clearcoat");
         if (!extension) return;
         material_.coat = unit(static_cast<double>(number(*extension, "clearcoatFactor", 0.0f)));
-        if (material_.coat == 0.0f) return;
+        if (material_.coat == 0.0f && !changes_) return;
         material_.coat_roughness = unit(static_cast<double>(number(*extension, "clearcoatRoughnessFactor", 0.0f)));
         material_.coat_texture = slot(info_in(*extension, "clearcoatTexture"), TextureRole::data);
         material_.coat_roughness_texture = slot(info_in(*extension, "clearcoatRoughnessTexture"), TextureRole::data);
@@ -244,7 +248,7 @@ private:
                                 (std::string("extensions/KHR_materials_iridescence/") + key).c_str());
         };
         material_.film = unit(static_cast<double>(number(*extension, "iridescenceFactor", 0.0f)));
-        if (material_.film == 0.0f) return;
+        if (material_.film == 0.0f && !changes_) return;
         material_.film_ior = std::clamp(length("iridescenceIor", 1.3f), 1.0f, HIGHEST_IOR);
         material_.film_thickness = {length("iridescenceThicknessMinimum", 100.0f),
                                     length("iridescenceThicknessMaximum", 400.0f)};
@@ -310,8 +314,10 @@ private:
 
     GltfDocument& document_;
     GltfTextures textures_;
+    const std::set<int> animated_;
     CoreMaterial material_;
     std::string place_;
+    bool changes_ = false;  // the material at hand is animated
 };
 
 }  // namespace

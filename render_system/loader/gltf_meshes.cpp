@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render_system/loader/gltf_meshes.h"
 
-#include <unistd.h>
-
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <string>
+#include <utility>
 
 #include "render_system/loader/gltf_accessors.h"
 #include "render_system/loader/load_error.h"
@@ -46,36 +47,33 @@ uint64_t triangle_count(int mode, uint64_t corners) {
     return corners < 3 ? 0 : corners - 2;
 }
 
-glm::vec3 flat_normal(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
-    // In double precision: small triangles far from the origin keep a direction.
-    const glm::dvec3 way = glm::cross(glm::dvec3(b) - glm::dvec3(a), glm::dvec3(c) - glm::dvec3(a));
-    const double size = glm::length(way);
-    return size > 0.0 && std::isfinite(size) ? glm::vec3(way / size) : glm::vec3(0.0f, 0.0f, 1.0f);
-}
-
-uint64_t machine_memory() {
-    return static_cast<uint64_t>(sysconf(_SC_PHYS_PAGES)) * static_cast<uint64_t>(sysconf(_SC_PAGE_SIZE));
-}
-
 // Adds the primitives of one glTF mesh to one HostMesh.
 class MeshReader {
 public:
-    MeshReader(GltfDocument& document, int mesh, const HostScene& scene)
+    MeshReader(GltfDocument& document, int mesh, bool skinned, const HostScene& scene)
         : document_(document),
           source_(document.model.meshes[static_cast<size_t>(mesh)]),
           scene_(scene),
-          mesh_place_("/meshes/" + std::to_string(mesh)) {}
+          mesh_place_("/meshes/" + std::to_string(mesh)),
+          influences_(skinned ? influences_of(source_) : 0) {}
 
-    HostMesh read() {
+    LoadedMesh read() {
         mesh_.name = source_.name;
-        if (!source_.weights.empty()) document_.omissions.add("morph targets", mesh_place_);
+        for (const tinygltf::Primitive& primitive : source_.primitives) {
+            if (has_triangles(primitive))
+                rest_.targets.resize(std::max(rest_.targets.size(), primitive.targets.size()));
+        }
         reserve();
         for (size_t i = 0; i < source_.primitives.size(); ++i) {
             place_ = mesh_place_ + "/primitives/" + std::to_string(i);
             note_omissions(source_.primitives[i]);
             if (has_triangles(source_.primitives[i])) add(source_.primitives[i]);
         }
-        return std::move(mesh_);
+        LoadedMesh loaded;
+        loaded.joints = used_joints_;
+        if (influences_ > 0 || !rest_.targets.empty()) loaded.rest = finish_rest();
+        loaded.mesh = std::move(mesh_);
+        return loaded;
     }
 
 private:
@@ -93,11 +91,9 @@ private:
             triangles += own;
             vertices += attribute(primitive, "NORMAL") == MISSING ? 3 * own : count;
         }
-        document_.geometry_bytes += vertices * 2 * sizeof(glm::vec3) + triangles * sizeof(glm::uvec4);
-        if (document_.geometry_bytes > machine_memory()) {
-            fail_at(mesh_place_, "with it the meshes take " + std::to_string(document_.geometry_bytes >> 20) +
-                                     " MiB, more memory than this machine has; split the scene");
-        }
+        const uint64_t deforming = rest_.targets.size() * 3 * sizeof(glm::vec3) + influences_ * 6;
+        document_.take_memory(vertices * (2 * sizeof(glm::vec3) + deforming) + triangles * sizeof(glm::uvec4),
+                              mesh_place_);
         constexpr uint64_t WORTH_IT = 1 << 16;
         if (vertices < WORTH_IT && triangles < WORTH_IT) return;
         mesh_.positions.reserve(vertices);
@@ -109,7 +105,6 @@ private:
         Omissions& omissions = document_.omissions;
         if (primitive.mode == TINYGLTF_MODE_POINTS) omissions.add("points", place_);
         if (!has_triangles(primitive) && primitive.mode != TINYGLTF_MODE_POINTS) omissions.add("lines", place_);
-        if (!primitive.targets.empty()) omissions.add("morph targets", mesh_place_);
         if (attribute(primitive, "COLOR_0") != MISSING && is_unlit(primitive)) {
             omissions.add("vertex colours of unlit materials", mesh_place_);
         }
@@ -129,6 +124,8 @@ private:
         first_triangle_ = mesh_.triangles.size();
         append_vectors(document_, positions, true, mesh_.positions);
         if (mesh_.positions.size() >= NONE) fail_at(place_, "the mesh has more than 2^32 vertices; split it");
+        origins_.resize(mesh_.positions.size() - first_vertex_);
+        std::iota(origins_.begin(), origins_.end(), 0u);
         const bool flat = attribute(primitive, "NORMAL") == MISSING;
         // Tangents without normals mean nothing (glTF 2.0, 3.7.2.1).
         const bool has_tangents = !flat && attribute(primitive, "TANGENT") != MISSING;
@@ -147,6 +144,11 @@ private:
         else
             repair_normals();
         make_tangents(primitive, has_tangents);
+        add_influences(primitive);
+        add_targets(primitive, has_tangents);
+        if (flat)
+            rest_.flat.push_back(
+                {static_cast<uint32_t>(first_triangle_), static_cast<uint32_t>(mesh_.triangles.size())});
         const size_t vertices = mesh_.positions.size();
         if (!mesh_.tangents.empty()) mesh_.tangents.resize(vertices, glm::vec4(0.0f));
         if (!mesh_.uv0.empty()) mesh_.uv0.resize(vertices, glm::vec2(0.0f));
@@ -185,12 +187,16 @@ private:
         }
     }
 
+    // Of an attribute of the primitive's, before vertices are made apart.
     void check_count(const std::string& name, int accessor) const {
+        check_count(place_ + "/attributes/" + name, accessor, mesh_.positions.size() - first_vertex_);
+    }
+
+    void check_count(const std::string& place, int accessor, uint64_t vertices) const {
         const uint64_t count = accessor_count(document_, accessor);
-        const uint64_t vertices = mesh_.positions.size() - first_vertex_;
         if (count == vertices) return;
-        fail_at(place_ + "/attributes/" + name, "has " + std::to_string(count) + " elements for " +
-                                                    std::to_string(vertices) + " positions" + EXPORT_AGAIN);
+        fail_at(place, "has " + std::to_string(count) + " elements for " + std::to_string(vertices) + " positions" +
+                           EXPORT_AGAIN);
     }
 
     void add_triangles(const tinygltf::Primitive& primitive) {
@@ -234,6 +240,7 @@ private:
         unshare(mesh_.uv0);
         unshare(mesh_.uv1);
         unshare(mesh_.colors);
+        unshare_origins();
         mesh_.normals.resize(first_vertex_, glm::vec3(0.0f, 0.0f, 1.0f));
         uint32_t next = static_cast<uint32_t>(first_vertex_);
         for (size_t i = first_triangle_; i < mesh_.triangles.size(); ++i, next += 3) {
@@ -252,6 +259,14 @@ private:
         for (size_t i = first_triangle_; i < mesh_.triangles.size(); ++i) {
             for (int c = 0; c < 3; ++c) array.push_back(shared[mesh_.triangles[i][c] - first_vertex_]);
         }
+    }
+
+    void unshare_origins() {
+        std::vector<uint32_t> unshared;
+        for (size_t i = first_triangle_; i < mesh_.triangles.size(); ++i) {
+            for (int c = 0; c < 3; ++c) unshared.push_back(origins_[mesh_.triangles[i][c] - first_vertex_]);
+        }
+        origins_ = std::move(unshared);
     }
 
     // Normals to unit length; where a file has none (0, 0, 0), that of a triangle of the vertex.
@@ -294,8 +309,119 @@ private:
         } else if (slot.texture != NONE) {
             mesh_.tangents.resize(first_vertex_);
             mesh_.tangents.resize(mesh_.positions.size(), glm::vec4(0.0f));
-            generate_tangents(mesh_, first_vertex_, first_triangle_, slot);
+            for (const uint32_t split : generate_tangents(mesh_, first_vertex_, first_triangle_, slot))
+                origins_.push_back(uint32_t{origins_[split - first_vertex_]});
         }
+    }
+
+    // Joints at a vertex, of all primitives with triangles; 0 where none has any.
+    static uint32_t influences_of(const tinygltf::Mesh& mesh) {
+        uint32_t most = 0;
+        for (const tinygltf::Primitive& primitive : mesh.primitives) {
+            uint32_t sets = 0;
+            while (has_triangles(primitive) && attribute(primitive, "JOINTS_" + std::to_string(sets)) != MISSING)
+                ++sets;
+            most = std::max(most, 4 * sets);
+        }
+        return most;
+    }
+
+    uint64_t file_vertices(const tinygltf::Primitive& primitive) const {
+        return accessor_count(document_, attribute(primitive, "POSITION"));
+    }
+
+    void add_influences(const tinygltf::Primitive& primitive) {
+        if (influences_ == 0) return;
+        const size_t first = first_vertex_ * influences_;
+        rest_.joints.resize(mesh_.positions.size() * influences_, 0);
+        rest_.weights.resize(mesh_.positions.size() * influences_, 0.0f);
+        for (uint32_t set = 0; set < influences_ / 4; ++set) {
+            const std::string number = std::to_string(set);
+            const int joints = attribute(primitive, "JOINTS_" + number);
+            const int weights = attribute(primitive, "WEIGHTS_" + number);
+            if (joints == MISSING) break;
+            if (weights == MISSING)
+                fail_at(place_, "has JOINTS_" + number + ", but no WEIGHTS_" + number + EXPORT_AGAIN);
+            read_influences(primitive, joints, weights, number, first + 4 * set);
+        }
+        for (size_t vertex = first_vertex_; vertex < mesh_.positions.size(); ++vertex) even_out(vertex);
+    }
+
+    // One set of 4 of each vertex, to every `influences_`-th place from `at` on.
+    void read_influences(const tinygltf::Primitive& primitive, int joints, int weights, const std::string& number,
+                         size_t at) {
+        const uint64_t count = file_vertices(primitive);
+        const std::string joints_place = place_ + "/attributes/JOINTS_" + number;
+        const std::string weights_place = place_ + "/attributes/WEIGHTS_" + number;
+        check_count(joints_place, joints, count);
+        check_count(weights_place, weights, count);
+        const int type = document_.model.accessors[static_cast<size_t>(joints)].componentType;
+        if (type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE && type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT)
+            fail_at(joints_place, "must hold unsigned bytes or shorts" + EXPORT_AGAIN);
+        const std::vector<float> numbers = read_floats(document_, joints, 4),
+                                 pulls = read_floats(document_, weights, 4);
+        for (size_t i = 0; i < origins_.size(); ++i, at += influences_) {
+            for (size_t c = 0; c < 4; ++c) {
+                const float pull = pulls[origins_[i] * size_t{4} + c];
+                if (!(pull >= 0.0f))
+                    fail_at(weights_place, "vertex " + std::to_string(origins_[i]) + " has a weight of " +
+                                               std::to_string(pull) + "; weights are not negative" + EXPORT_AGAIN);
+                rest_.weights[at + c] = pull;
+                rest_.joints[at + c] = static_cast<uint16_t>(numbers[origins_[i] * size_t{4} + c]);
+                used_joints_ = std::max(used_joints_, uint32_t{rest_.joints[at + c]} + 1);
+            }
+        }
+    }
+
+    // glTF 2.0, 3.7.3.3: the weights of a vertex add up to 1. Where they do not, they are made to.
+    void even_out(size_t vertex) {
+        constexpr float kRounding = 2e-3f;  // half a step of bytes, four times
+        float* const weights = &rest_.weights[vertex * influences_];
+        float sum = 0.0f;
+        for (uint32_t i = 0; i < influences_; ++i) sum += weights[i];
+        if (!(std::abs(sum - 1.0f) <= kRounding))
+            document_.omissions.add("weights of joints that do not add up to 1, which were made to", place_);
+        if (!(sum > 0.0f && std::isfinite(sum))) weights[0] = sum = 1.0f;
+        for (uint32_t i = 0; i < influences_ && sum != 1.0f; ++i) weights[i] /= sum;
+    }
+
+    void add_targets(const tinygltf::Primitive& primitive, bool has_tangents) {
+        for (size_t i = 0; i < primitive.targets.size(); ++i) {
+            MorphTarget& target = rest_.targets[i];
+            const std::string place = place_ + "/targets/" + std::to_string(i);
+            for (const auto& [name, accessor] : primitive.targets[i]) {
+                if (name == "POSITION")
+                    add_offsets(primitive, place, name, accessor, target.positions);
+                else if (name == "NORMAL")
+                    add_offsets(primitive, place, name, accessor, target.normals);
+                else if (name != "TANGENT")
+                    document_.omissions.add("morphed colours and texture coordinates", mesh_place_);
+                else if (has_tangents)
+                    add_offsets(primitive, place, name, accessor, target.tangents);
+            }
+        }
+    }
+
+    void add_offsets(const tinygltf::Primitive& primitive, const std::string& place, const std::string& name,
+                     int accessor, std::vector<glm::vec3>& offsets) {
+        check_count(place + "/" + name, accessor, file_vertices(primitive));
+        std::vector<glm::vec3> read;
+        append_vectors(document_, accessor, true, read);
+        offsets.resize(first_vertex_, glm::vec3(0.0f));
+        for (const uint32_t origin : origins_) offsets.push_back(read[origin]);
+    }
+
+    std::shared_ptr<const RestMesh> finish_rest() {
+        rest_.positions = mesh_.positions;
+        rest_.normals = mesh_.normals;
+        rest_.tangents = mesh_.tangents;
+        rest_.influences = influences_;
+        for (MorphTarget& target : rest_.targets) {
+            for (std::vector<glm::vec3>* offsets : {&target.positions, &target.normals, &target.tangents}) {
+                if (!offsets->empty()) offsets->resize(mesh_.positions.size(), glm::vec3(0.0f));
+            }
+        }
+        return std::make_shared<const RestMesh>(std::move(rest_));
     }
 
     GltfDocument& document_;
@@ -304,8 +430,12 @@ private:
     std::string mesh_place_;
     std::string place_;
     HostMesh mesh_;
-    size_t first_vertex_ = 0;    // of the primitive at hand
-    size_t first_triangle_ = 0;  // of the primitive at hand
+    RestMesh rest_;
+    uint32_t influences_ = 0;  // joints at a vertex
+    uint32_t used_joints_ = 0;
+    std::vector<uint32_t> origins_;  // of the primitive's vertices: which of the file's each one is
+    size_t first_vertex_ = 0;        // of the primitive at hand
+    size_t first_triangle_ = 0;      // of the primitive at hand
 };
 
 }  // namespace
@@ -320,8 +450,8 @@ std::vector<bool> used_materials(const GltfDocument& document, const std::vector
     return used;
 }
 
-HostMesh read_mesh(GltfDocument& document, int mesh, const HostScene& scene) {
-    return MeshReader(document, mesh, scene).read();
+LoadedMesh read_mesh(GltfDocument& document, int mesh, bool skinned, const HostScene& scene) {
+    return MeshReader(document, mesh, skinned, scene).read();
 }
 
 }  // namespace render_system

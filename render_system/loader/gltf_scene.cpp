@@ -2,17 +2,22 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
-#include <glm/gtc/quaternion.hpp>
 #include <map>
+#include <memory>
 #include <new>
+#include <set>
 #include <string>
 #include <unordered_set>
+#include <utility>
 #include <vector>
 
+#include "render_system/animation/animation.h"
+#include "render_system/loader/gltf_animations.h"
 #include "render_system/loader/gltf_document.h"
 #include "render_system/loader/gltf_instancing.h"
 #include "render_system/loader/gltf_materials.h"
 #include "render_system/loader/gltf_meshes.h"
+#include "render_system/loader/gltf_skins.h"
 #include "render_system/loader/load_error.h"
 #include "render_system/scene_limits.h"
 #include "render_system/scene_loader.h"
@@ -35,14 +40,9 @@ glm::dmat4 local_transform(const tinygltf::Node& node, const std::string& place)
         }
         return matrix;
     }
-    if (!node.rotation.empty()) {
-        const glm::dquat rotation(node.rotation[3], node.rotation[0], node.rotation[1], node.rotation[2]);
-        if (!(glm::length(rotation) > 0.0)) fail_at(place + "/rotation", "has no length" + EXPORT_AGAIN);
-        matrix = glm::mat4_cast(glm::normalize(rotation));
-    }
-    for (int i = 0; i < 3 && !node.scale.empty(); ++i) matrix[i] *= node.scale[static_cast<size_t>(i)];
-    for (int i = 0; i < 3 && !node.translation.empty(); ++i) matrix[3][i] = node.translation[static_cast<size_t>(i)];
-    return matrix;
+    const NodePose pose = pose_of(node);
+    if (!(glm::length(pose.rotation) > 0.0)) fail_at(place + "/rotation", "has no length" + EXPORT_AGAIN);
+    return pose_matrix(pose);
 }
 
 struct PlacedNode {
@@ -90,20 +90,13 @@ std::vector<PlacedNode> place_nodes(const tinygltf::Model& model) {
     return placed;
 }
 
-// A matrix that flattens everything leaves no normals, and no way back from world to object space.
-bool is_scaled_to_nothing(const CoreTransform& world) {
-    // What is not invertible for being too large is none of this.
-    constexpr float LARGE = 1e9f;
-    for (const glm::vec4& row : world.rows) {
-        if (!(largest_coordinate(glm::vec3(row)) <= static_cast<double>(LARGE))) return false;
-    }
-    return !is_invertible(world);
-}
-
 class SceneReader {
 public:
     SceneReader(const std::filesystem::path& path, const LoadOptions& options)
-        : document_(open_gltf(path, options.allow_outside ? Reach::anywhere : Reach::folder, options.variant)) {}
+        : document_(open_gltf(path, options.allow_outside ? Reach::anywhere : Reach::folder, options.variant)),
+          time_(options.time) {
+        choose_animation(document_, options.animation);
+    }
 
     LoadedScene read() {
         if (document_.model.scenes.empty()) {
@@ -120,13 +113,10 @@ public:
         for (size_t i : order) host_nodes[i] = carry(nodes_[i]);
         for (HostNode& node : host_nodes) scene().add_node(std::move(node));
         for (size_t i : order) add_copies(static_cast<uint32_t>(i));
-        if (scene().triangle_count() == 0) {
-            if (first_hidden_ >= 0) {
-                fail_at(node_place(first_hidden_),
-                        "its mesh is scaled to nothing, and the scene has no other; scale it up");
-            }
-            fail_at("", "the scene has no triangles; name a file with a mesh in its scene");
-        }
+        for (size_t i : order) add_deformers(static_cast<uint32_t>(i));
+        scene().set_animation(read_animation(document_, parts_, scene()));
+        if (Status status = scene().play(time_); !status.ok()) fail_at("", status.message + EXPORT_AGAIN);
+        check_hidden();
         if (document_.sky) scene().set_sky(std::move(*document_.sky));
         write_warnings();
         return std::move(loaded_);
@@ -140,9 +130,11 @@ private:
     }
 
     void add_meshes() {
-        std::map<int, uint32_t> used;
-        for (const PlacedNode& node : nodes_) {
-            if (source(node).mesh >= 0 && node.visible) used.emplace(source(node).mesh, 0);
+        std::map<int, bool> used;  // whether a skin hangs on it
+        for (size_t i = 0; i < nodes_.size(); ++i) {
+            placed_as_[nodes_[i].node] = static_cast<uint32_t>(i);
+            const tinygltf::Node& node = source(nodes_[i]);
+            if (node.mesh >= 0 && nodes_[i].visible) used[node.mesh] |= node.skin >= 0;
         }
         std::vector<int> meshes;
         for (const auto& entry : used) meshes.push_back(entry.first);
@@ -150,14 +142,107 @@ private:
         constexpr size_t RELEASE_AFTER = size_t{1} << 26;
         size_t triangles = 0;
         for (int mesh : meshes) {
-            HostMesh host = read_mesh(document_, mesh, scene());
-            if (host.triangles.empty()) continue;
-            triangles += host.triangles.size();
-            mesh_ids_[mesh] = scene().add_mesh(std::move(host));
+            LoadedMesh loaded = read_mesh(document_, mesh, used[mesh], scene());
+            if (loaded.mesh.triangles.empty()) continue;
+            triangles += loaded.mesh.triangles.size();
+            if (!loaded.rest) fixed_meshes_[{mesh, {}}] = scene().add_mesh(std::move(loaded.mesh));
+            meshes_.emplace(mesh, std::move(loaded));
             if (triangles * sizeof(glm::uvec4) < RELEASE_AFTER) continue;
             document_.release_pages();
             triangles = 0;
         }
+        moving_weights_ = nodes_with_animated_weights(document_);
+    }
+
+    // What a node shows: the scene's mesh, and what deforms it.
+    struct Shown {
+        uint32_t mesh = NONE;
+        bool deforms = false;
+        bool skinned = false;
+        std::vector<double> weights;
+    };
+
+    Shown show(const PlacedNode& placed) {
+        const tinygltf::Node& node = source(placed);
+        Shown shown;
+        const auto found = meshes_.find(node.mesh);
+        if (found == meshes_.end() || !placed.visible) return shown;
+        const LoadedMesh& loaded = found->second;
+        shown.weights = weights_of(placed, loaded);
+        shown.skinned = node.skin >= 0 && loaded.joints > 0 && !instancing_of(node);
+        if (node.skin >= 0 && !shown.skinned)
+            document_.omissions.add("skins of what has no joints", node_place(placed.node));
+        if (shown.skinned) check_skin(placed.node, loaded);
+        shown.deforms = shown.skinned || (!shown.weights.empty() && moving_weights_.contains(placed.node));
+        shown.mesh = shown.deforms ? add_copy(loaded.mesh, placed.node) : fixed_mesh(node.mesh, loaded, shown.weights);
+        return shown;
+    }
+
+    uint32_t add_copy(const HostMesh& mesh, int node) {
+        document_.take_memory(mesh.positions.size() * 8 * sizeof(float) + mesh.triangles.size() * sizeof(glm::uvec4),
+                              node_place(node));
+        return scene().add_mesh(mesh);
+    }
+
+    // Of nodes that show a mesh in the same shape for good, one copy.
+    uint32_t fixed_mesh(int number, const LoadedMesh& loaded, const std::vector<double>& weights) {
+        const auto [entry, is_new] = fixed_meshes_.try_emplace({number, weights}, NONE);
+        if (!is_new) return entry->second;
+        HostMesh mesh = loaded.mesh;
+        deform(*loaded.rest, weights, {}, mesh);
+        return entry->second = scene().add_mesh(std::move(mesh));
+    }
+
+    // The node's own weights, else its mesh's, else none: of all morph targets.
+    std::vector<double> weights_of(const PlacedNode& placed, const LoadedMesh& loaded) const {
+        const size_t targets = loaded.rest ? loaded.rest->targets.size() : 0;
+        const tinygltf::Node& node = source(placed);
+        const bool own = !node.weights.empty();
+        std::vector<double> weights =
+            own ? node.weights : document_.model.meshes[static_cast<size_t>(node.mesh)].weights;
+        if (weights.empty()) weights.assign(targets, 0.0);
+        if (weights.size() != targets)
+            fail_at((own ? node_place(placed.node) : "/meshes/" + std::to_string(node.mesh)) + "/weights",
+                    "has " + std::to_string(weights.size()) + " numbers for " + std::to_string(targets) +
+                        " morph targets" + EXPORT_AGAIN);
+        return weights;
+    }
+
+    void check_skin(int node, const LoadedMesh& loaded) const {
+        const int index = document_.model.nodes[static_cast<size_t>(node)].skin;
+        const std::vector<int>& joints = document_.skins[static_cast<size_t>(index)].joints;
+        if (loaded.joints > joints.size())
+            fail_at(node_place(node) + "/skin", "has " + std::to_string(joints.size()) +
+                                                    " joints, but the mesh names joint " +
+                                                    std::to_string(loaded.joints - 1) + EXPORT_AGAIN);
+        for (const int joint : joints) {
+            if (placed_as_.contains(joint)) continue;
+            fail_at("/skins/" + std::to_string(index) + "/joints",
+                    "names node " + std::to_string(joint) + ", which is not in the scene" + EXPORT_AGAIN);
+        }
+    }
+
+    // Joints and weights of what the node shows, once all nodes are placed.
+    void add_deformers(uint32_t placed_index) {
+        const PlacedNode& placed = nodes_[placed_index];
+        parts_.nodes[placed.node] = placed_index;
+        const auto found = deforming_.find(placed.node);
+        if (found == deforming_.end()) return;
+        const tinygltf::Node& node = source(placed);
+        HostDeformer deformer{found->second.mesh, meshes_.at(node.mesh).rest, found->second.weights, nullptr};
+        if (found->second.skinned) deformer.skin = skin_of(node.skin);
+        parts_.deformers[placed.node].push_back(scene().add_deformer(std::move(deformer)));
+    }
+
+    std::shared_ptr<const Skin> skin_of(int index) {
+        std::shared_ptr<const Skin>& known = skins_[index];
+        if (known) return known;
+        Skin skin;
+        for (const int joint : document_.skins[static_cast<size_t>(index)].joints)
+            skin.joints.push_back(placed_as_.at(joint));
+        skin.inverse_binds = read_inverse_binds(document_, index);
+        known = std::make_shared<const Skin>(std::move(skin));
+        return known;
     }
 
     HostNode carry(const PlacedNode& placed) {
@@ -166,28 +251,55 @@ private:
         host.name = node.name;
         host.parent = placed.parent;
         host.local = local_transform(node, node_place(placed.node));
-        const auto mesh = mesh_ids_.find(node.mesh);
-        if (mesh != mesh_ids_.end() && placed.visible && !instancing_of(node)) {
-            host.instance = add_instance(placed.node, mesh->second, placed.world);
+        if (!instancing_of(node)) carry_mesh(placed, host);
+        if (node.camera >= 0) {
+            host.camera = add_camera(placed.node, node.camera);
+            parts_.cameras[node.camera].push_back(host.camera);
         }
-        if (node.camera >= 0) host.camera = add_camera(placed.node, node.camera);
         const auto light = node.extensions.find("KHR_lights_punctual");
         if (light != node.extensions.end() && placed.visible) {
-            host.light = add_light(light->second.Get("light").GetNumberAsInt());
+            const int index = light->second.Get("light").GetNumberAsInt();
+            host.light = add_light(index);
+            parts_.lights[index].push_back(host.light);
             fail_unless(check_light_position(glm::vec3(placed.world[3])), node_place(placed.node));
         }
         return host;
     }
 
+    // A skinned mesh stays where its joints bring it: the node's own place does not count (glTF 2.0, 3.7.3.3).
+    void carry_mesh(const PlacedNode& placed, HostNode& host) {
+        const Shown shown = show(placed);
+        if (shown.mesh == NONE) return;
+        if (shown.deforms) deforming_.emplace(placed.node, shown);
+        if (shown.skinned) {
+            scene().add_instance(shown.mesh, CoreTransform());
+            return;
+        }
+        host.mesh = shown.mesh;
+        host.instance = add_instance(placed.node, shown.mesh, placed.world);
+    }
+
+    // An instance that is scaled to nothing is hidden by the node that places it.
     uint32_t add_instance(int node, uint32_t mesh, const glm::dmat4& world) {
         const CoreTransform transform = core_transform(world);
-        const bool hidden = is_scaled_to_nothing(transform);
-        if (hidden && first_hidden_ < 0) first_hidden_ = node;
-        if (hidden)
+        if (!is_scaled_to_nothing(transform)) check_instance(node, mesh, transform);
+        return scene().add_instance(mesh, transform);
+    }
+
+    void check_hidden() {
+        int first = -1;
+        for (const auto& [node, placed] : placed_as_) {
+            const HostNode& host = scene().nodes()[placed];
+            if (host.mesh == NONE || scene().instances()[host.instance].mesh != NONE) continue;
             document_.omissions.add("instances scaled to nothing", node_place(node));
-        else
-            check_instance(node, mesh, transform);
-        return scene().add_instance(hidden ? NONE : mesh, transform);
+            if (first < 0) first = node;
+        }
+        if (hidden_copies_ >= 0) document_.omissions.add("instances scaled to nothing", node_place(hidden_copies_));
+        if (first < 0) first = hidden_copies_;
+        if (scene().triangle_count() > 0) return;
+        if (first >= 0)
+            fail_at(node_place(first), "its mesh is scaled to nothing, and the scene has no other; scale it up");
+        fail_at("", "the scene has no triangles; name a file with a mesh in its scene");
     }
 
     void check_copies() const {
@@ -203,8 +315,9 @@ private:
     void add_copies(uint32_t parent) {
         const PlacedNode& placed = nodes_[parent];
         const tinygltf::Value* instancing = instancing_of(source(placed));
-        const auto mesh = mesh_ids_.find(source(placed).mesh);
-        if (!instancing || !placed.visible || mesh == mesh_ids_.end()) return;
+        if (!instancing) return;
+        const uint32_t mesh = show(placed).mesh;
+        if (mesh == NONE) return;
         std::unordered_set<std::string> places;
         for (const glm::dmat4& local : instance_transforms(document_, *instancing, node_place(placed.node))) {
             HostNode copy;
@@ -220,7 +333,9 @@ private:
                 document_.omissions.add("instances in the place of another", node_place(placed.node));
                 copy.instance = scene().add_instance(NONE, transform);
             } else {
-                copy.instance = add_instance(placed.node, mesh->second, world);
+                copy.mesh = mesh;
+                copy.instance = add_instance(placed.node, mesh, world);
+                if (is_scaled_to_nothing(transform) && hidden_copies_ < 0) hidden_copies_ = placed.node;
             }
             scene().add_node(std::move(copy));
         }
@@ -306,8 +421,15 @@ private:
     GltfDocument document_;
     LoadedScene loaded_;
     std::vector<PlacedNode> nodes_;
-    std::map<int, uint32_t> mesh_ids_;
-    int first_hidden_ = -1;  // the first node whose mesh is scaled to nothing
+    double time_ = 0.0;
+    std::map<int, uint32_t> placed_as_;                                     // of the file's nodes: where in nodes_
+    std::map<int, LoadedMesh> meshes_;                                      // as they were read
+    std::map<std::pair<int, std::vector<double>>, uint32_t> fixed_meshes_;  // the scene's, by mesh and weights
+    std::set<int> moving_weights_;
+    std::map<int, Shown> deforming_;  // by node
+    std::map<int, std::shared_ptr<const Skin>> skins_;
+    SceneParts parts_;
+    int hidden_copies_ = -1;  // the first node one of whose copies is scaled to nothing
 };
 
 }  // namespace

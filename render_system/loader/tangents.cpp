@@ -87,10 +87,12 @@ uint32_t duplicate_vertex(HostMesh& mesh, uint32_t vertex) {
     return static_cast<uint32_t>(mesh.positions.size() - 1);
 }
 
-// Gives each corner a vertex of its own handedness.
-void split_vertices(HostMesh& mesh, size_t first_vertex, size_t first_triangle, const std::vector<Corner>& corners) {
+// Gives each corner a vertex of its own handedness. Answers what those added were split from.
+std::vector<uint32_t> split_vertices(HostMesh& mesh, size_t first_vertex, size_t first_triangle,
+                                     const std::vector<Corner>& corners) {
     std::vector<float> handedness(mesh.positions.size() - first_vertex, 0.0f);  // 0: not decided yet
     std::unordered_map<uint32_t, uint32_t> twin;
+    std::vector<uint32_t> sources;
     for (size_t i = 0; i < corners.size(); ++i) {
         uint32_t& vertex = mesh.triangles[first_triangle + i / 3][static_cast<int>(i % 3)];
         float& own = handedness[vertex - first_vertex];
@@ -98,9 +100,13 @@ void split_vertices(HostMesh& mesh, size_t first_vertex, size_t first_triangle, 
         if (own == 0.0f) own = corners[i].handedness;
         if (own == corners[i].handedness) continue;
         const auto [entry, is_new] = twin.try_emplace(vertex, 0);
-        if (is_new) entry->second = duplicate_vertex(mesh, vertex);
+        if (is_new) {
+            entry->second = duplicate_vertex(mesh, vertex);
+            sources.push_back(uint32_t{vertex});
+        }
         vertex = entry->second;
     }
+    return sources;
 }
 
 }  // namespace
@@ -110,7 +116,8 @@ glm::vec3 any_tangent(const glm::vec3& normal) {
     return glm::normalize(axis - normal * glm::dot(normal, axis));
 }
 
-void generate_tangents(HostMesh& mesh, size_t first_vertex, size_t first_triangle, const CoreTextureSlot& slot) {
+std::vector<uint32_t> generate_tangents(HostMesh& mesh, size_t first_vertex, size_t first_triangle,
+                                        const CoreTextureSlot& slot) {
     const size_t corner_count = (mesh.triangles.size() - first_triangle) * 3;
     std::vector<Corner> corners(corner_count);
     std::unordered_map<Key, glm::vec3, KeyHash> sums;
@@ -121,7 +128,7 @@ void generate_tangents(HostMesh& mesh, size_t first_vertex, size_t first_triangl
         corners[i] = corner_of(mesh, slot, mesh.triangles[first_triangle + i / 3], static_cast<int>(i % 3));
         sums[key_of(mesh, slot, vertex_of(i), corners[i].handedness)] += corners[i].direction;
     }
-    split_vertices(mesh, first_vertex, first_triangle, corners);
+    std::vector<uint32_t> sources = split_vertices(mesh, first_vertex, first_triangle, corners);
     for (size_t i = 0; i < corner_count; ++i) {
         const uint32_t vertex = vertex_of(i);
         const glm::vec3 tangent = unit_or_zero(sums[key_of(mesh, slot, vertex, corners[i].handedness)]);
@@ -131,6 +138,7 @@ void generate_tangents(HostMesh& mesh, size_t first_vertex, size_t first_triangl
         if (glm::vec3(mesh.tangents[vertex]) != glm::vec3(0.0f)) continue;
         mesh.tangents[vertex] = glm::vec4(any_tangent(mesh.normals[vertex]), 1.0f);
     }
+    return sources;
 }
 
 }  // namespace render_system

@@ -124,7 +124,70 @@ private:
     WideTree tree_;
 };
 
+bool is_empty_child(const WideNode& node, uint32_t child) { return node.bounds[0][child] == NOWHERE; }
+
+BinaryNode child_box(const WideNode& node, uint32_t child) {
+    BinaryNode box{};
+    for (int axis = 0; axis < 3; ++axis) {
+        box.lower[axis] = node.bounds[2 * axis][child];
+        box.upper[axis] = node.bounds[2 * axis + 1][child];
+    }
+    return box;
+}
+
+void include(BinaryNode& box, const glm::vec3& lower, const glm::vec3& upper) {
+    box.lower = glm::min(box.lower, lower);
+    box.upper = glm::max(box.upper, upper);
+}
+
+// Around all children of a node.
+BinaryNode node_box(const WideNode& node) {
+    BinaryNode box{glm::vec3(NOWHERE), 0, glm::vec3(-NOWHERE), 0};
+    for (uint32_t child = 0; child < WIDTH; ++child) {
+        if (is_empty_child(node, child)) {
+            continue;
+        }
+        const BinaryNode own = child_box(node, child);
+        include(box, own.lower, own.upper);
+    }
+    return box;
+}
+
+BinaryNode leaf_box(uint32_t word, std::span<const BuildPrimitive> slots) {
+    const uint32_t first = word & LEAF_FIRST_MASK;
+    const uint32_t count = (word >> LEAF_COUNT_SHIFT) & LEAF_COUNT_MASK;
+    BinaryNode box{glm::vec3(NOWHERE), 0, glm::vec3(-NOWHERE), 0};
+    for (const BuildPrimitive& primitive : slots.subspan(first, count)) {
+        include(box, primitive.lower, primitive.upper);
+    }
+    return box;
+}
+
 }  // namespace
+
+// Nodes come before those below them, so that from the back each node's children are done.
+void refit_wide_tree(WideTree& tree, std::span<const BuildPrimitive> slots) {
+    for (size_t i = tree.nodes.size(); i-- > 0;) {
+        WideNode& node = tree.nodes[i];
+        for (uint32_t child = 0; child < WIDTH; ++child) {
+            const uint32_t word = node.children[child];
+            if (!is_empty_child(node, child)) {
+                set_child_box(node, child, (word & LEAF) != 0 ? leaf_box(word, slots) : node_box(tree.nodes[word]));
+            }
+        }
+    }
+}
+
+double walk_cost(const WideTree& tree) {
+    const double root = static_cast<double>(half_area(node_box(tree.nodes[0])));
+    double sum = 0.0;
+    for (const WideNode& node : tree.nodes) {
+        for (uint32_t child = 0; child < WIDTH; ++child) {
+            sum += is_empty_child(node, child) ? 0.0 : static_cast<double>(half_area(child_box(node, child)));
+        }
+    }
+    return root > 0.0 ? sum / root : 0.0;
+}
 
 WideTree build_wide_tree(std::vector<BuildPrimitive> primitives, uint32_t threads, uint32_t stack_limit) {
     WideTree tree;

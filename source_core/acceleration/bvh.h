@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <span>
 #include <vector>
 
 #include "source_core/kernels/bindings.h"
@@ -36,5 +37,13 @@ struct WideTree {
 /// where the heuristic would need more, splits fall back to medians. The result does not depend on `threads` (0: all).
 /// Leaves hold up to 4 triangles; those of a primitive that stands alone hold its id. Boxes must be finite.
 WideTree build_wide_tree(std::vector<BuildPrimitive> primitives, uint32_t threads, uint32_t stack_limit);
+
+/// Fits the boxes of a tree of sharing primitives to where these are now: `slots` has the box of each in the order of
+/// tree.order. Which node holds what stays.
+void refit_wide_tree(WideTree& tree, std::span<const BuildPrimitive> slots);
+
+/// What a walk through the tree is expected to cost: the half areas of all children over that of the root (Goldsmith
+/// and Salmon 1987). It grows as primitives drift apart that were built into one node. 0 for an empty tree.
+double walk_cost(const WideTree& tree);
 
 }  // namespace source_core

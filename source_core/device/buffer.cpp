@@ -160,19 +160,20 @@ Result<Staging> Staging::create(const Device& device, MemoryBudget& budget) {
     return Result<Staging>(std::move(staging));
 }
 
-Status Staging::upload(const Device& device, const Buffer& target, std::span<const std::byte> data) const {
-    return upload(device, target, data.size(), [&](uint64_t offset, std::span<std::byte> bytes) {
+Status Staging::upload(const Device& device, const Buffer& target, std::span<const std::byte> data, uint64_t at) const {
+    const auto copy = [&](uint64_t offset, std::span<std::byte> bytes) {
         std::memcpy(bytes.data(), data.data() + offset, bytes.size());
-    });
+    };
+    return upload(device, target, data.size(), copy, at);
 }
 
 Status Staging::upload(const Device& device, const Buffer& target, uint64_t size,
-                       const std::function<void(uint64_t, std::span<std::byte>)>& produce) const {
+                       const std::function<void(uint64_t, std::span<std::byte>)>& produce, uint64_t at) const {
     for (uint64_t offset = 0; offset < size; offset += PIECE) {
         const uint64_t count = std::min(PIECE, size - offset);
         produce(offset, {static_cast<std::byte*>(upload_.mapped()), count});
         Status status = device.submit_and_wait([&](VkCommandBuffer commands) {
-            const VkBufferCopy copy{0, offset, count};
+            const VkBufferCopy copy{0, at + offset, count};
             vkCmdCopyBuffer(commands, upload_.handle(), target.handle(), 1, &copy);
         });
         if (!status.ok()) {

@@ -81,10 +81,11 @@ public:
 
     static Result<Staging> create(const Device& device, MemoryBudget& budget);
 
-    Status upload(const Device& device, const Buffer& target, std::span<const std::byte> data) const;
+    /// From byte `at` of the target on.
+    Status upload(const Device& device, const Buffer& target, std::span<const std::byte> data, uint64_t at = 0) const;
     /// Fills the target piece by piece: `produce(offset, bytes)` writes the bytes at that offset of the table.
     Status upload(const Device& device, const Buffer& target, uint64_t size,
-                  const std::function<void(uint64_t, std::span<std::byte>)>& produce) const;
+                  const std::function<void(uint64_t, std::span<std::byte>)>& produce, uint64_t at = 0) const;
     Status download(const Device& device, const Buffer& source, std::span<std::byte> data) const;
 
 private:

@@ -34,8 +34,17 @@ public:
     void close();
 
     /// Builds from nothing. The geometry must stay where it is until the next build. Call inside the task arena whose
-    /// threads shall build. False with Embree's message if it fails (out of memory).
-    bool build(std::span<const InstanceGeometry> geometry, bool exact, std::string& message);
+    /// threads shall build. What is `alive` will be changed: meshes then have trees of their own, so that one can
+    /// follow without the others. False with Embree's message if it fails (out of memory).
+    bool build(std::span<const InstanceGeometry> geometry, bool exact, bool alive, std::string& message);
+
+    /// Follows `moved` instances, none of them baked, and `deformed` meshes, whose trees are fitted to their vertices
+    /// or, where they are `worn`, built anew. Not in exact mode. Call and fails as build.
+    bool update(std::span<const InstanceGeometry> geometry, std::span<const uint> moved, std::span<const uint> deformed,
+                std::span<const uint> worn, std::string& message);
+
+    /// Whether `update` will not do: what is baked was built to stand still, or surfaces in one place were taken out.
+    bool stands_still() const { return (has_baked_ && !alive_) || !shared_.triangles.empty(); }
 
     RTCScene scene() const { return scene_; }
     RTCDevice device() const { return device_; }
@@ -64,6 +73,8 @@ private:
     std::vector<RTCScene> mesh_scenes_;  // by mesh, null where not needed
     SharedTriangles shared_;
     std::vector<std::vector<uvec4>> thinned_;  // by instance: its triangles, those that share a surface without an area
+    bool has_baked_ = false;
+    bool alive_ = false;
     std::atomic<int64_t> memory_{0};
     double build_ms_ = 0.0;
 };

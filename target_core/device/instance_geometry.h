@@ -23,6 +23,7 @@ struct InstanceGeometry {
     float reach = 0.0f;  // the largest coordinate of rays' origins, where boxes are to be padded for it
     bool baked = true;
     bool lets_rays_pass = false;  // some material is not opaque
+    bool deforms = false;         // the mesh has changed its shape before: its tree is fitted, not built, when it does
     vec4 rows[3];
 };
 

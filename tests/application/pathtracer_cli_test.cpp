@@ -99,6 +99,57 @@ TEST_F(Pathtracer, RendersToTheScenesNameByDefault) {
     EXPECT_THAT(files_in(folder.path), ElementsAre(scene, "triangle.png"));
 }
 
+TEST_F(Pathtracer, RefusesSequencesThatAreNone) {
+    const auto refused = [&](std::vector<std::string> more, const std::vector<std::string>& words) {
+        more.insert(more.begin(), {"render", scene});
+        expect_refused(more, words);
+    };
+    refused({"--frames", "3:3"}, {"--frames", "'3:3' holds no frames;", "3:4"});
+    refused({"--frames", "3:1"}, {"--frames", "runs backwards"});
+    refused({"--frames", "3"}, {"--frames", "A:B"});
+    refused({"--frames", "0:2", "--fps", "0"}, {"--fps", "0"});
+    refused({"--frames", "0:2", "-o", "a.png"}, {"a.png", "####"});
+    refused({"--frames", "0:2", "--time", "1"}, {"--time"});
+    refused({"--frames", "0:2", "--stats", "a.json"}, {"--stats"});
+    refused({"--resume"}, {"--resume", "--frames"});
+    refused({"--time", "inf"}, {"--time", "inf"});
+}
+
+TEST_F(Pathtracer, ASequenceIsTakenUpWhereItsFramesHaveTheseOptions) {
+    const std::string moving = write_moving_scene(folder.path).filename().string();
+    const std::vector<std::string> still = {"--look-at", "0,0,5,0,0,0", "--sky", "1,1,1", "-o", "f##.png"};
+    const auto frames = [&](const std::string& range, std::vector<std::string> more = {}) {
+        std::vector<std::string> words = {"render", moving, "--core", "null", "--size", "16x9", "--spp", "2"};
+        words.insert(words.end(), still.begin(), still.end());
+        words.insert(words.end(), {"--frames", range, "--fps", "2"});
+        words.insert(words.end(), more.begin(), more.end());
+        return run(words);
+    };
+    const RunResult first = frames("0:2", {"--progress"});
+    EXPECT_EQ(first.exit_code, 0) << first.err;
+    EXPECT_THAT(first.out, IsEmpty());
+    EXPECT_THAT(first.err, HasSubstr("frame 1 (2/2)"));
+    EXPECT_THAT(first.err, HasSubstr("f00.png to f01.png: 2 frames of 16x9, 2 samples per pixel\n"));
+    const std::string kept = read_file(folder.path / "f01.png");
+    EXPECT_THAT(frames("0:3", {"--resume"}).err, HasSubstr("3 frames of 16x9, 2 samples per pixel, 2 of them kept"));
+    EXPECT_THAT(frames("0:3", {"--resume", "--seed", "1"}).err, Not(HasSubstr("kept")));
+    EXPECT_NE(read_file(folder.path / "f01.png"), kept);
+    EXPECT_THAT(files_in(folder.path), ElementsAre("f00.png", "f01.png", "f02.png", moving, scene));
+    // A disk that is full from here on, for what is said as well: what is there stays, and nothing unfinished does.
+    const RunResult full = run_program({"sh",          "-c",      "trap '' XFSZ; ulimit -f 0; exec \"$0\" \"$@\"",
+                                        PATHTRACER,    "render",  moving,
+                                        "--core",      "null",    "--size",
+                                        "16x9",        "--spp",   "2",
+                                        "--seed",      "1",       "--look-at",
+                                        "0,0,5,0,0,0", "--sky",   "1,1,1",
+                                        "-o",          "f##.png", "--frames",
+                                        "0:5",         "--fps",   "2",
+                                        "--resume"},
+                                       folder.path);
+    EXPECT_EQ(full.exit_code, 2);
+    EXPECT_THAT(files_in(folder.path), ElementsAre("f00.png", "f01.png", "f02.png", moving, scene));
+}
+
 TEST_F(Pathtracer, SaysWhichCameraAndSkyItTook) {
     const RunResult result = render({});
     EXPECT_THAT(result.err, HasSubstr("no camera in the scene: the view frames all of it, --look-at "));

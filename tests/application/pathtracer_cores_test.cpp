@@ -12,6 +12,7 @@
 
 #include "tests/application/run_pathtracer.h"
 #include "tests/application/skip_without_core.h"
+#include "tests/application/small_scene.h"
 
 namespace pathtracer_cores_test {
 namespace {
@@ -49,6 +50,38 @@ INSTANTIATE_TEST_SUITE_P(, EachCore, testing::Values("source", "target"), [](con
 TEST_P(EachCore, GivesAnotherFileForAnotherSeed) {
     SKIP_WITHOUT(GetParam());
     EXPECT_TRUE(picture(GetParam(), {"--seed", "1"}) != picture(GetParam(), {"--seed", "2"}));
+}
+
+TEST_P(EachCore, AFrameIsTheSameWhateverCameBefore) {
+    SKIP_WITHOUT(GetParam());
+    const std::string moving = write_moving_scene(folder.path).string();
+    const auto last_frame = [&](const std::string& range) {
+        const RunResult result = run({"render",
+                                      moving,
+                                      "--core",
+                                      GetParam(),
+                                      "--size",
+                                      "32x18",
+                                      "--spp",
+                                      "2",
+                                      "--look-at",
+                                      "0,1,4,0.5,0,0",
+                                      "--sky",
+                                      "1,0.5,0.25",
+                                      "--max-path-length",
+                                      "2",
+                                      "--frames",
+                                      range,
+                                      "--fps",
+                                      "4",
+                                      "-o",
+                                      "f#.exr"});
+        EXPECT_EQ(result.exit_code, 0) << result.err;
+        return read_file(folder.path / "f2.exr");
+    };
+    const std::string after_others = last_frame("0:3");
+    EXPECT_TRUE(after_others == last_frame("2:3"));
+    EXPECT_FALSE(after_others == read_file(folder.path / "f1.exr"));
 }
 
 TEST_P(EachCore, CountsItsRays) {

@@ -144,6 +144,35 @@ TEST_F(ChangeTracking, OneMesh) {
     EXPECT_THAT(sent(), ElementsAre("SetGeometry 0", "SetLights 2"));
 }
 
+TEST_F(ChangeTracking, WhatIsUsedIsNotRemovedAndWhatIsRemovedIsRefused) {
+    sent();
+    const auto refused = [](const Status& status, const std::string& message) {
+        EXPECT_EQ(status.message, message);
+        EXPECT_FALSE(status.ok());
+    };
+    refused(scene().remove_mesh(2), "mesh 2 is used by instance 2; remove that first");
+    refused(scene().remove_material(2), "material 2 is used by mesh 2; remove that first");
+    CoreMaterial textured;
+    textured.base_color_texture.texture = 0;
+    scene().set_material(0, textured);
+    refused(scene().remove_texture(0), "texture 0 is used by material 0; remove that first");
+    refused(scene().remove_instance(3), "instance 3 does not exist; there are 3");
+    EXPECT_TRUE(scene().remove_instance(2).ok());
+    refused(scene().remove_instance(2), "instance 2 has been removed already");
+    EXPECT_TRUE(scene().remove_mesh(2).ok());
+    EXPECT_TRUE(scene().remove_material(2).ok());
+    EXPECT_TRUE(scene().remove_punctual_light(0).ok());
+    EXPECT_THAT(sent(),
+                ElementsAre("SetMaterials 0+1", "SetMaterials 2+1", "SetGeometry 2", "SetInstance 2", "SetLights 0"));
+    EXPECT_EQ(scene().meshes()[2].positions.capacity(), 0u);
+    EXPECT_EQ(scene().meshes().size(), 3u) << "ids stay";
+    EXPECT_EQ(scene().add_mesh(triangle(0)), 3u) << "and are not given to others";
+    scene().set_mesh(2, triangle(1));  // brought back
+    scene().set_instance_mesh(2, 2);
+    EXPECT_EQ(scene().triangle_count(), 3u);
+    EXPECT_TRUE(scene().remove_instance(2).ok());
+}
+
 TEST_F(ChangeTracking, HidingAndShowing) {
     sent();
     scene().set_instance_mesh(0, NONE);

@@ -152,13 +152,17 @@ TEST(LoaderNode, NamesEverythingUnsupportedInOneWarning) {
     file.root["animations"] = {{{"channels", json::array()}, {"samplers", json::array()}}};
     file.root["extensionsUsed"] = {"KHR_materials_dispersion", "KHR_texture_transform"};
     json& primitive = file.root["meshes"][0]["primitives"][0];
-    primitive["targets"] = {{{"POSITION", 0}}};
+    json lines = primitive;
+    lines["mode"] = 1;
+    file.root["meshes"][0]["primitives"].push_back(lines);
     std::vector<std::string> warnings;
     const HostScene scene = loaded(file, &warnings);
     EXPECT_EQ(scene.cameras().size(), 2u);
     ASSERT_EQ(warnings.size(), 1u);
-    EXPECT_THAT(warnings[0], AllOf(HasSubstr("animations (1)"), HasSubstr("extension KHR_materials_dispersion"),
-                                   HasSubstr("morph targets (/meshes/0)"), HasSubstr("skins (1)")));
+    EXPECT_THAT(
+        warnings[0],
+        AllOf(HasSubstr("animations without channels (/animations/0)"), HasSubstr("extension KHR_materials_dispersion"),
+              HasSubstr("lines (/meshes/0/primitives/1)"), HasSubstr("skins of what has no joints (/nodes/0)")));
     EXPECT_THAT(warnings[0], ::testing::Not(HasSubstr("KHR_texture_transform")));
 }
 

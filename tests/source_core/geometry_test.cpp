@@ -129,3 +129,90 @@ TEST(Geometry, OpacityTravelsWithTheTriangle) {
     }
     EXPECT_EQ(tables.features, FEATURE_ALPHA | FEATURE_ALPHA_TEXTURES);
 }
+
+namespace {
+
+const OpacityOf kOpaque = [](uint32_t, bool) { return 1.0f; };
+
+uint64_t patched_bytes(const GeometryUpdate& update, uint32_t table) {
+    uint64_t bytes = 0;
+    for (const TablePatch& patch : update.patches) {
+        bytes += patch.table == table ? patch.rows.size() : 0;
+    }
+    return bytes;
+}
+
+// `side` x `side` squares at z = 0.
+CoreMeshCopy flat_sheet(uint32_t side) {
+    CoreMeshCopy mesh;
+    for (uint32_t i = 0; i < (side + 1) * (side + 1); ++i) {
+        mesh.positions.push_back({static_cast<float>(i % (side + 1)), static_cast<float>(i / (side + 1)), 0.0f});
+    }
+    for (uint32_t i = 0; i < side * side; ++i) {
+        const uint32_t corner = i / side * (side + 1) + i % side;
+        mesh.triangles.push_back({corner, corner + 1, corner + side + 1, 0});
+        mesh.triangles.push_back({corner + 1, corner + side + 2, corner + side + 1, 0});
+    }
+    mesh.vertex_rows.resize(mesh.positions.size() * VERTEX_ROWS);
+    mesh.tangents.resize(mesh.positions.size());
+    return mesh;
+}
+
+}  // namespace
+
+TEST(Geometry, AMovedInstanceTouchesItsRecordAndTheTopAlone) {
+    const std::vector<CoreMeshCopy> meshes = {flat_sheet(20)};
+    std::vector<CoreInstance> instances;
+    for (int i = 0; i < 50; ++i) {
+        instances.push_back({0, moved(30.0f * static_cast<float>(i))});
+    }
+    GeometryTables tables = build(meshes, instances);
+    instances[7].transform = moved(-90.0f);
+    const auto update = update_geometry(meshes, instances, {7}, {}, kOpaque, 1, tables.plan);
+    ASSERT_TRUE(update);
+    EXPECT_EQ(patched_bytes(*update, BINDING_INSTANCES), INSTANCE_ROWS * sizeof(glm::vec4));
+    EXPECT_EQ(patched_bytes(*update, BINDING_TRIANGLES) + patched_bytes(*update, BINDING_VERTICES), 0u);
+    EXPECT_LE(patched_bytes(*update, BINDING_NODES), 51 * sizeof(WideNode));
+    EXPECT_NEAR(update->extent.x, 1490.0f, 0.1f);
+    for (const TablePatch& patch : update->patches) {
+        const uint64_t room = (tables.nodes.size() + tables.plan.spare_count) * sizeof(WideNode);
+        EXPECT_LE(patch.offset + patch.rows.size(), patch.table == BINDING_NODES ? room : ~0ull);
+    }
+}
+
+TEST(Geometry, WhatIsBakedIsBuiltOnceMoreWhenItFirstMovesAndThenNoMore) {
+    const std::vector<CoreMeshCopy> meshes = {flat_sheet(4), one_triangle()};
+    std::vector<CoreInstance> instances = {{0, moved(0.0f)}, {1, moved(1.0f)}};
+    GeometryTables still = build(meshes, instances);
+    EXPECT_EQ(still.features & FEATURE_INSTANCES, 0u);
+    EXPECT_FALSE(update_geometry(meshes, instances, {1}, {}, kOpaque, 1, still.plan));
+    MovingParts moving;
+    moving.instances = {false, true};
+    GeometryTables alive = *build_geometry(meshes, instances, kOpaque, 1, moving);
+    EXPECT_TRUE(alive.plan.has_still);
+    EXPECT_TRUE(update_geometry(meshes, instances, {1}, {}, kOpaque, 1, alive.plan));
+    EXPECT_FALSE(update_geometry(meshes, instances, {0}, {}, kOpaque, 1, alive.plan)) << "that one stood still so far";
+}
+
+TEST(Geometry, ADeformedMeshIsFittedUntilItsTreeIsWorn) {
+    std::vector<CoreMeshCopy> meshes = {flat_sheet(16)};
+    const std::vector<CoreInstance> instances = {{0, moved(0.0f)}};
+    MovingParts moving;
+    moving.meshes = {true};
+    GeometryTables tables = *build_geometry(meshes, instances, kOpaque, 1, moving);
+    const double built = tables.plan.meshes[0].built_cost;
+    EXPECT_NEAR(built, walk_cost(tables.plan.meshes[0].tree), 1e-9);
+    for (glm::vec3& p : meshes[0].positions) {
+        p.z = 0.01f * p.x;
+    }
+    ASSERT_TRUE(update_geometry(meshes, instances, {}, {0}, kOpaque, 1, tables.plan));
+    EXPECT_EQ(tables.plan.meshes[0].built_cost, built) << "a little out of shape";
+    EXPECT_NEAR(tables.plan.meshes[0].upper.z, 0.16f, 1e-6f);
+    // Neighbours fly apart.
+    std::mt19937 random(3);
+    for (glm::vec3& p : meshes[0].positions) {
+        p = 16.0f * glm::vec3(static_cast<float>(random() % 997), static_cast<float>(random() % 997), 0.0f) / 997.0f;
+    }
+    update_geometry(meshes, instances, {}, {0}, kOpaque, 1, tables.plan);
+    EXPECT_NE(tables.plan.meshes[0].built_cost, built);
+}

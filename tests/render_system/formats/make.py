@@ -206,9 +206,16 @@ def nodes():
     model.write("image_light")
 
     model = Model()
-    model.root["nodes"].append({})
-    model.root["skins"] = [{"joints": [1]}]
+    model.root["nodes"].append({"translation": [0, 0, 1]})
+    model.root["nodes"].append({"rotation": [0, 0, 0.6, 0.8]})
+    model.root["scenes"][0]["nodes"] += [1, 2]
+    model.root["skins"] = [{"joints": [1, 2]}]
     model.root["nodes"][0]["skin"] = 0
+    attributes = model.primitive["attributes"]
+    for number in range(2):
+        pulls = model.view(bytes([0, 1, 0, 0] * 3))
+        attributes[f"JOINTS_{number}"] = model.accessor(pulls, UBYTE, "VEC4", 3)
+        attributes[f"WEIGHTS_{number}"] = model.floats("VEC4", [0.25, 0.25, 0, 0] * 3)
     model.write("skin")
 
     model = Model()
@@ -217,6 +224,24 @@ def nodes():
     model.root["animations"] = [{"samplers": [{"input": times, "output": places}],
                                  "channels": [{"sampler": 0, "target": {"node": 0, "path": "translation"}}]}]
     model.write("animation")
+
+    model = Model()
+    model.material(pbrMetallicRoughness={"metallicFactor": 0})
+    model.root["animations"] = [{"samplers": [], "channels": []}]
+
+    def animate(pointer, kind, values):
+        animation = model.root["animations"][0]
+        animation["samplers"].append({"input": times, "output": model.floats(kind, values), "interpolation": "STEP"})
+        target = {"path": "pointer", "extensions": {"KHR_animation_pointer": {"pointer": pointer}}}
+        animation["channels"].append({"sampler": len(animation["samplers"]) - 1, "target": target})
+
+    times = model.floats("SCALAR", [0, 1])
+    animate("/materials/0/pbrMetallicRoughness/baseColorFactor", "VEC4", [1, 0, 0, 1, 0, 0, 1, 1])
+    animate("/materials/0/pbrMetallicRoughness/roughnessFactor", "SCALAR", [0.1, 0.9])
+    model.use("KHR_animation_pointer")
+    model.write("animation_pointer")
+    animate("/materials/0/occlusionTexture/strength", "SCALAR", [0, 1])
+    model.write("animation_of_others")
 
     for name, list_name in (("metadata", ["KHR_xmp_json_ld", "EXT_mesh_features", "EXT_structural_metadata"]),
                             ("unknown", ["EXT_of_tomorrow"])):

@@ -1,0 +1,133 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <chrono>
+#include <filesystem>
+#include <optional>
+
+#include "application/commands/command_steps.h"
+#include "application/commands/commands.h"
+#include "application/file_output.h"
+#include "application/frame_files.h"
+
+namespace application {
+namespace {
+
+using render_system::Convergence;
+using render_system::Result;
+using render_system::Status;
+
+/// A sequence on its way.
+class Sequence {
+public:
+    Sequence(const Options& options, const std::string& pattern, ImageKind kind, SceneSetup setup, Console& console)
+        : options_(options),
+          pattern_(pattern),
+          kind_(kind),
+          console_(console),
+          text_(sequence_text(options, setup.framed)),
+          session_(options, std::move(setup), console),
+          picture_(options.width, options.height) {}
+
+    /// Renders what is not there yet; stops at the first frame that cannot be done. Those before it stay.
+    Status render() {
+        for (uint32_t number = options_.frames->first; number < options_.frames->end; ++number) {
+            const std::string file = *frame_file(pattern_, number);
+            const std::string text = frame_text(text_, frame_time(options_, number));
+            const bool keep = options_.resume && made_with(file) == text;
+            (keep ? kept_ : rendered_) += 1;
+            if (keep) continue;
+            if (Status status = render_frame(number); !status.ok()) return status;
+            const auto bytes = encode_picture(picture_, kind_, options_.exposure, options_.tone_map, {.made_with = text});
+            if (!bytes.ok()) return bytes.status;
+            if (Status status = write_file(file, *bytes); !status.ok()) return status;
+        }
+        return Status::success();
+    }
+
+    std::string summary() const {
+        const uint32_t last = options_.frames->end - 1;
+        std::string text = fmt::format("{} to {}: {} frames of {}x{}, {} samples per pixel",
+                                       *frame_file(pattern_, options_.frames->first), *frame_file(pattern_, last),
+                                       kept_ + rendered_, options_.width, options_.height, options_.spp.front());
+        if (kept_ > 0) text += fmt::format(", {} of them kept", kept_);
+        return text + "\n";
+    }
+
+private:
+    Status render_frame(uint32_t number) {
+        const auto start = std::chrono::steady_clock::now();
+        if (Status status = session_.show(frame_time(options_, number)); !status.ok()) return named(number, status);
+        if (started_) {
+            if (Status status = session_.render(Convergence::Restart, 1); !status.ok()) return named(number, status);
+        } else {
+            const auto choice = start_chosen_core(session_, options_, picture_, console_);
+            if (!choice.ok()) return choice.status;
+            started_ = true;
+        }
+        const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - start;
+        const render_system::CoreStats stats = session_.stats();
+        console_.detail(
+            fmt::format("frame {}: {:.2f} ms until the scene was in place, {:.2f} of them for trees; {:.2f} ms "
+                        "for its first sample",
+                        number, taken.count() - stats.total_ms, stats.build_ms, stats.total_ms));
+        const FrameRange& frames = *options_.frames;
+        const std::string label =
+            fmt::format("frame {} ({}/{})", number, number - frames.first + 1, frames.end - frames.first);
+        return session_.render_up_to(options_.spp.front(), label);
+    }
+
+    Status named(uint32_t number, Status status) const {
+        status.message = fmt::format("{}: frame {}: {}", options_.scene, number, status.message);
+        return status;
+    }
+
+    const Options& options_;
+    const std::string& pattern_;
+    ImageKind kind_;
+    Console& console_;
+    std::string text_;
+    CoreSession session_;
+    Picture picture_;
+    bool started_ = false;
+    uint32_t kept_ = 0;
+    uint32_t rendered_ = 0;
+};
+
+Status check_sequence(const Options& options, const std::string& pattern) {
+    if (options.time_given)
+        return Status::invalid(
+            "--time: each frame of --frames has a time of its own, its number by --fps; give one of both");
+    if (!options.stats.empty() || options.format == Format::json)
+        return Status::invalid("--stats and --format json tell of one picture; leave them out with --frames");
+    const auto first = frame_file(pattern, options.frames->first);
+    if (!first.ok()) return first.status;
+    if (Status status = check_writable(*first); !status.ok()) return status;
+    return check_files(options, *first);
+}
+
+}  // namespace
+
+ExitCode run_frames(const Options& options, Console& console) {
+    const std::string stem = std::filesystem::path(default_picture_name(options.scene)).stem();
+    const std::string pattern = options.output.empty() ? stem + "_####.png" : options.output;
+    const auto kind = image_kind(pattern);
+    if (!kind.ok()) return fail(console, kind.status);
+    if (Status status = check_sequence(options, pattern); !status.ok()) return fail(console, status);
+
+    Options first = options;
+    first.time = frame_time(options, options.frames->first);
+    auto setup = set_up_scene(first, console);
+    if (!setup.ok()) return fail(console, setup.status);
+    Sequence sequence(options, pattern, *kind, std::move(*setup), console);
+    if (Status status = sequence.render(); !status.ok()) return fail(console, status);
+    const std::string text = sequence.summary();
+    if (options.output.empty())
+        console.result(text);
+    else
+        console.note(text.substr(0, text.size() - 1));
+    return DONE;
+}
+
+}  // namespace application
