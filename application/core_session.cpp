@@ -41,12 +41,47 @@ render_system::CoreSettings core_settings(const Options& options, uint32_t seed)
             .indirect_limit = options.indirect_limit};
 }
 
+render_system::CoreSettings CoreSession::settings() const {
+    render_system::CoreSettings settings = core_settings(options_, seed_);
+    settings.first_sample = first_sample_;
+    return settings;
+}
+
+void CoreSession::sum_into(SampleSums* sums, uint32_t first_sample) {
+    sums_ = sums;
+    first_sample_ = first_sample;
+}
+
+Status CoreSession::render_part(std::span<render_system::PixelSum> sums, std::span<double> squares,
+                                uint32_t first_pixel, uint32_t first_sample, uint32_t samples) {
+    first_sample_ = first_sample;
+    Status status = system_.core().SetTarget({options_.width, options_.height, pixels_, sums, squares, first_pixel});
+    if (status.ok()) status = system_.core().Setting(settings());
+    return status.ok() ? system_.render(view_, Convergence::Restart, samples) : status;
+}
+
+Status CoreSession::go_on_from(uint32_t sample) {
+    first_sample_ = sample;
+    restart_ = true;
+    return system_.core().Setting(settings());
+}
+
 Result<CoreChoice> CoreSession::start(const std::vector<std::string>& ids, Picture& picture) {
     const auto first_sample = [&](RenderSystem& system) {
-        Status status = system.core().SetTarget({picture.width, picture.height, picture.pixels});
-        if (status.ok()) status = system.core().Setting(core_settings(options_, seed_));
+        pixels_ = picture.pixels;
+        render_system::CoreTarget target{picture.width, picture.height, pixels_};
+        render_system::PixelSum one_pixel;
+        if (only_tries_) target.sums = {&one_pixel, 1};
+        if (sums_ && !only_tries_) {
+            sums_->clear();  // a core tried before may have left some
+            target.sums = sums_->pixels;
+            target.squares = sums_->squares;
+        }
+        Status status = system.core().SetTarget(target);
+        if (status.ok()) status = system.core().Setting(settings());
         if (status.ok()) status = system.core().SetWatch(watch_);
         if (status.ok()) status = system.render(view_, Convergence::Restart, 1);
+        if (sums_ && !only_tries_ && status.ok()) sums_->samples = 1;
         return status;
     };
     auto choice = choose_core(make_registry(options_), ids, {.threads = options_.threads, .exact = options_.exact},
@@ -62,7 +97,10 @@ Status CoreSession::restart(uint32_t seed, uint32_t samples) {
 }
 
 Status CoreSession::render(Convergence convergence, uint32_t samples) {
-    return system_.render(view_, convergence, samples);
+    if (std::exchange(restart_, false)) convergence = Convergence::Restart;
+    Status status = system_.render(view_, convergence, samples);
+    if (sums_ && status.ok()) sums_->samples += samples;
+    return status;
 }
 
 target_core::EmbreeFigures CoreSession::embree_figures() {

@@ -10,6 +10,7 @@
 #include "application/console.h"
 #include "application/options.h"
 #include "application/picture.h"
+#include "application/sampling/sample_sums.h"
 #include "application/scene_setup.h"
 #include "render_system/core_choice.h"
 #include "render_system/render_system.h"
@@ -40,11 +41,30 @@ public:
     /// Brings an animated scene to `seconds`, and the view with it where that is a camera of the scene.
     render_system::Status show(double seconds);
 
+    /// From the next start on samples go into `sums` in place of the picture; `first_sample` is the index of the first.
+    /// The sums have to stay where they are.
+    void sum_into(SampleSums* sums, uint32_t first_sample);
+
+    /// From the next start on that takes a sample of one pixel alone, to see that the core can do it.
+    void only_try() { only_tries_ = true; }
+
+    /// Samples [first_sample, first_sample + samples) of the pixels [first_pixel, first_pixel + sums.size()), into sums
+    /// and, unless empty, squares.
+    render_system::Status render_part(std::span<render_system::PixelSum> sums, std::span<double> squares,
+                                      uint32_t first_pixel, uint32_t first_sample, uint32_t samples);
+
+    uint32_t width() const { return options_.width; }
+    uint32_t height() const { return options_.height; }
+
+    /// The next samples are those from `sample` on, whatever came before.
+    render_system::Status go_on_from(uint32_t sample);
+
     /// From the next start on `watch` is shown what the core's kernels do.
     void set_watch(render_system::PathWatch* watch) { watch_ = watch; }
 
     std::vector<render_system::KernelText> kernel_texts() { return system_.core().GetKernelTexts(); }
     const render_system::HostScene& scene() const { return system_.scene(); }
+    const render_system::ViewPyramid& view() const { return view_; }
 
     /// `samples` samples more, or from the first again, in one call of the core.
     render_system::Status render(render_system::Convergence convergence, uint32_t samples);
@@ -58,6 +78,8 @@ public:
     bool measure_embree_limit();
 
 private:
+    render_system::CoreSettings settings() const;
+
     const Options& options_;
     Console& console_;
     render_system::RenderSystem system_;
@@ -65,6 +87,11 @@ private:
     render_system::ViewPyramid view_;
     render_system::PathWatch* watch_ = nullptr;
     uint32_t seed_;
+    SampleSums* sums_ = nullptr;
+    uint32_t first_sample_ = 0;
+    bool restart_ = false;  // with the next samples
+    bool only_tries_ = false;
+    std::span<glm::vec4> pixels_;  // of the target
 };
 
 /// What the options ask of any core.

@@ -175,7 +175,11 @@ void declare_rendering(CLI::App& app, Options& options) {
 void declare_samples(CLI::App& app, Options& options, const std::string& help) {
     add_parsed(
         app, "--spp", [](const std::string& text) { return parse_number(text, 1, MAX_SAMPLES); },
-        [&options](uint32_t count) { options.spp = {count}; }, help)
+        [&options](uint32_t count) {
+            options.spp = {count};
+            options.spp_given = true;
+        },
+        help)
         ->type_name("N");
 }
 
@@ -215,6 +219,28 @@ void settle_comparison(const CLI::App& app, Options& options) {
     }
 }
 
+/// Which samples render takes, when it stops, and what it keeps on the way.
+void declare_sampling(CLI::App& app, SamplingOptions& sampling) {
+    add_parsed(
+        app, "--samples", parse_sample_range,
+        [&sampling](const std::array<uint32_t, 2>& range) { sampling.range = range; },
+        "Only samples A to B - 1, in place of --spp; as .exr, pathtracer merge adds such pictures")
+        ->type_name("A:B")
+        ->excludes("--spp");
+    add_parsed(
+        app, "--checkpoint", parse_duration, [&sampling](double seconds) { sampling.checkpoint = seconds; },
+        "How often FILE.checkpoint is written, from which --resume goes on: 90s, 5m, 2h (never)")
+        ->type_name("TIME");
+    add_parsed(
+        app, "--time-limit", parse_duration, [&sampling](double seconds) { sampling.time_limit = seconds; },
+        "Stop before this has passed since the start, loading included; without --spp as many samples as fit")
+        ->type_name("TIME");
+    add_parsed(
+        app, "--noise", parse_noise, [&sampling](double noise) { sampling.noise = noise; },
+        "Stop once the mean of standard error / (mean + 0.01) is at most X; without --spp as many samples as it takes")
+        ->type_name("X");
+}
+
 void declare_frames(CLI::App& app, Options& options) {
     add_parsed(
         app, "--frames", parse_frames, [&options](const FrameRange& frames) { options.frames = frames; },
@@ -228,7 +254,8 @@ void declare_frames(CLI::App& app, Options& options) {
         },
         "Frames a second (24)")
         ->type_name("N");
-    app.add_flag("--resume", options.resume, "Of --frames, keep those that are there and were made with these options");
+    app.add_flag("--resume", options.resume, "Go on from FILE.checkpoint, if there is one, to the same bits; of --frames, keep those that are there and were "
+                 "made with these options");
 }
 
 }  // namespace
@@ -250,8 +277,19 @@ void declare_render(CLI::App& app, Options& options) {
              "(<scene>_####.png)")
         ->type_name("FILE");
     declare_samples(app, options, "Samples per pixel (16)");
+    declare_sampling(app, options.sampling);
     declare_frames(app, options);
     declare_rendering(app, options);
+}
+
+void declare_merge(CLI::App& app, Options& options) {
+    app.add_option("FILE.exr", options.inputs, "Renders of disjoint samples of one picture, by render --samples A:B")
+        ->required()
+        ->type_name("");
+    add_name(app, "-o,--output", options.output, "The picture of all their samples, .exr or .png")
+        ->required()
+        ->type_name("FILE");
+    declare_format(app, options);
 }
 
 void declare_compare(CLI::App& app, Options& options) {

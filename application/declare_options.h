@@ -17,6 +17,7 @@ void declare_common(CLI::App& app, Options& options);
 
 void declare_render(CLI::App& app, Options& options);
 void declare_compare(CLI::App& app, Options& options);
+void declare_merge(CLI::App& app, Options& options);
 void declare_bench(CLI::App& app, Options& options);
 void declare_view(CLI::App& app, Options& options);
 void declare_info(CLI::App& app, Options& options);

@@ -25,12 +25,6 @@ std::array<char, 4096> unfinished_name{};
 std::atomic<bool> unfinished{false};
 static_assert(std::atomic<bool>::is_always_lock_free);
 
-extern "C" void remove_unfinished_and_die(int signal_number) {
-    if (unfinished.load()) unlink(unfinished_name.data());
-    signal(signal_number, SIG_DFL);
-    raise(signal_number);
-}
-
 Status cannot_write(const path& file, const std::string& reason) {
     return Status::invalid(fmt::format("cannot write {}: {}; give another place to write to", file.string(), reason));
 }
@@ -66,7 +60,8 @@ public:
     int descriptor() const { return descriptor_; }
 
     /// Closes the file and gives it its name. Answers an errno, 0 where all went well.
-    int finish() {
+    int finish(bool durably) {
+        if (durably && fdatasync(descriptor_) != 0) error_ = errno;
         if (close(descriptor_) != 0) error_ = errno;
         descriptor_ = -1;
         if (error_ == 0 && rename(name_.c_str(), place_.c_str()) != 0) error_ = errno;
@@ -126,6 +121,17 @@ Status check_place(const path& file) {
     return Status::success();
 }
 
+/// Writes beside the file and renames.
+Status put_in_place(const path& file, std::string_view bytes, bool durably) {
+    if (Status status = check_place(file); !status.ok()) return status;
+    if (is_special(file)) return write_special(file, bytes);
+    UnfinishedFile unfinished_file(place_behind_links(file));
+    if (unfinished_file.error() != 0) return cannot_write(file, unfinished_file.error());
+    if (const int error = write_all(unfinished_file.descriptor(), bytes); error != 0) return cannot_write(file, error);
+    const int error = unfinished_file.finish(durably);
+    return error == 0 ? Status::success() : cannot_write(file, error);
+}
+
 }  // namespace
 
 Status check_writable(const path& file) {
@@ -135,18 +141,21 @@ Status check_writable(const path& file) {
     return probe.error() == 0 ? Status::success() : cannot_write(file, probe.error());
 }
 
-Status write_file(const path& file, std::string_view bytes) {
-    if (Status status = check_place(file); !status.ok()) return status;
-    if (is_special(file)) return write_special(file, bytes);
-    UnfinishedFile unfinished_file(place_behind_links(file));
-    if (unfinished_file.error() != 0) return cannot_write(file, unfinished_file.error());
-    if (const int error = write_all(unfinished_file.descriptor(), bytes); error != 0) return cannot_write(file, error);
-    const int error = unfinished_file.finish();
-    return error == 0 ? Status::success() : cannot_write(file, error);
+Status write_file(const path& file, std::string_view bytes) { return put_in_place(file, bytes, false); }
+
+Status write_file_durably(const path& file, std::string_view bytes) { return put_in_place(file, bytes, true); }
+
+void remove_unfinished_file_and_end(int signal_number) {
+    if (unfinished.load()) unlink(unfinished_name.data());
+    signal(signal_number, SIG_DFL);
+    raise(signal_number);
 }
 
 void remove_unfinished_file_on_signals() {
-    for (const int number : {SIGINT, SIGTERM, SIGHUP}) signal(number, remove_unfinished_and_die);
+    for (const int number : {SIGINT, SIGTERM, SIGHUP})
+        if (signal(number, remove_unfinished_file_and_end) == SIG_IGN) signal(number, SIG_IGN);
+    // Past a limit on the size of files, writing is to fail and be told, not to end the program.
+    signal(SIGXFSZ, SIG_IGN);
 }
 
 }  // namespace application

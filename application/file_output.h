@@ -20,7 +20,15 @@ render_system::Status check_writable(const std::filesystem::path& file);
 /// written to directly. Fails as check_writable does, or if the disk is full.
 render_system::Status write_file(const std::filesystem::path& file, std::string_view bytes);
 
-/// Lets SIGINT, SIGTERM and SIGHUP remove an unfinished file before they end the program.
+/// As write_file, and what was written is on the disk itself before it takes the place of what was there: a machine
+/// that loses its power has one or the other.
+render_system::Status write_file_durably(const std::filesystem::path& file, std::string_view bytes);
+
+/// Lets SIGINT, SIGTERM and SIGHUP remove an unfinished file before they end the program. Those that the caller has
+/// ignored, as nohup does, stay ignored.
 void remove_unfinished_file_on_signals();
+
+/// What these do then. For handlers of signals alone: the program ends when the handler returns.
+extern "C" void remove_unfinished_file_and_end(int signal_number);
 
 }  // namespace application

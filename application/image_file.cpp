@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The porttool authors
 // SPDX-License-Identifier: Apache-2.0
-// Pictures as files: the only place of the program that knows OpenImageIO.
+// Pictures as files. OpenImageIO is known here and where files of sums are (sampling/sum_file.cpp).
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
@@ -62,23 +62,27 @@ std::string made_with(const std::string& file_name) {
     return input ? std::string(input->spec().get_string_attribute(kMadeWith)) : std::string();
 }
 
-Result<std::string> encode_png(const Channels<uint8_t>& image, const std::string& made_with) {
-    OIIO::ImageSpec spec = plain_spec(image.width, image.height, OIIO::TypeDesc::UINT8, made_with);
+Result<std::string> encode_png(const Channels<uint8_t>& image, const PictureNotes& notes) {
+    OIIO::ImageSpec spec = plain_spec(image.width, image.height, OIIO::TypeDesc::UINT8, notes.made_with);
     spec.attribute("oiio:ColorSpace", "sRGB");
+    if (notes.samples > 0) spec.attribute("samples", std::to_string(notes.samples));
     return encode("png", spec, image.rgb.data());
 }
 
-Result<std::string> encode_exr(const Channels<float>& image, const std::string& made_with) {
-    OIIO::ImageSpec spec = plain_spec(image.width, image.height, OIIO::TypeDesc::FLOAT, made_with);
+Result<std::string> encode_exr(const Channels<float>& image, const PictureNotes& notes) {
+    OIIO::ImageSpec spec = plain_spec(image.width, image.height, OIIO::TypeDesc::FLOAT, notes.made_with);
     spec.attribute("oiio:ColorSpace", "Linear");
     spec.attribute("compression", "zip");
+    if (notes.samples > 0) spec.attribute("samples", static_cast<int>(notes.samples));
+    if (!notes.ranges.empty()) spec.attribute("sampleRanges", notes.ranges);
+    if (!notes.run.empty()) spec.attribute("pathtracerRun", notes.run);
     return encode("exr", spec, image.rgb.data());
 }
 
 Result<std::string> encode_picture(const Picture& picture, ImageKind kind, float stops, ToneMap curve,
-                                   const std::string& made_with) {
-    return kind == ImageKind::png ? encode_png(srgb_levels(picture, stops, curve), made_with)
-                                  : encode_exr(linear_values(picture), made_with);
+                                   const PictureNotes& notes) {
+    return kind == ImageKind::png ? encode_png(srgb_levels(picture, stops, curve), notes)
+                                  : encode_exr(linear_values(picture), notes);
 }
 
 }  // namespace application

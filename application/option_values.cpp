@@ -150,6 +150,38 @@ Result<float> parse_fov(std::string_view text) {
     return Status::invalid(fmt::format("'{}' is no vertical field of view; give degrees from 0.001 to 179", text));
 }
 
+Result<std::array<uint32_t, 2>> parse_sample_range(std::string_view text) {
+    const auto parts = split(text, ':');
+    if (parts.size() == 2) {
+        const auto first = number_from<uint32_t>(parts[0]);
+        const auto end = number_from<uint32_t>(parts[1]);
+        if (first && end && *first < *end && *end <= MAX_SAMPLES) return std::array<uint32_t, 2>{*first, *end};
+    }
+    return Status::invalid(fmt::format(
+        "'{}' is no range of samples; give FIRST:END with FIRST below END and END at most {}, e.g. 0:64 for "
+        "the first 64",
+        text, MAX_SAMPLES));
+}
+
+Result<double> parse_duration(std::string_view text) {
+    double unit = 1.0;
+    std::string_view digits = text;
+    if (!text.empty() && std::string_view("smh").find(text.back()) != std::string_view::npos) {
+        unit = text.back() == 'm' ? 60.0 : text.back() == 'h' ? 3600.0 : 1.0;
+        digits.remove_suffix(1);
+    }
+    const auto number = number_from<double>(digits);
+    constexpr double YEAR = 3600.0 * 24.0 * 366.0;
+    if (number && *number > 0.0 && *number * unit <= YEAR) return *number * unit;
+    return Status::invalid(fmt::format("'{}' is no duration; give one above 0 such as 90s, 5m or 2h", text));
+}
+
+Result<double> parse_noise(std::string_view text) {
+    const auto noise = number_from<double>(text);
+    if (noise && *noise > 0.0 && std::isfinite(*noise)) return *noise;
+    return Status::invalid(fmt::format("'{}' is no noise; give a number above 0, e.g. 0.02", text));
+}
+
 Result<float> parse_length(std::string_view text) {
     const auto length = number_from<float>(text);
     if (length && *length > 0.0f && std::isfinite(*length)) return *length;

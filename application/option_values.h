@@ -59,6 +59,15 @@ Result<LookAt> parse_look_at(std::string_view text);
 /// Degrees between 0 and 180, as radians.
 Result<float> parse_fov(std::string_view text);
 
+/// Two sample numbers, first and end: 0:64 is the first 64 samples.
+Result<std::array<uint32_t, 2>> parse_sample_range(std::string_view text);
+
+/// Seconds above 0, from `90`, `90s`, `1.5m` or `2h`.
+Result<double> parse_duration(std::string_view text);
+
+/// A noise above 0, as noise_of measures it.
+Result<double> parse_noise(std::string_view text);
+
 /// A length above 0, in scene units.
 Result<float> parse_length(std::string_view text);
 

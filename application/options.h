@@ -39,6 +39,14 @@ struct SkyChoice {
     std::string file;
 };
 
+/// render: which samples are taken, when it stops, and what is kept on the way.
+struct SamplingOptions {
+    std::optional<std::array<uint32_t, 2>> range;  ///< `--samples`: first and end
+    std::optional<double> checkpoint;              ///< seconds between two
+    std::optional<double> time_limit;  ///< seconds
+    std::optional<double> noise;       ///< as noise_of measures it
+};
+
 /// Everything that a command line can say, with the defaults of one that says nothing.
 struct Options {
     bool quiet = false;
@@ -50,6 +58,7 @@ struct Options {
     std::string scene;
     std::vector<std::string> images_a;  ///< compare: image files in place of a scene; one or a set
     std::vector<std::string> images_b;
+    std::vector<std::string> inputs;         ///< merge: the files to add
     std::string output;                      ///< empty: the command's own default
     std::string log;                         ///< view: empty: none
     std::string stats;                       ///< empty: none
@@ -58,6 +67,8 @@ struct Options {
     uint32_t width = 640;
     uint32_t height = 360;
     std::vector<uint32_t> spp{16};  ///< more than one element only for `compare`
+    bool spp_given = false;
+    SamplingOptions sampling;
     uint32_t seed = 0;
     std::optional<uint32_t> seed_target;  ///< compare: another seed for the target core
     uint32_t max_path_length = 8;
@@ -73,7 +84,7 @@ struct Options {
     double fps = 24.0;                 ///< frames a second
     bool time_given = false;
     bool fps_given = false;
-    bool resume = false;  ///< of `frames` those that are there already stay
+    bool resume = false;  ///< from a checkpoint; of `frames` those that are there already stay
     CameraChoice camera;
     std::optional<LookAt> look_at;
     std::optional<float> vertical_fov;  ///< radians

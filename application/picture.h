@@ -55,6 +55,14 @@ enum class ImageKind { png, exr };
 /// The kind of `file_name`; fails with invalid_argument on any end but .png and .exr, in either case.
 render_system::Result<ImageKind> image_kind(const std::string& file_name);
 
+/// What a file says of its picture beside the pixels; what is 0 or empty is left out.
+struct PictureNotes {
+    uint32_t samples = 0;  ///< of each pixel: the attribute `samples` of an EXR, the text `samples` of a PNG
+    std::string ranges = {};  ///< which samples these are, as range_text has them: `sampleRanges` of an EXR
+    std::string run = {};     ///< what decides their bits, as RunIdentity::text has it: `pathtracerRun` of an EXR
+    std::string made_with = {};  ///< of a picture of a sequence: the text kMadeWith
+};
+
 /// The name of the text that a picture of a sequence carries: what it was made with.
 constexpr const char* kMadeWith = "pathtracer";
 
@@ -63,11 +71,11 @@ std::string made_with(const std::string& file_name);
 
 /// The bytes of a file: PNG of 8 bits a channel, or EXR of 32-bit floats. The same values give the same bytes: no
 /// date, no host name.
-render_system::Result<std::string> encode_png(const Channels<uint8_t>& image, const std::string& made_with = "");
-render_system::Result<std::string> encode_exr(const Channels<float>& image, const std::string& made_with = "");
+render_system::Result<std::string> encode_png(const Channels<uint8_t>& image, const PictureNotes& notes = {});
+render_system::Result<std::string> encode_exr(const Channels<float>& image, const PictureNotes& notes = {});
 
 /// The bytes of the picture as a file of that kind; exposure (stops) and tone map act on PNG alone.
 render_system::Result<std::string> encode_picture(const Picture& picture, ImageKind kind, float stops, ToneMap curve,
-                                                  const std::string& made_with = "");
+                                                  const PictureNotes& notes = {});
 
 }  // namespace application

@@ -9,6 +9,7 @@
 #include <exception>
 #include <new>
 
+#include "application/cluster/team.h"
 #include "application/command_line.h"
 #include "application/command_table.h"
 #include "application/console.h"
@@ -36,7 +37,13 @@ ExitCode carry_out(const Invocation& invocation, Console& console) {
 
 int run_program(std::span<const std::string> arguments) {
     remove_unfinished_file_on_signals();
-    const Invocation invocation = parse_command_line(arguments);
+    Invocation invocation = parse_command_line(arguments);
+    if (team() && !team()->leads()) {
+        // One of a team speaks; the others are heard where they fail.
+        if (invocation.command == nullptr || invocation.command->name != "render") return invocation.exit_code;
+        invocation.options.quiet = true;
+        invocation.options.verbose = invocation.options.progress = false;
+    }
     const bool is_terminal = isatty(STDERR_FILENO) != 0;
     const bool color = use_color(invocation.options.color, is_terminal, std::getenv("NO_COLOR"));
     Console console(invocation.options, color, is_terminal);

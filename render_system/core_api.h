@@ -32,8 +32,8 @@ public:
     /// answers wrong_order.
     virtual Status Init(const CoreOptions& options) = 0;
 
-    /// Where Render writes. Fails with invalid_argument if a side is 0 or the span's length is not width * height.
-    /// A change of size drops the samples taken.
+    /// Where Render writes. Fails with invalid_argument if a side is 0, the span's length is not width * height, or the
+    /// sums reach past the picture. A change of size drops the samples taken.
     virtual Status SetTarget(const CoreTarget& target) = 0;
 
     /// Seed, path length and switches for the next Render. Fails with invalid_argument if max_path_length is 0.

@@ -100,6 +100,14 @@ Status validate_target(const CoreTarget& target) {
         return Status::invalid("target: " + std::to_string(target.pixels.size()) + " pixels for a size of " +
                                std::to_string(target.width) + "x" + std::to_string(target.height));
     }
+    if (target.sums.size() > wanted || target.first_pixel > wanted - target.sums.size()) {
+        return Status::invalid("target: " + std::to_string(target.sums.size()) + " sums from pixel " +
+                               std::to_string(target.first_pixel) + " on for " + std::to_string(wanted) + " pixels");
+    }
+    if (!target.squares.empty() && target.squares.size() != target.sums.size()) {
+        return Status::invalid("target: " + std::to_string(target.squares.size()) + " squares for " +
+                               std::to_string(target.sums.size()) + " sums");
+    }
     return Status::success();
 }
 

@@ -7,6 +7,8 @@
 #include <span>
 #include <string>
 
+#include "render_system/pixel_sum.h"
+
 // The plain data that crosses the seam between the render system and a core. Spans point at memory of the
 // caller; a core copies what it needs before the call returns. Lengths are in scene units, angles in radians,
 // radiance is linear RGB in W / (m^2 sr) with the primaries of sRGB.
@@ -191,6 +193,12 @@ struct CoreTarget {
     uint32_t width = 0;
     uint32_t height = 0;
     std::span<glm::vec4> pixels;  ///< width * height; stays valid until the next SetTarget or Shutdown
+    /// Not empty: Render adds every sample to these sums in place of writing means (what `pixels` hold then is the
+    /// core's affair), and takes samples of the pixels [first_pixel, first_pixel + sums.size()) only. The sums are the
+    /// caller's: no Restart clears them.
+    std::span<PixelSum> sums = {};
+    std::span<double> squares = {};  ///< none, or as many as `sums`: of luminance, squared
+    uint32_t first_pixel = 0;
 };
 
 /// What every core is opened with; fixed for its life. What one core alone can be told is for its own create_core.

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <map>
 #include <optional>
+#include <utility>
 
 #include "render_system/camera.h"
 #include "render_system/checked_core.h"
@@ -73,6 +74,8 @@ private:
     Status size_wavefront();
     Status find_kernels();
     Status render_batches(const Settings& settings, uint32_t samples);
+    Status render_batch(const Settings& settings, const BatchPass& batch, WavefrontCounts& counts);
+    Status sum_batch(const Settings& settings, BatchPass batch, WavefrontCounts& counts);
     Status name_primitives();
     Settings frame_settings(const ViewPyramid& view) const;
     WavefrontSize wavefront_size(uint64_t table_bytes) const;
@@ -306,25 +309,51 @@ Settings SourceCore::frame_settings(const ViewPyramid& view) const {
     return frame;
 }
 
-Status SourceCore::render_batches(const Settings& frame, uint32_t samples) {
+// Runs a batch; the mean of what its accumulator holds lies in the pixels that it stands for.
+Status SourceCore::render_batch(const Settings& frame, const BatchPass& batch, WavefrontCounts& counts) {
     const KernelSet& kernels = *gpu_->kernels_in_use;
+    gpu_->wavefront->bind(*gpu_->device, kernels, variant_, gpu_->scene, frame, batch);
+    Status status = watch() ? gpu_->wavefront->run_watched(*gpu_->device, kernels, batch, *gpu_->staging, primitives_,
+                                                           *watch(), counts)
+                            : gpu_->wavefront->run(*gpu_->device, kernels, batch, counts);
+    if (!status.ok()) {
+        return status;
+    }
+    const std::span<glm::vec4> pixels = target().pixels.subspan(batch.first_pixel, batch.path_count);
+    return gpu_->staging->download(*gpu_->device, gpu_->wavefront->target(), std::as_writable_bytes(pixels));
+}
+
+// The same sample by sample, each added to the sums; the pixels hold the last one.
+Status SourceCore::sum_batch(const Settings& frame, BatchPass batch, WavefrontCounts& counts) {
+    const uint32_t samples = std::exchange(batch.samples, 1);
+    const uint32_t place = batch.first_pixel - target().first_pixel;
+    const std::span<PixelSum> sums = target().sums.subspan(place, batch.path_count);
+    const std::span<double> all_squares = target().squares;
+    const std::span<double> squares = all_squares.empty() ? all_squares : all_squares.subspan(place, batch.path_count);
+    batch.samples_before = 0;
+    for (uint32_t i = 0; i < samples; ++i, ++batch.first_sample) {
+        Status status = render_batch(frame, batch, counts);
+        if (!status.ok()) {
+            return status;
+        }
+        add_samples(sums, squares, &target().pixels[batch.first_pixel]);
+    }
+    return Status::success();
+}
+
+Status SourceCore::render_batches(const Settings& frame, uint32_t samples) {
     const WavefrontSize& size = gpu_->wavefront->size();
+    const bool sums = !target().sums.empty();
+    const uint64_t end = sums ? target().first_pixel + target().sums.size() : size.pixels;
     WavefrontCounts counts;
-    for (uint64_t first = 0; first < size.pixels; first += size.batch) {
+    for (uint64_t first = sums ? target().first_pixel : 0; first < end; first += size.batch) {
         BatchPass batch;
         batch.first_pixel = static_cast<uint32_t>(first);
-        batch.path_count = static_cast<uint32_t>(std::min<uint64_t>(size.batch, size.pixels - first));
+        batch.path_count = static_cast<uint32_t>(std::min<uint64_t>(size.batch, end - first));
         batch.samples_before = static_cast<uint32_t>(stats().samples);
         batch.first_sample = settings().first_sample + batch.samples_before;
         batch.samples = samples;
-        gpu_->wavefront->bind(*gpu_->device, kernels, variant_, gpu_->scene, frame, batch);
-        Status status = watch() ? gpu_->wavefront->run_watched(*gpu_->device, kernels, batch, *gpu_->staging,
-                                                               primitives_, *watch(), counts)
-                                : gpu_->wavefront->run(*gpu_->device, kernels, batch, counts);
-        if (status.ok()) {
-            status = gpu_->staging->download(*gpu_->device, gpu_->wavefront->target(),
-                                             std::as_writable_bytes(target().pixels.subspan(first, batch.path_count)));
-        }
+        Status status = sums ? sum_batch(frame, batch, counts) : render_batch(frame, batch, counts);
         if (!status.ok()) {
             return status;
         }

@@ -105,8 +105,10 @@ void render_tile(const Frame& frame, uint first_pixel, uint path_count, Worker& 
     bound = frame.bindings;
     bound.tile = &worker.tile;
     settings = frame.settings;
+    const vec4* target = worker.tile.target.get();
+    uint place = first_pixel - frame.first_pixel;
     for (uint i = 0; i < frame.sample_count; ++i) {
-        uint in_sum = frame.samples_in_sum + i;
+        uint in_sum = frame.sums.empty() ? frame.samples_in_sum + i : 0;
         pass.sample_index = frame.first_sample + i;
         pass.segment = 0;
         pass.first_pixel = first_pixel;
@@ -114,8 +116,15 @@ void render_tile(const Frame& frame, uint first_pixel, uint path_count, Worker& 
         pass.sample_scale = 1.0f / static_cast<float>(in_sum + 1);
         pass.first_in_sum = in_sum == 0 ? 1u : 0u;
         render_sample(*frame.kernels, worker, log, frame.watch);
+        if (!frame.sums.empty()) {
+            std::span<double> squares =
+                frame.squares.empty() ? frame.squares : frame.squares.subspan(place, path_count);
+            render_system::add_samples(frame.sums.subspan(place, path_count), squares, target);
+        }
     }
-    const vec4* target = worker.tile.target.get();
+    if (!frame.sums.empty()) {
+        return;
+    }
     std::transform(target, target + path_count, frame.pixels.begin() + first_pixel,
                    [](const vec4& p) { return glm::vec4(p.x, p.y, p.z, p.w); });
 }
@@ -154,11 +163,12 @@ FrameStats render_frame(const Frame& frame, Workers& workers, RayLog* log) {
     for (Worker& worker : workers.threads_->workers) {
         worker.stats = {};  // a frame that failed may have left some
     }
-    uint pixels = frame.settings.width * frame.settings.height;
+    uint pixels = frame.pixel_count;
     uint tile_paths = paths_per_tile(pixels);
     for_each_tile((pixels + tile_paths - 1) / tile_paths, [&](uint tile) {
         uint first = tile * tile_paths;
-        render_tile(frame, first, std::min(tile_paths, pixels - first), workers.threads_->workers.local(), log);
+        render_tile(frame, frame.first_pixel + first, std::min(tile_paths, pixels - first),
+                    workers.threads_->workers.local(), log);
     });
     FrameStats stats;
     for (const Worker& worker : workers.threads_->workers) {

@@ -7,6 +7,7 @@
 #include <span>
 
 #include "render_system/path_watch.h"
+#include "render_system/pixel_sum.h"
 #include "target_core/device/bindings.h"
 #include "target_core/device/kernel_table.h"
 #include "target_core/device/ray_log.h"
@@ -38,6 +39,10 @@ struct Frame {
     uint samples_in_sum = 0;
     render_system::PathWatch* watch = nullptr;  // or what is shown every path after every kernel
     std::span<glm::vec4> pixels;                // the host's; a tile's are copied there while they are in the cache
+    uint first_pixel = 0;                       // of the `pixel_count` that are rendered
+    uint pixel_count = 0;
+    std::span<render_system::PixelSum> sums;  // or where samples go in place of `pixels`, one for each pixel rendered
+    std::span<double> squares;
 };
 
 /// A tile for each thread, kept from frame to frame.

@@ -257,6 +257,10 @@ Status TargetCore::render(const ViewPyramid& view, uint32_t samples) {
     frame.sample_count = samples;
     frame.watch = watch();
     frame.pixels = target().pixels;
+    frame.first_pixel = target().first_pixel;
+    frame.pixel_count = static_cast<uint>(target().sums.empty() ? target().pixels.size() : target().sums.size());
+    frame.sums = target().sums;
+    frame.squares = target().squares;
     FrameStats rendered;
     arena_->execute([&] { rendered = render_frame(frame, workers_, log ? &*log : nullptr); });
     double threads = stats().threads;

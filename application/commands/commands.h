@@ -16,6 +16,7 @@ ExitCode run_frames(const Options& options, Console& console);
 ExitCode run_compare(const Options& options, Console& console);
 ExitCode run_bench(const Options& options, Console& console);
 ExitCode run_view(const Options& options, Console& console);
+ExitCode run_merge(const Options& options, Console& console);
 ExitCode run_info(const Options& options, Console& console);
 
 }  // namespace application

@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <memory>
 
+#include "porttool/command/check_cache.h"
 #include "porttool/command/commands.h"
 #include "porttool/judge/check_project.h"
 #include "porttool/read/git_repository.h"
@@ -17,6 +18,11 @@
 namespace porttool {
 namespace {
 
+bool wants_color(const Options& options) {
+    const bool terminal = isatty(STDOUT_FILENO) != 0 && options.output.empty() && std::getenv("NO_COLOR") == nullptr;
+    return options.color == "always" || (options.color == "auto" && terminal);
+}
+
 std::string formatted(const CheckedProject& checked, const Options& options, const Disk& disk) {
     const Judgement& judgement = checked.judgement;
     if (options.format == "json") return check_json(judgement);
@@ -27,8 +33,7 @@ std::string formatted(const CheckedProject& checked, const Options& options, con
     if (options.format == "sarif") return check_sarif(judgement, folder(), proposed_fixes(checked, disk));
     if (options.format == "github") return check_github(judgement, folder());
     if (options.format == "gitlab") return check_gitlab(judgement, folder());
-    const bool terminal = isatty(STDOUT_FILENO) != 0 && options.output.empty() && std::getenv("NO_COLOR") == nullptr;
-    return check_table(judgement, options.color == "always" || (options.color == "auto" && terminal));
+    return check_table(judgement, wants_color(options));
 }
 
 }  // namespace
@@ -41,12 +46,14 @@ void declare_check(Declare& declare, Options& options) {
     declare.flag("--spirv", options.spirv, "Compile edited GLSL; what gives the same SPIR-V is a note");
     declare.texts("--evidence", options.run_evidence, "FILE",
                   "What difftest --evidence and pathtracer compare --locate --evidence wrote: joined to the findings");
-    declare.flag("--no-cache", options.no_cache, "For scripts that give it to every command: check keeps no cache");
+    declare.flag("--no-cache", options.no_cache,
+                 "Neither use nor keep the answers that were given of the same files before");
     declare.flag("--strict", options.strict, "Exit 1 for warnings too");
 }
 
-Outcome run_check(const Options& options, Workplace& place) {
-    require_format(options.format, {"text", "json", "sarif", "junit", "github", "gitlab", "markdown", "html"});
+namespace {
+
+Outcome check(const Options& options, Workplace& place) {
     std::unique_ptr<SpirvCheck> spirv;
     const SameCodeIn same_code_in = [&](const Project& project) {
         spirv = std::make_unique<SpirvCheck>(project, options.staged, options.base.empty() ? "HEAD" : options.base,
@@ -64,6 +71,15 @@ Outcome run_check(const Options& options, Workplace& place) {
     const GateResult result = checked.judgement.result();
     const bool fails = result == GateResult::Drift || (result == GateResult::Review && options.strict);
     return {formatted(checked, options, place.disk), fails ? 1 : 0};
+}
+
+}  // namespace
+
+Outcome run_check(const Options& options, Workplace& place) {
+    require_format(options.format, {"text", "json", "sarif", "junit", "github", "gitlab", "markdown", "html"});
+    const std::string request = check_request(options, wants_color(options));
+    if (request.empty()) return check(options, place);
+    return through_cache(request, options.directory, place, [&](Workplace& traced) { return check(options, traced); });
 }
 
 }  // namespace porttool

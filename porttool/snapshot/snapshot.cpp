@@ -8,8 +8,10 @@
 #include <unordered_map>
 
 #include "porttool/read/git_repository.h"
+#include "porttool/read/traced_disk.h"
 #include "porttool/scan/scan.h"
 #include "porttool/snapshot/lock_store.h"
+#include "porttool/text/parallel.h"
 #include "porttool/text/sink/terminal.h"
 
 namespace porttool {
@@ -25,18 +27,16 @@ KnownFiles by_path(const std::vector<ScannedFile>& files) {
 
 /// Scans files; those that are known with the same text are taken from there, and their paths noted in `same`.
 std::vector<ScannedFile> scan_all(const SourceSet& set, const KnownFiles& known, std::set<std::string>& same) {
-    std::vector<ScannedFile> files;
-    files.reserve(set.files.size());
-    for (const SourceText& source : set.files) {
+    std::vector<ScannedFile> files(set.files.size());
+    std::vector<char> is_same(set.files.size());
+    in_parallel(set.files.size(), set.files.size() >= kFilesWorthThreads, [&](size_t i) {
+        const SourceText& source = set.files[i];
         const auto found = known.find(source.path);
-        const bool is_same = found != known.end() && found->second->lexed.text == source.text;
-        if (is_same) {
-            same.insert(source.path);
-            files.push_back(*found->second);
-        } else {
-            files.push_back(scan_text(source.path, source.text));
-        }
-    }
+        is_same[i] = found != known.end() && found->second->lexed.text == source.text;
+        files[i] = is_same[i] ? *found->second : scan_text(source.path, source.text);
+    });
+    for (size_t i = 0; i < files.size(); ++i)
+        if (is_same[i]) same.insert(files[i].path);
     return files;
 }
 
@@ -108,7 +108,10 @@ std::set<std::string> named_files(const MapFile& map, Side side) {
 SourceSet read_side(const Project& project, const Disk& disk, Side side) {
     const std::string root = root_of(project, side);
     const std::vector<std::string>& globs = globs_of(project.map, side);
-    const auto tracked = [&] { return GitRepository(root).tracked_files(wanted(globs)); };
+    const auto tracked = [&] {
+        if (const auto* traced = dynamic_cast<const TracedDisk*>(&disk)) traced->asked_git(root, globs);
+        return GitRepository(root).tracked_files(wanted(globs));
+    };
     std::vector<std::string> unmatched;
     SourceSet out =
         read_globs(disk, root, globs, unmatched,

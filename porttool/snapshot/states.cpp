@@ -5,24 +5,26 @@
 #include <set>
 
 #include "porttool/scan/scan.h"
+#include "porttool/text/parallel.h"
 
 namespace porttool {
 namespace {
 
 void add_states(std::map<std::string, UnitState>& states, const std::vector<ScannedFile>& files,
                 const std::set<std::string>& named, const std::set<std::string>& same) {
-    for (const ScannedFile& file : files) {
-        if (same.contains(file.path)) continue;
-        for (const Unit& unit : file.units) {
-            UnitState state = unit_state(file, unit);
-            states.emplace(state.id, std::move(state));
-        }
+    std::vector<std::vector<UnitState>> of_files(files.size());
+    in_parallel(files.size(), files.size() >= kFilesWorthThreads, [&](size_t i) {
+        const ScannedFile& file = files[i];
+        if (same.contains(file.path)) return;
+        for (const Unit& unit : file.units) of_files[i].push_back(unit_state(file, unit));
         const Unit whole = whole_file_unit(file);
-        if (file.units.empty() || named.contains(unit_id(file, whole))) {
-            UnitState state = unit_state(file, whole);
-            states.emplace(state.id, std::move(state));
+        if (file.units.empty() || named.contains(unit_id(file, whole))) of_files[i].push_back(unit_state(file, whole));
+    });
+    for (std::vector<UnitState>& of_file : of_files)
+        for (UnitState& state : of_file) {
+            std::string id = state.id;
+            states.emplace(std::move(id), std::move(state));
         }
-    }
 }
 
 }  // namespace

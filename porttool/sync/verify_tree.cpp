@@ -16,6 +16,7 @@
 #include "porttool/read/cannot_do.h"
 #include "porttool/read/git_repository.h"
 #include "porttool/read/replace_file.h"
+#include "porttool/read/user_cache.h"
 #include "porttool/text/fingerprint.h"
 #include "porttool/text/sink/terminal.h"
 
@@ -28,10 +29,8 @@ constexpr uint64_t kAnySize = std::numeric_limits<uint64_t>::max();
 
 /// The user's folder for what can be made anew (XDG Base Directory Specification). Throws CannotDo.
 std::string cache_folder() {
-    const char* named = std::getenv("XDG_CACHE_HOME");
-    if (named != nullptr && *named == '/') return named;
-    const char* home = std::getenv("HOME");
-    if (home != nullptr && *home == '/') return join_path(home, ".cache");
+    std::string home = xdg_cache_home();
+    if (!home.empty()) return home;
     throw CannotDo("--verify needs a folder for its work tree: set XDG_CACHE_HOME, or HOME, to an absolute path");
 }
 

@@ -124,7 +124,7 @@ TEST(CommandLine, RefusalsNameTheThingAndExitWithTwo) {
     const std::vector<Refusal> refusals = {
         {"", "no command given"},
         {"rendr a.gltf", "unknown command 'rendr'; did you mean 'render'?"},
-        {"watch a.gltf", "unknown command 'watch'; there are render, compare, view, bench, info"},
+        {"watch a.gltf", "unknown command 'watch'; there are render, compare, view, merge, bench, info"},
         {"--quiet comapre a", "did you mean 'compare'?"},
         {"render", "SCENE"},
         {"render a.gltf b.gltf", "unexpected argument 'b.gltf'"},

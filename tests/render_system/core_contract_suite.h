@@ -227,6 +227,50 @@ TYPED_TEST_P(CoreContractSuite, SamplesTakenInPartsGiveTheSamePicture) {
     EXPECT_EQ(this->render(3, Convergence::Converge), whole);
 }
 
+/// Sums taken in parts of the picture and of the samples, in any order, are those of all at once, to the bit.
+TYPED_TEST_P(CoreContractSuite, SumsOfPartsAreTheSumOfTheWhole) {
+    SKIP_WITHOUT_DEVICE();
+    this->send(ContractScene());
+    CoreTarget target = this->target();
+    this->expect_ok(this->core_->SetTarget(target));
+    const std::vector<glm::vec4> means = this->render(5);
+    std::vector<PixelSum> whole(means.size()), parts(means.size());
+    std::vector<double> squares(means.size());
+    target.sums = whole;
+    target.squares = squares;
+    this->expect_ok(this->core_->SetTarget(target));
+    this->expect_ok(this->core_->Render(contract_view(), Convergence::Restart, 5));
+    const auto add_part = [&](uint32_t pixel, size_t pixels, uint32_t sample, uint32_t samples) {
+        std::vector<PixelSum> part(pixels);
+        CoreSettings settings;
+        settings.first_sample = sample;
+        target.sums = part;
+        target.squares = {};
+        target.first_pixel = pixel;
+        this->expect_ok(this->core_->Setting(settings));
+        this->expect_ok(this->core_->SetTarget(target));
+        this->expect_ok(this->core_->Render(contract_view(), Convergence::Restart, samples));
+        for (size_t i = 0; i < pixels; ++i) add_sum(parts[pixel + i], part[i]);
+    };
+    add_part(100, means.size() - 100, 3, 2);
+    add_part(0, 100, 0, 5);
+    add_part(100, means.size() - 100, 0, 3);
+    EXPECT_EQ(parts, whole);
+    for (size_t i = 0; i < means.size(); ++i) {
+        const glm::vec3 mean = mean_of(whole[i], 5);
+        for (int channel = 0; channel < 3; ++channel)
+            EXPECT_NEAR(mean[channel], means[i][channel], 1e-6f * std::abs(mean[channel])) << "pixel " << i;
+        const double luminance = 0.2126 * mean.x + 0.7152 * mean.y + 0.0722 * mean.z;
+        EXPECT_GE(squares[i], 5.0 * luminance * luminance * (1.0 - 1e-6)) << "the mean of squares is no less";
+    }
+    target.first_pixel = 1;
+    target.sums = whole;
+    this->expect_refused(this->core_->SetTarget(target));
+    target.first_pixel = 0;
+    target.squares = std::span(squares).first(1);
+    this->expect_refused(this->core_->SetTarget(target));
+}
+
 TYPED_TEST_P(CoreContractSuite, NoSamplesAreRefusedAndLeaveThePicture) {
     SKIP_WITHOUT_DEVICE();
     this->send(ContractScene());
@@ -640,8 +684,8 @@ TYPED_TEST_P(CoreContractSuite, AfterManyEditsThePictureIsThatOfTheSceneAsItIs) 
 REGISTER_TYPED_TEST_SUITE_P(CoreContractSuite, NothingWorksBeforeInitOrAfterShutdown,
                             StatisticsAreZeroBeforeTheFirstRender, RendersAndCounts,
                             ShowsEveryPathAfterEveryKernelAndRendersTheSame, ConvergeAddsAndRestartDrops,
-                            SamplesTakenInPartsGiveTheSamePicture, NoSamplesAreRefusedAndLeaveThePicture,
-                            ATargetOfAnotherSizeStartsAnew, AnEmptySceneIsAllSky,
+                            SamplesTakenInPartsGiveTheSamePicture, SumsOfPartsAreTheSumOfTheWhole,
+                            NoSamplesAreRefusedAndLeaveThePicture, ATargetOfAnotherSizeStartsAnew, AnEmptySceneIsAllSky,
                             RefusesTargetsAndSettingsThatMakeNoSense, RefusesTexturesThatAreNoMipChain,
                             RefusesGapsInNumberedThings, RefusesMeshesThatContradictThemselves,
                             RefusesInstancesOfNothingAndMatricesThatAreNotFinite, RefusesWhatRaysCannotReachOrStartFrom,

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+
+#include "application/core_session.h"
+#include "application/sampling/run_identity.h"
+#include "application/sampling/sample_sums.h"
+
+namespace application {
+
+/// Processes that render one picture together. Every one of them has the scene and a core; one leads: it decides how
+/// many samples come next, speaks, and writes. All calls are made by all members, in the same order.
+class Team {
+public:
+    virtual ~Team() = default;
+
+    virtual bool leads() const = 0;
+
+    /// Whether all could do what they had to: mine, or that of the first member that could not.
+    virtual render_system::Status agree(const render_system::Status& mine) = 0;
+
+    /// Fails where a member would take other samples than the leader, naming what differs.
+    virtual render_system::Status agree_on(const RunIdentity& run) = 0;
+
+    /// The leader: adds the samples [first, first + count) of every pixel to `sums`, tile by tile on whoever is free.
+    virtual render_system::Status render(CoreSession& session, SampleSums& sums, uint32_t first, uint32_t count) = 0;
+
+    /// The leader: lets the others go.
+    virtual void end() = 0;
+
+    /// All others: renders what the leader asks for, until it ends.
+    virtual render_system::Status follow(CoreSession& session, bool squares) = 0;
+};
+
+/// The Team of this process; none where it works alone.
+Team* team();
+void set_team(Team* team);
+
+}  // namespace application

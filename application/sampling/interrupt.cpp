@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "application/sampling/interrupt.h"
+
+#include <csignal>
+
+#include "application/file_output.h"
+
+namespace application {
+namespace {
+
+volatile std::sig_atomic_t kept_signal = 0;
+
+extern "C" void keep_first_signal(int number) {
+    if (kept_signal != 0) remove_unfinished_file_and_end(number);
+    kept_signal = number;
+}
+
+void handle(int number, void (*handler)(int)) {
+    struct sigaction now {};
+    if (sigaction(number, nullptr, &now) != 0 || now.sa_handler == SIG_IGN) return;
+    struct sigaction action {};
+    action.sa_handler = handler;
+    action.sa_flags = SA_RESTART;
+    sigaction(number, &action, nullptr);
+}
+
+}  // namespace
+
+KeptInterrupt::KeptInterrupt() {
+    kept_signal = 0;
+    for (const int number : {SIGINT, SIGTERM}) handle(number, keep_first_signal);
+}
+
+KeptInterrupt::~KeptInterrupt() {
+    for (const int number : {SIGINT, SIGTERM}) handle(number, remove_unfinished_file_and_end);
+}
+
+int KeptInterrupt::signal() const { return kept_signal; }
+
+}  // namespace application

@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+namespace application {
+
+/// While one of these lives, the first Ctrl-C (SIGINT) or SIGTERM does not end the program but is kept here, so that
+/// what has been done can be written; a second one ends it at once, as any does without this. A signal that the caller
+/// has ignored, as nohup does with SIGHUP, stays ignored. One at a time.
+class KeptInterrupt {
+public:
+    KeptInterrupt();
+    ~KeptInterrupt();
+    KeptInterrupt(const KeptInterrupt&) = delete;
+    KeptInterrupt& operator=(const KeptInterrupt&) = delete;
+
+    /// The number of the signal that came, or 0.
+    int signal() const;
+};
+
+}  // namespace application

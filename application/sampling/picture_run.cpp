@@ -1,0 +1,142 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "application/sampling/picture_run.h"
+
+#include <fmt/format.h>
+
+#include <csignal>
+#include <utility>
+
+#include "application/cluster/team.h"
+#include "application/file_output.h"
+#include "application/sampling/checkpoint.h"
+#include "application/sampling/sum_file.h"
+
+namespace application {
+namespace {
+
+using render_system::Result;
+using render_system::Status;
+using std::filesystem::path;
+
+constexpr double kTeamPortionSeconds = 2.0;  // the end of each costs a team up to the time of a tile
+
+bool is_exr(const path& file) {
+    const auto kind = image_kind(file.string());
+    return kind.ok() && *kind == ImageKind::exr;
+}
+
+}  // namespace
+
+Status check_sampling(const Options& options, const path& file, Console& console) {
+    const SamplingOptions& sampling = options.sampling;
+    if (sampling.range && !is_exr(file))
+        console.note("a PNG of some samples cannot be added to others: pathtracer merge takes .exr");
+    if (!sampling.checkpoint && !options.resume) return Status::success();
+    const path checkpoint = checkpoint_of(file);
+    if (Status status = check_writable(checkpoint); !status.ok()) return status;
+    for (const path& written : {file, checkpoint}) remove_abandoned(written);
+    std::error_code error;
+    if (!options.resume && std::filesystem::exists(checkpoint, error))
+        console.warning(fmt::format("{} is there: this run starts anew and will replace it; --resume goes on from it",
+                                    checkpoint.string()));
+    return Status::success();
+}
+
+PictureRun::PictureRun(const Options& options, path file, CoreSession& session, SampleSums& sums,
+                       const KeptInterrupt& interrupt, Console& console)
+    : options_(options),
+      file_(std::move(file)),
+      checkpoint_(checkpoint_of(file_)),
+      session_(session),
+      sums_(sums),
+      interrupt_(interrupt),
+      console_(console),
+      wanted_(wanted_samples(options)) {
+    if (is_exr(file_) || keeps_checkpoints() || team()) run_ = run_identity(options, session);
+}
+
+Status PictureRun::resume() {
+    if (!options_.resume) return Status::success();
+    auto read = read_checkpoint(checkpoint_);
+    if (!read.ok()) return read.status;
+    if (!*read) {
+        console_.note(fmt::format("there is no {}: the picture starts from its first sample", checkpoint_.string()));
+        return Status::success();
+    }
+    Checkpoint& checkpoint = **read;
+    const auto refuse = [&](const std::string& what) {
+        return Status::invalid(
+            fmt::format("--resume: {} is of another run: {}; give what it was made with, or delete it",
+                        checkpoint_.string(), what));
+    };
+    if (const std::string other = first_difference(checkpoint.run, *run_, "was", "is"); !other.empty())
+        return refuse(other);
+    if (checkpoint.first_sample != wanted_.first)
+        return refuse(fmt::format("its first sample was {} and is {}", checkpoint.first_sample, wanted_.first));
+    if (checkpoint.sums.samples > wanted_.count())
+        return refuse(fmt::format("it has {} samples, {} are wanted", checkpoint.sums.samples, wanted_.count()));
+    if (checkpoint.sums.squares.size() != sums_.squares.size())
+        return refuse(fmt::format("--noise {} given", sums_.squares.empty() ? "was" : "was not"));
+    // In place: the core knows where the sums are.
+    sums_.samples = checkpoint.sums.samples;
+    std::copy(checkpoint.sums.pixels.begin(), checkpoint.sums.pixels.end(), sums_.pixels.begin());
+    std::copy(checkpoint.sums.squares.begin(), checkpoint.sums.squares.end(), sums_.squares.begin());
+    console_.note(fmt::format("{}: going on after {} samples", checkpoint_.string(), sums_.samples));
+    return session_.go_on_from(wanted_.first + sums_.samples);
+}
+
+Status PictureRun::take(std::chrono::steady_clock::time_point start) {
+    const SamplingOptions& sampling = options_.sampling;
+    SamplingPlan plan{wanted_, start, sampling.time_limit, sampling.noise, sampling.checkpoint};
+    plan.interrupt = &interrupt_;
+    plan.write_checkpoint = [this] { save_checkpoint(); };
+    if (Team* all = team()) {
+        plan.render = [this, all](uint32_t count) {
+            return all->render(session_, sums_, wanted_.first + sums_.samples, count);
+        };
+        plan.portion_seconds = kTeamPortionSeconds;
+    }
+    const auto end = take_samples(session_, sums_, plan, console_);
+    if (!end.ok()) return end.status;
+    end_ = *end;
+    if (end_ == SamplingEnd::interrupted)
+        console_.note(fmt::format("interrupted by {}: the picture has {} of {} samples",
+                                  interrupt_.signal() == SIGINT ? "Ctrl-C" : "SIGTERM", sums_.samples,
+                                  wanted_.count()));
+    else if (end_ == SamplingEnd::time_limit)
+        console_.note(fmt::format("the time limit is reached: the picture has {} samples", sums_.samples));
+    else if (sampling.noise)
+        console_.note(fmt::format("noise {:.4f} after {} samples{}", noise_of(sums_), sums_.samples,
+                                  end_ == SamplingEnd::noise ? "" : "; more than asked for, but they are all taken"));
+    return Status::success();
+}
+
+void PictureRun::save_checkpoint() {
+    const Status status = write_checkpoint(checkpoint_, *run_, wanted_.first, sums_);
+    // A full disk now need not be one when the picture is done: hours of work are not dropped for it.
+    if (!status.ok()) console_.warning(status.message + "; rendering goes on without a new checkpoint");
+}
+
+Status PictureRun::write() {
+    PictureNotes notes{.samples = sums_.samples};
+    if (run_) {
+        notes.ranges = range_text({{wanted_.first, wanted_.first + sums_.samples}});
+        notes.run = run_->text();
+    }
+    const bool as_sums = options_.sampling.range && is_exr(file_);
+    const auto kind = image_kind(file_.string());
+    if (!kind.ok()) return kind.status;
+    const bool whole = end_ == SamplingEnd::all_taken || end_ == SamplingEnd::noise;
+    if (keeps_checkpoints() && !whole) save_checkpoint();
+    const auto bytes = as_sums
+                           ? encode_sums(sums_, notes)
+                           : encode_picture(mean_picture(sums_), *kind, options_.exposure, options_.tone_map, notes);
+    const Status status = bytes.ok() ? write_file(file_, *bytes) : bytes.status;
+    if (!status.ok() && keeps_checkpoints() && whole) save_checkpoint();
+    std::error_code error;
+    if (status.ok() && keeps_checkpoints() && whole) std::filesystem::remove(checkpoint_, error);
+    return status;
+}
+
+}  // namespace application

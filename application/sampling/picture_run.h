@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "application/console.h"
+#include "application/core_session.h"
+#include "application/options.h"
+#include "application/sampling/interrupt.h"
+#include "application/sampling/run_identity.h"
+#include "application/sampling/sample_sums.h"
+#include "application/sampling/take_samples.h"
+
+namespace application {
+
+/// What of --samples, --checkpoint and --resume can be known to be wrong before anything is loaded.
+render_system::Status check_sampling(const Options& options, const std::filesystem::path& file, Console& console);
+
+/// One picture from its first sample to its file: taken up where a checkpoint left it, interrupted, written.
+/// The session must have its core, and the first sample of `sums` be taken.
+class PictureRun {
+public:
+    PictureRun(const Options& options, std::filesystem::path file, CoreSession& session, SampleSums& sums,
+               const KeptInterrupt& interrupt, Console& console);
+
+    /// With --resume, takes the samples of the checkpoint, if there is one. Fails where it is damaged or of another
+    /// run, naming what differs.
+    render_system::Status resume();
+
+    /// Takes samples until all are there, or a limit or a signal ends it; `start` is what a time limit counts from.
+    /// What is to be told of an early end is said on the console.
+    render_system::Status take(std::chrono::steady_clock::time_point start);
+
+    /// Writes the picture; a checkpoint goes when all samples are in it, and is renewed when they are not.
+    render_system::Status write();
+
+    /// What decides the bits; there is one where a team renders.
+    const std::optional<RunIdentity>& identity() const { return run_; }
+
+    bool interrupted() const { return end_ == SamplingEnd::interrupted; }
+
+private:
+    bool keeps_checkpoints() const { return options_.sampling.checkpoint || options_.resume; }
+    void save_checkpoint();
+
+    const Options& options_;
+    std::filesystem::path file_;
+    std::filesystem::path checkpoint_;
+    CoreSession& session_;
+    SampleSums& sums_;
+    const KeptInterrupt& interrupt_;
+    Console& console_;
+    SampleRange wanted_;
+    std::optional<RunIdentity> run_;  // where something is written that says it
+    SamplingEnd end_ = SamplingEnd::all_taken;
+};
+
+}  // namespace application

@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "application/sampling/scene_digest.h"
+
+#include <OpenImageIO/hash.h>
+#include <fmt/format.h>
+
+#include <type_traits>
+#include <vector>
+
+namespace application {
+namespace {
+
+using namespace render_system;
+
+template <class Value>
+void add_value(Digest& digest, const Value& value) {
+    static_assert(std::has_unique_object_representations_v<Value> || std::is_floating_point_v<Value>,
+                  "its bytes would hold some that mean nothing");
+    digest.add_bytes(&value, sizeof(value));
+}
+
+template <int Length>
+void add_value(Digest& digest, const glm::vec<Length, float>& value) {
+    for (int i = 0; i < Length; ++i) add_value(digest, value[i]);
+}
+
+/// An array of numbers or vectors of numbers, which have no bytes between them.
+template <class Element>
+void add_array(Digest& digest, const std::vector<Element>& values) {
+    add_value(digest, values.size());
+    digest.add_bytes(values.data(), values.size() * sizeof(Element));
+}
+
+void add_slot(Digest& digest, const CoreTextureSlot& slot) {
+    static_assert(sizeof(CoreTextureSlot) == 32, "a member more goes into the digest");
+    add_value(digest, slot.texture);
+    add_value(digest, slot.uv_set);
+    add_value(digest, slot.row_u);
+    add_value(digest, slot.row_v);
+}
+
+void add_material(Digest& digest, const CoreMaterial& material) {
+    static_assert(sizeof(CoreMaterial) == 584, "a member more goes into the digest");
+    for (const glm::vec3& color :
+         {material.base_color, material.specular_color, material.absorption, material.emission, material.sheen_color})
+        add_value(digest, color);
+    for (const float factor :
+         {material.alpha, material.alpha_cutoff, material.metallic, material.roughness, material.ior, material.specular,
+          material.transmission, material.normal_scale, material.sheen_roughness, material.coat,
+          material.coat_roughness, material.coat_normal_scale, material.film, material.film_ior})
+        add_value(digest, factor);
+    add_value(digest, material.film_thickness);
+    for (const bool flag : {material.opaque, material.double_sided, material.thin_walled})
+        add_value(digest, static_cast<uint8_t>(flag));
+    for (const auto slot : kTextureSlots) add_slot(digest, material.*slot);
+}
+
+void add_mesh(Digest& digest, const HostMesh& mesh) {
+    add_array(digest, mesh.positions);
+    add_array(digest, mesh.normals);
+    add_array(digest, mesh.tangents);
+    add_array(digest, mesh.uv0);
+    add_array(digest, mesh.uv1);
+    add_array(digest, mesh.colors);
+    add_array(digest, mesh.triangles);
+}
+
+void add_texture(Digest& digest, const HostTexture& texture) {
+    for (const uint32_t number : {texture.width, texture.height, texture.levels, static_cast<uint32_t>(texture.format),
+                                  static_cast<uint32_t>(texture.wrap_s), static_cast<uint32_t>(texture.wrap_t),
+                                  static_cast<uint32_t>(texture.nearest)})
+        add_value(digest, number);
+    add_array(digest, texture.texels);
+}
+
+void add_light(Digest& digest, const PunctualLight& light) {
+    add_value(digest, static_cast<uint32_t>(light.kind));
+    for (const glm::vec3& vector : {light.position, light.direction, light.emission}) add_value(digest, vector);
+    add_value(digest, light.inner_cone);
+    add_value(digest, light.outer_cone);
+}
+
+}  // namespace
+
+void Digest::add_bytes(const void* bytes, size_t size) { value_ = OIIO::xxhash::xxhash(bytes, size, value_); }
+
+void Digest::add(std::string_view text) { add_bytes(text.data(), text.size()); }
+
+std::string Digest::hex() const { return fmt::format("{:016x}", value_); }
+
+std::string scene_digest(const HostScene& scene) {
+    Digest digest;
+    for (const HostMesh& mesh : scene.meshes()) add_mesh(digest, mesh);
+    for (const HostInstance& instance : scene.instances()) {
+        add_value(digest, instance.mesh);
+        for (const glm::vec4& row : instance.transform.rows) add_value(digest, row);
+    }
+    for (const HostMaterial& material : scene.materials()) add_material(digest, material.core);
+    for (const HostTexture& texture : scene.textures()) add_texture(digest, texture);
+    for (const PunctualLight& light : scene.punctual_lights()) add_light(digest, light);
+    add_value(digest, scene.sky().radiance);
+    add_value(digest, scene.sky().width);
+    add_array(digest, scene.sky().texels);
+    return digest.hex();
+}
+
+std::string view_digest(const ViewPyramid& view) {
+    Digest digest;
+    for (const glm::vec3& point : {view.eye, view.top_left, view.top_right, view.bottom_left}) add_value(digest, point);
+    add_value(digest, view.aperture);
+    add_value(digest, static_cast<uint8_t>(view.parallel));
+    return digest.hex();
+}
+
+}  // namespace application

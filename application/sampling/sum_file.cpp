@@ -1,0 +1,153 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "application/sampling/sum_file.h"
+
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imageio.h>
+#include <fmt/format.h>
+
+#include <bit>
+#include <cmath>
+#include <filesystem>
+
+#include "application/option_values.h"
+
+namespace application {
+namespace {
+
+using render_system::PixelSum;
+using render_system::Result;
+using render_system::Status;
+using render_system::StatusCode;
+
+constexpr int kColors = 3;
+constexpr int kWords = 12;  // of a pixel's sum: R, G, B, of each the upper and the lower half of high and of low
+
+/// Names that OpenImageIO, which orders channels, leaves in this order behind R, G and B.
+std::vector<std::string> channel_names() {
+    std::vector<std::string> names = {"R", "G", "B"};
+    for (int word = 0; word < kWords; ++word) names.push_back(fmt::format("sum.{:02}", word));
+    return names;
+}
+
+/// A pixel as the file has it.
+struct Row {
+    float color[kColors];
+    uint32_t words[kWords];
+};
+
+Row row_of(const PixelSum& sum, uint32_t samples) {
+    Row row{};
+    const glm::vec3 mean = mean_of(sum, samples);
+    for (int channel = 0; channel < kColors; ++channel) {
+        const auto high = std::bit_cast<uint64_t>(sum.high[channel]);
+        const auto low = std::bit_cast<uint64_t>(sum.low[channel]);
+        row.color[channel] = mean[channel];
+        uint32_t* words = row.words + channel * 4;
+        words[0] = static_cast<uint32_t>(high >> 32);
+        words[1] = static_cast<uint32_t>(high);
+        words[2] = static_cast<uint32_t>(low >> 32);
+        words[3] = static_cast<uint32_t>(low);
+    }
+    return row;
+}
+
+PixelSum sum_of(const uint32_t* words) {
+    PixelSum sum;
+    for (int channel = 0; channel < kColors; ++channel, words += 4) {
+        sum.high[channel] = std::bit_cast<double>(uint64_t{words[0]} << 32 | words[1]);
+        sum.low[channel] = std::bit_cast<int64_t>(uint64_t{words[2]} << 32 | words[3]);
+    }
+    return sum;
+}
+
+Status no_part(const std::string& file, const std::string& what) {
+    return Status::error(StatusCode::unreadable,
+                         fmt::format("{}: {}; give .exr files that pathtracer render --samples A:B wrote", file, what));
+}
+
+/// What the file says of itself.
+Status read_notes(const OIIO::ImageSpec& spec, PicturePart& part) {
+    part.run = RunIdentity::read(spec.get_string_attribute("pathtracerRun"));
+    part.ranges = ranges_of_text(spec.get_string_attribute("sampleRanges"));
+    if (part.run.entries.empty() || part.ranges.empty())
+        return no_part(part.file, "it does not say which samples of which picture it holds");
+    uint64_t samples = 0;
+    for (const SampleRange& range : part.ranges) samples += range.count();
+    if (part.ranges.back().end > MAX_SAMPLES || static_cast<uint64_t>(spec.get_int_attribute("samples", 0)) != samples)
+        return no_part(part.file, "its number of samples is not that of its ranges");
+    if (part.run.value("--size") != fmt::format("{}x{}", spec.width, spec.height))
+        return no_part(part.file, "its size is not the one it was rendered in");
+    part.sums.samples = static_cast<uint32_t>(samples);
+    return Status::success();
+}
+
+Status read_pixels(OIIO::ImageInput& input, PicturePart& part) {
+    const size_t pixels = part.sums.pixels.size();
+    if (part.exact) {
+        std::vector<uint32_t> words(pixels * kWords);
+        if (!input.read_image(0, 0, kColors, kColors + kWords, OIIO::TypeDesc::UINT32, words.data()))
+            return no_part(part.file, input.geterror());
+        for (size_t i = 0; i < pixels; ++i) part.sums.pixels[i] = sum_of(&words[i * kWords]);
+        return Status::success();
+    }
+    std::vector<float> colors(pixels * kColors);
+    if (!input.read_image(0, 0, 0, kColors, OIIO::TypeDesc::FLOAT, colors.data()))
+        return no_part(part.file, input.geterror());
+    for (size_t i = 0; i < pixels; ++i) {
+        const glm::vec3 mean(colors[i * 3], colors[i * 3 + 1], colors[i * 3 + 2]);
+        add_sample(part.sums.pixels[i], mean * static_cast<float>(part.sums.samples));
+    }
+    return Status::success();
+}
+
+}  // namespace
+
+Result<std::string> encode_sums(const SampleSums& sums, const PictureNotes& notes) {
+    OIIO::ImageSpec spec(static_cast<int>(sums.width), static_cast<int>(sums.height), kColors + kWords,
+                         OIIO::TypeDesc::FLOAT);
+    spec.channelnames = channel_names();
+    spec.channelformats.assign(kColors, OIIO::TypeDesc::FLOAT);
+    spec.channelformats.resize(kColors + kWords, OIIO::TypeDesc::UINT32);
+    spec.attribute("DateTime", "");
+    spec.attribute("compression", "zip");
+    spec.attribute("samples", static_cast<int>(notes.samples));
+    spec.attribute("sampleRanges", notes.ranges);
+    spec.attribute("pathtracerRun", notes.run);
+    std::vector<Row> rows;
+    rows.reserve(sums.pixels.size());
+    for (const PixelSum& pixel : sums.pixels) rows.push_back(row_of(pixel, sums.samples));
+    OIIO::Filesystem::IOVecOutput memory;
+    auto output = OIIO::ImageOutput::create("sums.exr", &memory);
+    const bool written = output && output->open("sums.exr", spec) &&
+                         output->write_image(OIIO::TypeDesc::UNKNOWN, rows.data()) && output->close();
+    if (!written) return Status::error(StatusCode::internal, "cannot encode the sums as exr: " + OIIO::geterror());
+    return std::string(memory.buffer().begin(), memory.buffer().end());
+}
+
+Result<PicturePart> read_part(const std::string& file) {
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(file, error))
+        return Status::error(StatusCode::not_found, fmt::format("{}: there is no such file", file));
+    auto input = OIIO::ImageInput::open(file);
+    if (!input || input->format_name() != std::string("openexr"))
+        return no_part(file, input ? "it is no EXR" : OIIO::geterror());
+    const OIIO::ImageSpec& spec = input->spec();
+    const bool sums = spec.channelnames == channel_names();
+    const bool sound = spec.width > 0 && spec.height > 0 && spec.width <= static_cast<int>(MAX_SIDE) &&
+                       spec.height <= static_cast<int>(MAX_SIDE) &&
+                       static_cast<uint64_t>(spec.width) * static_cast<uint64_t>(spec.height) <= MAX_PIXELS &&
+                       spec.depth == 1 && !spec.deep && (sums || spec.nchannels == kColors);
+    if (!sound) return no_part(file, "its size or its channels are none of ours");
+    PicturePart part;
+    part.file = file;
+    part.exact = sums;
+    if (Status status = read_notes(spec, part); !status.ok()) return status;
+    const uint32_t samples = part.sums.samples;
+    part.sums = SampleSums(static_cast<uint32_t>(spec.width), static_cast<uint32_t>(spec.height), false);
+    part.sums.samples = samples;
+    if (Status status = read_pixels(*input, part); !status.ok()) return status;
+    return part;
+}
+
+}  // namespace application

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "application/console.h"
+#include "application/core_session.h"
+#include "application/options.h"
+#include "application/sampling/interrupt.h"
+#include "application/sampling/sample_sums.h"
+
+namespace application {
+
+/// Which samples are taken: those of --samples, else the first --spp. Where only --time-limit or --noise ends the run,
+/// as many as there can be.
+SampleRange wanted_samples(const Options& options);
+
+/// When a run of samples stops, and what happens on the way.
+struct SamplingPlan {
+    SampleRange wanted;
+    std::chrono::steady_clock::time_point start;  ///< of the time limit
+    std::optional<double> time_limit;             ///< seconds
+    std::optional<double> noise;
+    std::optional<double> checkpoint;  ///< seconds between two
+    std::function<void()> write_checkpoint = {};
+    /// What takes so many samples of every pixel; none for the session itself.
+    std::function<render_system::Status(uint32_t count)> render = {};
+    double portion_seconds = 0.25;  ///< between two looks at the clock and at signals
+    const KeptInterrupt* interrupt = nullptr;
+};
+
+/// Why it stopped.
+enum class SamplingEnd { all_taken, time_limit, noise, interrupted };
+
+/// Takes samples until the plan says stop, with a progress bar. The session's sums hold the result. Where the run stops
+/// for its noise is a matter of the samples alone, not of time.
+render_system::Result<SamplingEnd> take_samples(CoreSession& session, SampleSums& sums, const SamplingPlan& plan,
+                                                Console& console);
+
+}  // namespace application

@@ -1,0 +1,100 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The porttool authors
+# SPDX-License-Identifier: Apache-2.0
+"""mpirun gives the file of one process, to the bit, and a dead rank ends the run: team_test.py PATHTRACER SCENE
+
+Skipped (77) where mpirun or pathtracer-mpi is missing.
+"""
+import os
+import pathlib
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+PROGRAM, SCENE = pathlib.Path(sys.argv[1]), sys.argv[2]
+RENDER = ["render", SCENE, "--core", "target", "--size", "100x57"]
+# Containers run as root and have few cores; nothing here needs a network.
+MPIRUN = ["mpirun", "--allow-run-as-root", "--oversubscribe", "--bind-to", "none", "--mca", "btl", "self,vader"]
+
+
+def environment():
+    return {**os.environ, "OMPI_MCA_plm_rsh_agent": "", "OMPI_MCA_rmaps_base_oversubscribe": "1"}
+
+
+def team(ranks, *arguments, program=PROGRAM):
+    return subprocess.run([*MPIRUN, "-n", str(ranks), str(program), *arguments], capture_output=True, text=True, timeout=180,
+                          env=environment())
+
+
+class Teams(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.path = pathlib.Path(folder.name)
+
+    def file(self, name):
+        return str(self.path / name)
+
+    def bytes(self, name):
+        return (self.path / name).read_bytes()
+
+    def test_any_number_of_ranks_and_threads_gives_the_same_file(self):
+        alone = subprocess.run([PROGRAM, *RENDER, "--samples", "2:9", "-o", self.file("alone.exr")], capture_output=True)
+        self.assertEqual(alone.returncode, 0, alone.stderr)
+        for ranks, threads in ((2, 1), (3, 2)):
+            name = f"team{ranks}.exr"
+            result = team(ranks, *RENDER, "--samples", "2:9", "--threads", str(threads), "-o", self.file(name))
+            self.assertEqual(result.returncode, 0, result.stderr)
+            self.assertEqual(result.stdout, "")
+            self.assertEqual(result.stderr.count("7 samples per pixel"), 1, "one rank speaks: " + result.stderr)
+            self.assertEqual(self.bytes(name), self.bytes("alone.exr"))
+        noise = ["--noise", "0.6", "--threads", "1"]
+        self.assertEqual(subprocess.run([PROGRAM, *RENDER, *noise, "-o", self.file("n.png")], capture_output=True).returncode, 0)
+        result = team(2, *RENDER, *noise, "-o", self.file("m.png"))
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual(self.bytes("m.png"), self.bytes("n.png"), "noise ends a team after the same sample")
+
+    def test_what_fails_is_said_once(self):
+        for arguments, word in ((["render", "missing.gltf"], "missing.gltf"), ([*RENDER, "-o", "missing/a.png"], "missing/a.png"),
+                                ([*RENDER, "--spp", "0"], "--spp"), ([*RENDER, "--core", "nonsense"], "nonsense")):
+            result = team(2, *arguments)
+            self.assertNotEqual(result.returncode, 0)
+            said = [line for line in result.stderr.splitlines() if line.startswith("pathtracer: error")]
+            self.assertEqual(len(said), 1, result.stderr)
+            self.assertIn(word, said[0])
+
+    def test_a_dead_rank_ends_the_run_and_resume_goes_on(self):
+        output = self.file("a.png")
+        arguments = [*RENDER, "--spp", "40", "--threads", "1", "--checkpoint", "0.05s", "-o", output]
+        slow = [*RENDER, "--spp", "1000000", "--threads", "1", "--checkpoint", "0.05s", "-o", output]
+        process = subprocess.Popen([*MPIRUN, "-n", "2", str(PROGRAM), *slow], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                                   text=True, env=environment())
+        checkpoint = self.path / "a.png.checkpoint"
+        deadline = time.monotonic() + 100
+        while not checkpoint.exists() and time.monotonic() < deadline:
+            time.sleep(0.02)
+        self.assertTrue(checkpoint.exists())
+        ranks = subprocess.run(["pgrep", "-P", str(process.pid)], capture_output=True, text=True).stdout.split()
+        self.assertEqual(len(ranks), 2)
+        os.kill(int(ranks[-1]), signal.SIGKILL)
+        _, errors = process.communicate(timeout=60)
+        self.assertNotEqual(process.returncode, 0)
+        self.assertRegex(errors, "rank 1.*(\n.*)?signal 9", "which rank died, and of what")
+        wanted = int(checkpoint.read_bytes().split(b'"samples":')[1].split(b",")[0]) + 3
+        arguments = [*RENDER, "--spp", str(wanted), "--threads", "1", "-o"]
+        result = team(2, *arguments, output, "--resume")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn("going on after", result.stderr)
+        self.assertEqual(subprocess.run([PROGRAM, *arguments, self.file("b.png")], capture_output=True).returncode, 0)
+        self.assertEqual(self.bytes("a.png"), self.bytes("b.png"))
+
+
+if __name__ == "__main__":
+    if shutil.which("mpirun") is None or not (PROGRAM.parent / "pathtracer-mpi").exists():
+        print("skipped: no mpirun, or pathtracer was built without MPI")
+        sys.exit(77)
+    unittest.main(argv=sys.argv[:1], verbosity=2)
