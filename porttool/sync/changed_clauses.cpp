@@ -3,6 +3,7 @@
 #include "porttool/sync/changed_clauses.h"
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 
 #include "porttool/normal/normal_form.h"
@@ -180,8 +181,9 @@ private:
 
     /// A clause is changed as a whole or not at all.
     void change_words(const std::vector<Hunk>& hunks, size_t was, size_t is, size_t there) {
-        const size_t made = out_.replaced.size(), left = out_.left.size();
+        const size_t made = out_.replaced.size(), left = out_.left.size(), spelled = respelled_.size();
         for (const Hunk& hunk : hunks) change_run(hunk, was, there);
+        if (out_.replaced.size() > made) take_spellings(hunks, spelled);
         if (out_.left.size() > left) return out_.replaced.resize(made);
         // Where the target says the clause word for word it has to say the new one so, too.
         const Clause& other = target(there);
@@ -287,8 +289,8 @@ private:
         return std::any_of(first, end, hands_back) && !says_one_of({"&", "*"}) && !translator_.lacks_references();
     }
 
-    /// True where both sides call a function by one name, which neither declares, and the source calls it by a new one
-    /// throughout: what both have from elsewhere was renamed there.
+    /// True where both sides have one name, of a function or of a value, which neither declares, and the source has a
+    /// new one throughout: what both have from elsewhere was renamed there.
     bool is_renamed_elsewhere(const Hunk& hunk, size_t first, size_t end) const {
         if (hunk.end != hunk.first + 1 || hunk.now_end != hunk.now_first + 1 || end != first + 1) return false;
         const std::string &was = texts_.before.words[hunk.first], &is = texts_.now.words[hunk.now_first];
@@ -297,7 +299,7 @@ private:
             return i + 3 < words.size() && (words[i + 1] == "(" || (words[i + 1] == "<" && words[i + 2] == "<"));
         };
         const std::vector<std::string>& words = texts_.now.words;
-        return is_called(words, hunk.now_first) && is_called(texts_.target.words, first) &&
+        return is_called(words, hunk.now_first) == is_called(texts_.target.words, first) &&
                std::find(words.begin(), words.end(), was) == words.end();
     }
 
@@ -399,14 +401,37 @@ private:
                translator_.meaning(texts_.now.words, hunk.now_first, hunk.now_end);
     }
 
+    /// Beside what changes in a clause a new spelling is due as well: `atan ( y / x )` that became `atan2 ( y , x )`
+    /// is no `atan ( y , x )`, though both names mean the same.
+    void take_spellings(const std::vector<Hunk>& hunks, size_t first_spelling) {
+        for (const Hunk& hunk : hunks) {
+            if (!is_neutral(hunk) || !is_spelled_alike(hunk)) continue;
+            const size_t place = word_of(hunk.first);
+            const bool known =
+                std::any_of(respelled_.begin() + static_cast<std::ptrdiff_t>(first_spelling), respelled_.end(),
+                            [&](const WordsReplaced& spelling) { return spelling.first == place; });
+            if (!known) leave_run(hunk, place, "nothing tells how the port spells that");
+        }
+        std::move(respelled_.begin() + static_cast<std::ptrdiff_t>(first_spelling), respelled_.end(),
+                  std::back_inserter(out_.replaced));
+        respelled_.resize(first_spelling);
+    }
+
+    /// True if the target spells the words that went as the source did.
+    bool is_spelled_alike(const Hunk& hunk) const {
+        if (hunk.first == hunk.end || hunk.now_first == hunk.now_end) return false;
+        const size_t first = word_of(hunk.first);
+        for (size_t i = hunk.first; i < hunk.end; ++i)
+            if (first == kNothing || word_of(i) != first + (i - hunk.first) ||
+                texts_.target.words[word_of(i)] != texts_.before.words[i])
+                return false;
+        return true;
+    }
+
     /// A neutral edit of words that the target spells as the source did.
     void respell(const Hunk& hunk) {
-        if (hunk.first == hunk.end || hunk.now_first == hunk.now_end) return;
+        if (!is_spelled_alike(hunk)) return;
         const size_t first = word_of(hunk.first), size = hunk.end - hunk.first;
-        for (size_t i = 0; i < size; ++i)
-            if (word_of(hunk.first + i) != first + i || first == kNothing ||
-                texts_.target.words[first + i] != texts_.before.words[hunk.first + i])
-                return;
         CarriedWords now = carry_new(hunk.now_first, hunk.now_end);
         if (!now.unknown.empty()) return;
         now.words.clear();

@@ -40,6 +40,12 @@ bool is_standard(std::string_view word) {
     return kWords.find(" " + std::string(word) + " ") != std::string_view::npos;
 }
 
+/// The types that C has of itself, under one name in all that grew from it.
+bool is_built_in_type(std::string_view word) {
+    static constexpr std::string_view kTypes = " void bool char short int long float double signed unsigned ";
+    return kTypes.find(" " + std::string(word) + " ") != std::string_view::npos;
+}
+
 /// What shading languages and OpenCL have for numbers and vectors alike, under one name in all of them.
 bool is_shader_function(std::string_view word, Language language) {
     static constexpr std::string_view kFunctions =
@@ -251,6 +257,7 @@ bool KnownWords::anywhere(std::string_view word) const {
     if (dialect_.meaning(word) != nullptr && !is_type_word(word) && scopes_builtins()) return false;
     if (const std::string_view runtime = runtime_of(word); !runtime.empty() && !speaks(runtime)) return false;
     if (here == there || is_shader_function(word, there)) return true;
+    if (are_both_cpp() && is_built_in_type(word)) return true;
     // C++ has them in `std` alone, where CUDA and HIP have them without it.
     const bool only_in_std = word == "min" || word == "max" || word == "swap";
     if (only_in_std && there == Language::Cpp && !uses_std()) return false;

@@ -75,9 +75,9 @@ public:
                known_.is_from_elsewhere(name) && known_.is_from_elsewhere(other);
     }
     bool lacks_references() const { return known_.lacks_casts(); }
-    /// True where the target declares `name`, and nobody `other`.
+    /// True where the target declares `name`, and nobody `other`, not even the edit.
     bool declares_alone(std::string_view name, std::string_view other) const {
-        return known_.is_declared_there(name) && is_from_elsewhere(other, other);
+        return known_.is_declared_there(name) && is_from_elsewhere(other, other) && !brought_.contains(other);
     }
 
 private:
