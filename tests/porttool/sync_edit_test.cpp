@@ -992,6 +992,38 @@ TEST(SyncEdit, TheAngleOfTwoNumbersKeepsItsName) {
     expect_ported({"k.cpp", "k.cl", cpp("atan(y / x)"), cpp("atan2(y, x)"), cpp("atan(y / x)"), cpp("atan2(y, x)")});
 }
 
+/// Both names mean the same to a dialect; with the comma the first one alone would ask for another angle.
+TEST(SyncEdit, ANewSpellingGoesWithWhatElseChangesBesideIt) {
+    const auto text = [](const std::string& z, const std::string& one, const std::string& angle) {
+        return "float f(float4 z, float psi)\n{\n  psi = fabs(fmod(" + angle + " + psi, " + one + " * psi) - " + z +
+               ".x);\n  return psi;\n}\n";
+    };
+    expect_ported({"k.cl", "k.cpp", text("z", "2.0f", "atan(z.y / z.x)"), text("z", "2.0f", "atan2(z.y, z.x)"),
+                   text("z", "2.0", "atan(z.y / z.x)"), text("z", "2.0", "atan2(z.y, z.x)")});
+}
+
+TEST(SyncEdit, ABuiltInTypeIsKnownOnBothHostSides) {
+    const auto text = [](const std::string& sum, const std::string& launch) {
+        return "int main(int n) {\n  int sum = n;\n  " + launch + "\n  return sum / " + sum + ";\n}\n";
+    };
+    expect_ported({"k.cu", "k.cpp", text("n", "step<<<1, 1>>>(n);"), text("(float)n", "step<<<1, 1>>>(n);"),
+                   text("n", "step(n);"), text("(float)n", "step(n);")});
+}
+
+TEST(SyncEdit, AValueFromElsewhereFollowsItsNewName) {
+    const auto text = [](const std::string& scope, const std::string& kind) {
+        return "int f(int type) {\n  if (type == " + scope + kind + ") return 1;\n  return type != " + scope + kind +
+               ";\n}\n";
+    };
+    expect_ported({"k.cl", "k.cpp", text("", "lightGlobal"), text("", "lightDirectional"),
+                   text("cLight::", "lightGlobal"), text("cLight::", "lightDirectional")});
+    // Where the source has the old name still, the two are not one.
+    const std::string both =
+        "int f(int type) {\n  if (type == lightGlobal) return 1;\n  return type != lightDirectional"
+        ";\n}\n";
+    expect_left({"k.cl", "k.cpp", text("", "lightGlobal"), both, text("cLight::", "lightGlobal"), ""});
+}
+
 TEST(SyncEdit, WhatCppHasInStdAloneIsNotCalledWithoutIt) {
     const auto text = [](const std::string& head, const std::string& value) {
         return head + "int f(int k, int n) {\n  int cap = " + value + ";\n  return cap * 2;\n}\n";
