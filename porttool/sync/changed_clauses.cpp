@@ -264,6 +264,10 @@ private:
     }
 
     void put(const Hunk& hunk, size_t first, size_t end, const CarriedWords& now) {
+        // The scope that a name is taken from stays: `Light :: kSun` for `kSun`.
+        if (hunk.end == hunk.first + 1 && !now.unknown.empty() && end > first + 2 &&
+            texts_.target.words[end - 2] == "::" && texts_.target.words[end - 1] == texts_.before.words[hunk.first])
+            first = end - 1;
         if (!now.unknown.empty() && !is_renamed_elsewhere(hunk, first, end))
             return leave_run(hunk, first, "nothing tells how the port says " + listed(now.unknown));
         if (hunk.end == hunk.first + 1 && hunk.now_end == hunk.now_first + 1 && end == first + 1 &&

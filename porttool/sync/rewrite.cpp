@@ -193,8 +193,17 @@ private:
         if (one.first == one.end) return insert(one, before, after, now);
         const size_t first = placed_from(one.first), last = placed_before(one.end);
         if (first == kNone || last == kNone || last < first) return insert(one, before, after, now);
-        if (!now.empty()) return put(start_of(first), end_of(last), lead_of(one, before, first) + now);
-        cut(before, first, last, after);
+        if (now.empty()) return cut(before, first, last, after);
+        if (closes_up(one, before, first)) return put(end_of(before), end_of(last), now);
+        put(start_of(first), end_of(last), lead_of(one, before, first) + now);
+    }
+
+    /// True where a comma comes in place of an operator that stood apart: `( y , x )` for `( y / x )` is `(y, x)`.
+    bool closes_up(const WordsReplaced& one, size_t before, size_t first) const {
+        if (before == kNone || one.words.front().text != "," || one.words.front().from != one.source_first)
+            return false;
+        const size_t end = end_of(before), start = start_of(first);
+        return source_gap(one.source_first).empty() && start > end && text().text.find_first_not_of(' ', end) == start;
     }
 
     /// The blank before words that the source sets apart, where those that they take the place of stood close: `i += 1`
