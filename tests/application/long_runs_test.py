@@ -128,7 +128,7 @@ class LongRuns(unittest.TestCase):
     def end_by(self, number, name, times=1, *more):
         """Starts a rendering that takes hours and sends it a signal; gives exit code, seconds since, and stderr."""
         output = self.file(name)
-        process = start("render", SCENE, "--core", "target", "--size", "160x90", "--spp", "10000000", "--progress",
+        process = start("render", SCENE, "--core", "target", "--size", "64x36", "--spp", "10000000", "--progress",
                         "-o", str(output), *more)
         while "samples" not in (seen := os.read(process.stderr.fileno(), 4096).decode()):
             self.assertTrue(seen, "ended by itself")
@@ -148,7 +148,7 @@ class LongRuns(unittest.TestCase):
             self.assertEqual(written, said)
             # Those samples are the first of the run: as many in one go give the same file.
             if said < 400:
-                again = run("render", SCENE, "--core", "target", "--size", "160x90", "--spp", str(said), "-o",
+                again = run("render", SCENE, "--core", "target", "--size", "64x36", "--spp", str(said), "-o",
                             str(self.file("again-" + name)))
                 self.assertEqual(again.returncode, 0, again.stderr)
                 self.assertEqual(self.file("again-" + name).read_bytes(), self.file(name).read_bytes())
