@@ -39,7 +39,7 @@ protected:
     void build() {
         meshes_.place(materials_);
         std::string message;
-        ASSERT_TRUE(embree_.build(meshes_.geometry(), false, message)) << message;
+        ASSERT_TRUE(embree_.build(meshes_.geometry(), false, false, message)) << message;
         make_frame();
     }
 
