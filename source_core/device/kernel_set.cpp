@@ -25,6 +25,7 @@ std::string KernelVariant::preamble() const {
         "#extension GL_EXT_buffer_reference : enable\n#extension GL_EXT_buffer_reference_uvec2 : enable\n";
     text += "#define WORK_GROUP_SIZE " + std::to_string(WORK_GROUP_SIZE) + "u\n";
     text += "#define FEATURES " + std::to_string(features) + "u\n";
+    text += "#define has_feature(feature) ((FEATURES & (feature)) != 0u)\n";
     for (uint32_t table = 0; table < TABLE_COUNT; ++table) {
         text += std::string("#define TABLE_") + TABLE_NAMES[table] + " " +
                 ACCESS_NAMES[static_cast<uint32_t>(tables[table])] + "\n";
