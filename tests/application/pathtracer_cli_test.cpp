@@ -111,7 +111,6 @@ TEST_F(Pathtracer, RefusesSequencesThatAreNone) {
     refused({"--frames", "0:2", "-o", "a.png"}, {"a.png", "####"});
     refused({"--frames", "0:2", "--time", "1"}, {"--time"});
     refused({"--frames", "0:2", "--stats", "a.json"}, {"--stats"});
-    refused({"--resume"}, {"--resume", "--frames"});
     refused({"--time", "inf"}, {"--time", "inf"});
 }
 

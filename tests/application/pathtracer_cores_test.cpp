@@ -143,8 +143,12 @@ TEST_F(Cores, ASeedOfItsOwnForTheTargetCoreGivesTheNoiseOfOneCore) {
     ASSERT_EQ(files.exit_code, 0) << files.err;
     json noise = json::parse(cores.out)["results"][0], of_target = json::parse(files.out)["results"][0];
     EXPECT_GT(noise["rmse"], 5.0);
-    noise.erase("spp");
-    of_target.erase("spp");
+    // A rendering adds its samples exactly, a comparison as the cores do: their last bits differ.
+    EXPECT_NEAR(noise["rmse_linear"].get<double>(), of_target["rmse_linear"].get<double>(), 1e-6);
+    for (json* figures : {&noise, &of_target}) {
+        figures->erase("spp");
+        figures->erase("rmse_linear");
+    }
     EXPECT_EQ(noise, of_target);
     EXPECT_EQ(json::parse(cores.out)["seed_target"], 7);
 }
@@ -262,13 +266,14 @@ TEST_F(Cores, WhatDoesNotFitTheDeviceIsLeftToTheTargetCore) {
     EXPECT_THAT(json::parse(read_file(folder.path / "s.json"))["core_reason"].get<std::string>(), HasSubstr("MiB"));
 }
 
-TEST_F(Cores, AnInterruptedRenderingLeavesNothingBehind) {
+TEST_F(Cores, AnInterruptedRenderingLeavesNothingUnfinishedBehind) {
     SKIP_WITHOUT("target");
     const RunResult result =
         run_program({"timeout", "-s", "INT", "1", PATHTRACER, "render", SCENE, "--core", "target", "--spp", "1000000"},
                     folder.path);
     EXPECT_EQ(result.exit_code, 124) << "it should have been interrupted: " << result.err;
-    EXPECT_THAT(files_in(folder.path), IsEmpty());
+    // The picture so far, where a sample was taken by then.
+    EXPECT_THAT(files_in(folder.path), testing::AnyOf(IsEmpty(), testing::ElementsAre("still_life.png")));
 }
 
 }  // namespace
