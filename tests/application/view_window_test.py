@@ -114,13 +114,14 @@ class ViewTest(unittest.TestCase):
         first = self.until(lambda now: brightness(now) > 20)
         self.assertGreater(len(set(first)), 200)
 
-        self.xdotool("mousemove", 300, 260, "mousedown", 1, "mousemove", 360, 250, "mousemove", 420, 240, "mouseup", 1)
+        self.xdotool("mousemove", 300, 260, "sleep", 0.1, "mousedown", 1, "sleep", 0.1, "mousemove", 360, 250, "sleep", 0.1,
+                     "mousemove", 420, 240, "sleep", 0.1, "mouseup", 1)
         asked = self.wait_for("input", lambda detail: detail["kind"] == "orbit")
         answered = self.wait_for("pixels")
         self.assertGreaterEqual(answered["t_ms"], asked["t_ms"])
         orbited = brightness(self.until(lambda now: apart(now, first) > 8 and brightness(now) > 5))
 
-        self.xdotool("mousemove", 320, 300, "click", 1)
+        self.xdotool("mousemove", 320, 300, "sleep", 0.1, "click", 1)
         picked = self.wait_for("input", lambda detail: detail["kind"] == "pick")
         self.assertRegex(picked["detail"]["found"], "instance [0-9]+, material")
 
