@@ -17,8 +17,8 @@ layout(set = 0, binding = BINDING_SETTINGS, std140) uniform SettingsBlock { Sett
 layout(set = 0, binding = BINDING_ADDRESSES, std140) uniform AddressesBlock { uvec4 table_addresses[TABLE_COUNT]; };
 layout(push_constant) uniform PassBlock { Pass pass; };
 
-// The core brings a macro of that name, so that the condition is a constant where it stands: what a scene does not have is
-// gone before any function is inlined.
+// The core brings a macro of that name, so that the condition is a constant where it stands: what a scene does not have
+// is gone before any function is inlined.
 #ifndef has_feature
 bool has_feature(uint feature) { return (FEATURES & feature) != 0u; }
 #endif
