@@ -4,14 +4,15 @@
 
 #include <algorithm>
 #include <chrono>
-#include <map>
 #include <optional>
 #include <utility>
 
 #include "render_system/camera.h"
 #include "render_system/checked_core.h"
+#include "render_system/hot_kernels.h"
 #include "source_core/core_tuning.h"
 #include "source_core/device/kernel_files.h"
+#include "source_core/device/kernel_store.h"
 #include "source_core/scene_store.h"
 #include "source_core/wavefront.h"
 
@@ -37,17 +38,18 @@ struct Gpu {
     std::optional<Staging> staging;
     SceneBuffers scene;
     std::optional<Wavefront> wavefront;
-    std::map<std::string, KernelSet> kernels;  // by preamble
+    std::optional<KernelStore> kernels;
     const KernelSet* kernels_in_use = nullptr;
 };
 
-class SourceCore final : public CheckedCore {
+class SourceCore final : public CheckedCore, public HotKernels {
 public:
     SourceCore(const CoreTuning& tuning, const SourceOptions& options)
         : CheckedCore("source"), tuning_(tuning), source_options_(options) {}
 
     CoreStats GetCoreStats() const override;
     std::vector<KernelText> GetKernelTexts() const override;
+    Result<RecompiledKernels> compile_again() override;
 
 private:
     Result<std::string> open() override;
@@ -84,7 +86,6 @@ private:
     CoreTuning tuning_;
     SourceOptions source_options_;
     SceneStore scene_;
-    std::map<std::string, std::string> kernel_files_;
     KernelVariant variant_;
     std::unique_ptr<Gpu> gpu_;
     std::vector<uint32_t> primitives_;  // of each slot of the table of triangles; empty until somebody watches
@@ -102,10 +103,20 @@ CoreStats SourceCore::GetCoreStats() const {
 
 std::vector<KernelText> SourceCore::GetKernelTexts() const {
     std::vector<KernelText> texts;
-    for (const std::string& name : files_that_run(kernel_files_)) {
-        texts.push_back({"source_core/kernels/" + name, kernel_files_.at(name)});
+    if (!gpu_) {
+        return texts;
+    }
+    for (auto& [name, text] : gpu_->kernels->texts_that_run()) {
+        texts.push_back({"source_core/kernels/" + name, text});
     }
     return texts;
+}
+
+Result<RecompiledKernels> SourceCore::compile_again() {
+    if (!gpu_) {
+        return Status::error(StatusCode::wrong_order, "source core: there are no kernels before Init");
+    }
+    return gpu_->kernels->compile_again(*gpu_->device);
 }
 
 Result<std::string> SourceCore::open() {
@@ -113,12 +124,12 @@ Result<std::string> SourceCore::open() {
     if (!files.ok()) {
         return files.status;
     }
-    kernel_files_ = std::move(*files);
     Status status = open_device();
     if (!status.ok()) {
         gpu_.reset();
         return status;
     }
+    gpu_->kernels.emplace(source_options_.kernels_directory, std::move(*files));
     return gpu_->device->name();
 }
 
@@ -276,16 +287,14 @@ Status SourceCore::size_wavefront() {
 }
 
 Status SourceCore::find_kernels() {
-    const std::string key = variant_.preamble();
-    auto found = gpu_->kernels.find(key);
-    if (found == gpu_->kernels.end()) {
-        Result<KernelSet> made = KernelSet::create(*gpu_->device, kernel_files_, variant_);
-        if (!made.ok()) {
-            return made.status;
-        }
-        found = gpu_->kernels.emplace(key, std::move(*made)).first;
+    const Result<KernelStore::Found> found = gpu_->kernels->find(*gpu_->device, variant_);
+    if (!found.ok()) {
+        return found.status;
     }
-    gpu_->kernels_in_use = &found->second;
+    if (found->renewed) {
+        drop_samples();  // they were taken by other kernels
+    }
+    gpu_->kernels_in_use = found->kernels;
     return Status::success();
 }
 

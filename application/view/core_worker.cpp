@@ -61,6 +61,19 @@ Status CoreWorker::status() {
     return status_;
 }
 
+void CoreWorker::retry() {
+    {
+        const std::lock_guard lock(mutex_);
+        status_ = Status::success();
+    }
+    wake_.notify_all();
+}
+
+render_system::HotKernels* CoreWorker::hot_kernels() {
+    const std::lock_guard lock(mutex_);
+    return hot_kernels_;
+}
+
 void CoreWorker::run() {
     uint64_t drawn = 0;
     while (true) {
@@ -79,7 +92,11 @@ void CoreWorker::run() {
         if (!core_) {
             auto opened = open_();
             status = opened.status;
-            if (opened.ok()) core_ = std::move(*opened);
+            if (opened.ok()) {
+                core_ = std::move(*opened);
+                const std::lock_guard lock(mutex_);
+                hot_kernels_ = dynamic_cast<render_system::HotKernels*>(core_.get());
+            }
         }
         if (status.ok()) status = draw(request, drawn != request.number);
         drawn = request.number;

@@ -13,6 +13,7 @@
 
 #include "application/picture.h"
 #include "render_system/core_api.h"
+#include "render_system/hot_kernels.h"
 
 namespace application {
 
@@ -50,6 +51,11 @@ public:
     bool take(CorePicture& out);
     /// Why the core cannot draw; success as long as it can.
     render_system::Status status();
+    /// Tries once more what failed.
+    void retry();
+
+    /// The kernels that can be compiled again, while the worker lives; null where the core has none or is not open yet.
+    render_system::HotKernels* hot_kernels();
 
 private:
     struct Request {
@@ -72,6 +78,7 @@ private:
     bool runs_ = false, ends_ = false, has_news_ = false;
     CorePicture drawn_;
     render_system::Status status_ = render_system::Status::success();
+    render_system::HotKernels* hot_kernels_ = nullptr;
 
     // Of the thread alone.
     std::unique_ptr<render_system::CoreAPI> core_;

@@ -19,8 +19,8 @@ Status ViewLog::open(const std::string& file) {
         fmt::format("--log {}: {}; name a file in a folder that is there", file, std::strerror(errno)));
 }
 
-double ViewLog::now_ms() const {
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start_).count();
+double ViewLog::ms_of(std::chrono::steady_clock::time_point moment) const {
+    return std::chrono::duration<double, std::milli>(moment - start_).count();
 }
 
 void ViewLog::say(const char* event, const nlohmann::ordered_json& detail) {

@@ -22,7 +22,8 @@ public:
     void say(const char* event, const nlohmann::ordered_json& detail);
 
     /// Since the log was made.
-    double now_ms() const;
+    double now_ms() const { return ms_of(std::chrono::steady_clock::now()); }
+    double ms_of(std::chrono::steady_clock::time_point moment) const;
 
 private:
     struct Close {

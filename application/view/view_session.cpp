@@ -37,6 +37,10 @@ ViewSession::ViewSession(const Options& options, SceneSetup setup, ViewLog& log)
         workers_.push_back(std::make_unique<CoreWorker>(
             id, [this, id] { return open_core(id); }, options.spp.front()));
     begin();
+    if (options.kernels.empty()) return;
+    std::vector<CoreWorker*> workers;
+    for (const auto& worker : workers_) workers.push_back(worker.get());
+    reload_ = std::make_unique<KernelReload>(options.kernels, std::move(workers));
 }
 
 /// The cores take turns at the one host scene: each is sent all of it, and keeps it.
@@ -54,7 +58,12 @@ Result<std::unique_ptr<CoreAPI>> ViewSession::open_core(const std::string& id) {
 
 void ViewSession::note_input(const char* kind) {
     log_.say("input", {{"kind", kind}});
-    if (is_answered_) asked_at_ms_ = log_.now_ms();
+    await(active_, log_.now_ms());
+}
+
+void ViewSession::await(size_t core, double since_ms) {
+    if (is_answered_ || core != awaited_) asked_at_ms_ = since_ms;
+    awaited_ = core;
     is_answered_ = false;
 }
 
@@ -120,7 +129,7 @@ bool ViewSession::update() {
         if (!workers_[i]->take(pictures_[i])) continue;
         is_stale_ = is_stale_ || is_needed(i);
         const CorePicture& now = pictures_[i];
-        if (now.request != request_ || i != active_ || is_answered_) continue;
+        if (now.request != request_ || i != awaited_ || is_answered_) continue;
         is_answered_ = true;
         log_.say("pixels", {{"core", core_name(i)},
                             {"samples", now.stats.samples},
@@ -135,6 +144,39 @@ bool ViewSession::update() {
 
 bool ViewSession::is_stuck() const {
     return std::none_of(problems_.begin(), problems_.end(), [](const std::string& one) { return one.empty(); });
+}
+
+bool ViewSession::take_kernel_news() {
+    bool is_new = false;
+    while (reload_) {
+        const auto news = reload_->take();
+        if (!news) break;
+        note_kernels(*news);
+        is_new = true;
+    }
+    return is_new;
+}
+
+/// Both cores begin anew, so that what is compared has as many samples on either side.
+void ViewSession::note_kernels(const KernelNews& news) {
+    const bool is_same_error = news.error == kernel_error_;
+    kernel_error_ = news.error;
+    const std::string& name = core_name(news.core);
+    if (!news.error.empty()) {
+        if (!is_same_error) log_.say("error", {{"core", name}, {"message", news.error}});
+        return;
+    }
+    const bool has_failed = !problems_[news.core].empty();
+    if (news.done.kernels.empty() && !has_failed) return;
+    log_.say("reload", {{"core", name},
+                        {"files", news.files},
+                        {"kernels", news.done.kernels},
+                        {"compile_ms", std::round(news.done.compile_ms)}});
+    problems_[news.core].clear();
+    workers_[news.core]->retry();
+    if (!is_needed(news.core)) return;
+    await(news.core, log_.ms_of(news.saved_at));
+    begin();
 }
 
 /// In split and difference the first core of the list is always the first picture. A core that has not drawn yet does

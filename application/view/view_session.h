@@ -13,6 +13,7 @@
 #include "application/scene_setup.h"
 #include "application/view/composition.h"
 #include "application/view/core_worker.h"
+#include "application/view/kernel_reload.h"
 #include "application/view/picking.h"
 #include "application/view/view_camera.h"
 #include "application/view/view_log.h"
@@ -64,9 +65,16 @@ public:
     /// True where no core can draw.
     bool is_stuck() const;
 
+    /// Takes what became of kernels that were saved; false where nothing was.
+    bool take_kernel_news();
+    /// Why the kernels that were saved do not run; "" where they do.
+    const std::string& kernel_error() const { return kernel_error_; }
+
 private:
     render_system::Result<std::unique_ptr<render_system::CoreAPI>> open_core(const std::string& id);
     void note_input(const char* kind);
+    void await(size_t core, double since_ms);
+    void note_kernels(const KernelNews& news);
     void begin();
     void compose();
     bool is_needed(size_t core) const { return core == active_ || composition_.show != Show::One; }
@@ -87,9 +95,12 @@ private:
     Channels<uint8_t> image_;
     uint64_t request_ = 0;
     double asked_at_ms_ = 0.0;  ///< when the first input came that no pixels have answered
+    size_t awaited_ = 0;        ///< the core whose pixels answer it
     bool is_answered_ = false;
-    bool is_stale_ = false;                             ///< what is shown is to be made anew
-    std::vector<std::unique_ptr<CoreWorker>> workers_;  // last: they end first
+    bool is_stale_ = false;  ///< what is shown is to be made anew
+    std::string kernel_error_;
+    std::vector<std::unique_ptr<CoreWorker>> workers_;  // they end before what they draw
+    std::unique_ptr<KernelReload> reload_;              // and this before them
 };
 
 }  // namespace application

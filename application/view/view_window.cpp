@@ -110,6 +110,7 @@ public:
             place_picture();
             if (!input_events().empty() || flies()) frames = FRAMES_OF_INPUT;
             take_input();
+            if (session_.take_kernel_news()) frames = FRAMES_OF_INPUT;
             // A picture that only converges is shown ten times a second: drawing takes the cores' time.
             const double now = glfwGetTime();
             if (!session_.is_waiting() && frames == 0 && now - looked_at < CALM_SECONDS) continue;
@@ -144,6 +145,7 @@ private:
         draw_picture();
         draw_figures();
         draw_drift();
+        draw_errors();
         ImGui::Render();
         int width = 0, height = 0;
         glfwGetFramebufferSize(window_, &width, &height);
@@ -321,6 +323,22 @@ private:
             if (panel_.can_apply() && ImGui::Button("apply")) panel_.apply();
         }
         ImGui::End();
+    }
+
+    /// Over the lower edge of the picture.
+    void draw_errors() {
+        std::string text = session_.kernel_error();
+        for (size_t i = 0; i < session_.core_count() && text.empty(); ++i) text = session_.problem_of(i);
+        if (text.empty()) return;
+        constexpr ImGuiWindowFlags PLAIN = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs |
+                                           ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing;
+        ImGui::SetNextWindowPos({corner_.x, corner_.y + size_.y}, ImGuiCond_Always, {0.0f, 1.0f});
+        ImGui::SetNextWindowSize({size_.x, 0.0f});
+        ImGui::PushStyleColor(ImGuiCol_WindowBg, IM_COL32(120, 0, 0, 220));
+        ImGui::Begin("errors", nullptr, PLAIN);
+        ImGui::TextWrapped("%s", text.c_str());
+        ImGui::End();
+        ImGui::PopStyleColor();
     }
 
     GLFWwindow* window_;

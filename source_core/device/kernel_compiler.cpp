@@ -43,7 +43,10 @@ Status compile_error(const std::string& name, const std::string& log) {
     std::string text = "failed to compile the kernel " + name;
     int shown = 0;
     while (std::getline(lines, line) && shown < MESSAGES_SHOWN) {
-        if (line.rfind("ERROR: ", 0) == 0 && line.find("compilation errors") == std::string::npos) {
+        const bool is_summary = line.find("compilation errors") != std::string::npos ||
+                                line.find("compilation terminated") != std::string::npos;
+        if (line.rfind("ERROR: ", 0) == 0 && !is_summary) {
+            line.erase(line.find_last_not_of(" \r") + 1);
             text += (shown == 0 ? ": " : "; ") + line.substr(7);
             ++shown;
         }

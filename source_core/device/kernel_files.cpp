@@ -3,10 +3,10 @@
 #include "source_core/device/kernel_files.h"
 
 #include <filesystem>
-#include <set>
+#include <utility>
+#include <vector>
 
 #include "render_system/input_file.h"
-#include "source_core/device/kernel_set.h"
 
 namespace source_core {
 
@@ -51,26 +51,23 @@ Result<std::map<std::string, std::string>> read_kernel_files(const std::string& 
     return files;
 }
 
-std::vector<std::string> files_that_run(const std::map<std::string, std::string>& files) {
-    std::vector<std::string> reached;
-    std::set<std::string> known;
-    const auto reach = [&](const std::string& name) {
-        if (files.contains(name) && known.insert(name).second) {
-            reached.push_back(name);
-        }
-    };
-    for (uint32_t kernel = 0; kernel < KERNEL_COUNT; ++kernel) {
-        reach(std::string(kernel_name(static_cast<Kernel>(kernel))) + ".comp");
-    }
+std::map<std::string, std::string> texts_of_kernel(const std::map<std::string, std::string>& files, Kernel kernel) {
+    std::map<std::string, std::string> texts;
+    std::vector<std::string> reached{std::string(kernel_name(kernel)) + ".comp"};
     const std::string include = "#include \"";
-    for (size_t i = 0; i < reached.size(); ++i) {
-        const std::string& text = files.at(reached[i]);
+    while (!reached.empty()) {
+        const auto file = files.find(reached.back());
+        reached.pop_back();
+        if (file == files.end() || !texts.insert(*file).second) {
+            continue;
+        }
+        const std::string& text = file->second;
         for (size_t at = text.find(include); at != std::string::npos; at = text.find(include, at + 1)) {
             const size_t name = at + include.size();
-            reach(text.substr(name, text.find('"', name) - name));
+            reached.push_back(text.substr(name, text.find('"', name) - name));
         }
     }
-    return reached;
+    return texts;
 }
 
 }  // namespace source_core

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "source_core/device/vulkan_status.h"
+#include "source_core/device/kernel_set.h"
 
 namespace source_core {
 
@@ -25,7 +25,7 @@ extern const unsigned EMBEDDED_KERNEL_COUNT;
 /// not_found if the directory or a file that the program needs is not there.
 Result<std::map<std::string, std::string>> read_kernel_files(const std::string& directory);
 
-/// The names of those that the kernels of the program are compiled from: their own files and all that these include.
-std::vector<std::string> files_that_run(const std::map<std::string, std::string>& files);
+/// Those of the texts that a kernel is compiled from: its own and all that this includes.
+std::map<std::string, std::string> texts_of_kernel(const std::map<std::string, std::string>& files, Kernel kernel);
 
 }  // namespace source_core

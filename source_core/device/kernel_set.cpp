@@ -44,16 +44,18 @@ VkDescriptorType descriptor_type(uint32_t binding, const KernelVariant& variant)
 
 Result<KernelSet> KernelSet::create(const Device& device, const std::map<std::string, std::string>& files,
                                     const KernelVariant& variant) {
-    KernelSet set;
-    Status status = set.create_layout(device, variant);
+    KernelSet set(variant);
+    Status status = set.create_layout(device);
     if (status.ok()) {
-        status = set.create_sets(device, variant);
+        status = set.create_sets(device);
     }
     for (uint32_t i = 0; i < KERNEL_COUNT && status.ok(); ++i) {
         const auto kernel = static_cast<Kernel>(i);
-        const Result<std::vector<uint32_t>> words =
-            compile_kernel(files, std::string(kernel_name(kernel)) + ".comp", variant.preamble());
-        status = words.ok() ? set.create_pipeline(device, kernel, *words) : words.status;
+        Result<Handle<VkPipeline>> pipeline = set.compile(device, files, kernel);
+        status = pipeline.status;
+        if (status.ok()) {
+            set.replace(kernel, std::move(*pipeline));
+        }
     }
     if (!status.ok()) {
         return status;
@@ -61,11 +63,11 @@ Result<KernelSet> KernelSet::create(const Device& device, const std::map<std::st
     return Result<KernelSet>(std::move(set));
 }
 
-Status KernelSet::create_layout(const Device& device, const KernelVariant& variant) {
+Status KernelSet::create_layout(const Device& device) {
     std::array<VkDescriptorSetLayoutBinding, BINDING_COUNT> bindings{};
     for (uint32_t i = 0; i < BINDING_COUNT; ++i) {
         bindings[i].binding = i;
-        bindings[i].descriptorType = descriptor_type(i, variant);
+        bindings[i].descriptorType = descriptor_type(i, variant_);
         bindings[i].descriptorCount = 1;
         bindings[i].stageFlags = VK_SHADER_STAGE_COMPUTE_BIT;
     }
@@ -94,11 +96,11 @@ Status KernelSet::create_layout(const Device& device, const KernelVariant& varia
     return Status::success();
 }
 
-Status KernelSet::create_sets(const Device& device, const KernelVariant& variant) {
+Status KernelSet::create_sets(const Device& device) {
     uint32_t texels = 0;
     uint32_t storages = 0;
     for (uint32_t i = 0; i < BINDING_COUNT; ++i) {
-        const VkDescriptorType type = descriptor_type(i, variant);
+        const VkDescriptorType type = descriptor_type(i, variant_);
         texels += type == VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER ? 2 : 0;
         storages += type == VK_DESCRIPTOR_TYPE_STORAGE_BUFFER ? 2 : 0;
     }
@@ -125,7 +127,14 @@ Status KernelSet::create_sets(const Device& device, const KernelVariant& variant
     return result == VK_SUCCESS ? Status::success() : vulkan_error("allocate descriptor sets", result);
 }
 
-Status KernelSet::create_pipeline(const Device& device, Kernel kernel, const std::vector<uint32_t>& words) {
+Result<Handle<VkPipeline>> KernelSet::compile(const Device& device, const std::map<std::string, std::string>& files,
+                                              Kernel kernel) const {
+    const Result<std::vector<uint32_t>> compiled =
+        compile_kernel(files, std::string(kernel_name(kernel)) + ".comp", variant_.preamble());
+    if (!compiled.ok()) {
+        return compiled.status;
+    }
+    const std::vector<uint32_t>& words = *compiled;
     const std::string what = std::string("create the pipeline '") + kernel_name(kernel) + "'";
     VkShaderModuleCreateInfo module_info{VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO};
     module_info.codeSize = words.size() * sizeof(uint32_t);
@@ -148,8 +157,7 @@ Status KernelSet::create_pipeline(const Device& device, Kernel kernel, const std
     if (result != VK_SUCCESS) {
         return vulkan_error(what, result);
     }
-    pipelines_[static_cast<uint32_t>(kernel)] = {device.handle(), pipeline, vkDestroyPipeline};
-    return Status::success();
+    return Handle<VkPipeline>(device.handle(), pipeline, vkDestroyPipeline);
 }
 
 }  // namespace source_core

@@ -46,16 +46,25 @@ public:
     static Result<KernelSet> create(const Device& device, const std::map<std::string, std::string>& files,
                                     const KernelVariant& variant);
 
+    /// Compiles one kernel from `files` for this variant and layout. May be called from any thread. Fails with internal
+    /// where it does not compile.
+    Result<Handle<VkPipeline>> compile(const Device& device, const std::map<std::string, std::string>& files,
+                                       Kernel kernel) const;
+    /// Puts what `compile` made in the place of the kernel that was there, which must not be at work.
+    void replace(Kernel kernel, Handle<VkPipeline> pipeline) {
+        pipelines_[static_cast<uint32_t>(kernel)] = std::move(pipeline);
+    }
+
     VkPipeline pipeline(Kernel kernel) const { return pipelines_[static_cast<uint32_t>(kernel)].get(); }
     VkPipelineLayout layout() const { return pipeline_layout_.get(); }
     VkDescriptorSet descriptor_set(uint32_t parity) const { return sets_[parity]; }
 
 private:
-    KernelSet() = default;
-    Status create_layout(const Device& device, const KernelVariant& variant);
-    Status create_sets(const Device& device, const KernelVariant& variant);
-    Status create_pipeline(const Device& device, Kernel kernel, const std::vector<uint32_t>& words);
+    explicit KernelSet(const KernelVariant& variant) : variant_(variant) {}
+    Status create_layout(const Device& device);
+    Status create_sets(const Device& device);
 
+    KernelVariant variant_;
     Handle<VkDescriptorSetLayout> set_layout_;
     Handle<VkPipelineLayout> pipeline_layout_;
     Handle<VkDescriptorPool> pool_;

@@ -13,6 +13,7 @@ import time
 import unittest
 
 PATHTRACER = os.path.abspath(sys.argv.pop(1))
+KERNELS = pathlib.Path(os.path.abspath(sys.argv.pop(1)))
 WIDTH, HEIGHT = 640, 360
 PATIENCE = 40
 
@@ -65,19 +66,27 @@ def apart(a, b):
     return sum(abs(x - y) for p, q in zip(a, b) for x, y in zip(p, q)) / (3 * len(a))
 
 
-class ViewTest(unittest.TestCase):
+class Person(unittest.TestCase):
+    """Has a screen, and a window on it."""
+
     def setUp(self):
-        self.folder = tempfile.TemporaryDirectory()
-        self.addCleanup(self.folder.cleanup)
-        self.screen = Screen(self.folder.name)
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        self.screen = Screen(folder.name)
         self.addCleanup(self.screen.end)
-        self.log = pathlib.Path(self.folder.name) / "log.jsonl"
-        self.process = subprocess.Popen(
-            [PATHTRACER, "view", "still_life", "--size", "160x90", "--spp", "8", "--log", self.log, "-o", "saved.png",
-             "--core", "target,source"],
-            cwd=self.folder.name, env={**os.environ, "DISPLAY": self.screen.display}, stderr=subprocess.PIPE)
-        self.addCleanup(lambda: (self.process.kill(), self.process.communicate()))
+        self.log = self.folder / "log.jsonl"
         self.seen = 0
+
+    def open_window(self, *options):
+        self.process = subprocess.Popen(
+            [PATHTRACER, "view", "still_life", "--size", "160x90", "--log", self.log, *map(str, options)],
+            cwd=self.folder, env={**os.environ, "DISPLAY": self.screen.display}, stderr=subprocess.PIPE)
+        self.addCleanup(lambda: (self.process.kill(), self.process.communicate()))
+
+    def leave(self):
+        self.xdotool("key", "Escape")
+        self.assertEqual(self.process.wait(PATIENCE), 0)
 
     def xdotool(self, *arguments):
         subprocess.run(["xdotool", *map(str, arguments)], check=True, stdout=subprocess.DEVNULL,
@@ -109,7 +118,14 @@ class ViewTest(unittest.TestCase):
             self.assertLess(time.monotonic(), end, f"brightness {brightness(now)}; {self.events()}")
             time.sleep(0.1)
 
+def has_both_cores():
+    listed = json.loads(subprocess.run([PATHTRACER, "info", "--format", "json"], capture_output=True).stdout)
+    return all(core["available"] for core in listed["cores"])
+
+
+class ViewTest(Person):
     def test_a_person_looks_orbits_switches_compares_and_leaves(self):
+        self.open_window("--spp", 8, "-o", "saved.png", "--core", "target,source")
         self.wait_for("pixels", lambda detail: detail["core"] == "target")
         first = self.until(lambda now: brightness(now) > 20)
         self.assertGreater(len(set(first)), 200)
@@ -127,11 +143,10 @@ class ViewTest(unittest.TestCase):
 
         self.xdotool("key", "p")
         self.wait_for("input", lambda detail: detail["kind"] == "save")
-        png = (pathlib.Path(self.folder.name) / "saved.png").read_bytes()
+        png = (self.folder / "saved.png").read_bytes()
         self.assertEqual(struct.unpack(">II", png[16:24]), (160, 90))
 
-        listed = json.loads(subprocess.run([PATHTRACER, "info", "--format", "json"], capture_output=True).stdout)
-        if all(core["available"] for core in listed["cores"]):
+        if has_both_cores():
             self.xdotool("key", "Tab")
             self.wait_for("switch", lambda detail: detail["core"] == "source")
             self.wait_for("pixels", lambda detail: detail["core"] == "source")
@@ -140,8 +155,50 @@ class ViewTest(unittest.TestCase):
             self.until(lambda now: brightness(now) < orbited / 4)
             self.xdotool("key", "2")
             self.until(lambda now: abs(brightness(now) - orbited) < orbited / 4)
-        self.xdotool("key", "Escape")
-        self.assertEqual(self.process.wait(PATIENCE), 0)
+        self.leave()
+
+
+class KernelsTest(Person):
+    def save(self, name, *edits):
+        text = (KERNELS / name).read_text()
+        for old, new in edits:
+            self.assertIn(old, text)
+            text = text.replace(old, new, 1)
+        (self.kernels / name).write_text(text)
+        return text
+
+    def test_a_saved_kernel_is_seen_at_once_and_a_broken_one_is_not(self):
+        if not has_both_cores():
+            self.skipTest("there is no Vulkan device or no Embree here")
+        self.kernels = self.folder / "kernels"
+        shutil.copytree(KERNELS, self.kernels)
+        broken = self.save("finalize.glsl", ("vec4(sum * pass", "nonsense; vec4(sum * pass"))
+        line = broken[:broken.index("nonsense")].count("\n") + 1
+        self.open_window("--spp", 4, "--core", "source", "--kernels", "kernels")
+        # What does not compile at the start: said over the picture, which the other core draws.
+        said = self.wait_for("error")["detail"]
+        self.assertEqual(said["core"], "source")
+        self.assertIn(f"finalize.glsl:{line}: 'nonsense'", said["message"])
+        red = lambda: sum(r > 60 and g < 30 and b < 30 for r, g, b in self.screen.rows()[HEIGHT - 10])
+        self.wait_for("pixels", lambda detail: detail["core"] == "target")
+        self.until(lambda now: red() > WIDTH / 2 and brightness(now) > 20)
+
+        self.save("finalize.glsl")
+        self.wait_for("reload", lambda detail: detail["core"] == "source")
+        self.xdotool("key", "Tab")
+        self.wait_for("pixels", lambda detail: detail["core"] == "source")
+        plain = brightness(self.until(lambda now: red() < WIDTH / 2 and brightness(now) > 20))
+        self.save("finalize.glsl", ("sum * pass.sample_scale", "0.25 * sum * pass.sample_scale"))
+        self.assertEqual(self.wait_for("reload")["detail"]["kernels"], ["finalize"])
+        self.wait_for("pixels", lambda detail: detail["core"] == "source")
+        self.until(lambda now: brightness(now) < 0.7 * plain)
+        (self.kernels / "finalize.glsl").unlink()
+        self.assertIn("finalize.glsl", self.wait_for("error")["detail"]["message"])
+        self.until(lambda now: red() > WIDTH / 2 and brightness(now) < 0.7 * plain)
+        self.save("finalize.glsl")
+        self.wait_for("pixels", lambda detail: detail["core"] == "source")
+        self.until(lambda now: red() < WIDTH / 2 and abs(brightness(now) - plain) < plain / 10)
+        self.leave()
 
 
 class RefusedTest(unittest.TestCase):

@@ -1,9 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The porttool authors
 // SPDX-License-Identifier: Apache-2.0
 // The core as its caller sees it, on whatever Vulkan device there is.
+#include <algorithm>
 #include <cstdlib>
 #include <cstring>
+#include <fstream>
+#include <iterator>
 
+#include "render_system/hot_kernels.h"
 #include "tests/source_core/test_scene.h"
 
 using namespace render_system;
@@ -230,6 +234,60 @@ TEST(SourceCore, ABrokenKernelIsAnErrorWithFileAndLine) {
     EXPECT_NE(status.message.find("sky.glsl:3"), std::string::npos) << status.message;
     EXPECT_NE(status.message.find("nonsense"), std::string::npos) << status.message;
     EXPECT_EQ(status.message.find('\n'), std::string::npos) << status.message;
+}
+
+TEST(SourceCore, AnEditedKernelRunsFromTheNextRenderOnAndABrokenOneDoesNot) {
+    TemporaryFolder folder;
+    folder.write_kernels();
+    const auto read = [&](const char* name) {
+        std::ifstream file(folder.path() / name);
+        return std::string(std::istreambuf_iterator<char>(file), {});
+    };
+    source_core::SourceOptions options;
+    options.kernels_directory = folder.path();
+    OPEN_CORE_OR_SKIP(core, options);
+    auto* hot = dynamic_cast<HotKernels*>(core.get());
+    ASSERT_NE(hot, nullptr);
+    CoreSky sky;
+    sky.radiance = {0.25f, 0.5f, 2.0f};
+    std::vector<glm::vec4> pixels(4);
+    ASSERT_TRUE(core->SetSkyData(sky).ok() && core->SetTarget({2, 2, pixels}).ok());
+    const auto expect_pixels = [&](float factor, uint64_t samples) {
+        ASSERT_TRUE(core->Render(front_view(), Convergence::Converge, 1).ok());
+        EXPECT_EQ(pixels[3], glm::vec4(factor * sky.radiance, 1.0f));
+        EXPECT_EQ(core->GetCoreStats().samples, samples);
+    };
+    expect_pixels(1.0f, 1);
+    EXPECT_EQ(hot->compile_again()->kernels, std::vector<std::string>());
+    expect_pixels(1.0f, 2);
+
+    const std::string finalize = read("finalize.glsl"), sky_text = read("sky.glsl"), sum = "sum * pass.sample_scale";
+    std::string doubled = finalize;
+    ASSERT_NE(doubled.find(sum), std::string::npos);
+    doubled.replace(doubled.find(sum), sum.size(), "2.0 * " + sum);
+    folder.write("finalize.glsl", doubled);
+    EXPECT_EQ(hot->compile_again()->kernels, std::vector<std::string>{"finalize"});
+    expect_pixels(2.0f, 1);  // samples of other kernels are not added up
+
+    folder.write("finalize.glsl", doubled + "\nfloat broken = nonsense;\n");
+    const Result<RecompiledKernels> broken = hot->compile_again();
+    const auto lines = std::count(doubled.begin(), doubled.end(), '\n');
+    EXPECT_EQ(broken.status.code, StatusCode::internal);
+    EXPECT_NE(broken.status.message.find("finalize.glsl:" + std::to_string(lines + 2)), std::string::npos)
+        << broken.status.message;
+    expect_pixels(2.0f, 2);
+    std::filesystem::remove(folder.path() / "finalize.glsl");
+    EXPECT_EQ(hot->compile_again().status.code, StatusCode::not_found);
+    expect_pixels(2.0f, 3);
+
+    folder.write("finalize.glsl", finalize);
+    folder.write("sky.glsl", "// edited\n" + sky_text);
+    EXPECT_EQ(hot->compile_again()->kernels, (std::vector<std::string>{"extend", "shade", "finalize"}));
+    folder.write("finalize.glsl", doubled);  // before anybody rendered
+    EXPECT_EQ(hot->compile_again()->kernels, (std::vector<std::string>{"extend", "shade"}));
+    expect_pixels(2.0f, 1);
+    core->Shutdown();
+    EXPECT_EQ(hot->compile_again().status.code, StatusCode::wrong_order);
 }
 
 TEST(SourceCore, AMissingFolderOfKernelsIsNotFound) {

@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "source_core/device/kernel_store.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "source_core/device/kernel_files.h"
+
+namespace source_core {
+
+using render_system::RecompiledKernels;
+
+Result<KernelStore::Found> KernelStore::find(const Device& device, const KernelVariant& variant) {
+    const std::lock_guard lock(mutex_);
+    if (fresh_) {
+        take_fresh();
+        renewed_ = true;
+    }
+    const std::string preamble = variant.preamble();
+    auto found = sets_.find(preamble);
+    if (found == sets_.end()) {
+        Result<KernelSet> made = KernelSet::create(device, files_, variant);
+        if (!made.ok()) {
+            return made.status;
+        }
+        found = sets_.emplace(preamble, std::make_shared<KernelSet>(std::move(*made))).first;
+    }
+    in_use_ = found->second;
+    return Found{in_use_.get(), std::exchange(renewed_, false)};
+}
+
+// What was compiled for another variant than the fresh ones comes from texts that are gone.
+void KernelStore::take_fresh() {
+    files_ = std::move(fresh_->files);
+    std::erase_if(sets_, [&](const auto& entry) { return entry.second != fresh_->set; });
+    for (auto& [kernel, pipeline] : fresh_->pipelines) {
+        fresh_->set->replace(kernel, std::move(pipeline));
+    }
+    fresh_.reset();
+}
+
+Result<RecompiledKernels> KernelStore::compile_again(const Device& device) {
+    const auto start = std::chrono::steady_clock::now();
+    Fresh fresh;
+    Files before;
+    {
+        const std::lock_guard lock(mutex_);
+        before = files_;
+        fresh.set = in_use_;
+    }
+    Result<Files> now = read_kernel_files(directory_);
+    if (!now.ok()) {
+        return now.status;
+    }
+    fresh.files = std::move(*now);
+    RecompiledKernels done;
+    for (uint32_t i = 0; i < KERNEL_COUNT; ++i) {
+        const auto kernel = static_cast<Kernel>(i);
+        if (texts_of_kernel(before, kernel) == texts_of_kernel(fresh.files, kernel)) {
+            continue;
+        }
+        done.kernels.emplace_back(kernel_name(kernel));
+        if (!fresh.set) {
+            continue;  // the first Render compiles all of them
+        }
+        Result<Handle<VkPipeline>> pipeline = fresh.set->compile(device, fresh.files, kernel);
+        if (!pipeline.ok()) {
+            return pipeline.status;
+        }
+        fresh.pipelines.emplace_back(kernel, std::move(*pipeline));
+    }
+    done.compile_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    const std::lock_guard lock(mutex_);
+    fresh_.reset();  // where the texts became again what runs, there is nothing to take
+    if (!done.kernels.empty()) {
+        fresh_ = std::move(fresh);
+    }
+    return done;
+}
+
+KernelStore::Files KernelStore::texts_that_run() const {
+    const std::lock_guard lock(mutex_);
+    Files texts;
+    for (uint32_t i = 0; i < KERNEL_COUNT; ++i) {
+        texts.merge(texts_of_kernel(files_, static_cast<Kernel>(i)));
+    }
+    return texts;
+}
+
+}  // namespace source_core

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "render_system/hot_kernels.h"
+#include "source_core/device/kernel_set.h"
+
+namespace source_core {
+
+/// The kernels of a core: their texts, and what was compiled of them for each variant that was asked for.
+class KernelStore {
+public:
+    using Files = std::map<std::string, std::string>;  ///< texts by name
+
+    /// `directory` as read_kernel_files takes it.
+    KernelStore(std::string directory, Files files) : directory_(std::move(directory)), files_(std::move(files)) {}
+
+    /// The kernels for a variant, compiled where they were not yet; they stay until the next call. `renewed`, where
+    /// they come from other texts than at the last call. Fails with internal where a kernel does not compile.
+    struct Found {
+        const KernelSet* kernels = nullptr;
+        bool renewed = false;
+    };
+    Result<Found> find(const Device& device, const KernelVariant& variant);
+
+    /// As HotKernels::compile_again: for the variant that was asked for last.
+    Result<render_system::RecompiledKernels> compile_again(const Device& device);
+
+    /// Those of the texts that run.
+    Files texts_that_run() const;
+
+private:
+    /// What compile_again made and find has not taken yet.
+    struct Fresh {
+        Files files;
+        std::shared_ptr<KernelSet> set;  // whose layout the pipelines have; none while nothing was compiled
+        std::vector<std::pair<Kernel, Handle<VkPipeline>>> pipelines;
+    };
+    void take_fresh();
+
+    const std::string directory_;
+    mutable std::mutex mutex_;
+    Files files_;                                             // guarded by the mutex, as are those that follow
+    std::map<std::string, std::shared_ptr<KernelSet>> sets_;  // by preamble
+    std::shared_ptr<KernelSet> in_use_;
+    std::optional<Fresh> fresh_;
+    bool renewed_ = false;  // since find last answered
+};
+
+}  // namespace source_core
