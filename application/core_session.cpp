@@ -103,6 +103,14 @@ Status CoreSession::render(Convergence convergence, uint32_t samples) {
     return status;
 }
 
+Status CoreSession::filter(Picture& picture, std::span<const float> variances, SampleRange samples) {
+    return system_.core().Filter(view_, {.means = picture.pixels,
+                                         .variances = variances,
+                                         .first_sample = samples.first,
+                                         .samples = samples.count(),
+                                         .filtered = picture.pixels});
+}
+
 target_core::EmbreeFigures CoreSession::embree_figures() {
     const target_core::EmbreeProbe* probe = target_core::embree_probe(system_.core());
     return probe ? probe->embree_figures() : target_core::EmbreeFigures();

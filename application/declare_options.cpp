@@ -172,6 +172,14 @@ void declare_rendering(CLI::App& app, Options& options) {
     app.add_flag("--progress", options.progress, "Show the progress bar even where stderr is no terminal");
 }
 
+void declare_filter(CLI::App& app, Options& options) {
+    add_choice<FilterMode>(
+        app, "--filter", options.filter,
+        {{"none", FilterMode::none}, {"spatial", FilterMode::spatial}, {"temporal", FilterMode::temporal}},
+        "Take noise out: none, spatial (by like pixels around) or temporal (by those of earlier frames, too) (none)")
+        ->type_name("FILTER");
+}
+
 void declare_samples(CLI::App& app, Options& options, const std::string& help) {
     add_parsed(
         app, "--spp", [](const std::string& text) { return parse_number(text, 1, MAX_SAMPLES); },
@@ -278,6 +286,7 @@ void declare_render(CLI::App& app, Options& options) {
         ->type_name("FILE");
     declare_samples(app, options, "Samples per pixel (16)");
     declare_sampling(app, options.sampling);
+    declare_filter(app, options);
     declare_frames(app, options);
     declare_rendering(app, options);
 }

@@ -74,6 +74,7 @@ std::string sequence_text(const Options& options, bool framed) {
     if (!options.next_event_estimation) text += " no-nee";
     if (options.indirect_limit > 0.0f) text += fmt::format(" clamp {}", options.indirect_limit);
     if (options.exact) text += " exact";
+    if (options.filter != FilterMode::none) text += fmt::format(" filter {}", static_cast<int>(options.filter));
     if (!options.variant.empty()) text += fmt::format(" variant {}", options.variant);
     if (!options.animation.empty()) text += fmt::format(" animation {}", options.animation);
     if (!options.kernels.empty()) text += fmt::format(" kernels {}", options.kernels);

@@ -15,6 +15,9 @@ namespace application {
 enum class ColorMode { automatic, always, never };
 enum class Format { text, json };
 
+/// `--filter`: nothing, neighbours in the picture, or those and earlier frames.
+enum class FilterMode { none, spatial, temporal };
+
 /// `--camera`: a file, the number of a camera node, or (neither) whatever the scene offers.
 struct CameraChoice {
     std::string file;
@@ -91,6 +94,7 @@ struct Options {
     std::optional<float> aperture;      ///< radius of a thin lens
     std::optional<float> focus;         ///< where it is sharp; none: where `look_at` looks
     SkyChoice sky;
+    FilterMode filter = FilterMode::none;
     float exposure = 0.0f;  ///< stops, of PNGs
     ToneMap tone_map = ToneMap::none;
     uint32_t threads = 0;           ///< 0: all

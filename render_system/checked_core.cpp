@@ -125,6 +125,13 @@ Status CheckedCore::Render(const ViewPyramid& view, Convergence convergence, uin
     });
 }
 
+Status CheckedCore::Filter(const ViewPyramid& view, const CoreFilter& filter) {
+    return after(contract_.check_filter(view, filter, target_), [&] {
+        Status status = prepare();
+        return status.ok() ? this->filter(view, filter) : status;
+    });
+}
+
 void CheckedCore::Shutdown() {
     contract_.accept_shutdown();
     close();

@@ -37,6 +37,7 @@ public:
     Status SetInstance(uint32_t instance, uint32_t mesh, const CoreTransform& transform) final;
     Status SetWatch(PathWatch* watch) final;
     Status Render(const ViewPyramid& view, Convergence convergence, uint32_t samples) final;
+    Status Filter(const ViewPyramid& view, const CoreFilter& filter) final;
     void Shutdown() final;
 
 protected:
@@ -68,6 +69,8 @@ private:
     virtual Status prepare() = 0;
     /// Adds `samples` samples to the stats().samples there are, writes the mean to target() and counts rays and times.
     virtual Status render(const ViewPyramid& view, uint32_t samples) = 0;
+    /// Takes the noise out of filter.means, into filter.filtered; the scene is that of the last render.
+    virtual Status filter(const ViewPyramid& view, const CoreFilter& filter) = 0;
     /// Gives everything back. May come before open() and a second time.
     virtual void close() = 0;
     /// Bytes of the machine's own memory that the core holds, for a message.

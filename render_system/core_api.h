@@ -73,6 +73,11 @@ public:
     /// the limits in scene_limits.h.
     virtual Status Render(const ViewPyramid& view, Convergence convergence, uint32_t samples) = 0;
 
+    /// Takes noise out of a picture of the scene and view rendered last, by albedo, normal and depth of what the camera
+    /// rays of its samples met, which are traced once more for that. Samples already taken stay. Fails as Render
+    /// does, and with invalid_argument on spans of another size than the target.
+    virtual Status Filter(const ViewPyramid& view, const CoreFilter& filter) = 0;
+
     /// Gives everything back. A second call does nothing.
     virtual void Shutdown() = 0;
 };

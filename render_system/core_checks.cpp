@@ -301,6 +301,19 @@ Status CoreContract::check_limits(const ViewPyramid& view) const {
 
 Status CoreContract::check_watch() const { return check_open("SetWatch"); }
 
+Status CoreContract::check_filter(const ViewPyramid& view, const CoreFilter& filter, const CoreTarget& target) const {
+    if (Status status = check_render(view, filter.samples); !status.ok()) return status;
+    const size_t pixels = target.pixels.size();
+    if (filter.means.size() != pixels || filter.filtered.size() != pixels)
+        return Status::invalid("Filter: " + std::to_string(filter.means.size()) + " means into " +
+                               std::to_string(filter.filtered.size()) + " pixels for a target of " +
+                               std::to_string(pixels));
+    if (!filter.variances.empty() && filter.variances.size() != pixels)
+        return Status::invalid("Filter: " + std::to_string(filter.variances.size()) + " variances for " +
+                               std::to_string(pixels) + " pixels");
+    return Status::success();
+}
+
 Status CoreContract::check_render(const ViewPyramid& view, uint32_t samples) const {
     if (Status order = check_open("Render"); !order.ok()) return order;
     if (!has_target_) return Status::error(StatusCode::wrong_order, "Render came before SetTarget");

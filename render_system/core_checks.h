@@ -42,6 +42,8 @@ public:
     /// Order, the number of samples, dangling ids (a triangle's material, a material's or a light's texture), then what
     /// scene_limits.h bounds.
     Status check_render(const ViewPyramid& view, uint32_t samples) const;
+    /// As check_render, and the spans of the filter.
+    Status check_filter(const ViewPyramid& view, const CoreFilter& filter, const CoreTarget& target) const;
 
     void accept_init();
     void accept_target();

@@ -201,6 +201,15 @@ struct CoreTarget {
     uint32_t first_pixel = 0;
 };
 
+/// A picture for Filter: means of the samples [first_sample, first_sample + samples) of every pixel of the target.
+struct CoreFilter {
+    std::span<const glm::vec4> means;  ///< radiance; width * height of the target, as `filtered`
+    std::span<const float> variances;  ///< of the means' luminance; as many, or none: judged by what is around
+    uint32_t first_sample = 0;
+    uint32_t samples = 1;           ///< at least 1
+    std::span<glm::vec4> filtered;  ///< may be `means`; alpha 1
+};
+
 /// What every core is opened with; fixed for its life. What one core alone can be told is for its own create_core.
 struct CoreOptions {
     uint32_t threads = 0;  ///< host threads, 0: all; never changes the picture
@@ -234,6 +243,8 @@ struct CoreStats {
     double connect_ms = 0.0;
     double finalize_ms = 0.0;
     double total_ms = 0.0;              ///< wall time inside Render, without building and uploading
+    double guide_ms = 0.0;              ///< of the last Filter: camera rays once more, for what the filter goes by
+    double filter_ms = 0.0;             ///< of the last Filter: its kernels alone, wall time
     uint64_t texel_bytes = 0;           ///< of memory_bytes, the textures
     uint64_t memory_bytes = 0;          ///< held by the core (device memory for the source core)
     uint64_t memory_allowed_bytes = 0;  ///< the core's budget for that; 0: it has none

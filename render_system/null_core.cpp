@@ -31,6 +31,11 @@ private:
         return Status::success();
     }
 
+    Status filter(const ViewPyramid&, const CoreFilter& filter) override {
+        std::copy(filter.means.begin(), filter.means.end(), filter.filtered.begin());
+        return Status::success();
+    }
+
     void close() override {}
     uint64_t host_bytes() const override { return 0; }
 };

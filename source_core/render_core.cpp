@@ -30,6 +30,9 @@ double milliseconds_since(Clock::time_point start) {
 
 constexpr uint32_t SMALLEST_BATCH = 1u << 14;  // below, dispatches cost more than they do
 
+constexpr uint32_t FEWEST_GUIDE_RAYS = 16;
+constexpr uint32_t MOST_GUIDE_RAYS = 256;
+
 // Everything that lives on the device, in the order of creation.
 struct Gpu {
     std::optional<Instance> instance;
@@ -66,6 +69,7 @@ private:
     }
     Status prepare() override;
     Status render(const ViewPyramid& view, uint32_t samples) override;
+    Status filter(const ViewPyramid& view, const CoreFilter& filter) override;
     void close() override;
     uint64_t host_bytes() const override { return 0; }  // what it holds is on the device
 
@@ -77,6 +81,8 @@ private:
     Status find_kernels();
     Status render_batches(const Settings& settings, uint32_t samples);
     Status render_batch(const Settings& settings, const BatchPass& batch, WavefrontCounts& counts);
+    Status gather_guides(const Settings& settings, uint32_t first_sample, uint32_t samples);
+    Status prepare_filter(const Settings& settings, const CoreFilter& filter);
     Status sum_batch(const Settings& settings, BatchPass batch, WavefrontCounts& counts);
     Status name_primitives();
     Settings frame_settings(const ViewPyramid& view) const;
@@ -309,6 +315,7 @@ Settings SourceCore::frame_settings(const ViewPyramid& view) const {
     frame.lens_down = glm::vec4(screen.lens_down, screen.parallel_pixel);
     frame.width = target().width;
     frame.height = target().height;
+    frame.pixel_count = target().width * target().height;
     frame.seed = settings().seed;
     frame.max_path_length = settings().max_path_length;
     frame.russian_roulette = settings().russian_roulette ? 1u : 0u;
@@ -386,6 +393,73 @@ Status SourceCore::render(const ViewPyramid& view, uint32_t samples) {
         status = render_batches(frame_settings(view), samples);
     }
     stats().total_ms += milliseconds_since(start);
+    return status.ok() ? gpu_->instance->validation_status() : status;
+}
+
+// Adds the camera rays of these samples to the guides.
+Status SourceCore::gather_guides(const Settings& frame, uint32_t first_sample, uint32_t samples) {
+    const WavefrontSize& size = gpu_->wavefront->size();
+    Status status = Status::success();
+    WavefrontCounts counts;
+    for (uint64_t first = 0; first < size.pixels && status.ok(); first += size.batch) {
+        BatchPass batch;
+        batch.first_pixel = static_cast<uint32_t>(first);
+        batch.path_count = static_cast<uint32_t>(std::min<uint64_t>(size.batch, size.pixels - first));
+        batch.first_sample = first_sample;
+        batch.samples = samples;
+        gpu_->wavefront->bind(*gpu_->device, *gpu_->kernels_in_use, variant_, gpu_->scene, frame, batch);
+        status = gpu_->wavefront->gather_guides(*gpu_->device, *gpu_->kernels_in_use, batch, counts);
+    }
+    return status;
+}
+
+// From the picture, which is on the device, to light by albedo, and guides of as many camera rays as a filter takes.
+Status SourceCore::prepare_filter(const Settings& frame, const CoreFilter& filter) {
+    const uint32_t own = std::min(filter.samples, MOST_GUIDE_RAYS);
+    const uint32_t rays = std::max(own, FEWEST_GUIDE_RAYS);
+    WavefrontCounts counts;
+    Status status = gpu_->wavefront->clear_guides(*gpu_->device);
+    if (status.ok()) {
+        status = gather_guides(frame, filter.first_sample, own);
+    }
+    if (status.ok()) {
+        status = gpu_->wavefront->divide_by_albedo(*gpu_->device, *gpu_->kernels_in_use, own, counts);
+    }
+    if (status.ok() && rays > own) {
+        status = gather_guides(frame, filter.first_sample + own, rays - own);
+    }
+    return status;
+}
+
+Status SourceCore::filter(const ViewPyramid& view, const CoreFilter& filter) {
+    Status status = gpu_->kernels->add_filter(*gpu_->device);
+    if (status.ok()) {
+        status = gpu_->wavefront->make_filter(*gpu_->device, *gpu_->budget);
+    }
+    if (!status.ok()) {
+        return status;
+    }
+    std::vector<glm::vec4> picture(filter.means.begin(), filter.means.end());
+    for (size_t pixel = 0; pixel < picture.size(); ++pixel) {
+        picture[pixel].w = filter.variances.empty() ? -1.0f : filter.variances[pixel];
+    }
+    const Buffer& rows = gpu_->wavefront->filter_picture();
+    status = gpu_->staging->upload(*gpu_->device, rows, std::as_bytes(std::span(picture)));
+    const Clock::time_point start = Clock::now();
+    if (status.ok()) {
+        status = prepare_filter(frame_settings(view), filter);
+    }
+    stats().guide_ms = milliseconds_since(start);
+    const Clock::time_point guided = Clock::now();
+    WavefrontCounts counts;
+    if (status.ok()) {
+        const uint32_t rays = std::clamp(filter.samples, FEWEST_GUIDE_RAYS, MOST_GUIDE_RAYS);
+        status = gpu_->wavefront->run_filter(*gpu_->device, *gpu_->kernels_in_use, rays, counts);
+    }
+    stats().filter_ms = milliseconds_since(guided);
+    if (status.ok()) {
+        status = gpu_->staging->download(*gpu_->device, rows, std::as_writable_bytes(filter.filtered));
+    }
     return status.ok() ? gpu_->instance->validation_status() : status;
 }
 

@@ -41,16 +41,16 @@ void barrier(VkCommandBuffer commands, VkPipelineStageFlags from, VkAccessFlags 
     vkCmdPipelineBarrier(commands, from, to, 0, 1, &memory, 0, nullptr, 0, nullptr);
 }
 
+uint32_t group_count(uint32_t jobs) { return (jobs + WORK_GROUP_SIZE - 1) / WORK_GROUP_SIZE; }
+
+}  // namespace
+
 // Between two kernels, the second of which may be dispatched by arguments that the first wrote.
-void kernel_barrier(VkCommandBuffer commands) {
+void Wavefront::kernel_barrier(VkCommandBuffer commands) {
     barrier(commands, VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT | VK_PIPELINE_STAGE_DRAW_INDIRECT_BIT,
             VK_ACCESS_SHADER_WRITE_BIT, VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT | VK_PIPELINE_STAGE_DRAW_INDIRECT_BIT,
             VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_SHADER_WRITE_BIT | VK_ACCESS_INDIRECT_COMMAND_READ_BIT);
 }
-
-uint32_t group_count(uint32_t jobs) { return (jobs + WORK_GROUP_SIZE - 1) / WORK_GROUP_SIZE; }
-
-}  // namespace
 
 uint64_t Wavefront::bytes(const WavefrontSize& size, uint32_t max_path_length) {
     uint64_t sum = sizeof(Settings) + TABLE_COUNT * ROW + ARGUMENTS_WORDS * sizeof(uint32_t);
@@ -191,6 +191,11 @@ void Wavefront::bind_set(const Device& device, const KernelSet& kernels, const K
     buffers[BINDING_ACCUMULATOR] = {accumulator_.handle(), uint64_t{batch.first_pixel} * ROW,
                                     uint64_t{batch.path_count} * ROW};
     buffers[BINDING_TARGET].buffer = target_.handle();
+    const Buffer* const filter[] = {&guides_, &filter_picture_, &planes_};
+    for (uint32_t i = 0; i < std::size(filter); ++i) {
+        const Buffer& something = *filter[i] ? *filter[i] : arguments_;  // no kernel of the wavefront reads these
+        buffers[BINDING_GUIDES + i].buffer = something.handle();
+    }
     vkUpdateDescriptorSets(device.handle(), BINDING_COUNT, writes.data(), 0, nullptr);
 }
 
@@ -341,6 +346,7 @@ void Wavefront::dispatch(VkCommandBuffer commands, const KernelSet& kernels, Ker
     switch (kernel) {
         case Kernel::generate:
         case Kernel::finalize:
+        case Kernel::filter:
             vkCmdDispatch(commands, group_count(pass.path_count), 1, 1);
             break;
         case Kernel::schedule:
@@ -348,6 +354,7 @@ void Wavefront::dispatch(VkCommandBuffer commands, const KernelSet& kernels, Ker
             break;
         case Kernel::extend:
         case Kernel::shade:
+        case Kernel::guide:
             vkCmdDispatchIndirect(commands, arguments_.handle(), ARGUMENTS_EXTENSION * sizeof(uint32_t));
             break;
         case Kernel::connect:

@@ -67,6 +67,26 @@ public:
     Status run_watched(const Device& device, const KernelSet& kernels, const BatchPass& batch, const Staging& staging,
                        std::span<const uint32_t> primitives, render_system::PathWatch& watch, WavefrontCounts& counts);
 
+    /// Makes room for what a filter needs beside the picture, unless it is there. To be called before bind. Fails with
+    /// out_of_memory.
+    Status make_filter(const Device& device, MemoryBudget& budget);
+
+    /// Drops the guides gathered so far.
+    Status clear_guides(const Device& device);
+
+    /// Traces the camera rays of a batch's samples and adds what they met to the guides.
+    Status gather_guides(const Device& device, const KernelSet& kernels, const BatchPass& batch,
+                         WavefrontCounts& counts);
+
+    /// Divides filter_picture() by the albedo of the guides, which are those of its own samples.
+    Status divide_by_albedo(const Device& device, const KernelSet& kernels, uint32_t samples, WavefrontCounts& counts);
+
+    /// Filters what that has left, by guides of so many camera rays a pixel, into filter_picture().
+    Status run_filter(const Device& device, const KernelSet& kernels, uint32_t rays, WavefrontCounts& counts);
+
+    /// Mean radiance and the variance of its luminance, then what the filter makes of them.
+    const Buffer& filter_picture() const { return filter_picture_; }
+
     /// The mean of the samples of the batch that ran last.
     const Buffer& target() const { return target_; }
 
@@ -88,6 +108,8 @@ private:
     void record(VkCommandBuffer commands, const Work& work);
     void record_sample(VkCommandBuffer commands, const KernelSet& kernels, const BatchPass& batch, const Span& span,
                        uint32_t sample);
+    void record_stage(VkCommandBuffer commands, const KernelSet& kernels, Pass pass);
+    void record_guides(VkCommandBuffer commands, const KernelSet& kernels, const BatchPass& batch, uint32_t sample);
     void clear_segments(VkCommandBuffer commands);
     void dispatch(VkCommandBuffer commands, const KernelSet& kernels, Kernel kernel, const Pass& pass);
     void stamp(VkCommandBuffer commands, uint32_t kernel);
@@ -100,6 +122,7 @@ private:
     Status show(render_system::PathKernel kernel, const Pass& pass, Watching& to) const;
     Status read_times(const Device& device, WavefrontCounts& counts) const;
     uint32_t entries(uint32_t segment, uint32_t counter) const;
+    static void kernel_barrier(VkCommandBuffer commands);
     static Pass pass_of(const BatchPass& batch, uint32_t sample);
 
     WavefrontSize size_;
@@ -112,6 +135,9 @@ private:
     Buffer accumulator_;
     Buffer target_;
     Buffer counters_copy_;
+    Buffer guides_;  // these three: none until a filter is asked for
+    Buffer filter_picture_;
+    Buffer planes_;
     Handle<VkQueryPool> queries_;
     std::vector<uint32_t> stamps_;  // the kernel that ran before each timestamp
     double sample_ms_ = 0.0;        // of the batch at work, to size submissions

@@ -52,6 +52,7 @@ private:
     Status prepare() override;
     Status reach_for(const ViewPyramid& view);
     Status render(const ViewPyramid& view, uint32_t samples) override;
+    Status filter(const ViewPyramid& view, const CoreFilter& filter) override;
     void close() override;
     uint64_t host_bytes() const override;
 
@@ -287,6 +288,10 @@ uint64_t TargetCore::host_bytes() const {
            bytes(tables_.texture_slots) + bytes(tables_.textures) + bytes(tables_.texels) + bytes(tables_.lights) +
            bytes(tables_.light_table) + bytes(tables_.sky_texels) + bytes(tables_.sky_table) +
            bytes(tables_.lobe_energy);
+}
+
+Status TargetCore::filter(const ViewPyramid&, const CoreFilter&) {
+    return Status::invalid("target core: the filter is not ported yet; use --core source");
 }
 
 void TargetCore::close() {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <optional>
@@ -10,6 +11,7 @@
 #include "application/commands/commands.h"
 #include "application/file_output.h"
 #include "application/frame_files.h"
+#include "application/sampling/take_samples.h"
 
 namespace application {
 namespace {
@@ -28,7 +30,10 @@ public:
           console_(console),
           text_(sequence_text(options, setup.framed)),
           session_(options, std::move(setup), console),
-          picture_(options.width, options.height) {}
+          picture_(options.width, options.height),
+          sums_(keeps_squares(options) ? options.width : 0, options.height, true) {
+        if (keeps_squares(options)) session_.sum_into(&sums_, 0);
+    }
 
     /// Renders what is not there yet; stops at the first frame that cannot be done. Those before it stay.
     Status render() {
@@ -59,6 +64,7 @@ private:
     Status render_frame(uint32_t number) {
         const auto start = std::chrono::steady_clock::now();
         if (Status status = session_.show(frame_time(options_, number)); !status.ok()) return named(number, status);
+        sums_.clear();
         if (started_) {
             if (Status status = session_.render(Convergence::Restart, 1); !status.ok()) return named(number, status);
         } else {
@@ -75,7 +81,11 @@ private:
         const FrameRange& frames = *options_.frames;
         const std::string label =
             fmt::format("frame {} ({}/{})", number, number - frames.first + 1, frames.end - frames.first);
-        return session_.render_up_to(options_.spp.front(), label);
+        if (Status status = session_.render_up_to(options_.spp.front(), label); !status.ok()) return status;
+        if (options_.filter == FilterMode::none) return Status::success();
+        const Picture mean = mean_picture(sums_);
+        std::copy(mean.pixels.begin(), mean.pixels.end(), picture_.pixels.begin());  // the core knows where they are
+        return session_.filter(picture_, variances_of(sums_), {0, sums_.samples});
     }
 
     Status named(uint32_t number, Status status) const {
@@ -90,6 +100,7 @@ private:
     std::string text_;
     CoreSession session_;
     Picture picture_;
+    SampleSums sums_;  // where a filter wants to know their noise
     bool started_ = false;
     uint32_t kept_ = 0;
     uint32_t rendered_ = 0;

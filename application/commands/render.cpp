@@ -53,7 +53,7 @@ Status take_together(PictureRun& run, std::chrono::steady_clock::time_point star
 ExitCode help_team(const Options& options, CoreSession& session, Console& console) {
     if (Status status = team()->agree_on(run_identity(options, session)); !status.ok()) return FAILED;
     if (Status status = team()->agree(Status::success()); !status.ok()) return FAILED;
-    const Status status = team()->follow(session, options.sampling.noise.has_value());
+    const Status status = team()->follow(session, keeps_squares(options));
     return status.ok() ? DONE : fail(console, status);
 }
 
@@ -92,7 +92,7 @@ ExitCode run_render(const Options& options, Console& console) {
     if (Status status = agreed(setup.status); !status.ok()) return fail_once(console, status);
     const KeptInterrupt interrupt;
     CoreSession session(options, std::move(*setup), console);
-    SampleSums sums(leads ? options.width : 0, options.height, options.sampling.noise.has_value());
+    SampleSums sums(leads ? options.width : 0, options.height, keeps_squares(options));
     session.sum_into(&sums, wanted_samples(options).first);
     if (team()) session.only_try();
     Picture picture(options.width, options.height);

@@ -30,6 +30,9 @@ bool is_exr(const path& file) {
 
 Status check_sampling(const Options& options, const path& file, Console& console) {
     const SamplingOptions& sampling = options.sampling;
+    if (sampling.range && options.filter != FilterMode::none)
+        return Status::invalid(
+            "--samples: parts of a picture are added first, and a filtered one cannot be added to; leave --filter out");
     if (sampling.range && !is_exr(file))
         console.note("a PNG of some samples cannot be added to others: pathtracer merge takes .exr");
     if (!sampling.checkpoint && !options.resume) return Status::success();
@@ -77,7 +80,7 @@ Status PictureRun::resume() {
     if (checkpoint.sums.samples > wanted_.count())
         return refuse(fmt::format("it has {} samples, {} are wanted", checkpoint.sums.samples, wanted_.count()));
     if (checkpoint.sums.squares.size() != sums_.squares.size())
-        return refuse(fmt::format("--noise {} given", sums_.squares.empty() ? "was" : "was not"));
+        return refuse(fmt::format("--noise or --filter {} given", sums_.squares.empty() ? "was" : "was not"));
     // In place: the core knows where the sums are.
     sums_.samples = checkpoint.sums.samples;
     std::copy(checkpoint.sums.pixels.begin(), checkpoint.sums.pixels.end(), sums_.pixels.begin());
@@ -122,16 +125,22 @@ Status PictureRun::write() {
     PictureNotes notes{.samples = sums_.samples};
     if (run_) {
         notes.ranges = range_text({{wanted_.first, wanted_.first + sums_.samples}});
-        notes.run = run_->text();
+        RunIdentity run = *run_;
+        if (options_.filter != FilterMode::none) run.entries.emplace_back(kFilterEntry, "spatial");
+        notes.run = run.text();
     }
     const bool as_sums = options_.sampling.range && is_exr(file_);
     const auto kind = image_kind(file_.string());
     if (!kind.ok()) return kind.status;
     const bool whole = end_ == SamplingEnd::all_taken || end_ == SamplingEnd::noise;
     if (keeps_checkpoints() && !whole) save_checkpoint();
-    const auto bytes = as_sums
-                           ? encode_sums(sums_, notes)
-                           : encode_picture(mean_picture(sums_), *kind, options_.exposure, options_.tone_map, notes);
+    Picture picture = mean_picture(sums_);
+    if (options_.filter != FilterMode::none) {
+        const SampleRange taken{wanted_.first, wanted_.first + sums_.samples};
+        if (Status status = session_.filter(picture, variances_of(sums_), taken); !status.ok()) return status;
+    }
+    const auto bytes = as_sums ? encode_sums(sums_, notes)
+                               : encode_picture(picture, *kind, options_.exposure, options_.tone_map, notes);
     const Status status = bytes.ok() ? write_file(file_, *bytes) : bytes.status;
     if (!status.ok() && keeps_checkpoints() && whole) save_checkpoint();
     std::error_code error;

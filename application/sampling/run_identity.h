@@ -26,6 +26,9 @@ struct RunIdentity {
     bool operator==(const RunIdentity&) const = default;
 };
 
+/// The entry of a picture that was filtered.
+constexpr const char* kFilterEntry = "--filter";
+
 /// The identity of what the session renders, once its core has started.
 RunIdentity run_identity(const Options& options, CoreSession& session);
 

@@ -49,6 +49,19 @@ Picture mean_picture(const SampleSums& sums) {
     return picture;
 }
 
+std::vector<float> variances_of(const SampleSums& sums) {
+    std::vector<float> variances;
+    if (sums.samples < 2) return variances;
+    const double count = sums.samples;
+    for (size_t i = 0; i < sums.squares.size(); ++i) {
+        const glm::vec3 color = mean_of(sums.pixels[i], sums.samples);
+        const double mean = 0.2126 * color.x + 0.7152 * color.y + 0.0722 * color.z;
+        const double variance = std::max(0.0, sums.squares[i] / count - mean * mean);
+        variances.push_back(static_cast<float>(variance / (count - 1.0)));
+    }
+    return variances;
+}
+
 double noise_of(const SampleSums& sums) {
     if (sums.samples < 2 || sums.squares.empty()) return std::numeric_limits<double>::infinity();
     const double count = sums.samples;

@@ -47,6 +47,10 @@ struct SampleSums {
 /// The picture of the samples so far, at least 1.
 Picture mean_picture(const SampleSums& sums);
 
+/// The variance of each pixel's mean luminance, judged from its own samples, which count as independent. Empty without
+/// squares or with fewer than two samples.
+std::vector<float> variances_of(const SampleSums& sums);
+
 /// How noisy the picture is: the mean over pixels of standard error / (mean + 0.01), both of linear luminance. The
 /// samples count as independent, as they are not quite: what the sequences gain over chance is left out, so the true
 /// error is rather less. Needs squares and two samples; infinite with less.

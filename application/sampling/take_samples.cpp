@@ -61,6 +61,10 @@ SampleRange wanted_samples(const Options& options) {
     return {0, open ? MAX_SAMPLES : options.spp.front()};
 }
 
+bool keeps_squares(const Options& options) {
+    return options.sampling.noise.has_value() || options.filter != FilterMode::none;
+}
+
 Result<SamplingEnd> take_samples(CoreSession& session, SampleSums& sums, const SamplingPlan& plan, Console& console) {
     ProgressBar bar(console, session.stats().core);
     Clock::time_point written = Clock::now();

@@ -20,6 +20,9 @@ namespace application {
 /// as many as there can be.
 SampleRange wanted_samples(const Options& options);
 
+/// Whether squares of samples are summed as well: to tell their noise.
+bool keeps_squares(const Options& options);
+
 /// When a run of samples stops, and what happens on the way.
 struct SamplingPlan {
     SampleRange wanted;

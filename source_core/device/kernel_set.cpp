@@ -8,7 +8,8 @@ namespace source_core {
 
 namespace {
 
-constexpr const char* KERNEL_NAMES[KERNEL_COUNT] = {"generate", "extend", "shade", "connect", "finalize", "schedule"};
+constexpr const char* KERNEL_NAMES[KERNEL_COUNT] = {"generate", "extend",   "shade", "connect",
+                                                    "finalize", "schedule", "guide", "filter"};
 constexpr const char* TABLE_NAMES[TABLE_COUNT] = {
     "nodes",    "triangles", "mesh_triangles", "vertices",    "tangents",   "instances", "materials",  "texture_slots",
     "textures", "texels",    "lights",         "light_table", "sky_texels", "sky_table", "lobe_energy"};
@@ -49,18 +50,21 @@ Result<KernelSet> KernelSet::create(const Device& device, const std::map<std::st
     if (status.ok()) {
         status = set.create_sets(device);
     }
-    for (uint32_t i = 0; i < KERNEL_COUNT && status.ok(); ++i) {
-        const auto kernel = static_cast<Kernel>(i);
-        Result<Handle<VkPipeline>> pipeline = set.compile(device, files, kernel);
-        status = pipeline.status;
-        if (status.ok()) {
-            set.replace(kernel, std::move(*pipeline));
-        }
+    for (uint32_t i = 0; i < WAVEFRONT_KERNELS && status.ok(); ++i) {
+        status = set.add(device, files, static_cast<Kernel>(i));
     }
     if (!status.ok()) {
         return status;
     }
     return Result<KernelSet>(std::move(set));
+}
+
+Status KernelSet::add(const Device& device, const std::map<std::string, std::string>& files, Kernel kernel) {
+    Result<Handle<VkPipeline>> pipeline = compile(device, files, kernel);
+    if (pipeline.ok()) {
+        replace(kernel, std::move(*pipeline));
+    }
+    return pipeline.status;
 }
 
 Status KernelSet::create_layout(const Device& device) {

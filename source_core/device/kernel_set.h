@@ -14,8 +14,9 @@
 
 namespace source_core {
 
-enum class Kernel : uint32_t { generate, extend, shade, connect, finalize, schedule };
-constexpr uint32_t KERNEL_COUNT = 6;
+enum class Kernel : uint32_t { generate, extend, shade, connect, finalize, schedule, guide, filter };
+constexpr uint32_t KERNEL_COUNT = 8;
+constexpr uint32_t WAVEFRONT_KERNELS = 6;  // the first ones; the others are compiled where a filter asks for them
 constexpr uint32_t WORK_GROUP_SIZE = 32;
 
 /// Name of a kernel's file without its suffix.
@@ -54,6 +55,11 @@ public:
     void replace(Kernel kernel, Handle<VkPipeline> pipeline) {
         pipelines_[static_cast<uint32_t>(kernel)] = std::move(pipeline);
     }
+    /// Both in one.
+    Status add(const Device& device, const std::map<std::string, std::string>& files, Kernel kernel);
+
+    /// Whether it has been compiled: those that only a filter runs are when one is asked for.
+    bool has(Kernel kernel) const { return static_cast<bool>(pipelines_[static_cast<uint32_t>(kernel)]); }
 
     VkPipeline pipeline(Kernel kernel) const { return pipelines_[static_cast<uint32_t>(kernel)].get(); }
     VkPipelineLayout layout() const { return pipeline_layout_.get(); }

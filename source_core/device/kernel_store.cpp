@@ -30,6 +30,18 @@ Result<KernelStore::Found> KernelStore::find(const Device& device, const KernelV
     return Found{in_use_.get(), std::exchange(renewed_, false)};
 }
 
+Status KernelStore::add_filter(const Device& device) {
+    const std::lock_guard lock(mutex_);
+    Status status = Status::success();
+    for (uint32_t i = WAVEFRONT_KERNELS; i < KERNEL_COUNT && status.ok(); ++i) {
+        const auto kernel = static_cast<Kernel>(i);
+        if (!in_use_->has(kernel)) {
+            status = in_use_->add(device, files_, kernel);
+        }
+    }
+    return status;
+}
+
 // What was compiled for another variant than the fresh ones comes from texts that are gone.
 void KernelStore::take_fresh() {
     files_ = std::move(fresh_->files);
@@ -61,8 +73,8 @@ Result<RecompiledKernels> KernelStore::compile_again(const Device& device) {
             continue;
         }
         done.kernels.emplace_back(kernel_name(kernel));
-        if (!fresh.set) {
-            continue;  // the first Render compiles all of them
+        if (!fresh.set || !fresh.set->has(kernel)) {
+            continue;  // the first Render compiles all of them, the first Filter its own
         }
         Result<Handle<VkPipeline>> pipeline = fresh.set->compile(device, fresh.files, kernel);
         if (!pipeline.ok()) {

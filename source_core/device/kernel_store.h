@@ -31,6 +31,10 @@ public:
     };
     Result<Found> find(const Device& device, const KernelVariant& variant);
 
+    /// Compiles the kernels that only a filter runs, for the variant that find was asked for last, unless they are
+    /// there. Fails as find does.
+    Status add_filter(const Device& device);
+
     /// As HotKernels::compile_again: for the variant that was asked for last.
     Result<render_system::RecompiledKernels> compile_again(const Device& device);
 

@@ -44,7 +44,10 @@ const uint BINDING_COUNTERS = 27u;
 const uint BINDING_ARGUMENTS = 28u;
 const uint BINDING_ACCUMULATOR = 29u;
 const uint BINDING_TARGET = 30u;
-const uint BINDING_COUNT = 31u;
+const uint BINDING_GUIDES = 31u;
+const uint BINDING_FILTER_PICTURE = 32u;
+const uint BINDING_PLANES = 33u;
+const uint BINDING_COUNT = 34u;
 
 // counters: the rays of all passes since the buffer was cleared, then three words per segment, from segment 0.
 const uint COUNTER_EXTENSION_TOTAL = 0u;

@@ -86,6 +86,9 @@ ROWS(vec4, shadow_direction, BINDING_SHADOW_DIRECTION)
 ROWS(vec4, shadow_contribution, BINDING_SHADOW_CONTRIBUTION)
 ROWS(vec4, accumulator_row, BINDING_ACCUMULATOR)
 ROWS(vec4, target_row, BINDING_TARGET)
+ROWS(vec4, guide_row, BINDING_GUIDES)
+ROWS(vec4, filter_picture, BINDING_FILTER_PICTURE)
+ROWS(float, plane_word, BINDING_PLANES)
 
 layout(set = 0, binding = BINDING_COUNTERS, std430) restrict buffer CountersBlock { uint counters[]; };
 layout(set = 0, binding = BINDING_ARGUMENTS, std430) restrict buffer ArgumentsBlock { uint arguments[]; };
@@ -139,5 +142,23 @@ vec4 load_accumulator(Uint pixel) { return load_accumulator_row(pixel - pass.fir
 void store_accumulator(Uint pixel, vec4 sum) { store_accumulator_row(pixel - pass.first_pixel, sum, true); }
 
 void store_target(Uint pixel, vec4 mean) { store_target_row(pixel - pass.first_pixel, mean, true); }
+
+vec4 load_guide(Uint pixel, Uint row) { return load_guide_row(pixel * GUIDE_ROWS + row); }
+
+void add_to_guide(Uint pixel, Uint row, vec4 more, Mask where) {
+    Uint place = pixel * GUIDE_ROWS + row;
+    store_guide_row(place, load_guide_row(place) + more, where);
+}
+
+void store_filter_picture(Uint pixel, vec4 row) { store_filter_picture(pixel, row, true); }
+
+// A number of a plane by pixel. Neighbours of pixels that follow each other do so as well, but at the picture's sides:
+// the target core finds out once for all planes.
+#define Pixels Uint
+Pixels pixels_from(Uint pixel) { return pixel; }
+Float load_plane(uint plane, Pixels pixels) { return load_plane_word(plane * settings.pixel_count + pixels); }
+void store_plane(uint plane, Pixels pixels, Float value) {
+    store_plane_word(plane * settings.pixel_count + pixels, value, true);
+}
 
 #endif

@@ -75,6 +75,10 @@ public:
         log_->last_convergence = convergence;
         return log_->render_status.ok() ? null_->Render(view, convergence, samples) : log_->render_status;
     }
+    Status Filter(const ViewPyramid& view, const CoreFilter& filter) override {
+        note("Filter");
+        return null_->Filter(view, filter);
+    }
     void Shutdown() override { null_->Shutdown(); }
 
 private:

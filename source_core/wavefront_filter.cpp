@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <iterator>
+
+#include "source_core/wavefront.h"
+
+namespace source_core {
+
+namespace {
+
+constexpr uint64_t FILTER_ROW = 16;
+constexpr uint32_t FILTER_STEPS[] = {1, 2, 4, 8, 16};
+
+}  // namespace
+
+Status Wavefront::make_filter(const Device& device, MemoryBudget& budget) {
+    constexpr VkBufferUsageFlags USAGE =
+        VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT;
+    const struct {
+        Buffer* buffer;
+        const char* name;
+        uint64_t bytes;
+    } wishes[] = {{&guides_, "guides of the filter", GUIDE_ROWS * FILTER_ROW},
+                  {&filter_picture_, "picture to filter", FILTER_ROW},
+                  {&planes_, "planes of the filter", PLANES * sizeof(float)}};
+    for (const auto& wish : wishes) {
+        if (*wish.buffer) {
+            continue;
+        }
+        const uint64_t bytes = size_.pixels * wish.bytes;
+        if (bytes > device.limits().storage_buffer_range) {
+            return Status::out_of_memory(
+                std::string("source core: the ") + wish.name + " are more than a kernel reaches", bytes,
+                device.limits().storage_buffer_range);
+        }
+        Result<Buffer> buffer = Buffer::create(device, budget, wish.name, bytes, USAGE, BufferPlace::device);
+        if (!buffer.ok()) {
+            return buffer.status;
+        }
+        *wish.buffer = std::move(*buffer);
+    }
+    return Status::success();
+}
+
+Status Wavefront::clear_guides(const Device& device) {
+    return device.submit_and_wait(
+        [&](VkCommandBuffer commands) { vkCmdFillBuffer(commands, guides_.handle(), 0, VK_WHOLE_SIZE, 0); });
+}
+
+Status Wavefront::gather_guides(const Device& device, const KernelSet& kernels, const BatchPass& batch,
+                                WavefrontCounts& counts) {
+    constexpr uint32_t TOGETHER = 8;
+    Status status = Status::success();
+    for (uint32_t done = 0; done < batch.samples && status.ok(); done += TOGETHER) {
+        const uint32_t end = std::min(done + TOGETHER, batch.samples);
+        const Work work = [&](VkCommandBuffer commands) {
+            for (uint32_t sample = done; sample < end; ++sample) {
+                record_guides(commands, kernels, batch, sample);
+            }
+        };
+        status = run_work(device, work, counts);
+    }
+    return status;
+}
+
+void Wavefront::record_guides(VkCommandBuffer commands, const KernelSet& kernels, const BatchPass& batch,
+                              uint32_t sample) {
+    Pass pass = pass_of(batch, sample);
+    clear_segments(commands);
+    dispatch(commands, kernels, Kernel::generate, pass);
+    kernel_barrier(commands);
+    dispatch(commands, kernels, Kernel::schedule, pass);
+    pass.segment = 1;
+    pass.filter_stage = FILTER_GATHER;
+    for (const Kernel kernel : {Kernel::extend, Kernel::guide, Kernel::filter}) {
+        kernel_barrier(commands);
+        dispatch(commands, kernels, kernel, pass);
+    }
+}
+
+void Wavefront::record_stage(VkCommandBuffer commands, const KernelSet& kernels, Pass pass) {
+    kernel_barrier(commands);
+    for (uint64_t first = 0; first < size_.pixels; first += size_.batch) {
+        pass.first_pixel = static_cast<uint32_t>(first);
+        pass.path_count = static_cast<uint32_t>(std::min<uint64_t>(size_.batch, size_.pixels - first));
+        dispatch(commands, kernels, Kernel::filter, pass);
+    }
+}
+
+Status Wavefront::divide_by_albedo(const Device& device, const KernelSet& kernels, uint32_t samples,
+                                   WavefrontCounts& counts) {
+    Pass pass{};
+    pass.sample_scale = 1.0f / static_cast<float>(samples);
+    pass.filter_stage = FILTER_DIVIDE;
+    return run_work(
+        device, [&](VkCommandBuffer commands) { record_stage(commands, kernels, pass); }, counts);
+}
+
+Status Wavefront::run_filter(const Device& device, const KernelSet& kernels, uint32_t rays, WavefrontCounts& counts) {
+    const Work work = [&](VkCommandBuffer commands) {
+        Pass pass{};
+        pass.sample_scale = 1.0f / static_cast<float>(rays);
+        pass.filter_stage = FILTER_PREPARE;
+        record_stage(commands, kernels, pass);
+        pass.filter_stage = FILTER_STEADY;
+        record_stage(commands, kernels, pass);
+        pass.filter_stage = FILTER_LEVEL;
+        pass.filter_from = PLANE_OTHER_LIGHT;
+        pass.filter_to = PLANE_LIGHT;
+        for (const uint32_t step : FILTER_STEPS) {
+            pass.filter_step = step;
+            record_stage(commands, kernels, pass);
+            std::swap(pass.filter_from, pass.filter_to);
+        }
+        pass.filter_stage = FILTER_FINISH;
+        record_stage(commands, kernels, pass);
+    };
+    return run_work(device, work, counts);
+}
+
+}  // namespace source_core
