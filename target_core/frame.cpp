@@ -23,6 +23,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+constexpr uint FILTER_STEPS[] = {1, 2, 4, 8, 16};
+
 /// Adds the time between two calls to a counter.
 class Stopwatch {
 public:
@@ -100,6 +102,17 @@ void render_sample(const KernelTable& kernels, Worker& worker, RayLog* log, Path
     show(PathKernel::finalize);
 }
 
+// The camera rays of one sample, for what they met.
+void gather_sample(const KernelTable& kernels, Tile& tile) {
+    tile.next.count = 0;
+    kernels.generate();
+    next_segment(tile);
+    pass.segment = 1;
+    kernels.extend();
+    kernels.guide();
+    kernels.filter();
+}
+
 void render_tile(const Frame& frame, uint first_pixel, uint path_count, Worker& worker, RayLog* log) {
     KeepDenormals keep;
     bound = frame.bindings;
@@ -115,6 +128,11 @@ void render_tile(const Frame& frame, uint first_pixel, uint path_count, Worker& 
         pass.path_count = path_count;
         pass.sample_scale = 1.0f / static_cast<float>(in_sum + 1);
         pass.first_in_sum = in_sum == 0 ? 1u : 0u;
+        if (frame.guides) {
+            pass.filter_stage = FILTER_GATHER;
+            gather_sample(*frame.kernels, worker.tile);
+            continue;
+        }
         render_sample(*frame.kernels, worker, log, frame.watch);
         if (!frame.sums.empty()) {
             std::span<double> squares =
@@ -122,7 +140,7 @@ void render_tile(const Frame& frame, uint first_pixel, uint path_count, Worker& 
             render_system::add_samples(frame.sums.subspan(place, path_count), squares, target);
         }
     }
-    if (!frame.sums.empty()) {
+    if (!frame.sums.empty() || frame.guides) {
         return;
     }
     std::transform(target, target + path_count, frame.pixels.begin() + first_pixel,
@@ -175,6 +193,38 @@ FrameStats render_frame(const Frame& frame, Workers& workers, RayLog* log) {
         stats.add(worker.stats);
     }
     return stats;
+}
+
+void run_filter_stage(const Frame& frame, const Pass& stage) {
+    constexpr uint CHUNK = TILE_PATHS;
+    for_each_tile((frame.pixel_count + CHUNK - 1) / CHUNK, [&](uint chunk) {
+        KeepDenormals keep;
+        bound = frame.bindings;
+        settings = frame.settings;
+        pass = stage;
+        pass.first_pixel = chunk * CHUNK;
+        pass.path_count = std::min(CHUNK, frame.pixel_count - pass.first_pixel);
+        frame.kernels->filter();
+    });
+}
+
+void run_filter(const Frame& frame, uint rays) {
+    Pass stage{};
+    stage.sample_scale = 1.0f / static_cast<float>(rays);
+    stage.filter_stage = FILTER_PREPARE;
+    run_filter_stage(frame, stage);
+    stage.filter_stage = FILTER_STEADY;
+    run_filter_stage(frame, stage);
+    stage.filter_stage = FILTER_LEVEL;
+    stage.filter_from = PLANE_OTHER_LIGHT;
+    stage.filter_to = PLANE_LIGHT;
+    for (const uint step : FILTER_STEPS) {
+        stage.filter_step = step;
+        run_filter_stage(frame, stage);
+        std::swap(stage.filter_from, stage.filter_to);
+    }
+    stage.filter_stage = FILTER_FINISH;
+    run_filter_stage(frame, stage);
 }
 
 }  // namespace target_core

@@ -43,6 +43,7 @@ struct Frame {
     uint pixel_count = 0;
     std::span<render_system::PixelSum> sums;  // or where samples go in place of `pixels`, one for each pixel rendered
     std::span<double> squares;
+    bool guides = false;  // camera rays alone, for what they met: samples go to the guides of a filter
 };
 
 /// A tile for each thread, kept from frame to frame.
@@ -59,6 +60,12 @@ private:
     struct Threads;
     std::unique_ptr<Threads> threads_;
 };
+
+/// Runs one stage of the filter over all pixels of the frame.
+void run_filter_stage(const Frame& frame, const Pass& stage);
+
+/// Filters the light that FILTER_DIVIDE has left, by guides of so many camera rays a pixel, into the filter's picture.
+void run_filter(const Frame& frame, uint rays);
 
 /// Renders all tiles of the frame on the threads of the current task arena. Each tile of paths runs through the whole
 /// wavefront on one thread, sample by sample, so the picture is the same on any number of threads. With `log`, the

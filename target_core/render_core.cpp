@@ -29,6 +29,9 @@ double milliseconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
+constexpr uint FEWEST_GUIDE_RAYS = 16;
+constexpr uint MOST_GUIDE_RAYS = 256;
+
 vec4 to_row(const glm::vec3& v, float w = 0.0f) { return vec4(v.x, v.y, v.z, w); }
 
 class TargetCore final : public CheckedCore, public EmbreeProbe {
@@ -57,6 +60,8 @@ private:
     uint64_t host_bytes() const override;
 
     Settings frame_settings(const ViewPyramid& view) const;
+    Frame frame_of(const ViewPyramid& view);
+    void gather_guides(Frame& frame, uint first_sample, uint samples);
     Bindings bindings();
     /// The widest that this CPU runs; in exact mode the reference.
     const KernelTable& kernels() const { return options().exact ? one_lane_kernels : *runnable_kernels().tables[0]; }
@@ -70,6 +75,9 @@ private:
     std::optional<tbb::global_control> parallelism_;
     std::optional<tbb::task_arena> arena_;
     std::vector<vec4> accumulator_;  // sums of all samples
+    std::vector<vec4> guides_;       // these three: none until a filter is asked for
+    std::vector<vec4> filter_picture_;
+    std::vector<float> planes_;
     float total_light_weight_ = 0.0f;
     uint light_features_ = 0;
     glm::vec3 sky_radiance_{0.0f};
@@ -194,6 +202,7 @@ Settings TargetCore::frame_settings(const ViewPyramid& view) const {
     frame.scene_extent = vec4(0.0f);
     frame.width = target().width;
     frame.height = target().height;
+    frame.pixel_count = target().width * target().height;
     frame.seed = settings().seed;
     frame.max_path_length = settings().max_path_length;
     frame.russian_roulette = settings().russian_roulette ? 1u : 0u;
@@ -227,6 +236,9 @@ Bindings TargetCore::bindings() {
     bindings.geometry = meshes_.geometry().data();
     bindings.scene = embree_.scene();
     bindings.accumulator = accumulator_.data();
+    bindings.guides = guides_.data();
+    bindings.filter_picture = filter_picture_.data();
+    bindings.planes = planes_.data();
     return bindings;
 }
 
@@ -242,6 +254,14 @@ Status TargetCore::reach_for(const ViewPyramid& view) {
     return prepare();
 }
 
+Frame TargetCore::frame_of(const ViewPyramid& view) {
+    Frame frame;
+    frame.kernels = &kernels();
+    frame.bindings = bindings();
+    frame.settings = frame_settings(view);
+    return frame;
+}
+
 Status TargetCore::render(const ViewPyramid& view, uint32_t samples) {
     auto start = std::chrono::steady_clock::now();
     if (const Status status = reach_for(view); !status.ok()) return status;
@@ -249,10 +269,7 @@ Status TargetCore::render(const ViewPyramid& view, uint32_t samples) {
     if (measures_limit_ && !options().exact) {
         log.emplace();
     }
-    Frame frame;
-    frame.kernels = &kernels();
-    frame.bindings = bindings();
-    frame.settings = frame_settings(view);
+    Frame frame = frame_of(view);
     frame.samples_in_sum = static_cast<uint>(stats().samples);
     frame.first_sample = settings().first_sample + frame.samples_in_sum;
     frame.sample_count = samples;
@@ -284,14 +301,49 @@ Status TargetCore::render(const ViewPyramid& view, uint32_t samples) {
 
 uint64_t TargetCore::host_bytes() const {
     auto bytes = [](const auto& rows) { return rows.capacity() * sizeof(rows[0]); };
-    return meshes_.memory_bytes() + embree_.memory_bytes() + bytes(accumulator_) + bytes(tables_.materials) +
-           bytes(tables_.texture_slots) + bytes(tables_.textures) + bytes(tables_.texels) + bytes(tables_.lights) +
-           bytes(tables_.light_table) + bytes(tables_.sky_texels) + bytes(tables_.sky_table) +
-           bytes(tables_.lobe_energy);
+    return meshes_.memory_bytes() + embree_.memory_bytes() + bytes(accumulator_) + bytes(guides_) +
+           bytes(filter_picture_) + bytes(planes_) + bytes(tables_.materials) + bytes(tables_.texture_slots) +
+           bytes(tables_.textures) + bytes(tables_.texels) + bytes(tables_.lights) + bytes(tables_.light_table) +
+           bytes(tables_.sky_texels) + bytes(tables_.sky_table) + bytes(tables_.lobe_energy);
 }
 
-Status TargetCore::filter(const ViewPyramid&, const CoreFilter&) {
-    return Status::invalid("target core: the filter is not ported yet; use --core source");
+// The camera rays of these samples, whose guides are added to those there are.
+void TargetCore::gather_guides(Frame& frame, uint first_sample, uint samples) {
+    frame.guides = true;
+    frame.first_sample = first_sample;
+    frame.sample_count = samples;
+    arena_->execute([&] { render_frame(frame, workers_, nullptr); });
+}
+
+Status TargetCore::filter(const ViewPyramid& view, const CoreFilter& filter) {
+    if (const Status status = reach_for(view); !status.ok()) return status;
+    const size_t pixels = filter.means.size();
+    guides_.assign(pixels * GUIDE_ROWS, vec4(0.0f));
+    filter_picture_.resize(pixels);
+    planes_.resize(pixels * PLANES);
+    for (size_t pixel = 0; pixel < pixels; ++pixel) {
+        filter_picture_[pixel] =
+            to_row(filter.means[pixel], filter.variances.empty() ? -1.0f : filter.variances[pixel]);
+    }
+    Frame frame = frame_of(view);
+    frame.first_pixel = 0;
+    frame.pixel_count = static_cast<uint>(pixels);
+    const uint own = std::min(filter.samples, MOST_GUIDE_RAYS);
+    const uint rays = std::max(own, FEWEST_GUIDE_RAYS);
+    auto start = std::chrono::steady_clock::now();
+    gather_guides(frame, filter.first_sample, own);
+    Pass divide{};
+    divide.sample_scale = 1.0f / static_cast<float>(own);
+    divide.filter_stage = FILTER_DIVIDE;
+    arena_->execute([&] { run_filter_stage(frame, divide); });
+    if (rays > own) gather_guides(frame, filter.first_sample + own, rays - own);
+    stats().guide_ms = milliseconds_since(start);
+    start = std::chrono::steady_clock::now();
+    arena_->execute([&] { run_filter(frame, rays); });
+    stats().filter_ms = milliseconds_since(start);
+    std::transform(filter_picture_.begin(), filter_picture_.end(), filter.filtered.begin(),
+                   [](const vec4& p) { return glm::vec4(p.x, p.y, p.z, 1.0f); });
+    return Status::success();
 }
 
 void TargetCore::close() {
@@ -299,6 +351,9 @@ void TargetCore::close() {
     meshes_ = {};
     tables_ = {};
     accumulator_ = {};
+    guides_ = {};
+    filter_picture_ = {};
+    planes_ = {};
     workers_.clear();
     arena_.reset();
     parallelism_.reset();

@@ -44,7 +44,8 @@ public:
             (keep ? kept_ : rendered_) += 1;
             if (keep) continue;
             if (Status status = render_frame(number); !status.ok()) return status;
-            const auto bytes = encode_picture(picture_, kind_, options_.exposure, options_.tone_map, {.made_with = text});
+            const auto bytes =
+                encode_picture(picture_, kind_, options_.exposure, options_.tone_map, {.made_with = text});
             if (!bytes.ok()) return bytes.status;
             if (Status status = write_file(file, *bytes); !status.ok()) return status;
         }

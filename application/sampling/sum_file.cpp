@@ -71,9 +71,8 @@ Status read_notes(const OIIO::ImageSpec& spec, PicturePart& part) {
     part.run = RunIdentity::read(spec.get_string_attribute("pathtracerRun"));
     part.ranges = ranges_of_text(spec.get_string_attribute("sampleRanges"));
     if (!part.run.value(kFilterEntry).empty())
-        return Status::invalid(
-            fmt::format("{}: was made with --filter, and what a filter leaves cannot be added; render it without",
-                        part.file));
+        return Status::invalid(fmt::format(
+            "{}: was made with --filter, and what a filter leaves cannot be added; render it without", part.file));
     if (part.run.entries.empty() || part.ranges.empty())
         return no_part(part.file, "it does not say which samples of which picture it holds");
     uint64_t samples = 0;

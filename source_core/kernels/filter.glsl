@@ -122,7 +122,7 @@ Float difference_of(Middle middle, Pixels other, int right, int down) {
     Float step_right = middle.slope_right * float(right);
     Float step_down = middle.slope_down * float(down);
     Float off = load_plane(PLANE_NEARNESS, other) - (middle.nearness + step_right + step_down);
-    Float tolerance = 0.02f * middle.nearness + 0.5f * (abs(step_right) + abs(step_down)) + 1.0e-12f;
+    Float tolerance = 0.01f * middle.nearness + 0.5f * (abs(step_right) + abs(step_down)) + 1.0e-12f;
     return dot(bend, bend) * 8.0f + off * off / (tolerance * tolerance);
 }
 
@@ -183,11 +183,11 @@ void steady_filter(Uint job) {
     Float pooled = (variances + max(light.w, 0.0f)) / (weights + 1.0f);
     Float variance = select(light.w < 0.0f, around, pooled);
     // One sample in a thousand brings a thousand times as much: no more than what is around makes likely.
-    Float limit = luminance(mean) + 3.0f * sqrt(around);
+    Float limit = luminance(mean) + 6.0f * sqrt(around);
     Float shrunk = min(limit / max(luminance(vec3(light)), 1.0e-12f), 1.0f);
     vec3 own = vec3(light) * select(weights < 0.5f, Float(1.0f), shrunk);
     store_light(PLANE_OTHER_LIGHT, here, blend(mean, own, trust), variance);
-    store_plane(PLANE_DOUBT, here, variance);
+    add_to_guide(place.pixel, Uint(GUIDE_EMISSION), vec4(vec3(0.0f), variance), true);
 }
 
 // One level: the mean of like pixels `filter_step` apart, by a small kernel.
@@ -250,7 +250,8 @@ void finish_filter(Uint job) {
     Uint other = Uint(GUIDE_LAYER) - layer;
     vec3 light = vec3(load_light(pass.filter_from, here));
     vec3 albedo = vec3(load_guide(place.pixel, layer + GUIDE_ALBEDO));
-    vec3 radiance = light * albedo + vec3(load_guide(place.pixel, Uint(GUIDE_EMISSION)));
+    vec4 emission = load_guide(place.pixel, Uint(GUIDE_EMISSION));
+    vec3 radiance = light * albedo + vec3(emission);
     Mask mixed = load_guide(place.pixel, other + GUIDE_NORMAL).w > 0.0f;
     if (any_lane(mixed)) {
         vec3 more = borrowed_light(place, other, light) * vec3(load_guide(place.pixel, other + GUIDE_ALBEDO));
@@ -260,7 +261,7 @@ void finish_filter(Uint job) {
     // Where that is farther off the mean of the samples than their variance explains, it is wrong, not they.
     vec4 mean = load_filter_picture(place.pixel);
     vec3 off = vec3(mean) - radiance;
-    Float doubt = max(mean.w, load_plane(PLANE_DOUBT, here) * square(luminance(albedo) * pass.sample_scale));
+    Float doubt = max(mean.w, emission.w * square(luminance(albedo) * pass.sample_scale));
     Float kept = max(1.0f - 12.0f * doubt / (dot(off, off) + 1.0e-12f), 0.0f);
     store_filter_picture(place.pixel, vec4(radiance + off * kept, 1.0f));
 }

@@ -142,7 +142,7 @@ const uint GUIDE_ROWS = 5u;
 const uint GUIDE_ALBEDO = 0u;    // of a layer: albedo.rgb, nearness
 const uint GUIDE_NORMAL = 1u;    // of a layer: shading normal on the ray's side, rays that met it
 const uint GUIDE_LAYER = 2u;     // rows of a layer: the surface met first, then all others
-const uint GUIDE_EMISSION = 4u;  // radiance that came straight from a light or the sky, unused
+const uint GUIDE_EMISSION = 4u;  // radiance that came straight from a light or the sky, variance of light before any level
 
 // planes: one number a pixel each. Light is what is left of radiance without emission, by albedo. The rest is of the
 // layer that has most of the picture's samples.
@@ -152,7 +152,6 @@ const uint PLANE_NORMAL = 8u;       // three
 const uint PLANE_NEARNESS = 11u;
 const uint PLANE_SLOPE = 12u;  // two: what nearness grows by from pixel to pixel, to the right and down
 const uint PLANE_TRUST = 14u;  // 1 where all samples met that layer, 0 where half of them did
-const uint PLANE_DOUBT = 14u;  // in its place: the variance of light before any level
 const uint PLANE_LAYER = 15u;  // its first row in guides
 const uint PLANES = 16u;
 

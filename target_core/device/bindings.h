@@ -31,6 +31,9 @@ struct Bindings {
     const InstanceGeometry* geometry = nullptr;
     RTCScene scene = nullptr;
     vec4* accumulator = nullptr;
+    vec4* guides = nullptr;  // these three: only for a filter
+    vec4* filter_picture = nullptr;
+    float* planes = nullptr;
     Tile* tile = nullptr;
 };
 

@@ -6,8 +6,11 @@
 
 namespace target_core {
 
-const KernelTable one_lane_kernels = {
-    "1 lane", 1, kernels::generate, kernels::extend, kernels::shade, kernels::connect, kernels::finalize};
+const KernelTable one_lane_kernels = {"1 lane",          1,
+                                      kernels::generate, kernels::extend,
+                                      kernels::shade,    kernels::connect,
+                                      kernels::finalize, kernels::guide,
+                                      kernels::filter};
 
 KernelTables runnable_kernels() {
     KernelTables found{};

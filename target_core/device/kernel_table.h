@@ -16,6 +16,8 @@ struct KernelTable {
     void (*shade)();
     void (*connect)();
     void (*finalize)();
+    void (*guide)();
+    void (*filter)();
 };
 
 /// The bit-exact reference, and the only one that runs under exact mode's Embree callbacks.

@@ -6,8 +6,10 @@
 #define kernels kernels_avx2
 #include "target_core/kernels/connect.cpp"
 #include "target_core/kernels/extend.cpp"
+#include "target_core/kernels/filter.cpp"
 #include "target_core/kernels/finalize.cpp"
 #include "target_core/kernels/generate.cpp"
+#include "target_core/kernels/guide.cpp"
 #include "target_core/kernels/shade.cpp"
 #undef kernels
 #include "target_core/device/kernel_table.h"
@@ -26,8 +28,14 @@ void shade() {
 
 }  // namespace
 
-const KernelTable avx2_kernels = {"8 lanes, AVX2",       8,     kernels_avx2::generate,
-                                  kernels_avx2::extend,  shade, kernels_avx2::connect,
-                                  kernels_avx2::finalize};
+const KernelTable avx2_kernels = {"8 lanes, AVX2",
+                                  8,
+                                  kernels_avx2::generate,
+                                  kernels_avx2::extend,
+                                  shade,
+                                  kernels_avx2::connect,
+                                  kernels_avx2::finalize,
+                                  kernels_avx2::guide,
+                                  kernels_avx2::filter};
 
 }  // namespace target_core

@@ -6,8 +6,10 @@
 #define kernels kernels_avx512
 #include "target_core/kernels/connect.cpp"
 #include "target_core/kernels/extend.cpp"
+#include "target_core/kernels/filter.cpp"
 #include "target_core/kernels/finalize.cpp"
 #include "target_core/kernels/generate.cpp"
+#include "target_core/kernels/guide.cpp"
 #include "target_core/kernels/shade.cpp"
 #undef kernels
 #include "target_core/device/kernel_table.h"
@@ -30,8 +32,14 @@ void shade() {
 
 }  // namespace
 
-const KernelTable avx512_kernels = {
-    "16 lanes, AVX-512",     16, kernels_avx512::generate, extend, shade, kernels_avx512::connect,
-    kernels_avx512::finalize};
+const KernelTable avx512_kernels = {"16 lanes, AVX-512",
+                                    16,
+                                    kernels_avx512::generate,
+                                    extend,
+                                    shade,
+                                    kernels_avx512::connect,
+                                    kernels_avx512::finalize,
+                                    kernels_avx512::guide,
+                                    kernels_avx512::filter};
 
 }  // namespace target_core

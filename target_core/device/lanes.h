@@ -50,6 +50,7 @@ inline Int min(Int a, Int b) { return b < a ? b : a; }
 inline Int max(Int a, Int b) { return a < b ? b : a; }
 inline vec3 min(vec3 a, vec3 b) { return {min(a.x, b.x), min(a.y, b.y), min(a.z, b.z)}; }
 inline Float clamp(Float x, Float low, Float high) { return min(max(x, low), high); }
+inline Int clamp(Int x, Int low, Int high) { return min(max(x, low), high); }
 
 inline Uint floatBitsToUint(Float x) { return std::bit_cast<Uint>(x); }
 inline Float uintBitsToFloat(Uint x) { return std::bit_cast<Float>(x); }
@@ -102,6 +103,12 @@ template <class Row>
 inline Row gather_shared(const Row* table, Rows first, uint offset) {
     return table[first + offset];
 }
+
+// Pixels of a plane.
+using Pixels = Uint;
+inline Pixels pixels_from(Uint pixel) { return pixel; }
+inline Float gather_plane(const float* plane, Pixels pixels) { return plane[pixels]; }
+inline void scatter_plane(float* plane, Pixels pixels, Float value) { plane[pixels] = value; }
 
 // Rows of a tile by job.
 template <class Row>

@@ -121,6 +121,7 @@ inline Float sqrt(Float x) { return Float(root(x.v)); }
 inline Float floor(Float x) { return Float(round_down(x.v)); }
 inline vec3 min(vec3 a, vec3 b) { return {min(a.x, b.x), min(a.y, b.y), min(a.z, b.z)}; }
 inline Float clamp(Float x, Float low, Float high) { return min(max(x, low), high); }
+inline Int clamp(Int x, Int low, Int high) { return min(max(x, low), high); }
 
 inline Uint bitfieldReverse(Uint x) { return Uint(reversed_bits(x.v)); }
 
@@ -223,6 +224,34 @@ inline uvec4 gather_shared(const target_core::uvec4* rows, Uint index) {
 }
 
 inline Uint gather(const uint* words, Uint index) { return Uint(gather_words(words, index.v)); }
+
+// Pixels of a plane. Those that follow each other, as neighbours of such ones do but at the picture's ends, are read
+// and written as a whole; where there are fewer pixels than lanes, or the last one stands in for some, one by one.
+struct Pixels {
+    Uint index;
+    bool in_order;
+    explicit Pixels(Uint pixels) : index(pixels), in_order(!any_lane(pixels != lane_numbers() + pixels.v[0])) {}
+};
+inline Pixels pixels_from(Uint pixel) { return Pixels(pixel); }
+
+inline Float gather_plane(const float* plane, const Pixels& pixels) {
+    Float value;
+    if (pixels.in_order) {
+        __builtin_memcpy(&value.v, plane + pixels.index.v[0], sizeof(value.v));
+        return value;
+    }
+    return uintBitsToFloat(Uint(gather_words(reinterpret_cast<const uint*>(plane), pixels.index.v)));
+}
+
+inline void scatter_plane(float* plane, const Pixels& pixels, Float value) {
+    if (pixels.in_order) {
+        __builtin_memcpy(plane + pixels.index.v[0], &value.v, sizeof(value.v));
+        return;
+    }
+    for (uint lane = 0; lane < LANES; ++lane) {
+        plane[pixels.index.v[lane]] = value.v[lane];
+    }
+}
 
 // Rows of a tile by job. Jobs of all lanes follow each other, but for lanes without one.
 inline vec4 gather_jobs(const target_core::vec4* rows, Uint job) {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Kind: rewritten; the original is source_core/kernels/buffers.glsl. The contract of both: settings and pass; one fetch
 // function per table of layout.h; has_feature; load and store of path state, store only where the mask is set; queues
-// by push and load; the number of jobs of this dispatch; the accumulator and the target by pixel.
+// by push and load; the number of jobs of this dispatch; the accumulator and the target by pixel; what a filter has.
 #pragma once
 
 #include "target_core/device/bindings.h"
@@ -86,6 +86,25 @@ inline vec4 load_accumulator(Uint pixel) { return gather(bound.accumulator, pixe
 inline void store_accumulator(Uint pixel, vec4 sum) { scatter(bound.accumulator, pixel, sum, true); }
 inline void store_target(Uint pixel, vec4 mean) {
     scatter(bound.tile->target.get(), pixel - pass.first_pixel, mean, true);
+}
+
+// ---- What a filter has ----
+
+inline vec4 load_guide(Uint pixel, Uint row) { return gather(bound.guides, pixel * GUIDE_ROWS + row); }
+
+inline void add_to_guide(Uint pixel, Uint row, vec4 more, Mask where) {
+    Uint place = pixel * GUIDE_ROWS + row;
+    scatter(bound.guides, place, gather(bound.guides, place) + more, where);
+}
+
+inline vec4 load_filter_picture(Uint pixel) { return gather(bound.filter_picture, pixel); }
+inline void store_filter_picture(Uint pixel, vec4 row) { scatter(bound.filter_picture, pixel, row, true); }
+
+inline Float load_plane(uint plane, Pixels pixels) {
+    return gather_plane(bound.planes + size_t{plane} * settings.pixel_count, pixels);
+}
+inline void store_plane(uint plane, Pixels pixels, Float value) {
+    scatter_plane(bound.planes + size_t{plane} * settings.pixel_count, pixels, value);
 }
 
 }  // namespace target_core::kernels

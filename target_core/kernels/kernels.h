@@ -11,5 +11,8 @@ void extend();
 void shade();
 void connect();
 void finalize();
+// And those of a filter.
+void guide();
+void filter();
 
 }  // namespace target_core::kernels

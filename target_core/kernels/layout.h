@@ -131,6 +131,33 @@ const uint FEATURE_VOLUME = 65536u;  // some solid absorbs light
 
 const uint NONE = 0xFFFFFFFFu;
 
+// ---- What a filter has beside the picture; only where one is asked for. ----
+
+// guides: 5 rows per pixel, sums over the samples of its camera rays: two layers of surfaces, then what had no surface.
+const uint GUIDE_ROWS = 5u;
+const uint GUIDE_ALBEDO = 0u;    // of a layer: albedo.rgb, nearness
+const uint GUIDE_NORMAL = 1u;    // of a layer: shading normal on the ray's side, rays that met it
+const uint GUIDE_LAYER = 2u;     // rows of a layer: the surface met first, then all others
+const uint GUIDE_EMISSION = 4u;  // radiance that came straight from a light or the sky, variance of light before any level
+
+// planes: one number a pixel each. Light is what is left of radiance without emission, by albedo. The rest is of the
+// layer that has most of the picture's samples.
+const uint PLANE_LIGHT = 0u;        // three of light and one of its variance, before a level and after it by turns
+const uint PLANE_OTHER_LIGHT = 4u;  // and the other four
+const uint PLANE_NORMAL = 8u;       // three
+const uint PLANE_NEARNESS = 11u;
+const uint PLANE_SLOPE = 12u;  // two: what nearness grows by from pixel to pixel, to the right and down
+const uint PLANE_TRUST = 14u;  // 1 where all samples met that layer, 0 where half of them did
+const uint PLANE_LAYER = 15u;  // its first row in guides
+const uint PLANES = 16u;
+
+const uint FILTER_GATHER = 0u;   // after each camera ray: adds what it brought straight from a light
+const uint FILTER_DIVIDE = 1u;   // after the picture's own samples: picture to light
+const uint FILTER_PREPARE = 2u;  // guides to planes
+const uint FILTER_STEADY = 3u;   // slopes, and variances that neighbours agree on
+const uint FILTER_LEVEL = 4u;    // one level of the wavelet
+const uint FILTER_FINISH = 5u;   // light to the picture
+
 // ---- Settings: the same for all kernels of one Render. Scalars come in fours: std140 and C++ agree. ----
 
 struct Settings {
@@ -155,7 +182,7 @@ struct Settings {
     float sky_light_probability;  // of the sky's entry in light_table
     float light_weight_scale;     // 1 / total weight: density per area = emission_weight * light_weight_scale
     float indirect_limit;         // of what one path of 3 segments or more brings; 0: none
-    uint unused0;
+    uint pixel_count;
     uint unused1;
     uint unused2;
 };
@@ -168,6 +195,10 @@ struct Pass {
     uint path_count;     // paths in this batch
     float sample_scale;  // finalize: 1 / samples taken so far
     uint first_in_sum;   // finalize: 1 starts the sum, 0 adds to it
+    uint filter_stage;
+    uint filter_step;
+    uint filter_from;
+    uint filter_to;
 };
 
 #ifdef __cplusplus
