@@ -108,6 +108,7 @@ private:
 };
 
 Status check_sequence(const Options& options, const std::string& pattern) {
+    if (Status status = check_filter(options); !status.ok()) return status;
     if (options.time_given)
         return Status::invalid(
             "--time: each frame of --frames has a time of its own, its number by --fps; give one of both");

@@ -30,6 +30,7 @@ bool is_exr(const path& file) {
 
 Status check_sampling(const Options& options, const path& file, Console& console) {
     const SamplingOptions& sampling = options.sampling;
+    if (Status status = check_filter(options); !status.ok()) return status;
     if (sampling.range && options.filter != FilterMode::none)
         return Status::invalid(
             "--samples: parts of a picture are added first, and a filtered one cannot be added to; leave --filter out");
@@ -138,6 +139,9 @@ Status PictureRun::write() {
     if (options_.filter != FilterMode::none) {
         const SampleRange taken{wanted_.first, wanted_.first + sums_.samples};
         if (Status status = session_.filter(picture, variances_of(sums_), taken); !status.ok()) return status;
+        const render_system::CoreStats stats = session_.stats();
+        console_.detail(
+            fmt::format("filter: {:.2f} ms, after {:.2f} ms of camera rays", stats.filter_ms, stats.guide_ms));
     }
     const auto bytes = as_sums ? encode_sums(sums_, notes)
                                : encode_picture(picture, *kind, options_.exposure, options_.tone_map, notes);

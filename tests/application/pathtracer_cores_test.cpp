@@ -222,6 +222,38 @@ TEST_F(Cores, AgreeInEveryBitInExactModeThroughALens) {
     EXPECT_EQ(json::parse(result.out)["results"][0]["identical_pixels"], 1.0);
 }
 
+TEST_F(Cores, AFilteredPictureHasTheSameBitsInExactModeAndDiffersFromAnUnfilteredOne) {
+    SKIP_WITHOUT("source");
+    SKIP_WITHOUT("target");
+    const auto filtered = [&](const std::string& core, const std::string& name, const std::string& filter) {
+        const RunResult result = run({"render", SCENE, "--core", core, "--size", "50x37", "--spp", "3", "--exact",
+                                      "--filter", filter, "-o", name});
+        EXPECT_EQ(result.exit_code, 0) << result.err;
+    };
+    filtered("source", "source.exr", "spatial");
+    filtered("target", "target.exr", "spatial");
+    filtered("target", "none.exr", "none");
+    const auto identical = [&](const std::string& a, const std::string& b) {
+        const RunResult result = run({"compare", a, b, "--format", "json"});
+        EXPECT_EQ(result.exit_code, 0) << result.err;
+        return json::parse(result.out)["results"][0]["identical_pixels"].get<double>();
+    };
+    EXPECT_EQ(identical("source.exr", "target.exr"), 1.0);
+    EXPECT_LT(identical("target.exr", "none.exr"), 0.9);
+    const RunResult merged = run({"merge", "target.exr", "-o", "merged.exr"});
+    EXPECT_EQ(merged.exit_code, 2);
+    EXPECT_THAT(merged.err, HasSubstr("--filter"));
+}
+
+TEST_F(Cores, PartsOfAPictureAreNotFiltered) {
+    SKIP_WITHOUT("target");
+    const RunResult result =
+        run({"render", SCENE, "--core", "target", "--samples", "0:2", "--filter", "spatial", "-o", "part.exr"});
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_THAT(result.err, HasSubstr("--samples"));
+    EXPECT_FALSE(std::filesystem::exists(folder.path / "part.exr"));
+}
+
 TEST_F(Cores, WithoutVulkanTheTargetCoreStillWorks) {
     SKIP_WITHOUT("target");
     const std::string expected = picture("target");
