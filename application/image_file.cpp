@@ -1,47 +1,32 @@
 // SPDX-FileCopyrightText: 2026 The porttool authors
 // SPDX-License-Identifier: Apache-2.0
-// Pictures as files. OpenImageIO is known here and where files of sums are (sampling/sum_file.cpp).
-#include <OpenImageIO/filesystem.h>
-#include <OpenImageIO/imageio.h>
+// Pictures as files.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <filesystem>
 
 #include "application/picture.h"
+#include "render_system/images/image_library.h"
 
 namespace application {
 namespace {
 
+using render_system::ImageToWrite;
 using render_system::Result;
+using render_system::SampleType;
 using render_system::Status;
 using render_system::StatusCode;
 
-/// Encodes into memory, so that the file itself is written in one place for all kinds. `extension` chooses the format,
-/// the format of `spec` is that of the values.
-Result<std::string> encode(const std::string& extension, const OIIO::ImageSpec& spec, const void* values) {
-    const std::string name = "picture." + extension;
-    OIIO::Filesystem::IOVecOutput memory;
-    auto output = OIIO::ImageOutput::create(name, &memory);
-    const bool written =
-        output && output->open(name, spec) && output->write_image(spec.format, values) && output->close();
-    if (!written) {
-        const std::string reason = output ? output->geterror() : OIIO::geterror();
-        return Status::error(StatusCode::internal,
-                             fmt::format("cannot encode the picture as {}: {}", extension, reason));
-    }
-    const std::vector<unsigned char>& bytes = memory.buffer();
-    return std::string(bytes.begin(), bytes.end());
-}
-
-OIIO::ImageSpec plain_spec(uint32_t width, uint32_t height, OIIO::TypeDesc::BASETYPE type,
-                           const std::string& made_with) {
-    OIIO::ImageSpec spec(static_cast<int>(width), static_cast<int>(height), 3, type);
-    // Left alone, OpenImageIO adds the time of day, and the same pixels would give other bytes. An empty one is not
-    // written at all.
-    spec.attribute("DateTime", "");
-    if (!made_with.empty()) spec.attribute(kMadeWith, made_with);
-    return spec;
+/// The bytes of a picture of red, green and blue.
+Result<std::string> encode(ImageToWrite image, const PictureNotes& notes, const void* values) {
+    if (!notes.made_with.empty()) image.notes.insert(image.notes.begin(), {kMadeWith, notes.made_with});
+    image.values = values;
+    const auto library = render_system::image_library();
+    auto bytes = library.ok() ? (*library)->encode(image) : Result<std::string>(library.status);
+    if (!bytes.ok())
+        bytes.status.message = fmt::format("cannot encode the picture as {}: {}", image.format, bytes.status.message);
+    return bytes;
 }
 
 }  // namespace
@@ -57,26 +42,26 @@ Result<ImageKind> image_kind(const std::string& file_name) {
 }
 
 std::string made_with(const std::string& file_name) {
-    const auto input = OIIO::ImageInput::open(file_name);
-    if (!input) OIIO::geterror();  // else it is kept, and told at the end of the program
-    return input ? std::string(input->spec().get_string_attribute(kMadeWith)) : std::string();
+    const auto library = render_system::image_library();
+    const auto file = library.ok() ? (*library)->open(file_name) : library.status;
+    return file.ok() ? (*file)->text(kMadeWith) : std::string();
 }
 
 Result<std::string> encode_png(const Channels<uint8_t>& image, const PictureNotes& notes) {
-    OIIO::ImageSpec spec = plain_spec(image.width, image.height, OIIO::TypeDesc::UINT8, notes.made_with);
-    spec.attribute("oiio:ColorSpace", "sRGB");
-    if (notes.samples > 0) spec.attribute("samples", std::to_string(notes.samples));
-    return encode("png", spec, image.rgb.data());
+    ImageToWrite out{"png", image.width, image.height, {}, {SampleType::u8}};
+    out.notes.emplace_back("oiio:ColorSpace", "sRGB");
+    if (notes.samples > 0) out.notes.emplace_back("samples", std::to_string(notes.samples));
+    return encode(std::move(out), notes, image.rgb.data());
 }
 
 Result<std::string> encode_exr(const Channels<float>& image, const PictureNotes& notes) {
-    OIIO::ImageSpec spec = plain_spec(image.width, image.height, OIIO::TypeDesc::FLOAT, notes.made_with);
-    spec.attribute("oiio:ColorSpace", "Linear");
-    spec.attribute("compression", "zip");
-    if (notes.samples > 0) spec.attribute("samples", static_cast<int>(notes.samples));
-    if (!notes.ranges.empty()) spec.attribute("sampleRanges", notes.ranges);
-    if (!notes.run.empty()) spec.attribute("pathtracerRun", notes.run);
-    return encode("exr", spec, image.rgb.data());
+    ImageToWrite out{"exr", image.width, image.height, {}, {SampleType::f32}};
+    out.notes.emplace_back("oiio:ColorSpace", "Linear");
+    out.notes.emplace_back("compression", "zip");
+    if (notes.samples > 0) out.notes.emplace_back("samples", static_cast<int>(notes.samples));
+    if (!notes.ranges.empty()) out.notes.emplace_back("sampleRanges", notes.ranges);
+    if (!notes.run.empty()) out.notes.emplace_back("pathtracerRun", notes.run);
+    return encode(std::move(out), notes, image.rgb.data());
 }
 
 Result<std::string> encode_picture(const Picture& picture, ImageKind kind, float stops, ToneMap curve,

@@ -5,6 +5,18 @@
 # that is missing.
 include_guard()
 
+# What nearly every file includes, parsed once for all files of a target: a second less for each. In other builds each
+# file parses what it includes, for the reason above.
+set(usual_headers <algorithm> <array> <charconv> <cmath> <deque> <filesystem> <functional> <map> <memory> <optional>
+    <set> <span> <string> <string_view> <unordered_map> <unordered_set> <utility> <vector>)
+
+# precompile(TARGET [HEADER...]): headers that are parsed once beside the usual ones. For a target of many folders.
+function(precompile target)
+    if(CMAKE_BUILD_TYPE STREQUAL "Release")
+        target_precompile_headers(${target} PRIVATE ${usual_headers} ${ARGN})
+    endif()
+endfunction()
+
 # compile_by_folder(TARGET): names in unnamed namespaces must then be unique among the target's files of one folder.
 function(compile_by_folder target)
     if(NOT CMAKE_BUILD_TYPE STREQUAL "Release")

@@ -13,7 +13,8 @@ endif()
 set(sanitizers -fsanitize=address,undefined -fno-omit-frame-pointer -fno-sanitize-recover=all
     -fsanitize-undefined-trap-on-error)
 
-# Adds LIBRARY_sanitized: the objects of a library, compiled under sanitizers.
+# add_sanitized(LIBRARY [FOLDER...]) adds LIBRARY_sanitized: the objects of a library, or of those of its folders that
+# are named, compiled under sanitizers. The other folders' objects come from the library itself.
 function(add_sanitized library)
     if(NOT PORTTOOL_SANITIZED_TESTS)
         return()
@@ -24,6 +25,10 @@ function(add_sanitized library)
             set(${property} "")
         endif()
     endforeach()
+    if(ARGN)
+        list(JOIN ARGN "|" folders)
+        list(FILTER SOURCES INCLUDE REGEX "^(${folders})/")
+    endif()
     add_library(${library}_sanitized OBJECT EXCLUDE_FROM_ALL ${SOURCES})
     target_link_libraries(${library}_sanitized PRIVATE ${LINK_LIBRARIES})
     target_compile_options(${library}_sanitized PRIVATE -Og -g1 -UNDEBUG ${sanitizers} ${COMPILE_OPTIONS})

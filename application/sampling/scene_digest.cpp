@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "application/sampling/scene_digest.h"
 
-#include <OpenImageIO/hash.h>
 #include <fmt/format.h>
+#define XXH_INLINE_ALL
+#include <xxhash.h>
 
 #include <type_traits>
 #include <vector>
@@ -83,7 +84,7 @@ void add_light(Digest& digest, const PunctualLight& light) {
 
 }  // namespace
 
-void Digest::add_bytes(const void* bytes, size_t size) { value_ = OIIO::xxhash::xxhash(bytes, size, value_); }
+void Digest::add_bytes(const void* bytes, size_t size) { value_ = XXH64(bytes, size, value_); }
 
 void Digest::add(std::string_view text) { add_bytes(text.data(), text.size()); }
 

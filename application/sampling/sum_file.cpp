@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "application/sampling/sum_file.h"
 
-#include <OpenImageIO/filesystem.h>
-#include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 
 #include <bit>
@@ -11,12 +9,15 @@
 #include <filesystem>
 
 #include "application/option_values.h"
+#include "render_system/images/image_library.h"
 
 namespace application {
 namespace {
 
+using render_system::ImageFile;
 using render_system::PixelSum;
 using render_system::Result;
+using render_system::SampleType;
 using render_system::Status;
 using render_system::StatusCode;
 
@@ -67,9 +68,9 @@ Status no_part(const std::string& file, const std::string& what) {
 }
 
 /// What the file says of itself.
-Status read_notes(const OIIO::ImageSpec& spec, PicturePart& part) {
-    part.run = RunIdentity::read(spec.get_string_attribute("pathtracerRun"));
-    part.ranges = ranges_of_text(spec.get_string_attribute("sampleRanges"));
+Status read_notes(const ImageFile& file, PicturePart& part) {
+    part.run = RunIdentity::read(file.text("pathtracerRun"));
+    part.ranges = ranges_of_text(file.text("sampleRanges"));
     if (!part.run.value(kFilterEntry).empty())
         return Status::invalid(fmt::format(
             "{}: was made with --filter, and what a filter leaves cannot be added; render it without", part.file));
@@ -77,26 +78,26 @@ Status read_notes(const OIIO::ImageSpec& spec, PicturePart& part) {
         return no_part(part.file, "it does not say which samples of which picture it holds");
     uint64_t samples = 0;
     for (const SampleRange& range : part.ranges) samples += range.count();
-    if (part.ranges.back().end > MAX_SAMPLES || static_cast<uint64_t>(spec.get_int_attribute("samples", 0)) != samples)
+    if (part.ranges.back().end > MAX_SAMPLES || static_cast<uint64_t>(file.number("samples")) != samples)
         return no_part(part.file, "its number of samples is not that of its ranges");
-    if (part.run.value("--size") != fmt::format("{}x{}", spec.width, spec.height))
+    if (part.run.value("--size") != fmt::format("{}x{}", file.width, file.height))
         return no_part(part.file, "its size is not the one it was rendered in");
     part.sums.samples = static_cast<uint32_t>(samples);
     return Status::success();
 }
 
-Status read_pixels(OIIO::ImageInput& input, PicturePart& part) {
+Status read_pixels(ImageFile& file, PicturePart& part) {
     const size_t pixels = part.sums.pixels.size();
     if (part.exact) {
         std::vector<uint32_t> words(pixels * kWords);
-        if (!input.read_image(0, 0, kColors, kColors + kWords, OIIO::TypeDesc::UINT32, words.data()))
-            return no_part(part.file, input.geterror());
+        const std::string error = file.read(kColors, kColors + kWords, SampleType::u32, words.data());
+        if (!error.empty()) return no_part(part.file, error);
         for (size_t i = 0; i < pixels; ++i) part.sums.pixels[i] = sum_of(&words[i * kWords]);
         return Status::success();
     }
     std::vector<float> colors(pixels * kColors);
-    if (!input.read_image(0, 0, 0, kColors, OIIO::TypeDesc::FLOAT, colors.data()))
-        return no_part(part.file, input.geterror());
+    const std::string error = file.read(0, kColors, SampleType::f32, colors.data());
+    if (!error.empty()) return no_part(part.file, error);
     for (size_t i = 0; i < pixels; ++i) {
         const glm::vec3 mean(colors[i * 3], colors[i * 3 + 1], colors[i * 3 + 2]);
         add_sample(part.sums.pixels[i], mean * static_cast<float>(part.sums.samples));
@@ -107,49 +108,47 @@ Status read_pixels(OIIO::ImageInput& input, PicturePart& part) {
 }  // namespace
 
 Result<std::string> encode_sums(const SampleSums& sums, const PictureNotes& notes) {
-    OIIO::ImageSpec spec(static_cast<int>(sums.width), static_cast<int>(sums.height), kColors + kWords,
-                         OIIO::TypeDesc::FLOAT);
-    spec.channelnames = channel_names();
-    spec.channelformats.assign(kColors, OIIO::TypeDesc::FLOAT);
-    spec.channelformats.resize(kColors + kWords, OIIO::TypeDesc::UINT32);
-    spec.attribute("DateTime", "");
-    spec.attribute("compression", "zip");
-    spec.attribute("samples", static_cast<int>(notes.samples));
-    spec.attribute("sampleRanges", notes.ranges);
-    spec.attribute("pathtracerRun", notes.run);
+    render_system::ImageToWrite image{"exr", sums.width, sums.height, channel_names(), {}};
+    image.types.assign(kColors, SampleType::f32);
+    image.types.resize(kColors + kWords, SampleType::u32);
+    image.notes = {{"compression", "zip"},
+                   {"samples", static_cast<int>(notes.samples)},
+                   {"sampleRanges", notes.ranges},
+                   {"pathtracerRun", notes.run}};
     std::vector<Row> rows;
     rows.reserve(sums.pixels.size());
     for (const PixelSum& pixel : sums.pixels) rows.push_back(row_of(pixel, sums.samples));
-    OIIO::Filesystem::IOVecOutput memory;
-    auto output = OIIO::ImageOutput::create("sums.exr", &memory);
-    const bool written = output && output->open("sums.exr", spec) &&
-                         output->write_image(OIIO::TypeDesc::UNKNOWN, rows.data()) && output->close();
-    if (!written) return Status::error(StatusCode::internal, "cannot encode the sums as exr: " + OIIO::geterror());
-    return std::string(memory.buffer().begin(), memory.buffer().end());
+    image.values = rows.data();
+    const auto library = render_system::image_library();
+    auto bytes = library.ok() ? (*library)->encode(image) : Result<std::string>(library.status);
+    if (!bytes.ok()) bytes.status.message = "cannot encode the sums as exr: " + bytes.status.message;
+    return bytes;
 }
 
 Result<PicturePart> read_part(const std::string& file) {
     std::error_code error;
     if (!std::filesystem::is_regular_file(file, error))
         return Status::error(StatusCode::not_found, fmt::format("{}: there is no such file", file));
-    auto input = OIIO::ImageInput::open(file);
-    if (!input || input->format_name() != std::string("openexr"))
-        return no_part(file, input ? "it is no EXR" : OIIO::geterror());
-    const OIIO::ImageSpec& spec = input->spec();
-    const bool sums = spec.channelnames == channel_names();
-    const bool sound = spec.width > 0 && spec.height > 0 && spec.width <= static_cast<int>(MAX_SIDE) &&
-                       spec.height <= static_cast<int>(MAX_SIDE) &&
-                       static_cast<uint64_t>(spec.width) * static_cast<uint64_t>(spec.height) <= MAX_PIXELS &&
-                       spec.depth == 1 && !spec.deep && (sums || spec.nchannels == kColors);
+    const auto library = render_system::image_library();
+    if (!library.ok()) return library.status;
+    auto opened = (*library)->open(file);
+    if (!opened.ok() || (*opened)->format != "openexr")
+        return no_part(file, opened.ok() ? "it is no EXR" : opened.status.message);
+    ImageFile& image = **opened;
+    const bool sums = image.channels == channel_names();
+    const bool sound = image.width > 0 && image.height > 0 && image.width <= static_cast<int>(MAX_SIDE) &&
+                       image.height <= static_cast<int>(MAX_SIDE) &&
+                       static_cast<uint64_t>(image.width) * static_cast<uint64_t>(image.height) <= MAX_PIXELS &&
+                       image.is_flat && (sums || image.channels.size() == kColors);
     if (!sound) return no_part(file, "its size or its channels are none of ours");
     PicturePart part;
     part.file = file;
     part.exact = sums;
-    if (Status status = read_notes(spec, part); !status.ok()) return status;
+    if (Status status = read_notes(image, part); !status.ok()) return status;
     const uint32_t samples = part.sums.samples;
-    part.sums = SampleSums(static_cast<uint32_t>(spec.width), static_cast<uint32_t>(spec.height), false);
+    part.sums = SampleSums(static_cast<uint32_t>(image.width), static_cast<uint32_t>(image.height), false);
     part.sums.samples = samples;
-    if (Status status = read_pixels(*input, part); !status.ok()) return status;
+    if (Status status = read_pixels(image, part); !status.ok()) return status;
     return part;
 }
 

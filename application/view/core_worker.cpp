@@ -13,17 +13,28 @@ using render_system::Convergence;
 using render_system::CoreStats;
 using render_system::Status;
 
-/// A pass that takes longer is preceded by a coarse one: an answer is wanted within 100 ms.
-constexpr double LONG_PASS_MS = 40.0, VERY_LONG_PASS_MS = 300.0;
-/// Samples are taken together as long as they take no longer.
+/// Nothing is begun that takes longer, as an answer is wanted within 100 ms: short samples are taken together, long
+/// ones in parts, and before the first of these comes a coarse one.
 constexpr double PASS_MS = 40.0;
+/// From here on in parts: they cost a little.
+constexpr double LONG_SAMPLE_MS = 100.0;
+/// From here on a sample is one part: Mesa's lavapipe (22.3) loses 0.2 MB of memory with each call.
+constexpr uint32_t SETTLED_SAMPLES = 16;
 
 uint64_t all_rays(const CoreStats& stats) { return stats.primary_rays + stats.extension_rays + stats.shadow_rays; }
 
+using Clock = std::chrono::steady_clock;
+
+double ms_since(Clock::time_point start) {
+    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
 }  // namespace
 
-CoreWorker::CoreWorker(std::string id, Open open, uint32_t most_samples)
-    : id_(std::move(id)), open_(std::move(open)), most_samples_(most_samples), thread_([this] { run(); }) {}
+CoreWorker::CoreWorker(std::string id, Open open, const render_system::CoreSettings& settings, uint32_t most_samples)
+    : id_(std::move(id)), open_(std::move(open)), settings_(settings), most_samples_(most_samples), thread_([this] {
+          run();
+      }) {}
 
 CoreWorker::~CoreWorker() {
     {
@@ -81,7 +92,7 @@ void CoreWorker::run() {
         {
             std::unique_lock lock(mutex_);
             const auto has_work = [&] {
-                const bool is_done = drawn == wanted_.number && core_ && core_->GetCoreStats().samples >= most_samples_;
+                const bool is_done = drawn == wanted_.number && samples_ >= most_samples_;
                 return ends_ || (runs_ && status_.ok() && wanted_.number > 0 && !is_done);
             };
             wake_.wait(lock, has_work);
@@ -107,48 +118,121 @@ void CoreWorker::run() {
     if (core_) core_->Shutdown();
 }
 
-Status CoreWorker::draw(const Request& request, bool fresh) {
-    if (!fresh) {
-        const double together = std::clamp(PASS_MS / std::max(sample_ms_, 1e-3), 1.0, 64.0);
-        const auto left = static_cast<uint32_t>(most_samples_ - core_->GetCoreStats().samples);
-        return pass(request, 1, Convergence::Converge, std::min(static_cast<uint32_t>(together), left));
-    }
-    constexpr uint32_t HALF = 2, QUARTER = 4;
-    if (sample_ms_ > LONG_PASS_MS) {
-        const uint32_t divisor = sample_ms_ > VERY_LONG_PASS_MS ? QUARTER : HALF;
-        if (Status status = pass(request, divisor, Convergence::Restart, 1); !status.ok()) return status;
-        const std::lock_guard lock(mutex_);
-        if (wanted_.number != request.number) return Status::success();  // it moved on
-    }
-    return pass(request, 1, Convergence::Restart, 1);
+bool CoreWorker::is_called_away(const Request& request) {
+    const std::lock_guard lock(mutex_);
+    return ends_ || !runs_ || wanted_.number != request.number;
 }
 
-Status CoreWorker::pass(const Request& request, uint32_t divisor, Convergence convergence, uint32_t samples) {
-    const uint32_t width = std::max(1U, request.width / divisor), height = std::max(1U, request.height / divisor);
-    if (!target_ || target_->width != width || target_->height != height) {
-        auto target = std::make_unique<Picture>(width, height);
-        if (Status status = core_->SetTarget({width, height, target->pixels}); !status.ok()) return status;
-        target_ = std::move(target);
-        convergence = Convergence::Restart;
+Status CoreWorker::draw(const Request& request, bool fresh) {
+    if (fresh) {
+        samples_ = 0;
+        in_parts_ = sample_ms_ > LONG_SAMPLE_MS;
+        if (sample_ms_ > PASS_MS)
+            if (Status status = draw_coarsely(request); !status.ok()) return status;
+        if (is_called_away(request)) return Status::success();
     }
-    const CoreStats before = convergence == Convergence::Restart ? CoreStats() : core_->GetCoreStats();
-    const auto start = std::chrono::steady_clock::now();
-    if (Status status = core_->Render(request.view, convergence, samples); !status.ok()) return status;
-    const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
-    const CoreStats after = core_->GetCoreStats();
-    if (divisor == 1) sample_ms_ = took.count() / samples;
+    // What seemed slow, as a first sample does, may not be.
+    if (in_parts_ && samples_ > 0 && sample_ms_ < LONG_SAMPLE_MS / 2) {
+        samples_ = 0;
+        in_parts_ = false;
+    }
+    return in_parts_ ? take_sample_in_parts(request) : take_samples(request);
+}
 
+/// The core's target is the picture of this request, or a part of its size.
+Status CoreWorker::point_at(const Request& request, uint32_t divisor) {
+    const uint32_t width = std::max(1U, request.width / divisor), height = std::max(1U, request.height / divisor);
+    auto target = std::make_unique<Picture>(width, height);
+    if (Status status = core_->SetTarget({width, height, target->pixels}); !status.ok()) return status;
+    target_ = std::move(target);
+    return core_->Setting(settings_);
+}
+
+Status CoreWorker::draw_coarsely(const Request& request) {
+    uint32_t divisor = 2;
+    while (divisor < 8 && sample_ms_ > PASS_MS * divisor * divisor) divisor *= 2;
+    const auto start = Clock::now();
+    if (Status status = point_at(request, divisor); !status.ok()) return status;
+    if (Status status = core_->Render(request.view, Convergence::Restart, 1); !status.ok()) return status;
+    show_drawn(request, *target_, core_->GetCoreStats(), true, ms_since(start));
+    return Status::success();
+}
+
+/// As many as take no longer than a pass may.
+Status CoreWorker::take_samples(const Request& request) {
+    if (samples_ == 0)
+        if (Status status = point_at(request, 1); !status.ok()) return status;
+    const auto together = static_cast<uint32_t>(std::clamp(PASS_MS / std::max(sample_ms_, 1e-3), 1.0, 64.0));
+    const uint32_t samples = samples_ == 0 ? 1 : std::min(together, most_samples_ - samples_);
+    const CoreStats before = samples_ == 0 ? CoreStats() : core_->GetCoreStats();
+    const auto start = Clock::now();
+    const Convergence convergence = samples_ == 0 ? Convergence::Restart : Convergence::Converge;
+    if (Status status = core_->Render(request.view, convergence, samples); !status.ok()) return status;
+    const double took_ms = ms_since(start);
+    sample_ms_ = took_ms / samples;
+    CoreStats taken = core_->GetCoreStats();
+    samples_ = static_cast<uint32_t>(taken.samples);  // fewer, where the kernels became others
+    taken.primary_rays -= std::min(before.primary_rays, taken.primary_rays);
+    taken.extension_rays -= std::min(before.extension_rays, taken.extension_rays);
+    taken.shadow_rays -= std::min(before.shadow_rays, taken.shadow_rays);
+    taken.total_ms -= std::min(before.total_ms, taken.total_ms);
+    show_drawn(request, *target_, taken, false, took_ms);
+    return Status::success();
+}
+
+/// The same bits as take_samples, by sums of our own. A sample that is not finished is taken again.
+Status CoreWorker::take_sample_in_parts(const Request& request) {
+    const uint32_t width = request.width, height = request.height;
+    const size_t pixels = size_t{width} * height;
+    if (samples_ == 0) {
+        if (Status status = point_at(request, 1); !status.ok()) return status;
+        sample_.assign(pixels, glm::vec4(0.0f));
+        sum_ = sample_;
+    }
+    render_system::CoreSettings settings = settings_;
+    settings.first_sample += samples_;
+    if (Status status = core_->Setting(settings); !status.ok()) return status;
+    const bool is_settled = samples_ >= SETTLED_SAMPLES;
+    const auto parts = is_settled ? size_t{1} : static_cast<size_t>(std::clamp(sample_ms_ / PASS_MS, 2.0, 16.0));
+    const size_t length = (pixels + parts - 1) / parts;
+    CoreStats taken;
+    const auto start = Clock::now();
+    for (size_t first = 0; first < pixels; first += length) {
+        if (first > 0 && is_called_away(request)) return Status::success();
+        part_.assign(std::min(length, pixels - first), {});
+        Status status = core_->SetTarget({width, height, target_->pixels, part_, {}, static_cast<uint32_t>(first)});
+        if (status.ok()) status = core_->Render(request.view, Convergence::Restart, 1);
+        if (!status.ok()) return status;
+        for (size_t i = 0; i < part_.size(); ++i) sample_[first + i] = glm::vec4(mean_of(part_[i], 1), 1.0f);
+        const CoreStats now = core_->GetCoreStats();
+        taken.primary_rays += now.primary_rays;
+        taken.extension_rays += now.extension_rays;
+        taken.shadow_rays += now.shadow_rays;
+        taken.total_ms += now.total_ms;
+        taken.memory_bytes = now.memory_bytes;
+    }
+    sample_ms_ = ms_since(start);
+    taken.samples = ++samples_;
+    Picture picture(width, height);
+    for (size_t i = 0; i < pixels; ++i) {
+        sum_[i] += sample_[i];
+        picture.pixels[i] = glm::vec4(glm::vec3(sum_[i]) * (1.0f / static_cast<float>(samples_)), 1.0f);
+    }
+    show_drawn(request, picture, taken, false, sample_ms_);
+    return Status::success();
+}
+
+void CoreWorker::show_drawn(const Request& request, const Picture& picture, const CoreStats& taken, bool coarse,
+                            double took_ms) {
     const std::lock_guard lock(mutex_);
-    drawn_.picture = *target_;
-    drawn_.stats = after;
+    drawn_.picture = picture;
+    drawn_.stats = taken;
     drawn_.view = request.view;
     drawn_.request = request.number;
-    drawn_.coarse = divisor > 1;
-    drawn_.pass_ms = took.count();
-    const double ms = after.total_ms - before.total_ms;
-    drawn_.mrays_per_s = ms > 0.0 ? static_cast<double>(all_rays(after) - all_rays(before)) / ms * 1e-3 : 0.0;
+    drawn_.coarse = coarse;
+    drawn_.pass_ms = took_ms;
+    drawn_.mrays_per_s = taken.total_ms > 0.0 ? static_cast<double>(all_rays(taken)) / taken.total_ms * 1e-3 : 0.0;
     has_news_ = true;
-    return Status::success();
 }
 
 }  // namespace application

@@ -10,10 +10,12 @@
 #include <mutex>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "application/picture.h"
 #include "render_system/core_api.h"
 #include "render_system/hot_kernels.h"
+#include "render_system/pixel_sum.h"
 
 namespace application {
 
@@ -28,14 +30,15 @@ struct CorePicture {
     double mrays_per_s = 0.0;
 };
 
-/// One core in a thread of its own: it draws the view asked for last, sample after sample, a coarse pass first where a
-/// whole one takes long. A pass that has begun is finished.
+/// One core in a thread of its own: it draws the view asked for last, sample after sample; where one takes long, a
+/// coarse pass comes first, and the others are taken part by part, so that the next request never waits for a whole
+/// one.
 class CoreWorker {
 public:
     /// Opens the core and gives it the scene; called once, in the worker's thread, when the core is first needed.
     using Open = std::function<render_system::Result<std::unique_ptr<render_system::CoreAPI>>()>;
 
-    CoreWorker(std::string id, Open open, uint32_t most_samples);
+    CoreWorker(std::string id, Open open, const render_system::CoreSettings& settings, uint32_t most_samples);
     ~CoreWorker();
     CoreWorker(const CoreWorker&) = delete;
     CoreWorker& operator=(const CoreWorker&) = delete;
@@ -65,11 +68,17 @@ private:
     };
     void run();
     render_system::Status draw(const Request& request, bool fresh);
-    render_system::Status pass(const Request& request, uint32_t divisor, render_system::Convergence convergence,
-                               uint32_t samples);
+    render_system::Status draw_coarsely(const Request& request);
+    render_system::Status take_samples(const Request& request);
+    render_system::Status take_sample_in_parts(const Request& request);
+    render_system::Status point_at(const Request& request, uint32_t divisor);
+    bool is_called_away(const Request& request);
+    void show_drawn(const Request& request, const Picture& picture, const render_system::CoreStats& taken, bool coarse,
+                    double took_ms);
 
     const std::string id_;
     const Open open_;
+    const render_system::CoreSettings settings_;
     const uint32_t most_samples_;
 
     std::mutex mutex_;
@@ -83,7 +92,11 @@ private:
     // Of the thread alone.
     std::unique_ptr<render_system::CoreAPI> core_;
     std::unique_ptr<Picture> target_;
-    double sample_ms_ = 1e9;  // of a whole pass of one sample
+    uint32_t samples_ = 0;    // of the request that is drawn
+    double sample_ms_ = 1e9;  // of one sample of the whole picture
+    bool in_parts_ = false;
+    std::vector<glm::vec4> sample_, sum_;  // in parts: the sample that is being taken, and those that are whole
+    std::vector<render_system::PixelSum> part_;
     std::thread thread_;
 };
 

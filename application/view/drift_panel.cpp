@@ -2,19 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "application/view/drift_panel.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <signal.h>
-#include <spawn.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
-#include <array>
-#include <cerrno>
+#include <algorithm>
 #include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <tuple>
 #include <utility>
-
-extern char** environ;
 
 namespace application {
 namespace {
@@ -37,161 +33,243 @@ std::string find_porttool() {
     return {};
 }
 
-std::string text_at(const Json& value, const char* name) {
-    const auto found = value.is_object() ? value.find(name) : value.end();
-    return found != value.end() && found->is_string() ? found->get<std::string>() : std::string();
+/// The folder that the files of findings are relative to: the nearest one upwards with a map.
+std::string root_of(const std::string& folder) {
+    std::error_code error;
+    std::filesystem::path root = std::filesystem::absolute(folder, error);
+    while (!std::filesystem::exists(root / "portmap.toml", error)) {
+        if (root == root.parent_path()) return folder;
+        root = root.parent_path();
+    }
+    return root.string();
 }
 
-std::string id_at(const Json& value, const char* name) {
+std::string text_at(const Json& value, const char* name) {
+    const auto found = value.is_object() ? value.find(name) : value.end();
+    return value.is_object() && found != value.end() && found->is_string() ? found->get<std::string>() : std::string();
+}
+
+int number_at(const Json& value, const char* name) {
     const auto found = value.find(name);
-    return found != value.end() && found->is_object() ? text_at(*found, "id") : std::string();
+    return found != value.end() && found->is_number_integer() ? found->get<int>() : 0;
+}
+
+std::string lines_of(const std::filesystem::path& path, int first, int last) {
+    constexpr int kMost = 400;
+    std::ifstream file(path);
+    std::string text, line;
+    for (int number = 1; number <= std::min(last, first + kMost) && std::getline(file, line); ++number)
+        if (number >= first) text += line + "\n";
+    return text;
+}
+
+DriftSide side_at(const Json& value, const char* name, const std::string& root) {
+    const auto found = value.find(name);
+    if (found == value.end() || !found->is_object()) return {};
+    DriftSide side{text_at(*found, "id"), text_at(*found, "file"), number_at(*found, "line"), ""};
+    side.text = lines_of(std::filesystem::path(root) / side.file, side.line, number_at(*found, "end_line"));
+    return side;
+}
+
+DriftFinding finding_of(const Json& value, const std::string& root) {
+    DriftFinding out{text_at(value, "rule"),
+                     text_at(value, "level"),
+                     text_at(value, "message"),
+                     text_at(value, "fingerprint"),
+                     side_at(value, "source", root),
+                     side_at(value, "target", root),
+                     {}};
+    const auto details = value.find("details");
+    if (details != value.end() && details->is_array())
+        for (const Json& line : *details)
+            if (line.is_string()) out.details.push_back(line.get<std::string>());
+    return out;
+}
+
+auto place_of(const DriftFinding& finding) {
+    return std::tie(finding.source.file, finding.source.line, finding.target.file, finding.target.line,
+                    finding.fingerprint);
+}
+
+std::string last_line(std::string text) {
+    text.erase(text.find_last_not_of('\n') + 1);
+    return text.substr(text.find_last_of('\n') + 1);
 }
 
 }  // namespace
 
-SideProcess::SideProcess(const std::vector<std::string>& arguments) {
-    std::array<int, 2> ends{};
-    if (::pipe2(ends.data(), O_CLOEXEC | O_NONBLOCK) != 0) return;
-    pipe_ = ends[0];
-    posix_spawn_file_actions_t actions;
-    (void)::posix_spawn_file_actions_init(&actions);
-    (void)::posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-    (void)::posix_spawn_file_actions_adddup2(&actions, ends[1], STDOUT_FILENO);
-    (void)::posix_spawn_file_actions_adddup2(&actions, ends[1], STDERR_FILENO);
-    std::vector<char*> pointers;
-    for (const std::string& argument : arguments) pointers.push_back(const_cast<char*>(argument.c_str()));
-    pointers.push_back(nullptr);
-    if (::posix_spawn(&process_, pointers[0], &actions, nullptr, pointers.data(), environ) != 0) process_ = -1;
-    (void)::posix_spawn_file_actions_destroy(&actions);
-    (void)::close(ends[1]);
-}
+DriftPanel::DriftPanel(std::string folder, ViewLog& log) : DriftPanel(find_porttool(), std::move(folder), log) {}
 
-SideProcess& SideProcess::operator=(SideProcess&& other) noexcept {
-    if (this == &other) return *this;
-    end();
-    process_ = std::exchange(other.process_, -1);
-    pipe_ = std::exchange(other.pipe_, -1);
-    exit_code_ = std::exchange(other.exit_code_, std::nullopt);
-    return *this;
-}
-
-std::string SideProcess::read() {
-    std::string out;
-    std::array<char, 16384> room{};
-    while (pipe_ >= 0) {
-        const ssize_t got = ::read(pipe_, room.data(), room.size());
-        if (got > 0) {
-            out.append(room.data(), static_cast<size_t>(got));
-            continue;
-        }
-        if (got < 0 && (errno == EAGAIN || errno == EINTR)) break;
-        (void)::close(std::exchange(pipe_, -1));
-        int status = 0;
-        if (process_ > 0 && ::waitpid(std::exchange(process_, -1), &status, 0) > 0)
-            exit_code_ = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-    }
-    return out;
-}
-
-void SideProcess::end() {
-    if (process_ > 0) {
-        (void)::kill(process_, SIGTERM);
-        (void)::waitpid(std::exchange(process_, -1), nullptr, 0);
-    }
-    if (pipe_ >= 0) (void)::close(std::exchange(pipe_, -1));
-    exit_code_.reset();
-}
-
-DriftPanel::DriftPanel(std::string folder, ViewLog& log)
-    : program_(find_porttool()), folder_(std::move(folder)), log_(log) {
+DriftPanel::DriftPanel(std::string porttool, std::string folder, ViewLog& log)
+    : program_(std::move(porttool)), folder_(std::move(folder)), root_(root_of(folder_)), log_(log) {
     if (program_.empty()) {
         standing_ = "there is no porttool beside this program or in PATH";
         return;
     }
     watch_ = SideProcess({program_, "-C", folder_, "watch", "--format", "json"});
-    standing_ = watch_.is_started() ? "porttool looks at " + folder_ : "porttool could not be started";
+    standing_ = watch_.is_started() ? "porttool looks at " + folder_ : program_ + " could not be started";
 }
 
-void DriftPanel::update() {
-    watched_text_ += watch_.read();
-    for (size_t end = 0; (end = watched_text_.find('\n')) != std::string::npos;) {
-        take_line(watched_text_.substr(0, end));
-        watched_text_.erase(0, end + 1);
+bool DriftPanel::update() {
+    bool is_new = false;
+    if (watch_.is_started()) {
+        watch_.update();
+        std::string& said = watch_.out();
+        size_t at = 0;
+        for (size_t end = 0; (end = said.find('\n', at)) != std::string::npos; at = end + 1) {
+            take_line(said.substr(at, end - at));
+            is_new = true;
+        }
+        said.erase(0, at);
+        if (watch_.exit_code()) {
+            standing_ = "porttool has ended: " + last_line(watch_.errors());
+            is_new = true;
+        }
     }
-    proposed_text_ += sync_.read();
-    if (sync_.exit_code()) {
-        take_proposal(proposed_text_);
-        proposed_text_.clear();
-        sync_ = SideProcess();
+    asked_.update();
+    if (!asked_.exit_code()) return is_new;
+    if (step_ == Step::Asked) {
+        take_proposal();
+    } else {
+        take_verdict();
     }
-    verdict_text_ += verdict_.read();
-    if (verdict_.exit_code()) {
-        proposal_ = verdict_text_;
-        log_.say("patch", {{"done", *verdict_.exit_code() == 0}, {"said", verdict_text_}});
-        verdict_text_.clear();
-        verdict_ = SideProcess();
-    }
+    asked_ = SideProcess();
+    if (!then_ask_.empty()) ask(Step::Writing, std::exchange(then_ask_, {}));
+    return true;
 }
 
 void DriftPanel::take_line(const std::string& line) {
     const Json value = Json::parse(line, nullptr, false);
     const std::string event = text_at(value, "event");
-    if (value.is_discarded() || event.empty()) {
-        standing_ = line;  // what porttool says on stderr
-        return;
-    }
-    const std::string fingerprint = text_at(value, "fingerprint");
-    if (event == "finding") {
-        findings_[fingerprint] = {text_at(value, "rule"), text_at(value, "level"), text_at(value, "message"),
-                                  id_at(value, "source"), id_at(value, "target"),  fingerprint};
-        log_.say("finding", {{"state", "open"},
-                             {"rule", text_at(value, "rule")},
-                             {"source", id_at(value, "source")},
-                             {"target", id_at(value, "target")},
-                             {"message", text_at(value, "message")},
-                             {"fingerprint", fingerprint}});
-    } else if (event == "gone") {
-        findings_.erase(fingerprint);
+    if (event == "finding") take_finding(finding_of(value, root_));
+    if (event == "gone") {
+        const std::string fingerprint = text_at(value, "fingerprint");
+        drop(fingerprint);
         log_.say("finding", {{"state", "gone"}, {"rule", text_at(value, "rule")}, {"fingerprint", fingerprint}});
-    } else if (event == "judged") {
-        standing_ = fmt::format("{}, {} findings", text_at(value, "verdict"), findings_.size());
-    } else if (event == "error") {
+    }
+    if (event == "judged") standing_ = fmt::format("{}, {} findings", text_at(value, "verdict"), findings_.size());
+    if (event == "error") {
         standing_ = text_at(value, "message");
         log_.say("error", {{"message", standing_}});
     }
 }
 
-void DriftPanel::propose(const DriftFinding& finding) {
-    can_apply_ = false;
-    proposed_ = finding.fingerprint;
-    proposal_ = "porttool looks for the port of this edit";
-    sync_ = SideProcess({program_, "-C", folder_, "sync", finding.fingerprint, "--format", "json"});
+void DriftPanel::take_finding(DriftFinding finding) {
+    drop(finding.fingerprint);
+    log_.say("finding", {{"state", "open"},
+                         {"rule", finding.rule},
+                         {"source", finding.source.id},
+                         {"target", finding.target.id},
+                         {"message", finding.message},
+                         {"fingerprint", finding.fingerprint}});
+    if (selected_.empty()) selected_ = finding.fingerprint;
+    const auto place =
+        std::lower_bound(findings_.begin(), findings_.end(), finding,
+                         [](const DriftFinding& a, const DriftFinding& b) { return place_of(a) < place_of(b); });
+    findings_.insert(place, std::move(finding));
 }
 
-void DriftPanel::take_proposal(const std::string& text) {
-    // Before it may stand what porttool said on stderr.
-    const Json value = Json::parse(text.substr(std::min(text.find('{'), text.size())), nullptr, false);
-    proposal_ = text;
+/// A patch that was shown for it says nothing any more.
+void DriftPanel::drop(const std::string& fingerprint) {
+    std::erase_if(findings_, [&](const DriftFinding& one) { return one.fingerprint == fingerprint; });
+    if (fingerprint == proposed_ && step_ == Step::Shown) {
+        step_ = Step::None;
+        patch_.clear();
+    }
+}
+
+const DriftFinding* DriftPanel::selected() const {
+    const auto found = std::find_if(findings_.begin(), findings_.end(),
+                                    [&](const DriftFinding& one) { return one.fingerprint == selected_; });
+    if (found != findings_.end()) return &*found;
+    return findings_.empty() ? nullptr : &findings_.front();
+}
+
+void DriftPanel::select(const std::string& fingerprint) {
+    selected_ = fingerprint;
+    if (fingerprint == proposed_ || step_ == Step::Asked || step_ == Step::Writing) return;
+    step_ = Step::None;
+    patch_.clear();
+    said_.clear();
+}
+
+void DriftPanel::select_next() {
+    const DriftFinding* now = selected();
+    if (now == nullptr) return;
+    const auto next = static_cast<size_t>(now - findings_.data() + 1) % findings_.size();
+    select(std::string(findings_[next].fingerprint));
+}
+
+void DriftPanel::ask(Step step, std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), {program_, "-C", folder_});
+    asked_ = SideProcess(arguments);
+    step_ = asked_.is_started() ? step : Step::Failed;
+    said_ = asked_.is_started() ? "" : program_ + " could not be started";
+}
+
+void DriftPanel::propose() {
+    const DriftFinding* finding = selected();
+    if (finding == nullptr || step_ == Step::Writing) return;
+    proposed_ = finding->fingerprint;
+    selected_ = proposed_;
+    pair_ = finding->source.id + "=" + finding->target.id;
+    patch_.clear();
+    wants_force_ = false;
+    applies_ = false;
+    ask(Step::Asked, {"sync", proposed_, "--format", "json"});
+}
+
+void DriftPanel::take_proposal() {
+    const Json value = Json::parse(asked_.out(), nullptr, false);
     const auto list = value.is_object() ? value.find("proposals") : value.end();
-    if (value.is_discarded() || list == value.end() || !list->is_array() || list->empty()) return;
-    const Json& first = list->front();
-    const std::string state = text_at(first, "state");
-    can_apply_ = state == "proposed";
-    proposal_ = state + "\n" + text_at(first, "patch");
-    const auto left = first.find("left");
-    if (left != first.end() && left->is_array())
-        for (const Json& item : *left) proposal_ += "left for you: " + text_at(item, "message") + "\n";
-    log_.say("patch", {{"state", state}, {"patch", text_at(first, "patch")}});
+    step_ = Step::Refused;
+    if (!value.is_object() || list == value.end() || !list->is_array() || list->empty()) {
+        said_ = last_line(asked_.errors());
+    } else {
+        const Json& first = list->front();
+        const std::string state = text_at(first, "state");
+        patch_ = text_at(first, "patch");
+        said_ = state;
+        const auto left = first.find("left");
+        if (left != first.end() && left->is_array())
+            for (const Json& item : *left) said_ += "\nleft for you: " + text_at(item, "message");
+        if (state == "proposed") step_ = Step::Shown;
+    }
+    log_.say("patch", {{"state", said_.substr(0, said_.find('\n'))}, {"patch", patch_}});
 }
 
-void DriftPanel::apply() {
-    if (!can_apply_) return;
-    can_apply_ = false;
-    verdict_ = SideProcess({program_, "-C", folder_, "sync", proposed_, "--apply"});
+void DriftPanel::apply(bool force) {
+    const bool again = step_ == Step::Failed && wants_force_ && force;
+    if (step_ != Step::Shown && !again) return;
+    std::vector<std::string> arguments{"sync", proposed_, "--apply"};
+    if (force) arguments.emplace_back("--force");
+    ask(Step::Writing, std::move(arguments));
+    applies_ = true;
 }
 
-void DriftPanel::accept(const DriftFinding& finding) {
-    verdict_ = SideProcess({program_, "-C", folder_, "accept", finding.fingerprint});
+void DriftPanel::accept(const std::string& reason) {
+    const DriftFinding* finding = selected();
+    if (finding == nullptr || step_ == Step::Writing || reason.empty()) return;
+    proposed_ = finding->fingerprint;
+    ask(Step::Writing, {"accept", finding->fingerprint, "--reason", reason});
+}
+
+void DriftPanel::defer(const std::string& reason, const std::string& owner, const std::string& until) {
+    const DriftFinding* finding = selected();
+    if (finding == nullptr || step_ == Step::Writing || reason.empty() || owner.empty() || until.empty()) return;
+    proposed_ = finding->fingerprint;
+    ask(Step::Writing, {"defer", finding->fingerprint, "--reason", reason, "--owner", owner, "--until", until});
+}
+
+void DriftPanel::take_verdict() {
+    const bool is_done = *asked_.exit_code() == 0;
+    said_ = last_line(is_done ? asked_.out() : asked_.errors());
+    step_ = is_done ? Step::Written : Step::Failed;
+    wants_force_ = !is_done && said_.find("--force") != std::string::npos;
+    if (is_done) patch_.clear();
+    log_.say("patch", {{"done", is_done}, {"said", said_}});
+    // A person saw the patch: from here on the two are in step, and the next edit of the one is held against this.
+    if (std::exchange(applies_, false) && is_done) then_ask_ = {"accept", pair_, "--reason", "ported in the window"};
 }
 
 }  // namespace application

@@ -35,7 +35,7 @@ ViewSession::ViewSession(const Options& options, SceneSetup setup, ViewLog& log)
     problems_.resize(ids.size());
     for (const std::string& id : ids)
         workers_.push_back(std::make_unique<CoreWorker>(
-            id, [this, id] { return open_core(id); }, options.spp.front()));
+            id, [this, id] { return open_core(id); }, core_settings(options, options.seed), options.spp.front()));
     begin();
     if (options.kernels.empty()) return;
     std::vector<CoreWorker*> workers;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The porttool authors
 // SPDX-License-Identifier: Apache-2.0
-// The only place that knows GLFW, Dear ImGui and OpenGL, which is for showing alone.
+// The only place that knows GLFW and OpenGL, which are for showing alone, and with drift_window.cpp Dear ImGui.
 #include "application/view/view_window.h"
 
 #include <fmt/format.h>
@@ -17,6 +17,8 @@
 #include <memory>
 #include <utility>
 #include <vector>
+
+#include "application/view/drift_window.h"
 
 namespace application {
 namespace {
@@ -61,7 +63,8 @@ struct Gl {
 struct InputEvent {
     enum Kind : uint8_t { Key, Press, Release, Move, Wheel, Other } kind = Other;
     int code = 0;             ///< of the key or button
-    double x = 0.0, y = 0.0;  ///< where the mouse is, or, of the wheel, how far it turned
+    int modifiers = 0;        ///< that were held with the button
+    double x = 0.0, y = 0.0;  ///< where the mouse moved to, or, of the wheel, how far it turned
 };
 
 std::vector<InputEvent>& input_events() {
@@ -73,15 +76,14 @@ std::vector<InputEvent>& input_events() {
 void note_input_events(GLFWwindow* window) {
     const auto other = [](GLFWwindow*, int, int) { input_events().push_back({}); };
     glfwSetCursorPosCallback(window, [](GLFWwindow*, double x, double y) {
-        input_events().push_back({InputEvent::Move, 0, x, y});
+        input_events().push_back({InputEvent::Move, 0, 0, x, y});
     });
-    glfwSetMouseButtonCallback(window, [](GLFWwindow* from, int button, int action, int) {
-        InputEvent event{action == GLFW_PRESS ? InputEvent::Press : InputEvent::Release, button};
-        glfwGetCursorPos(from, &event.x, &event.y);
-        input_events().push_back(event);
+    // Where: where it moved to last. To ask for its place would tell that of now, which may be another one already.
+    glfwSetMouseButtonCallback(window, [](GLFWwindow*, int button, int action, int modifiers) {
+        input_events().push_back({action == GLFW_PRESS ? InputEvent::Press : InputEvent::Release, button, modifiers});
     });
     glfwSetScrollCallback(window, [](GLFWwindow*, double x, double y) {
-        input_events().push_back({InputEvent::Wheel, 0, x, y});
+        input_events().push_back({InputEvent::Wheel, 0, 0, x, y});
     });
     glfwSetKeyCallback(window, [](GLFWwindow*, int key, int, int action, int) {
         input_events().push_back({action == GLFW_PRESS ? InputEvent::Key : InputEvent::Other, key});
@@ -95,7 +97,7 @@ constexpr float RADIANS_PER_HEIGHT = 3.0f;
 class Window {
 public:
     Window(GLFWwindow* window, const Options& options, ViewSession& session, DriftPanel& panel, ViewLog& log)
-        : window_(window), options_(options), session_(session), panel_(panel), log_(log) {
+        : window_(window), options_(options), session_(session), panel_(panel), drift_(panel), log_(log) {
         gl_.gen_textures(1, &texture_);
         glfwGetCursorPos(window_, &mouse_x_, &mouse_y_);
     }
@@ -116,7 +118,7 @@ public:
             if (!session_.is_waiting() && frames == 0 && now - looked_at < CALM_SECONDS) continue;
             if (now - looked_at >= CALM_SECONDS) frames = std::max(frames, 1);
             looked_at = now;
-            panel_.update();
+            if (panel_.update()) frames = std::max(frames, 1);
             if (session_.update()) {
                 upload();
                 frames = std::max(frames, 1);
@@ -144,7 +146,7 @@ private:
         ImGui::NewFrame();
         draw_picture();
         draw_figures();
-        draw_drift();
+        if (shows_panels_) drift_.draw();
         draw_errors();
         ImGui::Render();
         int width = 0, height = 0;
@@ -180,14 +182,19 @@ private:
         const ImGuiIO& io = ImGui::GetIO();
         for (const InputEvent& event : events) {
             if (event.kind == InputEvent::Key && !io.WantTextInput) take_key(event.code);
-            if (event.kind == InputEvent::Press && !io.WantCaptureMouse) press(event);
+            if (event.kind == InputEvent::Press && !is_on_panel()) press(event);
             if (event.kind == InputEvent::Move) drag(event);
             if (event.kind == InputEvent::Release) release(event);
             constexpr double STEP = 0.9;
-            if (event.kind == InputEvent::Wheel && !io.WantCaptureMouse)
+            if (event.kind == InputEvent::Wheel && !is_on_panel())
                 session_.move("zoom", [&](ViewCamera& camera) { camera.zoom(std::pow(STEP, event.y)); });
         }
         fly();
+    }
+
+    /// Asked of each event's own place: what Dear ImGui wants, it says of the place of its last frame.
+    bool is_on_panel() const {
+        return shows_panels_ && (figures_.holds(mouse_x_, mouse_y_) || drift_.place().holds(mouse_x_, mouse_y_));
     }
 
     double share_of_width(double x) const {
@@ -199,22 +206,28 @@ private:
 
     void press(const InputEvent& event) {
         constexpr double NEAR_PIXELS = 6.0;
-        const double off = share_of_width(event.x) - static_cast<double>(session_.composition().split);
+        const double off = share_of_width(mouse_x_) - static_cast<double>(session_.composition().split);
         const bool on_line = std::abs(off) * static_cast<double>(size_.x) < NEAR_PIXELS;
         slides_ = event.code == GLFW_MOUSE_BUTTON_LEFT && session_.composition().show == Show::Split && on_line;
         held_ = event.code;
-        pans_ = held_ == GLFW_MOUSE_BUTTON_MIDDLE || ImGui::GetIO().KeyShift;
+        pans_ = held_ == GLFW_MOUSE_BUTTON_MIDDLE || (event.modifiers & GLFW_MOD_SHIFT) != 0;
         has_dragged_ = false;
+        dragged_x_ = mouse_x_;
+        dragged_y_ = mouse_y_;
     }
 
     void drag(const InputEvent& event) {
-        const double right = (event.x - mouse_x_) / static_cast<double>(size_.y),
-                     down = (event.y - mouse_y_) / static_cast<double>(size_.y);
+        constexpr double CLICK_PIXELS = 3.0;  // a hand that clicks is not quite still
         mouse_x_ = event.x;
         mouse_y_ = event.y;
-        if (held_ < 0 || (right == 0.0 && down == 0.0)) return;
+        if (held_ < 0) return;
+        const double x = mouse_x_ - dragged_x_, y = mouse_y_ - dragged_y_;
+        if (std::hypot(x, y) < (has_dragged_ ? 1e-9 : CLICK_PIXELS)) return;
         has_dragged_ = true;
-        if (slides_) return session_.set_split(static_cast<float>(share_of_width(event.x)));
+        dragged_x_ = mouse_x_;
+        dragged_y_ = mouse_y_;
+        const double right = x / static_cast<double>(size_.y), down = y / static_cast<double>(size_.y);
+        if (slides_) return session_.set_split(static_cast<float>(share_of_width(mouse_x_)));
         if (pans_) return session_.move("pan", [&](ViewCamera& camera) { camera.pan(right, -down); });
         if (held_ == GLFW_MOUSE_BUTTON_RIGHT)
             return session_.move("look", [&](ViewCamera& camera) { camera.look(right, -down); });
@@ -223,13 +236,14 @@ private:
     }
 
     void release(const InputEvent& event) {
-        if (held_ == GLFW_MOUSE_BUTTON_LEFT && event.code == held_ && !has_dragged_ && !slides_) pick(event);
+        if (event.code != held_) return;
+        if (held_ == GLFW_MOUSE_BUTTON_LEFT && !has_dragged_ && !slides_) pick();
         held_ = -1;
         slides_ = false;
     }
 
-    void pick(const InputEvent& event) {
-        const auto picked = session_.pick_at(share_of_width(event.x), share_of_height(event.y));
+    void pick() {
+        const auto picked = session_.pick_at(share_of_width(mouse_x_), share_of_height(mouse_y_));
         picked_ = picked ? fmt::format("{}: instance {}, material {} {}, {:.4g} off", picked->node, picked->instance,
                                        picked->material, picked->material_name, picked->distance)
                          : "nothing there";
@@ -247,6 +261,9 @@ private:
         if (key == GLFW_KEY_F) session_.frame_all();
         if (key == GLFW_KEY_C) session_.next_camera();
         if (key == GLFW_KEY_P) save();
+        if (key == GLFW_KEY_N) drift_.next_finding();
+        if (key == GLFW_KEY_O) drift_.propose();
+        if (key == GLFW_KEY_ENTER) drift_.apply();
         if (key == GLFW_KEY_H) shows_panels_ = !shows_panels_;
     }
 
@@ -278,6 +295,7 @@ private:
         if (!shows_panels_) return;
         ImGui::SetNextWindowPos({8.0f, 8.0f}, ImGuiCond_FirstUseEver);
         ImGui::Begin("pathtracer", nullptr, ImGuiWindowFlags_AlwaysAutoResize);
+        figures_ = PanelPlace::of_window();
         for (size_t i = 0; i < session_.core_count(); ++i) {
             const CorePicture& one = session_.picture_of(i);
             ImGui::Text("%s%s", i == session_.active() ? "> " : "  ", session_.core_name(i).c_str());
@@ -296,32 +314,8 @@ private:
             session_.set_split(split);
         if (!picked_.empty()) ImGui::TextUnformatted(picked_.c_str());
         if (!said_.empty()) ImGui::TextUnformatted(said_.c_str());
-        ImGui::TextUnformatted("Tab core  1 2 3 one, split, difference  [ ] gain  F frame  C camera  P save  H panels");
-        ImGui::End();
-    }
-
-    void draw_drift() {
-        if (!shows_panels_) return;
-        ImGui::SetNextWindowPos({8.0f, 170.0f}, ImGuiCond_FirstUseEver);
-        ImGui::SetNextWindowSize({420.0f, 160.0f}, ImGuiCond_FirstUseEver);
-        ImGui::SetNextWindowCollapsed(true, ImGuiCond_FirstUseEver);
-        ImGui::Begin("drift");
-        ImGui::TextWrapped("%s", panel_.standing().c_str());
-        for (const auto& [fingerprint, finding] : panel_.findings()) {
-            ImGui::PushID(fingerprint.c_str());
-            ImGui::Separator();
-            ImGui::TextWrapped("%s [%s]\n%s\n%s", finding.source.c_str(), finding.rule.c_str(), finding.target.c_str(),
-                               finding.message.c_str());
-            if (ImGui::SmallButton("propose port")) panel_.propose(finding);
-            ImGui::SameLine();
-            if (ImGui::SmallButton("accept")) panel_.accept(finding);
-            ImGui::PopID();
-        }
-        if (!panel_.proposal().empty()) {
-            ImGui::Separator();
-            ImGui::TextUnformatted(panel_.proposal().c_str());
-            if (panel_.can_apply() && ImGui::Button("apply")) panel_.apply();
-        }
+        ImGui::TextUnformatted(
+            "Tab core  1 2 3 one, split, difference  [ ] gain  F frame  C camera  P save  H panels  N finding  O port");
         ImGui::End();
     }
 
@@ -345,11 +339,14 @@ private:
     const Options& options_;
     ViewSession& session_;
     DriftPanel& panel_;
+    DriftWindow drift_;
     ViewLog& log_;
     Gl gl_;
     GLuint texture_ = 0;
     ImVec2 corner_, size_{1.0f, 1.0f};
     double mouse_x_ = 0.0, mouse_y_ = 0.0, flown_at_ = 0.0;
+    double dragged_x_ = 0.0, dragged_y_ = 0.0;  ///< up to where a drag was followed
+    PanelPlace figures_;
     int held_ = -1;  ///< the button that drags; -1: none
     bool pans_ = false, slides_ = false, has_dragged_ = false, shows_panels_ = true;
     std::string picked_, said_;

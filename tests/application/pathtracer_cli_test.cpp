@@ -53,6 +53,24 @@ TEST_F(Pathtracer, TellsItsVersionAndHelp) {
     EXPECT_THAT(help.err, IsEmpty());
 }
 
+TEST_F(Pathtracer, LoadsOpenImageIoWithTheFirstPictureAndSaysEarlyWhereItIsMissing) {
+    const RunResult libraries = run_program({"ldd", PATHTRACER}, folder.path);
+    EXPECT_THAT(libraries.out, HasSubstr("libembree"));
+    EXPECT_THAT(libraries.out, Not(HasSubstr("OpenImageIO")));
+    EXPECT_LT(std::count(libraries.out.begin(), libraries.out.end(), '\n'), 60);  // it alone has 250
+
+    // The program alone, without its modules.
+    std::filesystem::create_directory(folder.path / "bin");
+    std::filesystem::copy(PATHTRACER, folder.path / "bin" / "pathtracer");
+    const std::string alone = (folder.path / "bin" / "pathtracer").string();
+    EXPECT_EQ(run_program({alone, "--version"}, folder.path).exit_code, 0);
+    const RunResult refused = run_program({alone, "render", scene, "--core", "null", "-o", "a.png"}, folder.path);
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_THAT(refused.err, HasSubstr("pathtracer-images.so; install the program anew"));
+    EXPECT_EQ(std::count(refused.err.begin(), refused.err.end(), '\n'), 1) << refused.err;
+    EXPECT_FALSE(std::filesystem::exists(folder.path / "a.png"));
+}
+
 TEST_F(Pathtracer, RefusesNonsenseInOneOrTwoLines) {
     expect_refused({}, {"no command"});
     expect_refused({"rendr", scene}, {"did you mean 'render'?"});

@@ -1,9 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The porttool authors
 // SPDX-License-Identifier: Apache-2.0
-// What the window computes, without one: the camera that a person moves, picking, and how two pictures become one.
+// What the window does, without one: the camera that a person moves, picking, how two pictures become one, what becomes
+// of a finding.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <thread>
+
 #include "application/view/composition.h"
+#include "application/view/drift_panel.h"
 #include "application/view/picking.h"
 #include "application/view/view_camera.h"
 
@@ -157,6 +165,148 @@ TEST(Composition, ShowsOneBothOrTheirDifference) {
     EXPECT_EQ(composed(a, b, {Show::Split, 7.0f, 16}).rgb, a.rgb);
     EXPECT_EQ(composed(a, b, {Show::Difference, 0.5f, 10}).rgb,
               (std::vector<uint8_t>{10, 10, 10, 90, 90, 90, 20, 0, 150, 80, 100, 50}));
+}
+
+/// A project of one pair, and a panel on it. porttool lies beside this program.
+class Drift : public testing::Test {
+protected:
+    using Step = DriftPanel::Step;
+
+    void SetUp() override {
+        std::string name = (std::filesystem::temp_directory_path() / "drift_XXXXXX").string();
+        folder = ::mkdtemp(name.data());
+        porttool = (std::filesystem::read_symlink("/proc/self/exe").parent_path() / "porttool").string();
+        ASSERT_TRUE(std::filesystem::exists(porttool));
+        write("gpu/a.glsl", kSource);
+        write("cpu/a.cpp", kTarget);
+        ASSERT_EQ(run({"git", "init", "-q", "."}), 0);
+        ASSERT_EQ(run({porttool, "init", "--source", "gpu/*", "--target", "cpu/*"}), 0);
+        ASSERT_EQ(run({"git", "add", "."}), 0);
+        ASSERT_EQ(run({"git", "-c", "user.name=a", "-c", "user.email=a@b", "commit", "-qm", "first"}), 0);
+        ASSERT_TRUE(log.open((folder / "log").string()).ok());
+    }
+    void TearDown() override { std::filesystem::remove_all(folder); }
+
+    void write(const char* name, const std::string& text) const {
+        std::filesystem::create_directories((folder / name).parent_path());
+        std::ofstream(folder / name) << text;
+    }
+    std::string read(const char* name) const {
+        std::ifstream file(folder / name);
+        return {std::istreambuf_iterator<char>(file), {}};
+    }
+    int run(std::vector<std::string> words) const {
+        words.insert(words.begin(), {"/usr/bin/env", "-C", folder.string()});
+        SideProcess process(words);
+        while (!process.exit_code()) {
+            process.update();
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        }
+        return *process.exit_code();
+    }
+    /// Runs the panel until it is so, or for ten seconds.
+    template <class Holds>
+    static bool until(DriftPanel& panel, Holds&& holds) {
+        for (int i = 0; i < 5000; ++i) {
+            panel.update();
+            if (holds()) return true;
+            std::this_thread::sleep_for(std::chrono::milliseconds(2));
+        }
+        return false;
+    }
+    static bool until_step(DriftPanel& panel, Step step) {
+        return until(panel, [&] { return panel.step() == step; });
+    }
+    void edit_source(const char* factor) const {
+        std::string text = kSource;
+        write("gpu/a.glsl", text.replace(text.find("2.5"), 3, factor));
+    }
+
+    const std::string kSource = "float scale(float x, float y) {\n    float sum = x * 2.5;\n    return sum + y;\n}\n";
+    const std::string kTarget = "float scale(float x, float y) {\n    float sum = x * 2.5f;\n    return sum + y;\n}\n";
+    std::filesystem::path folder;
+    std::string porttool;
+    ViewLog log;
+};
+
+TEST_F(Drift, AFindingIsShownWithBothTextsItsPortIsSeenBeforeItIsWrittenAndThenItIsGone) {
+    edit_source("3.5");
+    DriftPanel panel(porttool, (folder / "gpu").string(), log);
+    ASSERT_TRUE(until(panel, [&] { return panel.selected() != nullptr; })) << panel.standing();
+    EXPECT_EQ(panel.selected()->rule, "source-changed");
+    EXPECT_EQ(panel.selected()->source.id, "gpu/a.glsl:scale");
+    EXPECT_THAT(panel.selected()->source.text, testing::HasSubstr("x * 3.5;"));
+    EXPECT_EQ(panel.selected()->target.text, kTarget);
+    panel.apply();  // nothing is shown yet
+    EXPECT_EQ(panel.step(), Step::None);
+
+    panel.propose();
+    EXPECT_EQ(panel.step(), Step::Asked);
+    ASSERT_TRUE(until_step(panel, Step::Shown)) << panel.said();
+    EXPECT_THAT(panel.patch(), testing::HasSubstr("+    float sum = x * 3.5f;"));
+    EXPECT_EQ(read("cpu/a.cpp"), kTarget) << "shown, not written";
+
+    // Another edit meanwhile: what is shown is not what would be written.
+    edit_source("4.5");
+    ASSERT_TRUE(until(panel, [&] { return panel.step() != Step::Shown; }));
+    panel.apply();
+    EXPECT_NE(panel.step(), Step::Writing);
+    panel.propose();
+    ASSERT_TRUE(until_step(panel, Step::Shown)) << panel.said();
+    panel.apply();
+    ASSERT_TRUE(until_step(panel, Step::Written)) << panel.said();
+    EXPECT_THAT(read("cpu/a.cpp"), testing::HasSubstr("x * 4.5f;"));
+    EXPECT_TRUE(until(panel, [&] { return panel.findings().empty(); })) << panel.standing();
+    EXPECT_EQ(panel.selected(), nullptr);
+    panel.propose();
+    panel.select_next();  // there is nothing to ask about
+
+    // The port is not committed: porttool writes over it only when told to.
+    edit_source("5.5");
+    ASSERT_TRUE(until(panel, [&] { return panel.selected() != nullptr; }));
+    panel.propose();
+    ASSERT_TRUE(until_step(panel, Step::Shown)) << panel.said();
+    panel.apply();
+    ASSERT_TRUE(until_step(panel, Step::Failed));
+    EXPECT_TRUE(panel.wants_force()) << panel.said();
+    panel.apply(true);
+    ASSERT_TRUE(until_step(panel, Step::Written)) << panel.said();
+    EXPECT_THAT(read("cpu/a.cpp"), testing::HasSubstr("x * 5.5f;"));
+    EXPECT_THAT(read("log"), testing::HasSubstr("\"state\":\"gone\""));
+}
+
+TEST_F(Drift, AcceptAndDeferTakeAReason) {
+    edit_source("3.5");
+    DriftPanel panel(porttool, folder.string(), log);
+    ASSERT_TRUE(until(panel, [&] { return panel.selected() != nullptr; })) << panel.standing();
+    panel.accept("");
+    panel.defer("later", "", "2999-12-31");
+    EXPECT_EQ(panel.step(), Step::None);
+    panel.defer("later", "a person", "no day");
+    ASSERT_TRUE(until_step(panel, Step::Failed));
+    EXPECT_THAT(panel.said(), testing::HasSubstr("YYYY-MM-DD"));
+    panel.defer("later", "a person", "2999-12-31");
+    ASSERT_TRUE(until_step(panel, Step::Written)) << panel.said();
+    EXPECT_TRUE(until(panel, [&] { return panel.findings().empty(); }));
+    EXPECT_THAT(read("portmap.lock"), testing::HasSubstr("a person"));
+
+    edit_source("4.5");  // the deferral was for another text
+    ASSERT_TRUE(until(panel, [&] { return panel.selected() != nullptr; }));
+    panel.accept("the port needs none");
+    ASSERT_TRUE(until_step(panel, Step::Written)) << panel.said();
+    EXPECT_TRUE(until(panel, [&] { return panel.findings().empty(); }));
+    EXPECT_THAT(read("portmap.lock"), testing::HasSubstr("the port needs none"));
+}
+
+TEST_F(Drift, SaysWhenThereIsNoPorttoolOrItEnds) {
+    EXPECT_THAT(DriftPanel("", folder.string(), log).standing(), testing::HasSubstr("there is no porttool"));
+    DriftPanel missing("/nonexistent/porttool", folder.string(), log);
+    missing.update();
+    EXPECT_THAT(missing.standing(), testing::HasSubstr("/nonexistent/porttool could not be started"));
+    std::filesystem::remove(folder / "portmap.lock");
+    DriftPanel ended(porttool, folder.string(), log);
+    EXPECT_TRUE(until(ended, [&] { return ended.standing().find("porttool init") != std::string::npos; }))
+        << ended.standing();
 }
 
 }  // namespace

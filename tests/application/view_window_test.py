@@ -176,8 +176,7 @@ class KernelsTest(Person):
         line = broken[:broken.index("nonsense")].count("\n") + 1
         self.open_window("--spp", 4, "--core", "source", "--kernels", "kernels")
         # What does not compile at the start: said over the picture, which the other core draws.
-        said = self.wait_for("error")["detail"]
-        self.assertEqual(said["core"], "source")
+        said = self.wait_for("error", lambda detail: detail.get("core") == "source")["detail"]
         self.assertIn(f"finalize.glsl:{line}: 'nonsense'", said["message"])
         red = lambda: sum(r > 60 and g < 30 and b < 30 for r, g, b in self.screen.rows()[HEIGHT - 10])
         self.wait_for("pixels", lambda detail: detail["core"] == "target")
@@ -193,7 +192,7 @@ class KernelsTest(Person):
         self.wait_for("pixels", lambda detail: detail["core"] == "source")
         self.until(lambda now: brightness(now) < 0.7 * plain)
         (self.kernels / "finalize.glsl").unlink()
-        self.assertIn("finalize.glsl", self.wait_for("error")["detail"]["message"])
+        self.assertIn("finalize.glsl", self.wait_for("error", lambda detail: detail.get("core") == "source")["detail"]["message"])
         self.until(lambda now: red() > WIDTH / 2 and brightness(now) < 0.7 * plain)
         self.save("finalize.glsl")
         self.wait_for("pixels", lambda detail: detail["core"] == "source")

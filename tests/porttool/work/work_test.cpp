@@ -111,17 +111,21 @@ struct Growth {
 };
 
 /// Some tables are filled in up to a bound that is documented: what grows faster in a small text must not in a large
-/// one.
-Growth growth_of(const Task& task, const Construct& construct, size_t bytes) {
-    const size_t repetitions = construct.repetitions(bytes);
-    const Growth growth{task(construct, repetitions), task(construct, 2 * repetitions)};
-    constexpr size_t kLargest = 100'000, kLarger = 4;
-    return growth.is_linear() || bytes * kLarger > kLargest ? growth : growth_of(task, construct, bytes * kLarger);
+/// one. What a text of twice the size took is kept, for it is the first of the next two.
+Growth growth_of(const Task& task, const Construct& construct) {
+    constexpr size_t kLargest = 100'000;
+    size_t bytes = kBytes, repetitions = construct.repetitions(bytes);
+    Growth growth{task(construct, repetitions), task(construct, 2 * repetitions)};
+    while (!growth.is_linear() && 2 * (bytes *= 2) <= kLargest) {
+        repetitions *= 2;
+        growth = {growth.twice, task(construct, 2 * repetitions)};
+    }
+    return growth;
 }
 
 void expect_linear(const char* name, const Task& task) {
     for (const Construct& construct : read_constructs(CONSTRUCTS)) {
-        const Growth growth = growth_of(task, construct, kBytes);
+        const Growth growth = growth_of(task, construct);
         EXPECT_TRUE(growth.is_linear()) << name << " of " << construct.name << ": from " << growth.once.steps << " to "
                                         << growth.twice.steps << " steps, from " << growth.once.allocated << " to "
                                         << growth.twice.allocated << " bytes allocated";

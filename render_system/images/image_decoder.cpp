@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The porttool authors
 // SPDX-License-Identifier: Apache-2.0
-#include "render_system/loader/image_reader.h"
+#include "render_system/images/image_decoder.h"
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
@@ -152,7 +152,7 @@ void fill_floats(Image& image, const std::vector<float>& pixels, size_t count, i
 
 }  // namespace
 
-Image read_image(std::span<const std::byte> bytes, const std::string& name) {
+Image decode_image(std::span<const std::byte> bytes, const std::string& name) {
     if (bytes.empty()) fail("is empty");
     const std::string format = format_name(bytes, name);
     std::vector<std::byte> picture;
