@@ -31,7 +31,8 @@ ExitCode run_view(const Options& options, Console& console) {
     if (!setup.ok()) return fail(console, setup.status);
     ViewSession session(options, std::move(*setup), log);
     DriftPanel panel(watched_folder(options), log);
-    const Status status = run_window(options, session, panel, log);
+    Status status = run_window(options, session, panel, log);
+    if (status.ok()) status = log.status();
     return status.ok() ? DONE : fail(console, status);
 }
 #else

@@ -18,7 +18,7 @@ using render_system::Status;
 constexpr double PASS_MS = 40.0;
 /// From here on in parts: they cost a little.
 constexpr double LONG_SAMPLE_MS = 100.0;
-/// From here on a sample is one part: Mesa's lavapipe (22.3) loses 0.2 MB of memory with each call.
+/// From here on a sample is one part: Mesa's lavapipe (22.3) loses 0.2 MB with each sample, however few its pixels.
 constexpr uint32_t SETTLED_SAMPLES = 16;
 
 uint64_t all_rays(const CoreStats& stats) { return stats.primary_rays + stats.extension_rays + stats.shadow_rays; }

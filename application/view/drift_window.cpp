@@ -79,9 +79,11 @@ void DriftWindow::draw() {
     opens_ = opens_ || (has_findings && !had_findings_);
     had_findings_ = has_findings;
     const ImVec2 room = ImGui::GetIO().DisplaySize;
-    ImGui::SetNextWindowPos({8.0f, 130.0f}, ImGuiCond_FirstUseEver);
-    ImGui::SetNextWindowSize({std::max(200.0f, 0.7f * room.x), std::max(120.0f, room.y - 150.0f)},
-                             ImGuiCond_FirstUseEver);
+    const ImGuiCond when = opens_ && !was_open_ ? ImGuiCond_Always : ImGuiCond_FirstUseEver;
+    was_open_ = was_open_ || opens_;
+    constexpr float kTop = 165.0f;  // below the figures of the cores
+    ImGui::SetNextWindowPos({8.0f, kTop}, when);
+    ImGui::SetNextWindowSize({std::max(200.0f, 0.7f * room.x), std::max(120.0f, room.y - kTop - 8.0f)}, when);
     ImGui::SetNextWindowCollapsed(!opens_, opens_ ? ImGuiCond_Always : ImGuiCond_FirstUseEver);
     opens_ = false;
     const bool is_open = ImGui::Begin("drift");

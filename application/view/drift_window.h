@@ -44,7 +44,7 @@ private:
 
     DriftPanel& panel_;
     PanelPlace place_;
-    bool opens_ = false, had_findings_ = false;
+    bool opens_ = false, was_open_ = false, had_findings_ = false;
     std::array<char, 256> reason_{}, owner_{}, until_{};
 };
 

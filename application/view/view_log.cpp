@@ -13,6 +13,7 @@ namespace application {
 using render_system::Status;
 
 Status ViewLog::open(const std::string& file) {
+    name_ = file;
     file_.reset(std::fopen(file.c_str(), "w"));
     if (file_) return Status::success();
     return Status::invalid(
@@ -29,8 +30,10 @@ void ViewLog::say(const char* event, const nlohmann::ordered_json& detail) {
     const nlohmann::ordered_json line = {
         {"t_ms", std::round(now_ms() * TENTHS) / TENTHS}, {"event", event}, {"detail", detail}};
     const std::string text = line.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
-    (void)std::fwrite(text.data(), 1, text.size(), file_.get());
-    (void)std::fflush(file_.get());
+    const bool is_written = std::fwrite(text.data(), 1, text.size(), file_.get()) == text.size();
+    if (is_written && std::fflush(file_.get()) == 0) return;
+    status_ = Status::invalid(fmt::format("--log {}: {}; what came later is not in it", name_, std::strerror(errno)));
+    file_.reset();
 }
 
 }  // namespace application

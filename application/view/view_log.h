@@ -21,6 +21,9 @@ public:
     /// `event`: input, pixels, switch, reload, finding, patch or error.
     void say(const char* event, const nlohmann::ordered_json& detail);
 
+    /// Fails with invalid_argument once something could not be written.
+    const render_system::Status& status() const { return status_; }
+
     /// Since the log was made.
     double now_ms() const { return ms_of(std::chrono::steady_clock::now()); }
     double ms_of(std::chrono::steady_clock::time_point moment) const;
@@ -30,6 +33,8 @@ private:
         void operator()(std::FILE* file) const { (void)std::fclose(file); }
     };
     std::unique_ptr<std::FILE, Close> file_;
+    std::string name_;
+    render_system::Status status_ = render_system::Status::success();
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 

@@ -1,6 +1,10 @@
 # SPDX-FileCopyrightText: 2026 The porttool authors
 # SPDX-License-Identifier: Apache-2.0
-"""`pathtracer view` as a person uses it: under Xvfb, with xdotool, and a look into what stands on the screen."""
+"""`pathtracer view` as a person uses it: under Xvfb, with xdotool, and a look into what stands on the screen.
+
+With `--record FILE.png` at the end the story is played alone, and what the screen shows becomes an animated picture (APNG):
+    tests/application/view_window_test.py build/release/bin/pathtracer source_core/kernels --record docs/story.png
+"""
 import json
 import os
 import pathlib
@@ -11,11 +15,13 @@ import sys
 import tempfile
 import time
 import unittest
+import zlib
 
 PATHTRACER = os.path.abspath(sys.argv.pop(1))
 KERNELS = pathlib.Path(os.path.abspath(sys.argv.pop(1)))
-WIDTH, HEIGHT = 640, 360
-PATIENCE = 40
+RECORD = pathlib.Path(os.path.abspath(sys.argv[2])) if sys.argv[1:2] == ["--record"] else None
+WIDTH, HEIGHT = (960, 540) if RECORD else (640, 360)
+PATIENCE = 120 if RECORD else 40
 
 
 def skip(why):
@@ -53,6 +59,35 @@ class Screen:
         self.process.wait()
 
 
+class Recording:
+    """An animated PNG: https://wiki.mozilla.org/APNG_Specification."""
+
+    def __init__(self):
+        self.frames = []
+
+    def take(self, rows, seconds):
+        """Of each colour the upper five bits: noise costs most of the bytes."""
+        lines, above = [], bytes(3 * WIDTH)
+        for row in rows:
+            now = bytes(channel & 0xF8 for pixel in row for channel in pixel)
+            lines.append(b"\x02" + bytes((a - b) & 255 for a, b in zip(now, above)))
+            above = now
+        self.frames.append((zlib.compress(b"".join(lines), 9), int(1000 * seconds)))
+
+    def write(self, path):
+        def chunk(name, data):
+            return struct.pack(">I", len(data)) + name + data + struct.pack(">I", zlib.crc32(name + data))
+
+        out = [b"\x89PNG\r\n\x1a\n", chunk(b"IHDR", struct.pack(">IIBBBBB", WIDTH, HEIGHT, 8, 2, 0, 0, 0)),
+               chunk(b"acTL", struct.pack(">II", len(self.frames), 0))]
+        number = 0
+        for i, (data, ms) in enumerate(self.frames):
+            out.append(chunk(b"fcTL", struct.pack(">IIIIIHHBB", number, WIDTH, HEIGHT, 0, 0, ms, 1000, 0, 0)))
+            out.append(chunk(b"IDAT", data) if i == 0 else chunk(b"fdAT", struct.pack(">I", number + 1) + data))
+            number += 1 if i == 0 else 2
+        path.write_bytes(b"".join(out) + chunk(b"IEND", b""))
+
+
 def sample(rows):
     """Every fourth pixel of the lower half, where no panel stands."""
     return [pixel for row in rows[HEIGHT // 2 + 20::4] for pixel in row[::4]]
@@ -80,7 +115,7 @@ class Person(unittest.TestCase):
 
     def open_window(self, *options):
         self.process = subprocess.Popen(
-            [PATHTRACER, "view", "still_life", "--size", "160x90", "--log", self.log, *map(str, options)],
+            [PATHTRACER, "view", "still_life", "--size", "320x180" if RECORD else "160x90", "--log", self.log, *map(str, options)],
             cwd=self.folder, env={**os.environ, "DISPLAY": self.screen.display}, stderr=subprocess.PIPE)
         self.addCleanup(lambda: (self.process.kill(), self.process.communicate()))
 
@@ -130,16 +165,18 @@ class ViewTest(Person):
         first = self.until(lambda now: brightness(now) > 20)
         self.assertGreater(len(set(first)), 200)
 
-        self.xdotool("mousemove", 300, 260, "sleep", 0.1, "mousedown", 1, "sleep", 0.1, "mousemove", 360, 250, "sleep", 0.1,
-                     "mousemove", 420, 240, "sleep", 0.1, "mouseup", 1)
+        # Without pauses, and from over a panel: all of it may come between two frames.
+        self.xdotool("mousemove", 40, 20, "mousemove", 300, 260, "mousedown", 1, "mousemove", 360, 250, "mousemove", 420, 240,
+                     "mouseup", 1)
         asked = self.wait_for("input", lambda detail: detail["kind"] == "orbit")
         answered = self.wait_for("pixels")
         self.assertGreaterEqual(answered["t_ms"], asked["t_ms"])
         orbited = brightness(self.until(lambda now: apart(now, first) > 8 and brightness(now) > 5))
 
-        self.xdotool("mousemove", 320, 300, "sleep", 0.1, "click", 1)
-        picked = self.wait_for("input", lambda detail: detail["kind"] == "pick")
-        self.assertRegex(picked["detail"]["found"], "instance [0-9]+, material")
+        for _ in range(3):
+            self.xdotool("mousemove", 40, 20, "mousemove", 320, 300, "click", 1)
+            picked = self.wait_for("input", lambda detail: detail["kind"] == "pick")
+            self.assertRegex(picked["detail"]["found"], "instance [0-9]+, material")
 
         self.xdotool("key", "p")
         self.wait_for("input", lambda detail: detail["kind"] == "save")
@@ -200,6 +237,80 @@ class KernelsTest(Person):
         self.leave()
 
 
+class StoryTest(Person):
+    """An edit of one core alone, from the save to its port."""
+
+    def show(self, seconds):
+        if RECORD:
+            time.sleep(8)  # the pictures converge, the panels follow
+            self.recording.take(self.screen.rows(), seconds)
+
+    def halves(self):
+        rows = self.screen.rows()[HEIGHT // 2 + 20:HEIGHT - 20:4]
+        return [brightness([pixel for row in rows for pixel in row[first:first + WIDTH // 4:4]])
+                for first in (WIDTH // 4 - 16, WIDTH // 2 + 16)]
+
+    def test_an_edit_is_seen_named_and_ported(self):
+        if not has_both_cores():
+            self.skipTest("there is no Vulkan device or no Embree here")
+        self.recording = Recording()
+        root = KERNELS.parent.parent
+        for name in ("source_core", "target_core", "portmap.base"):
+            shutil.copytree(root / name, self.folder / name)
+        for name in ("portmap.toml", "portmap.lock"):
+            shutil.copy(root / name, self.folder / name)
+        # porttool writes into no file that git could not bring back.
+        for words in (["init", "-q"], ["add", "source_core", "target_core", "portmap.toml"],
+                      ["-c", "user.name=a", "-c", "user.email=a@b", "commit", "-qm", "first"]):
+            subprocess.run(["git", *words], cwd=self.folder, check=True)
+        self.open_window("--spp", 16 if RECORD else 2, "--core", "target,source", "--kernels", "source_core/kernels")
+        self.wait_for("pixels", lambda detail: detail["core"] == "target")
+        if RECORD:
+            self.xdotool("search", "--name", "pathtracer", "windowsize", WIDTH, HEIGHT, "mousemove", WIDTH - 1, HEIGHT - 1)
+        # Both in the split: no line between them but the one drawn.
+        self.xdotool("key", "h", "key", "2")
+        self.wait_for("pixels")
+        self.xdotool("key", "3")
+        self.until(lambda now: brightness(now) < 2)
+        self.xdotool("key", "2")
+        self.until(lambda now: brightness(now) > 20)
+        before = self.halves()
+        self.show(1.5)
+
+        source = self.folder / "source_core/kernels/finalize.glsl"
+        target = self.folder / "target_core/kernels/finalize.h"
+        text, port = source.read_text(), target.read_text()
+        self.assertIn("sum * pass.sample_scale", text)
+        source.write_text(text.replace("sum * pass.sample_scale", "sum * pass.sample_scale * 0.25f"))
+        found = self.wait_for("finding", lambda detail: detail["state"] == "open")["detail"]
+        self.assertEqual(found["rule"], "source-changed")
+        self.assertEqual(found["source"], "source_core/kernels/finalize.glsl:finalize_pixel")
+        self.until(lambda now: self.halves()[1] < 0.8 * before[1])
+        self.assertIn("finalize", [name for one in self.events() if one["event"] == "reload"
+                                   for name in one["detail"]["kernels"]])
+        self.assertLess(abs(self.halves()[0] - before[0]), before[0] / 10)
+        self.show(2)
+        self.xdotool("key", "3")
+        self.until(lambda now: brightness(now) > 40)
+        self.show(2)
+
+        self.xdotool("key", "h", "key", "o")
+        shown = self.wait_for("patch")["detail"]
+        self.assertEqual(shown["state"], "proposed", shown)
+        self.assertIn("sample_scale * 0.25f", shown["patch"])
+        self.assertEqual(target.read_text(), port)
+        self.show(4)
+        self.xdotool("key", "Return")
+        written = self.wait_for("patch")["detail"]
+        self.assertTrue(written["done"], written)
+        self.wait_for("finding", lambda detail: detail["state"] == "gone")
+        self.assertIn("sample_scale * 0.25f", target.read_text())
+        self.show(2)
+        self.leave()
+        if RECORD:
+            self.recording.write(RECORD)
+
+
 class RefusedTest(unittest.TestCase):
     def test_says_what_is_missing(self):
         bare = {name: value for name, value in os.environ.items() if name != "DISPLAY"}
@@ -216,4 +327,4 @@ if __name__ == "__main__":
             skip(f"there is no {program} here")
     if b"built without a window" in subprocess.run([PATHTRACER, "view", "still_life"], capture_output=True).stderr:
         skip("this build has no window")
-    unittest.main()
+    unittest.main(argv=[sys.argv[0], "StoryTest"] if RECORD else sys.argv)

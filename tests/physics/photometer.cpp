@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/physics/photometer.h"
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <utility>
 
@@ -43,26 +45,58 @@ double average(const std::vector<glm::vec4>& pixels) {
     return sum / static_cast<double>(pixels.size());
 }
 
+/// To open a device and compile its kernels takes longer than most readings: a suite shares one of each core.
+struct OpenCore {
+    std::unique_ptr<CoreAPI> core;
+    size_t instances = 0, materials = 0;  ///< most that it was sent
+};
+std::map<std::string, OpenCore> open_cores;
+
+/// Opens the core where it is not open.
+Status open(const std::string& name) {
+    OpenCore& opened = open_cores[name];
+    if (opened.core) {
+        return {};
+    }
+    std::unique_ptr<CoreAPI> created = create(name);
+    if (!created) {
+        return Status::error(StatusCode::no_device, "the " + name + " core is not built in");
+    }
+    Status status = created->Init({});
+    if (status.ok()) {
+        opened = {std::move(created), 0, 0};
+    }
+    return status;
+}
+
+/// A core without what the last scene left in it: nothing is placed, and no material asks for a lobe.
+std::unique_ptr<CoreAPI> take_cleared(OpenCore& opened) {
+    for (uint32_t i = 0; i < opened.instances; ++i) {
+        EXPECT_TRUE(opened.core->SetInstance(i, NONE, {}).ok());
+    }
+    if (opened.materials > 0) {
+        EXPECT_TRUE(opened.core->SetMaterials(0, std::vector<CoreMaterial>(opened.materials)).ok());
+    }
+    return std::move(opened.core);
+}
+
 }  // namespace
 
 bool core_available(const std::string& core, std::string& reason) {
-    std::unique_ptr<CoreAPI> created = create(core);
-    if (!created) {
-        reason = "the " + core + " core is not built in";
-        return false;
-    }
-    Status status = created->Init({});
+    const Status status = open(core);
     reason = status.message;
     return status.ok();
 }
 
+void close_cores() { open_cores.clear(); }
+
 Reading measure(const std::string& core, const HostScene& scene, const ViewPyramid& view, const Exposure& exposure) {
     std::vector<glm::vec4> pixels(size_t{exposure.size} * exposure.size);
     RenderSystem system(scene);
-    std::unique_ptr<CoreAPI> created = create(core);
-    EXPECT_TRUE(created->Init({}).ok());
-    EXPECT_TRUE(created->SetTarget({exposure.size, exposure.size, pixels}).ok());
-    system.use_core(std::move(created));
+    EXPECT_TRUE(open(core).ok());
+    OpenCore& opened = open_cores[core];
+    system.use_core(take_cleared(opened));
+    EXPECT_TRUE(system.core().SetTarget({exposure.size, exposure.size, pixels}).ok());
     double means[SEEDS];
     for (int seed = 0; seed < SEEDS; ++seed) {
         CoreSettings settings;
@@ -76,6 +110,8 @@ Reading measure(const std::string& core, const HostScene& scene, const ViewPyram
         EXPECT_TRUE(status.ok()) << status.message;
         means[seed] = average(pixels);
     }
+    opened = {system.take_core(), std::max(opened.instances, scene.instances().size()),
+              std::max(opened.materials, scene.materials().size())};
     Reading reading;
     for (double mean : means) {
         reading.mean += mean / SEEDS;

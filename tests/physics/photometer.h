@@ -31,6 +31,9 @@ struct Exposure {
 /// Whether a core of that name ("source", "target") is built in and can open its device.
 bool core_available(const std::string& core, std::string& reason);
 
+/// Gives the cores back that the readings of a suite share.
+void close_cores();
+
 /// Renders the scene with 16 seeds, roulette off, and averages.
 Reading measure(const std::string& core, const render_system::HostScene& scene, const render_system::ViewPyramid& view,
                 const Exposure& exposure);
@@ -61,6 +64,7 @@ protected:
             GTEST_SKIP() << reason;
         }
     }
+    static void TearDownTestSuite() { close_cores(); }
 };
 
 }  // namespace physics
