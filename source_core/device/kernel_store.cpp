@@ -67,14 +67,19 @@ Result<RecompiledKernels> KernelStore::compile_again(const Device& device) {
     }
     fresh.files = std::move(*now);
     RecompiledKernels done;
+    bool edited = false;
     for (uint32_t i = 0; i < KERNEL_COUNT; ++i) {
         const auto kernel = static_cast<Kernel>(i);
         if (texts_of_kernel(before, kernel) == texts_of_kernel(fresh.files, kernel)) {
             continue;
         }
+        edited = true;
+        if (i >= WAVEFRONT_KERNELS && !(fresh.set && fresh.set->has(kernel))) {
+            continue;  // compiled where a filter asks for it
+        }
         done.kernels.emplace_back(kernel_name(kernel));
-        if (!fresh.set || !fresh.set->has(kernel)) {
-            continue;  // the first Render compiles all of them, the first Filter its own
+        if (!fresh.set) {
+            continue;  // the first Render compiles all of them
         }
         Result<Handle<VkPipeline>> pipeline = fresh.set->compile(device, fresh.files, kernel);
         if (!pipeline.ok()) {
@@ -85,7 +90,7 @@ Result<RecompiledKernels> KernelStore::compile_again(const Device& device) {
     done.compile_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     const std::lock_guard lock(mutex_);
     fresh_.reset();  // where the texts became again what runs, there is nothing to take
-    if (!done.kernels.empty()) {
+    if (edited) {
         fresh_ = std::move(fresh);
     }
     return done;
