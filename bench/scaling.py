@@ -3,17 +3,22 @@
 # SPDX-License-Identifier: Apache-2.0
 """What texts that were written to hurt cost porttool: its time and memory at one size and at twice that.
 
-    bench/scaling.py [--porttool build/release/bin/porttool] [--bytes 2097152] [--only PART] [--all]
+    bench/scaling.py [--porttool build/release/bin/porttool] [--bytes 2097152] [--only PART] [--all] [--counts]
 
 Makes each text of bench/constructs.json in a temporary folder (in memory where that can be) as both sides of a
 repository, edits one side and both, and runs scan, map, init, check, compare and effort. Prints a Markdown table of the
 worst constructs of each command (--all: of all); exits 1 if twice the size takes more than 2.3 times as long, or more
 than 1 GiB. Times below 0.5 s count as that: they are the start of the program.
+
+--counts: millions of instructions, counted by valgrind, in place of seconds. They are the same on a busy machine, and tell
+what grows faster than the text from what a larger text does to the caches. Takes fifty times as long; try --bytes 262144.
 """
 import argparse
 import json
 import os
 import pathlib
+import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -22,7 +27,7 @@ import time
 # `init` writes a file for each text that it records: where a disk is slow with a hundred thousand of them in a folder, or
 # with those of the construct before that were just removed, its time would be in the table, not porttool's.
 MEMORY = "/dev/shm"
-MOST_GROWTH, LEAST_SECONDS, MOST_BYTES, LONGEST = 2.3, 0.5, 1 << 30, 120
+MOST_GROWTH, LEAST_SECONDS, LEAST_MILLIONS, MOST_BYTES, LONGEST = 2.3, 0.5, 20, 1 << 30, 120
 SIDES = ["--source", "s/**", "--target", "t/**"]
 
 
@@ -43,9 +48,19 @@ def text(construct, count, edit):
     return parts[0] + opening + parts[1] + closing + parts[2]
 
 
+def instructions(arguments, folder):
+    """Millions of instructions that a run takes, and its exit code."""
+    ran = subprocess.run(["valgrind", "--tool=callgrind", "--callgrind-out-file=/dev/null", *arguments], cwd=folder,
+                         stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, errors="replace")
+    found = re.search(r"Collected : (\d+)", ran.stderr)
+    if found is None:
+        sys.exit("valgrind: " + ran.stderr[-400:])
+    return int(found.group(1)) / 1e6, ran.returncode
+
+
 class Repository:
-    def __init__(self, tool, folder):
-        self.tool, self.folder, self.rows = tool, pathlib.Path(folder), {}
+    def __init__(self, tool, folder, counts):
+        self.tool, self.folder, self.counts, self.rows = tool, pathlib.Path(folder), counts, {}
         for side in "st":
             (self.folder / side).mkdir()
 
@@ -58,7 +73,11 @@ class Repository:
                        stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
 
     def run(self, name, *arguments):
-        """Runs a command and notes its processor time and peak memory."""
+        """Runs a command and notes its processor time (or its instructions, without those of its start) and peak memory."""
+        if self.counts:
+            count, code = instructions([self.tool, *arguments], self.folder)
+            self.rows[name] = (count - self.counts, 0, code)
+            return
         with open(os.devnull, "wb") as sink:
             process = subprocess.Popen([self.tool, *arguments], cwd=self.folder, stdout=sink, stderr=sink)
             start = time.monotonic()
@@ -73,11 +92,11 @@ class Repository:
         self.rows[name] = (usage.ru_utime + usage.ru_stime, usage.ru_maxrss * 1024, process.returncode)
 
 
-def measure(tool, construct, size):
+def measure(tool, construct, size, counts):
     count = repetitions(construct, size)
     old, one, other = (text(construct, count, edit) for edit in ("none", "one", "all"))
     with tempfile.TemporaryDirectory(dir=MEMORY if os.access(MEMORY, os.W_OK) else None) as folder:
-        repository = Repository(tool, folder)
+        repository = Repository(tool, folder, counts)
         repository.write(old, old)
         repository.run("scan", "scan", "s", "--format", "json")
         repository.run("map", "map", *SIDES, "--format", "json")
@@ -95,19 +114,20 @@ def measure(tool, construct, size):
         return repository.rows
 
 
-def growth(once, twice):
-    return max(twice[0], LEAST_SECONDS) / max(once[0], LEAST_SECONDS)
+def growth(once, twice, counts):
+    least = LEAST_MILLIONS if counts else LEAST_SECONDS
+    return max(twice[0], least) / max(once[0], least)
 
 
-def measure_twice(tool, construct, size):
+def measure_twice(tool, construct, size, counts):
     """The rows of a size and of twice that. What else a machine does only adds to a time: what is beyond the bound is
     measured again, up to twice, and the least time of each size counts."""
-    once, twice = (measure(tool, construct, part) for part in (size, 2 * size))
-    for _ in range(2):
-        if all(growth(once[command], twice[command]) <= MOST_GROWTH for command in twice):
+    once, twice = (measure(tool, construct, part, counts) for part in (size, 2 * size))
+    for _ in range(0 if counts else 2):
+        if all(growth(once[command], twice[command], counts) <= MOST_GROWTH for command in twice):
             break
         for rows, part in ((once, size), (twice, 2 * size)):
-            for command, (seconds, peak, code) in measure(tool, construct, part).items():
+            for command, (seconds, peak, code) in measure(tool, construct, part, counts).items():
                 rows[command] = (min(seconds, rows[command][0]), max(peak, rows[command][1]), code)
     return once, twice
 
@@ -118,18 +138,23 @@ def main():
     parser.add_argument("--bytes", type=int, default=2 << 20, help="the smaller size of each text")
     parser.add_argument("--only", action="append", default=[], help="constructs whose name holds this; may be given again")
     parser.add_argument("--all", action="store_true", help="a row for every construct")
+    parser.add_argument("--counts", action="store_true", help="count instructions by valgrind")
     options = parser.parse_args()
+    if options.counts and shutil.which("valgrind") is None:
+        sys.exit("--counts needs valgrind; install it")
     if not os.path.exists(options.porttool):
         sys.exit(f"no {options.porttool} here; build it, or name it with --porttool")
     tool = os.path.abspath(options.porttool)
     constructs = json.loads((pathlib.Path(__file__).parent / "constructs.json").read_text(encoding="utf-8"))
+    counts = instructions([tool, "--version"], ".")[0] if options.counts else 0
+    unit = "million instructions" if counts else "s"
     rows, failed = {}, 0
     for construct in constructs:
         if options.only and not any(part in construct["name"] for part in options.only):
             continue
-        once, twice = measure_twice(tool, construct, options.bytes)
+        once, twice = measure_twice(tool, construct, options.bytes, counts)
         for command, (seconds, peak, code) in twice.items():
-            times = growth(once[command], twice[command])
+            times = growth(once[command], twice[command], counts)
             bad = times > MOST_GROWTH or peak > MOST_BYTES or code not in (0, 1)
             failed += bad
             rows.setdefault(command, []).append((times, seconds, once[command][0], peak, construct["name"], code, bad))
@@ -141,7 +166,7 @@ def main():
         worst = {max(found)[4], max(found, key=lambda row: row[1])[4], max(found, key=lambda row: row[3])[4]}
         for times, seconds, before, peak, name, code, bad in sorted(found, reverse=True):
             if options.all or bad or name in worst:
-                print(f"| {command} | {name} | {before:.2f} s | {seconds:.2f} s | {times:.2f} | {peak / 2**20:.0f} MiB |"
+                print(f"| {command} | {name} | {before:.2f} {unit} | {seconds:.2f} {unit} | {times:.2f} | {peak / 2**20:.0f} MiB |"
                       f" {'exit ' + str(code) if code not in (0, 1) else 'TOO MUCH' if bad else ''} |")
     print(f"\n{sum(len(found) for found in rows.values())} runs of twice the size, {failed} beyond the bounds")
     return 1 if failed else 0

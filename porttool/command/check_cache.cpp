@@ -116,7 +116,7 @@ Outcome through_cache(const std::string& request, const std::string& directory, 
                       const std::function<Outcome(Workplace&)>& work) {
     const UserCache cache("check", outermost_repository(place.disk, directory));
     const std::string file = fmt::format("{:016x}", hash_text(request));
-    if (const auto bytes = cache.read(file)) {
+    if (const auto bytes = cache.read(file, kMostCacheBytes)) {
         const auto kept = read_kept(*bytes);
         if (kept && kept->request == request && kept->trace.holds(place.disk)) {
             place.err << kept->said;

@@ -2,11 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // The files of a commit and of the index.
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 
 #include "porttool/read/disk.h"
 #include "porttool/read/git_open.h"
+#include "porttool/read/source_files.h"
 #include "porttool/text/sink/shell.h"
 #include "porttool/text/sink/terminal.h"
 
@@ -17,7 +21,6 @@ using Object = GitOwned<git_object, git_object_free>;
 using Commit = GitOwned<git_commit, git_commit_free>;
 using Tree = GitOwned<git_tree, git_tree_free>;
 using Index = GitOwned<git_index, git_index_free>;
-using Blob = GitOwned<git_blob, git_blob_free>;
 using TreeEntry = GitOwned<git_tree_entry, git_tree_entry_free>;
 using Submodule = GitOwned<git_repository, git_repository_free>;
 
@@ -30,34 +33,54 @@ struct Walk {
     std::string prefix;  ///< the folder of the repository that is read, "sub/folder/" or ""
     std::string before;  ///< what stands before its paths in `out`: the place of a submodule
     const WantsFile& wants;
+    const std::vector<std::string>& folders;  ///< with all that is wanted, as paths in `out`; none for anywhere
+    EntryCount& entries;
+    uint64_t& bytes;                 ///< that were read in all
     const git_tree* tree = nullptr;  ///< while one is read
 
     /// The path that a file has in `out`.
     std::string name_of(const std::string& path) const { return before + path.substr(prefix.size()); }
+
+    /// True if a folder ("a/b/") holds something wanted, or leads to the root.
+    bool leads_to_wanted(const std::string& folder) const {
+        if (folder.size() > kLongestGitPath) return false;
+        if (!folder.starts_with(prefix)) return prefix.starts_with(folder);
+        const std::string name = name_of(folder);
+        return folders.empty() || std::any_of(folders.begin(), folders.end(), [&](const std::string& one) {
+                   return one == "." || name.starts_with(one + "/") || (one + "/").starts_with(name);
+               });
+    }
 };
 
-/// Reads one file; false with an error in `out` if it is not here.
+/// Reads one file; false with an error in `out` if it is not here, or if it is one too many.
 bool add_blob(const Walk& walk, const git_oid& id, const std::string& path) {
-    git_blob* blob = nullptr;
-    if (git_blob_lookup(&blob, walk.repository, &id) != 0) {
+    auto blob = read_git_blob(walk.repository, id);
+    if (!blob) {
         walk.out.error = terminal_text(path) + ": git knows this file, but its text is not here (" + git_last_error() +
                          "), as in a partial clone\nFetch it: git fetch --refetch --no-filter";
         return false;
     }
-    const Blob owner(blob);
-    walk.out.files[path].assign(static_cast<const char*>(git_blob_rawcontent(blob)),
-                                static_cast<size_t>(git_blob_rawsize(blob)));
+    if (blob->size > kLargestFile) {
+        walk.out.unreadable[path] = too_large(blob->size, kLargestSource);
+        return true;
+    }
+    walk.bytes += blob->size;
+    if (walk.bytes > kMostSourceBytes) {
+        walk.out.error = fmt::format(
+            "what the globs name is more than the {} bytes of sources that are read, as git has it\n"
+            "Narrow the globs, or take the largest files out of them",
+            kMostSourceBytes);
+        return false;
+    }
+    walk.out.files[path] = std::move(blob->bytes);
     return true;
 }
 
 /// The path within the repository that a symbolic link leads to: its blob holds it.
 std::string link_target(git_repository* repository, const git_oid& id, const std::string& path) {
-    git_blob* blob = nullptr;
-    if (git_blob_lookup(&blob, repository, &id) != 0) return {};
-    const Blob owner(blob);
-    const std::string text(static_cast<const char*>(git_blob_rawcontent(blob)),
-                           static_cast<size_t>(git_blob_rawsize(blob)));
-    return clean_path(join_path(path.substr(0, path.find_last_of('/') + 1), text));
+    const auto blob = read_git_blob(repository, id);
+    if (!blob || blob->bytes.size() > kLongestGitPath) return {};
+    return clean_path(join_path(path.substr(0, path.find_last_of('/') + 1), blob->bytes));
 }
 
 /// Reads the file behind a link, as the work tree shows it; a link that leads nowhere here is no file.
@@ -79,7 +102,8 @@ bool read_submodule(const Walk& walk, const git_oid& commit, const std::string& 
     git_repository* repository = workdir == nullptr ? nullptr : open_work_tree(workdir + path + "/.git");
     if (repository == nullptr) return true;
     const Submodule owner(repository);
-    const Walk inside{walk.out, repository, "", walk.name_of(path) + "/", walk.wants};
+    const Walk inside{walk.out,   repository,   "",           walk.name_of(path) + "/",
+                      walk.wants, walk.folders, walk.entries, walk.bytes};
     if (read_tree(inside, commit)) return true;
     git_index* index = nullptr;
     if (git_repository_index(&index, repository) != 0) return true;
@@ -92,19 +116,33 @@ bool read_submodule(const Walk& walk, const git_oid& commit, const std::string& 
     return true;
 }
 
-int visit_entry(const char* folder, const git_tree_entry* entry, void* payload) {
-    const Walk& walk = *static_cast<Walk*>(payload);
-    const std::string path = std::string(folder) + git_tree_entry_name(entry);
+bool read_folder(const Walk& walk, const git_tree* tree, const std::string& folder);
+
+/// Reads one entry of a tree; false with an error in `out` where that cannot be done.
+bool read_entry(const Walk& walk, const git_tree_entry* entry, const std::string& path) {
     const git_oid& id = *git_tree_entry_id(entry);
     if (git_tree_entry_type(entry) == GIT_OBJECT_TREE) {
-        const std::string inside = path + "/";  // skip folders that do not lead to the root or lie below it
-        return inside.starts_with(walk.prefix) || walk.prefix.starts_with(inside) ? 0 : 1;
+        const std::string inside = path + "/";
+        if (!walk.leads_to_wanted(inside)) return true;
+        git_tree* tree = nullptr;
+        if (git_tree_lookup(&tree, walk.repository, &id) != 0) return false;
+        return read_folder(walk, Tree(tree).get(), inside);
     }
-    if (!path.starts_with(walk.prefix)) return 0;
-    if (git_tree_entry_type(entry) == GIT_OBJECT_COMMIT) return read_submodule(walk, id, path) ? 0 : -1;
-    if (git_tree_entry_type(entry) != GIT_OBJECT_BLOB || !walk.wants(walk.name_of(path))) return 0;
+    if (!path.starts_with(walk.prefix)) return true;
+    if (git_tree_entry_type(entry) == GIT_OBJECT_COMMIT) return read_submodule(walk, id, path);
+    if (git_tree_entry_type(entry) != GIT_OBJECT_BLOB || !walk.wants(walk.name_of(path))) return true;
     const bool link = git_tree_entry_filemode(entry) == GIT_FILEMODE_LINK;
-    return (link ? add_linked(walk, id, path) : add_blob(walk, id, walk.name_of(path))) ? 0 : -1;
+    return link ? add_linked(walk, id, path) : add_blob(walk, id, walk.name_of(path));
+}
+
+bool read_folder(const Walk& walk, const git_tree* tree, const std::string& folder) {
+    const size_t count = git_tree_entrycount(tree);
+    walk.entries.add(count);
+    for (size_t i = 0; i < count; ++i) {
+        const git_tree_entry* entry = git_tree_entry_byindex(tree, i);
+        if (!read_entry(walk, entry, folder + git_tree_entry_name(entry))) return false;
+    }
+    return true;
 }
 
 bool read_tree(const Walk& walk, const git_oid& commit_id) {
@@ -126,8 +164,7 @@ bool read_tree(const Walk& walk, const git_oid& commit_id) {
     const Tree tree_owner(tree);
     Walk payload = walk;
     payload.tree = tree;
-    const int result = git_tree_walk(tree, GIT_TREEWALK_PRE, visit_entry, &payload);
-    if (result != 0 && walk.out.error.empty())
+    if (!read_folder(payload, tree, "") && walk.out.error.empty())
         walk.out.error = kMergeBase + " cannot be read: " + git_last_error() + "\nLook into it with: git fsck";
     return walk.out.error.empty();
 }
@@ -142,25 +179,30 @@ std::string fetch_command(const std::string& revision) {
 
 }  // namespace
 
-GitFiles GitRepository::files_at_base(const std::string& revision, const WantsFile& wants) const {
-    if (!error_.empty()) return {{}, error_};
+GitFiles GitRepository::files_at_base(const std::string& revision, const WantsFile& wants,
+                                      const std::vector<std::string>& folders) const {
+    if (!error_.empty()) return {{}, {}, error_};
     GitFiles out;
     git_repository* repository = handle_->repository();
     git_oid head{}, merge_base{};
     if (git_reference_name_to_id(&head, repository, "HEAD") != 0)
-        return {{}, "HEAD names no commit yet; commit once, or check without --base"};
+        return {{}, {}, "HEAD names no commit yet; commit once, or check without --base"};
     git_object* found = nullptr;
     if (git_revparse_single(&found, repository, (revision + "^{commit}").c_str()) != 0)
         return {{},
+                {},
                 "--base " + terminal_text(revision) +
                     ": no such revision here\nFetch it first: " + terminal_text(fetch_command(revision))};
     const Object base(found);
     if (git_merge_base(&merge_base, repository, git_object_id(base.get()), &head) != 0)
         return {{},
+                {},
                 "--base " + terminal_text(revision) +
                     ": no common ancestor with HEAD is here, as in a shallow clone\nFetch the history: git fetch "
                     "--unshallow (in CI: fetch-depth: 0)"};
-    read_tree({out, repository, folder(), "", wants}, merge_base);
+    EntryCount entries(kMergeBase);
+    uint64_t bytes = 0;
+    read_tree({out, repository, folder(), "", wants, folders, entries, bytes}, merge_base);
     return out;
 }
 
@@ -199,15 +241,18 @@ std::set<std::string> GitRepository::tracked_files(const WantsFile& wants) const
 }
 
 GitFiles GitRepository::files_in_index(const WantsFile& wants) const {
-    if (!error_.empty()) return {{}, error_};
+    if (!error_.empty()) return {{}, {}, error_};
     GitFiles out;
     git_index* index = nullptr;
     const std::string of_hook = index_of_hook(handle_->repository());
     if ((of_hook.empty() ? git_repository_index(&index, handle_->repository())
                          : git_index_open(&index, of_hook.c_str())) != 0)
-        return {{}, "the index cannot be read: " + git_last_error() + "\nLook into it with: git status"};
+        return {{}, {}, "the index cannot be read: " + git_last_error() + "\nLook into it with: git status"};
     const Index owner(index);
-    const Walk walk{out, handle_->repository(), folder(), "", wants};
+    EntryCount entries("a submodule");
+    uint64_t bytes = 0;
+    const std::vector<std::string> anywhere;
+    const Walk walk{out, handle_->repository(), folder(), "", wants, anywhere, entries, bytes};
     for (size_t i = 0; i < git_index_entrycount(index) && out.error.empty(); ++i) {
         const git_index_entry* entry = git_index_get_byindex(index, i);
         const std::string path = entry->path;
@@ -217,6 +262,7 @@ GitFiles GitRepository::files_in_index(const WantsFile& wants) const {
         } else if (walk.wants(walk.name_of(path))) {
             if (git_index_entry_stage(entry) != 0)
                 return {{},
+                        {},
                         terminal_text(walk.name_of(path)) +
                             ": a merge conflict is not resolved\nResolve it and run: git add " +
                             terminal_text(shell_quoted(walk.name_of(path))) + "; or check without --staged"};

@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "porttool/read/git_open.h"
 
+#include <fmt/format.h>
+
 #include <filesystem>
 
+#include "porttool/read/cannot_do.h"
 #include "porttool/text/sink/shell.h"
 #include "porttool/text/sink/terminal.h"
 
@@ -18,6 +21,34 @@ std::optional<git_oid> git_oid_of(const std::string& text) {
     git_oid id{};
     if (text.size() != GIT_OID_HEXSZ || git_oid_fromstr(&id, text.c_str()) != 0) return std::nullopt;
     return id;
+}
+
+std::optional<GitBlob> read_git_blob(git_repository* repository, const git_oid& id) {
+    using Objects = GitOwned<git_odb, git_odb_free>;
+    using Blob = GitOwned<git_blob, git_blob_free>;
+    git_odb* objects = nullptr;
+    if (git_repository_odb(&objects, repository) != 0) return std::nullopt;
+    const Objects objects_owner(objects);
+    GitBlob out;
+    size_t size = 0;
+    git_object_t type = GIT_OBJECT_INVALID;
+    if (git_odb_read_header(&size, &type, objects, &id) != 0) return std::nullopt;
+    out.size = size;
+    if (size > kLargestFile) return out;
+    git_blob* blob = nullptr;
+    if (git_blob_lookup(&blob, repository, &id) != 0) return std::nullopt;
+    const Blob owner(blob);
+    out.bytes.assign(static_cast<const char*>(git_blob_rawcontent(blob)), static_cast<size_t>(git_blob_rawsize(blob)));
+    return out;
+}
+
+void EntryCount::add(size_t entries) {
+    met_ += entries;
+    if (met_ > kMostEntries)
+        throw CannotDo(
+            fmt::format("{} has, or changes, more than {} files and folders; a few bytes can stand for that many\n"
+                        "Leave it out of what is read: with another --since, --from, --to or --base",
+                        where_, kMostEntries));
 }
 
 namespace {

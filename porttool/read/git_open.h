@@ -10,6 +10,7 @@
 #include <string>
 
 #include "porttool/read/git_repository.h"
+#include "porttool/read/source_files.h"
 
 namespace porttool {
 
@@ -34,6 +35,30 @@ struct OpenedGit {
 struct GitRepository::Handle {
     OpenedGit opened;
     git_repository* repository() const { return opened.repository.get(); }
+};
+
+/// The longest path of a work tree; a made-up commit may nest deeper, and that is no file.
+inline constexpr size_t kLongestGitPath = 4096;
+
+/// What a blob holds, or that it is too large to be read: then `bytes` is empty.
+struct GitBlob {
+    std::string bytes;
+    uint64_t size = 0;
+};
+
+/// Reads a blob of at most kLargestFile bytes, of others only the size; none if it is not here.
+std::optional<GitBlob> read_git_blob(git_repository* repository, const git_oid& id);
+
+/// Counts the entries of trees that one question meets. Throws CannotDo beyond kMostEntries.
+class EntryCount {
+public:
+    /// `where`: what has them, as the message calls it.
+    explicit EntryCount(std::string where) : where_(std::move(where)) {}
+    void add(size_t entries);
+
+private:
+    std::string where_;
+    size_t met_ = 0;
 };
 
 /// The id that 40 hexadecimal digits name.

@@ -14,7 +14,6 @@ namespace {
 using Object = GitOwned<git_object, git_object_free>;
 using Commit = GitOwned<git_commit, git_commit_free>;
 using Tree = GitOwned<git_tree, git_tree_free>;
-using Blob = GitOwned<git_blob, git_blob_free>;
 
 std::string text_of(const git_oid& id) {
     std::string text(GIT_OID_HEXSZ, '0');
@@ -59,16 +58,17 @@ Tree folder_of(git_repository* repository, const git_tree* tree, const std::stri
 /// what it changes (a diff of libgit2 costs several times as much).
 class TreeComparison {
 public:
-    TreeComparison(git_repository* repository, const WantsFile& wants) : repository_(repository), wants_(wants) {}
+    TreeComparison(git_repository* repository, const std::string& commit, const WantsFile& wants)
+        : repository_(repository), wants_(wants), entries_("commit " + commit) {}
 
     std::vector<GitChange> out;
 
     /// Either may be nothing. `path`: of the folder, "" or with a slash at its end.
     void compare(const git_tree* before, const git_tree* now, const std::string& path) {
-        constexpr size_t kLongestPath = 4096;  // of a work tree; a made-up commit may nest deeper
-        if (path.size() > kLongestPath) return;
+        if (path.size() > kLongestGitPath) return;
         const size_t before_count = before == nullptr ? 0 : git_tree_entrycount(before);
         const size_t now_count = now == nullptr ? 0 : git_tree_entrycount(now);
+        entries_.add(before_count + now_count);
         for (size_t i = 0, k = 0; i < before_count || k < now_count;) {
             const git_tree_entry* old_one = i < before_count ? git_tree_entry_byindex(before, i) : nullptr;
             const git_tree_entry* new_one = k < now_count ? git_tree_entry_byindex(now, k) : nullptr;
@@ -114,6 +114,7 @@ private:
 
     git_repository* repository_;
     const WantsFile& wants_;
+    EntryCount entries_;
 };
 
 /// A commit that is to be given out once all that were made from it are.
@@ -256,7 +257,7 @@ std::vector<GitChange> GitRepository::changes(const std::string& older, const st
     if (!now) return {};
     const Tree before = older.empty() ? nullptr : tree_of(repository, older);
     const std::string& prefix = handle_->opened.prefix;
-    TreeComparison comparison(repository, wants);
+    TreeComparison comparison(repository, newer, wants);
     if (prefix.empty())
         comparison.compare(before.get(), now.get(), "");
     else
@@ -269,11 +270,10 @@ std::vector<GitChange> GitRepository::changes(const std::string& older, const st
 
 std::optional<std::string> GitRepository::find_blob(const std::string& text) const {
     const auto id = git_oid_of(text);
-    git_blob* blob = nullptr;
-    if (!id || git_blob_lookup(&blob, handle_->repository(), &*id) != 0) return std::nullopt;
-    const Blob owner(blob);
-    return std::string(static_cast<const char*>(git_blob_rawcontent(blob)),
-                       static_cast<size_t>(git_blob_rawsize(blob)));
+    auto blob = id ? read_git_blob(handle_->repository(), *id) : std::nullopt;
+    if (!blob) return std::nullopt;
+    if (blob->size > kLargestFile) return std::string(kLargestSource + 1, '\0');
+    return std::move(blob->bytes);
 }
 
 }  // namespace porttool

@@ -16,7 +16,8 @@ namespace porttool {
 /// Files as git has them, by their path relative to the root that was asked for; or why there are none, with a remedy.
 struct GitFiles {
     std::map<std::string, std::string> files;
-    std::string error;
+    std::map<std::string, std::string> unreadable = {};  ///< those too large to be read, and why
+    std::string error = {};
 };
 
 /// Whether a path is wanted; others are not read.
@@ -60,7 +61,9 @@ inline constexpr const char* kReadsCommits = "This command reads commits; see wh
 inline constexpr const char* kChecksWithGit = "Check without --base and --staged, or try";
 
 /// A git repository, opened for reading what lies below a folder of a work tree (or of a submodule, or a linked one),
-/// its root: commits, their files, and the index. Paths are relative to the root. Writes nothing.
+/// its root: commits, their files, and the index. Paths are relative to the root. Writes nothing. What a commit holds
+/// may have been made to hurt: a thousand bytes can stand for a file of gigabytes, or for a billion folders. So a
+/// blob's size is asked before it is read, and a question that meets more than kMostEntries entries ends in CannotDo.
 class GitRepository {
 public:
     explicit GitRepository(const std::string& root, const std::string& remedy = kReadsCommits);
@@ -96,12 +99,15 @@ public:
     /// submodules are no files. Sorted by path.
     std::vector<GitChange> changes(const std::string& older, const std::string& newer, const WantsFile& wants) const;
     /// The files at merge-base(revision, HEAD); links are followed within it, and submodules that are checked out.
-    GitFiles files_at_base(const std::string& revision, const WantsFile& wants) const;
+    /// `folders`: those that hold all that is wanted, others are not looked into; none for anywhere.
+    GitFiles files_at_base(const std::string& revision, const WantsFile& wants,
+                           const std::vector<std::string>& folders = {}) const;
     /// The files of the index, or of the one that git gave the hook that we run in.
     GitFiles files_in_index(const WantsFile& wants) const;
     /// The wanted files that the index names; none outside of any repository.
     std::set<std::string> tracked_files(const WantsFile& wants) const;
-    /// The content of a blob; none if it is not here, as in a partial clone.
+    /// The content of a blob; none if it is not here, as in a partial clone. In place of one that is larger than any
+    /// file that is read stand so many NUL bytes that it is refused as a source for its size.
     std::optional<std::string> find_blob(const std::string& id) const;
     /// The same, empty if it is not here.
     std::string blob(const std::string& id) const { return find_blob(id).value_or(std::string()); }

@@ -51,13 +51,14 @@ UserCache::UserCache(const std::string& name, const std::string& repository) {
     if (!lies_in(folder, repository)) folder_ = folder;
 }
 
-std::optional<std::string> UserCache::read(const std::string& file) const {
+std::optional<std::string> UserCache::read(const std::string& file, uint64_t most_bytes) const {
     if (folder_.empty()) return std::nullopt;
     const int descriptor = ::open(join_path(folder_, file).c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
     if (descriptor < 0) return std::nullopt;
     struct stat status {};
     const bool ours = ::fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode) && status.st_uid == ::geteuid() &&
-                      (status.st_mode & (S_IWGRP | S_IWOTH)) == 0 && is_own_folder(folder_);
+                      (status.st_mode & (S_IWGRP | S_IWOTH)) == 0 &&
+                      static_cast<uint64_t>(status.st_size) <= most_bytes && is_ours();
     std::string bytes(ours ? static_cast<size_t>(status.st_size) : 0, '\0');
     size_t taken = 0;
     while (taken < bytes.size()) {
@@ -70,11 +71,17 @@ std::optional<std::string> UserCache::read(const std::string& file) const {
     return bytes;
 }
 
+bool UserCache::is_ours() const {
+    return is_own_folder(fs::path(folder_).parent_path().string()) && is_own_folder(folder_);
+}
+
 bool UserCache::make_folder() const {
     std::error_code error;
-    fs::create_directories(fs::path(folder_).parent_path(), error);
-    if (::mkdir(folder_.c_str(), S_IRWXU) != 0 && errno != EEXIST) return false;
-    return is_own_folder(folder_);
+    const fs::path all_caches = fs::path(folder_).parent_path();
+    fs::create_directories(all_caches.parent_path(), error);
+    for (const std::string& folder : {all_caches.string(), folder_})
+        if (::mkdir(folder.c_str(), S_IRWXU) != 0 && errno != EEXIST) return false;
+    return is_ours();
 }
 
 void UserCache::write(const std::string& file, const std::string& bytes, uint64_t most_bytes) const {

@@ -20,11 +20,13 @@ public:
     /// `repository`: the root that must not hold the cache.
     UserCache(const std::string& name, const std::string& repository);
 
-    std::optional<std::string> read(const std::string& file) const;
+    /// None where the file has more than `most_bytes`: it is none that was written.
+    std::optional<std::string> read(const std::string& file, uint64_t most_bytes) const;
     /// Keeps the newest files, at most `most_bytes` in all.
     void write(const std::string& file, const std::string& bytes, uint64_t most_bytes) const;
 
 private:
+    bool is_ours() const;
     bool make_folder() const;
     void drop_oldest(uint64_t most_bytes) const;
 

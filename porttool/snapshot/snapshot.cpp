@@ -7,6 +7,7 @@
 #include <set>
 #include <unordered_map>
 
+#include "porttool/language/language.h"
 #include "porttool/read/git_repository.h"
 #include "porttool/read/traced_disk.h"
 #include "porttool/scan/scan.h"
@@ -93,6 +94,35 @@ WantsFile wanted(const std::vector<std::string>& globs) {
     };
 }
 
+/// Of what globs match, what is read of it: as in the work tree, `src/*.inc` asks for that suffix, `src/*` for what is
+/// known to be source.
+class WantedSources {
+public:
+    void add(const std::vector<std::string>& globs) {
+        for (const std::string& text : globs) {
+            const bool names_suffix = text.find('.', text.find_last_of('/') + 1) != std::string::npos;
+            const One& one = globs_.emplace_back(One{Glob(text), names_suffix});
+            for (const std::string& folder : one.glob.roots()) folders_.push_back(clean_path(folder));
+        }
+    }
+    bool wants(const std::string& path) const {
+        return std::any_of(globs_.begin(), globs_.end(), [&](const One& one) {
+            const bool is_read = one.names_suffix || one.glob.literal() || language_of_path(path) != Language::Unknown;
+            return is_read && one.glob.matches(path);
+        });
+    }
+    /// The folders that hold all of it.
+    const std::vector<std::string>& folders() const { return folders_; }
+
+private:
+    struct One {
+        Glob glob;
+        bool names_suffix;
+    };
+    std::vector<One> globs_;
+    std::vector<std::string> folders_;
+};
+
 /// The files of one side that the map's pairs name.
 std::set<std::string> named_files(const MapFile& map, Side side) {
     std::set<std::string> out;
@@ -152,25 +182,35 @@ struct RecordPaths {
 };
 
 /// Asks git for files of a moment.
-GitFiles ask_git(const std::string& root, const Moment& at, const WantsFile& wants) {
+GitFiles ask_git(const std::string& root, const Moment& at, const WantsFile& wants,
+                 const std::vector<std::string>& folders) {
     const GitRepository git(root, kChecksWithGit);
     if (at.kind == Moment::Kind::Index) return git.files_in_index(wants);
-    return git.files_at_base(at.revision, wants);
+    return git.files_at_base(at.revision, wants, folders);
+}
+
+/// The folder of a path, "." for none.
+std::string folder_of(const std::string& path) {
+    const size_t slash = path.find_last_of('/');
+    return slash == std::string::npos ? "." : path.substr(0, slash);
 }
 
 void add_files(MemoryDisk& disk, const std::string& root, GitFiles files) {
     if (!files.error.empty()) throw CannotDo(files.error);
     for (auto& [path, bytes] : files.files) disk.files[join_path(root, path)] = std::move(bytes);
+    for (auto& [path, reason] : files.unreadable) disk.errors[join_path(root, path)] = std::move(reason);
 }
 
 /// The target side of another checkout: its HEAD where it knows no such revision.
 void add_other_checkout(Snapshot& snapshot) {
     const std::string root = target_root(snapshot.project);
-    const WantsFile wants = wanted(snapshot.project.map.target);
-    GitFiles files = ask_git(root, snapshot.at, wants);
+    WantedSources target;
+    target.add(snapshot.project.map.target);
+    const WantsFile wants = [&](const std::string& path) { return target.wants(path); };
+    GitFiles files = ask_git(root, snapshot.at, wants, target.folders());
     if (snapshot.at.kind == Moment::Kind::MergeBase) {
         if (!files.error.empty()) {
-            files = ask_git(root, {Moment::Kind::MergeBase, "HEAD"}, wants);
+            files = ask_git(root, {Moment::Kind::MergeBase, "HEAD"}, wants, target.folders());
             snapshot.note = "--base " + terminal_text(snapshot.at.revision) + " names nothing in " +
                             terminal_text(root) + "; its HEAD is taken for the port as it was";
         }
@@ -182,17 +222,20 @@ void add_other_checkout(Snapshot& snapshot) {
 /// What git has of both sides, the map and the lock; of an index also the texts behind that.
 void fetch(Snapshot& snapshot) {
     const Project& project = snapshot.project;
-    std::vector<std::string> globs = project.map.source;
-    if (project.map.target_root.empty())
-        globs.insert(globs.end(), project.map.target.begin(), project.map.target.end());
+    WantedSources sides;
+    sides.add(project.map.source);
+    if (project.map.target_root.empty()) sides.add(project.map.target);
     const RecordPaths record(project);
     const bool texts = snapshot.at.kind == Moment::Kind::Index;
-    const auto wants = [&, of_sides = wanted(globs)](const std::string& path) {
-        if (of_sides(path)) return true;
+    const auto wants = [&](const std::string& path) {
+        if (sides.wants(path)) return true;
         return record.in_commits &&
                (path == record.map || path == record.lock || (texts && path.starts_with(record.texts)));
     };
-    add_files(snapshot.git, project.root, ask_git(project.root, snapshot.at, wants));
+    std::vector<std::string> folders = sides.folders();
+    // Of the folder with the map only these two are wanted, not what lies below: its files are looked at in any case.
+    if (record.in_commits) folders.push_back(record.map);
+    add_files(snapshot.git, project.root, ask_git(project.root, snapshot.at, wants, folders));
     if (!project.map.target_root.empty()) add_other_checkout(snapshot);
 }
 
@@ -249,7 +292,7 @@ FileText map_text_at(const Project& project, const Moment& at, const Disk& on_di
     if (!record.in_commits) return {"", "is in no commit"};
     MemoryDisk git;
     add_files(git, project.root,
-              ask_git(project.root, at, [&](const std::string& path) { return path == record.map; }));
+              ask_git(project.root, at, [&](const std::string& path) { return path == record.map; }, {record.map}));
     return git.read(TreePath{project.root, record.map}, kLargestFile);
 }
 
@@ -289,9 +332,10 @@ Snapshot read_snapshot_beside(const Snapshot& known, const Moment& at, const Dis
 void read_base_texts(Snapshot& snapshot) {
     const RecordPaths record(snapshot.project);
     if (!record.in_commits) return;
-    add_files(snapshot.git, snapshot.project.root,
-              ask_git(snapshot.project.root, snapshot.at,
-                      [&](const std::string& path) { return path.starts_with(record.texts); }));
+    add_files(
+        snapshot.git, snapshot.project.root,
+        ask_git(snapshot.project.root, snapshot.at,
+                [&](const std::string& path) { return path.starts_with(record.texts); }, {folder_of(record.texts)}));
 }
 
 }  // namespace porttool

@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
 #include <limits>
 #include <set>
 
@@ -16,6 +17,7 @@
 #include "porttool/read/cannot_do.h"
 #include "porttool/read/git_repository.h"
 #include "porttool/read/replace_file.h"
+#include "porttool/read/source_files.h"
 #include "porttool/read/user_cache.h"
 #include "porttool/text/fingerprint.h"
 #include "porttool/text/sink/terminal.h"
@@ -106,15 +108,44 @@ void put_bytes_if_new(const std::string& root, const std::string& path, const st
     if (const std::string failure = disk.write(place, bytes); !failure.empty()) fail(path, failure);
 }
 
+bool same_bytes(const std::string& one, const std::string& other) {
+    constexpr size_t kBlock = size_t{1} << 20;
+    std::ifstream a(one, std::ios::binary), b(other, std::ios::binary);
+    std::string a_block(kBlock, '\0'), b_block(kBlock, '\0');
+    while (a && b) {
+        a.read(a_block.data(), kBlock);
+        b.read(b_block.data(), kBlock);
+        if (a.gcount() != b.gcount() ||
+            a_block.compare(0, static_cast<size_t>(a.gcount()), b_block, 0, static_cast<size_t>(b.gcount())) != 0)
+            return false;
+    }
+    return a.eof() && b.eof();
+}
+
+/// A file that may be larger than memory: a megabyte of a pack can stand for gigabytes.
+void put_large_if_new(const std::string& from, const std::string& root, const std::string& path) {
+    std::error_code error;
+    const fs::path place = fs::path(root) / path;
+    const bool there = fs::is_regular_file(fs::symlink_status(place, error));
+    if (there && same_bytes(from, place.string())) return;
+    if (!there) fs::remove_all(place, error);
+    fs::copy_file(from, place, fs::copy_options::overwrite_existing, error);
+    if (error) fail(path, "cannot be copied: " + error.message());
+}
+
 /// Makes a file of the tree what the user's is.
 void copy_file(const std::string& from, const std::string& root, const std::string& path, Disk& disk) {
     struct stat status {};
     if (::lstat(from.c_str(), &status) != 0) return;
     make_folders(root, path);
     if (S_ISLNK(status.st_mode)) return put_link(from, root, path);
-    const FileText text = disk.read(from, kAnySize);
-    if (!text.error.empty()) fail(path, text.error);
-    put_bytes_if_new(root, path, text.bytes, disk);
+    if (static_cast<uint64_t>(status.st_size) > kLargestFile) {
+        put_large_if_new(from, root, path);
+    } else {
+        const FileText text = disk.read(from, kLargestFile);
+        if (!text.error.empty()) fail(path, text.error);
+        put_bytes_if_new(root, path, text.bytes, disk);
+    }
     constexpr mode_t kRuns = 0755, kPlain = 0644;
     const mode_t wanted = (status.st_mode & S_IXUSR) != 0 ? kRuns : kPlain;
     const std::string place = join_path(root, path);

@@ -6,7 +6,9 @@
 
 #include <functional>
 
+#include "porttool/read/git_repository.h"
 #include "porttool/read/lock_file.h"
+#include "porttool/read/source_files.h"
 #include "tests/porttool/temporary_repository.h"
 
 namespace porttool::testing::hostile_change_test {
@@ -64,6 +66,13 @@ protected:
             {"scan", root.string(), "--format", "json"},
             {"map", "--format", "json"},
             {"report", "--format", "html"},
+            {"review", "--format", "json"},
+            {"sync", "--all"},
+            {"sync", "--all", "--base", "main", "--format", "json"},
+            {"sync", "--all", "--apply", "--partial", "--force"},
+            {"audit", "--format", "json"},
+            {"history", "--format", "json"},
+            {"effort", "--from", "main", "--to", "HEAD"},
             {"accept", "src/k.cu:g"},
             {"ignore", "src/k.cu:f", "--reason", "x"},
             {"accept", "--all", "--force"},
@@ -616,6 +625,66 @@ TEST_F(HostileChange, AFailedInitLeavesNothing) {
                 << other << " with " << name << " in the way";
         fs::remove_all(root / name);
     }
+}
+
+// A commit of a few hundred bytes that stands for 100 million files, and is undone by the next: a checkout never shows
+// it.
+TEST_F(HostileChange, AFolderOfBillionsInACommitEndsInALine) {
+    std::ofstream(root / ".git" / "bomb.sh") << R"sh(set -e
+tree=$(printf '100644 blob %s\tf.cu\n' $(echo 'float f();' | git hash-object -w --stdin) | git mktree)
+for level in 1 2 3 4 5 6 7 8; do
+    tree=$(for i in 0 1 2 3 4 5 6 7 8 9; do printf '040000 tree %s\td%s\n' $tree $i; done | git mktree)
+done
+root=$(git ls-tree HEAD | sed "s/tree [0-9a-f]*\tsrc/tree $( (git ls-tree HEAD:src; printf '040000 tree %s\tbomb\n' $tree) | git mktree)\tsrc/" | git mktree)
+git update-ref HEAD $(git commit-tree $root -p HEAD -m bomb)
+git update-ref HEAD $(git commit-tree HEAD~1^{tree} -p HEAD -m undone)
+git read-tree HEAD
+)sh";
+    ASSERT_EQ(std::system(("cd '" + root.string() + "' && sh .git/bomb.sh").c_str()), 0);
+    EXPECT_EQ(porttool({"check", "--base", "HEAD~2"}).exit_code, 0);
+    for (const std::vector<std::string>& command :
+         {std::vector<std::string>{"history"}, {"audit"}, {"check", "--base", "HEAD~1"}}) {
+        const CommandRun got = porttool(command);
+        EXPECT_EQ(got.exit_code, 2) << command[0];
+        EXPECT_EQ(got.out, "");
+        EXPECT_NE(got.err.find("more than 1000000 files and folders"), std::string::npos) << got.err;
+    }
+}
+
+// A megabyte of a pack can stand for gigabytes of zeros.
+TEST_F(HostileChange, ALargeBlobIsNotRead) {
+    constexpr uint64_t kLarge = 65ull << 20;
+    std::ofstream(root / "src/large.cu") << "";
+    fs::resize_file(root / "src/large.cu", kLarge);
+    git("-c core.compression=1 add -A");
+    const GitRepository repository(root.string());
+    const GitFiles staged = repository.files_in_index([](const std::string&) { return true; });
+    EXPECT_EQ(staged.error, "");
+    EXPECT_TRUE(staged.files.contains("src/k.cu"));
+    EXPECT_FALSE(staged.files.contains("src/large.cu"));
+    EXPECT_EQ(staged.unreadable.at("src/large.cu"), "is 65 MiB, more than the 16 MiB that are read of one file");
+    git("-c core.compression=1 commit -qm large");
+    for (const GitChange& change :
+         repository.changes("", repository.commit("HEAD")->id, [](const std::string&) { return true; })) {
+        const auto text = repository.find_blob(change.blob);
+        ASSERT_TRUE(text.has_value());
+        EXPECT_LT(text->size(), kLarge);
+        EXPECT_EQ(change.path == "src/large.cu", !unreadable_reason(*text).empty()) << change.path;
+    }
+    const CommandRun got = porttool({"check", "--staged"});
+    EXPECT_EQ(got.exit_code, 0) << got.err;
+    EXPECT_NE(got.out.find("src/large.cu is 65 MiB"), std::string::npos) << got.out;
+}
+
+TEST_F(HostileChange, FoldersNestedDeeperThanAnyPathAreNoFiles) {
+    std::string path = "src";
+    for (int i = 0; i < 20'000; ++i) path += "/a";
+    std::ofstream(root / ".git" / "deep")
+        << "commit refs/heads/deep\ncommitter a <a@b> 1 +0000\ndata 4\ndeep\n"
+        << "from refs/heads/main^0\nM 100644 inline " << path << "/k.cu\ndata 11\nfloat f();\n\n";
+    git("fast-import --quiet < .git/deep && git update-ref HEAD deep");
+    for (const std::vector<std::string>& command : {std::vector<std::string>{"history"}, {"check", "--base", "HEAD"}})
+        EXPECT_EQ(porttool(command).exit_code, 0) << command[0];
 }
 
 TEST_F(HostileChange, OutputGoesToWhatTheFileIs) {
