@@ -406,6 +406,7 @@ Status SourceCore::gather_guides(const Settings& frame, uint32_t first_sample, u
         batch.first_pixel = static_cast<uint32_t>(first);
         batch.path_count = static_cast<uint32_t>(std::min<uint64_t>(size.batch, size.pixels - first));
         batch.first_sample = first_sample;
+        batch.for_filter = true;
         batch.samples = samples;
         gpu_->wavefront->bind(*gpu_->device, *gpu_->kernels_in_use, variant_, gpu_->scene, frame, batch);
         status = gpu_->wavefront->gather_guides(*gpu_->device, *gpu_->kernels_in_use, batch, counts);

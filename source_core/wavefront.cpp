@@ -191,10 +191,10 @@ void Wavefront::bind_set(const Device& device, const KernelSet& kernels, const K
     buffers[BINDING_ACCUMULATOR] = {accumulator_.handle(), uint64_t{batch.first_pixel} * ROW,
                                     uint64_t{batch.path_count} * ROW};
     buffers[BINDING_TARGET].buffer = target_.handle();
-    const Buffer* const filter[] = {&guides_, &filter_picture_, &planes_};
-    for (uint32_t i = 0; i < std::size(filter); ++i) {
-        const Buffer& something = *filter[i] ? *filter[i] : arguments_;  // no kernel of the wavefront reads these
-        buffers[BINDING_GUIDES + i].buffer = something.handle();
+    if (batch.for_filter) {
+        buffers[BINDING_GUIDES] = {guides_.handle(), 0, VK_WHOLE_SIZE};
+        buffers[BINDING_FILTER_PICTURE].buffer = filter_picture_.handle();
+        buffers[BINDING_PLANES].buffer = planes_.handle();
     }
     vkUpdateDescriptorSets(device.handle(), BINDING_COUNT, writes.data(), 0, nullptr);
 }

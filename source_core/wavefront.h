@@ -39,6 +39,7 @@ struct BatchPass {
     uint32_t first_sample = 0;  ///< index of the first sample to take now
     uint32_t samples = 0;
     uint32_t samples_before = 0;  ///< in the accumulator already; 0 starts the sums
+    bool for_filter = false;      ///< gather_guides and what follows it, in place of run
 };
 
 /// The buffers of path state and queues, and the loop over generate, extend, shade, connect and finalize. The kernels

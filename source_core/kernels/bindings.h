@@ -44,10 +44,12 @@ const uint BINDING_COUNTERS = 27u;
 const uint BINDING_ARGUMENTS = 28u;
 const uint BINDING_ACCUMULATOR = 29u;
 const uint BINDING_TARGET = 30u;
-const uint BINDING_GUIDES = 31u;
-const uint BINDING_FILTER_PICTURE = 32u;
-const uint BINDING_PLANES = 33u;
-const uint BINDING_COUNT = 34u;
+const uint BINDING_COUNT = 31u;
+
+// A filter's buffers, in the place of what its kernels leave alone: devices bind few.
+const uint BINDING_GUIDES = BINDING_ACCUMULATOR;
+const uint BINDING_FILTER_PICTURE = BINDING_TARGET;
+const uint BINDING_PLANES = BINDING_SHADOW_CONTRIBUTION;
 
 // counters: the rays of all passes since the buffer was cleared, then three words per segment, from segment 0.
 const uint COUNTER_EXTENSION_TOTAL = 0u;
