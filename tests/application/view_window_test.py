@@ -300,9 +300,11 @@ class StoryTest(Person):
         self.assertIn("sample_scale * 0.25f", shown["patch"])
         self.assertEqual(target.read_text(), port)
         self.show(4)
+        asked = self.seen
         self.xdotool("key", "Return")
         written = self.wait_for("patch")["detail"]
         self.assertTrue(written["done"], written)
+        self.seen = asked  # the window may look before porttool has ended
         self.wait_for("finding", lambda detail: detail["state"] == "gone")
         self.assertIn("sample_scale * 0.25f", target.read_text())
         self.show(2)
