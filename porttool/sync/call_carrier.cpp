@@ -88,8 +88,9 @@ std::vector<std::string> CallCarrier::parameters_now(const JudgedPair& pair, Sid
     const ScannedFile* file = knowledge_.file_of(to, pair.unit[to]->file);
     if (file == nullptr || (pair.unit[to]->kind != UnitKind::Function && pair.unit[to]->kind != UnitKind::Kernel))
         return {};
-    const ScannedFile& now = drafts_.of(to, *file).scanned;
-    const Unit* unit = unit_named(now, pair.unit[to]->id);
+    Draft& draft = drafts_.of(to, *file);
+    const ScannedFile& now = draft.scanned;
+    const Unit* unit = draft.unit(pair.unit[to]->id);
     std::vector<std::string> out;
     if (unit != nullptr)
         for (const TokenRange one : parameters_of_head(now, *unit)) out.push_back(tokens_text(now.lexed, one));

@@ -56,6 +56,10 @@ const ScannedFile* Knowledge::file_of(Side side, const std::string& path) const 
     return found == by_path_[side].end() ? nullptr : found->second;
 }
 
+const Unit* Knowledge::unit_of(const ScannedFile& file, const std::string& id) {
+    return units_.try_emplace(&file, file).first->second.find(file, id);
+}
+
 const KnownWords& Knowledge::known_words(Side from, const ScannedFile& file, const ScannedFile& other) {
     std::unique_ptr<KnownWords>& known = known_[{&file, &other}];
     if (!known)

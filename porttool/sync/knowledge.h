@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "porttool/judge/check_project.h"
+#include "porttool/sync/drafts.h"
 #include "porttool/sync/examples.h"
 #include "porttool/sync/head_manner.h"
 #include "porttool/sync/known_words.h"
@@ -35,6 +36,8 @@ public:
         return side == Side::Source ? checked_.project.source : checked_.project.target;
     }
     const ScannedFile* file_of(Side side, const std::string& path) const;
+    /// A unit of such a file; nullptr for none.
+    const Unit* unit_of(const ScannedFile& file, const std::string& id);
 
     /// The words of a file, as it was before this run.
     const KnownWords& known_words(Side from, const ScannedFile& file, const ScannedFile& other);
@@ -81,6 +84,7 @@ private:
     std::map<std::pair<const ScannedFile*, const ScannedFile*>, HeadManners> heads_beside_;
     BySide<std::optional<HeadManners>> heads_;
     BySide<std::map<std::string_view, const ScannedFile*>> by_path_;
+    std::map<const ScannedFile*, UnitPlaces> units_;
 };
 
 }  // namespace porttool

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <functional>
 #include <optional>
+#include <unordered_map>
 
 #include "porttool/compare/compare_pair.h"
 #include "porttool/judge/settle.h"
@@ -43,7 +44,10 @@ public:
           earlier_texts_(earlier_),
           includes_(checked, earlier_texts_, knowledge_, drafts_),
           declarations_(earlier_texts_, knowledge_, drafts_),
-          calls_(checked, knowledge_, drafts_) {}
+          calls_(checked, knowledge_, drafts_) {
+        for (const JudgedPair& pair : checked.judgement.pairs)
+            for (const Side side : kBothSides) ++counterparts_[side][pair.id[side]];
+    }
 
     /// `keeps_back`: pairs of structs whose new fields nothing else may use.
     SyncResult run(const std::vector<size_t>& pairs, const std::set<size_t>& keeps_back) {
@@ -197,9 +201,9 @@ private:
     std::vector<std::string> ported_words(const JudgedPair& pair, Side to) {
         const ScannedFile* other = knowledge_.file_of(to, pair.unit[to]->file);
         if (other == nullptr) return {};
-        const ScannedFile& now = drafts_.of(to, *other).scanned;
-        const Unit* port = unit_named(now, pair.unit[to]->id);
-        return port == nullptr ? std::vector<std::string>() : words_of_unit(now, *port).words;
+        Draft& draft = drafts_.of(to, *other);
+        const Unit* port = draft.unit(pair.unit[to]->id);
+        return port == nullptr ? std::vector<std::string>() : words_of_unit(draft.scanned, *port).words;
     }
 
     void carry(const JudgedPair& pair, const LockedPair& line, const BySide<NormalText>& before, Side from,
@@ -210,12 +214,12 @@ private:
         };
         const ScannedFile* file = knowledge_.file_of(from, pair.unit[from]->file);
         const ScannedFile* other = knowledge_.file_of(to, pair.unit[to]->file);
-        const Unit* unit = file == nullptr ? nullptr : unit_named(*file, pair.unit[from]->id);
+        const Unit* unit = file == nullptr ? nullptr : knowledge_.unit_of(*file, pair.unit[from]->id);
         if (unit == nullptr || other == nullptr) return refuse("a whole file is not carried");
         Draft& draft = drafts_.of(to, *other);
         if (draft.is_linked)
             return refuse("its file " + std::string(kIsLinked) + "; name the file itself in portmap.toml");
-        const Unit* port = unit_named(draft.scanned, pair.unit[to]->id);
+        const Unit* port = draft.unit(pair.unit[to]->id);
         if (port == nullptr) return refuse("an edit before this one in the same file has hidden the port");
 
         const bool record = unit->kind == UnitKind::Struct;
@@ -296,8 +300,8 @@ private:
             return;
         }
         declare_constants(new_text, is, constants_of(*file, *unit, *other), found);
-        const std::vector<TextEdit> edits =
-            rewrite_unit(found, {*file, is, new_text.clauses}, {draft.scanned, there, port_text.clauses});
+        const std::vector<TextEdit> edits = rewrite_unit(found, {*file, is, new_text.clauses},
+                                                         {draft.scanned, there, port_text.clauses}, draft.indent());
         finish(pair, line, before, to, draft, edits, out);
     }
 
@@ -319,8 +323,7 @@ private:
 
     /// True for one of several counterparts that has less than most of the unit.
     bool holds_a_part(const JudgedPair& pair, Side from, const Alignment& across) const {
-        const auto of_unit = [&](const JudgedPair& other) { return other.id[from] == pair.id[from]; };
-        if (std::count_if(checked_.judgement.pairs.begin(), checked_.judgement.pairs.end(), of_unit) < 2) return false;
+        if (counterparts_[from].at(pair.id[from]) < 2) return false;
         const auto found = std::count_if(across.clause_of.begin(), across.clause_of.end(),
                                          [](size_t there) { return there != Alignment::kNone; });
         constexpr double kMost = 0.8;
@@ -374,16 +377,21 @@ private:
             out.state = ProposalState::Refused;
             out.left.push_back({std::move(why), line_of(pair, Side::Source), line_of(pair, Side::Target)});
         };
-        const std::optional<std::string> edited = edit_file(draft.bytes, draft.scanned.lexed.text, edits);
-        if (!edited) return refuse("the port's line goes on behind a backslash there");
-        const std::string& now = *edited;
-        const Unit& port = *unit_named(draft.scanned, pair.unit[to]->id);
+        const Unit& port = *draft.unit(pair.unit[to]->id);
         const std::vector<std::string> old_words = words_of_unit(draft.scanned, port).words;
+        const auto place = static_cast<size_t>(&port - draft.scanned.units.data());
+        const std::optional<RescannedLines> alone =
+            draft.has_scanned_text() ? rescan_unit(draft.scanned, place, edits) : std::nullopt;
+        std::string now;
         ScannedFile whole;  // scanned anew only where the unit alone does not tell
-        const bool alone = draft.bytes == draft.scanned.lexed.text && rescan_unit(draft.scanned, port.name, edits);
-        if (!alone) whole = scan_text(draft.scanned.path, now);
+        if (!alone) {
+            std::optional<std::string> edited = edit_file(draft.bytes, draft.scanned.lexed.text, edits);
+            if (!edited) return refuse("the port's line goes on behind a backslash there");
+            now = std::move(*edited);
+            whole = scan_text(draft.scanned.path, now);
+        }
         const ScannedFile& scanned = alone ? draft.scanned : whole;
-        const Unit* unit = unit_named(scanned, pair.unit[to]->id);
+        const Unit* unit = alone ? &port : unit_named(scanned, pair.unit[to]->id);
         if (!alone && (unit == nullptr || scanned.balanced != draft.scanned.balanced ||
                        !others_stayed(draft.scanned, scanned, port)))
             return refuse("the port made of this edit could not be read back");
@@ -400,8 +408,14 @@ private:
             out.left.push_back({"check would still ask about it: " + reason(found), line_of(pair, Side::Source),
                                 line_of(pair, Side::Target)});
         }
-        if (draft.bytes == now) return refuse("nothing came of it");
-        drafts_.write(draft, now, alone ? std::move(draft.scanned) : std::move(whole));
+        const bool is_same = alone ? std::string_view(draft.bytes).substr(alone->first, alone->end - alone->first) ==
+                                         std::string_view(scanned.lexed.text).substr(alone->first, alone->now)
+                                   : draft.bytes == now;
+        if (is_same) return refuse("nothing came of it");
+        if (alone)
+            drafts_.write_rescanned(draft, *alone);
+        else
+            drafts_.write(draft, std::move(now), std::move(whole));
     }
 
     /// Names that the port would use where neither it nor its file declares them any more.
@@ -456,6 +470,7 @@ private:
     IncludeCarrier includes_;
     DeclarationCarrier declarations_;
     CallCarrier calls_;
+    BySide<std::unordered_map<std::string_view, size_t>> counterparts_;  ///< how many, by id
     SyncResult result_;
 };
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "porttool/scan/scan.h"
+#include "porttool/sync/rewrite.h"
 
 namespace porttool {
 namespace {
@@ -43,11 +44,13 @@ bool window_of(const ScannedFile& file, const Unit& unit, Window& out) {
     };
     const bool alone = (unit.tokens.first == 0 || lexed.tokens[unit.tokens.first - 1].line <= out.first_line) &&
                        (after == lexed.tokens.size() || lexed.tokens[after].line > out.first_line + out.lines);
+    // Comments follow one another, and a file can have as many of them as units.
+    const auto comment = std::partition_point(lexed.comments.begin(), lexed.comments.end(),
+                                              [&](const LineSpan& one) { return one.last <= out.first_line; });
     return alone &&
            std::none_of(lexed.directives.begin(), lexed.directives.end(),
                         [&](const Directive& one) { return touches(one.line, one.end_line); }) &&
-           std::none_of(lexed.comments.begin(), lexed.comments.end(),
-                        [&](const LineSpan& one) { return touches(one.first, one.last); }) &&
+           (comment == lexed.comments.end() || !touches(comment->first, comment->last)) &&
            std::none_of(lexed.suppressions.begin(), lexed.suppressions.end(),
                         [&](const Suppression& one) { return touches(one.line, one.line); }) &&
            std::all_of(lexed.tokens.begin() + unit.tokens.first, lexed.tokens.begin() + after,
@@ -86,10 +89,28 @@ void splice(std::vector<T>& all, size_t first, size_t end, const std::vector<T>&
 class Splicer {
 public:
     Splicer(ScannedFile& file, const Window& window, const ScannedFile& piece, uint32_t piece_lines)
-        : file_(file), window_(window), piece_(piece), piece_lines_(piece_lines) {}
+        : file_(file),
+          window_(window),
+          piece_(piece),
+          piece_lines_(piece_lines),
+          tokens_(static_cast<uint32_t>(piece.lexed.tokens.size()) - (window.tokens.end - window.tokens.first)),
+          bytes_(static_cast<uint32_t>(piece.lexed.text.size()) - (window.end_byte - window.first_byte)),
+          lines_(piece_lines - window.lines) {}
 
     void run(Unit& edited) {
         const Unit& fresh = piece_.units.front();
+        if (tokens_ != 0 || lines_ != 0) move_others(edited);
+        edited.tokens = within(fresh.tokens);
+        edited.parameters = within(fresh.parameters);
+        edited.body = within(fresh.body);
+        edited.name_token = fresh.name_token + window_.tokens.first;
+        edited.start_line = fresh.start_line + window_.first_line;
+        edited.end_line = fresh.end_line + window_.first_line;
+        move_lexed();
+    }
+
+private:
+    void move_others(const Unit& edited) {
         for (Unit& unit : file_.units) {
             if (&unit == &edited) continue;
             for (TokenRange* range : {&unit.tokens, &unit.parameters, &unit.body}) move(*range);
@@ -98,21 +119,10 @@ public:
             move_line(unit.start_line);
             move_line(unit.end_line);
         }
-        edited.tokens = within(fresh.tokens);
-        edited.parameters = within(fresh.parameters);
-        edited.body = within(fresh.body);
-        edited.name_token = fresh.name_token + window_.tokens.first;
-        edited.start_line = fresh.start_line + window_.first_line;
-        edited.end_line = fresh.end_line + window_.first_line;
         for (FileVariable& variable : file_.variables) {
             move_token(variable.name_token);
             move(variable.tokens);
         }
-        move_lexed();
-    }
-
-private:
-    void move_lexed() {
         LexedText& lexed = file_.lexed;
         for (Directive& one : lexed.directives) {
             move_token(one.first_token);
@@ -125,21 +135,24 @@ private:
             move_line(one.last);
         }
         for (Suppression& one : lexed.suppressions) move_line(one.line);
-        const uint32_t bytes =
-                           static_cast<uint32_t>(piece_.lexed.text.size()) - (window_.end_byte - window_.first_byte),
-                       lines = piece_lines_ - window_.lines;  // both may wrap around, and back
-        for (size_t i = window_.tokens.end; i < lexed.tokens.size(); ++i) {
-            lexed.tokens[i].offset += bytes;
-            lexed.tokens[i].line += lines;
-        }
+    }
+
+    void move_lexed() {
+        LexedText& lexed = file_.lexed;
+        if (bytes_ != 0 || lines_ != 0)
+            for (size_t i = window_.tokens.end; i < lexed.tokens.size(); ++i) {
+                lexed.tokens[i].offset += bytes_;
+                lexed.tokens[i].line += lines_;
+            }
         std::vector<Token> tokens = piece_.lexed.tokens;
         for (Token& token : tokens) {
             token.offset += window_.first_byte;
             token.line += window_.first_line;
         }
         splice(lexed.tokens, window_.tokens.first, window_.tokens.end, tokens);
-        for (size_t i = window_.first_line + window_.lines; i < lexed.line_starts.size(); ++i)
-            lexed.line_starts[i] += bytes;
+        if (bytes_ != 0)
+            for (size_t i = window_.first_line + window_.lines; i < lexed.line_starts.size(); ++i)
+                lexed.line_starts[i] += bytes_;
         std::vector<uint32_t> starts(piece_.lexed.line_starts.begin(),
                                      piece_.lexed.line_starts.begin() + static_cast<std::ptrdiff_t>(piece_lines_));
         for (uint32_t& start : starts) start += window_.first_byte;
@@ -147,7 +160,7 @@ private:
         splice(file_.lines, window_.first_line, window_.first_line + window_.lines,
                std::vector<LineClass>(piece_.lines.begin(),
                                       piece_.lines.begin() + static_cast<std::ptrdiff_t>(piece_lines_)));
-        lexed.line_count += lines;
+        lexed.line_count += lines_;
         lexed.text.replace(window_.first_byte, window_.end_byte - window_.first_byte, piece_.lexed.text);
     }
 
@@ -156,35 +169,35 @@ private:
         return is_none ? range : TokenRange{range.first + window_.tokens.first, range.end + window_.tokens.first};
     }
     void move_token(uint32_t& token) const {
-        if (token >= window_.tokens.end)
-            token += static_cast<uint32_t>(piece_.lexed.tokens.size()) - (window_.tokens.end - window_.tokens.first);
+        if (token >= window_.tokens.end) token += tokens_;
     }
     void move(TokenRange& range) const {
         move_token(range.first);
         move_token(range.end);
     }
     void move_line(uint32_t& line) const {
-        if (line > window_.first_line + window_.lines) line += piece_lines_ - window_.lines;
+        if (line > window_.first_line + window_.lines) line += lines_;
     }
 
     ScannedFile& file_;
     const Window& window_;
     const ScannedFile& piece_;
     uint32_t piece_lines_;
+    // By how many what stands behind moves; each may wrap around, and back.
+    const uint32_t tokens_, bytes_, lines_;
 };
 
 }  // namespace
 
-bool rescan_unit(ScannedFile& file, std::string_view unit_name, const std::vector<TextEdit>& edits) {
-    const auto unit =
-        std::find_if(file.units.begin(), file.units.end(), [&](const Unit& one) { return one.name == unit_name; });
+std::optional<RescannedLines> rescan_unit(ScannedFile& file, size_t unit_place, const std::vector<TextEdit>& edits) {
+    Unit* const unit = &file.units.at(unit_place);
     Window window;
-    if (unit == file.units.end() || !is_plain(file) || !window_of(file, *unit, window)) return false;
+    if (!is_plain(file) || !window_of(file, *unit, window)) return std::nullopt;
     const std::string_view old =
         std::string_view(file.lexed.text).substr(window.first_byte, window.end_byte - window.first_byte);
     std::vector<TextEdit> here = edits;
     for (TextEdit& edit : here) {
-        if (edit.first < window.first_byte || edit.end >= window.end_byte) return false;
+        if (edit.first < window.first_byte || edit.end >= window.end_byte) return std::nullopt;
         edit.first -= window.first_byte;
         edit.end -= window.first_byte;
     }
@@ -195,12 +208,12 @@ bool rescan_unit(ScannedFile& file, std::string_view unit_name, const std::vecto
                             same_range(was->tokens, unit->tokens, by) &&
                             same_range(was->parameters, unit->parameters, by) &&
                             same_range(was->body, unit->body, by) && was->name_token + by == unit->name_token;
-    if (!as_in_file || is == nullptr || is->kind != was->kind || is->name != was->name) return false;
-    if (!now.lexed.text.ends_with('\n')) return false;
+    if (!as_in_file || is == nullptr || is->kind != was->kind || is->name != was->name) return std::nullopt;
+    if (!now.lexed.text.ends_with('\n')) return std::nullopt;
     const auto lines = static_cast<uint32_t>(std::count(now.lexed.text.begin(), now.lexed.text.end(), '\n'));
-    if (now.lines.size() < lines || now.lexed.line_starts.size() < lines) return false;
+    if (now.lines.size() < lines || now.lexed.line_starts.size() < lines) return std::nullopt;
     Splicer(file, window, now, lines).run(*unit);
-    return true;
+    return RescannedLines{window.first_byte, window.end_byte, now.lexed.text.size()};
 }
 
 }  // namespace porttool

@@ -32,11 +32,12 @@ size_t line_end(const LexedText& text, size_t offset) {
 
 class UnitRewriter {
 public:
-    UnitRewriter(const Transplant& transplant, const PlacedUnit& source, const PlacedUnit& target)
+    UnitRewriter(const Transplant& transplant, const PlacedUnit& source, const PlacedUnit& target,
+                 const std::string& indent)
         : transplant_(transplant),
           source_(source),
           target_(target),
-          unit_(indent_unit(target.file.lexed)),
+          unit_(indent),
           depth_(transplant, source, target),
           order_of_(target.clauses.size(), 0) {
         const std::vector<ResultClause> result = result_clauses(transplant, source, target);
@@ -538,28 +539,9 @@ private:
 
 }  // namespace
 
-std::string indent_unit(const LexedText& text) {
-    std::map<size_t, size_t> steps;
-    size_t before = 0, tabs = 0;
-    for (const uint32_t start : text.line_starts) {
-        size_t blanks = 0;
-        while (start + blanks < text.text.size() && text.text[start + blanks] == ' ') ++blanks;
-        if (start < text.text.size() && text.text[start] == '\t') ++tabs;
-        if (start + blanks >= text.text.size() || text.text[start + blanks] == '\n') continue;
-        if (blanks > before && blanks - before <= 8 && blanks - before >= 2) ++steps[blanks - before];
-        before = blanks;
-    }
-    size_t best = 4, most = 0;
-    for (const auto& [step, times] : steps)
-        if (times > most) {
-            best = step;
-            most = times;
-        }
-    return tabs > most ? "\t" : std::string(best, ' ');
-}
-
-std::vector<TextEdit> rewrite_unit(const Transplant& transplant, const PlacedUnit& source, const PlacedUnit& target) {
-    return UnitRewriter(transplant, source, target).run();
+std::vector<TextEdit> rewrite_unit(const Transplant& transplant, const PlacedUnit& source, const PlacedUnit& target,
+                                   const std::string& indent) {
+    return UnitRewriter(transplant, source, target, indent).run();
 }
 
 std::string with_edits(std::string_view text, const std::vector<TextEdit>& edits) {

@@ -3,9 +3,11 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "porttool/sync/block_braces.h"
+#include "porttool/sync/indent_steps.h"
 #include "porttool/sync/transplant.h"
 
 namespace porttool {
@@ -16,13 +18,11 @@ struct TextEdit {
     std::string text;
 };
 
-/// How a file indents its blocks: blanks, or a tab.
-std::string indent_unit(const LexedText& text);
-
 /// The edits of the target's file that make its unit what the transplant says, in the manner of the lines around:
 /// their indentation, braces where a block is no single statement any more. White space within what is new, and its
-/// line breaks, are the source's. Sorted, without overlap.
-std::vector<TextEdit> rewrite_unit(const Transplant& transplant, const PlacedUnit& source, const PlacedUnit& target);
+/// line breaks, are the source's. `indent`: indent_unit() of the target's file. Sorted, without overlap.
+std::vector<TextEdit> rewrite_unit(const Transplant& transplant, const PlacedUnit& source, const PlacedUnit& target,
+                                   const std::string& indent);
 
 /// The text with all edits.
 std::string with_edits(std::string_view text, const std::vector<TextEdit>& edits);

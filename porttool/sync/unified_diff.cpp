@@ -59,7 +59,7 @@ size_t same_bytes(std::string_view a, std::string_view b) {
 }
 
 /// How many lines, and bytes, both texts begin with; fewer by the context of what follows.
-std::pair<size_t, size_t> lines_in_front(std::string_view before, std::string_view now) {
+std::pair<size_t, size_t> same_lines_in_front(std::string_view before, std::string_view now) {
     size_t bytes = same_bytes(before, now);
     for (size_t i = 0; i <= kContext && bytes > 0; ++i) {
         const size_t end = bytes < 2 ? std::string_view::npos : before.rfind('\n', i == 0 ? bytes - 1 : bytes - 2);
@@ -99,9 +99,11 @@ Words lines_with_ends(std::string_view text) {
     return out;
 }
 
-std::string unified_diff(const std::string& path, std::string_view before, std::string_view now, bool is_new) {
+std::string unified_diff(const std::string& path, std::string_view before, std::string_view now, bool is_new,
+                         size_t lines_in_front) {
     if (before == now) return {};
-    const auto [same_lines, in_front] = lines_in_front(before, now);
+    const auto [skipped_lines, in_front] = same_lines_in_front(before, now);
+    const size_t same_lines = lines_in_front + skipped_lines;
     before.remove_prefix(in_front);
     now.remove_prefix(in_front);
     const size_t behind = bytes_behind(before, now);

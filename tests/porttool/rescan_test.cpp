@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include "porttool/scan/scan.h"
+#include "porttool/sync/rewrite.h"
 #include "porttool/sync/unified_diff.h"
 #include "tests/porttool/fixtures.h"
 #include "tests/porttool/run_command.h"
@@ -71,7 +72,8 @@ TEST(RescanUnit, GivesWhatTheWholeFileGives) {
         for (const Unit& unit : file.units)
             for (const TextEdit& edit : edits_of(file, unit)) {
                 ScannedFile edited = file;
-                const bool done = rescan_unit(edited, unit.name, {edit});
+                const auto place = static_cast<size_t>(&unit - file.units.data());
+                const bool done = rescan_unit(edited, place, {edit}).has_value();
                 const std::string now = with_edits(file.lexed.text, {edit});
                 EXPECT_EQ(told(edited), told(done ? scan_text(path, now) : file))
                     << path << " " << unit.name << edit.text;
@@ -91,7 +93,8 @@ TEST(RescanUnit, UnitsThatShareALineOrAreReadOtherwiseAloneAreLeftToTheWhole) {
         ScannedFile file = scan_text("a.cu", text);
         const std::string before = told(file);
         const size_t at = file.lexed.text.find("1.0");
-        EXPECT_FALSE(rescan_unit(file, "f", {{at, at + 3, "3.0"}})) << text;
+        ASSERT_EQ(file.units.front().name, "f");
+        EXPECT_FALSE(rescan_unit(file, 0, {{at, at + 3, "3.0"}}).has_value()) << text;
         EXPECT_EQ(told(file), before);
     }
 }
