@@ -242,7 +242,7 @@ TEST(OwnKernels, CompileForSpirv) {
         for (const std::string& preamble : map.map.shaders.preamble)
             EXPECT_EQ(compile_to_spirv(get, path, map.map.shaders.include, preamble).error, "") << path;
     }
-    EXPECT_EQ(kernels, 6);
+    EXPECT_EQ(kernels, 8);
 }
 
 /// Forty lines that ask for 2^39 times nothing.
