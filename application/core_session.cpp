@@ -111,13 +111,13 @@ Status CoreSession::filter(Picture& picture, std::span<const float> variances, S
                                          .filtered = picture.pixels});
 }
 
-target_core::EmbreeFigures CoreSession::embree_figures() {
-    const target_core::EmbreeProbe* probe = target_core::embree_probe(system_.core());
-    return probe ? probe->embree_figures() : target_core::EmbreeFigures();
+render_system::EmbreeFigures CoreSession::embree_figures() {
+    const auto* probe = dynamic_cast<const render_system::EmbreeProbe*>(&system_.core());
+    return probe ? probe->embree_figures() : render_system::EmbreeFigures();
 }
 
 bool CoreSession::measure_embree_limit() {
-    target_core::EmbreeProbe* probe = target_core::embree_probe(system_.core());
+    auto* probe = dynamic_cast<render_system::EmbreeProbe*>(&system_.core());
     if (probe) probe->measure_embree_limit(true);
     return probe != nullptr;
 }

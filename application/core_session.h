@@ -13,8 +13,8 @@
 #include "application/sampling/sample_sums.h"
 #include "application/scene_setup.h"
 #include "render_system/core_choice.h"
+#include "render_system/embree_probe.h"
 #include "render_system/render_system.h"
-#include "target_core/render_core.h"
 
 namespace application {
 
@@ -76,7 +76,7 @@ public:
     render_system::CoreStats stats() { return system_.core().GetCoreStats(); }
 
     /// Embree's part in it; zeros where the core is not the target core.
-    target_core::EmbreeFigures embree_figures();
+    render_system::EmbreeFigures embree_figures();
 
     /// From the next call of render on, Embree alone traces the same rays once more. False where the core has none.
     bool measure_embree_limit();

@@ -8,7 +8,9 @@
 #include <charconv>
 #include <cmath>
 #include <optional>
+#include <set>
 
+#include "render_system/core_modules.h"
 #include "render_system/scene_limits.h"
 
 namespace application {
@@ -116,11 +118,13 @@ Result<CameraChoice> parse_camera(std::string_view text) {
 
 Result<std::vector<std::string>> parse_cores(std::string_view text) {
     if (text == "auto") return std::vector<std::string>{"auto"};
+    std::set<std::string> known = {"null", "source", "target"};
+    for (std::string& id : render_system::core_module_ids()) known.insert(std::move(id));
     std::vector<std::string> cores;
     for (const std::string_view part : split(text, ',')) {
         const std::string core(part);
-        if (core != "source" && core != "target" && core != "null")
-            return Status::invalid(fmt::format("'{}' is not one of auto, null, source, target", core));
+        if (known.find(core) == known.end())
+            return Status::invalid(fmt::format("'{}' is not one of auto, {}", core, fmt::join(known, ", ")));
         if (std::find(cores.begin(), cores.end(), core) != cores.end())
             return Status::invalid(fmt::format("'{}' names {} twice; once is enough", text, core));
         cores.push_back(core);

@@ -50,7 +50,8 @@ Result<uint64_t> parse_mebibytes(std::string_view text);
 /// Digits alone are an index, everything else is a file's name.
 Result<CameraChoice> parse_camera(std::string_view text);
 
-/// `auto`, or names of cores in order of preference, separated by commas, each once.
+/// `auto`, or names of cores in order of preference, separated by commas, each once: source, target, null, and those
+/// of which there is a module.
 Result<std::vector<std::string>> parse_cores(std::string_view text);
 
 /// Six numbers separated by commas: the eye, and where it looks.

@@ -14,6 +14,7 @@
 #include "application/command_table.h"
 #include "application/console.h"
 #include "application/file_output.h"
+#include "render_system/modules.h"
 
 namespace application {
 namespace {
@@ -22,6 +23,10 @@ ExitCode carry_out(const Invocation& invocation, Console& console) {
     if (invocation.command == nullptr) {
         std::fputs(invocation.text.c_str(), invocation.exit_code == DONE ? stdout : stderr);
         return invocation.exit_code;
+    }
+    if (const render_system::Status status = render_system::check_module_folders(); !status.ok()) {
+        console.error(status.message);
+        return FAILED;
     }
     try {
         return invocation.command->run(invocation.options, console);

@@ -89,7 +89,7 @@ FrameFigures typical_frame(const std::vector<FrameFigures>& frames) {
     return typical;
 }
 
-Json bench_json(const Options& options, const CoreStats& stats, const target_core::EmbreeFigures& embree,
+Json bench_json(const Options& options, const CoreStats& stats, const render_system::EmbreeFigures& embree,
                 const FrameFigures& frame, uint64_t frames) {
     const auto primary = std::llround(frame.primary_rays);
     const auto extension = std::llround(frame.extension_rays);

@@ -9,7 +9,7 @@
 
 #include "application/options.h"
 #include "render_system/core_data.h"
-#include "target_core/render_core.h"
+#include "render_system/embree_probe.h"
 
 // What a core counted and timed, as the JSON object of `bench` and `--stats`, and as text.
 
@@ -43,8 +43,8 @@ FrameFigures typical_frame(const std::vector<FrameFigures>& frames);
 
 /// The bench object of the contract. `frames` is how many frames stand behind the figures; zeros in `embree` become
 /// null.
-Json bench_json(const Options& options, const render_system::CoreStats& stats, const target_core::EmbreeFigures& embree,
-                const FrameFigures& frame, uint64_t frames);
+Json bench_json(const Options& options, const render_system::CoreStats& stats,
+                const render_system::EmbreeFigures& embree, const FrameFigures& frame, uint64_t frames);
 
 /// The bench object with what `--stats` adds.
 Json stats_json(Json bench, const Options& options, uint32_t spp, const std::string& core_reason);

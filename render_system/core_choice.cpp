@@ -45,7 +45,9 @@ Result<CoreChoice> choose_core(const CoreRegistry& registry, const std::vector<s
     for (const std::string& id : ids) {
         last = try_core(registry, id, options, system, first_render);
         if (last.ok()) return CoreChoice{id, why(id, system.core().GetCoreStats(), passed_over)};
-        if (last.code != StatusCode::no_device && last.code != StatusCode::out_of_memory) return last;
+        if (last.code != StatusCode::no_core && last.code != StatusCode::no_device &&
+            last.code != StatusCode::out_of_memory)
+            return last;
         passed_over += (passed_over.empty() ? "" : "; ") + why_not(id, last);
     }
     if (!passed_over.empty()) last.message = passed_over;

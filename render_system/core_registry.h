@@ -12,15 +12,17 @@
 
 namespace render_system {
 
-/// The cores that this program can create, by id. Filled explicitly by `application`, in order of preference.
+/// The cores that this program knows, by id. Filled explicitly by `application`, in order of preference.
 class CoreRegistry {
 public:
-    using Factory = std::function<std::unique_ptr<CoreAPI>()>;
+    /// Fails with no_core where the core's module is missing or refused.
+    using Factory = std::function<Result<std::unique_ptr<CoreAPI>>()>;
 
     void add(std::string id, Factory factory);
     std::vector<std::string> ids() const;
 
-    /// A new core, not yet through Init. Fails with not_found, naming the known ids.
+    /// A new core, not yet through Init. Fails with not_found, naming the known ids, and as its factory
+    /// does.
     Result<std::unique_ptr<CoreAPI>> CreateCoreAPI(std::string_view id) const;
 
 private:

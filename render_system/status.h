@@ -16,6 +16,7 @@ enum class StatusCode {
     wrong_order,       ///< a call came before one that it needs
     not_found,         ///< a file or an id that does not exist
     unreadable,        ///< a file that exists but cannot be understood
+    no_core,           ///< the module of a core is missing or refused
     no_device,         ///< no device on this machine can run the core; one reason per device looked at
     out_of_memory,     ///< does not fit the core's byte budget; needed_bytes and allowed_bytes are set
     device_lost,       ///< the device failed while working

@@ -115,6 +115,7 @@ void gather_sample(const KernelTable& kernels, Tile& tile) {
 
 void render_tile(const Frame& frame, uint first_pixel, uint path_count, Worker& worker, RayLog* log) {
     KeepDenormals keep;
+    reach_thread_memory();
     bound = frame.bindings;
     bound.tile = &worker.tile;
     settings = frame.settings;
@@ -199,6 +200,7 @@ void run_filter_stage(const Frame& frame, const Pass& stage) {
     constexpr uint CHUNK = TILE_PATHS;
     for_each_tile((frame.pixel_count + CHUNK - 1) / CHUNK, [&](uint chunk) {
         KeepDenormals keep;
+        reach_thread_memory();
         bound = frame.bindings;
         settings = frame.settings;
         pass = stage;

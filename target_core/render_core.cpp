@@ -12,6 +12,7 @@
 
 #include "render_system/camera.h"
 #include "render_system/checked_core.h"
+#include "render_system/embree_probe.h"
 #include "target_core/core_mesh.h"
 #include "target_core/core_tables.h"
 #include "target_core/device/coincident.h"

@@ -27,7 +27,7 @@ Result<std::vector<FrameFigures>> time_frames(CoreSession& session, uint32_t cou
         if (Status status = session.render(convergence, 1); !status.ok()) return status;
         const CoreStats after = session.stats();
         frames.push_back(frame_between(before, after));
-        const target_core::EmbreeFigures embree = session.embree_figures();
+        const render_system::EmbreeFigures embree = session.embree_figures();
         frames.back().trace_limit_rays = static_cast<double>(embree.limit_rays);
         frames.back().trace_limit_ms = embree.limit_ms;
         before = after;
@@ -68,7 +68,7 @@ ExitCode run_bench(const Options& options, Console& console) {
     if (!frames.ok()) return fail(console, frames.status);
     const CoreStats stats = session.stats();
     FrameFigures frame = typical_frame(*frames);
-    const target_core::EmbreeFigures embree = session.embree_figures();
+    const render_system::EmbreeFigures embree = session.embree_figures();
     if (Status status = add_trace_limit(session, count, console, frame); !status.ok()) return fail(console, status);
 
     const Json bench = bench_json(options, stats, embree, frame, count);

@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <algorithm>
-
 #include "application/commands/command_steps.h"
 #include "application/commands/commands.h"
 #include "application/cores.h"
@@ -23,13 +21,9 @@ uint64_t host_memory_bytes() {
 
 /// What this machine offers one core, or why it cannot run.
 Json describe_core(const CoreRegistry& registry, const std::string& id) {
-    Json entry = {
-        {"id", id}, {"available", false}, {"device", nullptr}, {"memory_bytes", nullptr}, {"reason", nullptr}};
-    const auto built = registry.ids();
-    if (std::find(built.begin(), built.end(), id) == built.end()) {
-        entry["reason"] = "left out of this program: its libraries were missing when it was built";
-        return entry;
-    }
+    Json entry = {{"id", id},        {"available", false}, {"device", nullptr}, {"memory_bytes", nullptr},
+                  {"file", nullptr}, {"reason", nullptr}};
+    if (const auto file = render_system::find_core_module(id); file.ok()) entry["file"] = file->string();
     auto core = registry.CreateCoreAPI(id);
     Status status = core.ok() ? (*core)->Init({}) : core.status;
     if (!status.ok()) {
@@ -64,6 +58,7 @@ std::string info_text(const Json& cores) {
         } else {
             text += fmt::format("{:<8}cannot run: {}\n", id, core["reason"].get<std::string>());
         }
+        if (core["file"].is_string()) text += fmt::format("{:<8}{}\n", "", core["file"].get<std::string>());
     }
     return text;
 }
@@ -73,8 +68,9 @@ std::string info_text(const Json& cores) {
 ExitCode run_info(const Options& options, Console& console) {
     const CoreRegistry registry = make_registry(options);
     Json cores = Json::array();
-    // Also the cores that were left out of this build: their absence is an answer too.
-    for (const std::string id : {"source", "target"}) cores.push_back(describe_core(registry, id));
+    // Also the cores whose modules are missing: their absence is an answer too. Not null: it is always there.
+    for (const std::string& id : registry.ids())
+        if (id != "null") cores.push_back(describe_core(registry, id));
     const Json info = {{"version", PORTTOOL_VERSION}, {"cores", cores}, {"devices", devices_of(cores)}};
     return deliver(options, console, options.format == Format::json ? json_text(info) : info_text(cores));
 }

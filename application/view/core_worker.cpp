@@ -80,34 +80,71 @@ void CoreWorker::retry() {
     wake_.notify_all();
 }
 
-render_system::HotKernels* CoreWorker::hot_kernels() {
+std::optional<render_system::Result<render_system::RecompiledKernels>> CoreWorker::compile_again() {
+    const std::lock_guard lock(kernels_mutex_);
+    if (hot_kernels_ == nullptr) return std::nullopt;
+    return hot_kernels_->compile_again();
+}
+
+void CoreWorker::reopen(Clock::time_point written_at) {
+    {
+        const std::lock_guard lock(mutex_);
+        reopens_ = true;
+        written_at_ = written_at;
+    }
+    wake_.notify_all();
+}
+
+std::optional<CoreWorker::Reopened> CoreWorker::take_reopened() {
     const std::lock_guard lock(mutex_);
-    return hot_kernels_;
+    return std::exchange(reopened_, std::nullopt);
+}
+
+void CoreWorker::take_over(std::unique_ptr<render_system::CoreAPI> core) {
+    const std::lock_guard lock(kernels_mutex_);
+    if (core_) core_->Shutdown();
+    core_ = std::move(core);
+    hot_kernels_ = dynamic_cast<render_system::HotKernels*>(core_.get());
+}
+
+/// True where another core draws from here on. A core that nobody needed yet is opened from its newest module anyway.
+bool CoreWorker::open_anew() {
+    if (!core_ && status().ok()) return false;
+    const auto start = Clock::now();
+    auto opened = open_();
+    const bool is_open = opened.ok();
+    if (is_open) take_over(std::move(*opened));
+    const std::lock_guard lock(mutex_);
+    if (is_open) status_ = Status::success();
+    reopened_ = {opened.status, ms_since(start), written_at_};
+    return is_open;
 }
 
 void CoreWorker::run() {
     uint64_t drawn = 0;
     while (true) {
         Request request;
+        bool is_other_module = false;
         {
             std::unique_lock lock(mutex_);
             const auto has_work = [&] {
                 const bool is_done = drawn == wanted_.number && samples_ >= most_samples_;
-                return ends_ || (runs_ && status_.ok() && wanted_.number > 0 && !is_done);
+                return ends_ || reopens_ || (runs_ && status_.ok() && wanted_.number > 0 && !is_done);
             };
             wake_.wait(lock, has_work);
             if (ends_) break;
             request = wanted_;
+            is_other_module = std::exchange(reopens_, false);
+        }
+        if (is_other_module) {
+            if (open_anew()) drawn = 0;
+            continue;
         }
         Status status = Status::success();
         if (!core_) {
             auto opened = open_();
             status = opened.status;
-            if (opened.ok()) {
-                core_ = std::move(*opened);
-                const std::lock_guard lock(mutex_);
-                hot_kernels_ = dynamic_cast<render_system::HotKernels*>(core_.get());
-            }
+            if (opened.ok()) take_over(std::move(*opened));
         }
         if (status.ok()) status = draw(request, drawn != request.number);
         drawn = request.number;

@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <atomic>
+#include <chrono>
 #include <condition_variable>
 #include <cstdint>
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
@@ -57,8 +58,20 @@ public:
     /// Tries once more what failed.
     void retry();
 
-    /// The kernels that can be compiled again, while the worker lives; null where the core has none or is not open yet.
-    render_system::HotKernels* hot_kernels();
+    /// Has the core compile its kernels again (render_system/hot_kernels.h); may be called from another thread. None
+    /// where it has no such kernels or is not open yet.
+    std::optional<render_system::Result<render_system::RecompiledKernels>> compile_again();
+
+    /// Opens the core anew, whose module became another one; may be called from another thread. Until the new core has
+    /// the scene, and where it cannot be opened, that which is there goes on; so both are in memory for a moment.
+    void reopen(std::chrono::steady_clock::time_point written_at);
+    /// What came of it.
+    struct Reopened {
+        render_system::Status status;
+        double open_ms = 0.0;
+        std::chrono::steady_clock::time_point written_at;
+    };
+    std::optional<Reopened> take_reopened();
 
 private:
     struct Request {
@@ -67,6 +80,8 @@ private:
         uint64_t number = 0;
     };
     void run();
+    bool open_anew();
+    void take_over(std::unique_ptr<render_system::CoreAPI> core);
     render_system::Status draw(const Request& request, bool fresh);
     render_system::Status draw_coarsely(const Request& request);
     render_system::Status take_samples(const Request& request);
@@ -87,7 +102,12 @@ private:
     bool runs_ = false, ends_ = false, has_news_ = false;
     CorePicture drawn_;
     render_system::Status status_ = render_system::Status::success();
-    render_system::HotKernels* hot_kernels_ = nullptr;
+    bool reopens_ = false;
+    std::chrono::steady_clock::time_point written_at_;
+    std::optional<Reopened> reopened_;
+
+    std::mutex kernels_mutex_;
+    render_system::HotKernels* hot_kernels_ = nullptr;  // guarded by that mutex, and so is the core's end
 
     // Of the thread alone.
     std::unique_ptr<render_system::CoreAPI> core_;

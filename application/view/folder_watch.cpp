@@ -17,12 +17,16 @@ namespace {
 
 constexpr int kCalmMs = 15;     // an editor that saves by renaming is done by then
 constexpr int kFolderMs = 500;  // how often a folder that went away is looked for
-constexpr uint32_t kSaved = IN_CLOSE_WRITE | IN_MOVED_TO | IN_MOVED_FROM | IN_DELETE | IN_DELETE_SELF | IN_MOVE_SELF;
+constexpr uint32_t kWritten = IN_CLOSE_WRITE | IN_MOVED_TO | IN_DELETE_SELF | IN_MOVE_SELF;
+constexpr uint32_t kRemoved = IN_MOVED_FROM | IN_DELETE;
 
 }  // namespace
 
-FolderWatch::FolderWatch(std::string folder)
-    : folder_(std::move(folder)), events_(::inotify_init1(IN_NONBLOCK | IN_CLOEXEC)), end_(::eventfd(0, EFD_CLOEXEC)) {
+FolderWatch::FolderWatch(std::string folder, What what)
+    : folder_(std::move(folder)),
+      events_wanted_(kWritten | (what == What::All ? kRemoved : 0)),
+      events_(::inotify_init1(IN_NONBLOCK | IN_CLOEXEC)),
+      end_(::eventfd(0, EFD_CLOEXEC)) {
     (void)listen();
 }
 
@@ -32,7 +36,7 @@ FolderWatch::~FolderWatch() {
 }
 
 bool FolderWatch::listen() {
-    if (watch_ < 0) watch_ = ::inotify_add_watch(events_, folder_.c_str(), kSaved | IN_ONLYDIR);
+    if (watch_ < 0) watch_ = ::inotify_add_watch(events_, folder_.c_str(), events_wanted_ | IN_ONLYDIR);
     return watch_ >= 0;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <set>
 #include <string>
 
@@ -12,7 +13,9 @@ namespace application {
 /// folder itself may go and come back.
 class FolderWatch {
 public:
-    explicit FolderWatch(std::string folder);
+    /// `Written` leaves out what is only removed, or moved away.
+    enum class What { All, Written };
+    explicit FolderWatch(std::string folder, What what = What::All);
     ~FolderWatch();
     FolderWatch(const FolderWatch&) = delete;
     FolderWatch& operator=(const FolderWatch&) = delete;
@@ -31,6 +34,7 @@ private:
     bool take_events(std::set<std::string>& names);
 
     const std::string folder_;
+    const uint32_t events_wanted_;
     int events_ = -1, end_ = -1, watch_ = -1;
 };
 

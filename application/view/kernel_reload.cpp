@@ -30,14 +30,11 @@ void KernelReload::run() {
         if (saved.names.empty()) return;
         for (size_t i = 0; i < workers_.size(); ++i) {
             KernelNews news{i, {saved.names.begin(), saved.names.end()}, {}, "", saved.at};
-            render_system::HotKernels* kernels = workers_[i]->hot_kernels();
+            auto compiled = workers_[i]->compile_again();
             const bool has_failed = !workers_[i]->status().ok();
-            if (kernels == nullptr && !has_failed) continue;  // it has none, or reads them when it starts
-            if (kernels != nullptr) {
-                auto compiled = kernels->compile_again();
-                if (compiled.ok()) news.done = std::move(*compiled);
-                if (!compiled.ok()) news.error = explain(compiled.status);
-            }
+            if (!compiled && !has_failed) continue;  // it has none, or reads them when it starts
+            if (compiled && compiled->ok()) news.done = std::move(**compiled);
+            if (compiled && !compiled->ok()) news.error = explain(compiled->status);
             const std::lock_guard lock(mutex_);
             news_.push_back(std::move(news));
         }

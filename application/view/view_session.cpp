@@ -19,28 +19,36 @@ ViewSession::ViewSession(const Options& options, SceneSetup setup, ViewLog& log)
     : options_(options),
       log_(log),
       system_(std::move(setup.scene)),
-      registry_(make_registry(options)),
+      registry_(make_registry(options, render_system::ModuleSource::copy)),
       probe_(system_.scene()),
       bounds_(system_.scene().bounds()),
       first_camera_(setup.camera, bounds_),
       camera_(first_camera_),
       image_{1, 1, {0, 0, 0}} {
-    std::vector<std::string> ids = core_order(options).ids;
+    std::vector<std::string> ids = core_order(options, render_system::ModuleSource::copy).ids;
     for (const char* other : {"source", "target"}) {
-        const std::vector<std::string> known = registry_.ids();
-        const bool is_there = std::find(known.begin(), known.end(), other) != known.end();
-        if (is_there && std::find(ids.begin(), ids.end(), other) == ids.end()) ids.emplace_back(other);
+        if (render_system::find_core_module(other).ok() && std::find(ids.begin(), ids.end(), other) == ids.end())
+            ids.emplace_back(other);
     }
     pictures_.resize(ids.size());
     problems_.resize(ids.size());
+    module_errors_.resize(ids.size());
     for (const std::string& id : ids)
         workers_.push_back(std::make_unique<CoreWorker>(
             id, [this, id] { return open_core(id); }, core_settings(options, options.seed), options.spp.front()));
     begin();
-    if (options.kernels.empty()) return;
+    watch_files();
+}
+
+void ViewSession::watch_files() {
     std::vector<CoreWorker*> workers;
     for (const auto& worker : workers_) workers.push_back(worker.get());
-    reload_ = std::make_unique<KernelReload>(options.kernels, std::move(workers));
+    if (!options_.kernels.empty()) kernel_reload_ = std::make_unique<KernelReload>(options_.kernels, workers);
+    for (const std::filesystem::path& folder : render_system::module_folders()) {
+        std::error_code error;
+        if (std::filesystem::is_directory(folder, error))
+            module_reloads_.push_back(std::make_unique<ModuleReload>(folder, workers));
+    }
 }
 
 /// The cores take turns at the one host scene: each is sent all of it, and keeps it.
@@ -146,15 +154,41 @@ bool ViewSession::is_stuck() const {
     return std::none_of(problems_.begin(), problems_.end(), [](const std::string& one) { return one.empty(); });
 }
 
-bool ViewSession::take_kernel_news() {
+bool ViewSession::take_news() {
     bool is_new = false;
-    while (reload_) {
-        const auto news = reload_->take();
+    while (kernel_reload_) {
+        const auto news = kernel_reload_->take();
         if (!news) break;
         note_kernels(*news);
         is_new = true;
     }
+    for (size_t i = 0; i < workers_.size(); ++i) {
+        const auto news = workers_[i]->take_reopened();
+        if (!news) continue;
+        note_module(i, *news);
+        is_new = true;
+    }
     return is_new;
+}
+
+void ViewSession::note_module(size_t core, const CoreWorker::Reopened& news) {
+    std::string& error = module_errors_[core];
+    error = news.status.ok() ? "" : explain(news.status);
+    if (!error.empty()) return log_.say("error", {{"core", core_name(core)}, {"message", error}});
+    log_.say("reload", {{"core", core_name(core)},
+                        {"module", render_system::core_module_name(core_name(core))},
+                        {"open_ms", std::round(news.open_ms)}});
+    problems_[core].clear();
+    if (!is_needed(core)) return;
+    await(core, log_.ms_of(news.written_at));
+    begin();
+}
+
+const std::string& ViewSession::reload_error() const {
+    if (!kernel_error_.empty()) return kernel_error_;
+    const auto is_error = [](const std::string& one) { return !one.empty(); };
+    const auto found = std::find_if(module_errors_.begin(), module_errors_.end(), is_error);
+    return found == module_errors_.end() ? kernel_error_ : *found;
 }
 
 /// Both cores begin anew, so that what is compared has as many samples on either side.

@@ -14,6 +14,7 @@
 #include "application/view/composition.h"
 #include "application/view/core_worker.h"
 #include "application/view/kernel_reload.h"
+#include "application/view/module_reload.h"
 #include "application/view/picking.h"
 #include "application/view/view_camera.h"
 #include "application/view/view_log.h"
@@ -65,16 +66,18 @@ public:
     /// True where no core can draw.
     bool is_stuck() const;
 
-    /// Takes what became of kernels that were saved; false where nothing was.
-    bool take_kernel_news();
-    /// Why the kernels that were saved do not run; "" where they do.
-    const std::string& kernel_error() const { return kernel_error_; }
+    /// Takes what became of kernels that were saved, and of modules that were written; false where nothing was.
+    bool take_news();
+    /// Why the kernels that were saved or the module that was written do not run; "" where they do.
+    const std::string& reload_error() const;
 
 private:
     render_system::Result<std::unique_ptr<render_system::CoreAPI>> open_core(const std::string& id);
     void note_input(const char* kind);
     void await(size_t core, double since_ms);
     void note_kernels(const KernelNews& news);
+    void note_module(size_t core, const CoreWorker::Reopened& news);
+    void watch_files();
     void begin();
     void compose();
     bool is_needed(size_t core) const { return core == active_ || composition_.show != Show::One; }
@@ -99,8 +102,10 @@ private:
     bool is_answered_ = false;
     bool is_stale_ = false;  ///< what is shown is to be made anew
     std::string kernel_error_;
+    std::vector<std::string> module_errors_;
     std::vector<std::unique_ptr<CoreWorker>> workers_;  // they end before what they draw
-    std::unique_ptr<KernelReload> reload_;              // and this before them
+    std::unique_ptr<KernelReload> kernel_reload_;       // and these before them
+    std::vector<std::unique_ptr<ModuleReload>> module_reloads_;
 };
 
 }  // namespace application

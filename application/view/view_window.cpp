@@ -112,7 +112,7 @@ public:
             place_picture();
             if (!input_events().empty() || flies()) frames = FRAMES_OF_INPUT;
             take_input();
-            if (session_.take_kernel_news()) frames = FRAMES_OF_INPUT;
+            if (session_.take_news()) frames = FRAMES_OF_INPUT;
             // A picture that only converges is shown ten times a second: drawing takes the cores' time.
             const double now = glfwGetTime();
             if (!session_.is_waiting() && frames == 0 && now - looked_at < CALM_SECONDS) continue;
@@ -321,7 +321,7 @@ private:
 
     /// Over the lower edge of the picture.
     void draw_errors() {
-        std::string text = session_.kernel_error();
+        std::string text = session_.reload_error();
         for (size_t i = 0; i < session_.core_count() && text.empty(); ++i) text = session_.problem_of(i);
         if (text.empty()) return;
         constexpr ImGuiWindowFlags PLAIN = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs |

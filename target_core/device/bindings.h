@@ -45,4 +45,9 @@ inline constinit thread_local Bindings bound{};
 inline constinit thread_local Settings settings{};
 inline constinit thread_local Pass pass{};
 
+/// To be called before a thread's first use of these. In a module the system makes a thread's copy of them when it
+/// first asks for one, and glibc before 2.40 takes vector registers for that which the compiler believes kept (BZ
+/// 31372).
+void reach_thread_memory();
+
 }  // namespace target_core

@@ -14,11 +14,13 @@ const KernelTable one_lane_kernels = {"1 lane",          1,
 
 KernelTables runnable_kernels() {
     KernelTables found{};
-#ifdef TARGET_CORE_WIDE
+#ifdef TARGET_CORE_16_LANES
     if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512dq") &&
         __builtin_cpu_supports("avx512bw")) {
         found.tables[found.count++] = &avx512_kernels;
     }
+#endif
+#ifdef TARGET_CORE_8_LANES
     if (__builtin_cpu_supports("avx2")) {
         found.tables[found.count++] = &avx2_kernels;
     }

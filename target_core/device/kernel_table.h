@@ -23,10 +23,9 @@ struct KernelTable {
 /// The bit-exact reference, and the only one that runs under exact mode's Embree callbacks.
 extern const KernelTable one_lane_kernels;
 
-#ifdef TARGET_CORE_WIDE
+// Where TARGET_CORE_LANES has them built (CMakeLists.txt).
 extern const KernelTable avx2_kernels;
 extern const KernelTable avx512_kernels;
-#endif
 
 /// The tables that this CPU can run, fastest first; the last is one_lane_kernels.
 struct KernelTables {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The porttool authors
 // SPDX-License-Identifier: Apache-2.0
-// The kernel text once more, over 8 lanes, in a namespace of its own.
+// The kernel text once more, over 8 lanes, in a namespace of its own; guide and shade are in materials_avx2.cpp.
 #define TARGET_CORE_LANES "target_core/device/lanes_avx2.h"
 #define TARGET_CORE_TRACE "target_core/device/wide_trace.h"
 #define kernels kernels_avx2
@@ -9,10 +9,10 @@
 #include "target_core/kernels/filter.cpp"
 #include "target_core/kernels/finalize.cpp"
 #include "target_core/kernels/generate.cpp"
-#include "target_core/kernels/guide.cpp"
-#include "target_core/kernels/shade.cpp"
 #undef kernels
 #include "target_core/device/kernel_table.h"
+
+#ifdef TARGET_CORE_8_LANES
 
 namespace target_core {
 
@@ -39,3 +39,5 @@ const KernelTable avx2_kernels = {"8 lanes, AVX2",
                                   kernels_avx2::filter};
 
 }  // namespace target_core
+
+#endif  // else 16 lanes alone, whose extend is that of 8

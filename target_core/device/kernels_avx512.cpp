@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The porttool authors
 // SPDX-License-Identifier: Apache-2.0
-// The kernel text once more, over 16 lanes, in a namespace of its own.
+// The kernel text once more, over 16 lanes, in a namespace of its own; guide and shade are in materials_avx512.cpp.
 #define TARGET_CORE_LANES "target_core/device/lanes_avx512.h"
 #define TARGET_CORE_TRACE "target_core/device/wide_trace.h"
 #define kernels kernels_avx512
@@ -9,12 +9,14 @@
 #include "target_core/kernels/filter.cpp"
 #include "target_core/kernels/finalize.cpp"
 #include "target_core/kernels/generate.cpp"
-#include "target_core/kernels/guide.cpp"
-#include "target_core/kernels/shade.cpp"
 #undef kernels
 #include "target_core/device/kernel_table.h"
 
 namespace target_core {
+
+namespace kernels_avx2 {
+void extend();  // of kernels_avx2.cpp
+}
 
 namespace kernels_avx512_without_lobes {
 void shade();  // of shade_avx512.cpp
@@ -24,7 +26,7 @@ namespace {
 
 // The 16-lane code traces camera rays only, though its text would do for all. Rays that go everywhere are faster by 8,
 // and Embree's code for that is faster again among code without 512 bits.
-void extend() { pass.segment == 1 ? kernels_avx512::extend() : avx2_kernels.extend(); }
+void extend() { pass.segment == 1 ? kernels_avx512::extend() : kernels_avx2::extend(); }
 
 void shade() {
     (settings.features & LOBE_FEATURES) != 0u ? kernels_avx512::shade() : kernels_avx512_without_lobes::shade();

@@ -147,6 +147,7 @@ double RayLog::time_of(const std::vector<LoggedRay> Rays::*kind, const Trace& tr
     for (const Rays& thread : rays_) {
         const std::vector<LoggedRay>& rays = thread.*kind;
         for_each_tile(static_cast<uint>((rays.size() + CHUNK - 1) / CHUNK), [&](uint chunk) {
+            reach_thread_memory();
             bound = {};
             FlushDenormals flush;  // as Embree likes it best
             size_t first = chunk * CHUNK;

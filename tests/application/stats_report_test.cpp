@@ -96,7 +96,7 @@ TEST(BenchJson, StatesEmbreesShareOfBuildAndMemory) {
     stats.build_ms = 12.0;
     stats.memory_bytes = 32u << 20;
     stats.texel_bytes = 8u << 20;
-    const target_core::EmbreeFigures embree{.build_ms = 10.0, .memory_bytes = 16u << 20};
+    const render_system::EmbreeFigures embree{.build_ms = 10.0, .memory_bytes = 16u << 20};
     const Json bench = bench_json(Options{}, stats, embree, mean_frame(stats), 4);
     EXPECT_DOUBLE_EQ(bench["embree_build_ms"].get<double>(), 10.0);
     EXPECT_EQ(bench["embree_memory_bytes"], 16u << 20);

@@ -8,6 +8,7 @@ With `--record FILE.png` at the end the story is played alone, and what the scre
 import json
 import os
 import pathlib
+import shlex
 import shutil
 import struct
 import subprocess
@@ -19,6 +20,8 @@ import zlib
 
 PATHTRACER = os.path.abspath(sys.argv.pop(1))
 KERNELS = pathlib.Path(os.path.abspath(sys.argv.pop(1)))
+BUILD = pathlib.Path(PATHTRACER).parents[1]
+MODULE = "pathtracer-core-target.so"
 RECORD = pathlib.Path(os.path.abspath(sys.argv[2])) if sys.argv[1:2] == ["--record"] else None
 WIDTH, HEIGHT = (960, 540) if RECORD else (640, 360)
 PATIENCE = 120 if RECORD else 40
@@ -113,10 +116,10 @@ class Person(unittest.TestCase):
         self.log = self.folder / "log.jsonl"
         self.seen = 0
 
-    def open_window(self, *options):
+    def open_window(self, *options, **environment):
         self.process = subprocess.Popen(
             [PATHTRACER, "view", "still_life", "--size", "320x180" if RECORD else "160x90", "--log", self.log, *map(str, options)],
-            cwd=self.folder, env={**os.environ, "DISPLAY": self.screen.display}, stderr=subprocess.PIPE)
+            cwd=self.folder, env={**os.environ, "DISPLAY": self.screen.display, **environment}, stderr=subprocess.PIPE)
         self.addCleanup(lambda: (self.process.kill(), self.process.communicate()))
 
     def leave(self):
@@ -153,9 +156,12 @@ class Person(unittest.TestCase):
             self.assertLess(time.monotonic(), end, f"brightness {brightness(now)}; {self.events()}")
             time.sleep(0.1)
 
+def cores():
+    return json.loads(subprocess.run([PATHTRACER, "info", "--format", "json"], capture_output=True).stdout)["cores"]
+
+
 def has_both_cores():
-    listed = json.loads(subprocess.run([PATHTRACER, "info", "--format", "json"], capture_output=True).stdout)
-    return all(core["available"] for core in listed["cores"])
+    return all(core["available"] for core in cores())
 
 
 class ViewTest(Person):
@@ -250,7 +256,25 @@ class StoryTest(Person):
         return [brightness([pixel for row in rows for pixel in row[first:first + WIDTH // 4:4]])
                 for first in (WIDTH // 4 - 16, WIDTH // 2 + 16)]
 
-    def test_an_edit_is_seen_named_and_ported(self):
+    def rebuild(self, module):
+        """Compiles what porttool wrote (one lane: all that exact mode runs) and links the core's module anew, both by the
+        commands of the build; the objects of all other files are the build's."""
+        command = next(one for one in json.loads((BUILD / "compile_commands.json").read_text())
+                       if one["file"].endswith("target_core/kernels/finalize.cpp"))
+        words, out = shlex.split(command["command"]), str(self.folder / "finalize.o")
+        words[words.index("-o") + 1], words[words.index("-c") + 1] = out, str(self.folder / "target_core/kernels/finalize.cpp")
+        first = next(i for i, word in enumerate(words) if word.startswith("-I"))
+        subprocess.run(words[:first] + [f"-I{self.folder}"] + words[first:], cwd=BUILD, check=True)
+        lines = subprocess.run(["ninja", "-t", "commands", "target_core_module"], cwd=BUILD, check=True, capture_output=True,
+                               text=True).stdout.splitlines()
+        line = next(line for line in reversed(lines) if f"/{MODULE} " in line)
+        words = shlex.split(line)
+        words = words[words.index("&&") + 1:]
+        words = words[:words.index("&&")]
+        at = words.index("-o")
+        subprocess.run(words[:at] + ["-o", str(module), out] + words[at + 2:], cwd=BUILD, check=True)
+
+    def test_an_edit_is_seen_named_ported_and_built(self):
         if not has_both_cores():
             self.skipTest("there is no Vulkan device or no Embree here")
         self.recording = Recording()
@@ -263,7 +287,11 @@ class StoryTest(Person):
         for words in (["init", "-q"], ["add", "source_core", "target_core", "portmap.toml"],
                       ["-c", "user.name=a", "-c", "user.email=a@b", "commit", "-qm", "first"]):
             subprocess.run(["git", *words], cwd=self.folder, check=True)
-        self.open_window("--spp", 16 if RECORD else 2, "--core", "target,source", "--kernels", "source_core/kernels")
+        module = self.folder / "modules" / MODULE
+        module.parent.mkdir()
+        shutil.copy(next(core["file"] for core in cores() if core["id"] == "target"), module)
+        self.open_window("--spp", 16 if RECORD else 2, "--core", "target,source", "--exact", "--kernels", "source_core/kernels",
+                         PATHTRACER_MODULES=str(module.parent))
         self.wait_for("pixels", lambda detail: detail["core"] == "target")
         if RECORD:
             self.xdotool("search", "--name", "pathtracer", "windowsize", WIDTH, HEIGHT, "mousemove", WIDTH - 1, HEIGHT - 1)
@@ -308,6 +336,21 @@ class StoryTest(Person):
         self.wait_for("finding", lambda detail: detail["state"] == "gone")
         self.assertIn("sample_scale * 0.25f", target.read_text())
         self.show(2)
+
+        # What is no module is said, and the core goes on; then the build writes one.
+        self.xdotool("key", "h")
+        module.write_text("broken")
+        said = self.wait_for("error")["detail"]
+        self.assertEqual((said["core"], "is no shared object" in said["message"]), ("target", True), said)
+        self.until(lambda now: brightness(now) > 40)
+        self.rebuild(module)
+        self.assertEqual(self.wait_for("reload")["detail"]["module"], MODULE)
+        self.wait_for("pixels")
+        self.until(lambda now: brightness(now) < 0.5)
+        self.show(2)
+        self.xdotool("key", "2")
+        self.until(lambda now: all(half < 0.8 * before[1] for half in self.halves()))
+        self.show(3)
         self.leave()
         if RECORD:
             self.recording.write(RECORD)

@@ -26,8 +26,10 @@ HostScene one_triangle_scene() {
 class CoreChoiceTest : public ::testing::Test {
 protected:
     CoreChoiceTest() : system_(one_triangle_scene()) {
-        registry_.add("source", [this] { return std::make_unique<CountingCore>(source_); });
-        registry_.add("target", [this] { return std::make_unique<CountingCore>(target_); });
+        registry_.add("source",
+                      [this]() -> std::unique_ptr<CoreAPI> { return std::make_unique<CountingCore>(source_); });
+        registry_.add("target",
+                      [this]() -> std::unique_ptr<CoreAPI> { return std::make_unique<CountingCore>(target_); });
     }
 
     Result<CoreChoice> choose(const std::vector<std::string>& ids) {
