@@ -348,7 +348,9 @@ void declare_view(CLI::App& app, Options& options) {
     constexpr uint32_t ENOUGH_SAMPLES = 4096;
     declare_scene(app, options);
     add_name(app, "--log", options.log, "Write what happens as JSON lines")->type_name("FILE");
-    add_name(app, "-o,--output", options.output, "Where the key P saves the picture (<scene>.png in this folder)")
+    add_name(app, "-o,--output", options.output,
+             "Where the key P saves the picture, X its values (.exr) and K the camera (.camera.json) (<scene>.png in "
+             "this folder)")
         ->type_name("FILE.png");
     declare_samples(app, options, "Samples per pixel after which a core rests (4096)");
     app.preparse_callback([&options](size_t) { options.spp = {ENOUGH_SAMPLES}; });

@@ -269,6 +269,8 @@ void HostScene::set_animation(Animation animation) {
 
 bool HostScene::is_animated() const { return animation_ && !animation_->empty(); }
 
+double HostScene::duration() const { return is_animated() ? animation_->duration() : 0.0; }
+
 Status HostScene::play(double time) {
     return is_animated() ? play_animation(*animation_, time, *this) : Status::success();
 }

@@ -73,7 +73,10 @@ Result<void*> open_copy(const std::filesystem::path& file) {
     if (const auto found = opened.find(state); found != opened.end()) return found->second;
     const int copy = copy_in_memory(file);
     if (copy < 0) return refused(file, std::string("cannot be copied into memory: ") + std::strerror(errno));
-    auto module = open_library(file, "/proc/self/fd/" + std::to_string(copy));
+    // The copy is looked at: the file may have been cut short in between.
+    const std::string name = "/proc/self/fd/" + std::to_string(copy);
+    const Status whole = check_module_file(name);
+    auto module = whole.ok() ? open_library(file, name) : refused(file, whole.message.substr(name.size() + 1));
     if (module.ok())
         opened.emplace(state, *module);
     else

@@ -5,6 +5,7 @@
 #ifdef PORTTOOL_HAS_WINDOW
 #include <filesystem>
 
+#include "application/picture.h"
 #include "application/view/view_window.h"
 #endif
 
@@ -24,6 +25,10 @@ std::string watched_folder(const Options& options) { return options.kernels.empt
 ExitCode run_view(const Options& options, Console& console) {
     if (Status status = check_display(); !status.ok()) return fail(console, status);
     if (Status status = check_files(options, options.output); !status.ok()) return fail(console, status);
+    if (const auto kind = image_kind(options.output);
+        !options.output.empty() && (!kind.ok() || *kind != ImageKind::png))
+        return fail(console,
+                    Status::invalid("--output " + options.output + ": the key P saves a PNG; end it with .png"));
     ViewLog log;
     if (!options.log.empty())
         if (Status status = log.open(options.log); !status.ok()) return fail(console, status);

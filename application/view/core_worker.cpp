@@ -45,10 +45,11 @@ CoreWorker::~CoreWorker() {
     thread_.join();
 }
 
-void CoreWorker::show(const render_system::ViewPyramid& view, uint32_t width, uint32_t height, uint64_t request) {
+void CoreWorker::show(const render_system::ViewPyramid& view, double seconds, uint32_t width, uint32_t height,
+                      uint64_t request) {
     {
         const std::lock_guard lock(mutex_);
-        wanted_ = {view, width, height, request};
+        wanted_ = {view, seconds, width, height, request};
         runs_ = true;
     }
     wake_.notify_all();
@@ -100,7 +101,7 @@ std::optional<CoreWorker::Reopened> CoreWorker::take_reopened() {
     return std::exchange(reopened_, std::nullopt);
 }
 
-void CoreWorker::take_over(std::unique_ptr<render_system::CoreAPI> core) {
+void CoreWorker::take_over(OpenedCore core) {
     const std::lock_guard lock(kernels_mutex_);
     if (core_) core_->Shutdown();
     core_ = std::move(core);
@@ -162,6 +163,7 @@ bool CoreWorker::is_called_away(const Request& request) {
 
 Status CoreWorker::draw(const Request& request, bool fresh) {
     if (fresh) {
+        if (Status status = core_.play(request.seconds); !status.ok()) return status;
         samples_ = 0;
         in_parts_ = sample_ms_ > LONG_SAMPLE_MS;
         if (sample_ms_ > PASS_MS)

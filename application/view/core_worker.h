@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "application/picture.h"
+#include "application/view/opened_core.h"
 #include "render_system/core_api.h"
 #include "render_system/hot_kernels.h"
 #include "render_system/pixel_sum.h"
@@ -37,7 +38,7 @@ struct CorePicture {
 class CoreWorker {
 public:
     /// Opens the core and gives it the scene; called once, in the worker's thread, when the core is first needed.
-    using Open = std::function<render_system::Result<std::unique_ptr<render_system::CoreAPI>>()>;
+    using Open = std::function<render_system::Result<OpenedCore>()>;
 
     CoreWorker(std::string id, Open open, const render_system::CoreSettings& settings, uint32_t most_samples);
     ~CoreWorker();
@@ -46,8 +47,9 @@ public:
 
     const std::string& id() const { return id_; }
 
-    /// From here on it draws this view, from the first sample on.
-    void show(const render_system::ViewPyramid& view, uint32_t width, uint32_t height, uint64_t request);
+    /// From here on it draws this view, at this moment of what moves, from the first sample on.
+    void show(const render_system::ViewPyramid& view, double seconds, uint32_t width, uint32_t height,
+              uint64_t request);
     /// While it rests it draws nothing, and keeps what it has.
     void rest();
 
@@ -76,12 +78,13 @@ public:
 private:
     struct Request {
         render_system::ViewPyramid view;
+        double seconds = 0.0;
         uint32_t width = 0, height = 0;
         uint64_t number = 0;
     };
     void run();
     bool open_anew();
-    void take_over(std::unique_ptr<render_system::CoreAPI> core);
+    void take_over(OpenedCore core);
     render_system::Status draw(const Request& request, bool fresh);
     render_system::Status draw_coarsely(const Request& request);
     render_system::Status take_samples(const Request& request);
@@ -110,7 +113,7 @@ private:
     render_system::HotKernels* hot_kernels_ = nullptr;  // guarded by that mutex, and so is the core's end
 
     // Of the thread alone.
-    std::unique_ptr<render_system::CoreAPI> core_;
+    OpenedCore core_;
     std::unique_ptr<Picture> target_;
     uint32_t samples_ = 0;    // of the request that is drawn
     double sample_ms_ = 1e9;  // of one sample of the whole picture

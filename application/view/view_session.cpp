@@ -8,6 +8,7 @@
 #include "application/core_session.h"
 #include "application/cores.h"
 #include "application/file_output.h"
+#include "application/view/camera_text.h"
 
 namespace application {
 
@@ -20,8 +21,9 @@ ViewSession::ViewSession(const Options& options, SceneSetup setup, ViewLog& log)
       log_(log),
       system_(std::move(setup.scene)),
       registry_(make_registry(options, render_system::ModuleSource::copy)),
-      probe_(system_.scene()),
       bounds_(system_.scene().bounds()),
+      followed_(setup.followed),
+      seconds_(options.time),
       first_camera_(setup.camera, bounds_),
       camera_(first_camera_),
       image_{1, 1, {0, 0, 0}} {
@@ -51,17 +53,23 @@ void ViewSession::watch_files() {
     }
 }
 
-/// The cores take turns at the one host scene: each is sent all of it, and keeps it.
-Result<std::unique_ptr<CoreAPI>> ViewSession::open_core(const std::string& id) {
+/// The cores take turns at the one host scene: each is sent all of it, and keeps it. What moves each has of its own.
+Result<OpenedCore> ViewSession::open_core(const std::string& id) {
     const std::lock_guard lock(scene_mutex_);
     auto core = registry_.CreateCoreAPI(id);
     if (!core.ok()) return core.status;
     if (Status status = (*core)->Init({.threads = options_.threads, .exact = options_.exact}); !status.ok())
         return status;
     if (Status status = (*core)->Setting(core_settings(options_, options_.seed)); !status.ok()) return status;
+    if (is_animated()) {
+        OpenedCore own{nullptr, std::make_unique<render_system::RenderSystem>(system_.scene())};
+        own.system->use_core(std::move(*core));
+        if (Status status = own.system->synchronize(); !status.ok()) return status;
+        return own;
+    }
     system_.use_core(std::move(*core));
     if (Status status = system_.synchronize(); !status.ok()) return status;
-    return system_.take_core();
+    return OpenedCore{system_.take_core()};
 }
 
 void ViewSession::note_input(const char* kind) {
@@ -80,7 +88,7 @@ void ViewSession::begin() {
     const auto view = render_system::view_pyramid(camera_.camera(), options_.width, options_.height);
     for (size_t i = 0; i < workers_.size(); ++i) {
         if (is_needed(i))
-            workers_[i]->show(view, options_.width, options_.height, request_);
+            workers_[i]->show(view, seconds_, options_.width, options_.height, request_);
         else
             workers_[i]->rest();
     }
@@ -104,6 +112,41 @@ void ViewSession::switch_core() {
     note_input("switch");
     log_.say("switch", {{"core", core_name(active_)}});
     is_stale_ = true;
+    begin();
+}
+
+void ViewSession::play_or_pause() {
+    if (!is_animated()) return;
+    is_playing_ = !is_playing_;
+    log_.say("input", {{"kind", is_playing_ ? "play" : "pause"}, {"seconds", seconds_}});
+}
+
+void ViewSession::scrub(double seconds) {
+    if (!is_animated()) return;
+    is_playing_ = false;
+    show_moment(std::clamp(seconds, 0.0, duration()));
+    log_.say("input", {{"kind", "scrub"}, {"seconds", seconds_}});
+}
+
+void ViewSession::play_on(double elapsed) {
+    if (!is_playing_) return;
+    for (size_t i = 0; i < workers_.size(); ++i)
+        if (is_needed(i) && problems_[i].empty() && pictures_[i].request != request_) return;
+    const double next = seconds_ + elapsed;
+    show_moment(next > duration() ? 0.0 : next);
+}
+
+void ViewSession::show_moment(double seconds) {
+    const std::lock_guard lock(scene_mutex_);
+    seconds_ = seconds;
+    probe_.reset();
+    // What cannot be shown each core says of its own scene.
+    if (!system_.scene().play(seconds).ok()) return begin();
+    if (followed_) {
+        const auto camera = followed_camera(options_, system_.scene(), *followed_);
+        if (camera.ok()) camera_ = ViewCamera(*camera, bounds_);
+    }
+    await(active_, log_.now_ms());
     begin();
 }
 
@@ -220,6 +263,8 @@ void ViewSession::compose() {
     const auto levels = [&](size_t core) {
         return srgb_levels(pictures_[core].picture, options_.exposure, options_.tone_map);
     };
+    // While it plays two moments are never held against each other.
+    if (composition_.show != Show::One && is_playing_ && pictures_[0].request != pictures_[1].request) return;
     if (composition_.show != Show::One && has_drawn(0) && has_drawn(1)) {
         image_ = composed(levels(0), levels(1), composition_);
     } else if (has_drawn(active_) &&
@@ -230,7 +275,19 @@ void ViewSession::compose() {
 
 std::optional<Picked> ViewSession::pick_at(double x, double y) {
     const auto view = render_system::view_pyramid(camera_.camera(), options_.width, options_.height);
-    return pick(system_.scene(), probe_, view, x, y);
+    if (!probe_) probe_.emplace(system_.scene());
+    return pick(system_.scene(), *probe_, view, x, y);
+}
+
+Status ViewSession::save_values(const std::string& file) const {
+    const auto bytes = encode_exr(linear_values(pictures_[active_].picture),
+                                  {.samples = static_cast<uint32_t>(pictures_[active_].stats.samples)});
+    return bytes.ok() ? write_file(file, *bytes) : bytes.status;
+}
+
+Status ViewSession::save_camera(const std::string& file) const {
+    const auto text = camera_text(camera_.camera(), options_.camera.file);
+    return text.ok() ? write_file(file, *text) : text.status;
 }
 
 Status ViewSession::save(const std::string& file) const {

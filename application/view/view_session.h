@@ -32,6 +32,7 @@ public:
     template <class Move>
     void move(const char* kind, Move&& move) {
         move(camera_);
+        followed_.reset();
         note_input(kind);
         begin();
     }
@@ -40,6 +41,19 @@ public:
     void next_camera();
     /// The other core; the picture of the one before goes on being shown until the first of this one is there.
     void switch_core();
+
+    /// Whether there is something to play, and for how long.
+    bool is_animated() const { return system_.scene().is_animated(); }
+    double duration() const { return system_.scene().duration(); }
+    double seconds() const { return seconds_; }
+    bool is_playing() const { return is_playing_; }
+    void play_or_pause();
+    /// Shows that moment, as a person who goes through the animation by hand; ends playing.
+    void scrub(double seconds);
+    /// While it plays: on to the moment that `elapsed` seconds of the clock bring, from the beginning again behind the
+    /// end; not before all that is shown has been drawn at the moment before.
+    void play_on(double elapsed);
+
     void set_show(Show show);
     void set_split(float split);
     void set_gain(int gain);
@@ -54,8 +68,11 @@ public:
     /// What stands at a place of the picture, by shares of its sides.
     std::optional<Picked> pick_at(double x, double y);
 
-    /// Writes the picture that is shown as it is. Fails as write_file does.
+    /// Each writes a file, and fails as write_file does: the picture that is shown as it is, as PNG; the linear values
+    /// of the core in front, as EXR; the camera, as a file for --camera.
     render_system::Status save(const std::string& file) const;
+    render_system::Status save_values(const std::string& file) const;
+    render_system::Status save_camera(const std::string& file) const;
 
     size_t core_count() const { return workers_.size(); }
     size_t active() const { return active_; }
@@ -72,7 +89,8 @@ public:
     const std::string& reload_error() const;
 
 private:
-    render_system::Result<std::unique_ptr<render_system::CoreAPI>> open_core(const std::string& id);
+    render_system::Result<OpenedCore> open_core(const std::string& id);
+    void show_moment(double seconds);
     void note_input(const char* kind);
     void await(size_t core, double since_ms);
     void note_kernels(const KernelNews& news);
@@ -87,8 +105,11 @@ private:
     std::mutex scene_mutex_;
     render_system::RenderSystem system_;
     render_system::CoreRegistry registry_;
-    render_system::RayProbe probe_;
+    std::optional<render_system::RayProbe> probe_;  // none after something moved
     render_system::Box bounds_;
+    std::optional<uint32_t> followed_;  ///< the scene's camera that is shown, until a person moves
+    double seconds_ = 0.0;
+    bool is_playing_ = false;
     ViewCamera first_camera_, camera_;
     size_t next_camera_ = 0;
     std::vector<CorePicture> pictures_;

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <filesystem>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -113,6 +114,7 @@ public:
             if (!input_events().empty() || flies()) frames = FRAMES_OF_INPUT;
             take_input();
             if (session_.take_news()) frames = FRAMES_OF_INPUT;
+            play();
             // A picture that only converges is shown ten times a second: drawing takes the cores' time.
             const double now = glfwGetTime();
             if (!session_.is_waiting() && frames == 0 && now - looked_at < CALM_SECONDS) continue;
@@ -260,7 +262,13 @@ private:
         if (key == GLFW_KEY_RIGHT_BRACKET) session_.set_gain(session_.composition().gain * 2);
         if (key == GLFW_KEY_F) session_.frame_all();
         if (key == GLFW_KEY_C) session_.next_camera();
-        if (key == GLFW_KEY_P) save();
+        if (key == GLFW_KEY_P) save(".png", &ViewSession::save);
+        if (key == GLFW_KEY_X) save(".exr", &ViewSession::save_values);
+        if (key == GLFW_KEY_K) save(".camera.json", &ViewSession::save_camera);
+        constexpr double STEP_SECONDS = 1.0 / 24.0;
+        if (key == GLFW_KEY_SPACE) session_.play_or_pause();
+        if (key == GLFW_KEY_COMMA) session_.scrub(session_.seconds() - STEP_SECONDS);
+        if (key == GLFW_KEY_PERIOD) session_.scrub(session_.seconds() + STEP_SECONDS);
         if (key == GLFW_KEY_N) drift_.next_finding();
         if (key == GLFW_KEY_O) drift_.propose();
         if (key == GLFW_KEY_ENTER) drift_.apply();
@@ -284,9 +292,22 @@ private:
         session_.move("fly", [&](ViewCamera& camera) { camera.fly(step * forward, step * right, step * up); });
     }
 
-    void save() {
-        const std::string file = options_.output.empty() ? default_picture_name(options_.scene) : options_.output;
-        const Status status = session_.save(file);
+    /// By the clock, however long the cores take for a moment.
+    void play() {
+        const double now = glfwGetTime(), before = std::exchange(played_at_, now);
+        if (!session_.is_playing()) return;
+        elapsed_ += now - before;
+        const double shown = session_.seconds();
+        session_.play_on(elapsed_);
+        if (session_.seconds() != shown) elapsed_ = 0.0;
+    }
+
+    /// Beside the picture that -o names, with an ending of its own.
+    void save(const char* ending, Status (ViewSession::*write)(const std::string&) const) {
+        const std::filesystem::path named =
+            options_.output.empty() ? default_picture_name(options_.scene) : options_.output;
+        const std::string file = std::filesystem::path(named).replace_extension(ending).string();
+        const Status status = (session_.*write)(file);
         said_ = status.ok() ? "saved " + file : status.message;
         log_.say(status.ok() ? "input" : "error", {{"kind", "save"}, {"message", said_}});
     }
@@ -312,10 +333,16 @@ private:
         float split = session_.composition().split;
         if (session_.composition().show == Show::Split && ImGui::SliderFloat("split", &split, 0.0f, 1.0f))
             session_.set_split(split);
+        auto seconds = static_cast<float>(session_.seconds());
+        if (session_.is_animated() &&
+            ImGui::SliderFloat("seconds", &seconds, 0.0f, static_cast<float>(session_.duration())))
+            session_.scrub(static_cast<double>(seconds));
         if (!picked_.empty()) ImGui::TextUnformatted(picked_.c_str());
         if (!said_.empty()) ImGui::TextUnformatted(said_.c_str());
         ImGui::TextUnformatted(
-            "Tab core  1 2 3 one, split, difference  [ ] gain  F frame  C camera  P save  H panels  N finding  O port");
+            "Tab core  1 2 3 one, split, difference  [ ] gain  F frame  C camera  P X K save  H panels  N finding  O "
+            "port");
+        if (session_.is_animated()) ImGui::TextUnformatted("Space play, pause  , . a step back, on");
         ImGui::End();
     }
 
@@ -345,6 +372,7 @@ private:
     GLuint texture_ = 0;
     ImVec2 corner_, size_{1.0f, 1.0f};
     double mouse_x_ = 0.0, mouse_y_ = 0.0, flown_at_ = 0.0;
+    double played_at_ = 0.0, elapsed_ = 0.0;    ///< seconds that were not shown yet
     double dragged_x_ = 0.0, dragged_y_ = 0.0;  ///< up to where a drag was followed
     PanelPlace figures_;
     int held_ = -1;  ///< the button that drags; -1: none

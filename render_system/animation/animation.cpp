@@ -101,6 +101,19 @@ bool Animation::empty() const {
            cameras.tracks.empty();
 }
 
+double Animation::duration() const {
+    double last = 0.0;
+    const auto look_at = [&](const auto& tracks) {
+        for (const auto& track : tracks.tracks) last = std::max(last, static_cast<double>(track.curve.times->back()));
+    };
+    look_at(nodes);
+    look_at(weights);
+    look_at(materials);
+    look_at(lights);
+    look_at(cameras);
+    return last;
+}
+
 Status play_animation(const Animation& animation, double time, HostScene& scene) {
     if (Status status = play_materials(animation.materials, time, scene); !status.ok()) return status;
     play_cameras(animation.cameras, time, scene);

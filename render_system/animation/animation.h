@@ -104,6 +104,8 @@ struct Animation {
     Tracks<CameraState> cameras;
 
     bool empty() const;
+    /// Seconds up to the last key of all.
+    double duration() const;
 };
 
 /// Brings the scene to `time` seconds by its setters. What comes out as it is already raises no flag. Fails with

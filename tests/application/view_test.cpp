@@ -10,10 +10,12 @@
 #include <fstream>
 #include <thread>
 
+#include "application/view/camera_text.h"
 #include "application/view/composition.h"
 #include "application/view/drift_panel.h"
 #include "application/view/picking.h"
 #include "application/view/view_camera.h"
+#include "render_system/scene_loader.h"
 
 namespace application {
 namespace view_test {
@@ -153,6 +155,30 @@ TEST(Picking, TakesParallelRaysOfAnOrthographicCamera) {
     const PictureRay ray = ray_through(view_pyramid(camera, 200, 100), 0.75, 0.25);
     EXPECT_LT(glm::length(ray.direction - glm::dvec3(0, 0, -1)), 1e-6);
     EXPECT_LT(glm::length(ray.origin - glm::dvec3(2, 1, 5)), 1e-5);
+}
+
+TEST(CameraText, ComesBackThroughTheFileThatTheOptionTakes) {
+    const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "view_test.camera.json";
+    std::ofstream(file) << R"({"position": [9, 9, 9], "target": [0, 0, 0], "up": [0, 1, 0], "vfov_degrees": 9,
+                               "sky_radiance": [0.25, 0.5, 1]})";
+    for (const float reach : {0.0f, 1.0f, 30000.0f}) {
+        const Camera camera = render_system::look_at({reach, 2.0f, 3.0f}, {reach - 1.0f, 1.0f, -2.0f}, {0, 1, 0}, 0.7f);
+        const auto text = camera_text(camera, file.string());
+        ASSERT_TRUE(text.ok()) << text.status.message;
+        std::ofstream(file) << *text;
+        const auto back = render_system::load_camera_file(file);
+        ASSERT_TRUE(back.ok()) << back.status.message;
+        EXPECT_EQ(back->camera.position, camera.position);
+        EXPECT_LT(glm::length(back->camera.forward - camera.forward), 1e-6f) << reach;
+        EXPECT_LT(glm::length(back->camera.up - camera.up), 1e-6f) << reach;
+        EXPECT_NEAR(back->camera.vertical_fov, 0.7f, 1e-6f);
+        EXPECT_EQ(back->sky_radiance, glm::vec3(0.25f, 0.5f, 1.0f));
+    }
+    Camera parallel = front();
+    parallel.parallel_height = 4.0f;
+    EXPECT_FALSE(camera_text(parallel, "").ok());
+    std::filesystem::remove(file);
+    EXPECT_EQ(camera_text(front(), file.string()).status.code, render_system::StatusCode::unreadable);
 }
 
 TEST(Composition, ShowsOneBothOrTheirDifference) {

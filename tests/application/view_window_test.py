@@ -5,7 +5,9 @@
 With `--record FILE.png` at the end the story is played alone, and what the screen shows becomes an animated picture (APNG):
     tests/application/view_window_test.py build/release/bin/pathtracer source_core/kernels --record docs/story.png
 """
+import base64
 import json
+import math
 import os
 import pathlib
 import shlex
@@ -116,9 +118,9 @@ class Person(unittest.TestCase):
         self.log = self.folder / "log.jsonl"
         self.seen = 0
 
-    def open_window(self, *options, **environment):
+    def open_window(self, *options, scene="still_life", **environment):
         self.process = subprocess.Popen(
-            [PATHTRACER, "view", "still_life", "--size", "320x180" if RECORD else "160x90", "--log", self.log, *map(str, options)],
+            [PATHTRACER, "view", scene, "--size", "320x180" if RECORD else "160x90", "--log", self.log, *map(str, options)],
             cwd=self.folder, env={**os.environ, "DISPLAY": self.screen.display, **environment}, stderr=subprocess.PIPE)
         self.addCleanup(lambda: (self.process.kill(), self.process.communicate()))
 
@@ -198,6 +200,57 @@ class ViewTest(Person):
             self.until(lambda now: brightness(now) < orbited / 4)
             self.xdotool("key", "2")
             self.until(lambda now: abs(brightness(now) - orbited) < orbited / 4)
+        self.leave()
+
+
+class MovingTest(Person):
+    def test_an_animation_is_played_and_gone_through_by_hand_and_what_is_shown_is_saved(self):
+        listed = {core["id"]: core["available"] for core in cores()}
+        if not listed["target"]:
+            self.skipTest("there is no Embree here")
+        # A triangle that goes from the middle to x = 1 within a second.
+        corners = struct.pack("<9f", -1, -1, 0, 1, -1, 0, 0, 1, 0) + struct.pack("<8f", 0, 1, 0, 0, 0, 1, 0, 0)
+        views = [{"buffer": 0, "byteLength": 36}, {"buffer": 0, "byteOffset": 36, "byteLength": 32}]
+        (self.folder / "moving.gltf").write_text(json.dumps({
+            "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+            "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+            "animations": [{"channels": [{"sampler": 0, "target": {"node": 0, "path": "translation"}}],
+                            "samplers": [{"input": 1, "output": 2}]}],
+            "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3", "min": [-1, -1, 0], "max": [1, 1, 0]},
+                          {"bufferView": 1, "componentType": 5126, "count": 2, "type": "SCALAR", "min": [0], "max": [1]},
+                          {"bufferView": 1, "byteOffset": 8, "componentType": 5126, "count": 2, "type": "VEC3"}],
+            "bufferViews": views,
+            "buffers": [{"byteLength": 68, "uri": "data:application/octet-stream;base64," + base64.b64encode(corners).decode()}]}))
+        self.open_window("--spp", 4, "--core", "target", "--sky", "1,1,1", "--max-path-length", 1, "--look-at", "0,0,5,0,0,0", "-o", "shown.png",
+                         scene="moving.gltf")
+        # Darker than the sky; where it stands, by the mean column of such pixels.
+        def place(now):
+            dark = [i % (WIDTH // 4) for i, pixel in enumerate(now) if sum(pixel) < 3 * 240]
+            return sum(dark) / len(dark) if dark else 0.0
+        self.xdotool("key", "h")
+        self.wait_for("pixels")
+        first = place(self.until(lambda now: place(now) > 0))
+        for step in range(1, 13):
+            self.xdotool("key", "period")
+            scrubbed = self.wait_for("input", lambda detail: detail["kind"] == "scrub")["detail"]
+            self.assertAlmostEqual(scrubbed["seconds"], step / 24)
+        # By half a unit: of 180 rows that are 2 * 5 * tan(20 degrees) units high, at the window's size.
+        half = 0.5 / (10 * math.tan(math.radians(20))) * HEIGHT / 4
+        self.until(lambda now: abs(place(now) - first - half) < half / 4)
+        self.xdotool("key", "x", "key", "k", "key", "p")
+        for name in ("shown.exr", "shown.camera.json", "shown.png"):
+            self.assertEqual(self.wait_for("input", lambda detail: detail["kind"] == "save")["detail"]["message"], "saved " + name)
+        self.assertEqual((self.folder / "shown.exr").read_bytes()[:4], b"\x76\x2f\x31\x01")
+        camera = json.loads((self.folder / "shown.camera.json").read_text())
+        self.assertEqual(camera["position"], [0, 0, 5])
+        self.assertAlmostEqual(camera["vfov_degrees"], 40, 4)
+        self.xdotool("key", "space")
+        self.wait_for("input", lambda detail: detail["kind"] == "play")
+        self.until(lambda now: abs(place(now) - first - half) > half / 2)
+        self.xdotool("key", "space")
+        paused = self.wait_for("input", lambda detail: detail["kind"] == "pause")["detail"]["seconds"]
+        self.assertGreaterEqual(paused, 0)
+        self.assertLessEqual(paused, 1)
         self.leave()
 
 
