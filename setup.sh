@@ -17,7 +17,8 @@ packages=(
     libembree-dev libtbb-dev
     # Scenes, pictures and the command line
     libglm-dev libtinygltf-dev libmeshoptimizer-dev libdraco-dev libtinyobjloader-dev
-    libassimp-dev libopenimageio-dev libxxhash-dev libstb-dev libcli11-dev nlohmann-json3-dev libfmt-dev
+    libassimp-dev libopenimageio-dev libopenexr-dev libspng-dev libxxhash-dev libstb-dev libcli11-dev
+    nlohmann-json3-dev libfmt-dev
     # The window, which is left out where these are not there
     libglfw3-dev libimgui-dev libgl1-mesa-dri
     # The tool

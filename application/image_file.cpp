@@ -22,8 +22,7 @@ using render_system::StatusCode;
 Result<std::string> encode(ImageToWrite image, const PictureNotes& notes, const void* values) {
     if (!notes.made_with.empty()) image.notes.insert(image.notes.begin(), {kMadeWith, notes.made_with});
     image.values = values;
-    const auto library = render_system::image_library();
-    auto bytes = library.ok() ? (*library)->encode(image) : Result<std::string>(library.status);
+    auto bytes = render_system::encode_image(image);
     if (!bytes.ok())
         bytes.status.message = fmt::format("cannot encode the picture as {}: {}", image.format, bytes.status.message);
     return bytes;
@@ -49,15 +48,12 @@ std::string made_with(const std::string& file_name) {
 
 Result<std::string> encode_png(const Channels<uint8_t>& image, const PictureNotes& notes) {
     ImageToWrite out{"png", image.width, image.height, {}, {SampleType::u8}};
-    out.notes.emplace_back("oiio:ColorSpace", "sRGB");
     if (notes.samples > 0) out.notes.emplace_back("samples", std::to_string(notes.samples));
     return encode(std::move(out), notes, image.rgb.data());
 }
 
 Result<std::string> encode_exr(const Channels<float>& image, const PictureNotes& notes) {
     ImageToWrite out{"exr", image.width, image.height, {}, {SampleType::f32}};
-    out.notes.emplace_back("oiio:ColorSpace", "Linear");
-    out.notes.emplace_back("compression", "zip");
     if (notes.samples > 0) out.notes.emplace_back("samples", static_cast<int>(notes.samples));
     if (!notes.ranges.empty()) out.notes.emplace_back("sampleRanges", notes.ranges);
     if (!notes.run.empty()) out.notes.emplace_back("pathtracerRun", notes.run);

@@ -111,16 +111,13 @@ Result<std::string> encode_sums(const SampleSums& sums, const PictureNotes& note
     render_system::ImageToWrite image{"exr", sums.width, sums.height, channel_names(), {}};
     image.types.assign(kColors, SampleType::f32);
     image.types.resize(kColors + kWords, SampleType::u32);
-    image.notes = {{"compression", "zip"},
-                   {"samples", static_cast<int>(notes.samples)},
-                   {"sampleRanges", notes.ranges},
-                   {"pathtracerRun", notes.run}};
+    image.notes = {
+        {"samples", static_cast<int>(notes.samples)}, {"sampleRanges", notes.ranges}, {"pathtracerRun", notes.run}};
     std::vector<Row> rows;
     rows.reserve(sums.pixels.size());
     for (const PixelSum& pixel : sums.pixels) rows.push_back(row_of(pixel, sums.samples));
     image.values = rows.data();
-    const auto library = render_system::image_library();
-    auto bytes = library.ok() ? (*library)->encode(image) : Result<std::string>(library.status);
+    auto bytes = render_system::encode_image(image);
     if (!bytes.ok()) bytes.status.message = "cannot encode the sums as exr: " + bytes.status.message;
     return bytes;
 }

@@ -12,6 +12,7 @@
 #include <string_view>
 #include <vector>
 
+#include "render_system/images/image_limits.h"
 #include "render_system/loader/load_error.h"
 
 namespace render_system {
@@ -19,13 +20,6 @@ namespace render_system {
 namespace {
 
 using Bytes = std::span<const std::byte>;
-
-// 16384 x 16384; more than that is a broken header rather than a texture.
-constexpr uint64_t MOST_TEXELS = uint64_t{1} << 28;
-// Four channels of the largest picture.
-constexpr uint64_t MOST_VALUES = 4 * MOST_TEXELS;
-// No format here packs much tighter than 1000 : 1, so a short file cannot hold a large picture.
-constexpr uint64_t MOST_COMPRESSION = 4096;
 
 [[noreturn]] void fail(const std::string& what) { fail_at("", what); }
 
@@ -35,7 +29,6 @@ bool starts_with(Bytes bytes, std::string_view mark) {
 
 // OpenImageIO's name for the reader to use.
 std::string format_name(Bytes bytes, const std::string& name) {
-    if (starts_with(bytes, "\x89PNG")) return "png";
     if (starts_with(bytes, "\xFF\xD8\xFF")) return "jpeg";
     if (starts_with(bytes, "\x76\x2F\x31\x01")) return "openexr";
     if (starts_with(bytes, "#?RADIANCE") || starts_with(bytes, "#?RGBE")) return "hdr";
@@ -47,37 +40,10 @@ std::string format_name(Bytes bytes, const std::string& name) {
     fail("is no PNG, JPEG, WebP, BMP, TGA, HDR or EXR image; convert it to one of these");
 }
 
-// The chunks of a PNG that make its picture (PNG 1.2, 3 and 4.1). The others are left out: libpng writes to stderr what
-// it thinks of colour profiles, and a texture's meaning is its role, not what such chunks say.
-std::vector<std::byte> picture_chunks(Bytes bytes) {
-    constexpr size_t SIGNATURE = 8;
-    std::vector<std::byte> kept(bytes.begin(),
-                                bytes.begin() + static_cast<std::ptrdiff_t>(std::min(bytes.size(), SIGNATURE)));
-    bool ended = false;
-    for (size_t at = SIGNATURE; !ended;) {
-        if (at > bytes.size() || bytes.size() - at < 12) fail("is cut off: it ends before its last chunk");
-        uint64_t length = 12;  // the length itself, name and checksum
-        for (size_t i = 0; i < 4; ++i) length += static_cast<uint64_t>(bytes[at + i]) << (24 - 8 * i);
-        if (length > bytes.size() - at) fail("is cut off: it ends within a chunk");
-        const Bytes chunk = bytes.subspan(at, length);
-        const std::string_view name(reinterpret_cast<const char*>(chunk.data()) + 4, 4);
-        ended = name == "IEND";
-        const bool needed = ended || name == "IHDR" || name == "PLTE" || name == "tRNS" || name == "IDAT";
-        if (needed) kept.insert(kept.end(), chunk.begin(), chunk.end());
-        at += length;
-    }
-    return kept;
-}
-
 void check_size(const OIIO::ImageSpec& spec, size_t file_size) {
-    const std::string size = std::to_string(spec.width) + "x" + std::to_string(spec.height);
-    if (spec.width < 1 || spec.height < 1 || spec.nchannels < 1) fail("has no pixels (" + size + ")");
-    const uint64_t texels = static_cast<uint64_t>(spec.width) * static_cast<uint64_t>(spec.height);
-    if (texels > MOST_TEXELS || spec.depth > 1) fail("is too large (" + size + "); 16384x16384 is the most");
-    if (texels * static_cast<uint64_t>(spec.nchannels) > MOST_VALUES) {
-        fail("is too large (" + size + " with " + std::to_string(spec.nchannels) + " channels)");
-    }
-    if (texels / MOST_COMPRESSION > file_size) fail("is far too short for its " + size + " pixels; it is cut off");
+    const auto size = [](int number) { return static_cast<uint64_t>(std::max(number, 0)); };
+    if (spec.depth > 1) fail("is no flat picture but one with depth");
+    check_image_size(size(spec.width), size(spec.height), size(spec.nchannels), file_size);
 }
 
 // OpenImageIO takes memory for a BMP's rows as soon as it is opened, as much as the header asks for.
@@ -94,8 +60,7 @@ void check_bmp_header(Bytes bytes) {
     const uint64_t width = number(18, old ? 2 : 4);
     const uint32_t rows = old ? number(20, 2) : number(22, 4);
     const uint64_t height = rows >> 31 != 0 ? -rows : rows;  // negative: rows from the top down
-    if (width * height > MOST_TEXELS || width > MOST_TEXELS) fail("is too large; 16384x16384 is the most");
-    if (width * height / MOST_COMPRESSION > bytes.size()) fail("is far too short for its pixels; it is cut off");
+    if (width > 0 && height > 0) check_image_size(width, height, 1, bytes.size());
 }
 
 std::string last_error(OIIO::ImageInput& input) {
@@ -155,11 +120,6 @@ void fill_floats(Image& image, const std::vector<float>& pixels, size_t count, i
 Image decode_image(std::span<const std::byte> bytes, const std::string& name) {
     if (bytes.empty()) fail("is empty");
     const std::string format = format_name(bytes, name);
-    std::vector<std::byte> picture;
-    if (format == "png") {
-        picture = picture_chunks(bytes);
-        bytes = picture;
-    }
     if (format == "bmp") check_bmp_header(bytes);
     OIIO::Filesystem::IOMemReader memory(const_cast<std::byte*>(bytes.data()), bytes.size());
     OIIO::ImageSpec hints;

@@ -10,7 +10,7 @@
 
 namespace render_system {
 
-/// As read_image (loader/image_reader.h).
+/// As read_image (loader/image_reader.h), but for PNG (png_codec.h).
 Image decode_image(std::span<const std::byte> bytes, const std::string& name);
 
 }  // namespace render_system

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render_system/images/image_library.h"
 
+#include "render_system/images/exr_writer.h"
+#include "render_system/images/png_codec.h"
 #include "render_system/loader/image_reader.h"
 #include "render_system/loader/load_error.h"
 #include "render_system/modules.h"
@@ -40,9 +42,15 @@ Result<ImageLibrary*> image_library() {
 }
 
 Image read_image(std::span<const std::byte> bytes, const std::string& name) {
+    if (is_png(bytes)) return decode_png(bytes);
     const auto library = image_library();
-    if (!library.ok()) fail_at("", "cannot be read: " + library.status.message);
+    // A program that is not whole draws no pictures with placeholders.
+    if (!library.ok()) throw LoadError{StatusCode::unreadable, "cannot be read: " + library.status.message, true};
     return (*library)->decode(bytes, name);
+}
+
+Result<std::string> encode_image(const ImageToWrite& image) {
+    return image.format == "png" ? encode_png(image) : encode_exr(image);
 }
 
 }  // namespace render_system

@@ -14,8 +14,8 @@
 #include "render_system/status.h"
 #include "render_system/texture.h"
 
-// Pictures as files. OpenImageIO, which does it, brings 250 libraries and a third of a second: it lies in a module of
-// its own, pathtracer-images.so, which is loaded with the first picture (decision 29).
+// Pictures as files. OpenImageIO brings 250 libraries and a third of a second: it lies in a module of its own,
+// pathtracer-images.so, which is loaded when a picture is read that is no PNG (decision 29).
 
 namespace render_system {
 
@@ -23,7 +23,7 @@ enum class SampleType : uint8_t { u8, u32, f32 };
 
 /// A picture to be written.
 struct ImageToWrite {
-    std::string format;  ///< "png" or "exr"
+    std::string format;  ///< "exr"; or "png", of 8 bits of sRGB in R, G and B
     uint32_t width = 0, height = 0;
     std::vector<std::string> channels;                                          ///< their names; none: R, G and B
     std::vector<SampleType> types;                                              ///< one a channel, or one for all
@@ -48,14 +48,13 @@ public:
     virtual std::string read(int first, int end, SampleType type, void* values) = 0;
 };
 
+/// What reads pictures by OpenImageIO.
 class ImageLibrary {
 public:
     virtual ~ImageLibrary() = default;
 
-    /// As read_image (loader/image_reader.h).
+    /// As read_image (loader/image_reader.h), but for PNG.
     virtual Image decode(std::span<const std::byte> bytes, const std::string& name) = 0;
-    /// The bytes of the file; the status says what the library says.
-    virtual Result<std::string> encode(const ImageToWrite& image) = 0;
     /// Fails with unreadable and what the library says.
     virtual Result<std::unique_ptr<ImageFile>> open(const std::string& file) = 0;
 };
@@ -64,8 +63,11 @@ public:
 /// not load.
 Result<ImageLibrary*> image_library();
 
+/// The bytes of the file; the status says what the library says.
+Result<std::string> encode_image(const ImageToWrite& image);
+
 /// What program and module agree on; raised with each change of the classes above.
-constexpr int kImageLibraryVersion = 1;
+constexpr int kImageLibraryVersion = 2;
 
 }  // namespace render_system
 

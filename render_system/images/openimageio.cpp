@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The porttool authors
 // SPDX-License-Identifier: Apache-2.0
 // The module pathtracer-images.so: the only place, but for tests, that knows OpenImageIO.
-#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
 #include "render_system/images/image_decoder.h"
@@ -15,24 +14,6 @@ OIIO::TypeDesc::BASETYPE type_of(SampleType type) {
     constexpr OIIO::TypeDesc::BASETYPE kTypes[] = {OIIO::TypeDesc::UINT8, OIIO::TypeDesc::UINT32,
                                                    OIIO::TypeDesc::FLOAT};
     return kTypes[static_cast<size_t>(type)];
-}
-
-OIIO::ImageSpec spec_of(const ImageToWrite& image) {
-    constexpr int kColors = 3;
-    const int channels = image.channels.empty() ? kColors : static_cast<int>(image.channels.size());
-    OIIO::ImageSpec spec(static_cast<int>(image.width), static_cast<int>(image.height), channels,
-                         image.types.size() > 1 ? OIIO::TypeDesc::FLOAT : type_of(image.types.front()));
-    if (!image.channels.empty()) spec.channelnames = image.channels;
-    if (image.types.size() > 1)
-        for (const SampleType type : image.types) spec.channelformats.emplace_back(type_of(type));
-    // Left alone, OpenImageIO adds the time of day, and the same pixels would give other bytes. An empty one is not
-    // written at all.
-    spec.attribute("DateTime", "");
-    for (const auto& [name, value] : image.notes) {
-        if (const auto* number = std::get_if<int>(&value)) spec.attribute(name, *number);
-        if (const auto* text = std::get_if<std::string>(&value)) spec.attribute(name, *text);
-    }
-    return spec;
 }
 
 class OpenFile final : public ImageFile {
@@ -65,19 +46,6 @@ class OpenImageIoLibrary final : public ImageLibrary {
 public:
     Image decode(std::span<const std::byte> bytes, const std::string& name) override {
         return decode_image(bytes, name);
-    }
-
-    // Into memory, so that the file itself is written in one place for all kinds.
-    Result<std::string> encode(const ImageToWrite& image) override {
-        const std::string name = "picture." + image.format;
-        const OIIO::ImageSpec spec = spec_of(image);
-        OIIO::Filesystem::IOVecOutput memory;
-        auto output = OIIO::ImageOutput::create(name, &memory);
-        const OIIO::TypeDesc type = image.types.size() > 1 ? OIIO::TypeDesc::UNKNOWN : spec.format;
-        if (!output || !output->open(name, spec) || !output->write_image(type, image.values) || !output->close())
-            return Status::error(StatusCode::internal, output ? output->geterror() : OIIO::geterror());
-        const std::vector<unsigned char>& bytes = memory.buffer();
-        return std::string(bytes.begin(), bytes.end());
     }
 
     Result<std::unique_ptr<ImageFile>> open(const std::string& file) override {

@@ -53,7 +53,7 @@ TEST_F(Pathtracer, TellsItsVersionAndHelp) {
     EXPECT_THAT(help.err, IsEmpty());
 }
 
-TEST_F(Pathtracer, LoadsOpenImageIoWithTheFirstPictureAndSaysEarlyWhereItIsMissing) {
+TEST_F(Pathtracer, LoadsOpenImageIoToReadWhatIsNoPngAndSaysWhereItIsMissing) {
     const RunResult libraries = run_program({"ldd", PATHTRACER}, folder.path);
     EXPECT_THAT(libraries.out, HasSubstr("libc.so"));
     for (const char* of_a_module : {"OpenImageIO", "libembree", "libvulkan"})
@@ -65,7 +65,9 @@ TEST_F(Pathtracer, LoadsOpenImageIoWithTheFirstPictureAndSaysEarlyWhereItIsMissi
     std::filesystem::copy(PATHTRACER, folder.path / "bin" / "pathtracer");
     const std::string alone = (folder.path / "bin" / "pathtracer").string();
     EXPECT_EQ(run_program({alone, "--version"}, folder.path).exit_code, 0);
-    const RunResult refused = run_program({alone, "render", scene, "--core", "null", "-o", "a.png"}, folder.path);
+    EXPECT_EQ(run_program({alone, "render", scene, "--core", "null", "-o", "a.exr"}, folder.path).exit_code, 0);
+    const RunResult refused =
+        run_program({alone, "render", scene, "--core", "null", "-o", "a.png", "--sky", PARITY_SKY}, folder.path);
     EXPECT_EQ(refused.exit_code, 2);
     EXPECT_THAT(refused.err, HasSubstr("pathtracer-images.so; install the program anew"));
     EXPECT_EQ(std::count(refused.err.begin(), refused.err.end(), '\n'), 1) << refused.err;
