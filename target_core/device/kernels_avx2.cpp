@@ -22,9 +22,13 @@ void shade();  // of shade_avx2.cpp
 
 namespace {
 
+#ifdef TARGET_CORE_SHADES_TWICE
 void shade() {
     (settings.features & LOBE_FEATURES) != 0u ? kernels_avx2::shade() : kernels_avx2_without_lobes::shade();
 }
+#else
+using kernels_avx2::shade;
+#endif
 
 }  // namespace
 

@@ -28,9 +28,13 @@ namespace {
 // and Embree's code for that is faster again among code without 512 bits.
 void extend() { pass.segment == 1 ? kernels_avx512::extend() : kernels_avx2::extend(); }
 
+#ifdef TARGET_CORE_SHADES_TWICE
 void shade() {
     (settings.features & LOBE_FEATURES) != 0u ? kernels_avx512::shade() : kernels_avx512_without_lobes::shade();
 }
+#else
+using kernels_avx512::shade;
+#endif
 
 }  // namespace
 
