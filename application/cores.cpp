@@ -29,7 +29,7 @@ CoreRegistry make_registry(const Options& options, ModuleSource modules) {
                                                .kernels_directory = options.kernels};
     std::vector<std::string> ids = OWN_CORES;
     for (std::string& id : render_system::core_module_ids())
-        if (id != "null" && !holds(ids, id)) ids.push_back(std::move(id));
+        if (!holds(ids, id)) ids.push_back(std::move(id));
     CoreRegistry registry;
     for (const std::string& id : ids) {
         registry.add(id, [id, creation, modules]() -> Result<std::unique_ptr<CoreAPI>> {

@@ -13,11 +13,13 @@ namespace {
 
 constexpr std::string_view kBefore = "pathtracer-core-", kBehind = ".so";
 
-/// Empty where the file is called otherwise.
+/// Empty where the file is called otherwise, or by a name that --core does not take or a terminal might obey.
 std::string id_of(const std::string& name) {
     if (name.size() <= kBefore.size() + kBehind.size() || !name.starts_with(kBefore) || !name.ends_with(kBehind))
         return "";
-    return name.substr(kBefore.size(), name.size() - kBefore.size() - kBehind.size());
+    std::string id = name.substr(kBefore.size(), name.size() - kBefore.size() - kBehind.size());
+    const bool is_plain = id.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_-") == std::string::npos;
+    return is_plain && id != "auto" && id != "null" ? id : "";
 }
 
 Status no_core(const std::string& why) { return Status::error(StatusCode::no_core, why); }
@@ -54,7 +56,7 @@ Result<const CoreModule*> load_core_module(const std::string& id, ModuleSource s
     if (module == nullptr || module->interface == nullptr) return core_refused(*file, "tells nothing of its core");
     if (std::strcmp(module->interface, core_interface()) != 0)
         return core_refused(*file, "is of another version (its interface is \"" + std::string(module->interface) +
-                                  "\", that of this program \"" + core_interface() + "\")");
+                                       "\", that of this program \"" + core_interface() + "\")");
     if (module->id != id) return core_refused(*file, "calls its core \"" + std::string(module->id) + "\"");
     return module;
 }

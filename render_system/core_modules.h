@@ -12,7 +12,8 @@
 namespace render_system {
 
 /// The ids of the cores whose modules lie in a module folder, sorted: what stands between pathtracer-core- and .so in
-/// the names of files. None of them is opened.
+/// the names of files. Lower-case letters, digits, - and _, and neither auto nor null; other
+/// files are passed over. None of them is opened.
 std::vector<std::string> core_module_ids();
 
 /// What the file of that core's module is called.

@@ -72,6 +72,12 @@ TEST_F(Modules, AThirdCoreIsDroppedIntoAFolder) {
     EXPECT_EQ(cores[2]["file"], (modules / NAME).string());
     EXPECT_TRUE(fs::equivalent(fs::path(cores[1]["file"]).parent_path(), fs::path(OWN_MODULES)));
 
+    for (const char* name : {"pathtracer-core-\x1b[2J.so", "pathtracer-core-null.so", "pathtracer-core-.so", "core.so"})
+        fs::copy(DARK_CORE, modules / name);
+    const RunResult unknown = bench("bright", modules);
+    EXPECT_THAT(unknown.err, HasSubstr("'bright' is not one of auto, dark, null, source, target"));
+    EXPECT_EQ(std::count(unknown.err.begin(), unknown.err.end(), '\x1b'), 0);
+
     // Not from where the scene lies or the program is started.
     fs::copy(DARK_CORE, folder.path / NAME);
     const RunResult elsewhere = run_pathtracer({"render", scene, "--core", "dark", "-o", "b.png"}, folder.path);
