@@ -137,7 +137,7 @@ private:
         const bool gnu = workshop_.compiler.find("clang") == std::string::npos;
         std::vector<std::string> command = {workshop_.compiler,
                                             "-std=gnu++20",
-                                            "-O1",
+                                            "-Og",
                                             "-w",
                                             "-ffp-contract=off",
                                             "-fwrapv",

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
 #include "porttool/difftest/bounded_process.h"
@@ -17,21 +16,6 @@ namespace {
 
 constexpr uint64_t kFar = std::numeric_limits<uint64_t>::max();
 constexpr std::chrono::milliseconds kRunTime{20000};
-
-bool write_slots(const std::string& path, const std::vector<uint64_t>& slots) {
-    std::FILE* const file = std::fopen(path.c_str(), "wb");
-    if (file == nullptr) return false;
-    const bool whole = std::fwrite(slots.data(), sizeof(uint64_t), slots.size(), file) == slots.size();
-    return (std::fclose(file) == 0) && whole;
-}
-
-bool read_slots(const std::string& path, std::vector<uint64_t>& slots) {
-    std::FILE* const file = std::fopen(path.c_str(), "rb");
-    if (file == nullptr) return false;
-    const bool whole = std::fread(slots.data(), sizeof(uint64_t), slots.size(), file) == slots.size();
-    std::fclose(file);
-    return whole;
-}
 
 /// Floats in the order of their values, with -0 beside 0.
 int64_t rank_of(float value) {
@@ -67,52 +51,49 @@ Trial::Trial(const BuiltSide& source, const BuiltSide& target, const LeafMatch& 
 
 std::string Trial::run_side(const BuiltSide& side, const InputTable& table, bool is_target,
                             std::vector<uint64_t>& out) {
-    std::vector<uint64_t> slots(std::max<size_t>(1, table.size()));
-    for (size_t row = 0; row < records_; ++row)
+    const size_t calls = std::max<size_t>(1, side.calls.size());
+    const size_t width = side.calls.empty() ? inputs_.size() : side.calls.front().size();
+    const size_t outputs = side.calls.empty() ? side.leaves.out.size() : 1;
+    if (!in_.resize(records_ * calls * width) || !out_.resize(records_ * calls * (outputs + 1)))
+        return "there is no memory for its inputs; give --inputs a smaller number";
+    uint64_t* next = in_.slots().data();
+    std::vector<uint64_t> row(inputs_.size());
+    for (size_t record = 0; record < records_; ++record) {
         for (size_t i = 0; i < inputs_.size(); ++i) {
             const size_t place = is_target ? match_.in[i] : i;
-            slots[row * inputs_.size() + place] =
-                slot_of(table[row * inputs_.size() + i], inputs_[i], side.leaves.in[place]);
+            row[place] = slot_of(table[record * inputs_.size() + i], inputs_[i], side.leaves.in[place]);
         }
-    if (side.calls.empty()) return run_slots(side, slots, inputs_.size(), side.leaves.out.size(), is_target, out);
-    const size_t calls = side.calls.size();
-    std::vector<uint64_t> parts, results;
-    for (size_t row = 0; row < records_; ++row)
+        if (side.calls.empty()) next = std::copy(row.begin(), row.end(), next);
         for (const std::vector<size_t>& numbers : side.calls)
-            for (const size_t place : numbers) parts.push_back(slots[row * inputs_.size() + place]);
-    std::string failure = run_slots(side, parts, side.calls.front().size(), 1, is_target, results);
+            for (const size_t place : numbers) *next++ = row[place];
+    }
+    std::fill(out_.slots().begin(), out_.slots().end(), 1);
+    std::string failure = run_slots(side, width, outputs, is_target);
+    if (side.calls.empty()) {
+        out.assign(out_.slots().begin(), out_.slots().end());
+        return failure;
+    }
     out.assign(records_ * (calls + 1), 0);
     for (size_t i = 0; i < records_ * calls; ++i) {
-        uint64_t* const row = &out[i / calls * (calls + 1)];
-        row[0] = std::max(row[0], results[2 * i]);
-        row[1 + i % calls] = results[2 * i + 1];
+        uint64_t* const results = &out[i / calls * (calls + 1)];
+        results[0] = std::max(results[0], out_.slots()[2 * i]);
+        results[1 + i % calls] = out_.slots()[2 * i + 1];
     }
     return failure;
 }
 
-std::string Trial::run_slots(const BuiltSide& side, const std::vector<uint64_t>& slots, size_t width, size_t outputs,
-                             bool is_target, std::vector<uint64_t>& out) {
-    const size_t out_width = outputs + 1;
-    out.assign(records_ * std::max<size_t>(1, side.calls.size()) * out_width, 1);
-    const std::string in_path = folder_ + "/in" + std::to_string(side.number),
-                      out_path = folder_ + "/out" + std::to_string(side.number);
-    if (!write_slots(in_path, slots) || !write_slots(out_path, out))
-        return "its inputs cannot be written: is the disk full?";
+std::string Trial::run_slots(const BuiltSide& side, size_t width, size_t outputs, bool is_target) {
     ProcessLimits limits;
     limits.time = kRunTime;
     const ProcessEnd end = run_process({side.program, "run", std::to_string(side.number), std::to_string(width),
-                                        std::to_string(out_width), in_path, out_path},
+                                        std::to_string(outputs + 1), in_.path(), out_.path()},
                                        folder_, limits);
-    const bool read = read_slots(out_path, out);
-    (void)std::remove(in_path.c_str());
-    (void)std::remove(out_path.c_str());
     const char* const which = is_target ? "the target" : "the source";
     if (end.timed_out) return fmt::format("{} ran for more than {} s", which, kRunTime.count() / 1000);
     constexpr int kEndless = 5;  // of harness.h
     endless_ = end.exit_code == kEndless;
     if (endless_) return fmt::format("{} does not come back from many of its inputs", which);
-    if (end.exit_code != 0) return fmt::format("{} ended with exit code {}", which, end.exit_code);
-    return read ? std::string() : "its outputs cannot be read";
+    return end.exit_code == 0 ? std::string() : fmt::format("{} ended with exit code {}", which, end.exit_code);
 }
 
 std::string Trial::run(const InputTable& table) {

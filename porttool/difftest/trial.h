@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "porttool/difftest/inputs.h"
+#include "porttool/difftest/slot_memory.h"
 #include "porttool/scan/side.h"
 
 namespace porttool {
@@ -63,8 +64,8 @@ public:
 
 private:
     std::string run_side(const BuiltSide& side, const InputTable& table, bool is_target, std::vector<uint64_t>& out);
-    std::string run_slots(const BuiltSide& side, const std::vector<uint64_t>& slots, size_t width, size_t outputs,
-                          bool is_target, std::vector<uint64_t>& out);
+    /// Runs a side on in_, rows of `width` slots, into out_.
+    std::string run_slots(const BuiltSide& side, size_t width, size_t outputs, bool is_target);
     uint64_t distance_at(size_t record, size_t output) const;
     bool is_rounding(size_t record, size_t output) const;
     std::optional<double> wide_result(Side side, size_t record, size_t output) const;
@@ -78,6 +79,7 @@ private:
     std::vector<Leaf> inputs_;
     size_t records_ = 0;
     bool endless_ = false;
+    SlotMemory in_, out_;  ///< of the run that is under way
     std::vector<uint64_t> source_out_, target_out_;
     BySide<const BuiltSide*> wide_;
     BySide<std::vector<uint64_t>> wide_out_;
