@@ -3,6 +3,7 @@
 #include "application/view/camera_text.h"
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
