@@ -103,12 +103,14 @@ Status CoreSession::render(Convergence convergence, uint32_t samples) {
     return status;
 }
 
-Status CoreSession::filter(Picture& picture, std::span<const float> variances, SampleRange samples) {
+Status CoreSession::filter(Picture& picture, std::span<const float> variances, SampleRange samples,
+                           render_system::FilterHistory history) {
     return system_.core().Filter(view_, {.means = picture.pixels,
                                          .variances = variances,
                                          .first_sample = samples.first,
                                          .samples = samples.count(),
-                                         .filtered = picture.pixels});
+                                         .filtered = picture.pixels,
+                                         .history = history});
 }
 
 render_system::EmbreeFigures CoreSession::embree_figures() {

@@ -69,9 +69,9 @@ public:
     /// `samples` samples more, or from the first again, in one call of the core.
     render_system::Status render(render_system::Convergence convergence, uint32_t samples);
 
-    /// Takes noise out of the picture of the samples [first, first + samples), in place. `variances` of its luminance
-    /// may be empty.
-    render_system::Status filter(Picture& picture, std::span<const float> variances, SampleRange samples);
+    /// Takes noise out of the picture of those samples, in place. `variances` of its luminance may be empty.
+    render_system::Status filter(Picture& picture, std::span<const float> variances, SampleRange samples,
+                                 render_system::FilterHistory history = render_system::FilterHistory::none);
 
     render_system::CoreStats stats() { return system_.core().GetCoreStats(); }
 

@@ -24,6 +24,13 @@ Status CheckedCore::after(const Status& check, Work&& work) {
     }
 }
 
+// The same for what makes the scene another one.
+template <class Work>
+Status CheckedCore::change(const Status& check, Work&& work) {
+    scene_changed_ = scene_changed_ || check.ok();
+    return after(check, std::forward<Work>(work));
+}
+
 Status CheckedCore::Init(const CoreOptions& options) {
     return after(contract_.check_init(), [&] {
         options_ = options;
@@ -43,6 +50,7 @@ Status CheckedCore::SetTarget(const CoreTarget& target) {
         if (target.width != target_.width || target.height != target_.height) {
             resize(target.width, target.height);
             drop_samples();
+            forget_frames();
         }
         target_ = target;
         contract_.accept_target();
@@ -52,12 +60,17 @@ Status CheckedCore::SetTarget(const CoreTarget& target) {
 
 Status CheckedCore::Setting(const CoreSettings& settings) {
     Status status = contract_.check_settings(settings);
-    if (status.ok()) settings_ = settings;
+    if (!status.ok()) return status;
+    CoreSettings same_samples = settings;
+    same_samples.seed = settings_.seed;
+    same_samples.first_sample = settings_.first_sample;
+    scene_changed_ = scene_changed_ || !(same_samples == settings_);  // what of it light depends on
+    settings_ = settings;
     return status;
 }
 
 Status CheckedCore::SetTextures(std::span<const CoreTexture> textures) {
-    return after(contract_.check_textures(textures), [&] {
+    return change(contract_.check_textures(textures), [&] {
         set_textures(textures);
         contract_.accept_textures(textures);
         return Status::success();
@@ -65,7 +78,7 @@ Status CheckedCore::SetTextures(std::span<const CoreTexture> textures) {
 }
 
 Status CheckedCore::SetMaterials(uint32_t first, std::span<const CoreMaterial> materials) {
-    return after(contract_.check_materials(first, materials), [&] {
+    return change(contract_.check_materials(first, materials), [&] {
         set_materials(first, materials);
         contract_.accept_materials(first, materials);
         return Status::success();
@@ -73,7 +86,7 @@ Status CheckedCore::SetMaterials(uint32_t first, std::span<const CoreMaterial> m
 }
 
 Status CheckedCore::SetLights(const CoreLights& lights) {
-    return after(contract_.check_lights(lights), [&] {
+    return change(contract_.check_lights(lights), [&] {
         set_lights(lights);
         contract_.accept_lights(lights);
         return Status::success();
@@ -81,14 +94,14 @@ Status CheckedCore::SetLights(const CoreLights& lights) {
 }
 
 Status CheckedCore::SetSkyData(const CoreSky& sky) {
-    return after(contract_.check_sky(sky), [&] {
+    return change(contract_.check_sky(sky), [&] {
         set_sky(sky);
         return Status::success();
     });
 }
 
 Status CheckedCore::SetGeometry(uint32_t mesh, const CoreMesh& data) {
-    return after(contract_.check_geometry(mesh, data), [&] {
+    return change(contract_.check_geometry(mesh, data), [&] {
         set_mesh(mesh, data);
         contract_.accept_geometry(mesh, data);
         return Status::success();
@@ -100,7 +113,7 @@ Status CheckedCore::SetInstance(uint32_t instance, uint32_t mesh, const CoreTran
     if (check.ok() && matrices_ == InstanceMatrices::invertible && mesh != NONE && !is_invertible(transform)) {
         check = Status::invalid("instance: the matrix cannot be inverted");
     }
-    return after(check, [&] {
+    return change(check, [&] {
         set_instance(instance, mesh, transform);
         contract_.accept_instance(instance, mesh, transform);
         return Status::success();
@@ -128,8 +141,31 @@ Status CheckedCore::Render(const ViewPyramid& view, Convergence convergence, uin
 Status CheckedCore::Filter(const ViewPyramid& view, const CoreFilter& filter) {
     return after(contract_.check_filter(view, filter, target_), [&] {
         Status status = prepare();
-        return status.ok() ? this->filter(view, filter) : status;
+        if (!status.ok()) return status;
+        look_back(view, filter.history);
+        status = this->filter(view, filter);
+        if (filter.history == FilterHistory::none || !status.ok())
+            before_ = {};
+        else
+            remember(view);
+        return status;
     });
+}
+
+void CheckedCore::look_back(const ViewPyramid& view, FilterHistory history) {
+    if (history != FilterHistory::go_on) before_ = {};
+    if (history == FilterHistory::none) return;
+    ++before_.frame;
+    before_.is_same = before_.frame > 1 && !scene_changed_ && view == before_.view;
+    before_.motions.clear();
+    if (before_.frame > 1 && !before_.is_same)
+        before_.motions = motions_between(transforms_before_, contract_.transforms());
+}
+
+void CheckedCore::remember(const ViewPyramid& view) {
+    before_.view = view;
+    if (scene_changed_ || before_.frame == 1) transforms_before_ = contract_.transforms();
+    scene_changed_ = false;
 }
 
 void CheckedCore::Shutdown() {

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "render_system/core_checks.h"
+#include "render_system/frame_before.h"
 
 namespace render_system {
 
@@ -48,11 +49,15 @@ protected:
     const CoreTarget& target() const { return target_; }
     const CoreSettings& settings() const { return settings_; }
     PathWatch* watch() const { return watch_; }
+    /// Of the filter at work.
+    const FrameBefore& frame_before() const { return before_; }
     CoreStats& stats() { return stats_; }
     const CoreStats& stats() const { return stats_; }
 
     /// Starts the counters and times anew, and with them the sum of samples.
     void drop_samples();
+    /// What filters left of earlier frames is gone.
+    void forget_frames() { before_ = {}; }
 
 private:
     /// Opens the device and answers its name; options() are set. Fails as Init may.
@@ -78,6 +83,10 @@ private:
 
     template <class Work>
     Status after(const Status& check, Work&& work);
+    template <class Work>
+    Status change(const Status& check, Work&& work);
+    void look_back(const ViewPyramid& view, FilterHistory history);
+    void remember(const ViewPyramid& view);
 
     std::string id_;
     InstanceMatrices matrices_;
@@ -87,6 +96,9 @@ private:
     CoreSettings settings_;
     PathWatch* watch_ = nullptr;
     CoreStats stats_;
+    FrameBefore before_;
+    std::vector<CoreTransform> transforms_before_;  // none until a filter keeps a history
+    bool scene_changed_ = true;                     // since then
 };
 
 }  // namespace render_system

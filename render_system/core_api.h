@@ -74,8 +74,10 @@ public:
     virtual Status Render(const ViewPyramid& view, Convergence convergence, uint32_t samples) = 0;
 
     /// Takes noise out of a picture of the scene and view rendered last, by albedo, normal and depth of what the camera
-    /// rays of its samples met, which are traced once more for that. Samples already taken stay. Fails as Render
-    /// does, and with invalid_argument on spans of another size than the target.
+    /// rays of its samples met, which are traced once more for that. Samples already taken stay. With a history also by
+    /// the frames filtered before: where what is seen now was seen then is told by both views and by the transforms of
+    /// the instances at both times. Another size begins anew. Fails as Render does, and with invalid_argument on spans
+    /// of another size than the target.
     virtual Status Filter(const ViewPyramid& view, const CoreFilter& filter) = 0;
 
     /// Gives everything back. A second call does nothing.

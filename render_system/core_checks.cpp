@@ -375,6 +375,13 @@ void CoreContract::accept_instance(uint32_t instance, uint32_t mesh, const CoreT
     extent_.reset();
 }
 
+std::vector<CoreTransform> CoreContract::transforms() const {
+    std::vector<CoreTransform> transforms;
+    transforms.reserve(instances_.size());
+    for (const Instance& instance : instances_) transforms.push_back(instance.transform);
+    return transforms;
+}
+
 uint64_t CoreContract::triangles() const {
     uint64_t sum = 0;
     for (const Instance& instance : instances_) {

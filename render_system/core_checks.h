@@ -54,6 +54,9 @@ public:
     void accept_instance(uint32_t instance, uint32_t mesh, const CoreTransform& transform);
     void accept_shutdown();
 
+    /// Where all instances are.
+    std::vector<CoreTransform> transforms() const;
+
     /// Triangles in all visible instances.
     uint64_t triangles() const;
 

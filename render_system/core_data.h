@@ -26,6 +26,8 @@ struct ViewPyramid {
     glm::vec3 bottom_left{-1.0f, -1.0f, -1.0f};
     float aperture = 0.0f;  ///< radius of a thin lens around the eye; 0: a pinhole
     bool parallel = false;  ///< orthographic: all rays go from the screen's shadow at the eye to the screen; no lens
+
+    bool operator==(const ViewPyramid&) const = default;
 };
 
 /// Converge adds samples to those already taken; Restart drops them first.
@@ -201,6 +203,13 @@ struct CoreTarget {
     uint32_t first_pixel = 0;
 };
 
+/// What a filter makes of earlier frames.
+enum class FilterHistory {
+    none,   ///< nothing, and keeps nothing
+    begin,  ///< this is the first one
+    go_on,  ///< light and pictures of those since `begin` are followed to where they are now; without any, it begins
+};
+
 /// A picture for Filter: means of the samples [first_sample, first_sample + samples) of every pixel of the target.
 struct CoreFilter {
     std::span<const glm::vec4> means;  ///< radiance; width * height of the target, as `filtered`
@@ -208,6 +217,7 @@ struct CoreFilter {
     uint32_t first_sample = 0;
     uint32_t samples = 1;           ///< at least 1
     std::span<glm::vec4> filtered;  ///< may be `means`; alpha 1
+    FilterHistory history = FilterHistory::none;
 };
 
 /// What every core is opened with; fixed for its life. What one core alone can be told is for its own create_core.
@@ -224,6 +234,8 @@ struct CoreSettings {
     bool next_event_estimation = true;
     float indirect_limit = 0.0f;  ///< radiance that one path of 3 segments or more may bring at most; 0: no limit
     uint32_t first_sample = 0;    ///< index of the first sample after a Restart: ranges can be rendered apart
+
+    bool operator==(const CoreSettings&) const = default;
 };
 
 /// Counters and times since the last Restart. Parts of the time are thread time divided by threads.

@@ -43,6 +43,16 @@ inline void add_sum(PixelSum& sum, const PixelSum& other) {
     }
 }
 
+/// What was added to `before` to make it `sum`.
+inline PixelSum difference(const PixelSum& sum, const PixelSum& before) {
+    PixelSum added;
+    for (int channel = 0; channel < 3; ++channel) {
+        added.high[channel] = sum.high[channel] - before.high[channel];
+        added.low[channel] = sum.low[channel] - before.low[channel];
+    }
+    return added;
+}
+
 /// The mean of `samples` samples, at least 1.
 inline glm::vec3 mean_of(const PixelSum& sum, uint32_t samples) {
     glm::vec3 mean;

@@ -31,7 +31,14 @@ double milliseconds_since(Clock::time_point start) {
 constexpr uint32_t SMALLEST_BATCH = 1u << 14;  // below, dispatches cost more than they do
 
 constexpr uint32_t FEWEST_GUIDE_RAYS = 16;
+constexpr uint32_t FEWEST_WITH_HISTORY = 8;  // frames before bring theirs
 constexpr uint32_t MOST_GUIDE_RAYS = 256;
+
+// How many camera rays a pixel a filter goes by: those of its samples, and more where they are few.
+uint32_t guide_rays(const CoreFilter& filter) {
+    const uint32_t fewest = filter.history == FilterHistory::none ? FEWEST_GUIDE_RAYS : FEWEST_WITH_HISTORY;
+    return std::clamp(filter.samples, fewest, MOST_GUIDE_RAYS);
+}
 
 // Everything that lives on the device, in the order of creation.
 struct Gpu {
@@ -86,6 +93,8 @@ private:
     Status sum_batch(const Settings& settings, BatchPass batch, WavefrontCounts& counts);
     Status name_primitives();
     Settings frame_settings(const ViewPyramid& view) const;
+    Settings filter_settings(const ViewPyramid& view) const;
+    Status make_filter(const CoreFilter& filter);
     WavefrontSize wavefront_size(uint64_t table_bytes) const;
     uint64_t all_table_bytes() const;
 
@@ -282,6 +291,7 @@ Status SourceCore::size_wavefront() {
     const WavefrontSize size = wavefront_size(all_table_bytes());
     if (!gpu_->wavefront || gpu_->wavefront->size() != size) {
         drop_samples();  // the sums go with the buffers
+        forget_frames();
         gpu_->wavefront.reset();
         Result<Wavefront> wavefront = Wavefront::create(*gpu_->device, *gpu_->budget, size);
         if (!wavefront.ok()) {
@@ -322,6 +332,20 @@ Settings SourceCore::frame_settings(const ViewPyramid& view) const {
     frame.next_event_estimation = settings().next_event_estimation ? 1u : 0u;
     frame.indirect_limit = settings().indirect_limit;
     scene_.describe(frame);
+    return frame;
+}
+
+Settings SourceCore::filter_settings(const ViewPyramid& view) const {
+    Settings frame = frame_settings(view);
+    const FrameBefore& before = frame_before();
+    const Screen screen = screen_of(before.frame > 1 ? before.view : view, target().height);
+    frame.frame = before.frame;
+    frame.motion = before.is_same ? STANDS_STILL : before.motions.empty() ? VIEW_MOVES : INSTANCES_MOVE;
+    frame.eye_before =
+        glm::vec4(before.frame > 1 ? before.view.eye : view.eye, screen.parallel_pixel > 0.0f ? 1.0f : 0.0f);
+    frame.screen_before = glm::vec4(screen.corner, 0.0f);
+    frame.screen_right_before = glm::vec4(screen.right, 0.0f);
+    frame.screen_down_before = glm::vec4(screen.down, 0.0f);
     return frame;
 }
 
@@ -417,7 +441,7 @@ Status SourceCore::gather_guides(const Settings& frame, uint32_t first_sample, u
 // From the picture, which is on the device, to light by albedo, and guides of as many camera rays as a filter takes.
 Status SourceCore::prepare_filter(const Settings& frame, const CoreFilter& filter) {
     const uint32_t own = std::min(filter.samples, MOST_GUIDE_RAYS);
-    const uint32_t rays = std::max(own, FEWEST_GUIDE_RAYS);
+    const uint32_t rays = guide_rays(filter);
     WavefrontCounts counts;
     Status status = gpu_->wavefront->clear_guides(*gpu_->device);
     if (status.ok()) {
@@ -432,10 +456,16 @@ Status SourceCore::prepare_filter(const Settings& frame, const CoreFilter& filte
     return status;
 }
 
-Status SourceCore::filter(const ViewPyramid& view, const CoreFilter& filter) {
-    Status status = gpu_->kernels->add_filter(*gpu_->device);
+// Buffers with the picture in place, and what moved.
+Status SourceCore::make_filter(const CoreFilter& filter) {
+    const bool with_history = filter.history != FilterHistory::none;
+    const std::vector<glm::vec4>& motions = frame_before().motions;
+    Status status = gpu_->kernels->add_filter(*gpu_->device, with_history);
     if (status.ok()) {
-        status = gpu_->wavefront->make_filter(*gpu_->device, *gpu_->budget);
+        status = gpu_->wavefront->make_filter(*gpu_->device, *gpu_->budget, with_history, motions.size());
+    }
+    if (status.ok() && with_history) {
+        status = gpu_->wavefront->turn_history(*gpu_->device, frame_before().frame == 1);
     }
     if (!status.ok()) {
         return status;
@@ -444,22 +474,27 @@ Status SourceCore::filter(const ViewPyramid& view, const CoreFilter& filter) {
     for (size_t pixel = 0; pixel < picture.size(); ++pixel) {
         picture[pixel].w = filter.variances.empty() ? -1.0f : filter.variances[pixel];
     }
-    const Buffer& rows = gpu_->wavefront->filter_picture();
-    status = gpu_->staging->upload(*gpu_->device, rows, std::as_bytes(std::span(picture)));
+    picture.insert(picture.end(), motions.begin(), motions.end());
+    return gpu_->staging->upload(*gpu_->device, gpu_->wavefront->filter_picture(), std::as_bytes(std::span(picture)));
+}
+
+Status SourceCore::filter(const ViewPyramid& view, const CoreFilter& filter) {
+    Status status = make_filter(filter);
     const Clock::time_point start = Clock::now();
     if (status.ok()) {
-        status = prepare_filter(frame_settings(view), filter);
+        status = prepare_filter(filter_settings(view), filter);
     }
     stats().guide_ms = milliseconds_since(start);
     const Clock::time_point guided = Clock::now();
     WavefrontCounts counts;
     if (status.ok()) {
-        const uint32_t rays = std::clamp(filter.samples, FEWEST_GUIDE_RAYS, MOST_GUIDE_RAYS);
-        status = gpu_->wavefront->run_filter(*gpu_->device, *gpu_->kernels_in_use, rays, counts);
+        status = gpu_->wavefront->run_filter(*gpu_->device, *gpu_->kernels_in_use, guide_rays(filter),
+                                             filter.history != FilterHistory::none, counts);
     }
     stats().filter_ms = milliseconds_since(guided);
     if (status.ok()) {
-        status = gpu_->staging->download(*gpu_->device, rows, std::as_writable_bytes(filter.filtered));
+        status = gpu_->staging->download(*gpu_->device, gpu_->wavefront->filter_picture(),
+                                         std::as_writable_bytes(filter.filtered));
     }
     return status.ok() ? gpu_->instance->validation_status() : status;
 }

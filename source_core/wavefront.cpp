@@ -195,6 +195,10 @@ void Wavefront::bind_set(const Device& device, const KernelSet& kernels, const K
         buffers[BINDING_GUIDES] = {guides_.handle(), 0, VK_WHOLE_SIZE};
         buffers[BINDING_FILTER_PICTURE].buffer = filter_picture_.handle();
         buffers[BINDING_PLANES].buffer = planes_.handle();
+        if (histories_[0]) {
+            buffers[BINDING_HISTORY].buffer = histories_[0].handle();
+            buffers[BINDING_HISTORY_BEFORE].buffer = histories_[1].handle();
+        }
     }
     vkUpdateDescriptorSets(device.handle(), BINDING_COUNT, writes.data(), 0, nullptr);
 }
@@ -347,6 +351,7 @@ void Wavefront::dispatch(VkCommandBuffer commands, const KernelSet& kernels, Ker
         case Kernel::generate:
         case Kernel::finalize:
         case Kernel::filter:
+        case Kernel::reproject:
             vkCmdDispatch(commands, group_count(pass.path_count), 1, 1);
             break;
         case Kernel::schedule:

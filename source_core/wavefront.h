@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <initializer_list>
@@ -68,9 +69,13 @@ public:
     Status run_watched(const Device& device, const KernelSet& kernels, const BatchPass& batch, const Staging& staging,
                        std::span<const uint32_t> primitives, render_system::PathWatch& watch, WavefrontCounts& counts);
 
-    /// Makes room for what a filter needs beside the picture, unless it is there. To be called before bind. Fails with
-    /// out_of_memory.
-    Status make_filter(const Device& device, MemoryBudget& budget);
+    /// Makes room for what a filter needs beside the picture, unless it is there; with a history also for that and for
+    /// so many rows of motions. To be called before bind. Fails with out_of_memory.
+    Status make_filter(const Device& device, MemoryBudget& budget, bool with_history, uint64_t motion_rows);
+
+    /// A new frame: what was remembered of the one before, or nothing if it is the first, lies before it. To be called
+    /// before bind.
+    Status turn_history(const Device& device, bool first);
 
     /// Drops the guides gathered so far.
     Status clear_guides(const Device& device);
@@ -83,9 +88,10 @@ public:
     Status divide_by_albedo(const Device& device, const KernelSet& kernels, uint32_t samples, WavefrontCounts& counts);
 
     /// Filters what that has left, by guides of so many camera rays a pixel, into filter_picture().
-    Status run_filter(const Device& device, const KernelSet& kernels, uint32_t rays, WavefrontCounts& counts);
+    Status run_filter(const Device& device, const KernelSet& kernels, uint32_t rays, bool with_history,
+                      WavefrontCounts& counts);
 
-    /// Mean radiance and the variance of its luminance, then what the filter makes of them.
+    /// Mean radiance and the variance of its luminance, then what the filter makes of them. Behind it lie motions.
     const Buffer& filter_picture() const { return filter_picture_; }
 
     /// The mean of the samples of the batch that ran last.
@@ -109,7 +115,7 @@ private:
     void record(VkCommandBuffer commands, const Work& work);
     void record_sample(VkCommandBuffer commands, const KernelSet& kernels, const BatchPass& batch, const Span& span,
                        uint32_t sample);
-    void record_stage(VkCommandBuffer commands, const KernelSet& kernels, Pass pass);
+    void record_stage(VkCommandBuffer commands, const KernelSet& kernels, Pass pass, Kernel kernel = Kernel::filter);
     void record_guides(VkCommandBuffer commands, const KernelSet& kernels, const BatchPass& batch, uint32_t sample);
     void clear_segments(VkCommandBuffer commands);
     void dispatch(VkCommandBuffer commands, const KernelSet& kernels, Kernel kernel, const Pass& pass);
@@ -139,6 +145,7 @@ private:
     Buffer guides_;  // these three: none until a filter is asked for
     Buffer filter_picture_;
     Buffer planes_;
+    std::array<Buffer, 2> histories_;  // of this frame and of the one before; none until a filter has a history
     Handle<VkQueryPool> queries_;
     std::vector<uint32_t> stamps_;  // the kernel that ran before each timestamp
     double sample_ms_ = 0.0;        // of the batch at work, to size submissions

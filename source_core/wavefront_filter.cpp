@@ -14,26 +14,31 @@ constexpr uint32_t FILTER_STEPS[] = {1, 2, 4, 8, 16};
 
 }  // namespace
 
-Status Wavefront::make_filter(const Device& device, MemoryBudget& budget) {
+Status Wavefront::make_filter(const Device& device, MemoryBudget& budget, bool with_history, uint64_t motion_rows) {
     constexpr VkBufferUsageFlags USAGE =
         VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT;
+    const uint64_t guide_rows = with_history ? GUIDE_ROWS + GUIDE_MOTION_ROWS : GUIDE_ROWS;
+    const uint64_t history = with_history ? size_.pixels * HISTORY_PLANES * sizeof(float) : 0;
     const struct {
         Buffer* buffer;
         const char* name;
         uint64_t bytes;
-    } wishes[] = {{&guides_, "guides of the filter", GUIDE_ROWS * FILTER_ROW},
-                  {&filter_picture_, "picture to filter", FILTER_ROW},
-                  {&planes_, "planes of the filter", PLANES * sizeof(float)}};
+    } wishes[] = {{&guides_, "guides of the filter", size_.pixels * guide_rows * FILTER_ROW},
+                  {&filter_picture_, "picture to filter", (size_.pixels + motion_rows) * FILTER_ROW},
+                  {&planes_, "planes of the filter", size_.pixels * PLANES * sizeof(float)},
+                  {&histories_[0], "history of the filter", history},
+                  {&histories_[1], "history of the filter", history}};
     for (const auto& wish : wishes) {
-        if (*wish.buffer) {
+        const uint64_t bytes = wish.bytes;
+        if (bytes == 0 || (*wish.buffer && wish.buffer->size() >= bytes)) {
             continue;
         }
-        const uint64_t bytes = size_.pixels * wish.bytes;
         if (bytes > device.limits().storage_buffer_range) {
             return Status::out_of_memory(
                 std::string("source core: the ") + wish.name + " are more than a kernel reaches", bytes,
                 device.limits().storage_buffer_range);
         }
+        *wish.buffer = {};
         Result<Buffer> buffer = Buffer::create(device, budget, wish.name, bytes, USAGE, BufferPlace::device);
         if (!buffer.ok()) {
             return buffer.status;
@@ -41,6 +46,15 @@ Status Wavefront::make_filter(const Device& device, MemoryBudget& budget) {
         *wish.buffer = std::move(*buffer);
     }
     return Status::success();
+}
+
+Status Wavefront::turn_history(const Device& device, bool first) {
+    std::swap(histories_[0], histories_[1]);
+    if (!first) {
+        return Status::success();
+    }
+    return device.submit_and_wait(
+        [&](VkCommandBuffer commands) { vkCmdFillBuffer(commands, histories_[1].handle(), 0, VK_WHOLE_SIZE, 0); });
 }
 
 Status Wavefront::clear_guides(const Device& device) {
@@ -79,12 +93,12 @@ void Wavefront::record_guides(VkCommandBuffer commands, const KernelSet& kernels
     }
 }
 
-void Wavefront::record_stage(VkCommandBuffer commands, const KernelSet& kernels, Pass pass) {
+void Wavefront::record_stage(VkCommandBuffer commands, const KernelSet& kernels, Pass pass, Kernel kernel) {
     kernel_barrier(commands);
     for (uint64_t first = 0; first < size_.pixels; first += size_.batch) {
         pass.first_pixel = static_cast<uint32_t>(first);
         pass.path_count = static_cast<uint32_t>(std::min<uint64_t>(size_.batch, size_.pixels - first));
-        dispatch(commands, kernels, Kernel::filter, pass);
+        dispatch(commands, kernels, kernel, pass);
     }
 }
 
@@ -97,24 +111,32 @@ Status Wavefront::divide_by_albedo(const Device& device, const KernelSet& kernel
         device, [&](VkCommandBuffer commands) { record_stage(commands, kernels, pass); }, counts);
 }
 
-Status Wavefront::run_filter(const Device& device, const KernelSet& kernels, uint32_t rays, WavefrontCounts& counts) {
+Status Wavefront::run_filter(const Device& device, const KernelSet& kernels, uint32_t rays, bool with_history,
+                             WavefrontCounts& counts) {
     const Work work = [&](VkCommandBuffer commands) {
         Pass pass{};
+        pass.filter_from = PLANE_LIGHT;
+        pass.filter_to = PLANE_OTHER_LIGHT;
+        const auto stage = [&](uint32_t which, Kernel kernel) {
+            pass.filter_stage = which;
+            record_stage(commands, kernels, pass, kernel);
+            std::swap(pass.filter_from, pass.filter_to);
+        };
         pass.sample_scale = 1.0f / static_cast<float>(rays);
         pass.filter_stage = FILTER_PREPARE;
         record_stage(commands, kernels, pass);
-        pass.filter_stage = FILTER_STEADY;
-        record_stage(commands, kernels, pass);
-        pass.filter_stage = FILTER_LEVEL;
-        pass.filter_from = PLANE_OTHER_LIGHT;
-        pass.filter_to = PLANE_LIGHT;
+        if (with_history) {
+            stage(REPROJECT_LIGHT, Kernel::reproject);
+        }
+        stage(FILTER_STEADY, Kernel::filter);
         for (const uint32_t step : FILTER_STEPS) {
             pass.filter_step = step;
-            record_stage(commands, kernels, pass);
-            std::swap(pass.filter_from, pass.filter_to);
+            stage(FILTER_LEVEL, Kernel::filter);
         }
-        pass.filter_stage = FILTER_FINISH;
-        record_stage(commands, kernels, pass);
+        stage(FILTER_FINISH, Kernel::filter);
+        if (with_history) {
+            stage(REPROJECT_PICTURE, Kernel::reproject);
+        }
     };
     return run_work(device, work, counts);
 }

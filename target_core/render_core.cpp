@@ -317,6 +317,8 @@ void TargetCore::gather_guides(Frame& frame, uint first_sample, uint samples) {
 }
 
 Status TargetCore::filter(const ViewPyramid& view, const CoreFilter& filter) {
+    if (filter.history != FilterHistory::none)
+        return Status::invalid("target core: the temporal filter is not ported yet; use --core source");
     if (const Status status = reach_for(view); !status.ok()) return status;
     const size_t pixels = filter.means.size();
     guides_.assign(pixels * GUIDE_ROWS, vec4(0.0f));

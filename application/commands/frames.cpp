@@ -11,12 +11,14 @@
 #include "application/commands/commands.h"
 #include "application/file_output.h"
 #include "application/frame_files.h"
+#include "application/option_values.h"
 #include "application/sampling/take_samples.h"
 
 namespace application {
 namespace {
 
 using render_system::Convergence;
+using render_system::FilterHistory;
 using render_system::Result;
 using render_system::Status;
 
@@ -66,6 +68,7 @@ private:
         const auto start = std::chrono::steady_clock::now();
         if (Status status = session_.show(frame_time(options_, number)); !status.ok()) return named(number, status);
         sums_.clear();
+        if (Status status = next_samples(); !status.ok()) return named(number, status);
         if (started_) {
             if (Status status = session_.render(Convergence::Restart, 1); !status.ok()) return named(number, status);
         } else {
@@ -86,8 +89,19 @@ private:
         if (options_.filter == FilterMode::none) return Status::success();
         const Picture mean = mean_picture(sums_);
         std::copy(mean.pixels.begin(), mean.pixels.end(), picture_.pixels.begin());  // the core knows where they are
-        return session_.filter(picture_, variances_of(sums_), {0, sums_.samples});
+        const uint32_t first = first_sample();
+        FilterHistory history = FilterHistory::none;
+        if (options_.filter == FilterMode::temporal)
+            history = rendered_ == 1 ? FilterHistory::begin : FilterHistory::go_on;
+        return session_.filter(picture_, variances_of(sums_), {first, first + sums_.samples}, history);
     }
+
+    /// Samples are new in each frame that a history goes through: of the same ones nothing more would be learned.
+    uint32_t first_sample() const {
+        return options_.filter == FilterMode::temporal ? (rendered_ - 1) * options_.spp.front() : 0;
+    }
+
+    Status next_samples() { return started_ ? session_.go_on_from(first_sample()) : Status::success(); }
 
     Status named(uint32_t number, Status status) const {
         status.message = fmt::format("{}: frame {}: {}", options_.scene, number, status.message);
@@ -108,7 +122,16 @@ private:
 };
 
 Status check_sequence(const Options& options, const std::string& pattern) {
-    if (Status status = check_filter(options); !status.ok()) return status;
+    if (options.filter == FilterMode::temporal && options.resume)
+        return Status::invalid(
+            "--resume: frames of --filter temporal follow from those before them, of which a file holds too little; "
+            "leave "
+            "one of both out");
+    const uint64_t frames = options.frames->end - options.frames->first;
+    if (options.filter == FilterMode::temporal && frames * options.spp.front() > MAX_SAMPLES)
+        return Status::invalid(
+            fmt::format("--filter temporal: {} frames of {} samples each are more than {} samples; give fewer", frames,
+                        options.spp.front(), MAX_SAMPLES));
     if (options.time_given)
         return Status::invalid(
             "--time: each frame of --frames has a time of its own, its number by --fps; give one of both");

@@ -30,10 +30,16 @@ bool is_exr(const path& file) {
 
 Status check_sampling(const Options& options, const path& file, Console& console) {
     const SamplingOptions& sampling = options.sampling;
-    if (Status status = check_filter(options); !status.ok()) return status;
     if (sampling.range && options.filter != FilterMode::none)
         return Status::invalid(
             "--samples: parts of a picture are added first, and a filtered one cannot be added to; leave --filter out");
+    if (options.filter == FilterMode::temporal && (sampling.checkpoint || options.resume))
+        return Status::invalid(
+            fmt::format("{}: --filter temporal goes by what passes before have left, which no checkpoint holds; leave "
+                        "one of both out",
+                        options.resume ? "--resume" : "--checkpoint"));
+    if (options.filter == FilterMode::temporal && team())
+        return Status::invalid("--filter temporal: ranks take samples in no order; start one rank, or give spatial");
     if (sampling.range && !is_exr(file))
         console.note("a PNG of some samples cannot be added to others: pathtracer merge takes .exr");
     if (!sampling.checkpoint && !options.resume) return Status::success();
@@ -101,6 +107,10 @@ Status PictureRun::take(std::chrono::steady_clock::time_point start) {
         };
         plan.portion_seconds = kTeamPortionSeconds;
     }
+    if (options_.filter == FilterMode::temporal) {
+        passes_.emplace(session_, sums_, wanted_.first);
+        plan.render = [this](uint32_t count) { return passes_->take(count); };
+    }
     const auto end = take_samples(session_, sums_, plan, console_);
     if (!end.ok()) return end.status;
     end_ = *end;
@@ -122,12 +132,30 @@ void PictureRun::save_checkpoint() {
     if (!status.ok()) console_.warning(status.message + "; rendering goes on without a new checkpoint");
 }
 
+/// The picture as it is to be seen.
+Result<Picture> PictureRun::filtered() {
+    Picture picture = mean_picture(sums_);
+    if (options_.filter == FilterMode::none) return picture;
+    if (passes_) {
+        Result<Picture> last = passes_->picture();
+        if (!last.ok()) return last;
+        picture = std::move(*last);
+    } else {
+        const SampleRange taken{wanted_.first, wanted_.first + sums_.samples};
+        if (Status status = session_.filter(picture, variances_of(sums_), taken); !status.ok()) return status;
+    }
+    const render_system::CoreStats stats = session_.stats();
+    console_.detail(fmt::format("filter: {:.2f} ms, after {:.2f} ms of camera rays", stats.filter_ms, stats.guide_ms));
+    return picture;
+}
+
 Status PictureRun::write() {
     PictureNotes notes{.samples = sums_.samples};
     if (run_) {
         notes.ranges = range_text({{wanted_.first, wanted_.first + sums_.samples}});
         RunIdentity run = *run_;
-        if (options_.filter != FilterMode::none) run.entries.emplace_back(kFilterEntry, "spatial");
+        if (options_.filter != FilterMode::none)
+            run.entries.emplace_back(kFilterEntry, options_.filter == FilterMode::spatial ? "spatial" : "temporal");
         notes.run = run.text();
     }
     const bool as_sums = options_.sampling.range && is_exr(file_);
@@ -135,16 +163,10 @@ Status PictureRun::write() {
     if (!kind.ok()) return kind.status;
     const bool whole = end_ == SamplingEnd::all_taken || end_ == SamplingEnd::noise;
     if (keeps_checkpoints() && !whole) save_checkpoint();
-    Picture picture = mean_picture(sums_);
-    if (options_.filter != FilterMode::none) {
-        const SampleRange taken{wanted_.first, wanted_.first + sums_.samples};
-        if (Status status = session_.filter(picture, variances_of(sums_), taken); !status.ok()) return status;
-        const render_system::CoreStats stats = session_.stats();
-        console_.detail(
-            fmt::format("filter: {:.2f} ms, after {:.2f} ms of camera rays", stats.filter_ms, stats.guide_ms));
-    }
+    const Result<Picture> picture = filtered();
+    if (!picture.ok()) return picture.status;
     const auto bytes = as_sums ? encode_sums(sums_, notes)
-                               : encode_picture(picture, *kind, options_.exposure, options_.tone_map, notes);
+                               : encode_picture(*picture, *kind, options_.exposure, options_.tone_map, notes);
     const Status status = bytes.ok() ? write_file(file_, *bytes) : bytes.status;
     if (!status.ok() && keeps_checkpoints() && whole) save_checkpoint();
     std::error_code error;

@@ -14,6 +14,7 @@
 #include "application/sampling/run_identity.h"
 #include "application/sampling/sample_sums.h"
 #include "application/sampling/take_samples.h"
+#include "application/sampling/temporal_passes.h"
 
 namespace application {
 
@@ -46,6 +47,7 @@ public:
 private:
     bool keeps_checkpoints() const { return options_.sampling.checkpoint || options_.resume; }
     void save_checkpoint();
+    render_system::Result<Picture> filtered();
 
     const Options& options_;
     std::filesystem::path file_;
@@ -55,7 +57,8 @@ private:
     const KeptInterrupt& interrupt_;
     Console& console_;
     SampleRange wanted_;
-    std::optional<RunIdentity> run_;  // where something is written that says it
+    std::optional<RunIdentity> run_;        // where something is written that says it
+    std::optional<TemporalPasses> passes_;  // where each is filtered
     SamplingEnd end_ = SamplingEnd::all_taken;
 };
 

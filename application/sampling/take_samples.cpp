@@ -65,11 +65,6 @@ bool keeps_squares(const Options& options) {
     return options.sampling.noise.has_value() || options.filter != FilterMode::none;
 }
 
-Status check_filter(const Options& options) {
-    if (options.filter != FilterMode::temporal) return Status::success();
-    return Status::invalid("--filter temporal: this version has no filter over frames yet; give spatial, or none");
-}
-
 Result<SamplingEnd> take_samples(CoreSession& session, SampleSums& sums, const SamplingPlan& plan, Console& console) {
     ProgressBar bar(console, session.stats().core);
     Clock::time_point written = Clock::now();

@@ -23,9 +23,6 @@ SampleRange wanted_samples(const Options& options);
 /// Whether squares of samples are summed as well: to tell their noise.
 bool keeps_squares(const Options& options);
 
-/// Fails where --filter asks for what is not there.
-render_system::Status check_filter(const Options& options);
-
 /// When a run of samples stops, and what happens on the way.
 struct SamplingPlan {
     SampleRange wanted;

@@ -8,8 +8,8 @@ namespace source_core {
 
 namespace {
 
-constexpr const char* KERNEL_NAMES[KERNEL_COUNT] = {"generate", "extend",   "shade", "connect",
-                                                    "finalize", "schedule", "guide", "filter"};
+constexpr const char* KERNEL_NAMES[KERNEL_COUNT] = {"generate", "extend", "shade",  "connect",  "finalize",
+                                                    "schedule", "guide",  "filter", "reproject"};
 constexpr const char* TABLE_NAMES[TABLE_COUNT] = {
     "nodes",    "triangles", "mesh_triangles", "vertices",    "tangents",   "instances", "materials",  "texture_slots",
     "textures", "texels",    "lights",         "light_table", "sky_texels", "sky_table", "lobe_energy"};

@@ -14,8 +14,8 @@
 
 namespace source_core {
 
-enum class Kernel : uint32_t { generate, extend, shade, connect, finalize, schedule, guide, filter };
-constexpr uint32_t KERNEL_COUNT = 8;
+enum class Kernel : uint32_t { generate, extend, shade, connect, finalize, schedule, guide, filter, reproject };
+constexpr uint32_t KERNEL_COUNT = 9;
 constexpr uint32_t WAVEFRONT_KERNELS = 6;  // the first ones; the others are compiled where a filter asks for them
 constexpr uint32_t WORK_GROUP_SIZE = 32;
 

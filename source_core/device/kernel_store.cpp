@@ -30,12 +30,13 @@ Result<KernelStore::Found> KernelStore::find(const Device& device, const KernelV
     return Found{in_use_.get(), std::exchange(renewed_, false)};
 }
 
-Status KernelStore::add_filter(const Device& device) {
+Status KernelStore::add_filter(const Device& device, bool with_history) {
     const std::lock_guard lock(mutex_);
     Status status = Status::success();
     for (uint32_t i = WAVEFRONT_KERNELS; i < KERNEL_COUNT && status.ok(); ++i) {
         const auto kernel = static_cast<Kernel>(i);
-        if (!in_use_->has(kernel)) {
+        const bool is_needed = with_history || kernel != Kernel::reproject;
+        if (is_needed && !in_use_->has(kernel)) {
             status = in_use_->add(device, files_, kernel);
         }
     }

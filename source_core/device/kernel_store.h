@@ -31,9 +31,9 @@ public:
     };
     Result<Found> find(const Device& device, const KernelVariant& variant);
 
-    /// Compiles the kernels that only a filter runs, for the variant that find was asked for last, unless they are
-    /// there. Fails as find does.
-    Status add_filter(const Device& device);
+    /// Compiles those of the kernels that only a filter runs which one without or with a history needs, for the variant
+    /// that find was asked for last, unless they are there. Fails as find does.
+    Status add_filter(const Device& device, bool with_history);
 
     /// As HotKernels::compile_again: for the variant that was asked for last.
     Result<render_system::RecompiledKernels> compile_again(const Device& device);

@@ -50,6 +50,8 @@ const uint BINDING_COUNT = 31u;
 const uint BINDING_GUIDES = BINDING_ACCUMULATOR;
 const uint BINDING_FILTER_PICTURE = BINDING_TARGET;
 const uint BINDING_PLANES = BINDING_SHADOW_CONTRIBUTION;
+const uint BINDING_HISTORY = BINDING_SHADOW_ORIGIN;
+const uint BINDING_HISTORY_BEFORE = BINDING_SHADOW_DIRECTION;
 
 // counters: the rays of all passes since the buffer was cleared, then three words per segment, from segment 0.
 const uint COUNTER_EXTENSION_TOTAL = 0u;

@@ -89,6 +89,8 @@ ROWS(vec4, target_row, BINDING_TARGET)
 ROWS(vec4, guide_row, BINDING_GUIDES)
 ROWS(vec4, filter_picture, BINDING_FILTER_PICTURE)
 ROWS(float, plane_word, BINDING_PLANES)
+ROWS(float, history_word, BINDING_HISTORY)
+ROWS(float, history_before_word, BINDING_HISTORY_BEFORE)
 
 layout(set = 0, binding = BINDING_COUNTERS, std430) restrict buffer CountersBlock { uint counters[]; };
 layout(set = 0, binding = BINDING_ARGUMENTS, std430) restrict buffer ArgumentsBlock { uint arguments[]; };
@@ -143,14 +145,19 @@ void store_accumulator(Uint pixel, vec4 sum) { store_accumulator_row(pixel - pas
 
 void store_target(Uint pixel, vec4 mean) { store_target_row(pixel - pass.first_pixel, mean, true); }
 
-vec4 load_guide(Uint pixel, Uint row) { return load_guide_row(pixel * GUIDE_ROWS + row); }
+uint guide_rows() { return settings.frame == 0u ? GUIDE_ROWS : GUIDE_ROWS + GUIDE_MOTION_ROWS; }
+
+vec4 load_guide(Uint pixel, Uint row) { return load_guide_row(pixel * guide_rows() + row); }
 
 void add_to_guide(Uint pixel, Uint row, vec4 more, Mask where) {
-    Uint place = pixel * GUIDE_ROWS + row;
+    Uint place = pixel * guide_rows() + row;
     store_guide_row(place, load_guide_row(place) + more, where);
 }
 
 void store_filter_picture(Uint pixel, vec4 row) { store_filter_picture(pixel, row, true); }
+
+// Behind the picture.
+vec4 fetch_motions(Rows first, uint offset) { return load_filter_picture(settings.pixel_count + first + offset); }
 
 // A number of a plane by pixel. Neighbours of pixels that follow each other do so as well, but at the picture's sides:
 // the target core finds out once for all planes.
@@ -159,6 +166,13 @@ Pixels pixels_from(Uint pixel) { return pixel; }
 Float load_plane(uint plane, Pixels pixels) { return load_plane_word(plane * settings.pixel_count + pixels); }
 void store_plane(uint plane, Pixels pixels, Float value) {
     store_plane_word(plane * settings.pixel_count + pixels, value, true);
+}
+Float load_history_before(uint plane, Pixels pixels) {
+    return load_history_before_word(plane * settings.pixel_count + pixels);
+}
+Float load_history(uint plane, Pixels pixels) { return load_history_word(plane * settings.pixel_count + pixels); }
+void store_history(uint plane, Pixels pixels, Float value) {
+    store_history_word(plane * settings.pixel_count + pixels, value, true);
 }
 
 #endif

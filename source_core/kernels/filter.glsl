@@ -6,7 +6,6 @@
 
 #include "path_state.glsl"
 
-
 // An edge-avoiding a-trous wavelet filter (Dammertz et al. 2010) of light without albedo and emission, guided by its
 // variance (Schied et al. 2017, SVGF). Weights are compact polynomials where those papers have exponentials.
 
@@ -155,7 +154,7 @@ void steady_filter(Uint job) {
     middle.slope_down = gentle(middle.nearness, up, below);
     store_plane(PLANE_SLOPE, here, middle.slope_right);
     store_plane(PLANE_SLOPE + 1u, here, middle.slope_down);
-    vec4 light = load_light(PLANE_LIGHT, here);
+    vec4 light = load_light(pass.filter_from, here);
     Float trust = load_plane(PLANE_TRUST, here);
     Float weights = 1.0e-6f;
     Float variances = 0.0f;
@@ -169,7 +168,7 @@ void steady_filter(Uint job) {
             Pixels other = pixels_at(place, across, down);
             Float alike = fall_off(difference_of(middle, other, across, down)) * load_plane(PLANE_TRUST, other);
             Float weight = select(is_inside(place, across, down), alike, Float(0.0f));
-            vec4 others = load_light(PLANE_LIGHT, other);
+            vec4 others = load_light(pass.filter_from, other);
             Float bright = luminance(vec3(others));
             weights = weights + weight;
             variances = variances + weight * others.w;
@@ -186,7 +185,7 @@ void steady_filter(Uint job) {
     Float limit = luminance(mean) + 6.0f * sqrt(around);
     Float shrunk = min(limit / max(luminance(vec3(light)), 1.0e-12f), 1.0f);
     vec3 own = vec3(light) * select(weights < 0.5f, Float(1.0f), shrunk);
-    store_light(PLANE_OTHER_LIGHT, here, blend(mean, own, trust), variance);
+    store_light(pass.filter_to, here, blend(mean, own, trust), variance);
     add_to_guide(place.pixel, Uint(GUIDE_EMISSION), vec4(vec3(0.0f), variance), true);
 }
 
@@ -208,7 +207,8 @@ void filter_level(Uint job) {
             Pixels other = pixels_at(place, x * step, y * step);
             vec4 others = load_light(pass.filter_from, other);
             vec3 off = vec3(others) - vec3(light);
-            Float difference = difference_of(middle, other, x * step, y * step) + dot(off, off) / (48.0f * (light.w + others.w) + 1.0e-8f);
+            Float difference = difference_of(middle, other, x * step, y * step) +
+                               dot(off, off) / (48.0f * (light.w + others.w) + 1.0e-8f);
             Float kernel = x == 0 || y == 0 ? 0.5f : 0.25f;
             Float weight = select(is_inside(place, x * step, y * step), kernel * fall_off(difference), Float(0.0f));
             sum = sum + vec3(others) * weight;
@@ -263,7 +263,12 @@ void finish_filter(Uint job) {
     vec3 off = vec3(mean) - radiance;
     Float doubt = max(mean.w, emission.w * square(luminance(albedo) * pass.sample_scale));
     Float kept = max(1.0f - 12.0f * doubt / (dot(off, off) + 1.0e-12f), 0.0f);
-    store_filter_picture(place.pixel, vec4(radiance + off * kept, 1.0f));
+    radiance = radiance + off * kept;
+    if (settings.frame == 0u) {
+        store_filter_picture(place.pixel, vec4(radiance, 1.0f));
+    } else {
+        store_light(pass.filter_to, here, radiance, Float(0.0f));
+    }
 }
 
 #endif

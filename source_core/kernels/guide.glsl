@@ -4,6 +4,7 @@
 #ifndef GUIDE_GLSL
 #define GUIDE_GLSL
 
+#include "motion.glsl"
 #include "shade.glsl"
 
 // How much of the light a surface gives back, colour by colour and whichever way; never nothing, for light is divided
@@ -51,6 +52,10 @@ void guide_path(Uint job) {
     Uint layer = layer_of(pixel, normal, near);
     add_to_guide(pixel, layer + GUIDE_ALBEDO, vec4(guide_albedo(material), near), true);
     add_to_guide(pixel, layer + GUIDE_NORMAL, vec4(normal, 1.0f), true);
+    if (settings.frame != 0u) {
+        vec3 motion = motion_of(surface.position, surface.instance);
+        add_to_guide(pixel, (layer >> 1) + GUIDE_MOTION, vec4(motion, 0.0f), true);
+    }
 }
 
 #endif
