@@ -144,17 +144,19 @@ Status CheckedCore::Filter(const ViewPyramid& view, const CoreFilter& filter) {
         if (!status.ok()) return status;
         look_back(view, filter.history);
         status = this->filter(view, filter);
-        if (filter.history == FilterHistory::none || !status.ok())
-            before_ = {};
-        else
+        if (filter.history == FilterHistory::none) return status;
+        if (status.ok())
             remember(view);
+        else
+            forget_frames();
         return status;
     });
 }
 
 void CheckedCore::look_back(const ViewPyramid& view, FilterHistory history) {
-    if (history != FilterHistory::go_on) before_ = {};
+    before_ = {};
     if (history == FilterHistory::none) return;
+    if (history == FilterHistory::go_on) before_ = kept_;
     ++before_.frame;
     before_.is_same = before_.frame > 1 && !scene_changed_ && view == before_.view;
     before_.motions.clear();
@@ -163,7 +165,7 @@ void CheckedCore::look_back(const ViewPyramid& view, FilterHistory history) {
 }
 
 void CheckedCore::remember(const ViewPyramid& view) {
-    before_.view = view;
+    kept_ = {.frame = before_.frame, .view = view};
     if (scene_changed_ || before_.frame == 1) transforms_before_ = contract_.transforms();
     scene_changed_ = false;
 }

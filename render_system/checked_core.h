@@ -57,7 +57,7 @@ protected:
     /// Starts the counters and times anew, and with them the sum of samples.
     void drop_samples();
     /// What filters left of earlier frames is gone.
-    void forget_frames() { before_ = {}; }
+    void forget_frames() { kept_ = {}; }
 
 private:
     /// Opens the device and answers its name; options() are set. Fails as Init may.
@@ -96,7 +96,8 @@ private:
     CoreSettings settings_;
     PathWatch* watch_ = nullptr;
     CoreStats stats_;
-    FrameBefore before_;
+    FrameBefore before_;                            // for the filter at work
+    FrameBefore kept_;                              // for the next one that goes on
     std::vector<CoreTransform> transforms_before_;  // none until a filter keeps a history
     bool scene_changed_ = true;                     // since then
 };

@@ -308,6 +308,7 @@ Status CoreContract::check_filter(const ViewPyramid& view, const CoreFilter& fil
         return Status::invalid("Filter: " + std::to_string(filter.means.size()) + " means into " +
                                std::to_string(filter.filtered.size()) + " pixels for a target of " +
                                std::to_string(pixels));
+    if (filter.most_rays == 0) return Status::invalid("Filter: by 0 camera rays; ask for at least 1");
     if (!filter.variances.empty() && filter.variances.size() != pixels)
         return Status::invalid("Filter: " + std::to_string(filter.variances.size()) + " variances for " +
                                std::to_string(pixels) + " pixels");

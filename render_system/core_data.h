@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <span>
@@ -205,19 +206,26 @@ struct CoreTarget {
 
 /// What a filter makes of earlier frames.
 enum class FilterHistory {
-    none,   ///< nothing, and keeps nothing
+    none,   ///< nothing; what there is stays for others
     begin,  ///< this is the first one
     go_on,  ///< light and pictures of those since `begin` are followed to where they are now; without any, it begins
 };
 
 /// A picture for Filter: means of the samples [first_sample, first_sample + samples) of every pixel of the target.
 struct CoreFilter {
-    std::span<const glm::vec4> means;  ///< radiance; width * height of the target, as `filtered`
+    std::span<const glm::vec4> means;  ///< radiance; width * height of the target, as `filtered`. One that is not
+                                       ///< finite is not known: its pixel becomes what is around
     std::span<const float> variances;  ///< of the means' luminance; as many, or none: judged by what is around
     uint32_t first_sample = 0;
     uint32_t samples = 1;           ///< at least 1
     std::span<glm::vec4> filtered;  ///< may be `means`; alpha 1
     FilterHistory history = FilterHistory::none;
+    uint32_t most_rays = 256;  ///< camera rays a pixel to go by, at least 1: fewer are sooner there
+
+    /// What is known of a pixel: nothing where its mean is no number.
+    bool knows(size_t pixel) const {
+        return std::isfinite(means[pixel].x) && std::isfinite(means[pixel].y) && std::isfinite(means[pixel].z);
+    }
 };
 
 /// What every core is opened with; fixed for its life. What one core alone can be told is for its own create_core.

@@ -32,12 +32,11 @@ constexpr uint32_t SMALLEST_BATCH = 1u << 14;  // below, dispatches cost more th
 
 constexpr uint32_t FEWEST_GUIDE_RAYS = 16;
 constexpr uint32_t FEWEST_WITH_HISTORY = 8;  // frames before bring theirs
-constexpr uint32_t MOST_GUIDE_RAYS = 256;
 
 // How many camera rays a pixel a filter goes by: those of its samples, and more where they are few.
 uint32_t guide_rays(const CoreFilter& filter) {
     const uint32_t fewest = filter.history == FilterHistory::none ? FEWEST_GUIDE_RAYS : FEWEST_WITH_HISTORY;
-    return std::clamp(filter.samples, fewest, MOST_GUIDE_RAYS);
+    return std::min(std::max(filter.samples, fewest), filter.most_rays);
 }
 
 // Everything that lives on the device, in the order of creation.
@@ -440,7 +439,7 @@ Status SourceCore::gather_guides(const Settings& frame, uint32_t first_sample, u
 
 // From the picture, which is on the device, to light by albedo, and guides of as many camera rays as a filter takes.
 Status SourceCore::prepare_filter(const Settings& frame, const CoreFilter& filter) {
-    const uint32_t own = std::min(filter.samples, MOST_GUIDE_RAYS);
+    const uint32_t own = std::min(filter.samples, filter.most_rays);
     const uint32_t rays = guide_rays(filter);
     WavefrontCounts counts;
     Status status = gpu_->wavefront->clear_guides(*gpu_->device);
@@ -472,7 +471,9 @@ Status SourceCore::make_filter(const CoreFilter& filter) {
     }
     std::vector<glm::vec4> picture(filter.means.begin(), filter.means.end());
     for (size_t pixel = 0; pixel < picture.size(); ++pixel) {
-        picture[pixel].w = filter.variances.empty() ? -1.0f : filter.variances[pixel];
+        const float variance = filter.variances.empty() ? -1.0f : filter.variances[pixel];
+        picture[pixel] =
+            filter.knows(pixel) ? glm::vec4(glm::vec3(picture[pixel]), variance) : glm::vec4(0.0f, 0.0f, 0.0f, NO_MEAN);
     }
     picture.insert(picture.end(), motions.begin(), motions.end());
     return gpu_->staging->upload(*gpu_->device, gpu_->wavefront->filter_picture(), std::as_bytes(std::span(picture)));

@@ -196,7 +196,7 @@ FrameStats render_frame(const Frame& frame, Workers& workers, RayLog* log) {
     return stats;
 }
 
-void run_filter_stage(const Frame& frame, const Pass& stage) {
+void run_filter_stage(const Frame& frame, const Pass& stage, void (*kernel)()) {
     constexpr uint CHUNK = TILE_PATHS;
     for_each_tile((frame.pixel_count + CHUNK - 1) / CHUNK, [&](uint chunk) {
         KeepDenormals keep;
@@ -206,27 +206,35 @@ void run_filter_stage(const Frame& frame, const Pass& stage) {
         pass = stage;
         pass.first_pixel = chunk * CHUNK;
         pass.path_count = std::min(CHUNK, frame.pixel_count - pass.first_pixel);
-        frame.kernels->filter();
+        kernel();
     });
 }
 
-void run_filter(const Frame& frame, uint rays) {
-    Pass stage{};
-    stage.sample_scale = 1.0f / static_cast<float>(rays);
-    stage.filter_stage = FILTER_PREPARE;
-    run_filter_stage(frame, stage);
-    stage.filter_stage = FILTER_STEADY;
-    run_filter_stage(frame, stage);
-    stage.filter_stage = FILTER_LEVEL;
-    stage.filter_from = PLANE_OTHER_LIGHT;
-    stage.filter_to = PLANE_LIGHT;
-    for (const uint step : FILTER_STEPS) {
-        stage.filter_step = step;
-        run_filter_stage(frame, stage);
-        std::swap(stage.filter_from, stage.filter_to);
+void run_filter(const Frame& frame, uint rays, bool with_history) {
+    const auto filter = frame.kernels->filter, reproject = frame.kernels->reproject;
+    Pass next{};
+    next.filter_from = PLANE_LIGHT;
+    next.filter_to = PLANE_OTHER_LIGHT;
+    const auto stage = [&](uint which, void (*kernel)()) {
+        next.filter_stage = which;
+        run_filter_stage(frame, next, kernel);
+        std::swap(next.filter_from, next.filter_to);
+    };
+    next.sample_scale = 1.0f / static_cast<float>(rays);
+    next.filter_stage = FILTER_PREPARE;
+    run_filter_stage(frame, next, filter);
+    if (with_history) {
+        stage(REPROJECT_LIGHT, reproject);
     }
-    stage.filter_stage = FILTER_FINISH;
-    run_filter_stage(frame, stage);
+    stage(FILTER_STEADY, filter);
+    for (const uint step : FILTER_STEPS) {
+        next.filter_step = step;
+        stage(FILTER_LEVEL, filter);
+    }
+    stage(FILTER_FINISH, filter);
+    if (with_history) {
+        stage(REPROJECT_PICTURE, reproject);
+    }
 }
 
 }  // namespace target_core

@@ -61,11 +61,12 @@ private:
     std::unique_ptr<Threads> threads_;
 };
 
-/// Runs one stage of the filter over all pixels of the frame.
-void run_filter_stage(const Frame& frame, const Pass& stage);
+/// Runs one stage of a kernel of the filter over all pixels of the frame.
+void run_filter_stage(const Frame& frame, const Pass& stage, void (*kernel)());
 
-/// Filters the light that FILTER_DIVIDE has left, by guides of so many camera rays a pixel, into the filter's picture.
-void run_filter(const Frame& frame, uint rays);
+/// Filters the light that FILTER_DIVIDE has left, by guides of so many camera rays a pixel, into the filter's picture;
+/// with the history that is bound.
+void run_filter(const Frame& frame, uint rays, bool with_history);
 
 /// Renders all tiles of the frame on the threads of the current task arena. Each tile of paths runs through the whole
 /// wavefront on one thread, sample by sample, so the picture is the same on any number of threads. With `log`, the

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <iterator>
 #include <optional>
 #include <thread>
 
@@ -31,7 +32,13 @@ double milliseconds_since(std::chrono::steady_clock::time_point start) {
 }
 
 constexpr uint FEWEST_GUIDE_RAYS = 16;
-constexpr uint MOST_GUIDE_RAYS = 256;
+constexpr uint FEWEST_WITH_HISTORY = 8;  // frames before bring theirs
+
+// How many camera rays a pixel a filter goes by: those of its samples, and more where they are few.
+uint guide_rays(const CoreFilter& filter) {
+    const uint fewest = filter.history == FilterHistory::none ? FEWEST_GUIDE_RAYS : FEWEST_WITH_HISTORY;
+    return std::min(std::max(filter.samples, fewest), filter.most_rays);
+}
 
 vec4 to_row(const glm::vec3& v, float w = 0.0f) { return vec4(v.x, v.y, v.z, w); }
 
@@ -61,6 +68,8 @@ private:
     uint64_t host_bytes() const override;
 
     Settings frame_settings(const ViewPyramid& view) const;
+    Settings filter_settings(const ViewPyramid& view) const;
+    void make_filter(const CoreFilter& filter);
     Frame frame_of(const ViewPyramid& view);
     void gather_guides(Frame& frame, uint first_sample, uint samples);
     Bindings bindings();
@@ -79,6 +88,9 @@ private:
     std::vector<vec4> guides_;       // these three: none until a filter is asked for
     std::vector<vec4> filter_picture_;
     std::vector<float> planes_;
+    std::vector<vec4> motions_;  // and these: none until one has a history
+    std::vector<float> history_;
+    std::vector<float> history_before_;
     float total_light_weight_ = 0.0f;
     uint light_features_ = 0;
     glm::vec3 sky_radiance_{0.0f};
@@ -218,6 +230,20 @@ Settings TargetCore::frame_settings(const ViewPyramid& view) const {
     return frame;
 }
 
+Settings TargetCore::filter_settings(const ViewPyramid& view) const {
+    Settings frame = frame_settings(view);
+    const FrameBefore& before = frame_before();
+    const Screen screen = screen_of(before.frame > 1 ? before.view : view, target().height);
+    frame.frame = before.frame;
+    frame.motion = before.is_same ? STANDS_STILL : before.motions.empty() ? VIEW_MOVES : INSTANCES_MOVE;
+    frame.eye_before =
+        to_row(before.frame > 1 ? before.view.eye : view.eye, screen.parallel_pixel > 0.0f ? 1.0f : 0.0f);
+    frame.screen_before = to_row(screen.corner);
+    frame.screen_right_before = to_row(screen.right);
+    frame.screen_down_before = to_row(screen.down);
+    return frame;
+}
+
 Bindings TargetCore::bindings() {
     Bindings bindings;
     bindings.mesh_triangles = meshes_.mesh_triangles().data();
@@ -240,6 +266,9 @@ Bindings TargetCore::bindings() {
     bindings.guides = guides_.data();
     bindings.filter_picture = filter_picture_.data();
     bindings.planes = planes_.data();
+    bindings.motions = motions_.data();
+    bindings.history = history_.data();
+    bindings.history_before = history_before_.data();
     return bindings;
 }
 
@@ -303,9 +332,10 @@ Status TargetCore::render(const ViewPyramid& view, uint32_t samples) {
 uint64_t TargetCore::host_bytes() const {
     auto bytes = [](const auto& rows) { return rows.capacity() * sizeof(rows[0]); };
     return meshes_.memory_bytes() + embree_.memory_bytes() + bytes(accumulator_) + bytes(guides_) +
-           bytes(filter_picture_) + bytes(planes_) + bytes(tables_.materials) + bytes(tables_.texture_slots) +
-           bytes(tables_.textures) + bytes(tables_.texels) + bytes(tables_.lights) + bytes(tables_.light_table) +
-           bytes(tables_.sky_texels) + bytes(tables_.sky_table) + bytes(tables_.lobe_energy);
+           bytes(filter_picture_) + bytes(planes_) + bytes(motions_) + bytes(history_) + bytes(history_before_) +
+           bytes(tables_.materials) + bytes(tables_.texture_slots) + bytes(tables_.textures) + bytes(tables_.texels) +
+           bytes(tables_.lights) + bytes(tables_.light_table) + bytes(tables_.sky_texels) + bytes(tables_.sky_table) +
+           bytes(tables_.lobe_energy);
 }
 
 // The camera rays of these samples, whose guides are added to those there are.
@@ -316,33 +346,50 @@ void TargetCore::gather_guides(Frame& frame, uint first_sample, uint samples) {
     arena_->execute([&] { render_frame(frame, workers_, nullptr); });
 }
 
-Status TargetCore::filter(const ViewPyramid& view, const CoreFilter& filter) {
-    if (filter.history != FilterHistory::none)
-        return Status::invalid("target core: the temporal filter is not ported yet; use --core source");
-    if (const Status status = reach_for(view); !status.ok()) return status;
+// Buffers with the picture in place, and what moved.
+void TargetCore::make_filter(const CoreFilter& filter) {
+    const bool with_history = filter.history != FilterHistory::none;
     const size_t pixels = filter.means.size();
-    guides_.assign(pixels * GUIDE_ROWS, vec4(0.0f));
+    guides_.assign(pixels * (with_history ? GUIDE_ROWS + GUIDE_MOTION_ROWS : GUIDE_ROWS), vec4(0.0f));
     filter_picture_.resize(pixels);
     planes_.resize(pixels * PLANES);
-    for (size_t pixel = 0; pixel < pixels; ++pixel) {
-        filter_picture_[pixel] =
-            to_row(filter.means[pixel], filter.variances.empty() ? -1.0f : filter.variances[pixel]);
+    motions_.clear();
+    if (with_history) {
+        history_.resize(pixels * HISTORY_PLANES);
+        std::swap(history_, history_before_);
+        if (frame_before().frame == 1) {
+            history_before_.assign(pixels * HISTORY_PLANES, 0.0f);
+        }
+        history_.resize(pixels * HISTORY_PLANES);
+        std::transform(frame_before().motions.begin(), frame_before().motions.end(), std::back_inserter(motions_),
+                       [](const glm::vec4& row) { return to_row(glm::vec3(row), row.w); });
     }
+    for (size_t pixel = 0; pixel < pixels; ++pixel) {
+        const float variance = filter.variances.empty() ? -1.0f : filter.variances[pixel];
+        filter_picture_[pixel] =
+            filter.knows(pixel) ? to_row(filter.means[pixel], variance) : to_row(glm::vec3(0.0f), NO_MEAN);
+    }
+}
+
+Status TargetCore::filter(const ViewPyramid& view, const CoreFilter& filter) {
+    if (const Status status = reach_for(view); !status.ok()) return status;
+    make_filter(filter);
     Frame frame = frame_of(view);
+    frame.settings = filter_settings(view);
     frame.first_pixel = 0;
-    frame.pixel_count = static_cast<uint>(pixels);
-    const uint own = std::min(filter.samples, MOST_GUIDE_RAYS);
-    const uint rays = std::max(own, FEWEST_GUIDE_RAYS);
+    frame.pixel_count = static_cast<uint>(filter.means.size());
+    const uint own = std::min(filter.samples, filter.most_rays);
+    const uint rays = guide_rays(filter);
     auto start = std::chrono::steady_clock::now();
     gather_guides(frame, filter.first_sample, own);
     Pass divide{};
     divide.sample_scale = 1.0f / static_cast<float>(own);
     divide.filter_stage = FILTER_DIVIDE;
-    arena_->execute([&] { run_filter_stage(frame, divide); });
+    arena_->execute([&] { run_filter_stage(frame, divide, kernels().filter); });
     if (rays > own) gather_guides(frame, filter.first_sample + own, rays - own);
     stats().guide_ms = milliseconds_since(start);
     start = std::chrono::steady_clock::now();
-    arena_->execute([&] { run_filter(frame, rays); });
+    arena_->execute([&] { run_filter(frame, rays, filter.history != FilterHistory::none); });
     stats().filter_ms = milliseconds_since(start);
     std::transform(filter_picture_.begin(), filter_picture_.end(), filter.filtered.begin(),
                    [](const vec4& p) { return glm::vec4(p.x, p.y, p.z, 1.0f); });
@@ -357,6 +404,9 @@ void TargetCore::close() {
     guides_ = {};
     filter_picture_ = {};
     planes_ = {};
+    motions_ = {};
+    history_ = {};
+    history_before_ = {};
     workers_.clear();
     arena_.reset();
     parallelism_.reset();

@@ -28,7 +28,7 @@ vec4 load_light(uint plane, Pixels pixels) {
 }
 
 // Light from the picture, by the albedo of its own samples: rays that met nothing have none, so that light beside the
-// sky is that of the surface.
+// sky is that of the surface. Light that is not known is that of like pixels around.
 void divide_by_albedo(Uint job) {
     Uint pixel = job + pass.first_pixel;
     Float scale = pass.sample_scale;
@@ -40,14 +40,17 @@ void divide_by_albedo(Uint job) {
     Float of_first = load_guide(pixel, Uint(GUIDE_NORMAL)).w;
     Float of_others = load_guide(pixel, Uint(GUIDE_LAYER + GUIDE_NORMAL)).w;
     Mask empty = of_first == 0.0f;
+    Mask unknown = mean.w >= NO_MEAN;
     vec3 scattered = select(empty, vec3(0.0f), vec3(mean) - emission);
     albedo = select(empty, vec3(1.0f), albedo);
     vec3 light = vec3(scattered.x / albedo.x, scattered.y / albedo.y, scattered.z / albedo.z);
     Float shade = 1.0f / luminance(albedo);
     Pixels here = pixels_from(pixel);
-    store_light(PLANE_LIGHT, here, light, select(empty, Float(0.0f), mean.w * shade * shade));
+    Float variance = select(unknown, Float(-1.0f), mean.w * shade * shade);
+    light = select(unknown, vec3(0.0f), light);
+    store_light(PLANE_LIGHT, here, light, select(empty, Float(0.0f), variance));
     Float mixed = min(of_first, of_others) / max(of_first + of_others, 1.0f);
-    store_plane(PLANE_TRUST, here, 1.0f - 2.0f * mixed);
+    store_plane(PLANE_TRUST, here, select(unknown, Float(0.0f), 1.0f - 2.0f * mixed));
     store_plane(PLANE_LAYER, here, select(of_others > of_first, Float(float(GUIDE_LAYER)), Float(0.0f)));
 }
 
@@ -258,12 +261,13 @@ void finish_filter(Uint job) {
         radiance = radiance + select(mixed, more, vec3(0.0f));
     }
     radiance = radiance * pass.sample_scale;
-    // Where that is farther off the mean of the samples than their variance explains, it is wrong, not they.
+    // Where that is farther off the mean of the samples than their variance explains, if that is known, it is wrong,
+    // not they.
     vec4 mean = load_filter_picture(place.pixel);
     vec3 off = vec3(mean) - radiance;
     Float doubt = max(mean.w, emission.w * square(luminance(albedo) * pass.sample_scale));
     Float kept = max(1.0f - 12.0f * doubt / (dot(off, off) + 1.0e-12f), 0.0f);
-    radiance = radiance + off * kept;
+    radiance = radiance + off * select(mean.w < 0.0f, Float(0.0f), kept);
     if (settings.frame == 0u) {
         store_filter_picture(place.pixel, vec4(radiance, 1.0f));
     } else {

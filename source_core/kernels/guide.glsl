@@ -37,12 +37,9 @@ Uint layer_of(Uint pixel, vec3 normal, Float near) {
 void guide_path(Uint job) {
     uvec4 row = load_surface_job(job);
     Uint path = row.x;
-    Hit hit;
-    hit.instance = row.y;
-    hit.triangle = row.z;
     Rows rows = rows_from(path);
     PathRay path_ray = load_path_ray(rows);
-    Surface surface = make_surface(path_ray, hit, fetch_triangle(hit.instance, hit.triangle));
+    Surface surface = surface_of_job(row, path_ray);
     Material material = fetch_material(surface);
     shade_emission(path, path_ray.ray.direction, surface, material, load_throughput(rows));
     vec3 normal = shading_normal(surface);

@@ -170,6 +170,10 @@ const uint HISTORY_NEARNESS = 10u;
 const uint HISTORY_PICTURE = 11u;  // three: what was shown
 const uint HISTORY_PLANES = 14u;
 
+// filter_picture: mean, and in w the variance of its luminance: negative where that is not known, NO_MEAN where the
+// mean is no number. Behind it, motions.
+const float NO_MEAN = 1.0e30f;
+
 const uint FILTER_GATHER = 0u;      // after each camera ray: adds what it brought straight from a light
 const uint FILTER_DIVIDE = 1u;      // after the picture's own samples: picture to light
 const uint FILTER_PREPARE = 2u;     // guides to planes

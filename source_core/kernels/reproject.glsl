@@ -168,12 +168,13 @@ vec3 clipped(vec3 colour, Around around) {
     return from_ycocg(around.mean + off * (1.0f / max(beyond, 1.0f)));
 }
 
-// How much of a memory is still worth believing: all that chance makes likely, nothing beyond twice that.
+// How much of a memory is still worth believing: all of it within 1.25 standard errors of what is around, nothing
+// beyond twice that.
 Float belief(Memory memory, Around around) {
     Float off = abs(to_ycocg(memory.light).x - around.mean.x);
     Float error =
         around.deviation.x / sqrt(max(around.weights, 1.0f)) + sqrt(memory.variance) + 1.0e-3f * around.mean.x;
-    return saturate(2.0f - off / (2.0f * error + 1.0e-6f));
+    return saturate(2.0f - off / (1.25f * error + 1.0e-6f));
 }
 
 // The light of a pixel becomes the mean of its own and what is remembered of it, and is remembered in its turn.
@@ -191,7 +192,8 @@ void reproject_light(Uint job) {
         length = min(length, 7.0f) * belief(memory, around);
         memory.light = clipped(memory.light, around);
     }
-    Float share = 1.0f / (length + 1.0f);
+    Mask unknown = load_filter_picture(place.pixel).w >= NO_MEAN;
+    Float share = select(unknown && length > 0.0f, Float(0.0f), 1.0f / (length + 1.0f));
     Float bright = luminance(vec3(light));
     Float moment = blend(memory.moment, bright, share);
     Float second_moment = blend(memory.second_moment, bright * bright, share);
@@ -208,7 +210,7 @@ void reproject_light(Uint job) {
     store_history(HISTORY_LIGHT + 3u, here, variance);
     store_history(HISTORY_MOMENT, here, moment);
     store_history(HISTORY_MOMENT + 1u, here, second_moment);
-    store_history(HISTORY_LENGTH, here, length + 1.0f);
+    store_history(HISTORY_LENGTH, here, length + select(unknown, Float(0.0f), Float(1.0f)));
     store_history(HISTORY_NORMAL, here, normal.x);
     store_history(HISTORY_NORMAL + 1u, here, normal.y);
     store_history(HISTORY_NORMAL + 2u, here, normal.z);
@@ -217,7 +219,9 @@ void reproject_light(Uint job) {
     vec3 albedo = vec3(load_guide(place.pixel, Uint(GUIDE_ALBEDO))) +
                   vec3(load_guide(place.pixel, Uint(GUIDE_LAYER + GUIDE_ALBEDO)));
     vec3 emission = vec3(load_guide(place.pixel, Uint(GUIDE_EMISSION)));
-    store_filter_picture(place.pixel, vec4((mean * albedo + emission) * pass.sample_scale, -1.0f));
+    Float doubt = variance * square(luminance(albedo) * pass.sample_scale);
+    store_filter_picture(place.pixel,
+                         vec4((mean * albedo + emission) * pass.sample_scale, select(unknown, Float(NO_MEAN), doubt)));
 }
 
 // Weights of Catmull and Rom for four pixels in a row, the second of which lies `t` before the place.
@@ -260,10 +264,10 @@ void reproject_picture(Uint job) {
     vec3 colour = load_colour(pass.filter_from, here);
     Before before = place_before(place, motion_at(place, Uint(load_plane(PLANE_LAYER, here))));
     vec3 shown = recall_picture(before);
-    Float share = max(2.0f / (float(settings.frame) + 1.0f), 0.0625f);
+    Float share = max(Float(2.0f / (float(settings.frame) + 1.0f)), 0.0625f);
     if (settings.motion != STANDS_STILL) {
         shown = clipped(shown, look_around(place, pass.filter_from, false));
-        share = max(max(share, 0.1f), 1.0f / load_history(HISTORY_LENGTH, here));
+        share = max(max(share, 0.1f), 1.0f / max(load_history(HISTORY_LENGTH, here), 1.0f));
     }
     share = select(settings.frame > 1u && before.inside, share, Float(1.0f));
     colour = blend(shown, colour, share);

@@ -34,6 +34,9 @@ struct Bindings {
     vec4* guides = nullptr;  // these three: only for a filter
     vec4* filter_picture = nullptr;
     float* planes = nullptr;
+    const vec4* motions = nullptr;  // and these: only for one with a history
+    float* history = nullptr;
+    const float* history_before = nullptr;
     Tile* tile = nullptr;
 };
 

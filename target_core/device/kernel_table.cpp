@@ -10,7 +10,7 @@ const KernelTable one_lane_kernels = {"1 lane",          1,
                                       kernels::generate, kernels::extend,
                                       kernels::shade,    kernels::connect,
                                       kernels::finalize, kernels::guide,
-                                      kernels::filter};
+                                      kernels::filter,   kernels::reproject};
 
 KernelTables runnable_kernels() {
     KernelTables found{};

@@ -18,6 +18,7 @@ struct KernelTable {
     void (*finalize)();
     void (*guide)();
     void (*filter)();
+    void (*reproject)();
 };
 
 /// The bit-exact reference, and the only one that runs under exact mode's Embree callbacks.

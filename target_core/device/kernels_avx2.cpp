@@ -9,6 +9,7 @@
 #include "target_core/kernels/filter.cpp"
 #include "target_core/kernels/finalize.cpp"
 #include "target_core/kernels/generate.cpp"
+#include "target_core/kernels/reproject.cpp"
 #undef kernels
 #include "target_core/device/kernel_table.h"
 
@@ -40,7 +41,8 @@ const KernelTable avx2_kernels = {"8 lanes, AVX2",
                                   kernels_avx2::connect,
                                   kernels_avx2::finalize,
                                   kernels_avx2::guide,
-                                  kernels_avx2::filter};
+                                  kernels_avx2::filter,
+                                  kernels_avx2::reproject};
 
 }  // namespace target_core
 

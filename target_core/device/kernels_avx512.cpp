@@ -9,6 +9,7 @@
 #include "target_core/kernels/filter.cpp"
 #include "target_core/kernels/finalize.cpp"
 #include "target_core/kernels/generate.cpp"
+#include "target_core/kernels/reproject.cpp"
 #undef kernels
 #include "target_core/device/kernel_table.h"
 
@@ -46,6 +47,7 @@ const KernelTable avx512_kernels = {"16 lanes, AVX-512",
                                     kernels_avx512::connect,
                                     kernels_avx512::finalize,
                                     kernels_avx512::guide,
-                                    kernels_avx512::filter};
+                                    kernels_avx512::filter,
+                                    kernels_avx512::reproject};
 
 }  // namespace target_core

@@ -90,21 +90,34 @@ inline void store_target(Uint pixel, vec4 mean) {
 
 // ---- What a filter has ----
 
-inline vec4 load_guide(Uint pixel, Uint row) { return gather(bound.guides, pixel * GUIDE_ROWS + row); }
+inline uint guide_rows() { return settings.frame == 0u ? GUIDE_ROWS : GUIDE_ROWS + GUIDE_MOTION_ROWS; }
+
+inline vec4 load_guide(Uint pixel, Uint row) { return gather(bound.guides, pixel * guide_rows() + row); }
 
 inline void add_to_guide(Uint pixel, Uint row, vec4 more, Mask where) {
-    Uint place = pixel * GUIDE_ROWS + row;
+    Uint place = pixel * guide_rows() + row;
     scatter(bound.guides, place, gather(bound.guides, place) + more, where);
 }
 
 inline vec4 load_filter_picture(Uint pixel) { return gather(bound.filter_picture, pixel); }
 inline void store_filter_picture(Uint pixel, vec4 row) { scatter(bound.filter_picture, pixel, row, true); }
 
+inline vec4 fetch_motions(Rows first, uint offset) { return gather_shared(bound.motions, first, offset); }
+
 inline Float load_plane(uint plane, Pixels pixels) {
     return gather_plane(bound.planes + size_t{plane} * settings.pixel_count, pixels);
 }
 inline void store_plane(uint plane, Pixels pixels, Float value) {
     scatter_plane(bound.planes + size_t{plane} * settings.pixel_count, pixels, value);
+}
+inline Float load_history_before(uint plane, Pixels pixels) {
+    return gather_plane(bound.history_before + size_t{plane} * settings.pixel_count, pixels);
+}
+inline Float load_history(uint plane, Pixels pixels) {
+    return gather_plane(bound.history + size_t{plane} * settings.pixel_count, pixels);
+}
+inline void store_history(uint plane, Pixels pixels, Float value) {
+    scatter_plane(bound.history + size_t{plane} * settings.pixel_count, pixels, value);
 }
 
 }  // namespace target_core::kernels

@@ -29,7 +29,7 @@ inline vec4 load_light(uint plane, Pixels pixels) {
 }
 
 // Light from the picture, by the albedo of its own samples: rays that met nothing have none, so that light beside the
-// sky is that of the surface.
+// sky is that of the surface. Light that is not known is that of like pixels around.
 inline void divide_by_albedo(Uint job) {
     Uint pixel = job + pass.first_pixel;
     Float scale = pass.sample_scale;
@@ -41,14 +41,17 @@ inline void divide_by_albedo(Uint job) {
     Float of_first = load_guide(pixel, Uint(GUIDE_NORMAL)).w;
     Float of_others = load_guide(pixel, Uint(GUIDE_LAYER + GUIDE_NORMAL)).w;
     Mask empty = of_first == 0.0f;
+    Mask unknown = mean.w >= NO_MEAN;
     vec3 scattered = select(empty, vec3(0.0f), vec3(mean) - emission);
     albedo = select(empty, vec3(1.0f), albedo);
     vec3 light = vec3(scattered.x / albedo.x, scattered.y / albedo.y, scattered.z / albedo.z);
     Float shade = 1.0f / luminance(albedo);
     Pixels here = pixels_from(pixel);
-    store_light(PLANE_LIGHT, here, light, select(empty, Float(0.0f), mean.w * shade * shade));
+    Float variance = select(unknown, Float(-1.0f), mean.w * shade * shade);
+    light = select(unknown, vec3(0.0f), light);
+    store_light(PLANE_LIGHT, here, light, select(empty, Float(0.0f), variance));
     Float mixed = min(of_first, of_others) / max(of_first + of_others, 1.0f);
-    store_plane(PLANE_TRUST, here, 1.0f - 2.0f * mixed);
+    store_plane(PLANE_TRUST, here, select(unknown, Float(0.0f), 1.0f - 2.0f * mixed));
     store_plane(PLANE_LAYER, here, select(of_others > of_first, Float(float(GUIDE_LAYER)), Float(0.0f)));
 }
 
@@ -155,7 +158,7 @@ inline void steady_filter(Uint job) {
     middle.slope_down = gentle(middle.nearness, up, below);
     store_plane(PLANE_SLOPE, here, middle.slope_right);
     store_plane(PLANE_SLOPE + 1u, here, middle.slope_down);
-    vec4 light = load_light(PLANE_LIGHT, here);
+    vec4 light = load_light(pass.filter_from, here);
     Float trust = load_plane(PLANE_TRUST, here);
     Float weights = 1.0e-6f;
     Float variances = 0.0f;
@@ -169,7 +172,7 @@ inline void steady_filter(Uint job) {
             Pixels other = pixels_at(place, across, down);
             Float alike = fall_off(difference_of(middle, other, across, down)) * load_plane(PLANE_TRUST, other);
             Float weight = select(is_inside(place, across, down), alike, Float(0.0f));
-            vec4 others = load_light(PLANE_LIGHT, other);
+            vec4 others = load_light(pass.filter_from, other);
             Float bright = luminance(vec3(others));
             weights = weights + weight;
             variances = variances + weight * others.w;
@@ -186,7 +189,7 @@ inline void steady_filter(Uint job) {
     Float limit = luminance(mean) + 6.0f * sqrt(around);
     Float shrunk = min(limit / max(luminance(vec3(light)), 1.0e-12f), 1.0f);
     vec3 own = vec3(light) * select(weights < 0.5f, Float(1.0f), shrunk);
-    store_light(PLANE_OTHER_LIGHT, here, blend(mean, own, trust), variance);
+    store_light(pass.filter_to, here, blend(mean, own, trust), variance);
     add_to_guide(place.pixel, Uint(GUIDE_EMISSION), vec4(vec3(0.0f), variance), true);
 }
 
@@ -259,12 +262,18 @@ inline void finish_filter(Uint job) {
         radiance = radiance + select(mixed, more, vec3(0.0f));
     }
     radiance = radiance * pass.sample_scale;
-    // Where that is farther off the mean of the samples than their variance explains, it is wrong, not they.
+    // Where that is farther off the mean of the samples than their variance explains, if that is known, it is wrong,
+    // not they.
     vec4 mean = load_filter_picture(place.pixel);
     vec3 off = vec3(mean) - radiance;
     Float doubt = max(mean.w, emission.w * square(luminance(albedo) * pass.sample_scale));
     Float kept = max(1.0f - 12.0f * doubt / (dot(off, off) + 1.0e-12f), 0.0f);
-    store_filter_picture(place.pixel, vec4(radiance + off * kept, 1.0f));
+    radiance = radiance + off * select(mean.w < 0.0f, Float(0.0f), kept);
+    if (settings.frame == 0u) {
+        store_filter_picture(place.pixel, vec4(radiance, 1.0f));
+    } else {
+        store_light(pass.filter_to, here, radiance, Float(0.0f));
+    }
 }
 
 }  // namespace target_core::kernels

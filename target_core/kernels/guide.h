@@ -3,6 +3,7 @@
 // Kind: twin of source_core/kernels/guide.glsl.
 #pragma once
 
+#include "target_core/kernels/motion.h"
 #include "target_core/kernels/shade.h"
 
 namespace target_core::kernels {
@@ -37,12 +38,9 @@ inline Uint layer_of(Uint pixel, vec3 normal, Float near) {
 inline void guide_path(Uint job) {
     uvec4 row = load_surface_job(job);
     Uint path = row.x;
-    Hit hit;
-    hit.instance = row.y;
-    hit.triangle = row.z;
     Rows rows = rows_from(path);
     PathRay path_ray = load_path_ray(rows);
-    Surface surface = make_surface(path_ray, hit, fetch_triangle(hit.instance, hit.triangle));
+    Surface surface = surface_of_job(row, path_ray);
     Material material = fetch_material(surface);
     shade_emission(path, path_ray.ray.direction, surface, material, load_throughput(rows));
     vec3 normal = shading_normal(surface);
@@ -52,6 +50,10 @@ inline void guide_path(Uint job) {
     Uint layer = layer_of(pixel, normal, near);
     add_to_guide(pixel, layer + GUIDE_ALBEDO, vec4(guide_albedo(material), near), true);
     add_to_guide(pixel, layer + GUIDE_NORMAL, vec4(normal, 1.0f), true);
+    if (settings.frame != 0u) {
+        vec3 motion = motion_of(surface.position, surface.instance);
+        add_to_guide(pixel, (layer >> 1) + GUIDE_MOTION, vec4(motion, 0.0f), true);
+    }
 }
 
 }  // namespace target_core::kernels

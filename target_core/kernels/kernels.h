@@ -14,5 +14,6 @@ void finalize();
 // And those of a filter.
 void guide();
 void filter();
+void reproject();
 
 }  // namespace target_core::kernels

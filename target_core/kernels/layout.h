@@ -134,11 +134,17 @@ const uint NONE = 0xFFFFFFFFu;
 // ---- What a filter has beside the picture; only where one is asked for. ----
 
 // guides: 5 rows per pixel, sums over the samples of its camera rays: two layers of surfaces, then what had no surface.
+// Two more where there is a history.
 const uint GUIDE_ROWS = 5u;
 const uint GUIDE_ALBEDO = 0u;    // of a layer: albedo.rgb, nearness
 const uint GUIDE_NORMAL = 1u;    // of a layer: shading normal on the ray's side, rays that met it
 const uint GUIDE_LAYER = 2u;     // rows of a layer: the surface met first, then all others
-const uint GUIDE_EMISSION = 4u;  // radiance that came straight from a light or the sky, variance of light before any level
+const uint GUIDE_EMISSION = 4u;  // radiance straight from a light or the sky, variance of light before any level
+const uint GUIDE_MOTION = 5u;    // of each layer: columns and rows to where it was in the frame before, nearness there
+const uint GUIDE_MOTION_ROWS = 2u;
+
+// motions: 3 rows per instance of the matrix that takes its points back to where they were; only where some has moved.
+const uint MOTION_ROWS = 3u;
 
 // planes: one number a pixel each. Light is what is left of radiance without emission, by albedo. The rest is of the
 // layer that has most of the picture's samples.
@@ -151,12 +157,31 @@ const uint PLANE_TRUST = 14u;  // 1 where all samples met that layer, 0 where ha
 const uint PLANE_LAYER = 15u;  // its first row in guides
 const uint PLANES = 16u;
 
-const uint FILTER_GATHER = 0u;   // after each camera ray: adds what it brought straight from a light
-const uint FILTER_DIVIDE = 1u;   // after the picture's own samples: picture to light
-const uint FILTER_PREPARE = 2u;  // guides to planes
-const uint FILTER_STEADY = 3u;   // slopes, and variances that neighbours agree on
-const uint FILTER_LEVEL = 4u;    // one level of the wavelet
-const uint FILTER_FINISH = 5u;   // light to the picture
+// histories: one number a pixel each: what a frame leaves to the next one.
+const uint HISTORY_LIGHT = 0u;   // three of light and one of its variance, over all frames in it
+const uint HISTORY_MOMENT = 4u;  // two: mean luminance of the light of one frame, and mean square
+const uint HISTORY_LENGTH = 6u;  // frames that are in it
+const uint HISTORY_NORMAL = 7u;  // three
+const uint HISTORY_NEARNESS = 10u;
+const uint HISTORY_PICTURE = 11u;  // three: what was shown
+const uint HISTORY_PLANES = 14u;
+
+// filter_picture: mean, and in w the variance of its luminance: negative where that is not known, NO_MEAN where the
+// mean is no number. Behind it, motions.
+const float NO_MEAN = 1.0e30f;
+
+const uint FILTER_GATHER = 0u;      // after each camera ray: adds what it brought straight from a light
+const uint FILTER_DIVIDE = 1u;      // after the picture's own samples: picture to light
+const uint FILTER_PREPARE = 2u;     // guides to planes
+const uint FILTER_STEADY = 3u;      // slopes, and variances that neighbours agree on
+const uint FILTER_LEVEL = 4u;       // one level of the wavelet
+const uint FILTER_FINISH = 5u;      // light to the picture
+const uint REPROJECT_LIGHT = 6u;    // light of the frame before to that of this one, before the levels
+const uint REPROJECT_PICTURE = 7u;  // what was shown before to what is shown, after them
+
+const uint STANDS_STILL = 0u;  // view and scene are those of the frame before
+const uint VIEW_MOVES = 1u;    // or something else than an instance, which has no motion to follow
+const uint INSTANCES_MOVE = 2u;
 
 // ---- Settings: the same for all kernels of one Render. Scalars come in fours: std140 and C++ agree. ----
 
@@ -183,8 +208,12 @@ struct Settings {
     float light_weight_scale;     // 1 / total weight: density per area = emission_weight * light_weight_scale
     float indirect_limit;         // of what one path of 3 segments or more brings; 0: none
     uint pixel_count;
-    uint unused1;
-    uint unused2;
+    uint frame;
+    uint motion;
+    vec4 eye_before;
+    vec4 screen_before;
+    vec4 screen_right_before;
+    vec4 screen_down_before;
 };
 
 // What changes from dispatch to dispatch.

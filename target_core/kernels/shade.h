@@ -129,18 +129,23 @@ inline void continue_path(Uint path, Scatterer scatterer, Surface surface, PathR
     push_extension_ray(path, lives);
 }
 
+// What the ray of a job of the surface queue met.
+inline Surface surface_of_job(uvec4 row, PathRay path_ray) {
+    Hit hit;
+    hit.instance = row.y;
+    hit.triangle = row.z;
+    return make_surface(path_ray, hit, fetch_triangle(hit.instance, hit.triangle));
+}
+
 // What happens where a ray met a surface: emission, next event estimation and the next segment.
 inline void shade_path(Uint job) {
     uvec4 row = load_surface_job(job);
     Uint path = row.x;
-    Hit hit;
-    hit.instance = row.y;
-    hit.triangle = row.z;
     Rows rows = rows_from(path);
     PathRay path_ray = load_path_ray(rows);
     Throughput throughput = load_throughput(rows);
     vec3 direction = path_ray.ray.direction;
-    Surface surface = make_surface(path_ray, hit, fetch_triangle(hit.instance, hit.triangle));
+    Surface surface = surface_of_job(row, path_ray);
     Material material = fetch_material(surface);
     Uint medium = 0u;
     if (has_feature(FEATURE_VOLUME)) {

@@ -245,6 +245,50 @@ TEST_F(Cores, AFilteredPictureHasTheSameBitsInExactModeAndDiffersFromAnUnfiltere
     EXPECT_THAT(merged.err, HasSubstr("--filter"));
 }
 
+TEST_F(Cores, AFilterOverFramesHasTheSameBitsInExactModeAtEveryFrame) {
+    SKIP_WITHOUT("source");
+    SKIP_WITHOUT("target");
+    const std::string moving = write_moving_scene(folder.path).string();
+    for (const std::string core : {"source", "target"}) {
+        const std::vector<std::string> common = {"--core", core, "--size", "50x37", "--exact", "--filter", "temporal"};
+        std::vector<std::string> still = {"render", SCENE, "--spp", "3", "-o", core + ".exr"};
+        still.insert(still.end(), common.begin(), common.end());
+        EXPECT_EQ(run(still).exit_code, 0);
+        std::vector<std::string> frames = {"render", moving, "--frames", "0:3", "--spp", "2", "-o", core + "_#.exr"};
+        frames.insert(frames.end(), common.begin(), common.end());
+        EXPECT_EQ(run(frames).exit_code, 0);
+    }
+    for (const std::string name : {"", "_0", "_1", "_2"}) {
+        const RunResult result =
+            run({"compare", "source" + name + ".exr", "target" + name + ".exr", "--format", "json"});
+        ASSERT_EQ(result.exit_code, 0) << result.err;
+        EXPECT_EQ(json::parse(result.out)["results"][0]["identical_pixels"].get<double>(), 1.0) << name;
+    }
+    // The first frame of a sequence has no history, wherever it begins; the next one has.
+    EXPECT_EQ(run({"render", moving, "--frames", "2:3", "--spp", "2", "-o", "alone_#.exr", "--core", "target", "--size",
+                   "50x37", "--exact", "--filter", "temporal"})
+                  .exit_code,
+              0);
+    const RunResult alone = run({"compare", "alone_2.exr", "target_2.exr", "--format", "json"});
+    EXPECT_LT(json::parse(alone.out)["results"][0]["identical_pixels"].get<double>(), 0.9);
+}
+
+TEST_F(Cores, AFilterOverFramesIsNotTakenUpAgain) {
+    SKIP_WITHOUT("target");
+    const std::vector<std::vector<std::string>> wrong = {{"--resume", "-o", "a.exr"},
+                                                         {"--checkpoint", "10s", "-o", "a.exr"},
+                                                         {"--frames", "0:2", "--resume", "-o", "a_#.exr"}};
+    for (const auto& more : wrong) {
+        std::vector<std::string> arguments = {"render", SCENE, "--core", "target", "--filter", "temporal"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        const RunResult result = run(arguments);
+        EXPECT_EQ(result.exit_code, 2);
+        EXPECT_THAT(result.err, HasSubstr("--filter temporal"));
+        EXPECT_THAT(result.err, HasSubstr(more[0] == "--frames" ? more[2] : more[0]));
+    }
+    EXPECT_THAT(files_in(folder.path), IsEmpty());
+}
+
 TEST_F(Cores, PartsOfAPictureAreNotFiltered) {
     SKIP_WITHOUT("target");
     const RunResult result =

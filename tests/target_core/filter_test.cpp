@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The porttool authors
 // SPDX-License-Identifier: Apache-2.0
-// The spatial filter through the core's seam: it is given pictures of walls that no renderer made, of which it is known
+// The filters through the core's seam: they are given pictures of walls that no renderer made, of which it is known
 // what must come out.
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <random>
 #include <vector>
 
@@ -150,6 +151,105 @@ TEST_F(Filter, LeavesWhatIsNotNoise) {
     for (size_t i = 0; i < gray.size(); ++i) ASSERT_NEAR(result[i], gray[i], 2e-3f);
 }
 
+/// Frames, one after another, under a camera that stands or goes to the right by four pixels of the wall each time.
+class TemporalFilter : public Filter {
+protected:
+    std::vector<float> next(const std::vector<float>& gray, float variance) {
+        std::vector<glm::vec4> means;
+        for (const float value : gray) means.emplace_back(glm::vec3(value), 1.0f);
+        const std::vector<float> variances(gray.size(), variance);
+        const float x = moves ? 0.25f * static_cast<float>(frames) : 0.0f;
+        const ViewPyramid view{{x, 0, 0}, {x - 1, 0.75f, -1}, {x + 1, 0.75f, -1}, {x - 1, -0.75f, -1}};
+        expect_ok(core->Filter(view, {.means = means,
+                                      .variances = variances,
+                                      .first_sample = frames,
+                                      .samples = 1,
+                                      .filtered = means,
+                                      .history = frames == 0 ? FilterHistory::begin : FilterHistory::go_on}));
+        ++frames;
+        std::vector<float> result;
+        for (const glm::vec4& pixel : means) result.push_back(pixel.x);
+        return result;
+    }
+
+    /// What is left in the middle of the picture of noise of that mean, the standard deviation of which is a third.
+    double next_of_noise(double mean) {
+        std::uniform_real_distribution<float> noise(static_cast<float>(0.42 * mean), static_cast<float>(1.58 * mean));
+        std::vector<float> gray(size_t{WIDTH} * HEIGHT);
+        for (float& value : gray) value = noise(random);
+        const std::vector<float> result = next(gray, static_cast<float>(mean * mean / 9));
+        double sum = 0.0;
+        for (uint32_t y = 16; y < HEIGHT - 16; ++y)
+            for (uint32_t x = 16; x < WIDTH - 16; ++x) sum += result[y * WIDTH + x];
+        return sum / ((WIDTH - 32) * (HEIGHT - 32));
+    }
+
+    std::mt19937 random{3};
+    bool moves = false;
+    uint32_t frames = 0;
+};
+
+TEST_F(TemporalFilter, LeavesAStillPictureWithoutNoiseAsItIs) {
+    put_walls({0.5f, 0.5f}, {4.0f, 4.0f});
+    std::vector<float> gray(size_t{WIDTH} * HEIGHT), result;
+    for (size_t i = 0; i < gray.size(); ++i) gray[i] = (i % WIDTH / 8 + i / WIDTH / 8) % 2 == 0 ? 0.2f : 0.8f;
+    for (int pass = 0; pass < 5; ++pass) result = next(gray, 1.0e-8f);
+    for (size_t i = 0; i < gray.size(); ++i) ASSERT_NEAR(result[i], gray[i], 2e-3f);
+}
+
+// Light is the plain mean of all passes; of these means the later ones count for more, by 2 / (n + 1).
+TEST_F(TemporalFilter, TakesTheMeanOfThePassesOfAStillPicture) {
+    put_walls({0.5f, 0.5f}, {4.0f, 4.0f});
+    double sum = 0.0, shown = 0.0;
+    for (int pass = 1; pass <= 9; ++pass) {
+        const double value = 0.5 + 0.4 * std::sin(pass);
+        sum += value;
+        shown += (sum / pass - shown) * 2.0 / (pass + 1);
+        const std::vector<float> result =
+            next(std::vector<float>(size_t{WIDTH} * HEIGHT, static_cast<float>(value)), 0.1f);
+        for (const float pixel : {result[0], result[WIDTH * 40 + 30], result.back()})
+            ASSERT_NEAR(static_cast<double>(pixel), shown, 1e-4) << pass;
+    }
+}
+
+// Nothing but the light itself tells. Four frames may show what was, the fifth may not.
+TEST_F(TemporalFilter, ForgetsLightThatChangedWithinFourFrames) {
+    put_walls({0.5f, 0.5f}, {4.0f, 4.0f});
+    moves = true;
+    for (const auto [before, after] : {std::array{1.0, 0.2}, {0.2, 1.0}, {1.0, 0.0}, {0.4, 0.8}}) {
+        for (int frame = 0; frame < 8; ++frame) next_of_noise(before);
+        double left = 0.0;
+        for (int frame = 0; frame < 5; ++frame) left = next_of_noise(after);
+        EXPECT_NEAR(left, after, 0.05 * std::abs(after - before)) << before << " became " << after;
+    }
+}
+
+// The left wall is nearer: as the eye goes to the right, the wall uncovers a gap, and the gap what is behind it.
+TEST_F(TemporalFilter, ShowsWhatWasHiddenWithoutATrail) {
+    put_walls({0.5f, 0.5f}, {2.0f, 4.0f});
+    moves = true;
+    std::vector<float> gray(size_t{WIDTH} * HEIGHT), result;
+    for (uint32_t frame = 0; frame < 6; ++frame) {
+        // Both end at x = 0, seen from frame / 4 in a picture as wide as twice the distance.
+        const size_t near_end = 64 - 8 * frame, far_end = 64 - 4 * frame;
+        for (size_t i = 0; i < gray.size(); ++i)
+            gray[i] = i % WIDTH < near_end ? 0.1f : i % WIDTH < far_end ? 0.0f : 0.9f;
+        result = next(gray, 1.0e-4f);
+        for (size_t i = 0; i < gray.size(); ++i) ASSERT_NEAR(result[i], gray[i], 2e-3f) << frame << ": " << i % WIDTH;
+    }
+}
+
+// A sample of infinite radiance spoils its own pixel's mean, and that alone.
+TEST_F(TemporalFilter, FillsPixelsWithoutAMeanFromThoseAround) {
+    put_walls({0.5f, 0.5f}, {4.0f, 4.0f});
+    std::vector<float> gray(size_t{WIDTH} * HEIGHT, 0.75f);
+    gray[WIDTH * 20 + 30] = std::numeric_limits<float>::infinity();
+    gray[WIDTH * 50 + 90] = std::numeric_limits<float>::quiet_NaN();
+    for (const float value : filtered(gray, 0.1f)) ASSERT_NEAR(value, 0.75f, 1e-4f);
+    for (int pass = 0; pass < 3; ++pass)
+        for (const float value : next(gray, 0.1f)) ASSERT_NEAR(value, 0.75f, 1e-4f) << pass;
+}
+
 TEST_F(Filter, RefusesSpansOfAnotherSize) {
     put_walls({0.5f, 0.5f}, {4.0f, 4.0f});
     std::vector<glm::vec4> means(size_t{WIDTH} * HEIGHT), fewer(WIDTH);
@@ -159,6 +259,7 @@ TEST_F(Filter, RefusesSpansOfAnotherSize) {
     EXPECT_EQ(core->Filter({}, {.means = means, .variances = variances, .filtered = means}).code,
               StatusCode::invalid_argument);
     EXPECT_EQ(core->Filter({}, {.means = means, .samples = 0, .filtered = means}).code, StatusCode::invalid_argument);
+    EXPECT_EQ(core->Filter({}, {.means = means, .filtered = means, .most_rays = 0}).code, StatusCode::invalid_argument);
 }
 
 }  // namespace
