@@ -172,11 +172,13 @@ void declare_rendering(CLI::App& app, Options& options) {
     app.add_flag("--progress", options.progress, "Show the progress bar even where stderr is no terminal");
 }
 
-void declare_filter(CLI::App& app, Options& options) {
+void declare_filter(CLI::App& app, Options& options, const char* usual) {
     add_choice<FilterMode>(
         app, "--filter", options.filter,
         {{"none", FilterMode::none}, {"spatial", FilterMode::spatial}, {"temporal", FilterMode::temporal}},
-        "Take noise out: none, spatial (by like pixels around) or temporal (by those of earlier frames, too) (none)")
+        fmt::format(
+            "Take noise out: none, spatial (by like pixels around) or temporal (by those of earlier frames, too) ({})",
+            usual))
         ->type_name("FILTER");
 }
 
@@ -262,7 +264,9 @@ void declare_frames(CLI::App& app, Options& options) {
         },
         "Frames a second (24)")
         ->type_name("N");
-    app.add_flag("--resume", options.resume, "Go on from FILE.checkpoint, if there is one, to the same bits; of --frames, keep those that are there and were "
+    app.add_flag("--resume", options.resume,
+                 "Go on from FILE.checkpoint, if there is one, to the same bits; of --frames, keep those that are "
+                 "there and were "
                  "made with these options");
 }
 
@@ -286,7 +290,7 @@ void declare_render(CLI::App& app, Options& options) {
         ->type_name("FILE");
     declare_samples(app, options, "Samples per pixel (16)");
     declare_sampling(app, options.sampling);
-    declare_filter(app, options);
+    declare_filter(app, options, "none");
     declare_frames(app, options);
     declare_rendering(app, options);
 }
@@ -353,7 +357,11 @@ void declare_view(CLI::App& app, Options& options) {
              "this folder)")
         ->type_name("FILE.png");
     declare_samples(app, options, "Samples per pixel after which a core rests (4096)");
-    app.preparse_callback([&options](size_t) { options.spp = {ENOUGH_SAMPLES}; });
+    declare_filter(app, options, "temporal");
+    app.preparse_callback([&options](size_t) {
+        options.spp = {ENOUGH_SAMPLES};
+        options.filter = FilterMode::temporal;
+    });
     declare_picture(app, options);
     declare_paths(app, options);
     declare_machine(app, options);

@@ -3,6 +3,7 @@
 #include "application/view/core_worker.h"
 
 #include <algorithm>
+#include <bit>
 #include <chrono>
 #include <utility>
 
@@ -46,10 +47,10 @@ CoreWorker::~CoreWorker() {
 }
 
 void CoreWorker::show(const render_system::ViewPyramid& view, double seconds, uint32_t width, uint32_t height,
-                      uint64_t request) {
+                      uint64_t request, FilterMode filter) {
     {
         const std::lock_guard lock(mutex_);
-        wanted_ = {view, seconds, width, height, request};
+        wanted_ = {view, seconds, width, height, request, filter};
         runs_ = true;
     }
     wake_.notify_all();
@@ -166,9 +167,10 @@ Status CoreWorker::draw(const Request& request, bool fresh) {
         if (Status status = core_.play(request.seconds); !status.ok()) return status;
         samples_ = 0;
         in_parts_ = sample_ms_ > LONG_SAMPLE_MS;
-        if (sample_ms_ > PASS_MS)
+        was_coarse_ = sample_ms_ > PASS_MS;
+        if (was_coarse_)
             if (Status status = draw_coarsely(request); !status.ok()) return status;
-        if (is_called_away(request)) return Status::success();
+        if (is_called_away(request) || (was_coarse_ && waits_for_more(request))) return Status::success();
     }
     // What seemed slow, as a first sample does, may not be.
     if (in_parts_ && samples_ > 0 && sample_ms_ < LONG_SAMPLE_MS / 2) {
@@ -184,7 +186,77 @@ Status CoreWorker::point_at(const Request& request, uint32_t divisor) {
     auto target = std::make_unique<Picture>(width, height);
     if (Status status = core_->SetTarget({width, height, target->pixels}); !status.ok()) return status;
     target_ = std::move(target);
-    return core_->Setting(settings_);
+    render_system::CoreSettings settings = settings_;
+    settings.first_sample += first_sample(request);
+    return core_->Setting(settings);
+}
+
+/// Each view has samples of its own where a history goes through them: of the same ones nothing more would be learned.
+uint32_t CoreWorker::first_sample(const Request& request) const {
+    constexpr uint64_t VIEWS = 4096, LEAST_APART = 4096;  // in all 2^24 samples
+    return request.filter == FilterMode::temporal ? static_cast<uint32_t>(request.number % VIEWS * LEAST_APART) : 0;
+}
+
+/// What the samples since the last call say of their noise. When it is called must not hang on how fast a core is: both
+/// filter by this.
+void CoreWorker::note_noise(const Picture& mean) {
+    if (samples_ <= noted_ || sums_.size() != mean.pixels.size()) {
+        sums_.assign(mean.pixels.size(), 0.0);
+        squares_ = sums_;
+        batches_ = noted_ = 0;
+    }
+    const double more = samples_ - noted_;
+    for (size_t i = 0; i < sums_.size(); ++i) {
+        const glm::dvec3 color(mean.pixels[i]);
+        const double sum = samples_ * glm::dot(color, glm::dvec3(0.2126, 0.7152, 0.0722)), added = sum - sums_[i];
+        sums_[i] = sum;
+        squares_[i] += added * added / more;
+    }
+    ++batches_;
+    noted_ = samples_;
+}
+
+/// Of the mean of all samples; none where one batch is all there is.
+std::vector<float> CoreWorker::variances() const {
+    std::vector<float> variances;
+    if (batches_ < 2) return variances;
+    for (size_t i = 0; i < sums_.size(); ++i) {
+        const double spread = squares_[i] - sums_[i] * sums_[i] / noted_;
+        variances.push_back(static_cast<float>(std::max(0.0, spread) / (batches_ - 1.0) / noted_));
+    }
+    return variances;
+}
+
+/// The first picture of a view goes by those of views before, and what is of the view itself by itself: it is better
+/// than any memory as soon as there are a few samples.
+Status CoreWorker::filter(const Request& request, Picture& picture, uint32_t samples, bool first) {
+    constexpr uint32_t MOST_RAYS = 8;  // soon there
+    if (request.filter == FilterMode::none) return Status::success();
+    const bool remembers = first && request.filter == FilterMode::temporal;
+    const std::vector<float> noise = first ? std::vector<float>() : variances();
+    return core_->Filter(
+        request.view, {.means = picture.pixels,
+                       .variances = noise,
+                       .first_sample = settings_.first_sample + first_sample(request),
+                       .samples = samples,
+                       .filtered = picture.pixels,
+                       .history = remembers ? render_system::FilterHistory::go_on : render_system::FilterHistory::none,
+                       .most_rays = MOST_RAYS});
+}
+
+bool CoreWorker::is_to_be_shown(const Request& request) const {
+    constexpr uint32_t FEW_SAMPLES = 4;
+    if (request.filter == FilterMode::none || samples_ >= most_samples_) return true;
+    const bool is_memory_better = !was_coarse_ && request.filter == FilterMode::temporal && samples_ > 1;
+    return std::has_single_bit(samples_) && !(is_memory_better && samples_ < FEW_SAMPLES);
+}
+
+/// A hand that moves goes on: after a coarse picture a moment is left to it, as a whole one would end the history.
+bool CoreWorker::waits_for_more(const Request& request) {
+    constexpr auto MOMENT = std::chrono::milliseconds(60);
+    if (request.filter != FilterMode::temporal) return false;
+    std::unique_lock lock(mutex_);
+    return wake_.wait_for(lock, MOMENT, [&] { return ends_ || !runs_ || wanted_.number != request.number; });
 }
 
 Status CoreWorker::draw_coarsely(const Request& request) {
@@ -193,8 +265,7 @@ Status CoreWorker::draw_coarsely(const Request& request) {
     const auto start = Clock::now();
     if (Status status = point_at(request, divisor); !status.ok()) return status;
     if (Status status = core_->Render(request.view, Convergence::Restart, 1); !status.ok()) return status;
-    show_drawn(request, *target_, core_->GetCoreStats(), true, ms_since(start));
-    return Status::success();
+    return show_drawn(request, *target_, core_->GetCoreStats(), true, ms_since(start));
 }
 
 /// As many as take no longer than a pass may.
@@ -202,7 +273,9 @@ Status CoreWorker::take_samples(const Request& request) {
     if (samples_ == 0)
         if (Status status = point_at(request, 1); !status.ok()) return status;
     const auto together = static_cast<uint32_t>(std::clamp(PASS_MS / std::max(sample_ms_, 1e-3), 1.0, 64.0));
-    const uint32_t samples = samples_ == 0 ? 1 : std::min(together, most_samples_ - samples_);
+    uint32_t samples = samples_ == 0 ? 1 : std::min(together, most_samples_ - samples_);
+    if (request.filter != FilterMode::none && samples_ > 0)  // none past those that are shown next
+        samples = std::min(samples, std::bit_ceil(samples_ + 1) - samples_);
     const CoreStats before = samples_ == 0 ? CoreStats() : core_->GetCoreStats();
     const auto start = Clock::now();
     const Convergence convergence = samples_ == 0 ? Convergence::Restart : Convergence::Converge;
@@ -215,8 +288,7 @@ Status CoreWorker::take_samples(const Request& request) {
     taken.extension_rays -= std::min(before.extension_rays, taken.extension_rays);
     taken.shadow_rays -= std::min(before.shadow_rays, taken.shadow_rays);
     taken.total_ms -= std::min(before.total_ms, taken.total_ms);
-    show_drawn(request, *target_, taken, false, took_ms);
-    return Status::success();
+    return show_drawn(request, *target_, taken, false, took_ms);
 }
 
 /// The same bits as take_samples, by sums of our own. A sample that is not finished is taken again.
@@ -229,7 +301,7 @@ Status CoreWorker::take_sample_in_parts(const Request& request) {
         sum_ = sample_;
     }
     render_system::CoreSettings settings = settings_;
-    settings.first_sample += samples_;
+    settings.first_sample += first_sample(request) + samples_;
     if (Status status = core_->Setting(settings); !status.ok()) return status;
     const bool is_settled = samples_ >= SETTLED_SAMPLES;
     const auto parts = is_settled ? size_t{1} : static_cast<size_t>(std::clamp(sample_ms_ / PASS_MS, 2.0, 16.0));
@@ -257,14 +329,18 @@ Status CoreWorker::take_sample_in_parts(const Request& request) {
         sum_[i] += sample_[i];
         picture.pixels[i] = glm::vec4(glm::vec3(sum_[i]) * (1.0f / static_cast<float>(samples_)), 1.0f);
     }
-    show_drawn(request, picture, taken, false, sample_ms_);
-    return Status::success();
+    return show_drawn(request, std::move(picture), taken, false, sample_ms_);
 }
 
-void CoreWorker::show_drawn(const Request& request, const Picture& picture, const CoreStats& taken, bool coarse,
-                            double took_ms) {
+/// Takes the noise out where that is asked for.
+Status CoreWorker::show_drawn(const Request& request, Picture picture, const CoreStats& taken, bool coarse,
+                              double took_ms) {
+    if (!coarse && request.filter != FilterMode::none && std::has_single_bit(samples_)) note_noise(picture);
+    if (!coarse && !is_to_be_shown(request)) return Status::success();
+    const bool first = coarse || (!was_coarse_ && samples_ == 1);
+    if (Status status = filter(request, picture, coarse ? 1 : samples_, first); !status.ok()) return status;
     const std::lock_guard lock(mutex_);
-    drawn_.picture = picture;
+    drawn_.picture = std::move(picture);
     drawn_.stats = taken;
     drawn_.view = request.view;
     drawn_.request = request.number;
@@ -272,6 +348,7 @@ void CoreWorker::show_drawn(const Request& request, const Picture& picture, cons
     drawn_.pass_ms = took_ms;
     drawn_.mrays_per_s = taken.total_ms > 0.0 ? static_cast<double>(all_rays(taken)) / taken.total_ms * 1e-3 : 0.0;
     has_news_ = true;
+    return Status::success();
 }
 
 }  // namespace application

@@ -13,6 +13,7 @@
 #include <thread>
 #include <vector>
 
+#include "application/options.h"
 #include "application/picture.h"
 #include "application/view/opened_core.h"
 #include "render_system/core_api.h"
@@ -47,9 +48,10 @@ public:
 
     const std::string& id() const { return id_; }
 
-    /// From here on it draws this view, at this moment of what moves, from the first sample on.
-    void show(const render_system::ViewPyramid& view, double seconds, uint32_t width, uint32_t height,
-              uint64_t request);
+    /// From here on it draws this view, at this moment of what moves, from the first sample on. With a filter only
+    /// pictures that went through it are shown: the first ones, then those of 2, 4, 8 samples and so on.
+    void show(const render_system::ViewPyramid& view, double seconds, uint32_t width, uint32_t height, uint64_t request,
+              FilterMode filter);
     /// While it rests it draws nothing, and keeps what it has.
     void rest();
 
@@ -81,6 +83,7 @@ private:
         double seconds = 0.0;
         uint32_t width = 0, height = 0;
         uint64_t number = 0;
+        FilterMode filter = FilterMode::none;
     };
     void run();
     bool open_anew();
@@ -90,9 +93,15 @@ private:
     render_system::Status take_samples(const Request& request);
     render_system::Status take_sample_in_parts(const Request& request);
     render_system::Status point_at(const Request& request, uint32_t divisor);
+    uint32_t first_sample(const Request& request) const;
+    render_system::Status filter(const Request& request, Picture& picture, uint32_t samples, bool first);
+    void note_noise(const Picture& mean);
+    std::vector<float> variances() const;
+    bool is_to_be_shown(const Request& request) const;
+    bool waits_for_more(const Request& request);
     bool is_called_away(const Request& request);
-    void show_drawn(const Request& request, const Picture& picture, const render_system::CoreStats& taken, bool coarse,
-                    double took_ms);
+    render_system::Status show_drawn(const Request& request, Picture picture, const render_system::CoreStats& taken,
+                                     bool coarse, double took_ms);
 
     const std::string id_;
     const Open open_;
@@ -118,8 +127,13 @@ private:
     uint32_t samples_ = 0;    // of the request that is drawn
     double sample_ms_ = 1e9;  // of one sample of the whole picture
     bool in_parts_ = false;
+    bool was_coarse_ = false;              // what is shown of the request that is drawn
     std::vector<glm::vec4> sample_, sum_;  // in parts: the sample that is being taken, and those that are whole
     std::vector<render_system::PixelSum> part_;
+    // Of the luminance of the samples of the request that is drawn, which come in batches: their sums and, weighted,
+    // the squares of the batches' means.
+    std::vector<double> sums_, squares_;
+    uint32_t batches_ = 0, noted_ = 0;  // and how many samples are in them
     std::thread thread_;
 };
 

@@ -26,6 +26,7 @@ ViewSession::ViewSession(const Options& options, SceneSetup setup, ViewLog& log)
       seconds_(options.time),
       first_camera_(setup.camera, bounds_),
       camera_(first_camera_),
+      filter_(options.filter),
       image_{1, 1, {0, 0, 0}} {
     std::vector<std::string> ids = core_order(options, render_system::ModuleSource::copy).ids;
     for (const char* other : {"source", "target"}) {
@@ -88,7 +89,7 @@ void ViewSession::begin() {
     const auto view = render_system::view_pyramid(camera_.camera(), options_.width, options_.height);
     for (size_t i = 0; i < workers_.size(); ++i) {
         if (is_needed(i))
-            workers_[i]->show(view, seconds_, options_.width, options_.height, request_);
+            workers_[i]->show(view, seconds_, options_.width, options_.height, request_, filter_);
         else
             workers_[i]->rest();
     }
@@ -167,6 +168,12 @@ void ViewSession::set_gain(int gain) {
     constexpr int MOST = 256;
     composition_.gain = std::clamp(gain, 1, MOST);
     is_stale_ = true;
+}
+
+void ViewSession::set_filter(FilterMode filter) {
+    filter_ = filter;
+    note_input("filter");
+    begin();
 }
 
 bool ViewSession::update() {

@@ -57,6 +57,9 @@ public:
     void set_show(Show show);
     void set_split(float split);
     void set_gain(int gain);
+    /// What takes noise out of what is drawn; it begins anew.
+    void set_filter(FilterMode filter);
+    FilterMode filter() const { return filter_; }
     const Composition& composition() const { return composition_; }
 
     /// Takes what the cores have drawn; true where the picture shown is another one now.
@@ -116,6 +119,7 @@ private:
     std::vector<std::string> problems_;
     size_t active_ = 0;
     Composition composition_;
+    FilterMode filter_;
     Channels<uint8_t> image_;
     uint64_t request_ = 0;
     double asked_at_ms_ = 0.0;  ///< when the first input came that no pixels have answered

@@ -260,6 +260,7 @@ private:
         if (key == GLFW_KEY_3) session_.set_show(Show::Difference);
         if (key == GLFW_KEY_LEFT_BRACKET) session_.set_gain(session_.composition().gain / 2);
         if (key == GLFW_KEY_RIGHT_BRACKET) session_.set_gain(session_.composition().gain * 2);
+        if (key == GLFW_KEY_T) next_filter();
         if (key == GLFW_KEY_F) session_.frame_all();
         if (key == GLFW_KEY_C) session_.next_camera();
         if (key == GLFW_KEY_P) save(".png", &ViewSession::save);
@@ -274,6 +275,8 @@ private:
         if (key == GLFW_KEY_ENTER) drift_.apply();
         if (key == GLFW_KEY_H) shows_panels_ = !shows_panels_;
     }
+
+    void next_filter() { session_.set_filter(static_cast<FilterMode>((static_cast<int>(session_.filter()) + 1) % 3)); }
 
     double held(int key) const { return glfwGetKey(window_, key) == GLFW_PRESS ? 1.0 : 0.0; }
     bool flies() const {
@@ -328,6 +331,9 @@ private:
                             static_cast<double>(one.stats.memory_bytes) / MEBIBYTE);
         }
         ImGui::Text("window %.1f ms", 1e3 * static_cast<double>(ImGui::GetIO().DeltaTime));
+        ImGui::SameLine();
+        constexpr const char* FILTERS[] = {"filter (T): none", "filter (T): spatial", "filter (T): temporal"};
+        if (ImGui::SmallButton(FILTERS[static_cast<int>(session_.filter())])) next_filter();
         if (session_.composition().show == Show::Difference)
             ImGui::Text("difference x %d", session_.composition().gain);
         float split = session_.composition().split;

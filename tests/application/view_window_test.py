@@ -199,6 +199,11 @@ class ViewTest(Person):
             self.until(lambda now: brightness(now) < orbited / 4)
             self.xdotool("key", "2")
             self.until(lambda now: abs(brightness(now) - orbited) < orbited / 4)
+        # Plain samples have more colours than what a filter leaves of them.
+        filtered = len(set(sample(self.screen.rows())))
+        self.xdotool("key", "t")
+        self.wait_for("input", lambda detail: detail["kind"] == "filter")
+        self.until(lambda now: len(set(now)) > filtered)
         self.leave()
 
 
