@@ -18,8 +18,42 @@
 namespace porttool {
 namespace {
 
-/// Without what does nothing: `return ;` at the end of a function, and a value that is named and thrown away.
+/// The places of each `break ;` that ends a switch, where nothing is left to leave: only braces of blocks without a
+/// head stand between it and the brace that closes the switch.
+std::vector<bool> last_breaks(const Words& tokens) {
+    enum class Block : uint8_t { Other, Switch, Bare };
+    std::vector<bool> out(tokens.size());
+    std::vector<Block> blocks;
+    std::vector<bool> of_switch;  // the parentheses that are open
+    bool head_of_switch = false;
+    const auto is_last = [&](size_t i) {
+        if (i + 1 >= tokens.size() || tokens[i + 1] != ";") return false;
+        size_t depth = blocks.size();
+        for (i += 2; depth > 0 && i < tokens.size() && tokens[i] == "}"; ++i)
+            if (const Block block = blocks[--depth]; block != Block::Bare) return block == Block::Switch;
+        return false;
+    };
+    for (size_t i = 0; i < tokens.size(); ++i) {
+        const std::string_view before = i > 0 ? tokens[i - 1] : std::string_view();
+        if (tokens[i] == "(") of_switch.push_back(before == "switch");
+        if (tokens[i] == ")" && !of_switch.empty()) {
+            head_of_switch = of_switch.back();
+            of_switch.pop_back();
+        }
+        if (tokens[i] == "{") {
+            const bool bare = before == ":" || before == ";" || before == "{" || before == "}";
+            blocks.push_back(before == ")" && head_of_switch ? Block::Switch : bare ? Block::Bare : Block::Other);
+        }
+        if (tokens[i] == "}" && !blocks.empty()) blocks.pop_back();
+        if (tokens[i] == "break") out[i] = is_last(i);
+    }
+    return out;
+}
+
+/// Without what does nothing: `return ;` at the end of a function, `break ;` at the end of a switch, and a value that
+/// is named and thrown away.
 Words without_idle_statements(const Words& tokens) {
+    const std::vector<bool> last_break = last_breaks(tokens);
     Words out;
     for (size_t i = 0; i < tokens.size(); ++i) {
         const bool starts = i == 0 || tokens[i - 1] == ";" || tokens[i - 1] == "{" || tokens[i - 1] == "}";
@@ -27,6 +61,8 @@ Words without_idle_statements(const Words& tokens) {
                                  tokens[i + 2] == ")" && is_word_token(tokens[i + 3]) && tokens[i + 4] == ";";
         if (thrown_away)
             i += 4;
+        else if (last_break[i])
+            ++i;
         else
             out.push_back(tokens[i]);
     }

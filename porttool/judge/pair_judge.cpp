@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "porttool/compare/draws_level.h"
 #include "porttool/compare/paired_names.h"
 #include "porttool/language/hazards.h"
 #include "porttool/normal/prelude.h"
@@ -227,8 +228,24 @@ void PairJudge::report_one(JudgedPair& pair, const PairComparison& found, const 
         return soften(pair, finding,
                       side == Side::Source ? "says what the port says already" : "says what the source says already");
     const bool same_variables = prelude_of(before[side].words()) == prelude_of(pair.unit[side]->text.words());
-    if (change == Change::Semantic && facts_.same_code && same_variables)
+    if (!same_variables) return;
+    if (change == Change::Semantic && facts_.same_code)
         soften(pair, finding, facts_.same_code(*pair.unit[side], side, before[side]));
+    if (finding.level > Level::Note && draws_near(pair, side, before[side])) {
+        finding.level = Level::Note;
+        finding.message += side == Side::Source ? "; but the port has most of it" : "; but the source has most of it";
+        finding.remedy = "Compare the two once; if nothing is left to port, run: porttool accept " +
+                         argument(pair.id.source, finding);
+    }
+}
+
+/// True if a function's edit is for the most part what the other side has already.
+bool PairJudge::draws_near(const JudgedPair& pair, Side side, const NormalText& before) const {
+    const UnitState &now = *pair.unit[side], &there = *pair.unit[other(side)];
+    if (now.kind != UnitKind::Function && now.kind != UnitKind::Kernel) return false;
+    return draws_level(
+        {without_prelude(before.words()), without_prelude(now.text.words()), without_prelude(there.text.words())},
+        dialect_);
 }
 
 void PairJudge::report_both(const JudgedPair& pair, const PairComparison& found) {

@@ -41,6 +41,7 @@ private:
     void report_values(const JudgedPair& pair, const PairComparison& found);
     void report_one(JudgedPair& pair, const PairComparison& found, const BySide<NormalText>& before);
     void report_both(const JudgedPair& pair, const PairComparison& found);
+    bool draws_near(const JudgedPair& pair, Side side, const NormalText& before) const;
 
     const Case& facts_;
     const BySide<RenamedNames>& renamed_;

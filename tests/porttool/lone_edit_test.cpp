@@ -30,6 +30,21 @@ void f(float* a, const int n) {
     a[0] = 1.0f;
 }
 )";
+const std::string kSwitch = R"(
+int f(int a, int n) {
+    for (int i = 0; i < n; ++i) {
+        switch (a) {
+            case 0: { a += 2; break; }
+            case 1: a += 3; break;
+            default: { a = i; break; }
+        }
+        if (a > 9) { break; }
+    }
+    while (a > 0) { a -= n; break; }
+    switch (n) { case 1: while (a > 0) { a -= 3; break; } }
+    return a;
+}
+)";
 const std::string kThreads = R"(
 void f(float* a, int n) {
     #pragma omp parallel for schedule(static)
@@ -216,6 +231,9 @@ const std::vector<LabelledEdit> kSilent = {
     {".cl", kOpenCl, "float* restrict in", "float* in"},
     {".c", kC, "const float* a", "const float* restrict a"},
     {".c", kC, "const float* a", "const float* __restrict a"},
+    // nothing is left to leave
+    {".c", kSwitch, "a = i; break; }", "a = i; }"},
+    {".cpp", kSwitch, "a -= 3; break; } }", "a -= 3; break; } break; }"},
     // pragmas that only advise
     {".cu", kKernel, "#pragma unroll 4\n", "\n"},
     {".cu", kKernel, "#pragma unroll 4", "#pragma unroll"},
@@ -279,6 +297,12 @@ const std::vector<LabelledEdit> kSilent = {
 };
 
 const std::vector<LabelledEdit> kHarmful = {
+    // a break that leaves something
+    {".c", kSwitch, "a += 2; break; }", "a += 2; }"},
+    {".c", kSwitch, "a += 3; break;", "a += 3;"},
+    {".cpp", kSwitch, "{ break; }", "{ }"},
+    {".cpp", kSwitch, "a -= n; break; }", "a -= n; }"},
+    {".cu", kSwitch, "a -= 3; break; }", "a -= 3; }"},
     {".c", "int i; void f(int* a) { if (a) { int i; i = 1; } i = 2; }", "if (a) { int i;", "int i; if (a) {"},
     {".c", "int i; void f(int* a) { g(a, i); int i; i = 2; }", "g(a, i); int i;", "int i; g(a, i);"},
     {".c", "void f(int* a) { g(a); int i = *a; h(a, i); }", "g(a); int i = *a;", "int i = *a; g(a);"},

@@ -388,6 +388,39 @@ TEST(TwoSidedEdit, ASideThatCatchesUpIsNoted) {
         << "a declaration changed as well";
 }
 
+/// The same in the other side's own words: names of locals, a parameter more, the manner in which a project names
+/// calls.
+TEST(TwoSidedEdit, ASideThatCatchesUpInOtherWordsIsNoted) {
+    const std::string behind =
+        "void f(const float* x, float* y, int n, int i) {\n    y[i] = gpu_load(x, i);\n    gpu_push(y);\n    "
+        "gpu_pop(y);\n    y[n] = 0.0f;\n}\n";
+    const std::string now = replaced(
+        replaced(behind, "int n,", "int n, float limit,"), "    y[i] = gpu_load(x, i);",
+        "    const float v = gpu_load(x, i);\n    const float cut = min(v, limit);\n    if (cut > 0.5f * limit) {\n"
+        "        y[i] = gpu_fold(cut, v, 2);\n    }");
+    std::string port = replaced(now, "float limit, int i", "float limit, int i, int group");
+    for (const char* call : {"load", "push", "pop", "fold"})
+        port = replaced(port, std::string("gpu_") + call, std::string("cpu_") + call);
+    for (const auto& [from, to] : {std::pair{" v = ", " value = "},
+                                   {"(v,", "(value,"},
+                                   {", v,", ", value,"},
+                                   {" cut = ", " w = "},
+                                   {"(cut >", "(w >"},
+                                   {"(cut,", "(w,"}})
+        port = replaced(port, from, to);
+    const auto level = [&](const std::string& before, const std::string& after, const std::string& there) {
+        const auto report = report_on({"", "k.cu", "k.cpp", {before, there}, {after, there}, {}});
+        return report["findings"].empty() ? std::string() : report["findings"][0]["level"].get<std::string>();
+    };
+    EXPECT_EQ(level(behind, now, port), "note");
+    EXPECT_EQ(level(now, behind, port), "error") << "it falls behind";
+    EXPECT_EQ(level(behind, replaced(now, "0.5f", "0.25f"), port), "error") << "another number";
+    EXPECT_EQ(level(behind, replaced(now, "cut > ", "cut < "), port), "error") << "another comparison";
+    EXPECT_EQ(level(behind, replaced(now, "gpu_pop(y)", "gpu_pop(x)"), port), "error") << "and something else";
+    EXPECT_EQ(level(behind, replaced(now, "    gpu_push(y);\n", ""), port), "error") << "and something is lost";
+    EXPECT_EQ(level(behind, now, behind), "error") << "the port has nothing of it";
+}
+
 TEST(TwoSidedEdit, StructsAreComparedByTheirData) {
     const std::string kernel = "struct f { float3 o; float t; };\n";
     const std::string port =
