@@ -128,12 +128,47 @@ private:
         return false;
     }
 
+    using Places = std::pair<std::string_view, std::string_view>;  ///< a file or folder of each side
+
+    static std::string_view folder_of(std::string_view file) { return file.substr(0, file.rfind('/') + 1); }
+
+    /// The files, and the folders, of both sides that are tied to each other by functions, kernels or structs: by
+    /// pairs, and by units that look alike and of which the other side's is in no pair.
+    std::set<Places> tied_places(const Matching& matching) const {
+        std::set<Places> out;
+        for (const MatchedPair& pair : matching.pairs) {
+            const auto source = facts_.source.find(pair.source), target = facts_.target.find(pair.target);
+            if (source == facts_.source.end() || target == facts_.target.end()) continue;
+            const UnitState &here = source->second, &there = target->second;
+            if (here.kind == UnitKind::Constant || there.kind == UnitKind::Constant) continue;
+            const bool is_pair = pair.state == PairState::Confirmed;
+            if (!is_pair && partner_.contains(side_ == Side::Source ? there.id : here.id)) continue;
+            out.insert({here.file, there.file});
+            out.insert({folder_of(here.file), folder_of(there.file)});
+        }
+        return out;
+    }
+
+    /// A helper that many places have for themselves, as copies, is ported where their own units are: a constant in the
+    /// same file, a function or struct in the same folder.
+    bool is_anothers(const UnitState& unit, const UnitState& counterpart, const std::string& partner_id,
+                     const std::set<Places>& tied) const {
+        if (unit.kind == UnitKind::Kernel) return false;
+        const auto place = [&](std::string_view file) {
+            return unit.kind == UnitKind::Constant ? file : folder_of(file);
+        };
+        const std::string_view here = place(unit.file), there = place(counterpart.file);
+        if (place(split_id(partner_id).first) == here) return false;
+        return !tied.contains(side_ == Side::Source ? Places(here, there) : Places(there, here));
+    }
+
     Matching match(const Settled& settled) const {
         return match_units(files_.source, files_.target, settled, dialect_);
     }
 
     void take(const Matching& matching, float most) {
         const auto& there = side_ == Side::Source ? facts_.target : facts_.source;
+        const std::set<Places> tied = tied_places(matching);
         std::vector<std::string> found;
         for (const MatchedPair& pair : matching.pairs) {
             if (pair.state == PairState::Confirmed) continue;
@@ -142,7 +177,8 @@ private:
             if (open == open_.end() || unit == there.end()) continue;
             const auto partner = partner_.find(unit->first);
             if (partner != partner_.end() && (is_reference_of(*open->second, unit->second) ||
-                                              is_sibling(*open->second, partner->second, unit->second)))
+                                              is_sibling(*open->second, partner->second, unit->second) ||
+                                              is_anothers(*open->second, unit->second, partner->second, tied)))
                 continue;
             Counterpart& best = out_[open->second];
             if (best.unit != nullptr && best.score >= pair.score) continue;

@@ -28,10 +28,12 @@ public:
         find_relatives();
         climb();
         follow();
+        find_new_files();
         return std::move(told_);
     }
 
 private:
+    using Names = std::unordered_multimap<std::string_view, const UnitState*>;
     using Users = std::array<std::vector<const UnitState*>, 4>;  ///< by UserKind, some of each
 
     void find_launchers() {
@@ -66,9 +68,19 @@ private:
         for (const UnitState* unit : units_.unported) {
             const std::string_view name = leaf(*unit);
             constexpr size_t kMost = 8;  // branches that define one constant, or overloads
-            if (bearers[name] == new_bearers[name] && bearers[name] <= kMost) names_.emplace(name, unit);
+            if (bearers[name] == new_bearers[name] && bearers[name] <= kMost)
+                names_.emplace(name, unit);
+            else
+                names_in_files_[unit->file].emplace(name, unit);
         }
+        // Other files have the name, too: what uses it in this one means this one's.
+        for (const auto& [id, unit] : units_.all)
+            if (const auto found = names_in_files_.find(unit.file);
+                found != names_in_files_.end() && !units_.fresh.contains(&unit))
+                found->second.erase(leaf(unit));
         for (const auto& [name, unit] : names_) lengths_[std::min(name.size(), lengths_.size() - 1)] = true;
+        for (const auto& [file, names] : names_in_files_)
+            for (const auto& [name, unit] : names) lengths_[std::min(name.size(), lengths_.size() - 1)] = true;
     }
 
     static bool is_code(const UnitState& unit) {
@@ -82,12 +94,17 @@ private:
 
     void read_uses(const UnitState& user) {
         const UserKind kind = kind_of(user);
+        const auto in_file = names_in_files_.find(user.file);
+        const auto add = [&](const Names& names, size_t i) {
+            const auto [first, last] = names.equal_range(user.text[i]);
+            for (auto used = first; used != last; ++used)
+                if (used->second != &user && is_use(*used->second, user.text, i)) add_use(*used->second, user, kind);
+        };
         for (size_t i = 0; i < user.text.size(); ++i) {
             const std::string_view word = user.text[i];
             if (!lengths_[std::min(word.size(), lengths_.size() - 1)] || !is_word_token(word)) continue;
-            const auto [first, last] = names_.equal_range(word);
-            for (auto used = first; used != last; ++used)
-                if (used->second != &user && is_use(*used->second, user.text, i)) add_use(*used->second, user, kind);
+            add(names_, i);
+            if (in_file != names_in_files_.end()) add(in_file->second, i);
         }
     }
 
@@ -219,6 +236,29 @@ private:
         }
     }
 
+    /// A new file of which nothing has a counterpart is one thing to decide on: its kernels are told, or else the first
+    /// of its units that is.
+    void find_new_files() {
+        std::map<std::string_view, size_t> size;
+        std::map<std::string_view, std::vector<const UnitState*>> unported;
+        for (const auto& [id, unit] : units_.all) size[unit.file] += unit.kind != UnitKind::File ? 1 : 0;
+        for (const UnitState* unit : units_.unported) unported[unit->file].push_back(unit);
+        constexpr size_t kLeast = 4;  // units that are more than a reader takes in one by one
+        for (auto& [file, units] : unported) {
+            if (units.size() < kLeast || units.size() != size[file]) continue;
+            const auto told_by = [&](const UnitState* unit) { return unit->kind == UnitKind::Kernel; };
+            const auto kernel = std::find_if(units.begin(), units.end(), told_by);
+            const UnitState* first = kernel != units.end() ? *kernel : nullptr;
+            for (const UnitState* unit : units) {
+                if (told_by(unit) || told_.contains(unit)) continue;
+                if (first == nullptr)
+                    first = unit;
+                else
+                    told_.emplace(unit, "nothing in its file has, see " + first->id);
+            }
+        }
+    }
+
     bool is_used_by_new(const UnitState* unit) const {
         const auto users = users_.find(unit);
         return users != users_.end() && !users->second[static_cast<size_t>(UserKind::Unported)].empty();
@@ -227,8 +267,9 @@ private:
     const SideUnits& units_;
     std::set<const UnitState*> open_, launchers_;
     std::unordered_map<std::string_view, const UnitState*> functions_;  ///< all, where one alone bears the name
-    std::unordered_multimap<std::string_view, const UnitState*> names_;
-    std::array<bool, 65> lengths_ = {};  ///< of the names, the last for all that are longer
+    Names names_;
+    std::unordered_map<std::string_view, Names> names_in_files_;  ///< by file: what is new there and has namesakes
+    std::array<bool, 65> lengths_ = {};                           ///< of the names, the last for all that are longer
     std::map<const UnitState*, Users> users_;
     std::map<const UnitState*, std::set<const UnitState*>> uses_;  ///< of units without a counterpart
     std::map<const UnitState*, std::string> told_;

@@ -284,6 +284,47 @@ TEST(Unwatched, AConstantOfAClassWithoutAPortIsToldWithTheClass) {
               (std::vector<std::string>{"src/k.cu:Tile::depth note", "src/k.cu:kDepth error"}));
 }
 
+TEST(Unwatched, ANewFileWithoutAnyPortIsOneError) {
+    const std::string host =
+        "double now() { return clock() / 1e6; }\nvoid stop(double a) { print(now() - a); }\n"
+        "int parse(char* a) { return a[0] - '0'; }\nvoid quit(int a) { exit(a); }\n";
+    MemoryDisk disk = started(kLum, kLumPort);
+    disk.files["/r/src/host.h"] = host;
+    EXPECT_EQ(unported_in(check(disk)), (std::vector<std::string>{"src/host.h:now note", "src/host.h:parse error",
+                                                                  "src/host.h:quit note", "src/host.h:stop note"}));
+    disk.files["/r/src/host.h"] =
+        host + "__global__ void fill(float* a) { a[threadIdx.x] = 0.0f; }\n__global__ void wipe(int* a) { *a = 1; }\n";
+    EXPECT_EQ(unported_in(check(disk)),
+              (std::vector<std::string>{"src/host.h:fill error", "src/host.h:now note", "src/host.h:parse note",
+                                        "src/host.h:quit note", "src/host.h:stop note", "src/host.h:wipe error"}))
+        << "every kernel is an error";
+    disk.files["/r/src/host.h"] = host + kLum;
+    EXPECT_EQ(unported_in(check(disk)).size(), 4u);
+    EXPECT_NE(unported_in(check(disk))[1].find("error"), std::string::npos);
+    disk = started(kLum, kLumPort);
+    disk.files["/r/src/k.cu"] += host;
+    EXPECT_EQ(unported_in(check(disk)), (std::vector<std::string>{"src/k.cu:now note", "src/k.cu:parse error",
+                                                                  "src/k.cu:quit error", "src/k.cu:stop error"}))
+        << "in a file that has ports each is news";
+}
+
+TEST(Unwatched, ACopyOfAnotherFilesHelperIsNoSourceOfItsPort) {
+    const std::string pack = "#define PACK(a, b) ((a) << 16 | (b))\n";
+    MemoryDisk disk = started(kLum + pack + kFresnel, kLumPort + pack + kFresnelPort);
+    EXPECT_EQ(check(disk)["summary"]["pairs"], 3);
+    disk.files["/r/portmap.toml"] = replaced(disk.files["/r/portmap.toml"], "src/*", "src/**");
+    disk.files["/r/src/far/k.cu"] = pack + kFresnel + "__global__ void spin(int* a) { a[0] = PACK(a[1], 7); }\n";
+    const auto report = check(disk);
+    EXPECT_EQ(unported_in(report), (std::vector<std::string>{"src/far/k.cu:PACK note", "src/far/k.cu:fresnel error",
+                                                             "src/far/k.cu:spin error"}))
+        << report.dump(1);
+    EXPECT_EQ(rules(report), (Rules{"unported", "unported", "unported"}));
+    disk.files.erase("/r/src/far/k.cu");
+    disk.files["/r/src/k.cu"] += replaced(pack, "PACK", "PACK_TWO") + replaced(kFresnel, "fresnel", "fresnel_two");
+    for (const auto& finding : check(disk)["findings"])
+        EXPECT_EQ(finding["rule"], "unpaired") << "a variant in the same file: " << finding.dump();
+}
+
 // ---- pairs that were never recorded
 
 const std::string kPairOfFresnel = "\n[[pair]]\nsource = \"src/k.cu:fresnel\"\ntarget = \"port/k.comp:fresnel\"\n";
