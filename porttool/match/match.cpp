@@ -9,6 +9,7 @@
 
 #include "porttool/match/assign.h"
 #include "porttool/match/name_cores.h"
+#include "porttool/match/places.h"
 #include "porttool/read/id_patterns.h"
 #include "porttool/scan/scan.h"
 
@@ -95,10 +96,16 @@ Matching match_units(const std::vector<ScannedFile>& source, const std::vector<S
     for (const Assignment& pair : assign(open.source, open.target, terms, open.fixed,
                                          find_candidates(open.source, open.target, open.fixed, kMostCandidates))) {
         if (pair.fixed || target_settled[pair.target]) continue;
-        source_mapped[pair.source] = target_mapped[pair.target] = true;
         out.pairs.push_back({id_of(source, open.source[pair.source]), id_of(target, open.target[pair.target]),
                              pair.confidence, PairState::Suggested});
     }
+    doubt_other_places(out.pairs);
+    std::unordered_set<std::string_view> mapped;
+    for (const MatchedPair& pair : out.pairs) mapped.insert({pair.source, pair.target});
+    for (size_t i = 0; i < open.source.size(); ++i)
+        source_mapped[i] = source_mapped[i] || mapped.contains(id_of(source, open.source[i]));
+    for (size_t i = 0; i < open.target.size(); ++i)
+        target_mapped[i] = target_mapped[i] || mapped.contains(id_of(target, open.target[i]));
     std::sort(out.pairs.begin(), out.pairs.end(), [](const MatchedPair& a, const MatchedPair& b) {
         return a.source != b.source ? a.source < b.source : a.target < b.target;
     });

@@ -544,6 +544,40 @@ std::vector<std::pair<std::string, std::string>> many(size_t functions, bool por
     return files;
 }
 
+/// Of several programs each has its ports in its own folder; a helper that one lacks there is not ported by another's.
+TEST(Match, AHelperIsNotPortedByThatOfAnotherProgram) {
+    const auto step = [](const std::string& name, int k) {
+        const std::string n = std::to_string(k);
+        return "void " + name + "_step" + n + "(float* a, int n) {\n    for (int i = " + n +
+               "; i < n; ++i) a[i] = a[i - " + n + "] * " + name + "_scale + " + n + ".5f;\n}\n";
+    };
+    const auto program = [&](const std::string& name) {
+        return step(name, 1) + step(name, 2) + step(name, 3) + step(name, 4);
+    };
+    const std::string own =
+        "int take_sum(const int* a, int n) {\n    int s = 0;\n    for (int i = 0; i < n; ++i) s += a[i];\n"
+        "    return s;\n}\n";
+    const auto scores = [&](const std::string& there) {
+        std::map<std::string, float> out;
+        for (const MatchedPair& pair :
+             match(
+                 {{"warp/cuda/k.cu", program("warp")},
+                  {"warp/cuda/io.h", own},
+                  {"blur/cuda/k.cu", program("blur")},
+                  {"blur/cuda/io.h", there}},
+                 {{"warp/sycl/k.cpp", program("warp")}, {"blur/sycl/k.cpp", program("blur")}, {"blur/sycl/io.h", own}})
+                 .pairs)
+            out[pair.source + "=" + pair.target] = pair.score;
+        return out;
+    };
+    for (const auto& [pair, score] : scores(own))
+        EXPECT_EQ(pair.substr(0, 4), pair.substr(pair.find('=') + 1, 4)) << pair << " " << score;
+    const auto alone = scores("");
+    ASSERT_TRUE(alone.contains("warp/cuda/io.h:take_sum=blur/sycl/io.h:take_sum")) << "the only one that there is";
+    EXPECT_LT(alone.at("warp/cuda/io.h:take_sum=blur/sycl/io.h:take_sum"), 0.9f);
+    EXPECT_EQ(scores(own).size(), 9u);
+}
+
 TEST(Match, IsFastAndGrowsGently) {
     const auto seconds = [](size_t functions) {
         const auto source = many(functions, false), target = many(functions, true);
