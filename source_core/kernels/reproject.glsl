@@ -267,7 +267,7 @@ void reproject_picture(Uint job) {
     Float share = max(Float(2.0f / (float(settings.frame) + 1.0f)), 0.0625f);
     if (settings.motion != STANDS_STILL) {
         shown = clipped(shown, look_around(place, pass.filter_from, false));
-        share = max(max(share, 0.1f), 1.0f / max(load_history(HISTORY_LENGTH, here), 1.0f));
+        share = max(max(share, 0.6f), 1.0f / max(load_history(HISTORY_LENGTH, here), 1.0f));
     }
     share = select(settings.frame > 1u && before.inside, share, Float(1.0f));
     colour = blend(shown, colour, share);
