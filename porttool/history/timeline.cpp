@@ -255,7 +255,7 @@ private:
     bool has_map_ = false, fresh_ = true;
     MapFile map_;
     std::string map_blob_, lock_blob_;
-    BySide<SideGlobs> globs_ = {SideGlobs({}), SideGlobs({})};
+    BySide<SideGlobs> globs_;
     LockFile lock_;
     std::map<std::string, std::string> renewed_;  ///< by today's print, the blob with a text that an older lock names
     std::map<PairId, const LockedPair*> locked_;

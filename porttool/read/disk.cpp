@@ -174,4 +174,11 @@ std::string clean_path(const std::string& path) {
     return clean;
 }
 
+std::string path_below(const std::string& root, const std::string& path) {
+    std::string clean = clean_path(path);
+    const std::string folder = clean_path(root);
+    if (clean == folder) return ".";
+    return clean.starts_with(folder + "/") ? clean.substr(folder.size() + 1) : clean;
+}
+
 }  // namespace porttool

@@ -128,4 +128,7 @@ std::string absolute_path(const std::string& path);
 /// Without `.`, `..` and double slashes as far as the text alone tells.
 std::string clean_path(const std::string& path);
 
+/// `path` as seen from a root; an absolute path elsewhere stays as it is.
+std::string path_below(const std::string& root, const std::string& path);
+
 }  // namespace porttool

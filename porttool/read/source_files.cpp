@@ -13,6 +13,7 @@
 #include "porttool/language/language.h"
 #include "porttool/read/cannot_do.h"
 #include "porttool/read/ignore_rules.h"
+#include "porttool/read/source_glob.h"
 #include "porttool/text/sink/terminal.h"
 #include "porttool/text/utf8.h"
 
@@ -129,20 +130,6 @@ void add_refused(SourceSet& set, const Walker& walker) {
 
 bool is_outside(const std::string& path) { return path.starts_with('/') || path == ".." || path.starts_with("../"); }
 
-/// `path` as seen from the root; an absolute path elsewhere stays as it is.
-std::string below_root(const std::string& root, const std::string& path) {
-    const std::string clean = clean_path(path);
-    const std::string folder = clean_path(root);
-    if (clean == folder) return ".";
-    if (clean.starts_with(folder + "/")) return clean.substr(folder.size() + 1);
-    return clean;
-}
-
-/// A glob as seen from the root. One that ends in a slash names a folder.
-Glob glob_below(const std::string& root, const std::string& text) {
-    return Glob(below_root(root, text.empty() ? "." : text) + (text.ends_with('/') ? "/" : ""));
-}
-
 }  // namespace
 
 std::string unreadable_name(const std::string& path) {
@@ -163,7 +150,7 @@ std::string unreadable_reason(const std::string& bytes) {
 }
 
 bool leads_out_of(const std::string& root, const std::string& glob) {
-    const std::vector<std::string> folders = glob_below(root, glob).roots();
+    const std::vector<std::string> folders = SourceGlob(glob, root).glob().roots();
     return std::any_of(folders.begin(), folders.end(), is_outside);
 }
 
@@ -172,7 +159,7 @@ SourceSet read_paths(const Disk& disk, const std::string& root, const std::vecto
     FoundFiles found;
     SourceSet out;
     for (const std::string& given : paths) {
-        const std::string path = below_root(root, given);
+        const std::string path = path_below(root, given);
         const std::string full = join_path(root, path);
         if (disk.is_directory(full)) {
             const bool beneath = disk.kind({root, path}) == FileKind::Folder;
@@ -202,18 +189,14 @@ public:
 
     /// How many files a glob matches.
     size_t take(const std::string& text) {
-        // `src/*.inc` asks for that suffix, `src/*` for what is known to be source.
-        const bool names_suffix = text.find('.', text.find_last_of('/') + 1) != std::string::npos;
-        const Asked& asked = asked_.emplace_back(Asked{glob_below(root_, text), names_suffix && !scope_.sources_only});
+        const SourceGlob& asked = asked_.emplace_back(text, root_, scope_.sources_only);
         size_t count = 0;
-        if (asked.glob.literal()) {
-            const std::string path = clean_path(asked.glob.text());
+        if (const std::string& path = asked.own_path(); !path.empty()) {
             const TreePath place = scope_.reach == Reach::Beneath ? TreePath{root_, path} : place_of_path(root_, path);
             const FileKind kind = disk_.kind(place);
-            if (kind == FileKind::File || kind == FileKind::Other)
-                count += take_file({asked.glob, !scope_.sources_only}, path, place);
+            if (kind == FileKind::File || kind == FileKind::Other) count += take_file(asked, path, place);
         }
-        for (const std::string& folder : asked.glob.roots())
+        for (const std::string& folder : asked.glob().roots())
             for (const auto& [file, place] : files_below(folder)) count += take_file(asked, file, place);
         for (const std::string& file : scope_.named) count += take_hidden(asked, file);
         return count;
@@ -224,7 +207,7 @@ public:
                                               [](const auto& walker) { return walker.second.ignored_some(); });
         if (some_ignored && scope_.tracked)
             for (const std::string& file : scope_.tracked())
-                for (const Asked& asked : asked_) take_hidden(asked, file);
+                for (const SourceGlob& asked : asked_) take_hidden(asked, file);
         const bool bounded = scope_.reach == Reach::Beneath;
         SourceSet out = read_all(disk_, found_, root_, bounded ? scope_.most_bytes : kUnbounded);
         for (const auto& [own, walker] : walkers_) add_refused(out, walker);
@@ -232,21 +215,15 @@ public:
     }
 
 private:
-    struct Asked {
-        Glob glob;
-        bool any_suffix = false;
-    };
-
-    size_t take_file(const Asked& asked, const std::string& file, const TreePath& place) {
-        if (!asked.glob.matches(file)) return 0;
-        if (!asked.any_suffix && language_of_path(file) == Language::Unknown) return 0;
+    size_t take_file(const SourceGlob& asked, const std::string& file, const TreePath& place) {
+        if (!asked.takes(file)) return 0;
         found_.emplace(file, place);
         return 1;
     }
 
     /// A file that no walk has shown, as far as it is there.
-    size_t take_hidden(const Asked& asked, const std::string& file) {
-        if (found_.contains(file) || !asked.glob.matches(file)) return 0;
+    size_t take_hidden(const SourceGlob& asked, const std::string& file) {
+        if (found_.contains(file) || !asked.takes(file)) return 0;
         return disk_.kind({root_, file}) == FileKind::None ? 0 : take_file(asked, file, {root_, file});
     }
 
@@ -265,7 +242,7 @@ private:
     const Disk& disk_;
     const std::string& root_;
     const GlobScope& scope_;
-    std::deque<Asked> asked_;
+    std::deque<SourceGlob> asked_;
     FoundFiles found_;
     std::map<std::string, FoundFiles> listed_;  ///< by folder
     std::map<std::string, Walker> walkers_;     ///< by the folder that they do not leave, "" for the root

@@ -2,11 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "porttool/snapshot/past.h"
 
-#include <algorithm>
 #include <filesystem>
 
-#include "porttool/language/language.h"
-#include "porttool/read/source_files.h"
 #include "porttool/text/sink/terminal.h"
 
 namespace porttool {
@@ -23,18 +20,6 @@ std::string remedy_for(const Past& past) {
 }
 
 }  // namespace
-
-SideGlobs::SideGlobs(const std::vector<std::string>& globs) {
-    for (const std::string& text : globs)
-        globs_.push_back({Glob(clean_path(text.empty() ? "." : text) + (text.ends_with('/') ? "/" : "")),
-                          text.find('.', text.find_last_of('/') + 1) != std::string::npos});
-}
-
-bool SideGlobs::takes(const std::string& path) const {
-    return std::any_of(globs_.begin(), globs_.end(), [&](const Named& named) {
-        return (named.names_suffix || language_of_path(path) != Language::Unknown) && named.glob.matches(path);
-    });
-}
 
 Past open_past(const ProjectChoice& choice, Workplace& place) {
     Past past;

@@ -7,25 +7,11 @@
 #include <vector>
 
 #include "porttool/read/git_repository.h"
-#include "porttool/read/glob.h"
 #include "porttool/read/map_file.h"
+#include "porttool/read/source_glob.h"
 #include "porttool/snapshot/project.h"
 
 namespace porttool {
-
-/// The files of one side among all paths: what the globs match, by known suffix or one that a glob names.
-class SideGlobs {
-public:
-    explicit SideGlobs(const std::vector<std::string>& globs);
-    bool takes(const std::string& path) const;
-
-private:
-    struct Named {
-        Glob glob;
-        bool names_suffix;
-    };
-    std::vector<Named> globs_;
-};
 
 /// A repository whose past is looked at, with the map of today, if there is one.
 struct Past {

@@ -7,8 +7,8 @@
 #include <set>
 #include <unordered_map>
 
-#include "porttool/language/language.h"
 #include "porttool/read/git_repository.h"
+#include "porttool/read/source_glob.h"
 #include "porttool/read/traced_disk.h"
 #include "porttool/scan/scan.h"
 #include "porttool/snapshot/lock_store.h"
@@ -94,35 +94,6 @@ WantsFile wanted(const std::vector<std::string>& globs) {
     };
 }
 
-/// Of what globs match, what is read of it: as in the work tree, `src/*.inc` asks for that suffix, `src/*` for what is
-/// known to be source.
-class WantedSources {
-public:
-    void add(const std::vector<std::string>& globs) {
-        for (const std::string& text : globs) {
-            const bool names_suffix = text.find('.', text.find_last_of('/') + 1) != std::string::npos;
-            const One& one = globs_.emplace_back(One{Glob(text), names_suffix});
-            for (const std::string& folder : one.glob.roots()) folders_.push_back(clean_path(folder));
-        }
-    }
-    bool wants(const std::string& path) const {
-        return std::any_of(globs_.begin(), globs_.end(), [&](const One& one) {
-            const bool is_read = one.names_suffix || one.glob.literal() || language_of_path(path) != Language::Unknown;
-            return is_read && one.glob.matches(path);
-        });
-    }
-    /// The folders that hold all of it.
-    const std::vector<std::string>& folders() const { return folders_; }
-
-private:
-    struct One {
-        Glob glob;
-        bool names_suffix;
-    };
-    std::vector<One> globs_;
-    std::vector<std::string> folders_;
-};
-
 /// The files of one side that the map's pairs name.
 std::set<std::string> named_files(const MapFile& map, Side side) {
     std::set<std::string> out;
@@ -204,9 +175,9 @@ void add_files(MemoryDisk& disk, const std::string& root, GitFiles files) {
 /// The target side of another checkout: its HEAD where it knows no such revision.
 void add_other_checkout(Snapshot& snapshot) {
     const std::string root = target_root(snapshot.project);
-    WantedSources target;
+    SideGlobs target;
     target.add(snapshot.project.map.target);
-    const WantsFile wants = [&](const std::string& path) { return target.wants(path); };
+    const WantsFile wants = [&](const std::string& path) { return target.takes(path); };
     GitFiles files = ask_git(root, snapshot.at, wants, target.folders());
     if (snapshot.at.kind == Moment::Kind::MergeBase) {
         if (!files.error.empty()) {
@@ -222,13 +193,13 @@ void add_other_checkout(Snapshot& snapshot) {
 /// What git has of both sides, the map and the lock; of an index also the texts behind that.
 void fetch(Snapshot& snapshot) {
     const Project& project = snapshot.project;
-    WantedSources sides;
+    SideGlobs sides;
     sides.add(project.map.source);
     if (project.map.target_root.empty()) sides.add(project.map.target);
     const RecordPaths record(project);
     const bool texts = snapshot.at.kind == Moment::Kind::Index;
     const auto wants = [&](const std::string& path) {
-        if (sides.wants(path)) return true;
+        if (sides.takes(path)) return true;
         return record.in_commits &&
                (path == record.map || path == record.lock || (texts && path.starts_with(record.texts)));
     };

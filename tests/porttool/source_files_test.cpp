@@ -4,9 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "porttool/read/cannot_do.h"
+#include "porttool/read/source_glob.h"
 
 namespace porttool::source_files_test {
 namespace {
@@ -41,6 +43,25 @@ TEST(SourceFiles, GlobsThatMatchNothingAreNamed) {
     EXPECT_TRUE(unmatched.empty());
     read_globs(disk, "/r", {"lib/*.cl"}, unmatched);
     EXPECT_EQ(unmatched, Names{"lib/*.cl"});
+}
+
+// What a work tree gives for a glob, a commit gives as well.
+TEST(SourceFiles, CommitsAndTheWorkTreeAreReadByOneRule) {
+    MemoryDisk disk;
+    const Names all = {"src/a.cl", "src/b.inc", "src/KERNEL", "src/deep/c.cu", "src/deep/README", "other/d.cl"};
+    for (const std::string& path : all) disk.files["/r/" + path] = "x";
+    for (const std::string glob : {"src", "src/", "./src/*", "src/**", "src/*.inc", "src/*.{inc,cl}", "src/KERNEL",
+                                   "src/deep/README", "**", "."}) {
+        Names taken;
+        for (const std::string& path : all)
+            if (SideGlobs({glob}).takes(path)) taken.push_back(path);
+        std::sort(taken.begin(), taken.end());
+        std::vector<std::string> unmatched;
+        EXPECT_EQ(names(read_globs(disk, "/r", {glob}, unmatched)), taken) << glob;
+        EXPECT_FALSE(taken.empty()) << glob;
+    }
+    EXPECT_TRUE(SideGlobs({"src/KERNEL"}).takes("src/KERNEL")) << "named itself, whatever its suffix";
+    EXPECT_FALSE(SideGlobs({"src/*"}).takes("src/KERNEL"));
 }
 
 TEST(SourceFiles, MoreThanACheckoutHoldsIsRefused) {
