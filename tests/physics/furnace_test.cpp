@@ -92,7 +92,7 @@ struct Microfacets {
 
     /// Integral over the hemisphere of reflection * cosine, with `weight(F)` in place of the Fresnel term.
     double albedo(double cosine, const std::function<double(double)>& weight) const {
-        constexpr int N = 1500;
+        constexpr int N = 600;
         double sine = std::sqrt(1.0 - cosine * cosine);
         double sum = 0.0;
         for (int i = 0; i < N; ++i) {

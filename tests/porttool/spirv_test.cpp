@@ -235,14 +235,16 @@ TEST(OwnKernels, CompileForSpirv) {
     for (const auto& entry : std::filesystem::directory_iterator(root / "source_core/kernels"))
         files["source_core/kernels/" + entry.path().filename().string()] = read_text(entry.path());
     const ShaderFiles get = [&](const std::string& path) { return files.contains(path) ? &files[path] : nullptr; };
-    int kernels = 0;
+    int kernels = 0, with_main = 0;
     for (const auto& [path, text] : files) {
+        with_main += text.find("void main()") == std::string::npos ? 0 : 1;
         if (!stage_of_path(path)) continue;
         ++kernels;
         for (const std::string& preamble : map.map.shaders.preamble)
             EXPECT_EQ(compile_to_spirv(get, path, map.map.shaders.include, preamble).error, "") << path;
     }
-    EXPECT_EQ(kernels, 8);
+    EXPECT_EQ(kernels, with_main);
+    EXPECT_GT(kernels, 5);
 }
 
 /// Forty lines that ask for 2^39 times nothing.
