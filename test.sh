@@ -25,8 +25,7 @@ case "${1:-}" in
     "")
         configure release PORTTOOL_SANITIZED_TESTS=ON
         cmake --build --preset release --target all sanitized_tests
-        # One more than there are cores: a test that waits for a process or a window leaves its core to another.
-        ctest --preset release -j "$((jobs + 1))"
+        ctest --preset release -j "$jobs"
         ;;
     --tsan)
         configure tsan

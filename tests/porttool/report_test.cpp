@@ -465,7 +465,9 @@ TEST(Report, WhatCannotBeDoneIsExitCodeTwo) {
 /// What the page carries, unpacked by Python's zlib.
 json page_data(const std::string& page) {
     const size_t begin = page.find("id=\"data\">") + 10;
-    const std::filesystem::path folder = std::filesystem::temp_directory_path() / "porttool_report_page";
+    const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();  // two of them may run at once
+    const std::filesystem::path folder =
+        std::filesystem::temp_directory_path() / (std::string("porttool_report_page_") + test->name());
     std::filesystem::create_directories(folder);
     std::ofstream(folder / "packed") << page.substr(begin, page.find("</script>", begin) - begin);
     const std::string command = "cd '" + folder.string() +
