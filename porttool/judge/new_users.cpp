@@ -239,6 +239,7 @@ private:
     /// A new file of which nothing has a counterpart is one thing to decide on: its kernels are told, or else the first
     /// of its units that is.
     void find_new_files() {
+        if (units_.unported.empty()) return;
         std::map<std::string_view, size_t> size;
         std::map<std::string_view, std::vector<const UnitState*>> unported;
         for (const auto& [id, unit] : units_.all) size[unit.file] += unit.kind != UnitKind::File ? 1 : 0;
