@@ -5,7 +5,8 @@
 # packaging/try_in_roots.sh [SUITE...]: tries the release archive where nothing else is installed.
 # In a minimal root of each suite (bullseye, bookworm, jammy, noble) and in an empty one that holds the program and a
 # repository alone (no shell, /etc/passwd, /proc or /tmp), as a user that nobody knows and without HOME, it runs what a
-# gate runs and holds each exit code to what it must be. A maintainer runs it as root before a release; needs debootstrap
+# gate runs and holds each exit code to what it must be. In the suites it then runs the steps of action.yml and of
+# templates/porttool.yml on a clone of this repository, with the archive and with one that has a flipped bit. A maintainer runs it as root before a release; needs debootstrap
 # and the package mirrors, and keeps the roots in build/roots. DEBIAN_MIRROR and UBUNTU_MIRROR name other mirrors.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -116,13 +117,69 @@ try_root() {
     echo "$name: works"
 }
 
+# steps NAME FILE: the shell steps of a gate (github, gitlab) as one script.
+steps() {
+    python3 - "$1" >"$2" <<'END'
+import sys, yaml
+if sys.argv[1] == "github":
+    print("\n".join(step["run"] for step in yaml.safe_load(open("action.yml"))["runs"]["steps"])
+          .replace("# got", "PORTTOOL_PROGRAM=$program"))
+else:
+    print("\n".join(list(yaml.safe_load_all(open("templates/porttool.yml")))[1]["port-drift"]["script"]))
+END
+}
+
+# gate WANTED-EXIT SERVICE SHA256: runs the steps of a service in the root, on the clone in it.
+gate() {
+    local got=0
+    steps "$2" "$root/gate/steps.sh"
+    env -i PATH=/usr/bin:/bin PORTTOOL_ARCHIVE_URL="file:///gate/${archive##*/}" PORTTOOL_SHA256="$3" \
+        PORTTOOL_DIRECTORY=. PORTTOOL_BASE=HEAD~1 PORTTOOL_FORMAT=github PORTTOOL_ARGS=--trusted-map \
+        RUNNER_TEMP=/gate/temp PORTTOOL_TEMP=/gate/temp GITHUB_OUTPUT=/gate/temp/output GITHUB_PATH=/gate/temp/path \
+        CI_PROJECT_DIR=/gate/clone "$(command -v chroot)" --userspec=12345:12345 "$root" \
+        sh -e -c 'cd /gate/clone && . /gate/steps.sh' >"$work/out" 2>"$work/err" </dev/null || got=$?
+    [ "$got" -eq "$1" ] || wrong "the steps for $2: exit $got, not $1"
+}
+
+try_gates() {
+    name=$1 root=$2
+    local start=$SECONDS sum
+    sum=$(sha256sum <"$archive")
+    rm -rf "$root/gate"
+    mkdir -p "$root/gate/temp"
+    git clone -q --no-local --depth 20 "file://$PWD" "$root/gate/clone"
+    cp "$archive" "${archive%/*}/SHA256SUMS" "$root/gate"
+    chown -R 12345:12345 "$root/gate"
+    gate 0 github "${sum%% *}"
+    [ $((SECONDS - start)) -lt 15 ] || wrong "the job took $((SECONDS - start)) s from nothing to the verdict"
+    gate 0 github ""
+    gate 0 gitlab "${sum%% *}"
+    [ -s "$root/gate/clone/gl-code-quality-report.json" ] || wrong "no report"
+    python3 - "$root/gate/${archive##*/}" <<'END'
+import sys
+with open(sys.argv[1], "r+b") as file:
+    file.seek(100_000)
+    byte = file.read(1)[0]
+    file.seek(100_000)
+    file.write(bytes([byte ^ 1]))
+END
+    for sum in "${sum%% *}" ""; do
+        for service in github gitlab; do
+            gate 2 "$service" "$sum"
+            grep -q 'is not what it should be and was not unpacked' "$work/err" || wrong "another reason than the bit"
+        done
+    done
+    rm -rf "$root/gate"
+    echo "$name: the steps of both services work, and refuse a flipped bit"
+}
+
 failed=0
 mkdir -p "$work/empty"
 (try_root empty "$work/empty") || failed=1
 [ $# -gt 0 ] || set -- bullseye bookworm jammy noble
 for suite; do
     if make_root "$suite"; then
-        (try_root "$suite" "$roots/$suite") || failed=1
+        (try_root "$suite" "$roots/$suite" && try_gates "$suite" "$roots/$suite") || failed=1
     else
         echo "$suite: no root from the mirror, see $roots/$suite.log" >&2
         failed=1

@@ -57,6 +57,9 @@ private:
             action["disabled"] = {{"reason", why.empty() ? "nothing came of it" : why}};
         else if (creates && !(support_.creates_files && support_.document_changes))
             action["disabled"] = {{"reason", "the editor cannot create files; run: porttool sync --apply"}};
+        else if (!std::all_of(files.begin(), files.end(), [&](const WrittenFile& f) { return is_known(f); }))
+            action["disabled"] = {
+                {"reason", "the editor has another text open than was judged; save it, and open it again"}};
         if (action.contains("disabled")) {
             if (support_.disabled) actions_.push_back(std::move(action));
             return;
@@ -84,6 +87,12 @@ private:
     static std::string files_text(const std::vector<WrittenFile>& files) {
         return files.front().place.path +
                (files.size() > 1 ? fmt::format(" and {} more", files.size() - 1) : std::string());
+    }
+
+    /// Whether an edit of the file fits what the editor shows: not where that is not known.
+    bool is_known(const WrittenFile& file) const {
+        const auto open = documents_.find(absolute_path(join_path(file.place.root, file.place.path)));
+        return open == documents_.end() || open->second.is_followed;
     }
 
     Json workspace_edit(const std::vector<WrittenFile>& files) const {

@@ -174,13 +174,11 @@ Json LanguageServer::shut_down(const Json&) {
 }
 
 void LanguageServer::open(const Json& params) {
-    const std::string path = path_in(params);
+    const std::string path = path_in(params), text = string_at(params, {"textDocument", "text"});
     Document& document = documents_[path];
-    document = {string_at(params, {"textDocument", "uri"}), version_in(params),
-                string_at(params, {"textDocument", "text"})};
-    project_->disk().show(path, document.text);
+    document = {string_at(params, {"textDocument", "uri"}), version_in(params), ""};
     published_.erase(path);  // the editor may know it by another URI now
-    note_change();
+    show(path, document, {{std::nullopt, text}});
 }
 
 void LanguageServer::change(const Json& params) {
@@ -191,9 +189,17 @@ void LanguageServer::change(const Json& params) {
     if (!changes.is_array()) throw RequestError(ErrorCode::InvalidParams, "params.contentChanges: expected a list");
     std::vector<DocumentChange> all;
     for (const Json& one : changes) all.push_back(change_in(one));
-    for (const DocumentChange& one : all) apply_change(document->second.text, one);
     document->second.version = version_in(params);
-    project_->disk().show(path, document->second.text);
+    show(path, document->second, all);
+}
+
+void LanguageServer::show(const std::string& path, Document& document, const std::vector<DocumentChange>& changes) {
+    if (const std::string problem = apply_changes(document, changes); !problem.empty())
+        log(kInfoMessage, path + ": " + problem);
+    if (document.is_followed)
+        project_->disk().show(path, document.text);
+    else
+        project_->disk().show_saved(path);
     note_change();
 }
 

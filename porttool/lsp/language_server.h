@@ -67,6 +67,7 @@ private:
     void open(const Json& params);
     void change(const Json& params);
     void close(const Json& params);
+    void show(const std::string& path, Document& document, const std::vector<DocumentChange>& changes);
 
     /// The judgement of what is open now. Throws RequestError where there is none.
     const CheckedProject& judged();

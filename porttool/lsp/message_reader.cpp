@@ -52,6 +52,11 @@ bool MessageReader::read_head(std::optional<IncomingMessage>& problem) {
         std::string_view line(buffer_.data() + at, end - at);
         if (line.ends_with('\r')) line.remove_suffix(1);
         at = end + 1;
+        if (length && at > kMostHead && !line.empty()) {  // as where Content-Length comes again and again
+            buffer_.erase(0, at);
+            lose("the head of a message is too long");
+            return true;
+        }
         if (const auto found = length_in(line, is_lost_)) {
             if (!*found) {
                 buffer_.erase(0, at);

@@ -136,11 +136,12 @@ public:
     void measure_edits() {
         if (is_too_long("token_edit")) return;
         const std::vector<uint32_t> a = without_separators(shares_.a), b = without_separators(shares_.b);
-        constexpr uint64_t kMostCells = 4'000'000'000;
-        if (a.size() * b.size() > kMostCells)
-            out_.unmeasured["token_edit"] = "too long: above " + std::to_string(kMostCells) + " pairs of tokens";
+        const uint64_t longer = std::max(a.size(), b.size());
+        constexpr uint64_t kMostEdits = 8192;
+        if (const auto distance = metrics::edit_distance_within(a, b, kMostEdits))
+            out_.token_edit = 1.0 - static_cast<double>(*distance) / static_cast<double>(longer);
         else
-            out_.token_edit = metrics::edit_similarity(a, b);
+            out_.unmeasured["token_edit"] = "too different: above " + std::to_string(kMostEdits) + " edits";
     }
 
     void measure_trees(const Passage& a, const Passage& b, const Dialect& dialect) {

@@ -33,10 +33,11 @@ void in_parallel(size_t count, bool worthwhile, const Work& work) {
         }
     };
     constexpr size_t kMostThreads = 16;
-    const size_t cores = std::clamp<size_t>(std::thread::hardware_concurrency(), 1, kMostThreads);
+    // To count the cores is to read a file: not for what is done before that is.
+    const size_t cores = worthwhile ? std::clamp<size_t>(std::thread::hardware_concurrency(), 1, kMostThreads) : 1;
     std::vector<std::thread> threads;
     try {
-        for (size_t i = 1; worthwhile && i < std::min(cores, count); ++i) threads.emplace_back(run);
+        for (size_t i = 1; i < std::min(cores, count); ++i) threads.emplace_back(run);
     } catch (const std::system_error&) {
         // as where a container allows no more threads
     }

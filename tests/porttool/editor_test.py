@@ -435,7 +435,14 @@ class LspTest(Project):
         self.assertEqual(raw(b"\xff\xfe"), (None, -32700))
         self.assertEqual(raw(b"[" * 100000), (None, -32700))
         self.assertEqual(raw(b"{}", b"Content-Length: x\r\n\r\n"), (None, -32700))
+        deep = b'{"jsonrpc":"2.0","id":1,"method":"shutdown","params":' + b'{"a":' * 100000 + b"1" + b"}" * 100001
+        self.assertEqual(raw(deep), (None, -32700))
+        for length in (b"-1", b"18446744073709551616", b"1e3", b"5, 5"):
+            self.assertEqual(raw(b"{}", b"Content-Length: " + length + b"\r\n\r\n"), (None, -32700), length)
+            self.assertIsNone(client.request("textDocument/hover", self.at("src/k.glsl", 0, 0))["result"])  # found again
         self.assertEqual(raw(b"[]"), (None, -32600))
+        batch = [{"jsonrpc": "2.0", "id": i, "method": "shutdown"} for i in range(1000)]
+        self.assertEqual(raw(json.dumps(batch).encode()), (None, -32600))
         self.assertEqual(raw(b"7"), (None, -32600))
         self.assertEqual(raw(b'{"jsonrpc":"1.0","id":3,"method":"shutdown"}'), (3, -32600))
         self.assertEqual(raw(b'{"jsonrpc":"2.0","id":4}'), (4, -32600))
@@ -459,6 +466,51 @@ class LspTest(Project):
                                                       "position": {"line": 0, "character": 0}})
         self.assertIsNone(other["result"])
         self.assertEqual(client.leave(), 0)
+
+    def test_a_hostile_session_changes_no_file_and_shows_none_from_elsewhere(self):
+        outside = self.root.parent / "outside.glsl"
+        outside.write_text(SOURCE.replace("0.5f", "0.125f"))
+        (self.root / "src/link.glsl").symlink_to(outside)
+
+        def files():
+            return {path: path.read_bytes() for path in self.root.parent.rglob("*") if path.is_file()}
+
+        before = files()
+        client = self.client()
+        client.initialize()
+        told = []
+        for uri in ("file:///etc/passwd", self.uri("src/link.glsl"), self.uri("src") + "/../../outside.glsl",
+                    self.uri("src") + "/..%2f..%2foutside.glsl", self.uri(".git/config"), "file://host/etc/passwd",
+                    "file:/etc/passwd", "file:///%", "file:///%00", "file:///a%zz", "", "file:///dev/zero",
+                    "file:///" + "a/" * 5000, "file:///" + "a" * 100000):
+            document = {"uri": uri, "languageId": "glsl", "version": 1, "text": "float shade(float a) { return a; }"}
+            client.notify("textDocument/didOpen", {"textDocument": document})
+            for method in ("hover", "definition", "codeAction"):
+                got = client.request("textDocument/" + method, {
+                    "textDocument": document, "position": {"line": 0, "character": 6},
+                    "range": {"start": {"line": 0, "character": 0}, "end": {"line": 9, "character": 9}}})
+                told += [uri, got["result"]] if got["result"] else []
+        self.assertEqual(told, [])
+        [[leads_out]] = [found for found in client.diagnostics.values() if found]
+        self.assertEqual(leads_out["code"], "unreadable")
+        self.assertNotIn("float", json.dumps(leads_out))
+
+        for number in range(2000):
+            client.notify("textDocument/didOpen", {"textDocument": {
+                "uri": self.uri(f"elsewhere/{number}.glsl"), "version": 1, "text": SOURCE}})
+        self.open(client, "src/k.glsl", "{" * (8 << 20))
+        everywhere = {"start": {"line": 0, "character": 0}, "end": {"line": 2147483647, "character": 2147483647}}
+        changes = [{"range": everywhere, "text": "a"}, {"text": SOURCE}, {"range": dict(everywhere, end={
+            "line": 0, "character": 0}), "text": ""}]
+        client.notify("textDocument/didChange", {"textDocument": {"uri": self.uri("src/k.glsl"), "version": 2},
+                                                 "contentChanges": changes})
+        hover = client.request("textDocument/hover", self.at("src/k.glsl", 4, 6))["result"]
+        self.assertIn("State: in step", hover["contents"]["value"])
+        self.assertEqual(files(), before)
+        self.assertIsNone(client.request("shutdown")["result"])
+        self.assertEqual(client.request("shutdown")["error"]["code"], -32600)
+        client.notify("exit")
+        self.assertEqual(client.process.wait(10 * SLOW), 0)
 
     def test_waits_for_a_map_that_is_not_there_or_broken(self):
         map_text = (self.root / "portmap.toml").read_text()

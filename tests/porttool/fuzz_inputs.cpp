@@ -337,21 +337,22 @@ std::string command_fault(const FuzzInput& files, std::vector<const char*> argum
 }
 
 std::string source_fault(const FuzzInput& input) {
+    static const Dialect dialect;  // making it would be a third of a run
     std::vector<ScannedFile> files;
     for (const auto& [path, text] : input) files.push_back(scan_text(path, text));
     for (const ScannedFile& file : files)
         if (std::string fault = scan_fault(file); !fault.empty()) return fault;
-    const Matching matching = match_units({files[0]}, {files[1]}, {}, Dialect());
+    const Matching matching = match_units({files[0]}, {files[1]}, {}, dialect);
     for (const MatchedPair& pair : matching.pairs)
         if (!(pair.score >= 0 && pair.score <= 1)) return "a score outside 0 to 1 for " + pair.source;
-    const Similarity alike = measure({{&files[0], nullptr}}, {{&files[1], nullptr}}, Dialect());
+    const Similarity alike = measure({{&files[0], nullptr}}, {{&files[1], nullptr}}, dialect);
     for (const auto& figure : {alike.tiling, alike.token_edit, alike.tree_distance, alike.line_divergence})
         if (figure && !(*figure >= 0 && *figure <= 1)) return "a figure outside 0 to 1";
     for (size_t i = 0; i < std::min(files[0].units.size(), files[1].units.size()); ++i) {
         const NormalText old_text = unit_state(files[0], files[0].units[i]).text;
         const NormalText new_text = unit_state(files[1], files[1].units[i]).text;
         const Words before = old_text.words(), now = new_text.words();
-        if (!compare_edits({before, now, before, now}, Dialect(), {Language::Cuda, Language::Glsl}).equivalent)
+        if (!compare_edits({before, now, before, now}, dialect, {Language::Cuda, Language::Glsl}).equivalent)
             return "the same edit on both sides, unit " + std::to_string(i) + ", is not equivalent";
     }
     return "";

@@ -45,6 +45,25 @@ TEST(LspPositions, ChangesOfADocumentGoWhereTheyPoint) {
     EXPECT_EQ(text, "new");
 }
 
+TEST(LspPositions, WhatWouldTakeLongOrGrowBeyondASourceIsNoLongerFollowed) {
+    const std::string large(2 << 20, 'x');
+    const Range start = {{0, 0}, {0, 0}};
+    Document document = {"file:///a", 1, large};
+    EXPECT_EQ(apply_changes(document, {{start, "1"}, {start, "2"}}), "");
+    EXPECT_EQ(document.text, "21" + large);
+    const std::vector<DocumentChange> many(1000, {start, "3"});  // each goes through 2 MiB
+    EXPECT_NE(apply_changes(document, many), "");
+    EXPECT_FALSE(document.is_followed);
+    EXPECT_EQ(document.text, "");
+    EXPECT_EQ(apply_changes(document, {{start, "4"}}), "") << "told once";
+    EXPECT_EQ(document.text, "") << "where it would go is not known";
+    EXPECT_EQ(apply_changes(document, {{start, "5"}, {std::nullopt, "whole"}, {start, "6"}}), "");
+    EXPECT_EQ(document.text, "6whole");
+    EXPECT_TRUE(document.is_followed);
+    EXPECT_NE(apply_changes(document, std::vector<DocumentChange>(9, {start, large})), "");  // 18 MiB
+    EXPECT_FALSE(document.is_followed);
+}
+
 TEST(LspMessages, AreCutWhereverTheStreamIsAndFoundAgainAfterABadHead) {
     const std::string stream = framed("{\"a\":1}") + "Content-Type: x\r\ncontent-length:  2 \r\n\r\n[]" +
                                "Content-Length: two\r\n\r\n{\"lost\":0}" + framed("{}") + "no head\r\n\r\n" +
@@ -69,6 +88,16 @@ TEST(LspMessages, AreCutWhereverTheStreamIsAndFoundAgainAfterABadHead) {
     EXPECT_FALSE(endless.next());
     endless.add("\n" + framed("{}"));
     EXPECT_EQ(endless.next()->body, "{}");
+
+    MessageReader heads;  // nor are heads kept that never come to an end
+    size_t problems = 0;
+    for (int i = 0; i < 10'000; ++i) {
+        heads.add("Content-Length: 2\r\n");
+        while (const auto message = heads.next()) problems += message->problem.empty() ? 100 : 1;
+    }
+    EXPECT_EQ(problems, 1u);
+    heads.add("\r\n{}");
+    EXPECT_EQ(heads.next()->body, "{}");
 }
 
 TEST(LspUris, NameFilesOfThisMachineAlone) {

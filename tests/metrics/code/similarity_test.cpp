@@ -131,6 +131,31 @@ TEST(TokenEdit, AgreesWithTheTableAcrossBlocksOf64) {
     }
 }
 
+TEST(TokenEdit, ABandHoldsEveryEditOfItsWidthAndSaysWhereOneIsWider) {
+    std::mt19937 random(5);
+    for (int round = 0; round < 60; ++round) {
+        const Symbols a = random_symbols(random, 400 + random() % 700, round % 2 == 0 ? 3 : 300);
+        Symbols b = round % 5 == 0 ? random_symbols(random, 400 + random() % 700, 300) : a;
+        for (size_t edits = random() % 600; edits > 0 && b.size() > 200; --edits) {  // also blocks that moved far
+            const auto at = static_cast<ptrdiff_t>(random() % (b.size() - 100));
+            if (random() % 40 == 0)
+                std::rotate(b.begin() + at, b.begin() + at + 50, b.begin() + at + 100);
+            else if (random() % 3 == 0)
+                b.insert(b.begin() + at, random() % 300);
+            else
+                b.erase(b.begin() + at);
+        }
+        const uint64_t exact = edit_distance_by_table(a, b);
+        ASSERT_EQ(edit_distance(a, b), exact) << a.size() << " and " << b.size();
+        ASSERT_EQ(edit_distance_within(a, b, exact), exact);
+        EXPECT_TRUE(exact == 0 || !edit_distance_within(a, b, exact - 1));
+    }
+    EXPECT_EQ(edit_distance_within({}, letters("four"), 4), 4u);
+    EXPECT_EQ(edit_distance_within({}, letters("four"), 3), std::nullopt);
+    EXPECT_EQ(edit_distance(letters("four"), {}), 4u);
+    EXPECT_EQ(edit_distance({}, {}), 0u);
+}
+
 // --- tree edit distance
 
 /// f(d(a c(b)) e) and the like: a letter is a node, its children stand in parentheses behind it.
