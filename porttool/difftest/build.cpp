@@ -4,10 +4,12 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <charconv>
 #include <fstream>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 #include "porttool/difftest/bounded_process.h"
 #include "porttool/difftest/prelude.h"
@@ -26,9 +28,22 @@ void write_text(const std::string& path, const std::string& text) {
     if (!(file << text)) throw CannotDo("cannot write " + path + ": is the disk full?");
 }
 
+/// What a part uses without saying where it comes from: a compiler of kernels, or a header that is not here, brings it.
+std::set<std::string> unsaid_headers(std::string_view text) {
+    std::set<std::string> out;
+    constexpr std::array<std::pair<std::string_view, const char*>, 3> kBringers = {
+        {{"std::vector", "<vector>"}, {"std::string", "<string>"}, {"std::to_string", "<string>"}}};
+    for (const auto& [word, header] : kBringers)
+        if (text.find(word) != std::string_view::npos) out.insert(header);
+    return out;
+}
+
 std::string program_text(const std::vector<const ProgramPart*>& parts) {
     std::set<std::string> headers;
-    for (const ProgramPart* part : parts) headers.insert(part->headers.begin(), part->headers.end());
+    for (const ProgramPart* part : parts) {
+        headers.insert(part->headers.begin(), part->headers.end());
+        headers.merge(unsaid_headers(part->text));
+    }
     std::string out;
     for (const std::string& header : headers) out += "#include " + header + "\n";
     out += "#include \"vectors.h\"\n#include \"harness.h\"\n";

@@ -21,6 +21,7 @@ std::vector<std::string_view> fields_of_line(std::string_view line, size_t most)
 std::string reason_of(std::string_view why, std::string_view path) {
     const std::string where = path.empty() ? "what it returns" : std::string(path);
     if (why == "pointer" || why == "returned") return "pointer of unknown length: " + where;
+    if (why == "deep") return "a name of more than 1000 letters: " + where.substr(0, where.find_first_of(".["));
     if (why == "many") return "more than 2048 numbers: " + where.substr(0, where.find_first_of(".["));
     if (why == "union") return "a union: " + where;
     if (why == "layout") return "a type whose layout is not known: " + where;

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/render_system/gltf_file.h"
 
-#include <OpenImageIO/filesystem.h>
-#include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
 #include <stdlib.h>
+#include <zlib.h>
 
+#include <array>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
@@ -136,17 +136,30 @@ GltfFile one_triangle() {
 }
 
 std::string png(int width, int height, int channels, const std::vector<uint8_t>& pixels) {
-    const TempFolder folder;
-    const std::string name = folder / "image.png";
-    const auto output = OIIO::ImageOutput::create(name);
-    OIIO::ImageSpec spec(width, height, channels, OIIO::TypeDesc::UINT8);
-    spec.attribute("oiio:UnassociatedAlpha", 1);
-    if (channels == 2) spec.channelnames = {"Y", "A"};
-    if (channels == 2 || channels == 4) spec.alpha_channel = channels - 1;
-    if (!output->open(name, spec) || !output->write_image(OIIO::TypeDesc::UINT8, pixels.data()) || !output->close()) {
-        throw std::runtime_error("cannot write a PNG: " + output->geterror());
-    }
-    return read_file(name);
+    const auto word = [](size_t value) {
+        std::string bytes;
+        for (int shift = 24; shift >= 0; shift -= 8) bytes += static_cast<char>(value >> shift);
+        return bytes;
+    };
+    const auto zlib_bytes = [](const std::string& text) { return reinterpret_cast<const Bytef*>(text.data()); };
+    const auto chunk = [&](const std::string& name, const std::string& content) {
+        const std::string checked = name + content;
+        return word(content.size()) + checked + word(crc32(0, zlib_bytes(checked), static_cast<uInt>(checked.size())));
+    };
+    constexpr std::array<char, 5> kColorTypes = {0, 0, 4, 2, 6};  // by channels (PNG 1.2, 4.1.1)
+    const char depth = 8, color_type = kColorTypes.at(static_cast<size_t>(channels));
+    const size_t row = static_cast<size_t>(width) * static_cast<size_t>(channels);
+    std::string rows;
+    for (size_t y = 0; y < static_cast<size_t>(height); ++y)
+        rows += std::string(1, 0) + std::string(reinterpret_cast<const char*>(pixels.data()) + y * row, row);
+    uLongf length = compressBound(rows.size());
+    std::string packed(length, 0);
+    if (compress(reinterpret_cast<Bytef*>(packed.data()), &length, zlib_bytes(rows), rows.size()) != Z_OK)
+        throw std::runtime_error("cannot write a PNG");
+    packed.resize(length);
+    const std::string header =
+        word(static_cast<size_t>(width)) + word(static_cast<size_t>(height)) + depth + color_type + std::string(3, 0);
+    return "\x89PNG\r\n\x1a\n" + chunk("IHDR", header) + chunk("IDAT", packed) + chunk("IEND", "");
 }
 
 std::string png_uri(int width, int height, int channels, const std::vector<uint8_t>& pixels) {

@@ -15,12 +15,11 @@
 #include <sys/time.h>
 #include <unistd.h>
 
+#include <array>  // and with it std::min and its like, which many subjects use
 #include <csetjmp>
 #include <csignal>
 #include <cstdio>
-#include <string>
 #include <tuple>
-#include <vector>
 
 namespace porttool_harness {
 
@@ -48,28 +47,43 @@ const char* kind_of() {
         return sizeof(T) == 1 ? "u1" : sizeof(T) == 2 ? "u2" : sizeof(T) == 4 ? "u4" : "u8";
 }
 
-/// Prints a line for each number: direction, parameter, kind, path.
+/// Prints a line for each number: direction, parameter, kind, path. Without std::string, whose header would take longer
+/// to compile than most subjects.
 struct Lister {
     const char* direction;
     int param;
-    std::string path;
     size_t count = 0;
+    size_t length = 0;  ///< of `path`, and of what no longer fits
+    char path[1000] = {};
+
+    Lister(const char* direction_of, int number) : direction(direction_of), param(number) {}
 
     size_t enter(const char* name) {
-        const size_t before = path.size();
-        if (!path.empty() && name[0] != '[' && name[0] != 0) path += '.';
-        path += name;
+        const size_t before = length;
+        if (length > 0 && name[0] != '[' && name[0] != 0) append(".");
+        append(name);
         return before;
     }
-    void leave(size_t before) { path.resize(before); }
+    void leave(size_t before) {
+        length = before;
+        if (length < sizeof path) path[length] = 0;
+    }
     template <class T>
     void number(T&) {
         constexpr size_t kMost = 2048;  // more is nobody's input
         if (++count == kMost) unusable("many");
         if (count >= kMost) return;
-        std::printf("%s %d %s %s\n", direction, param, kind_of<T>(), path.c_str());
+        if (length >= sizeof path) return unusable("deep");
+        std::printf("%s %d %s %s\n", direction, param, kind_of<T>(), path);
     }
-    void unusable(const char* why) { std::printf("bad %d %s %s\n", param, why, path.c_str()); }
+    void unusable(const char* why) { std::printf("bad %d %s %s\n", param, why, path); }
+
+private:
+    void append(const char* text) {
+        const size_t more = std::strlen(text);
+        if (length + more < sizeof path) std::memcpy(path + length, text, more + 1);
+        length += more;
+    }
 };
 
 struct Loader {
@@ -345,11 +359,11 @@ struct Runner {
     static void list(const Param* params, const Globals& globals, bool has_answers, std::index_sequence<I...>) {
         std::tuple<Holder<A>...> held{Holder<A>(params[I].count)...};
         (list_in(std::get<I>(held), static_cast<int>(I), params[I].name), ...);
-        Lister in{"in", 9000, {}};
+        Lister in("in", 9000);
         globals(in);
         if (has_answers) std::printf("in 9999 u4 (answers)\n");
         if constexpr (!std::is_void_v<R>) {
-            Lister out{"out", -1, {}};
+            Lister out("out", -1);
             if constexpr (std::is_pointer_v<R>) {
                 out.unusable("returned");
             } else {
@@ -363,13 +377,13 @@ struct Runner {
     }
     template <class H>
     static void list_in(H& holder, int place, const char* name) {
-        Lister in{"in", place, {}};
+        Lister in("in", place);
         holder.visit(in, name);
     }
     template <class H>
     static void list_out(H& holder, int place, const char* name) {
         if constexpr (H::kOut) {
-            Lister out{"out", place, {}};
+            Lister out("out", place);
             holder.visit(out, name);
         }
     }
