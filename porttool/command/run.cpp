@@ -60,13 +60,13 @@ int run_command(const Options& options, Disk& disk, std::ostream& out, std::ostr
     return outcome.exit_code;
 }
 
-}  // namespace
-
-int run_porttool(int argc, const char* const* argv, Disk& disk, std::ostream& out, std::ostream& errors) {
+/// Runs what `parse` returns; every exception ends in exit 2 with a line.
+template <class Parse>
+int run_guarded(const Parse& parse, Disk& disk, std::ostream& out, std::ostream& errors) {
     TerminalBuffer printable(errors.rdbuf());  // what a message echoes never acts
     std::ostream err(&printable);
     try {
-        const ParsedOptions parsed = parse_options(argc, argv);
+        const ParsedOptions& parsed = parse();
         if (!parsed.done) return run_command(parsed.options, disk, out, err);
         err << parsed.err;
         if (!parsed.out.empty()) print(out, parsed.out);
@@ -83,6 +83,16 @@ int run_porttool(int argc, const char* const* argv, Disk& disk, std::ostream& ou
         err << "porttool: stopped by an error of its own; please report it\n";
     }
     return 2;
+}
+
+}  // namespace
+
+int run_porttool(int argc, const char* const* argv, Disk& disk, std::ostream& out, std::ostream& err) {
+    return run_guarded([&] { return parse_options(argc, argv); }, disk, out, err);
+}
+
+int run_porttool(const ParsedOptions& parsed, Disk& disk, std::ostream& out, std::ostream& err) {
+    return run_guarded([&]() -> const ParsedOptions& { return parsed; }, disk, out, err);
 }
 
 }  // namespace porttool

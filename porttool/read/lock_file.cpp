@@ -58,6 +58,18 @@ std::string encoded(const std::string& id) {
     return out;
 }
 
+/// The number of a mark, and the mark of a number.
+size_t mark_of(std::string_view digits) {
+    size_t mark = 0;
+    std::from_chars(digits.data(), digits.data() + digits.size(), mark, 16);
+    return mark;
+}
+
+std::array<char, kMarkDigits> digits_of(size_t mark) {
+    constexpr std::string_view kDigits = "0123456789abcdef";
+    return {kDigits[mark / 256], kDigits[mark / 16 % 16], kDigits[mark % 16]};
+}
+
 /// Undoes `encoded`. Any other percent sign stands for itself.
 std::string decoded(const std::string& field) {
     std::string out;
@@ -175,6 +187,11 @@ private:
 
     /// Takes in a line; what is wrong with it, or "".
     std::string take(const std::string& line) {
+        // Most lines of most locks, so before all else and without a word of memory.
+        if (lock_.version > 1 && number_ > 1 && is_hexadecimal(line, kMarkDigits)) {
+            marks_[mark_of(line)] = true;
+            return {};
+        }
         if (line.starts_with("<<<<<<<") || line.starts_with("=======") || line.starts_with(">>>>>>>"))
             return "a merge conflict is not resolved\nKeep one line for each pair, or take one side whole and run: "
                    "porttool accept --all";
@@ -183,10 +200,6 @@ private:
         if (line.starts_with(kNormalFormLine)) return take_normal_form(line);
         Fields fields = split(line);
         if (lock_.version > 1) {
-            if (is_hexadecimal(line, kMarkDigits)) {
-                marks_[std::stoul(line, nullptr, 16)] = true;
-                return {};
-            }
             if (is_hexadecimal(line, kLineKeyDigits)) return {};
             if (is_hexadecimal(fields[0], kLineKeyDigits)) fields.erase(fields.begin());  // one by hand may lack it
             if (fields.empty()) return unreadable(line);
@@ -279,10 +292,18 @@ public:
         lines_.insert(key);
         lines_.insert(key + "\t" + fact);
     }
-    std::string joined() {
-        for (size_t mark = 0; mark < kMarks; ++mark) lines_.insert(fmt::format("{:03x}", mark));
+    /// They and the marks, sorted.
+    std::string joined() const {
         std::string out;
-        for (const std::string& line : lines_) out += line + "\n";
+        auto line = lines_.begin();
+        for (size_t mark = 0; mark < kMarks; ++mark) {
+            const auto digits = digits_of(mark);
+            const std::string_view text(digits.data(), digits.size());
+            for (; line != lines_.end() && *line < text; ++line) out += *line + "\n";
+            out += text;
+            out += '\n';
+        }
+        for (; line != lines_.end(); ++line) out += *line + "\n";
         return out;
     }
 

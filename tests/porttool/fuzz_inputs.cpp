@@ -77,10 +77,14 @@ struct CommandResult {
     std::string out, err;
 };
 
+/// The arguments are parsed once: to parse them takes as long as to check a small repository.
 CommandResult run_command(MemoryDisk& disk, std::vector<const char*> arguments) {
+    static std::map<std::vector<std::string>, ParsedOptions> parsed;
     arguments.insert(arguments.begin(), {"porttool", "-C", "/r"});
+    const auto [known, is_new] = parsed.try_emplace({arguments.begin(), arguments.end()});
+    if (is_new) known->second = parse_options(static_cast<int>(arguments.size()), arguments.data());
     std::ostringstream out, err;
-    const int code = run_porttool(static_cast<int>(arguments.size()), arguments.data(), disk, out, err);
+    const int code = run_porttool(known->second, disk, out, err);
     return {code, out.str(), err.str()};
 }
 
