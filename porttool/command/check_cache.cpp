@@ -125,7 +125,7 @@ Outcome through_cache(const std::string& request, const std::string& directory, 
     }
     TracedDisk disk(place.disk, least_bytes_read());
     std::ostringstream said;
-    Workplace traced{disk, said, place.said};
+    Workplace traced{disk, said};
     Outcome outcome;
     try {
         outcome = work(traced);

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "porttool/command/commands.h"
+#include "porttool/command/output_file.h"
 #include "porttool/difftest/build_defines.h"
 #include "porttool/difftest/difftest.h"
 #include "porttool/judge/evidence.h"
@@ -133,6 +134,8 @@ Outcome run_difftest(const Options& options, Workplace& place) {
     if (options.records && !options.source.empty())
         throw CannotDo("--record marks pairs of portmap.toml; give it without --source and --target");
     require_macros(options.defines, "--define");
+    const std::string evidence = "--evidence " + terminal_text(options.evidence);
+    if (!options.evidence.empty()) require_output(options, evidence, options.evidence, place.disk);
     const Project project = read_snapshot(open_project(options, place, true), {}, place.disk, Depth::Scanned).project;
     require_macros(project.map.defines, project.map_name + ": [difftest] defines:");
     settings.defines = options.defines;
@@ -142,7 +145,7 @@ Outcome run_difftest(const Options& options, Workplace& place) {
     const std::vector<DifftestPair>& pairs = result.pairs;
     if (!options.evidence.empty())
         if (const std::string failure = place.disk.write(options.evidence, difftest_evidence(result)); !failure.empty())
-            throw CannotDo("--evidence " + terminal_text(options.evidence) + ": " + failure);
+            throw CannotDo(evidence + ": " + failure);
     std::string recorded;
     if (options.records) recorded = record_same(options, result, place);
     const auto is = [](DifftestState state) {

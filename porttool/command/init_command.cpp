@@ -13,6 +13,7 @@
 #include "porttool/match/match_sets.h"
 #include "porttool/read/clock.h"
 #include "porttool/snapshot/map_edit.h"
+#include "porttool/snapshot/merge_marks.h"
 #include "porttool/snapshot/snapshot.h"
 #include "porttool/text/sink/json.h"
 #include "porttool/text/sink/terminal.h"
@@ -121,6 +122,16 @@ std::string summary(const Matching& matching, const Project& project) {
            "today.\nNext: porttool check\n";
 }
 
+/// Throws CannotDo where a file with a pair holds the marks of a merge that is not finished.
+void require_finished_merges_of(const SetMatching& matching, const Project& project) {
+    BySide<std::set<std::string>> files;
+    for (const MatchedPair& pair : matching.pairs) {
+        files.source.insert(split_id(pair.source).first);
+        files.target.insert(split_id(pair.target).first);
+    }
+    require_finished_merges(project, files);
+}
+
 /// Looks at the pairs of a map that is there, and writes nothing.
 Outcome assess_map(const Options& options, Workplace& place) {
     const Snapshot now = read_snapshot(open_project(options, place, true), {}, place.disk);
@@ -132,6 +143,7 @@ Outcome assess_map(const Options& options, Workplace& place) {
 std::vector<NewPair> suggested_pairs(const Project& project) {
     const SetMatching matching = match_sets(project.source, project.target, settled_by(project.map),
                                             Dialect(project.map.dialect), TargetSets(project.map));
+    require_finished_merges_of(matching, project);
     std::vector<NewPair> out;
     for (const MatchedPair& pair : matching.pairs)
         if (pair.state == PairState::Suggested)
@@ -208,6 +220,7 @@ Outcome run_init(const Options& options, Workplace& place) {
         place.err << "skipped " << terminal_text(file.file) << ": " << terminal_text(file.reason) << "\n";
     const TargetSets sets(now.project.map);
     const SetMatching matching = match_sets(now.project.source, now.project.target, {}, Dialect(), sets);
+    require_finished_merges_of(matching, now.project);
     now.states = read_states(now.project);  // not before: what the matcher needs is as large
     LockFile lock = first_lock(matching, now.states, sets);
     tell_differences(accept_differences(lock, now.states, Dialect(), today()), place);

@@ -4,10 +4,10 @@
 
 #include <cerrno>
 #include <cstring>
-#include <filesystem>
 #include <new>
 
 #include "porttool/command/command_table.h"
+#include "porttool/command/output_file.h"
 #include "porttool/read/glob.h"
 #include "porttool/text/sink/terminal.h"
 #include "porttool/text/utf8.h"
@@ -33,30 +33,22 @@ void print(std::ostream& out, const std::string& text) {
 
 namespace {
 
-/// Where `-o` leads; the folder must be there, so that a slip of the pen makes no tree of folders. Throws CannotDo.
-std::string output_path(const Options& options, const Disk& disk) {
-    const std::string path = join_path(options.directory, options.output);
-    const std::string folder = std::filesystem::path(path).parent_path().generic_string();
-    if (!folder.empty() && !disk.is_directory(folder))
-        throw CannotDo("-o " + terminal_text(options.output) + ": there is no folder " + terminal_text(folder) +
-                       "; make it first");
-    return path;
-}
-
 /// Runs the command that was asked for; returns its exit code. Throws CannotDo.
 int run_command(const Options& options, Disk& disk, std::ostream& out, std::ostream& err) {
     if (!disk.is_directory(options.directory))
         throw CannotDo("-C " + terminal_text(options.directory) + ": no such folder; name one that exists");
     const bool to_file = !options.output.empty();
-    const std::string path = to_file ? output_path(options, disk) : std::string();
-    Workplace place{disk, err, {}, &out};
+    const std::string path = join_path(options.directory, options.output),
+                      option = "-o " + terminal_text(options.output);
+    if (to_file) require_output(options, option, path, disk);
+    Workplace place{disk, err, &out};
     const Outcome outcome = find_command(options.command)->run(options, place);
     // A source in Latin-1 must not break the format, unless the format is the source's own.
     const std::string text = outcome.is_exact ? outcome.text : as_utf8(outcome.text);
     if (!to_file)
         print(out, text);
     else if (const std::string failure = disk.write(path, text); !failure.empty())
-        throw CannotDo("-o " + terminal_text(options.output) + ": " + failure);
+        throw CannotDo(option + ": " + failure);
     return outcome.exit_code;
 }
 

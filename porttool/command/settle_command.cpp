@@ -39,8 +39,16 @@ void store(CheckedProject& checked, Disk& disk, const std::string* map_text = nu
     store_lock(checked.project, {checked.lock, checked.states, checked.texts, map_text, clears}, disk);
 }
 
+/// Throws CannotDo for an option of words that has none.
+void require_words(const char* option, const std::string& given, const char* what) {
+    if (given.find_first_not_of(" \t\n") == std::string::npos)
+        throw CannotDo(std::string(option) + " is empty; say " + what);
+}
+
 Outcome settle(const Options& options, Workplace& place, Verdict verdict) {
     require_format(options.format, {"text"});
+    require_words("--reason", options.reason, "why, for those who read it next year");
+    if (verdict == Verdict::Defer) require_words("--owner", options.owner, "who will do it");
     const auto guard = guard_lock(options, place);
     CheckedProject checked = check_project(options, place);
     follow_baseline(checked.lock, checked.judgement);

@@ -73,11 +73,12 @@ private:
         const std::chrono::duration<double, std::milli> took = WatchClock::now() - start;
         if (said_ != project_.said()) place_.err << project_.said() << std::flush;
         said_ = project_.said();
+        const bool is_judged_again = !error_.empty();
         error_.clear();
         const FindingChanges changes = changes_between(before_, now.findings, json_ ? Moves::Count : Moves::Pass);
         const WatchStep step{changes, now, files, milliseconds_since(start_), took.count()};
         std::string text = json_ ? watch_json(step) : watch_text(step, color_);
-        if (!json_ && !started_ && text.empty()) text = summary_text(now);
+        if (!json_ && (!started_ || is_judged_again) && text.empty()) text = summary_text(now);
         started_ = true;
         root_ = project_.last().project.root;
         if (!text.empty()) print(*place_.out, as_utf8(text));

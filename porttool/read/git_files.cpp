@@ -169,9 +169,11 @@ bool read_tree(const Walk& walk, const git_oid& commit_id) {
     return walk.out.error.empty();
 }
 
-/// How to get a revision that is not here.
-std::string fetch_command(const std::string& revision) {
+/// How to get a revision that is not here. Of a shallow clone all is missing that HEAD~1 and its like are counted from.
+std::string fetch_command(const std::string& revision, bool is_shallow) {
     const std::string remote = "origin/";
+    if (is_shallow && revision.find_first_of("~^@:") != std::string::npos)
+        return "git fetch --unshallow (in CI: fetch-depth: 0)";
     if (revision.starts_with('-')) return "git fetch origin";  // no option to git
     if (revision.starts_with(remote)) return "git fetch origin " + shell_word(revision.substr(remote.size()));
     return "git fetch origin " + shell_word(revision) + ", and then use --base FETCH_HEAD";
@@ -191,8 +193,8 @@ GitFiles GitRepository::files_at_base(const std::string& revision, const WantsFi
     if (git_revparse_single(&found, repository, (revision + "^{commit}").c_str()) != 0)
         return {{},
                 {},
-                "--base " + terminal_text(revision) +
-                    ": no such revision here\nFetch it first: " + terminal_text(fetch_command(revision))};
+                "--base " + terminal_text(revision) + ": no such revision here\nFetch it first: " +
+                    terminal_text(fetch_command(revision, git_repository_is_shallow(repository) != 0))};
     const Object base(found);
     if (git_merge_base(&merge_base, repository, git_object_id(base.get()), &head) != 0)
         return {{},

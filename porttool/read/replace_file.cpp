@@ -83,8 +83,11 @@ std::string replace_in(int folder, const std::string& name, const std::string& b
 }
 
 std::string append(const std::string& path, const std::string& bytes) {
-    const Descriptor file(::open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC));
-    return file.valid() ? put_bytes(file, bytes) : cannot_be_written(errno);
+    // At first without waiting, since a pipe that nobody reads would be waited for without end.
+    const Descriptor file(::open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC | O_NONBLOCK));
+    if (!file.valid()) return errno == ENXIO ? "is a pipe that nobody reads" : cannot_be_written(errno);
+    (void)::fcntl(file.get(), F_SETFL, O_APPEND);
+    return put_bytes(file, bytes);
 }
 
 /// What a path of the user's leads to over its links.

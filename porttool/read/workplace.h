@@ -3,7 +3,6 @@
 #pragma once
 
 #include <ostream>
-#include <set>
 #include <string>
 
 #include "porttool/read/disk.h"
@@ -14,13 +13,7 @@ namespace porttool {
 struct Workplace {
     Disk& disk;
     std::ostream& err;
-    std::set<std::string> said = {};
     std::ostream* out = nullptr;  ///< stdout, for a command whose results come while it runs
-
-    /// Says it unless it was said before, as a map may be read twice.
-    void say_once(const std::string& text) {
-        if (said.insert(text).second) err << text;
-    }
 };
 
 }  // namespace porttool

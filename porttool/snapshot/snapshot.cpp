@@ -12,6 +12,7 @@
 #include "porttool/read/traced_disk.h"
 #include "porttool/scan/scan.h"
 #include "porttool/snapshot/lock_store.h"
+#include "porttool/snapshot/merge_marks.h"
 #include "porttool/text/parallel.h"
 #include "porttool/text/sink/terminal.h"
 
@@ -92,17 +93,6 @@ WantsFile wanted(const std::vector<std::string>& globs) {
     return [compiled = std::vector<Glob>(globs.begin(), globs.end())](const std::string& path) {
         return std::any_of(compiled.begin(), compiled.end(), [&](const Glob& glob) { return glob.matches(path); });
     };
-}
-
-/// The files of one side that the map's pairs name.
-std::set<std::string> named_files(const MapFile& map, Side side) {
-    std::set<std::string> out;
-    for (const MapPair& pair : map.pairs) {
-        if (side == Side::Source) out.insert(split_id(pair.source).first);
-        for (const std::string& target : pair.targets)
-            if (side == Side::Target) out.insert(split_id(target).first);
-    }
-    return out;
 }
 
 /// One side as it stands in the work tree.
@@ -281,6 +271,7 @@ Snapshot read_snapshot(Project project, const Moment& at, const Disk& on_disk, D
     else
         read_from_git(out, nullptr);
     out.written = {};
+    if (at.kind != Moment::Kind::MergeBase) require_finished_merges(out.project);
     if (depth == Depth::Normal) out.states = read_states(out.project);
     return out;
 }
@@ -288,6 +279,7 @@ Snapshot read_snapshot(Project project, const Moment& at, const Disk& on_disk, D
 Snapshot read_snapshot_again(Project project, Snapshot last, const Disk& on_disk) {
     Snapshot out{std::move(project), {}, {Moment::Kind::WorkTree}, "", {}, &on_disk, std::move(last.written)};
     const BySide<std::set<std::string>> same = read_work_tree(out, last.project);
+    require_finished_merges(out.project);
     const bool same_pairs = last.project.map_text == out.project.map_text;  // which whole files are units
     out.states = same_pairs ? read_states(out.project, std::move(last.states), same) : read_states(out.project);
     return out;

@@ -48,8 +48,9 @@ FileText map_text_at(const Project& project, const Moment& at, const Disk& on_di
 FileText map_text_of(const Snapshot& snapshot);
 
 /// The ONE way to read a project. Both sides are read under its map as it is in `project`, whose files are read anew.
-/// In a work tree each glob must match something, in an index each side. Of another checkout git is asked for the same
-/// revision, or for its HEAD. Throws CannotDo.
+/// In a work tree each glob must match something, in an index each side, and in both no file with a pair may hold the
+/// marks of a merge that is not finished. Of another checkout git is asked for the same revision, or for its HEAD.
+/// Throws CannotDo.
 Snapshot read_snapshot(Project project, const Moment& at, const Disk& on_disk, Depth depth = Depth::Normal);
 
 /// The same of a work tree that was read before: what stands as it stood is not scanned again. Throws CannotDo.

@@ -46,7 +46,6 @@ public:
     static std::optional<size_t> type_word(const std::vector<std::string>& words);
     /// Whatever the source has before a function's type, what most ports have there.
     std::optional<std::string> any_marks() const;
-    bool has_functions() const { return !marks_.empty(); }
     /// True if the ports say that of such words in several ways.
     bool disagree_on_marks(const HeadWords& source) const { return said(marks_, source) && !marks(source); }
     bool disagree_on_type(const HeadWords& source) const { return said(types_, source) && !type(source); }

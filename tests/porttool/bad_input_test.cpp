@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a person gets wrong: exit code 2, one or two lines (and a caret) that name the place, and nothing written.
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include "tests/porttool/fixtures.h"
 #include "tests/porttool/run_command.h"
@@ -98,6 +99,71 @@ TEST(BadInput, AFileThatGoesAwayWhileReadingIsNamed) {
     ASSERT_EQ(report["findings"].size(), 1u);
     EXPECT_EQ(report["findings"][0]["rule"], "unreadable");
     EXPECT_EQ(report["findings"][0]["source"]["file"], "src/gone.cu");
+}
+
+TEST(BadInput, TwoTextsOfAMergeAreNoText) {
+    const auto merged = [](const std::string& text) {
+        return replaced(text, "  float c = a * b;\n",
+                        "<<<<<<< HEAD\n  float c = a * b;\n=======\n  float c = a + b;\n>>>>>>> other\n");
+    };
+    const MemoryDisk disk = started(kSource, kTarget);
+    for (const char* file : {"/r/src/k.cu", "/r/port/k.comp"}) {
+        MemoryDisk unfinished = disk;
+        unfinished.files[file] = merged(unfinished.files[file]);
+        for (const auto& command :
+             std::vector<std::vector<std::string>>{{"check"}, {"accept", "--all", "--force"}, {"sync"}, {"init"}}) {
+            const std::string message = error_of(unfinished, command);
+            if (command[0] == "init") continue;  // which there is a lock for
+            EXPECT_TRUE(says(message, std::string(file).substr(3) + ":2: holds the marks of a merge")) << message;
+        }
+        unfinished.files.erase("/r/portmap.toml");
+        unfinished.files.erase("/r/portmap.lock");
+        EXPECT_TRUE(says(error_of(unfinished, {"init", "--source", "src/*", "--target", "port/*"}), "of a merge"));
+    }
+    MemoryDisk finished = disk;  // one mark alone is none, nor are all three where no line begins with them
+    finished.files["/r/src/k.cu"] += "/*\n=======\n>>>>>>> b\n  <<<<<<< a\n*/\n";
+    EXPECT_EQ(run(finished, {"-C", "/r", "check"}).exit_code, 0);
+    finished = disk;  // and a file without a pair may hold what it likes
+    finished.files["/r/src/other.cu"] =
+        merged("__device__ int more(int a, int b) {\n  float c = a * b;\n return a;\n}\n");
+    EXPECT_NE(run(finished, {"-C", "/r", "check"}).exit_code, 2);
+}
+
+TEST(BadInput, NoOutputTakesThePlaceOfAnInput) {
+    const MemoryDisk disk = started(kSource, kTarget);
+    for (const auto& [file, what] : {std::pair("portmap.toml", "is the map"), std::pair("portmap.lock", "is the lock"),
+                                     std::pair("src/k.cu", "is a source"), std::pair("port/k.comp", "is a port")}) {
+        EXPECT_TRUE(says(error_of(disk, {"check", "-o", file}), what)) << file;
+        EXPECT_TRUE(says(error_of(disk, {"difftest", "--evidence", std::string("/r/") + file}), what)) << file;
+    }
+    EXPECT_TRUE(says(error_of(disk, {"compare", "src/k.cu", "port/k.comp", "-o", "src/k.cu"}), "would be lost"));
+    MemoryDisk written = disk;
+    EXPECT_EQ(run(written, {"-C", "/r", "check", "-o", "src/k.json"}).exit_code, 0);  // which no side reads
+    EXPECT_EQ(run(written, {"-C", "/r", "check", "-o", "src/k.json"}).exit_code, 0);
+    EXPECT_TRUE(written.files.contains("/r/src/k.json"));
+}
+
+TEST(BadInput, APipeThatNobodyReadsIsNotWaitedFor) {
+    const auto folder = std::filesystem::temp_directory_path() / ("porttool_pipe_" + std::to_string(::getpid()));
+    std::filesystem::create_directories(folder);
+    ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
+    std::ofstream(folder / "k.cu") << kSource;
+    RealDisk disk;
+    const CommandRun got = run(disk, {"-C", folder.string(), "scan", "k.cu", "-o", "pipe"});
+    EXPECT_EQ(got.exit_code, 2);
+    EXPECT_TRUE(says(got.err, "-o pipe: is a pipe that nobody reads")) << got.err;
+    std::filesystem::remove_all(folder);
+}
+
+TEST(BadInput, AReasonHasWords) {
+    const MemoryDisk disk = started(kSource, kTarget);
+    EXPECT_TRUE(says(error_of(disk, {"ignore", "src/k.cu:shade", "--reason", " "}), "--reason is empty"));
+    EXPECT_TRUE(
+        says(error_of(disk, {"defer", "src/k.cu:shade", "--owner", "", "--until", "2999-01-01", "--reason", "b"}),
+             "--owner is empty"));
+    MemoryDisk mapped = disk;
+    mapped.files["/r/portmap.toml"] += "[[ignore]]\nid = \"src/k.cu:shade\"\nreason = \"\"\n";
+    EXPECT_TRUE(says(error_of(mapped, {"check"}), "'reason' is empty"));
 }
 
 TEST(BadInput, LoopsOfLinksPipesAndLargeFilesAreSkippedAndNamed) {

@@ -178,6 +178,8 @@ TEST_F(Git, AShallowCloneWithoutTheMergeBaseNamesTheRemedyAndTheRemedyHelps) {
         "'");
     const std::string clone = beside("other").string();
     EXPECT_EQ(check({}, clone)["verdict"], "drift") << "the lock needs no history";
+    const std::string missing = error_of({"--base", "HEAD~1"}, clone);
+    EXPECT_NE(missing.find("git fetch --unshallow"), std::string::npos) << missing;
     const std::string error = error_of({"--base", "origin/main"}, clone);
     EXPECT_NE(error.find("fetch-depth: 0"), std::string::npos) << error;
     ASSERT_NE(error.find("git fetch --unshallow"), std::string::npos) << error;

@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/command/output_file.h"
+
+#include <filesystem>
+#include <sstream>
+
+#include "porttool/read/glob.h"
+#include "porttool/read/source_glob.h"
+#include "porttool/snapshot/lock_store.h"
+#include "porttool/snapshot/project.h"
+#include "porttool/text/sink/terminal.h"
+
+namespace porttool {
+namespace {
+
+/// A path without links and detours, so that one file has one.
+std::string plain_path(const std::string& path) {
+    std::error_code error;
+    const std::filesystem::path plain = std::filesystem::weakly_canonical(path, error);
+    return error ? path : plain.generic_string();
+}
+
+/// A project as far as its map tells of it; one whose map cannot be read is told of by the command itself.
+Project named_project(const Options& options, Disk& disk) {
+    Project project;
+    std::ostringstream unsaid;
+    Workplace place{disk, unsaid};
+    try {
+        find_map(project, options, disk);
+        if (!project.globs_given || !options.config.empty()) load_map(project, options, place);
+    } catch (const CannotDo&) {
+        return project;
+    }
+    if (project.globs_given) {
+        project.map.source = options.source;
+        project.map.target = options.target;
+    }
+    return project;
+}
+
+/// What a file is to a project, or "".
+std::string part_of_project(const Options& options, const std::string& file, Disk& disk) {
+    const Project project = named_project(options, disk);
+    const auto is = [&](const std::string& path) { return file == plain_path(path); };
+    if (is(project.map_path)) return "is the map";
+    if (!project.map_path.empty() && is(lock_path(project))) return "is the lock";
+    const TreePath texts = beside_map(project, "portmap.base");
+    if (file.starts_with(plain_path(join_path(texts.root, texts.path)) + "/")) return "is one of the lock's texts";
+    const auto takes = [&](const std::vector<std::string>& globs, const std::string& root) {
+        return SideGlobs(globs).takes(path_below(plain_path(root), file));
+    };
+    if (takes(project.map.source, project.root)) return "is a source";
+    if (takes(project.map.target, target_root(project))) return "is a port";
+    return {};
+}
+
+}  // namespace
+
+void require_output(const Options& options, const std::string& option, const std::string& path, Disk& disk) {
+    const std::string folder = std::filesystem::path(path).parent_path().generic_string();
+    if (!folder.empty() && !disk.is_directory(folder))
+        throw CannotDo(option + ": there is no folder " + terminal_text(folder) + "; make it first");
+    if (!disk.exists(path)) return;
+    const std::string file = plain_path(absolute_path(path));
+    std::string what = part_of_project(options, file, disk);
+    for (const std::string& read : options.paths)
+        if (what.empty() && file == plain_path(absolute_path(join_path(options.directory, read)))) what = "is read";
+    if (!what.empty()) throw CannotDo(option + " " + what + ", which would be lost; name another file");
+}
+
+}  // namespace porttool
