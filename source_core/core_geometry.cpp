@@ -274,6 +274,7 @@ private:
 
     void build_mesh_trees() {
         mesh_trees_.resize(meshes_.size());
+        tables_.plan.mesh_slots.resize(meshes_.size());
         for (uint32_t m = 0; m < meshes_.size(); ++m) {
             if (!needs_tree_[m]) {
                 continue;
@@ -292,7 +293,10 @@ private:
             result.is_empty = primitives.empty();
             result.tree = build_wide_tree(std::move(primitives), threads_, MESH_STACK_LIMIT);
             result.first_slot = static_cast<uint32_t>(tables_.triangles.size() / TRIANGLE_ROWS);
+            std::vector<uint32_t>& slots = tables_.plan.mesh_slots[m];
+            slots.assign(mesh.triangles.size(), render_system::NONE);
             for (const uint32_t primitive : result.tree.order) {
+                slots[primitive] = static_cast<uint32_t>(tables_.triangles.size() / TRIANGLE_ROWS);
                 add_slot(triangle_of(mesh, primitive), primitive, render_system::NONE, mesh);
             }
             mesh_stack_need_ = std::max(mesh_stack_need_, ENTER_INSTANCE_STACK + result.tree.stack_need);
@@ -323,8 +327,10 @@ private:
         baked.reserve(most);
         primitives.reserve(most + recorded_.size());
         tables_.triangles.reserve(tables_.triangles.size() + most * TRIANGLE_ROWS);
+        tables_.plan.baked_slots.resize(instances_.size());
         for (const uint32_t i : baked_) {
             const uint32_t count = static_cast<uint32_t>(meshes_[instances_[i].mesh].triangles.size());
+            tables_.plan.baked_slots[i].assign(count, render_system::NONE);
             for (uint32_t primitive = 0; primitive < count; ++primitive) {
                 const Triangle triangle = place({i, primitive});
                 if (is_reachable(triangle)) {
@@ -347,6 +353,8 @@ private:
                                         : build_one_tree(std::move(primitives), records);
         const uint32_t first_slot = static_cast<uint32_t>(tables_.triangles.size() / TRIANGLE_ROWS);
         for (const uint32_t id : layered_ ? still_.order : scene.order) {
+            tables_.plan.baked_slots[baked[id].instance][baked[id].primitive] =
+                static_cast<uint32_t>(tables_.triangles.size() / TRIANGLE_ROWS);
             add_slot(place(baked[id]), baked[id].primitive, baked[id].instance,
                      meshes_[instances_[baked[id].instance].mesh]);
         }
@@ -560,16 +568,17 @@ private:
         if (plan.tree.nodes.size() > plan.node_room) {
             return false;
         }
-        patch_mesh(mesh, plan);
+        patch_mesh(mesh, plan, plan_.mesh_slots[m]);
         return true;
     }
 
-    void patch_mesh(const CoreMeshCopy& mesh, const MeshPlan& plan) {
+    void patch_mesh(const CoreMeshCopy& mesh, const MeshPlan& plan, std::vector<uint32_t>& slots) {
         std::vector<WideNode> nodes;
         append_nodes(plan.tree.nodes, plan.first_node, plan.first_slot, nodes);
         patch(BINDING_NODES, plan.first_node, nodes);
         std::vector<glm::vec4> triangles;
         for (const uint32_t primitive : plan.tree.order) {
+            slots[primitive] = plan.first_slot + static_cast<uint32_t>(triangles.size() / TRIANGLE_ROWS);
             append_slot(triangle_of(mesh, primitive), opacity_of_(mesh.triangles[primitive].w, mesh.has_colors),
                         primitive, render_system::NONE, triangles);
         }

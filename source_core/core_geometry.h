@@ -70,6 +70,15 @@ struct GeometryPlan {
     glm::vec3 still_upper{0.0f};
     glm::vec3 still_extent{0.0f};
     uint32_t top_stack = 0;  ///< entries that a walk through the top may need
+
+    std::vector<std::vector<uint32_t>> baked_slots;  ///< by instance that is baked, the slot of each triangle
+    std::vector<std::vector<uint32_t>> mesh_slots;   ///< by mesh that has a tree, the same
+
+    /// The slot of a triangle that can be met.
+    uint32_t slot_of(uint32_t instance, uint32_t mesh, uint32_t primitive) const {
+        const std::vector<uint32_t>& baked = baked_slots[instance];
+        return baked.empty() ? mesh_slots[mesh][primitive] : baked[primitive];
+    }
 };
 
 /// The tables that follow from meshes and instances, ready for upload.

@@ -31,6 +31,7 @@ VkFormat table_format(uint32_t table) {
     switch (table) {
         case BINDING_MESH_TRIANGLES:
         case BINDING_TEXTURES:
+        case BINDING_COINCIDENT:
             return VK_FORMAT_R32G32B32A32_UINT;
         case BINDING_TANGENTS:
         case BINDING_TEXELS:

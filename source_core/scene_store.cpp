@@ -168,6 +168,36 @@ bool SceneStore::move_geometry(uint32_t threads) {
     return true;
 }
 
+// What lies in one place; after an update only what moved is looked at.
+void SceneStore::find_coincident(bool anew) {
+    std::vector<PlacedMesh> scene(instances_.size());
+    std::vector<uint32_t> changed = moved_;
+    for (uint32_t i = 0; i < instances_.size(); ++i) {
+        const CoreInstance& instance = instances_[i];
+        if (instance.mesh == NONE || meshes_[instance.mesh].triangles.empty()) {
+            continue;
+        }
+        const CoreMeshCopy& mesh = meshes_[instance.mesh];
+        scene[i] = {&mesh.positions[0].x, &mesh.triangles[0].x, static_cast<uint32_t>(mesh.triangles.size()),
+                    instance.transform.rows};
+        if (std::count(deformed_.begin(), deformed_.end(), instance.mesh) > 0) {
+            changed.push_back(i);
+        }
+    }
+    if (anew) {
+        coincident_.find(scene);
+    } else {
+        coincident_.follow(scene, changed);
+    }
+    coincident_rows_ = pack_coincident(coincident_.entries(), [this](const TriangleName& name) {
+        const uint32_t mesh = instances_[name.instance].mesh;
+        const uint32_t material = meshes_[mesh].triangles[name.primitive].w;
+        return CoincidentTriangle{geometry_.plan.slot_of(name.instance, mesh, name.primitive),
+                                  opacity_function()(material, meshes_[mesh].has_colors)};
+    });
+    mark({BINDING_COINCIDENT});
+}
+
 Status SceneStore::build(uint32_t threads) {
     if (materials_changed_) {
         update_opacities();
@@ -179,6 +209,7 @@ Status SceneStore::build(uint32_t threads) {
         return Status::success();
     }
     const auto start = std::chrono::steady_clock::now();
+    const bool anew = geometry_changed_;
     // What is half done by an update that fails is overwritten by a build.
     geometry_changed_ = geometry_changed_ || !move_geometry(threads);
     if (geometry_changed_) {
@@ -186,6 +217,7 @@ Status SceneStore::build(uint32_t threads) {
             return status;
         }
     }
+    find_coincident(anew);
     const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - start;
     build_ms_ = taken.count();
     geometry_changed_ = false;
@@ -227,6 +259,8 @@ std::span<const std::byte> SceneStore::rows(uint32_t table) const {
             return bytes(tables_.sky_table);
         case BINDING_LOBE_ENERGY:
             return bytes(tables_.lobe_energy);
+        case BINDING_COINCIDENT:
+            return bytes(coincident_rows_);
         default:
             return {};
     }
@@ -257,7 +291,7 @@ void SceneStore::describe(Settings& settings) const {
 
 uint32_t SceneStore::features() const {
     return material_features(materials_) | light_features_ | geometry_.features |
-           (sky_width_ > 0 ? FEATURE_SKY_MAP : 0u);
+           (sky_width_ > 0 ? FEATURE_SKY_MAP : 0u) | (coincident_.empty() ? 0u : FEATURE_COINCIDENT);
 }
 
 }  // namespace source_core

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "render_system/coincident.h"
 #include "render_system/core_data.h"
 #include "render_system/status.h"
 #include "source_core/core_geometry.h"
@@ -57,6 +58,7 @@ private:
     void update_opacities();
     render_system::Status rebuild_geometry(uint32_t threads);
     bool move_geometry(uint32_t threads);
+    void find_coincident(bool anew);
     OpacityOf opacity_function() const;
     uint64_t plain_table_bytes() const;
 
@@ -65,6 +67,8 @@ private:
     std::vector<render_system::CoreMaterial> materials_;
     SceneTables tables_;
     GeometryTables geometry_;
+    render_system::CoincidentSurfaces coincident_;
+    std::vector<glm::uvec4> coincident_rows_;
     MovingParts moving_;
     std::vector<uint32_t> moved_;     // instances, since the last build
     std::vector<uint32_t> deformed_;  // meshes

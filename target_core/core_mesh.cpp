@@ -241,6 +241,26 @@ void CoreMeshes::place(std::span<const CoreMaterial> materials, float reach) {
     assign_bins(geometry_);
 }
 
+void CoreMeshes::find_coincident(CoincidentSurfaces& surfaces) const {
+    std::vector<PlacedMesh> scene(geometry_.size());
+    std::vector<uint> changed = edits_.moved;
+    for (uint i = 0; i < geometry_.size(); ++i) {
+        const InstanceGeometry& geometry = geometry_[i];
+        if (geometry.triangle_count == 0) continue;
+        const Mesh& mesh = meshes_[geometry.mesh];
+        const glm::vec4* rows = geometry.baked ? nullptr : placed_[i].transform.rows;
+        scene[i] = {&geometry.positions->x, &geometry.triangles->x, geometry.triangle_count, rows};
+        if (mesh.deforms && std::count(edits_.deformed.begin(), edits_.deformed.end(), geometry.mesh) > 0) {
+            changed.push_back(i);
+        }
+    }
+    if (edits_.shape) {
+        surfaces.find(scene);
+    } else {
+        surfaces.follow(scene, changed);
+    }
+}
+
 bool CoreMeshes::passing_changed(std::span<const CoreMaterial> materials) const {
     for (const InstanceGeometry& geometry : geometry_) {
         if (geometry.triangle_count > 0 &&

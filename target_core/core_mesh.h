@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "render_system/coincident.h"
 #include "render_system/core_data.h"
 #include "target_core/device/instance_geometry.h"
 #include "target_core/kernels/layout.h"
@@ -40,6 +41,9 @@ public:
     /// still. `reach` is the largest coordinate from which rays may come, where exact mode's boxes are to be padded for
     /// it.
     void place(std::span<const render_system::CoreMaterial> materials, float reach = 0.0f);
+
+    /// Finds what lies in one place, or follows the edits since the last `settle`. After `place`.
+    void find_coincident(render_system::CoincidentSurfaces& surfaces) const;
 
     /// True if some instance's rays-may-pass mark would change with these materials: the scene must be placed anew.
     bool passing_changed(std::span<const render_system::CoreMaterial> materials) const;

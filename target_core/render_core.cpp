@@ -16,7 +16,6 @@
 #include "render_system/embree_probe.h"
 #include "target_core/core_mesh.h"
 #include "target_core/core_tables.h"
-#include "target_core/device/coincident.h"
 #include "target_core/device/embree_scene.h"
 #include "target_core/device/kernel_texts.h"
 #include "target_core/frame.h"
@@ -69,6 +68,7 @@ private:
 
     Settings frame_settings(const ViewPyramid& view) const;
     Settings filter_settings(const ViewPyramid& view) const;
+    void pack_coincident_rows();
     void make_filter(const CoreFilter& filter);
     Frame frame_of(const ViewPyramid& view);
     void gather_guides(Frame& frame, uint first_sample, uint samples);
@@ -82,6 +82,8 @@ private:
     std::vector<float> opacities_;
     CoreMeshes meshes_;
     EmbreeScene embree_;
+    CoincidentSurfaces coincident_;
+    std::vector<uvec4> coincident_rows_;
     std::optional<tbb::global_control> parallelism_;
     std::optional<tbb::task_arena> arena_;
     std::vector<vec4> accumulator_;  // sums of all samples
@@ -173,6 +175,7 @@ Status TargetCore::prepare() {
     if (geometry_dirty_) {
         auto start = std::chrono::steady_clock::now();
         meshes_.place(materials_, ray_reach_);
+        meshes_.find_coincident(coincident_);  // before the tree, whose memory it does not need
         std::string message;
         bool built = false;
         const GeometryEdits& edits = meshes_.edits();
@@ -194,12 +197,26 @@ Status TargetCore::prepare() {
         for (const CoreMaterial& material : materials_) {
             opacities_.push_back(opacity_code(material, meshes_.has_colors()));
         }
+        pack_coincident_rows();
     }
     geometry_dirty_ = false;
     materials_dirty_ = false;
     features_ = material_features(materials_) | light_features_ | meshes_.features(materials_) |
-                (sky_width_ > 0 ? FEATURE_SKY_MAP : 0u);
+                (sky_width_ > 0 ? FEATURE_SKY_MAP : 0u) | (coincident_.empty() ? 0u : FEATURE_COINCIDENT);
     return Status::success();
+}
+
+// Here a triangle's handle is its number in the mesh.
+void TargetCore::pack_coincident_rows() {
+    coincident_rows_.clear();
+    const auto triangle_of = [this](const TriangleName& name) {
+        const InstanceGeometry& geometry = meshes_.geometry()[name.instance];
+        const float opacity = geometry.lets_rays_pass ? opacities_[geometry.triangles[name.primitive].w] : 1.0f;
+        return CoincidentTriangle{name.primitive, opacity};
+    };
+    for (const glm::uvec4& row : pack_coincident(coincident_.entries(), triangle_of)) {
+        coincident_rows_.push_back(uvec4(row.x, row.y, row.z, row.w));
+    }
 }
 
 Settings TargetCore::frame_settings(const ViewPyramid& view) const {
@@ -259,6 +276,7 @@ Bindings TargetCore::bindings() {
     bindings.sky_texels = tables_.sky_texels.data();
     bindings.sky_table = tables_.sky_table.data();
     bindings.lobe_energy = tables_.lobe_energy.data();
+    bindings.coincident = coincident_rows_.data();
     bindings.opacities = opacities_.data();
     bindings.geometry = meshes_.geometry().data();
     bindings.scene = embree_.scene();
@@ -277,7 +295,7 @@ Status TargetCore::reach_for(const ViewPyramid& view) {
     const glm::vec3 far = glm::abs(view.eye);
     const float reach = std::max({far.x, far.y, far.z});
     // Within four times the scene what boxes are padded by for themselves has been enough.
-    const bool is_near = reach <= std::max(ray_reach_, 4.0f * largest_coordinate(embree_.scene()));
+    const bool is_near = reach <= std::max(ray_reach_, 4.0f * embree_.largest_coordinate());
     if (!options().exact || is_near) return Status::success();
     ray_reach_ = 2.0f * reach;  // so that an eye on the move does not build anew at every step
     geometry_dirty_ = true;
@@ -335,7 +353,7 @@ uint64_t TargetCore::host_bytes() const {
            bytes(filter_picture_) + bytes(planes_) + bytes(motions_) + bytes(history_) + bytes(history_before_) +
            bytes(tables_.materials) + bytes(tables_.texture_slots) + bytes(tables_.textures) + bytes(tables_.texels) +
            bytes(tables_.lights) + bytes(tables_.light_table) + bytes(tables_.sky_texels) + bytes(tables_.sky_table) +
-           bytes(tables_.lobe_energy);
+           bytes(tables_.lobe_energy) + bytes(coincident_rows_);
 }
 
 // The camera rays of these samples, whose guides are added to those there are.
@@ -400,6 +418,8 @@ void TargetCore::close() {
     embree_.close();
     meshes_ = {};
     tables_ = {};
+    coincident_ = {};
+    coincident_rows_ = {};
     accumulator_ = {};
     guides_ = {};
     filter_picture_ = {};

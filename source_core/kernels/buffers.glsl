@@ -61,6 +61,7 @@ TABLE_light_table(vec4, textureBuffer, WORDS, light_table, BINDING_LIGHT_TABLE)
 TABLE_sky_texels(vec4, textureBuffer, WORDS, sky_texels, BINDING_SKY_TEXELS)
 TABLE_sky_table(vec4, textureBuffer, WORDS, sky_table, BINDING_SKY_TABLE)
 TABLE_lobe_energy(vec4, textureBuffer, WORDS, lobe_energy, BINDING_LOBE_ENERGY)
+TABLE_coincident(uvec4, utextureBuffer, WORDS, coincident, BINDING_COINCIDENT)
 
 // ---- Path state and queues. All buffers are declared alike; the host marks those that a kernel does not write (or
 // does not read) in the compiled module. ----

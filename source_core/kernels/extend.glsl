@@ -4,8 +4,8 @@
 #ifndef EXTEND_GLSL
 #define EXTEND_GLSL
 
+#include "coincident.glsl"
 #include "sky.glsl"
-#include "trace.glsl"
 
 void shade_sky(Uint path, vec3 direction, Throughput throughput, Mask where) {
     SkyLookup sky = look_up_sky(direction);
@@ -19,6 +19,9 @@ void extend_path(Uint job) {
     Rows rows = rows_from(path);
     PathRay path_ray = load_path_ray(rows);
     Hit hit = trace_closest(path_ray.ray, path);
+    if (has_feature(FEATURE_COINCIDENT)) {
+        hit = lowest_in_place(path_ray.ray, hit, path);
+    }
     Mask missed = hit.instance == NONE;
     push_surface_job(uvec4(path, hit.instance, hit.triangle, 0u), !missed);
     if (any_lane(missed)) {

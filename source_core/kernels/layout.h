@@ -113,6 +113,11 @@ const uint LIGHT_SKY = 4u;
 // light_table, sky_table: one row per entry: threshold, alias as bits, probability, unused.
 // sky_texels: one row per texel: radiance.rgb, probability of the texel in sky_table.
 
+// coincident: what lies in one place, uvec4 rows. Row 0: mask of the hash table that follows, row of the first partner.
+// The hash table, by hash_pair of the first two: instance, trace's handle, row of the first bin, bins along a side of u
+// and v; instance NONE: empty. The bins, u fastest: first partner, partners. The partners, in each bin the lowest
+// (instance, primitive) first: instance, trace's handle, primitive, opacity as bits.
+
 // ---- Features of the scene: kernels leave out what a scene does not need. ----
 
 const uint FEATURE_INSTANCES = 1u;       // some meshes are not in world space
@@ -132,6 +137,7 @@ const uint FEATURE_LOBE_TEXTURES = 8192u;  // something of sheen, coat or film f
 const uint FEATURE_COAT = 16384u;
 const uint FEATURE_FILM = 32768u;
 const uint FEATURE_VOLUME = 65536u;  // some solid absorbs light
+const uint FEATURE_COINCIDENT = 131072u;  // some triangles lie in one place
 
 const uint NONE = 0xFFFFFFFFu;
 

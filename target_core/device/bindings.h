@@ -27,6 +27,7 @@ struct Bindings {
     const vec4* sky_texels = nullptr;
     const vec4* sky_table = nullptr;
     const vec4* lobe_energy = nullptr;
+    const uvec4* coincident = nullptr;
     const float* opacities = nullptr;  // per material; negative: needs texture or vertex colour
     const InstanceGeometry* geometry = nullptr;
     RTCScene scene = nullptr;

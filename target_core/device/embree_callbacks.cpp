@@ -51,6 +51,15 @@ constexpr float PAD_SCALE = 4.76837158203125e-7f;
 // Room for rounding in the triangle test, in proportion to the coordinates.
 float pad(float low, float high) { return 1.0e-5f * std::max(std::fabs(low), std::fabs(high)) + 1.0e-30f; }
 
+PackedVertex world_vertex(const InstanceGeometry& geometry, uint index) {
+    PackedVertex p = geometry.positions[index];
+    if (geometry.baked) {
+        return p;
+    }
+    vec3 w = transform_point(geometry.rows[0], geometry.rows[1], geometry.rows[2], vec3(p.x, p.y, p.z));
+    return {w.x, w.y, w.z};
+}
+
 RTCBounds box_of(const InstanceGeometry& geometry, uint primitive) {
     uvec4 corners = geometry.triangles[primitive];
     PackedVertex a = world_vertex(geometry, corners.x);
@@ -75,15 +84,6 @@ RTCBounds box_of(const InstanceGeometry& geometry, uint primitive) {
 }
 
 }  // namespace
-
-PackedVertex world_vertex(const InstanceGeometry& geometry, uint index) {
-    PackedVertex p = geometry.positions[index];
-    if (geometry.baked) {
-        return p;
-    }
-    vec3 w = transform_point(geometry.rows[0], geometry.rows[1], geometry.rows[2], vec3(p.x, p.y, p.z));
-    return {w.x, w.y, w.z};
-}
 
 void filter_by_alpha(const RTCFilterFunctionNArguments* arguments) {
     // Nothing is bound while the limit is measured: that traces Embree alone.
@@ -115,12 +115,6 @@ void bound_triangle(const RTCBoundsFunctionArguments* arguments) {
     *arguments->bounds_o = box_of(*static_cast<const InstanceGeometry*>(arguments->geometryUserPtr), arguments->primID);
 }
 
-void bound_shared_triangle(const RTCBoundsFunctionArguments* arguments) {
-    const auto& shared = *static_cast<const SharedTriangles*>(arguments->geometryUserPtr);
-    const SharedTriangle& triangle = shared.triangles[arguments->primID];
-    *arguments->bounds_o = box_of(shared.geometry[triangle.instance], triangle.primitive);
-}
-
 void intersect_exactly(const RTCIntersectFunctionNArguments* arguments) {
     if (!arguments->valid[0]) {
         return;
@@ -149,48 +143,6 @@ void occlude_exactly(const RTCOccludedFunctionNArguments* arguments) {
     Candidate candidate = test_candidate(context_of(arguments->context), 0, arguments->geomID, arguments->primID);
     if (candidate.met && candidate.test.t < ray->tfar) {
         ray->tfar = -std::numeric_limits<float>::infinity();
-    }
-}
-
-void intersect_shared_triangle(const RTCIntersectFunctionNArguments* arguments) {
-    if (!bound.geometry) return;  // as in filter_by_alpha
-    KeepDenormals keep;
-    const auto& shared = *static_cast<const SharedTriangles*>(arguments->geometryUserPtr);
-    const auto [instance, primitive] = shared.triangles[arguments->primID];
-    const TraceContext& context = context_of(arguments->context);
-    const uint count = arguments->N;
-    RTCRayN* rays = RTCRayHitN_RayN(arguments->rayhit, count);
-    RTCHitN* hits = RTCRayHitN_HitN(arguments->rayhit, count);
-    for (uint i = 0; i < count; ++i) {
-        if (arguments->valid[i] != -1) continue;
-        const Candidate candidate = test_candidate(context, RTCRayN_id(rays, count, i), instance, primitive);
-        float& far = RTCRayN_tfar(rays, count, i);
-        uint& geometry = RTCHitN_geomID(hits, count, i);
-        uint& placed = RTCHitN_instID(hits, count, i, 0);
-        const uint best = placed != RTC_INVALID_GEOMETRY_ID ? placed : geometry;
-        const bool lower = instance < best || (instance == best && primitive < RTCHitN_primID(hits, count, i));
-        const bool tied = candidate.test.t == far && best != RTC_INVALID_GEOMETRY_ID && lower;
-        if (!candidate.met || !(candidate.test.t < far || tied)) continue;
-        far = candidate.test.t;
-        geometry = instance;
-        placed = RTC_INVALID_GEOMETRY_ID;
-        RTCHitN_primID(hits, count, i) = primitive;
-    }
-}
-
-void occlude_shared_triangle(const RTCOccludedFunctionNArguments* arguments) {
-    if (!bound.geometry) return;
-    KeepDenormals keep;
-    const auto& shared = *static_cast<const SharedTriangles*>(arguments->geometryUserPtr);
-    const auto [instance, primitive] = shared.triangles[arguments->primID];
-    const TraceContext& context = context_of(arguments->context);
-    const uint count = arguments->N;
-    for (uint i = 0; i < count; ++i) {
-        if (arguments->valid[i] != -1) continue;
-        const uint lane = RTCRayN_id(arguments->ray, count, i);
-        const Candidate candidate = test_candidate(context, lane, instance, primitive);
-        float& far = RTCRayN_tfar(arguments->ray, count, i);
-        if (candidate.met && candidate.test.t < far) far = -std::numeric_limits<float>::infinity();
     }
 }
 

@@ -4,9 +4,7 @@
 
 #include <embree3/rtcore.h>
 
-#include <span>
-
-#include "target_core/device/coincident.h"
+#include "target_core/device/instance_geometry.h"
 
 namespace target_core {
 
@@ -20,18 +18,5 @@ void filter_by_alpha(const RTCFilterFunctionNArguments* arguments);
 void bound_triangle(const RTCBoundsFunctionArguments* arguments);
 void intersect_exactly(const RTCIntersectFunctionNArguments* arguments);
 void occlude_exactly(const RTCOccludedFunctionNArguments* arguments);
-
-/// The same in native mode, for as many rays as Embree brings, over the triangles that share a surface: the geometry's
-/// user data are a SharedTriangles.
-struct SharedTriangles {
-    std::span<const InstanceGeometry> geometry;
-    std::vector<SharedTriangle> triangles;
-};
-void bound_shared_triangle(const RTCBoundsFunctionArguments* arguments);
-void intersect_shared_triangle(const RTCIntersectFunctionNArguments* arguments);
-void occlude_shared_triangle(const RTCOccludedFunctionNArguments* arguments);
-
-/// A vertex of an instance in world space.
-PackedVertex world_vertex(const InstanceGeometry& geometry, uint index);
 
 }  // namespace target_core

@@ -4,8 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
-
-#include "target_core/device/coincident.h"
+#include <cmath>
 
 namespace target_core {
 
@@ -140,22 +139,11 @@ bool EmbreeScene::check(std::string& message) {
 bool EmbreeScene::build(std::span<const InstanceGeometry> geometry, bool exact, bool alive, std::string& message) {
     auto start = std::chrono::steady_clock::now();
     release_scenes();
-    shared_ = {geometry, {}};
-    thinned_.clear();
     alive_ = alive && !exact;
     has_baked_ = std::any_of(geometry.begin(), geometry.end(), [](const InstanceGeometry& instance) {
         return instance.baked && instance.triangle_count > 0;
     });
-    // What moves would take its place among them anew.
-    if (!exact && !alive) shared_.triangles = find_shared_triangles(geometry);
-    if (shared_.triangles.empty()) {
-        attach_all(geometry, exact);
-    } else {
-        const std::vector<InstanceGeometry> rest = without_shared(geometry);
-        attach_all(rest, false);
-        attach_shared();
-        rtcCommitScene(scene_);
-    }
+    attach_all(geometry, exact);
     build_ms_ = milliseconds_since(start);
     return check(message);
 }
@@ -176,39 +164,11 @@ void EmbreeScene::attach_all(std::span<const InstanceGeometry> geometry, bool ex
     rtcCommitScene(scene_);
 }
 
-// Embree reads the triangles by their numbers, so those that stand elsewhere stay as triangles without an area.
-std::vector<InstanceGeometry> EmbreeScene::without_shared(std::span<const InstanceGeometry> geometry) {
-    std::vector<InstanceGeometry> rest(geometry.begin(), geometry.end());
-    std::vector<SharedTriangle> all;
-    thinned_.resize(geometry.size());
-    for (const SharedTriangle& shared : shared_.triangles) {
-        const InstanceGeometry& whole = geometry[shared.instance];
-        if (whole.baked) {
-            std::vector<uvec4>& triangles = thinned_[shared.instance];
-            if (triangles.empty()) triangles.assign(whole.triangles, whole.triangles + whole.triangle_count);
-            uvec4& triangle = triangles[shared.primitive];
-            triangle = uvec4(triangle.x, triangle.x, triangle.x, triangle.w);
-            all.push_back(shared);
-            rest[shared.instance].triangles = triangles.data();
-        } else if (rest[shared.instance].triangle_count > 0) {
-            rest[shared.instance].triangle_count = 0;
-            for (uint i = 0; i < whole.triangle_count; ++i) all.push_back({shared.instance, i});
-        }
-    }
-    shared_.triangles = std::move(all);
-    return rest;
-}
-
-void EmbreeScene::attach_shared() {
-    RTCGeometry attached = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_USER);
-    rtcSetGeometryUserPrimitiveCount(attached, static_cast<uint>(shared_.triangles.size()));
-    rtcSetGeometryUserData(attached, &shared_);
-    rtcSetGeometryBoundsFunction(attached, bound_shared_triangle, nullptr);
-    rtcSetGeometryIntersectFunction(attached, intersect_shared_triangle);
-    rtcSetGeometryOccludedFunction(attached, occlude_shared_triangle);
-    rtcCommitGeometry(attached);
-    rtcAttachGeometryByID(scene_, attached, static_cast<uint>(shared_.geometry.size()));
-    rtcReleaseGeometry(attached);
+float EmbreeScene::largest_coordinate() const {
+    RTCBounds box;
+    rtcGetSceneBounds(scene_, &box);
+    const float lower = std::max({std::fabs(box.lower_x), std::fabs(box.lower_y), std::fabs(box.lower_z)});
+    return std::max({lower, std::fabs(box.upper_x), std::fabs(box.upper_y), std::fabs(box.upper_z)});
 }
 
 bool EmbreeScene::update(std::span<const InstanceGeometry> geometry, std::span<const uint> moved,

@@ -16,10 +16,8 @@ namespace target_core {
 /// Embree's device and the acceleration structure over all instances. Move-only by being held in place.
 ///
 /// Native mode: a baked instance is a triangle mesh of the top scene, other instances refer to one scene per mesh.
-/// Triangles that share a surface with another are taken out of these and stand in a geometry of their own, whose id is
-/// the number of instances, under the shared triangle test; an instance of a mesh with others goes there as a whole.
-/// Exact mode: every instance is user geometry in world space that runs the shared triangle test over padded boxes;
-/// other geometry ids are instance numbers in both.
+/// Exact mode: every instance is user geometry in world space that runs the shared triangle test over padded boxes.
+/// Geometry ids are instance numbers in both.
 class EmbreeScene {
 public:
     EmbreeScene() = default;
@@ -43,17 +41,17 @@ public:
     bool update(std::span<const InstanceGeometry> geometry, std::span<const uint> moved, std::span<const uint> deformed,
                 std::span<const uint> worn, std::string& message);
 
-    /// Whether `update` will not do: what is baked was built to stand still, or surfaces in one place were taken out.
-    bool stands_still() const { return (has_baked_ && !alive_) || !shared_.triangles.empty(); }
+    /// Whether `update` will not do: what is baked was built to stand still.
+    bool stands_still() const { return has_baked_ && !alive_; }
+
+    /// Of the scene's box, in magnitude.
+    float largest_coordinate() const;
 
     RTCScene scene() const { return scene_; }
     RTCDevice device() const { return device_; }
 
     /// Wall time of Embree's part of the last build.
     double build_ms() const { return build_ms_; }
-
-    /// How many triangles share a surface with another.
-    size_t shared_triangles() const { return shared_.triangles.size(); }
 
     /// Bytes that Embree holds now.
     uint64_t memory_bytes() const { return static_cast<uint64_t>(memory_.load(std::memory_order_relaxed)); }
@@ -64,15 +62,11 @@ private:
     RTCGeometry triangle_geometry(const InstanceGeometry& geometry);
     void attach(const InstanceGeometry& geometry, uint instance, bool exact);
     void attach_all(std::span<const InstanceGeometry> geometry, bool exact);
-    void attach_shared();
-    std::vector<InstanceGeometry> without_shared(std::span<const InstanceGeometry> geometry);
     bool check(std::string& message);
 
     RTCDevice device_ = nullptr;
     RTCScene scene_ = nullptr;
     std::vector<RTCScene> mesh_scenes_;  // by mesh, null where not needed
-    SharedTriangles shared_;
-    std::vector<std::vector<uvec4>> thinned_;  // by instance: its triangles, those that share a surface without an area
     bool has_baked_ = false;
     bool alive_ = false;
     std::atomic<int64_t> memory_{0};

@@ -3,8 +3,8 @@
 // Kind: twin of source_core/kernels/extend.glsl.
 #pragma once
 
+#include "target_core/kernels/coincident.h"
 #include "target_core/kernels/sky.h"
-#include "target_core/kernels/trace.h"
 
 namespace target_core::kernels {
 
@@ -20,6 +20,9 @@ inline void extend_path(Uint job) {
     Rows rows = rows_from(path);
     PathRay path_ray = load_path_ray(rows);
     Hit hit = trace_closest(path_ray.ray, path);
+    if (has_feature(FEATURE_COINCIDENT)) {
+        hit = lowest_in_place(path_ray.ray, hit, path);
+    }
     Mask missed = hit.instance == NONE;
     push_surface_job(uvec4(path, hit.instance, hit.triangle, 0u), !missed);
     if (any_lane(missed)) {

@@ -90,13 +90,18 @@ bool core_available(const std::string& core, std::string& reason) {
 
 void close_cores() { open_cores.clear(); }
 
-Reading measure(const std::string& core, const HostScene& scene, const ViewPyramid& view, const Exposure& exposure) {
+Reading measure(const std::string& core, const HostScene& scene, const ViewPyramid& view, const Exposure& exposure,
+                const SceneEdit& edit) {
     std::vector<glm::vec4> pixels(size_t{exposure.size} * exposure.size);
     RenderSystem system(scene);
     EXPECT_TRUE(open(core).ok());
     OpenCore& opened = open_cores[core];
     system.use_core(take_cleared(opened));
     EXPECT_TRUE(system.core().SetTarget({exposure.size, exposure.size, pixels}).ok());
+    if (edit) {
+        EXPECT_TRUE(system.render(view, Convergence::Restart, 1).ok());
+        edit(system.scene());
+    }
     double means[SEEDS];
     for (int seed = 0; seed < SEEDS; ++seed) {
         CoreSettings settings;

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -34,9 +35,12 @@ bool core_available(const std::string& core, std::string& reason);
 /// Gives the cores back that the readings of a suite share.
 void close_cores();
 
-/// Renders the scene with 16 seeds, roulette off, and averages.
+/// What happens to a scene after its first picture.
+using SceneEdit = std::function<void(render_system::HostScene&)>;
+
+/// Renders the scene with 16 seeds, roulette off, and averages; where there is an `edit`, after that.
 Reading measure(const std::string& core, const render_system::HostScene& scene, const render_system::ViewPyramid& view,
-                const Exposure& exposure);
+                const Exposure& exposure, const SceneEdit& edit = {});
 
 /// A view along `forward` from `eye` with that full vertical angle in radians, square.
 render_system::ViewPyramid square_view(const glm::vec3& eye, const glm::vec3& target, float angle);
