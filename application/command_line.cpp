@@ -115,7 +115,10 @@ Invocation parse_command_line(std::span<const std::string> arguments) {
     const Command* command = word != nullptr ? find_command(*word) : nullptr;
     if (word != nullptr && command == nullptr) return usage_error("pathtracer", unknown_command(*word));
     const CLI::App* used = command != nullptr ? app.get_subcommand(command->name) : &app;
+    const size_t words_before = words.size();
     if (command != nullptr && command->name == "compare") invocation.options.images_b = take_second_set(words);
+    if (words.size() < words_before && invocation.options.images_b.empty())
+        return usage_error("pathtracer compare", "--: no image files behind it; give --bias A... -- B...");
     const std::string where = command != nullptr ? "pathtracer " + command->name : "pathtracer";
 
     try {

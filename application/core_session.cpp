@@ -136,11 +136,11 @@ Status CoreSession::render_up_to(uint32_t samples, const std::string& label) {
     ProgressBar bar(console_, label);
     while (true) {
         const CoreStats now = stats();
-        if (now.samples >= samples) return Status::success();
+        if (now.samples >= samples || (interrupt_ && interrupt_->signal() != 0)) return Status::success();
         bar.show(now.samples, samples, rays(now), now.total_ms * 1e-3);
         const auto left = static_cast<uint32_t>(samples - now.samples);
         uint32_t portion = left;
-        if (console_.shows_progress()) {
+        if (console_.shows_progress() || interrupt_) {
             const double sample_ms = std::max(now.total_ms / static_cast<double>(now.samples), 1e-3);
             portion = static_cast<uint32_t>(std::clamp(PORTION_MS / sample_ms, 1.0, static_cast<double>(left)));
         }
@@ -148,12 +148,13 @@ Status CoreSession::render_up_to(uint32_t samples, const std::string& label) {
     }
 }
 
-std::string explain(const Status& status) {
+std::string explain(const Status& status, bool other_core) {
     std::string line = status.message;
     std::replace(line.begin(), line.end(), '\n', ' ');
     if (status.code != StatusCode::out_of_memory) return line;
     // A core with a budget is the source core; the target core has all of the machine's memory.
-    const bool budget = status.allowed_bytes > 0, tried = line.find("core target") != std::string::npos;
+    const bool budget = status.allowed_bytes > 0;
+    const bool tried = !other_core || line.find("core target") != std::string::npos;
     if (budget) line += tried ? "; raise --gpu-memory-limit" : "; use --core target, or raise --gpu-memory-limit";
     if (!budget || tried) line += "; or give a smaller scene or --size";
     return line;

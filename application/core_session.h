@@ -10,6 +10,7 @@
 #include "application/console.h"
 #include "application/options.h"
 #include "application/picture.h"
+#include "application/sampling/interrupt.h"
 #include "application/sampling/sample_sums.h"
 #include "application/scene_setup.h"
 #include "render_system/core_choice.h"
@@ -34,9 +35,13 @@ public:
     render_system::Status restart(uint32_t seed, uint32_t samples);
 
     /// Renders on until the picture has `samples` samples in all; the bar moves from `samples_before` up. Where a bar
-    /// is shown, samples come in portions of about a quarter of a second, which changes no bit of the picture.
+    /// is shown or a signal heard, samples come in portions of about a quarter of a second, which changes no bit of the
+    /// picture.
     render_system::Status render_up_to(uint32_t samples) { return render_up_to(samples, stats().core); }
     render_system::Status render_up_to(uint32_t samples, const std::string& label);
+
+    /// From then on render_up_to ends early, and with success, where a signal came.
+    void stop_on(const KeptInterrupt* interrupt) { interrupt_ = interrupt; }
 
     /// Brings an animated scene to `seconds`, and the view with it where that is a camera of the scene.
     render_system::Status show(double seconds);
@@ -92,6 +97,7 @@ private:
     render_system::PathWatch* watch_ = nullptr;
     uint32_t seed_;
     SampleSums* sums_ = nullptr;
+    const KeptInterrupt* interrupt_ = nullptr;
     uint32_t first_sample_ = 0;
     bool restart_ = false;  // with the next samples
     bool only_tries_ = false;
@@ -101,7 +107,7 @@ private:
 /// What the options ask of any core.
 render_system::CoreSettings core_settings(const Options& options, uint32_t seed);
 
-/// A failed call as one line for the user, with the option that helps.
-std::string explain(const render_system::Status& status);
+/// A failed call as one line for the user, with the option that helps; `other_core`: --core may name another.
+std::string explain(const render_system::Status& status, bool other_core = true);
 
 }  // namespace application

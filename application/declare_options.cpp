@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <filesystem>
 #include <map>
 #include <set>
 
@@ -54,6 +55,14 @@ CLI::Option* add_choice(CLI::App& app, const std::string& name, Value& value, st
     return app.add_option_function<std::string>(name, callback, help);
 }
 
+/// What is there by that name is a file, whatever it is called: its reader knows what is wrong with it.
+Result<SkyChoice> sky_of(const std::string& text) {
+    auto sky = parse_sky(text);
+    std::error_code error;
+    if (!sky.ok() && std::filesystem::exists(text, error)) return SkyChoice{.radiance = {}, .file = text};
+    return sky;
+}
+
 void declare_format(CLI::App& app, Options& options) {
     add_choice<Format>(app, "--format", options.format, {{"text", Format::text}, {"json", Format::json}},
                        "What is printed on stdout: text or json (text)")
@@ -102,7 +111,7 @@ void declare_picture(CLI::App& app, Options& options) {
         "How far off the lens is sharp, in scene units (where --look-at looks)")
         ->type_name("D");
     add_parsed(
-        app, "--sky", parse_sky, [&options](const SkyChoice& sky) { options.sky = sky; },
+        app, "--sky", sky_of, [&options](const SkyChoice& sky) { options.sky = sky; },
         "Constant radiance, or an HDR map (black; a neutral studio where the scene does not light itself)")
         ->type_name("R,G,B|FILE.hdr");
     add_parsed(

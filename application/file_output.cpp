@@ -7,16 +7,19 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
 #include <string>
+#include <vector>
 
 namespace application {
 namespace {
 
+using render_system::Result;
 using render_system::Status;
 using std::filesystem::path;
 
@@ -24,6 +27,13 @@ using std::filesystem::path;
 std::array<char, 4096> unfinished_name{};
 std::atomic<bool> unfinished{false};
 static_assert(std::atomic<bool>::is_always_lock_free);
+// The folders that were made, inner ones first, each with its null, and one more null behind the last.
+std::array<char, 16384> made_folders{};
+
+/// Those that are empty. For signal handlers, too.
+void remove_empty_folders() {
+    for (const char* name = made_folders.data(); *name != '\0'; name += std::strlen(name) + 1) rmdir(name);
+}
 
 Status cannot_write(const path& file, const std::string& reason) {
     return Status::invalid(fmt::format("cannot write {}: {}; give another place to write to", file.string(), reason));
@@ -101,11 +111,56 @@ bool is_special(const path& file) {
            !std::filesystem::is_directory(status);
 }
 
-Status write_special(const path& file, std::string_view bytes) {
-    const int descriptor = open(file.c_str(), O_WRONLY | O_CLOEXEC);
+/// A pipe that was found to have a reader. It stays open until it is written: to the reader, closing it is the end.
+struct HeldPipe {
+    dev_t device;
+    ino_t number;
+    int descriptor;
+};
+std::vector<HeldPipe> held_pipes;
+
+/// The descriptor of a pipe, a held one too; never waits for a reader.
+Result<int> open_pipe(const path& file, const struct stat& info) {
+    const auto held = std::find_if(held_pipes.begin(), held_pipes.end(), [&](const HeldPipe& pipe) {
+        return pipe.device == info.st_dev && pipe.number == info.st_ino;
+    });
+    if (held != held_pipes.end()) {
+        const int descriptor = held->descriptor;
+        held_pipes.erase(held);
+        return descriptor;
+    }
+    const int descriptor = open(file.c_str(), O_WRONLY | O_CLOEXEC | O_NONBLOCK);
+    if (descriptor < 0 && errno == ENXIO) return cannot_write(file, std::string("it is a pipe that nobody reads from"));
     if (descriptor < 0) return cannot_write(file, errno);
-    const int error = write_all(descriptor, bytes);
-    close(descriptor);
+    fcntl(descriptor, F_SETFL, fcntl(descriptor, F_GETFL) & ~O_NONBLOCK);
+    return descriptor;
+}
+
+Result<int> open_special(const path& file) {
+    struct stat info {};
+    if (stat(file.c_str(), &info) != 0) return cannot_write(file, errno);
+    if (S_ISFIFO(info.st_mode)) return open_pipe(file, info);
+    const int descriptor = open(file.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY);
+    if (descriptor < 0) return cannot_write(file, errno);
+    return descriptor;
+}
+
+/// A device is not opened for this: it may act.
+Status check_special(const path& file) {
+    struct stat info {};
+    if (stat(file.c_str(), &info) != 0) return cannot_write(file, errno);
+    if (S_ISSOCK(info.st_mode)) return cannot_write(file, std::string("it is a socket"));
+    if (!S_ISFIFO(info.st_mode)) return Status::success();
+    const auto descriptor = open_pipe(file, info);
+    if (descriptor.ok()) held_pipes.push_back({info.st_dev, info.st_ino, *descriptor});
+    return descriptor.status;
+}
+
+Status write_special(const path& file, std::string_view bytes) {
+    const auto descriptor = open_special(file);
+    if (!descriptor.ok()) return descriptor.status;
+    const int error = write_all(*descriptor, bytes);
+    close(*descriptor);
     return error == 0 ? Status::success() : cannot_write(file, error);
 }
 
@@ -136,7 +191,7 @@ Status put_in_place(const path& file, std::string_view bytes, bool durably) {
 
 Status check_writable(const path& file) {
     if (Status status = check_place(file); !status.ok()) return status;
-    if (is_special(file)) return Status::success();
+    if (is_special(file)) return check_special(file);
     const UnfinishedFile probe(place_behind_links(file));
     return probe.error() == 0 ? Status::success() : cannot_write(file, probe.error());
 }
@@ -145,8 +200,37 @@ Status write_file(const path& file, std::string_view bytes) { return put_in_plac
 
 Status write_file_durably(const path& file, std::string_view bytes) { return put_in_place(file, bytes, true); }
 
+Result<int> open_emptied(const path& file) {
+    if (Status status = check_place(file); !status.ok()) return status;
+    if (is_special(file)) return open_special(file);
+    const int descriptor = open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+    if (descriptor < 0) return cannot_write(file, errno);
+    return descriptor;
+}
+
+FolderToFill::FolderToFill(const path& folder) {
+    if (folder.empty()) return;
+    std::error_code error;
+    std::string missing;
+    // Not `a/`, whose parent is `a`.
+    for (path part = folder.has_filename() ? folder : folder.parent_path();
+         !part.empty() && !std::filesystem::exists(part, error); part = part.parent_path())
+        missing += part.string() + '\0';
+    if (missing.size() + 1 < made_folders.size()) std::copy(missing.begin(), missing.end(), made_folders.begin());
+    std::filesystem::create_directories(folder, error);
+    status_ = error ? Status::invalid(fmt::format("cannot make the folder {}: {}; give another place to write to",
+                                                  folder.string(), error.message()))
+                    : check_writable(folder / "source.png");
+}
+
+FolderToFill::~FolderToFill() {
+    remove_empty_folders();
+    made_folders.fill('\0');
+}
+
 void remove_unfinished_file_and_end(int signal_number) {
     if (unfinished.load()) unlink(unfinished_name.data());
+    remove_empty_folders();
     signal(signal_number, SIG_DFL);
     raise(signal_number);
 }

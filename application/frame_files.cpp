@@ -7,7 +7,11 @@
 
 #include <array>
 #include <fstream>
+#include <string_view>
 
+#include "application/comparison/picture_file.h"
+#include "application/option_values.h"
+#include "application/sampling/scene_digest.h"
 #include "application/scene_setup.h"
 
 namespace application {
@@ -26,6 +30,23 @@ uint64_t fingerprint_of_file(const std::string& name) {
             hash = (hash ^ static_cast<unsigned char>(bytes[static_cast<size_t>(i)])) * 0x100000001B3u;
     }
     return hash;
+}
+
+/// `text` with the checksum of the values that the file holds.
+template <class Value>
+std::string sealed(const std::string& text, const Channels<Value>& image) {
+    Digest digest;
+    digest.add_bytes(image.rgb.data(), image.rgb.size() * sizeof(Value));
+    return text + " pixels " + digest.hex();
+}
+
+/// A PNG's last chunk, which no pixel needs.
+bool ends_whole(const std::string& file, ImageKind kind) {
+    constexpr std::string_view LAST = "IEND\xAE\x42\x60\x82";
+    std::string end(LAST.size(), '\0');
+    std::ifstream stream(file, std::ios::binary);
+    stream.seekg(-static_cast<std::streamoff>(end.size()), std::ios::end);
+    return kind == ImageKind::exr || (stream.read(end.data(), static_cast<std::streamsize>(end.size())) && end == LAST);
 }
 
 std::string camera_text(const Options& options, bool framed) {
@@ -63,6 +84,24 @@ Result<std::string> frame_file(const std::string& pattern, uint32_t number) {
     return pattern.substr(0, first) + fmt::format("{:0{}}", number, last + 1 - first) + pattern.substr(last + 1);
 }
 
+std::vector<std::filesystem::path> frames_there(const std::string& pattern, const FrameRange& frames) {
+    const std::filesystem::path folder = std::filesystem::path(pattern).parent_path();
+    const size_t name_at = pattern.size() - std::filesystem::path(pattern).filename().string().size();
+    const size_t behind = pattern.size() - 1 - pattern.find_last_of('#');
+    const size_t before = pattern.find_last_not_of('#', pattern.find_last_of('#')) + 1 - name_at;
+    std::vector<std::filesystem::path> files;
+    std::error_code error;
+    for (const auto& entry : std::filesystem::directory_iterator(folder.empty() ? "." : folder, error)) {
+        const std::string name = entry.path().filename().string();
+        if (name.size() <= before + behind) continue;
+        const std::string_view digits = std::string_view(name).substr(before, name.size() - before - behind);
+        const auto number = parse_number(digits, frames.first, frames.end - 1);
+        if (number.ok() && std::filesystem::path(*frame_file(pattern, *number)).filename() == name)
+            files.push_back(folder / name);
+    }
+    return files;
+}
+
 double frame_time(const Options& options, uint32_t number) { return static_cast<double>(number) / options.fps; }
 
 std::string sequence_text(const Options& options, bool framed) {
@@ -84,6 +123,26 @@ std::string sequence_text(const Options& options, bool framed) {
 
 std::string frame_text(const std::string& sequence, double seconds) {
     return fmt::format("{} time {}", sequence, seconds);
+}
+
+Result<std::string> encode_frame(const Picture& picture, ImageKind kind, const Options& options,
+                                 const std::string& text) {
+    if (kind == ImageKind::exr) {
+        const Channels<float> image = linear_values(picture);
+        return encode_exr(image, {.made_with = sealed(text, image)});
+    }
+    const Channels<uint8_t> image = srgb_levels(picture, options.exposure, options.tone_map);
+    return encode_png(image, {.made_with = sealed(text, image)});
+}
+
+bool holds_frame(const std::string& file, ImageKind kind, const std::string& text) {
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(file, error)) return false;  // opening a pipe would wait
+    const std::string said = made_with(file);
+    if (!said.starts_with(text) || !ends_whole(file, kind)) return false;
+    const auto read = read_picture_file(file);
+    if (!read.ok()) return false;
+    return said == (kind == ImageKind::exr ? sealed(text, read->forms.linear) : sealed(text, read->forms.levels));
 }
 
 }  // namespace application

@@ -3,9 +3,12 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <string>
+#include <vector>
 
 #include "application/options.h"
+#include "application/picture.h"
 #include "render_system/status.h"
 
 // The files of a sequence: their names, and what each says it was made with.
@@ -16,6 +19,9 @@ namespace application {
 /// of the run. Fails with invalid_argument where there is no #.
 render_system::Result<std::string> frame_file(const std::string& pattern, uint32_t number);
 
+/// The files of that sequence that are there already.
+std::vector<std::filesystem::path> frames_there(const std::string& pattern, const FrameRange& frames);
+
 /// The seconds of a frame.
 double frame_time(const Options& options, uint32_t number);
 
@@ -25,5 +31,12 @@ std::string sequence_text(const Options& options, bool framed);
 
 /// With the time of a frame.
 std::string frame_text(const std::string& sequence, double seconds);
+
+/// The bytes of a frame's file, which says `text` and a checksum of its pixels.
+render_system::Result<std::string> encode_frame(const Picture& picture, ImageKind kind, const Options& options,
+                                                const std::string& text);
+
+/// Whether the file is there, says `text` and holds every pixel as it was written: none that was cut off or altered.
+bool holds_frame(const std::string& file, ImageKind kind, const std::string& text);
 
 }  // namespace application

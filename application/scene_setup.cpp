@@ -78,7 +78,11 @@ Result<std::optional<uint32_t>> camera_of_scene(const Options& options, const Ho
 
 /// `--aperture` and `--focus`; a lens that is told no focus is sharp where `--look-at` looks.
 Status put_lens(const Options& options, Camera& camera) {
-    if (!options.aperture) return Status::success();
+    if (!options.aperture) {
+        if (!options.focus) return Status::success();
+        return Status::invalid(
+            "--focus: a pinhole is sharp at every distance; give a lens by --aperture, or leave it out");
+    }
     if (!options.focus && !options.look_at)
         return Status::invalid("--aperture: a lens needs --focus, the distance at which the picture is sharp");
     camera.aperture = *options.aperture;
@@ -115,6 +119,9 @@ Status choose_camera(const Options& options, const Companions& companions, Scene
         if (!options.look_at) setup.followed = *found;
     }
     if (options.look_at) {
+        if (companions.camera)
+            console.note(fmt::format("--look-at has the view; of {} the field of view, sky and lights count",
+                                     options.camera.file));
         const auto& [eye, target] = *options.look_at;
         const float fov = options.camera.index || companions.camera ? camera->vertical_fov : render_system::kDefaultFov;
         camera = render_system::look_at({eye[0], eye[1], eye[2]}, {target[0], target[1], target[2]}, {0.0f, 1.0f, 0.0f},
@@ -148,11 +155,23 @@ path installed_data_folder() {
     return error ? path() : program.parent_path().parent_path() / PORTTOOL_DATA_FOLDER;
 }
 
+std::vector<InputFile> input_files(const Options& options, const std::vector<path>& of_scene) {
+    std::vector<InputFile> inputs = {{"--camera", options.camera.file}, {"--sky", options.sky.file}};
+    for (const path& file : of_scene) inputs.push_back({"the scene", file});
+    std::error_code error;
+    if (options.kernels.empty()) return inputs;
+    for (const auto& entry : std::filesystem::directory_iterator(options.kernels, error))
+        inputs.push_back({"--kernels", entry.path()});
+    return inputs;
+}
+
 }  // namespace
 
 path scene_path(const std::string& scene) {
     std::error_code error;
-    if (std::filesystem::exists(scene, error) || scene.find('/') != std::string::npos) return scene;
+    const auto found = std::filesystem::status(scene, error);
+    const bool is_there = std::filesystem::exists(found) && !std::filesystem::is_directory(found);
+    if (is_there || scene.find('/') != std::string::npos) return scene;
     for (const path& folder : {installed_data_folder(), path(PORTTOOL_SOURCE_FOLDER)}) {
         path built_in = folder / "scenes" / scene / (scene + ".gltf");
         if (!folder.empty() && std::filesystem::exists(built_in, error)) return built_in;
@@ -176,7 +195,7 @@ Result<SceneSetup> set_up_scene(const Options& options, Console& console) {
                                                                         .time = options.time});
     if (!loaded.ok()) return loaded.status;
     for (const std::string& warning : loaded->warnings) console.warning(warning);
-    SceneSetup setup{std::move(loaded->scene), {}, {}, false};
+    SceneSetup setup{std::move(loaded->scene), {}, {}, false, input_files(options, loaded->files)};
     HostScene& scene = setup.scene;
 
     if (companions->camera) {

@@ -6,16 +6,18 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "application/console.h"
 #include "application/options.h"
+#include "application/output_files.h"
 #include "render_system/host_scene.h"
 #include "render_system/status.h"
 
 namespace application {
 
-/// The file that `scene` means: itself where it exists, else the built-in scene of that name, else itself again (so
-/// that the loader says what is wrong). Built-in scenes lie in the data folder of an installed copy
+/// The file that `scene` means: itself where it exists and is no folder, else the built-in scene of that name, else
+/// itself again (so that the loader says what is wrong). Built-in scenes lie in the data folder of an installed copy
 /// (`<program>/../share/porttool/scenes`), or in the source tree.
 std::filesystem::path scene_path(const std::string& scene);
 
@@ -26,8 +28,9 @@ std::string default_picture_name(const std::string& scene);
 struct SceneSetup {
     render_system::HostScene scene;
     render_system::Camera camera;
-    std::optional<uint32_t> followed;  ///< the scene's camera that `camera` is, where nothing else was asked for
-    bool framed = false;               ///< no camera was there: `camera` frames the scene as it is now
+    std::optional<uint32_t> followed;    ///< the scene's camera that `camera` is, where nothing else was asked for
+    bool framed = false;                 ///< no camera was there: `camera` frames the scene as it is now
+    std::vector<InputFile> inputs = {};  ///< what was read for it, and the kernels that a core will read
 };
 
 /// The scene's camera `followed` as it stands now, with lens and field of view as the options have them. Fails with

@@ -37,7 +37,8 @@ OTHER_SEED = 1
 
 
 def fail(message):
-    sys.exit(f"thesis.py: {message}")
+    print(f"thesis.py: {message}", file=sys.stderr)
+    sys.exit(2)
 
 
 # --- The age of a page ---
@@ -57,7 +58,10 @@ AGE = re.compile(r"^\d+ of \d+ kernel files changed since these numbers were tak
 
 
 def update_age(page):
-    text = page.read_text()
+    try:
+        text = page.read_text()
+    except (OSError, UnicodeDecodeError) as error:
+        fail(f"--age {page}: {getattr(error, 'strerror', None) or 'is no text'}; name a page that --keep wrote")
     then = dict(re.findall(r"^<!-- kernel (\S+) ([0-9a-f]{12}) -->$", text, re.M))
     if not then or not AGE.search(text):
         fail(f"{page} was not made by this program")
@@ -380,14 +384,26 @@ def keep(folder, page):
     page.write_text(text.replace("](pictures/", f"]({page.stem}/"))
 
 
+def picture_size(text):
+    if not re.fullmatch(r"[1-9]\d{0,4}x[1-9]\d{0,4}", text):
+        raise argparse.ArgumentTypeError(f"'{text}' is no size; give WIDTHxHEIGHT in pixels, e.g. 640x360")
+    return text
+
+
+def sample_count(text):
+    if not re.fullmatch(r"[1-9]\d{0,7}", text):
+        raise argparse.ArgumentTypeError(f"'{text}' is no number of samples from 1 on")
+    return int(text)
+
+
 def read_options():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("-o", "--output", type=pathlib.Path, default=pathlib.Path("out/thesis"))
     parser.add_argument("--quick", action="store_true")
     parser.add_argument("--scene", action="append", default=[], help="one more scene, a .gltf file")
     parser.add_argument("--scenes", default=str(ROOT.parent / "shared/scenes"), help="folder of pica and kitchen")
-    parser.add_argument("--size", help="of the pictures (640x360; 64x36 with --quick)")
-    parser.add_argument("--samples", type=int, help="the most samples of a whole run (1024)")
+    parser.add_argument("--size", type=picture_size, metavar="WxH", help="of the pictures (640x360; 64x36 with --quick)")
+    parser.add_argument("--samples", type=sample_count, metavar="N", help="the most samples of a whole run (1024; 4 with --quick)")
     parser.add_argument("--program", default=str(ROOT / "build/release/bin/pathtracer"))
     parser.add_argument("--porttool", default=str(ROOT / "build/release/bin/porttool"))
     parser.add_argument("--self-test", type=pathlib.Path, metavar="FILE")
@@ -410,7 +426,7 @@ def main():
         settings = {**settings, "size": FULL["size"]}
     if arguments.size is not None:
         settings = {**settings, "size": arguments.size}
-    if arguments.samples is not None and not arguments.quick:
+    if arguments.samples is not None:
         settings = {**settings, "counts": [count for count in settings["counts"] if count <= arguments.samples] or [1],
                     "bias": max(16, min(settings["bias"], arguments.samples))}
     folder = arguments.output.resolve()

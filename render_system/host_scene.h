@@ -160,8 +160,6 @@ public:
     bool is_removed_material(uint32_t id) const { return id < removed_.materials.size() && removed_.materials[id]; }
     bool is_removed_light(uint32_t id) const { return id < removed_.lights.size() && removed_.lights[id]; }
     const std::vector<HostDeformer>& deformers() const { return deformers_; }
-    /// A node's place in the world.
-    const glm::dmat4& node_world(uint32_t node) const { return node_worlds_[node]; }
 
     uint32_t add_texture(HostTexture texture);
     uint32_t add_material(HostMaterial material);

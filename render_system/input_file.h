@@ -14,4 +14,7 @@ namespace render_system {
 /// pipe or a device; the message names the file.
 Result<std::string> read_input_file(const std::filesystem::path& path, uint64_t most_bytes);
 
+/// Whether `path` is a file that can be read. Fails as read_input_file does.
+Status check_input_file(const std::filesystem::path& path);
+
 }  // namespace render_system

@@ -18,6 +18,7 @@ namespace render_system {
 struct LoadedScene {
     HostScene scene;
     std::vector<std::string> warnings;
+    std::vector<std::filesystem::path> files;  ///< the file and those that it names: buffers, images, materials
 };
 
 /// What the caller lets a scene do.

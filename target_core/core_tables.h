@@ -3,6 +3,7 @@
 // Kind: twin of source_core/core_tables.h.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "render_system/core_data.h"

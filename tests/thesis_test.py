@@ -112,6 +112,17 @@ class Age(unittest.TestCase):
             page.write_text("nothing\n")
             self.assertNotEqual(run("--age", page).returncode, 0)
 
+    def test_nonsense_is_refused_before_anything_is_measured(self):
+        with tempfile.TemporaryDirectory() as folder:
+            out = pathlib.Path(folder) / "out"
+            for *words, said in (("--size", "abc", "'abc' is no size"), ("--samples", "0", "'0' is no number of samples"),
+                                 ("--age", "nosuch", "nosuch: No such file")):
+                refused = run("--quick", "-o", out, "--program", PATHTRACER, *words)
+                self.assertEqual(refused.returncode, 2, words)
+                self.assertIn(said, refused.stderr)
+                self.assertNotIn("Traceback", refused.stderr)
+                self.assertFalse(out.exists())
+
 
 if __name__ == "__main__":
     info = json.loads(subprocess.run([PATHTRACER, "info", "--format", "json"], capture_output=True, text=True, check=True).stdout)

@@ -14,8 +14,8 @@ using render_system::Result;
 using render_system::Status;
 using render_system::StatusCode;
 
-ExitCode fail(Console& console, const Status& status) {
-    console.error(explain(status));
+ExitCode fail(Console& console, const Status& status, bool other_core) {
+    console.error(explain(status, other_core));
     return FAILED;
 }
 
@@ -49,10 +49,21 @@ Status check_files(const Options& options, const std::string& output) {
     return Status::success();
 }
 
+Status check_inputs_stay(const Options& options, const std::vector<InputFile>& inputs,
+                         const std::vector<std::filesystem::path>& pictures) {
+    std::vector<OutputFile> outputs = {
+        {"--stats", options.stats}, {"--evidence", options.evidence}, {"--log", options.log}};
+    for (const std::filesystem::path& picture : pictures) outputs.push_back({"-o", picture});
+    return check_outputs(outputs, inputs);
+}
+
 bool changes_colors(const Options& options) { return options.exposure != 0.0f || options.tone_map != ToneMap::none; }
 
 Result<CoreChoice> start_chosen_core(CoreSession& session, const Options& options, Picture& picture, Console& console) {
     const CoreOrder order = core_order(options);
+    if (!options.kernels.empty() && (order.ids.front() == "target" || order.ids.front() == "null"))
+        return Status::invalid(
+            fmt::format("--kernels: core {} is taken here, which reads none; give --core source", order.ids.front()));
     auto choice = session.start(order.ids, picture);
     if (choice.ok() && choice->core == order.ids.front() && !order.reason.empty())
         choice->reason += "; " + order.reason;
@@ -62,8 +73,11 @@ Result<CoreChoice> start_chosen_core(CoreSession& session, const Options& option
 
 std::string json_text(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
 
-Status write_stats(const Options& options, const Json& stats) {
-    return options.stats.empty() ? Status::success() : write_file(options.stats, json_text(stats));
+Status write_stats(const Options& options, const Json& stats, const std::string& written) {
+    if (options.stats.empty()) return Status::success();
+    Status status = write_file(options.stats, json_text(stats));
+    if (!status.ok() && !written.empty()) status.message += "; what -o names is written: " + written;
+    return status;
 }
 
 ExitCode deliver(const Options& options, Console& console, const std::string& text) {

@@ -2,31 +2,40 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <filesystem>
 #include <string>
+#include <vector>
 
 #include "application/console.h"
 #include "application/core_session.h"
 #include "application/exit_code.h"
 #include "application/options.h"
+#include "application/output_files.h"
 #include "application/stats_report.h"
 
 // Steps that several subcommands take.
 
 namespace application {
 
-/// Says why not and answers the exit code for it.
-ExitCode fail(Console& console, const render_system::Status& status);
+/// Says why not and answers the exit code for it; `other_core`: --core may name another.
+ExitCode fail(Console& console, const render_system::Status& status, bool other_core = true);
 
 /// What can be known to be wrong before anything is loaded: the place of the statistics, which must not be `output`,
 /// and the folder of kernels.
 render_system::Status check_files(const Options& options, const std::string& output);
 
+/// Whether nothing that the run writes is something that it reads: `pictures`, which -o names, and the files of the
+/// other options.
+render_system::Status check_inputs_stay(const Options& options, const std::vector<InputFile>& inputs,
+                                        const std::vector<std::filesystem::path>& pictures);
+
 /// Starts the core that the options ask for; with `auto` one line on stderr says which and why.
 render_system::Result<render_system::CoreChoice> start_chosen_core(CoreSession& session, const Options& options,
                                                                    Picture& picture, Console& console);
 
-/// Writes the JSON to the file of `--stats`, if there is one.
-render_system::Status write_stats(const Options& options, const Json& stats);
+/// Writes the JSON to the file of `--stats`, if there is one. Where that fails, the message says what of `-o` was
+/// `written` before.
+render_system::Status write_stats(const Options& options, const Json& stats, const std::string& written = "");
 
 /// JSON as files and stdout have it.
 std::string json_text(const Json& json);

@@ -63,12 +63,30 @@ Json comparison_json(const Options& options, const std::vector<Figures>& figures
             {"exact", options.exact}, {"results", figures_json(figures)}};
 }
 
+/// The names of both pictures and of their difference.
+std::array<std::string, 3> picture_names(uint32_t spp) {
+    return {fmt::format("source_{}spp.png", spp), fmt::format("target_{}spp.png", spp),
+            fmt::format("difference_{}spp.png", spp)};
+}
+
 Status write_pictures(const std::filesystem::path& folder, uint32_t spp, const BothForms& a, const BothForms& b) {
-    Status status = write_png(a.levels, folder / fmt::format("source_{}spp.png", spp));
-    if (status.ok()) status = write_png(b.levels, folder / fmt::format("target_{}spp.png", spp));
-    if (status.ok())
-        status = write_png(shown_difference(a.levels, b.levels), folder / fmt::format("difference_{}spp.png", spp));
-    return status;
+    const auto names = picture_names(spp);
+    Status status = write_png(a.levels, folder / names[0]);
+    if (status.ok()) status = write_png(b.levels, folder / names[1]);
+    return status.ok() ? write_png(shown_difference(a.levels, b.levels), folder / names[2]) : status;
+}
+
+/// All that -o may hold.
+std::vector<std::filesystem::path> pictures_of(const Options& options) {
+    std::vector<std::filesystem::path> files;
+    if (options.output.empty()) return files;
+    const std::filesystem::path folder = options.output;
+    for (const uint32_t spp : options.spp)
+        for (const std::string& name : picture_names(options.bias ? plan_batches(spp).total() : spp))
+            files.push_back(folder / name);
+    files.push_back(folder / LOCATED_PICTURE);
+    files.push_back(folder / BIAS_PICTURE);
+    return files;
 }
 
 /// The pictures that the evidence names, from its folder: those beneath it.
@@ -77,8 +95,8 @@ std::vector<std::string> evidence_pictures(const Options& options) {
     if (options.output.empty()) return pictures;
     const auto folder = std::filesystem::absolute(options.evidence).lexically_normal().parent_path();
     const uint32_t spp = *std::max_element(options.spp.begin(), options.spp.end());
-    for (const std::string& file : {std::string(LOCATED_PICTURE), fmt::format("source_{}spp.png", spp),
-                                    fmt::format("target_{}spp.png", spp), fmt::format("difference_{}spp.png", spp)}) {
+    const auto names = picture_names(spp);
+    for (const std::string& file : {std::string(LOCATED_PICTURE), names[0], names[1], names[2]}) {
         const auto path = std::filesystem::absolute(std::filesystem::path(options.output) / file);
         const std::string relative = path.lexically_normal().lexically_relative(folder).generic_string();
         if (!relative.starts_with("..")) pictures.push_back(relative);
@@ -103,7 +121,7 @@ Status write_located(const Options& options, const render_system::HostScene& sce
     return write_file(options.evidence, json_text(evidence_json(comparison, options, both.texts, pictures)));
 }
 
-/// Options that contradict each other.
+/// Options that contradict each other, and a place for evidence that is not there.
 Status check_questions(const Options& options) {
     if (!options.evidence.empty() && !options.locate)
         return Status::invalid("--evidence is what --locate found; give --locate too");
@@ -113,22 +131,15 @@ Status check_questions(const Options& options) {
         return Status::invalid("--locate follows the same paths on both cores; leave --seed-target out");
     if (options.bias && options.spp.size() > 1)
         return Status::invalid("--bias takes one count of samples; give one in --spp");
-    return Status::success();
+    return options.evidence.empty() ? Status::success() : check_writable(options.evidence);
 }
 
 Status check_compare(const Options& options, Console& console) {
-    if (Status status = check_questions(options); !status.ok()) return status;
-    if (!options.evidence.empty()) {
-        if (Status status = check_writable(options.evidence); !status.ok()) return status;
-    }
     if (options.core_given) console.note("--core is left aside: compare always renders on both cores");
     if (changes_colors(options)) console.note("--exposure and --tone-map are left aside: compare uses none");
     constexpr uint32_t LEAST_SIDE = 11;
     if (options.limit_ssim && std::min(options.width, options.height) < LEAST_SIDE) {
         return Status::invalid("--limit-ssim: there is no SSIM below 11 pixels; give a larger --size");
-    }
-    if (!options.output.empty()) {
-        if (Status status = prepare_folder(options.output); !status.ok()) return status;
     }
     return check_files(options, options.output);
 }
@@ -136,7 +147,7 @@ Status check_compare(const Options& options, Console& console) {
 /// The same picture on both cores, sample count by sample count.
 ExitCode compare_renders(const Options& options, SceneSetup& setup, Console& console) {
     const auto both = render_on_both(options, setup, console);
-    if (!both.ok()) return fail(console, both.status);
+    if (!both.ok()) return fail(console, both.status, false);
 
     std::vector<Figures> rows;
     for (const uint32_t spp : options.spp) {
@@ -191,7 +202,7 @@ ExitCode compare_means(const Options& options, SceneSetup& setup, Console& conso
                                  options.spp.front(), plan.batches, plan.samples));
     }
     const auto both = render_batches_on_both(options, plan, setup, console);
-    if (!both.ok()) return fail(console, both.status);
+    if (!both.ok()) return fail(console, both.status, false);
     if (Status status = write_stats(options, both->stats); !status.ok()) return fail(console, status);
 
     const BothForms a = both_forms(both->cores[0].picture), b = both_forms(both->cores[1].picture);
@@ -212,11 +223,16 @@ ExitCode compare_means(const Options& options, SceneSetup& setup, Console& conso
 }  // namespace
 
 ExitCode run_compare(const Options& options, Console& console) {
+    if (Status status = check_questions(options); !status.ok()) return fail(console, status);
+    const FolderToFill folder(options.output);
+    if (!folder.status().ok()) return fail(console, folder.status());
     if (!options.images_a.empty())
         return options.bias ? compare_sets(options, console) : compare_images(options, console);
     if (Status status = check_compare(options, console); !status.ok()) return fail(console, status);
     auto setup = set_up_scene(options, console);
     if (!setup.ok()) return fail(console, setup.status);
+    if (Status status = check_inputs_stay(options, setup->inputs, pictures_of(options)); !status.ok())
+        return fail(console, status);
     return options.bias ? compare_means(options, *setup, console) : compare_renders(options, *setup, console);
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <map>
 #include <string_view>
@@ -21,6 +22,8 @@ void note_nan(const PictureFile& file, Console& console) {
     if (const std::string note = nan_note(file.name, file.nan_pixels); !note.empty()) console.warning(note);
 }
 
+constexpr std::array<const char*, 3> PAIR_NAMES = {"a.png", "b.png", "difference.png"};
+
 /// a.png, b.png and their difference, in which pixels that are NaN in either are magenta.
 Status write_pair(const std::string& folder, const BothForms& a, const BothForms& b,
                   const std::vector<PixelPlace>& nan_a, const std::vector<PixelPlace>& nan_b) {
@@ -29,13 +32,21 @@ Status write_pair(const std::string& folder, const BothForms& a, const BothForms
     Channels<uint8_t> difference = shown_difference(a.levels, b.levels);
     mark_pixels(difference, nan_a);
     mark_pixels(difference, nan_b);
-    Status status = write_png(a.levels, path / "a.png");
-    if (status.ok()) status = write_png(b.levels, path / "b.png");
-    return status.ok() ? write_png(difference, path / "difference.png") : status;
+    Status status = write_png(a.levels, path / PAIR_NAMES[0]);
+    if (status.ok()) status = write_png(b.levels, path / PAIR_NAMES[1]);
+    return status.ok() ? write_png(difference, path / PAIR_NAMES[2]) : status;
 }
 
+/// None of the files that are compared is replaced by what is written.
 Status check_output(const Options& options) {
-    return options.output.empty() ? Status::success() : prepare_folder(options.output);
+    if (options.output.empty()) return Status::success();
+    std::vector<InputFile> inputs;
+    for (const auto* names : {&options.images_a, &options.images_b})
+        for (const std::string& name : *names) inputs.push_back({"compare", name});
+    std::vector<std::filesystem::path> pictures;
+    for (const char* name : PAIR_NAMES) pictures.push_back(std::filesystem::path(options.output) / name);
+    if (options.bias) pictures.push_back(std::filesystem::path(options.output) / BIAS_PICTURE);
+    return check_inputs_stay(options, inputs, pictures);
 }
 
 /// No SSIM, no limit of it.

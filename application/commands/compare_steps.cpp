@@ -32,7 +32,7 @@ BiasReport test_for_bias(const metrics::TileMeans& a, const metrics::TileMeans& 
 }
 
 Status write_bias_map(const Options& options, const BiasReport& report) {
-    return write_png(bias_map(report), std::filesystem::path(options.output) / "bias.png");
+    return write_png(bias_map(report), std::filesystem::path(options.output) / BIAS_PICTURE);
 }
 
 ExitCode deliver_bias(const Options& options, Json figures, const std::vector<Figures>& rows, const BiasReport& report,

@@ -17,7 +17,9 @@ namespace application {
 /// Tests two sets of pictures; says on stderr how many pixels were no numbers.
 BiasReport test_for_bias(const metrics::TileMeans& a, const metrics::TileMeans& b, double alpha, Console& console);
 
-/// `bias.png` in the folder of `-o`.
+constexpr const char* BIAS_PICTURE = "bias.png";
+
+/// That picture, in the folder of `-o`.
 render_system::Status write_bias_map(const Options& options, const BiasReport& report);
 
 /// Prints the figures of the mean pictures and the verdict; the exit code is that of the verdict and of --limit-ssim.

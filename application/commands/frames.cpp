@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <csignal>
 #include <filesystem>
 #include <optional>
 
@@ -12,6 +13,7 @@
 #include "application/file_output.h"
 #include "application/frame_files.h"
 #include "application/option_values.h"
+#include "application/sampling/interrupt.h"
 #include "application/sampling/take_samples.h"
 
 namespace application {
@@ -34,24 +36,40 @@ public:
           session_(options, std::move(setup), console),
           picture_(options.width, options.height),
           sums_(keeps_squares(options) ? options.width : 0, options.height, true) {
+        session_.stop_on(&interrupt_);
         if (keeps_squares(options)) session_.sum_into(&sums_, 0);
     }
 
-    /// Renders what is not there yet; stops at the first frame that cannot be done. Those before it stay.
+    /// Renders what is not there yet; stops at the first frame that cannot be done, or with a signal. Those before it
+    /// stay.
     Status render() {
         for (uint32_t number = options_.frames->first; number < options_.frames->end; ++number) {
             const std::string file = *frame_file(pattern_, number);
             const std::string text = frame_text(text_, frame_time(options_, number));
-            const bool keep = options_.resume && made_with(file) == text;
-            (keep ? kept_ : rendered_) += 1;
-            if (keep) continue;
+            if (interrupt_.signal() != 0) return Status::success();
+            if (options_.resume && holds_frame(file, kind_, text)) {
+                ++kept_;
+                continue;
+            }
             if (Status status = render_frame(number); !status.ok()) return status;
-            const auto bytes =
-                encode_picture(picture_, kind_, options_.exposure, options_.tone_map, {.made_with = text});
+            if (interrupt_.signal() != 0) return Status::success();
+            const auto bytes = encode_frame(picture_, kind_, options_, text);
             if (!bytes.ok()) return bytes.status;
             if (Status status = write_file(file, *bytes); !status.ok()) return status;
+            ++rendered_;
         }
         return Status::success();
+    }
+
+    /// The signal that ended it before its last frame, or 0.
+    int interrupted() const { return kept_ + rendered_ < frame_count() ? interrupt_.signal() : 0; }
+
+    /// What a sequence that was interrupted has.
+    std::string progress() const {
+        return fmt::format("interrupted by {}: {} of {} frames are done; {}",
+                           interrupt_.signal() == SIGINT ? "Ctrl-C" : "SIGTERM", kept_ + rendered_, frame_count(),
+                           options_.filter == FilterMode::temporal ? "frames of --filter temporal start from the first"
+                                                                   : "--resume goes on from there");
     }
 
     std::string summary() const {
@@ -64,6 +82,8 @@ public:
     }
 
 private:
+    uint32_t frame_count() const { return options_.frames->end - options_.frames->first; }
+
     Status render_frame(uint32_t number) {
         const auto start = std::chrono::steady_clock::now();
         if (Status status = session_.show(frame_time(options_, number)); !status.ok()) return named(number, status);
@@ -86,19 +106,19 @@ private:
         const std::string label =
             fmt::format("frame {} ({}/{})", number, number - frames.first + 1, frames.end - frames.first);
         if (Status status = session_.render_up_to(options_.spp.front(), label); !status.ok()) return status;
-        if (options_.filter == FilterMode::none) return Status::success();
+        if (options_.filter == FilterMode::none || interrupt_.signal() != 0) return Status::success();
         const Picture mean = mean_picture(sums_);
         std::copy(mean.pixels.begin(), mean.pixels.end(), picture_.pixels.begin());  // the core knows where they are
         const uint32_t first = first_sample();
         FilterHistory history = FilterHistory::none;
         if (options_.filter == FilterMode::temporal)
-            history = rendered_ == 1 ? FilterHistory::begin : FilterHistory::go_on;
+            history = rendered_ == 0 ? FilterHistory::begin : FilterHistory::go_on;
         return session_.filter(picture_, variances_of(sums_), {first, first + sums_.samples}, history);
     }
 
     /// Samples are new in each frame that a history goes through: of the same ones nothing more would be learned.
     uint32_t first_sample() const {
-        return options_.filter == FilterMode::temporal ? (rendered_ - 1) * options_.spp.front() : 0;
+        return options_.filter == FilterMode::temporal ? rendered_ * options_.spp.front() : 0;
     }
 
     Status next_samples() { return started_ ? session_.go_on_from(first_sample()) : Status::success(); }
@@ -115,6 +135,7 @@ private:
     std::string text_;
     CoreSession session_;
     Picture picture_;
+    KeptInterrupt interrupt_;
     SampleSums sums_;  // where a filter wants to know their noise
     bool started_ = false;
     uint32_t kept_ = 0;
@@ -140,6 +161,11 @@ Status check_sequence(const Options& options, const std::string& pattern) {
     const auto first = frame_file(pattern, options.frames->first);
     if (!first.ok()) return first.status;
     if (Status status = check_writable(*first); !status.ok()) return status;
+    for (const std::filesystem::path& file : frames_there(pattern, *options.frames)) {
+        std::error_code error;
+        if (std::filesystem::is_regular_file(file, error)) continue;
+        if (Status status = check_writable(file); !status.ok()) return status;
+    }
     return check_files(options, *first);
 }
 
@@ -156,8 +182,14 @@ ExitCode run_frames(const Options& options, Console& console) {
     first.time = frame_time(options, options.frames->first);
     auto setup = set_up_scene(first, console);
     if (!setup.ok()) return fail(console, setup.status);
+    if (Status status = check_inputs_stay(options, setup->inputs, frames_there(pattern, *options.frames)); !status.ok())
+        return fail(console, status);
     Sequence sequence(options, pattern, *kind, std::move(*setup), console);
     if (Status status = sequence.render(); !status.ok()) return fail(console, status);
+    if (const int signal = sequence.interrupted(); signal != 0) {
+        console.note(sequence.progress());
+        return signal == SIGINT ? INTERRUPTED : TERMINATED;
+    }
     const std::string text = sequence.summary();
     if (options.output.empty())
         console.result(text);

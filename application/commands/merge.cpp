@@ -64,6 +64,10 @@ Result<PicturePart> sum_of_files(const std::vector<std::string>& files) {
 ExitCode run_merge(const Options& options, Console& console) {
     const auto kind = image_kind(options.output);
     if (!kind.ok()) return fail(console, kind.status);
+    std::vector<InputFile> inputs;
+    for (const std::string& file : options.inputs) inputs.push_back({"merge", file});
+    if (Status status = check_inputs_stay(options, inputs, {options.output}); !status.ok())
+        return fail(console, status);
     if (Status status = check_writable(options.output); !status.ok()) return fail(console, status);
     const auto whole = sum_of_files(options.inputs);
     if (!whole.ok()) return fail(console, whole.status);

@@ -8,6 +8,8 @@
 #include "application/commands/command_steps.h"
 #include "application/commands/commands.h"
 #include "application/file_output.h"
+#include "application/frame_files.h"
+#include "application/sampling/checkpoint.h"
 #include "application/sampling/picture_run.h"
 
 namespace application {
@@ -26,12 +28,22 @@ std::string render_text(const Options& options, const std::string& file, uint32_
 Status check_places(const Options& options, const std::string& file, Console& console) {
     const auto kind = image_kind(file);
     if (!kind.ok()) return kind.status;
+    if (std::filesystem::path(file).filename().string().find("##") != std::string::npos)
+        return Status::invalid(fmt::format(
+            "-o {}: ## is the place for the number of a frame; give --frames A:B, or a name without", file));
     if (Status status = check_writable(file); !status.ok()) return status;
     if (Status status = check_files(options, file); !status.ok()) return status;
     if (Status status = check_sampling(options, file, console); !status.ok()) return status;
     if (*kind == ImageKind::exr && changes_colors(options))
         console.note("--exposure and --tone-map act on PNG alone: an EXR holds radiance as it is");
     return Status::success();
+}
+
+/// What stands in the way once it is known which files the scene is read from.
+Status check_setup(const Options& options, const render_system::Result<SceneSetup>& setup, const std::string& file) {
+    if (!setup.ok()) return setup.status;
+    const bool keeps = options.sampling.checkpoint || options.resume;
+    return check_inputs_stay(options, setup->inputs, {file, keeps ? checkpoint_of(file) : std::filesystem::path()});
 }
 
 /// `mine`, or why another member of the team could not go on; alone, `mine`.
@@ -89,7 +101,7 @@ ExitCode run_render(const Options& options, Console& console) {
         return fail_once(console, status);
 
     auto setup = set_up_scene(options, console);
-    if (Status status = agreed(setup.status); !status.ok()) return fail_once(console, status);
+    if (Status status = agreed(check_setup(options, setup, file)); !status.ok()) return fail_once(console, status);
     const KeptInterrupt interrupt;
     CoreSession session(options, std::move(*setup), console);
     SampleSums sums(leads ? options.width : 0, options.height, keeps_squares(options));
@@ -108,7 +120,7 @@ ExitCode run_render(const Options& options, Console& console) {
     const Json bench = bench_json(options, stats, session.embree_figures(), mean_frame(stats), stats.samples);
     const Json json = stats_json(bench, options, sums.samples, choice->reason);
     if (Status status = run.write(); !status.ok()) return fail(console, status);
-    if (Status status = write_stats(options, json); !status.ok()) return fail(console, status);
+    if (Status status = write_stats(options, json, file); !status.ok()) return fail(console, status);
     // A core in a team knows of its own tiles alone.
     const double seconds = team() ? taking.count() : stats.total_ms * 1e-3;
     const std::string text = render_text(options, file, sums.samples, stats, seconds);

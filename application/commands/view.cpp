@@ -5,6 +5,7 @@
 #ifdef PORTTOOL_HAS_WINDOW
 #include <filesystem>
 
+#include "application/file_output.h"
 #include "application/picture.h"
 #include "application/view/view_window.h"
 #endif
@@ -20,6 +21,22 @@ namespace {
 /// Where porttool looks for its map: the folder of the kernels that are being worked on, else the current one.
 std::string watched_folder(const Options& options) { return options.kernels.empty() ? "." : options.kernels; }
 
+/// What the keys P, X and K write, as the window has it.
+std::vector<std::filesystem::path> saved_files(const Options& options) {
+    std::vector<std::filesystem::path> files;
+    const std::filesystem::path named = options.output.empty() ? default_picture_name(options.scene) : options.output;
+    for (const char* ending : kSavedEndings) files.push_back(std::filesystem::path(named).replace_extension(ending));
+    return files;
+}
+
+/// The log is emptied only once there is something to see.
+Status check_log(const Options& options) {
+    if (options.log.empty()) return Status::success();
+    Status status = check_writable(options.log);
+    if (!status.ok()) status.message = "--log: " + status.message;
+    return status;
+}
+
 }  // namespace
 
 ExitCode run_view(const Options& options, Console& console) {
@@ -30,10 +47,13 @@ ExitCode run_view(const Options& options, Console& console) {
         return fail(console,
                     Status::invalid("--output " + options.output + ": the key P saves a PNG; end it with .png"));
     ViewLog log;
-    if (!options.log.empty())
-        if (Status status = log.open(options.log); !status.ok()) return fail(console, status);
+    if (Status status = check_log(options); !status.ok()) return fail(console, status);
     auto setup = set_up_scene(options, console);
     if (!setup.ok()) return fail(console, setup.status);
+    if (Status status = check_inputs_stay(options, setup->inputs, saved_files(options)); !status.ok())
+        return fail(console, status);
+    if (!options.log.empty())
+        if (Status status = log.open(options.log); !status.ok()) return fail(console, status);
     ViewSession session(options, std::move(*setup), log);
     DriftPanel panel(watched_folder(options), log);
     Status status = run_window(options, session, panel, log);

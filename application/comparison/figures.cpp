@@ -89,16 +89,6 @@ bool passes(const std::vector<Figures>& rows, const std::optional<double>& limit
                                       [&](const Figures& row) { return row.ssim && *row.ssim >= *limit_ssim; });
 }
 
-Status prepare_folder(const std::string& folder) {
-    std::error_code error;
-    std::filesystem::create_directories(folder, error);
-    if (error) {
-        return Status::invalid(
-            fmt::format("cannot make the folder {}: {}; give another place to write to", folder, error.message()));
-    }
-    return check_writable(std::filesystem::path(folder) / "source.png");
-}
-
 Status write_png(const Channels<uint8_t>& image, const std::filesystem::path& file) {
     const auto bytes = encode_png(image);
     return bytes.ok() ? write_file(file, *bytes) : bytes.status;

@@ -43,9 +43,6 @@ std::string figures_text(const std::vector<Figures>& rows);
 /// Whether every SSIM reaches the limit, if there is one.
 bool passes(const std::vector<Figures>& rows, const std::optional<double>& limit_ssim);
 
-/// Before any work: the folder for pictures is there, or can be made, and takes files.
-render_system::Status prepare_folder(const std::string& folder);
-
 render_system::Status write_png(const Channels<uint8_t>& image, const std::filesystem::path& file);
 
 /// The difference of two pictures as `compare` shows it: one level off is invisible, sixteen are not.

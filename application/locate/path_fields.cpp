@@ -3,6 +3,7 @@
 #include "application/locate/path_fields.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <span>

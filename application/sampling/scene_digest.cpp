@@ -82,6 +82,12 @@ void add_light(Digest& digest, const PunctualLight& light) {
     add_value(digest, light.outer_cone);
 }
 
+void add_sky(Digest& digest, const Sky& sky) {
+    add_value(digest, sky.radiance);
+    add_value(digest, sky.width);
+    add_array(digest, sky.texels);
+}
+
 }  // namespace
 
 void Digest::add_bytes(const void* bytes, size_t size) { value_ = XXH64(bytes, size, value_); }
@@ -100,9 +106,13 @@ std::string scene_digest(const HostScene& scene) {
     for (const HostMaterial& material : scene.materials()) add_material(digest, material.core);
     for (const HostTexture& texture : scene.textures()) add_texture(digest, texture);
     for (const PunctualLight& light : scene.punctual_lights()) add_light(digest, light);
-    add_value(digest, scene.sky().radiance);
-    add_value(digest, scene.sky().width);
-    add_array(digest, scene.sky().texels);
+    add_sky(digest, scene.sky());
+    return digest.hex();
+}
+
+std::string sky_digest(const Sky& sky) {
+    Digest digest;
+    add_sky(digest, sky);
     return digest.hex();
 }
 

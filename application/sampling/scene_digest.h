@@ -26,6 +26,9 @@ private:
 /// What of a scene reaches a picture: geometry, materials, textures, lights and sky; no names.
 std::string scene_digest(const render_system::HostScene& scene);
 
+/// The sky alone, which is in that of the scene as well.
+std::string sky_digest(const render_system::Sky& sky);
+
 /// The view, corner by corner.
 std::string view_digest(const render_system::ViewPyramid& view);
 

@@ -6,10 +6,10 @@
 
 #include <bit>
 #include <cmath>
-#include <filesystem>
 
 #include "application/option_values.h"
 #include "render_system/images/image_library.h"
+#include "render_system/input_file.h"
 
 namespace application {
 namespace {
@@ -123,9 +123,7 @@ Result<std::string> encode_sums(const SampleSums& sums, const PictureNotes& note
 }
 
 Result<PicturePart> read_part(const std::string& file) {
-    std::error_code error;
-    if (!std::filesystem::is_regular_file(file, error))
-        return Status::error(StatusCode::not_found, fmt::format("{}: there is no such file", file));
+    if (Status status = render_system::check_input_file(file); !status.ok()) return status;
     const auto library = render_system::image_library();
     if (!library.ok()) return library.status;
     auto opened = (*library)->open(file);

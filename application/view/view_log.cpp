@@ -8,16 +8,18 @@
 #include <cmath>
 #include <cstring>
 
+#include "application/file_output.h"
+
 namespace application {
 
 using render_system::Status;
 
 Status ViewLog::open(const std::string& file) {
     name_ = file;
-    file_.reset(std::fopen(file.c_str(), "w"));
-    if (file_) return Status::success();
-    return Status::invalid(
-        fmt::format("--log {}: {}; name a file in a folder that is there", file, std::strerror(errno)));
+    const auto descriptor = open_emptied(file);
+    if (!descriptor.ok()) return Status::invalid("--log: " + descriptor.status.message);
+    file_.reset(fdopen(*descriptor, "w"));
+    return Status::success();
 }
 
 double ViewLog::ms_of(std::chrono::steady_clock::time_point moment) const {

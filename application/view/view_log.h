@@ -15,7 +15,7 @@ namespace application {
 /// The log of a window: JSON lines `{"t_ms","event","detail"}`, each written at once. Without a file it says nothing.
 class ViewLog {
 public:
-    /// Fails with invalid_argument where the file cannot be written.
+    /// Empties the file. Fails with invalid_argument where it cannot be written.
     render_system::Status open(const std::string& file);
 
     /// `event`: input, pixels, switch, reload, finding, patch or error.

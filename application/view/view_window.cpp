@@ -263,9 +263,9 @@ private:
         if (key == GLFW_KEY_T) next_filter();
         if (key == GLFW_KEY_F) session_.frame_all();
         if (key == GLFW_KEY_C) session_.next_camera();
-        if (key == GLFW_KEY_P) save(".png", &ViewSession::save);
-        if (key == GLFW_KEY_X) save(".exr", &ViewSession::save_values);
-        if (key == GLFW_KEY_K) save(".camera.json", &ViewSession::save_camera);
+        if (key == GLFW_KEY_P) save(kSavedEndings[0], &ViewSession::save);
+        if (key == GLFW_KEY_X) save(kSavedEndings[1], &ViewSession::save_values);
+        if (key == GLFW_KEY_K) save(kSavedEndings[2], &ViewSession::save_camera);
         constexpr double STEP_SECONDS = 1.0 / 24.0;
         if (key == GLFW_KEY_SPACE) session_.play_or_pause();
         if (key == GLFW_KEY_COMMA) session_.scrub(session_.seconds() - STEP_SECONDS);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
+
 #include "application/options.h"
 #include "application/view/drift_panel.h"
 #include "application/view/view_log.h"
@@ -9,6 +11,9 @@
 #include "render_system/status.h"
 
 namespace application {
+
+/// What follows the picture's stem in the files that the keys P, X and K write.
+constexpr std::array<const char*, 3> kSavedEndings = {".png", ".exr", ".camera.json"};
 
 /// Whether a window can be opened here: there is a display. Fails with no_device; the message says what to do.
 render_system::Status check_display();

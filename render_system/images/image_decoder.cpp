@@ -77,6 +77,14 @@ glm::vec<4, T> rgba_of(const T* texel, int channels, T one) {
     return {texel[0], texel[1], texel[2], channels >= 4 ? texel[3] : one};
 }
 
+// How many channels are colour and alpha, which OpenImageIO puts first: behind them an EXR may carry others, such as
+// depth or the sums that `pathtracer merge` adds.
+int color_channels(const OIIO::ImageSpec& spec) {
+    const std::vector<std::string>& names = spec.channelnames;
+    const bool has_colors = names.size() > 3 && names[0] == "R" && names[1] == "G" && names[2] == "B";
+    return !has_colors ? spec.nchannels : names[3] == "A" ? 4 : 3;
+}
+
 // Hands the picture over strip by strip, with the number of texels in each: a second copy of all of it is never there,
 // and a header that promises too much costs only what the file then really holds.
 template <class T, class Take>
@@ -132,7 +140,7 @@ Image decode_image(std::span<const std::byte> bytes, const std::string& name) {
     Image image;
     image.width = static_cast<uint32_t>(spec.width);
     image.height = static_cast<uint32_t>(spec.height);
-    image.channels = spec.nchannels;
+    image.channels = color_channels(spec);
     const size_t texels = static_cast<size_t>(image.width) * image.height;
     // Without a type, pixels come as they are in the file: OpenImageIO then needs no buffer of its own, which would be
     // of 16 MiB. That takes all channels.
@@ -148,9 +156,9 @@ Image decode_image(std::span<const std::byte> bytes, const std::string& name) {
         });
     } else {
         image.is_hdr = spec.format.is_floating_point();
-        const bool as_stored = spec.format == OIIO::TypeDesc::FLOAT && spec.nchannels <= 4;
+        const int channels = std::min(image.channels, 4);
+        const bool as_stored = spec.format == OIIO::TypeDesc::FLOAT && spec.nchannels == channels;
         const OIIO::TypeDesc type = as_stored ? OIIO::TypeUnknown : OIIO::TypeDesc(OIIO::TypeDesc::FLOAT);
-        const int channels = std::min(spec.nchannels, 4);
         image.floats.reserve(texels);
         read_strips<float>(*input, spec, channels, type,
                            [&](const auto& pixels, size_t count) { fill_floats(image, pixels, count, channels); });

@@ -82,6 +82,7 @@ size_t GlbBuilder::add_texture(int source, bool clamped, const json& pack) {
 
 void GlbBuilder::write() {
     if (!left_out_.empty()) root["asset"]["extras"]["left_out"] = left_out_;
+    if (!files_.empty()) root["asset"]["extras"]["files"] = files_;
     root["buffers"] = json::array({{{"byteLength", buffer_.size()}}});
     // Names may be of any encoding.
     std::string text = root.dump(-1, ' ', false, json::error_handler_t::replace);

@@ -35,6 +35,9 @@ public:
     void leave_out(const std::string& what) { left_out_[what]; }
     void leave_out(const std::string& what, const std::string& place) { left_out_[what].insert(place); }
 
+    /// A file that was read beside the one that was asked for.
+    void note_file(const std::string& path) { files_.insert(path); }
+
     /// Writes the .glb to stdout.
     void write();
 
@@ -43,6 +46,7 @@ private:
     std::map<std::string, size_t> images_;
     std::map<std::string, size_t> textures_;
     std::map<std::string, std::set<std::string>> left_out_;  // places by what
+    std::set<std::string> files_;
 };
 
 }  // namespace importer

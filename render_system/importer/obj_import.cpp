@@ -55,6 +55,7 @@ public:
         const auto reach = anywhere_ ? render_system::Reach::anywhere : render_system::Reach::folder;
         try {
             const std::filesystem::path path = render_system::file_of_uri(uri, folder_, reach, "mtllib");
+            builder_.note_file(path.string());
             const std::string text = read(path, name);
             TextStream stream(text);
             tinyobj::LoadMtl(by_name, materials, &stream, warnings, errors);

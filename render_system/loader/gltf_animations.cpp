@@ -280,7 +280,8 @@ void choose_animation(GltfDocument& document, const std::string& wanted) {
         for (size_t i = 0; i < std::min(names.size(), kShown); ++i)
             list += (i > 0 ? ", " : "") + std::to_string(i) + (names[i].empty() ? "" : " \"" + names[i] + "\"");
         if (names.size() > kShown) list += " and " + std::to_string(names.size() - kShown) + " more";
-        fail_at("", "--animation: there is no animation \"" + wanted + "\"; there are " + list);
+        fail_at("", "--animation: there is no animation \"" + wanted + "\"; the file has " + list +
+                        "; give one of these, by number or name");
     }
     std::erase_if(document.channels,
                   [chosen](const GltfChannel& channel) { return static_cast<size_t>(channel.animation) != chosen; });

@@ -147,7 +147,7 @@ void check_version(const json& document) {
     if (least != "2.0") fail_at("/asset/minVersion", "asks for glTF " + least + "; only 2.0 is supported");
 }
 
-GltfBuffer open_buffer(const json& entry, size_t index, const GltfDocument& document, Bytes binary) {
+GltfBuffer open_buffer(const json& entry, size_t index, GltfDocument& document, Bytes binary) {
     const std::string place = "/buffers/" + std::to_string(index);
     const uint64_t length = entry["byteLength"].get<uint64_t>();
     GltfBuffer buffer;
@@ -164,6 +164,7 @@ GltfBuffer open_buffer(const json& entry, size_t index, const GltfDocument& docu
         const std::filesystem::path file =
             file_of_uri(uri, document.path.parent_path(), document.reach, place + "/uri");
         source = file.string();
+        document.files.push_back(file);
         try {
             buffer.file = FileBytes(file);
         } catch (LoadError& error) {
@@ -194,10 +195,10 @@ GltfImage image_of(json& entry, const std::string& place) {
 
 // An image that cannot be read has a placeholder in its stead, but one that lies out of reach ends the loading, used or
 // not.
-void check_reach(const GltfDocument& document, const std::string& uri, const std::string& place) {
+void check_reach(GltfDocument& document, const std::string& uri, const std::string& place) {
     if (uri.empty() || is_data_uri(uri)) return;
     try {
-        file_of_uri(uri, document.path.parent_path(), document.reach, place);
+        document.files.push_back(file_of_uri(uri, document.path.parent_path(), document.reach, place));
     } catch (const LoadError& error) {
         if (error.hostile) throw;
     }
@@ -263,14 +264,15 @@ FileBytes import_file(const std::filesystem::path& path, const std::string& form
     return run_importer(request);
 }
 
-// What the importer could not carry over.
-void note_left_out(const json& root, Omissions& omissions) {
+// What the importer could not carry over, and which files it read beside the one that it was given.
+void hear_importer(const json& root, GltfDocument& document) {
     const json extras = root["asset"].value("extras", json::object());
     const json left_out = extras.value("left_out", json::object());
     for (const auto& [what, places] : left_out.items()) {
-        omissions.add(what);
-        for (const json& place : places) omissions.add(what, place.get<std::string>());
+        document.omissions.add(what);
+        for (const json& place : places) document.omissions.add(what, place.get<std::string>());
     }
+    for (const json& file : extras.value("files", json::array())) document.files.emplace_back(file.get<std::string>());
 }
 
 }  // namespace
@@ -326,12 +328,13 @@ GltfDocument open_gltf(const std::filesystem::path& path, Reach reach, const std
     GltfDocument document;
     document.path = path;
     document.reach = reach;
+    document.files = {path};
     const std::string foreign = foreign_format(path);
     document.file = foreign.empty() ? FileBytes(path) : import_file(path, foreign, reach);
     const Container container = open_container(document.file.bytes());
     json root = parse_json(container.text);
     check_gltf_schema(root);
-    if (!foreign.empty()) note_left_out(root, document.omissions);
+    if (!foreign.empty()) hear_importer(root, document);
     check_version(root);
     check_extensions(root, document.omissions);
     document.skins = read_skins(root);

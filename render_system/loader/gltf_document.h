@@ -76,6 +76,7 @@ struct GltfDocument {
     std::filesystem::path path;
     Reach reach = Reach::folder;
     FileBytes file;
+    std::vector<std::filesystem::path> files;  ///< it and those that it names, read or not, there or not
     tinygltf::Model model;
     std::vector<GltfBuffer> buffers;
     std::vector<GltfImage> images;

@@ -119,6 +119,7 @@ public:
         check_hidden();
         if (document_.sky) scene().set_sky(std::move(*document_.sky));
         write_warnings();
+        loaded_.files = std::move(document_.files);
         return std::move(loaded_);
     }
 

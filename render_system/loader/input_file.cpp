@@ -21,4 +21,13 @@ Result<std::string> read_input_file(const std::filesystem::path& path, uint64_t 
     }
 }
 
+Status check_input_file(const std::filesystem::path& path) {
+    try {
+        const FileBytes file(path);
+        return Status::success();
+    } catch (const LoadError& error) {
+        return Status::error(error.code, path.string() + ": " + error.message);
+    }
+}
+
 }  // namespace render_system

@@ -153,6 +153,19 @@ class LongRuns(unittest.TestCase):
                 self.assertEqual(again.returncode, 0, again.stderr)
                 self.assertEqual(self.file("again-" + name).read_bytes(), self.file(name).read_bytes())
 
+    def test_a_sequence_says_how_many_frames_it_has(self):
+        process = start("render", SCENE, *SMALL, "--spp", "2", "--frames", "0:1000000", "-o", str(self.file("f#.png")))
+        while not self.file("f0.png").exists():
+            self.assertIsNone(process.poll(), "ended by itself")
+            time.sleep(0.01)
+        process.send_signal(signal.SIGINT)
+        _, errors = process.communicate(timeout=60)
+        self.assertEqual(process.returncode, 130, errors)
+        there = sorted(self.path.iterdir())
+        self.assertIn(f"interrupted by Ctrl-C: {len(there)} of 1000000 frames are done; --resume goes on", errors)
+        for file in there:
+            png_chunks(file.read_bytes())
+
     def test_a_second_signal_ends_at_once(self):
         exit_code, seconds, _ = self.end_by(signal.SIGTERM, "a.png", 3)
         # Both may have come before the program looked; then the first alone counts.
@@ -226,7 +239,7 @@ class LongRuns(unittest.TestCase):
         self.refused(render(*resume, "--seed", "4"), "a.png.checkpoint", "--seed was 0 and is 4")
         self.refused(render(*resume, "--max-path-length", "3"), "--max-path-length was 8 and is 3")
         self.refused(render(*resume, "--aperture", "0.01", "--focus", "3"), "the view")
-        self.refused(render(*resume, "--sky", "1,0,0"), "the scene's content")
+        self.refused(render(*resume, "--sky", "1,0,0"), "the sky (--sky")
         self.refused(render(*resume, "--size", "32x18"), "--size was 64x36 and is 32x18")
         self.refused(render("--resume", "-o", str(output), "--samples", f"5:{samples + 6}"), "first sample was 0")
         if samples > 1:
@@ -281,6 +294,11 @@ class LongRuns(unittest.TestCase):
         self.assertEqual(exr_samples(self.file("merged.exr")), 16)
         self.assertEqual(run("merge", name("merged.exr"), "-o", name("merged.png")).returncode, 0)
         self.assertEqual(self.file("merged.png").read_bytes(), self.file("one.png").read_bytes())
+        # The check that docs/long-runs.md gives: an EXR of one run has no sums beside its pixels.
+        self.assertEqual(render("--spp", "16", "-o", name("one.exr")).returncode, 0)
+        compared = run("compare", name("one.exr"), name("merged.exr"), "--format", "json")
+        self.assertEqual(compared.returncode, 0, compared.stderr)
+        self.assertEqual(json.loads(compared.stdout)["results"][0]["identical_pixels"], 1.0)
 
         before = sorted(f.name for f in self.path.iterdir())
         self.refused(run("merge", name("a.exr"), name("whole.exr"), "-o", name("x.exr")), "samples 0:3 are there already")
@@ -292,7 +310,7 @@ class LongRuns(unittest.TestCase):
         self.refused(run("merge", name("a.exr"), str(torn), "-o", name("x.exr")), "torn.exr")
         torn.unlink()
         self.assertEqual(sorted(f.name for f in self.path.iterdir()), before)
-        for option, value, words in (("--seed", "1", "--seed is 0 and here 1"), ("--sky", "1,0,0", "the scene's content")):
+        for option, value, words in (("--seed", "1", "--seed is 0 and here 1"), ("--sky", "1,0,0", "the sky (--sky")):
             self.assertEqual(render("--samples", "16:17", option, value, "-o", name("other.exr")).returncode, 0)
             self.refused(run("merge", name("a.exr"), name("other.exr"), "-o", name("x.exr")), "other.exr", words)
         # Without sums a picture still adds up, but for its last bits, and says so.

@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <algorithm>
+#include <array>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "tests/application/run_pathtracer.h"
@@ -98,6 +101,91 @@ TEST_F(Pathtracer, RefusesNonsenseInOneOrTwoLines) {
     expect_refused({"render", scene, "--aperture", "1e9", "--focus", "1", "--fov", "0.01"}, {"lens's radius", "1000"});
     expect_refused({"compare", scene, "--limit-ssim", "0.9", "--size", "10x10"}, {"--limit-ssim", "11"});
     expect_refused({"compare", scene, "-o", scene + "/dir"}, {scene + "/dir"});
+    expect_refused({"compare", scene, "-o", "new/dir", "--stats", "new/dir"}, {"a name of its own"});
+    expect_refused({"compare", "--bias", "a.exr", "--"}, {"--: no image files behind it", "--bias A... -- B..."});
+    expect_refused({"render", scene, "--focus", "5"}, {"--focus", "--aperture"});
+    expect_refused({"render", scene, "-o", "f_####.png"}, {"f_####.png", "--frames A:B"});
+    std::filesystem::create_directory(folder.path / "maps");
+    expect_refused({"render", scene, "--kernels", "maps", "--core", "null", "--quiet"}, {"--kernels", "--core source"});
+    expect_refused({"render", scene, "--sky", "maps"}, {"maps: is not a regular file but a folder"});
+    expect_refused({"merge", "maps", "-o", "m.exr"}, {"maps: is not a regular file but a folder"});
+}
+
+TEST_F(Pathtracer, ReplacesNothingThatItReads) {
+    const auto write = [&](const std::string& name, const std::string& text) {
+        std::ofstream(folder.path / name, std::ios::binary) << text;
+    };
+    ASSERT_EQ(render({"-o", "floor1.png"}).exit_code, 0);
+    ASSERT_EQ(render({"-o", "sky.exr"}).exit_code, 0);
+    json textured = json::parse(read_file(folder.path / scene));
+    textured["images"] = {{{"uri", "floor1.png"}}};
+    textured["buffers"][0]["uri"] = "corners.bin";
+    write("textured.gltf", textured.dump());
+    constexpr std::array<float, 9> CORNERS = {-1, -1, 0, 1, -1, 0, 0, 1, 0};
+    write("corners.bin", std::string(reinterpret_cast<const char*>(CORNERS.data()), sizeof(CORNERS)));
+    write("t.obj", "mtllib t.mtl\nusemtl m\nv -1 -1 0\nv 1 -1 0\nv 0 1 0\nf 1 2 3\n");
+    write("t.mtl", "newmtl m\nKd 1 1 1\n");
+    write("cam.json", R"({"position": [0, 0, 5], "target": [0, 0, 0], "up": [0, 1, 0], "vfov_degrees": 40})");
+    std::filesystem::create_hard_link(folder.path / "floor1.png", folder.path / "hard.png");
+    std::filesystem::create_symlink("floor1.png", folder.path / "link.png");
+    std::filesystem::create_directory(folder.path / "cd");
+    for (const char* name : {"cd/b.png", "cd/difference.png"})
+        std::filesystem::copy(folder.path / "floor1.png", folder.path / name);
+    std::map<std::string, std::string> before;
+    for (const std::string& name : files_in(folder.path)) before[name] = read_file(folder.path / name);
+
+    const std::string by_scene = ": the scene reads this file; give another name";
+    const std::vector<std::string> null = {"--core", "null", "--size", "16x9", "--spp", "1"};
+    const std::vector<std::pair<std::vector<std::string>, std::string>> rows = {
+        {{"render", "textured.gltf", "-o", "floor1.png"}, "-o floor1.png" + by_scene},
+        {{"render", "textured.gltf", "-o", "./hard.png"}, "-o ./hard.png" + by_scene},
+        {{"render", "textured.gltf", "-o", "link.png"}, "-o link.png" + by_scene},
+        {{"render", "textured.gltf", "-o", "floor#.png", "--frames", "0:3"}, "-o floor1.png" + by_scene},
+        {{"render", "textured.gltf", "-o", "a.png", "--stats", "textured.gltf"}, "--stats textured.gltf" + by_scene},
+        {{"render", "textured.gltf", "-o", "a.png", "--stats", "corners.bin"}, "--stats corners.bin" + by_scene},
+        {{"render", "t.obj", "-o", "a.png", "--stats", "t.mtl"}, "--stats t.mtl" + by_scene},
+        {{"render", "t.obj", "-o", "a.png", "--stats", "t.obj"}, "--stats t.obj" + by_scene},
+        {{"render", scene, "--sky", "sky.exr", "-o", "sky.exr"}, "-o sky.exr: --sky reads this file"},
+        {{"render", scene, "--camera", "cam.json", "-o", "a.png", "--stats", "cam.json"}, "--camera reads this file"},
+        {{"bench", scene, "-o", scene}, "-o " + scene + by_scene},
+        {{"merge", "sky.exr", "-o", "sky.exr"}, "-o sky.exr: merge reads this file"},
+        {{"compare", "cd/difference.png", "floor1.png", "-o", "cd"}, "-o cd/difference.png: compare reads this file"},
+    };
+    for (auto [words, said] : rows) {
+        words.push_back("--quiet");
+        if (words[0] == "render") words.insert(words.end(), null.begin(), null.end());
+        expect_refused(words, {said});
+    }
+    for (const auto& [name, content] : before) EXPECT_TRUE(read_file(folder.path / name) == content) << name;
+    EXPECT_THAT(files_in(folder.path / "cd"), ElementsAre("b.png", "difference.png"));
+}
+
+TEST_F(Pathtracer, RefusesAPipeThatNobodyReadsAndWritesToOneThatIsRead) {
+    for (const char* name : {"pipe.png", "pipe1.png"}) ASSERT_EQ(mkfifo((folder.path / name).c_str(), 0600), 0);
+    const std::string said = "it is a pipe that nobody reads from; give another place";
+    expect_refused({"render", scene, "--core", "null", "-o", "pipe.png"}, {"cannot write pipe.png", said});
+    expect_refused({"render", scene, "--core", "null", "-o", "a.png", "--stats", "pipe.png"}, {said});
+    expect_refused({"render", scene, "--core", "null", "-o", "pipe#.png", "--frames", "0:2"}, {"pipe1.png", said});
+    expect_refused({"merge", "pipe.png", "-o", "m.exr"}, {"pipe.png: is not a regular file but a pipe"});
+    ASSERT_EQ(render({"-o", "a.png"}).exit_code, 0);
+    const RunResult piped =
+        run_program({"sh", "-c", "exec 3<>pipe.png; \"$0\" \"$@\" && dd bs=65536 count=1 <&3 >got.png", PATHTRACER,
+                     "render", scene, "--core", "null", "--size", "16x9", "--spp", "2", "-o", "pipe.png"},
+                    folder.path);
+    EXPECT_EQ(piped.exit_code, 0) << piped.err;
+    EXPECT_TRUE(read_file(folder.path / "got.png") == read_file(folder.path / "a.png"));
+    // A device takes no statistics: what was written before is said.
+    const RunResult full = render({"-o", "q.png", "--stats", "/dev/full"});
+    EXPECT_EQ(full.exit_code, 2);
+    EXPECT_THAT(full.err, HasSubstr("what -o names is written: q.png"));
+    EXPECT_TRUE(std::filesystem::exists(folder.path / "q.png"));
+}
+
+TEST_F(Pathtracer, AFolderDoesNotHideABuiltInScene) {
+    std::filesystem::create_directory(folder.path / "still_life");
+    const RunResult result = run({"render", "still_life", "--core", "null", "--size", "16x9", "--spp", "1"});
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_THAT(result.out, HasSubstr("still_life.png: 16x9"));
 }
 
 TEST_F(Pathtracer, AnUnwritablePlaceIsFoundBeforeTheSceneIsRead) {
@@ -168,6 +256,31 @@ TEST_F(Pathtracer, ASequenceIsTakenUpWhereItsFramesHaveTheseOptions) {
                                        folder.path);
     EXPECT_EQ(full.exit_code, 2);
     EXPECT_THAT(files_in(folder.path), ElementsAre("f00.png", "f01.png", "f02.png", moving, scene));
+}
+
+TEST_F(Pathtracer, OnlyFramesThatAreWholeAreKept) {
+    const auto frames = [&](const std::string& pattern, std::vector<std::string> more = {}) {
+        more.insert(more.begin(), {"-o", pattern, "--frames", "0:4", "--look-at", "0,0,5,0,0,0", "--sky", "1,1,1"});
+        return render(more);
+    };
+    for (const std::string ending : {".png", ".exr"}) {
+        const std::string pattern = "f#" + ending;
+        EXPECT_EQ(frames(pattern).exit_code, 0);
+        std::vector<std::string> whole;
+        for (int i = 0; i < 4; ++i) whole.push_back(read_file(folder.path / ("f" + std::to_string(i) + ending)));
+        // Cut off within the pixels; behind them (of an EXR still within); a bit of a pixel the other way.
+        std::vector<std::string> torn = {whole[0].substr(0, whole[0].size() / 2),
+                                         whole[1].substr(0, whole[1].size() - 5), whole[2], whole[3]};
+        const size_t pixel = ending == ".png" ? whole[2].find("IDAT") + 8 : whole[2].size() - 3;
+        torn[2][pixel] = static_cast<char>(torn[2][pixel] ^ 4);
+        for (int i = 0; i < 4; ++i)
+            std::ofstream(folder.path / ("f" + std::to_string(i) + ending), std::ios::binary)
+                << torn[static_cast<size_t>(i)];
+        EXPECT_THAT(frames(pattern, {"--resume"}).err, HasSubstr(", 1 of them kept"));
+        for (int i = 0; i < 4; ++i)
+            EXPECT_TRUE(read_file(folder.path / ("f" + std::to_string(i) + ending)) == whole[static_cast<size_t>(i)])
+                << i;
+    }
 }
 
 TEST_F(Pathtracer, SaysWhichCameraAndSkyItTook) {

@@ -331,6 +331,10 @@ TEST_F(Cores, WhatDoesNotFitTheDeviceIsLeftToTheTargetCore) {
     SKIP_WITHOUT("source");
     SKIP_WITHOUT("target");
     const std::string expected = picture("target");
+    const RunResult both = run({"compare", SCENE, "--gpu-memory-limit", "1"});
+    EXPECT_EQ(both.exit_code, 2);
+    EXPECT_THAT(both.err, testing::Not(HasSubstr("--core")));  // which compare leaves aside
+    EXPECT_THAT(both.err, HasSubstr("raise --gpu-memory-limit"));
     const RunResult refused = run({"render", SCENE, "--core", "source", "--gpu-memory-limit", "1", "-o", "b.exr"});
     EXPECT_EQ(refused.exit_code, 2);
     EXPECT_THAT(refused.err, HasSubstr("MiB"));

@@ -422,6 +422,23 @@ class RefusedTest(unittest.TestCase):
             self.assertIn(said, got.stderr)
             self.assertEqual(got.stderr.count(b"error"), 1)
 
+    def test_the_log_takes_the_place_of_nothing_that_is_read_and_waits_for_no_reader(self):
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name)
+            shutil.copytree(KERNELS, folder / "kernels")
+            (folder / "note.txt").write_text("kept")
+            os.mkfifo(folder / "pipe")
+            kept = (folder / "kernels/shade.comp").read_bytes()
+            for words, said in ((("nosuch.gltf", "--log", "note.txt"), b"nosuch.gltf"),
+                                (("nosuch.gltf", "--log", "pipe"), b"a pipe that nobody reads from"),
+                                (("still_life", "--kernels", "kernels", "--log", "kernels/shade.comp"), b"--kernels reads")):
+                got = subprocess.run([PATHTRACER, "view", *words], cwd=folder, env={**os.environ, "DISPLAY": ":9999"},
+                                     capture_output=True, timeout=60)
+                self.assertEqual(got.returncode, 2, got.stderr)
+                self.assertIn(said, got.stderr)
+            self.assertEqual((folder / "note.txt").read_text(), "kept")
+            self.assertEqual((folder / "kernels/shade.comp").read_bytes(), kept)
+
 
 if __name__ == "__main__":
     for program in ("Xvfb", "xdotool"):

@@ -273,7 +273,7 @@ TEST(LoaderAnimation, OfTwoAnimationsThatMoveTheSameTheFirstCounts) {
         EXPECT_EQ(jump->scene.instances()[0].transform.rows[0].w, 9.0f);
     }
     EXPECT_THAT(load_scene(folder / "scene.gltf", {.animation = "run"}).status.message,
-                HasSubstr("there is no animation \"run\"; there are 0, 1 \"jump\""));
+                HasSubstr("there is no animation \"run\"; the file has 0, 1 \"jump\"; give one"));
 }
 
 TEST(LoaderAnimation, RefusesKeysThatAreNone) {
