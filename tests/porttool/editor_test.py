@@ -498,6 +498,8 @@ class LspTest(Project):
         for number in range(2000):
             client.notify("textDocument/didOpen", {"textDocument": {
                 "uri": self.uri(f"elsewhere/{number}.glsl"), "version": 1, "text": SOURCE}})
+            if number % 100 == 0:  # reads what was told: a server waits for who does not
+                client.request("textDocument/hover", self.at("src/k.glsl", 4, 6))
         self.open(client, "src/k.glsl", "{" * (8 << 20))
         everywhere = {"start": {"line": 0, "character": 0}, "end": {"line": 2147483647, "character": 2147483647}}
         changes = [{"range": everywhere, "text": "a"}, {"text": SOURCE}, {"range": dict(everywhere, end={
