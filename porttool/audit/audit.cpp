@@ -10,6 +10,7 @@
 #include "porttool/audit/certainty.h"
 #include "porttool/audit/past_walk.h"
 #include "porttool/audit/port_patch.h"
+#include "porttool/audit/stray_edits.h"
 #include "porttool/audit/todays_pairs.h"
 #include "porttool/compare/paired_names.h"
 #include "porttool/snapshot/past.h"
@@ -72,6 +73,18 @@ public:
         return &out;
     }
 
+    /// The same as essence_of() has them, each once.
+    const std::vector<std::vector<std::string>>* essences_of(const std::string& path) {
+        const std::set<std::string>* keys = of(path);
+        if (keys == nullptr) return nullptr;
+        const auto [known, is_new] = essences_.try_emplace(path);
+        if (!is_new) return &known->second;
+        std::set<std::vector<std::string>> out;
+        for (const std::string& key : *keys) out.insert(essence_of(split_words(key), dialect_));
+        known->second.assign(out.begin(), out.end());
+        return &known->second;
+    }
+
     const WordsOfSide* words_of(const std::string& path) {
         const auto known = words_.find(path);
         if (known != words_.end()) return &known->second;
@@ -81,7 +94,18 @@ public:
     }
 
 private:
+    static std::vector<std::string> split_words(const std::string& key) {
+        std::vector<std::string> out;
+        for (size_t at = 0; at < key.size();) {
+            const size_t end = std::min(key.find(' ', at), key.size());
+            out.push_back(key.substr(at, end - at));
+            at = end + 1;
+        }
+        return out;
+    }
+
     const Dialect& dialect_;
+    std::map<std::string, std::vector<std::vector<std::string>>> essences_;
     std::map<std::string, WordsOfSide> words_;
     std::map<std::string, const ScannedFile*> files_;
     std::map<std::string, std::set<std::string>> known_;
@@ -174,6 +198,10 @@ private:
                 const UnitState& unit = today_.unit(pair, side);
                 if (!out.contains(unit.id)) out.emplace(unit.id, UnitLineage(written_statements(unit.text.words())));
             }
+        for (const Side side : kBothSides)
+            for (const auto& [id, unit] : today_.snapshot.states[side])
+                if ((unit.kind == UnitKind::Function || unit.kind == UnitKind::Kernel) && !out.contains(id))
+                    out.emplace(id, UnitLineage(written_statements(unit.text.words()), false));
         return out;
     }
 
@@ -189,7 +217,11 @@ private:
             BySide<SideOfPair> pair;
             for (const Side side : kBothSides) {
                 const UnitState& unit = today_.unit(today_.pairs[i], side);
-                pair[side] = {&unit, &lineages.at(unit.id), statements.of(unit.file), statements.words_of(unit.file),
+                pair[side] = {&unit,
+                              &lineages.at(unit.id),
+                              statements.of(unit.file),
+                              statements.essences_of(unit.file),
+                              statements.words_of(unit.file),
                               &words[side]};
             }
             PairReading reading = read_pair(pair, dialect);
@@ -201,7 +233,25 @@ private:
                 out.push_back({i, reading.alike, std::move(edit), both});
             }
         }
+        add_strays(lineages, words, dialect, out);
         return out;
+    }
+
+    /// Each makes a pair of its own, of which little is known.
+    void add_strays(const Lineages& lineages, const BySide<UsesOnSide>& words, const Dialect& dialect,
+                    std::vector<FoundEdit>& out) {
+        constexpr double kScore = 0.6;
+        std::set<std::pair<std::string, std::string>> paired;
+        for (const TodaysPair& pair : today_.pairs) paired.emplace(pair.id.source, pair.id.target);
+        std::map<std::pair<std::string, std::string>, size_t> added;
+        for (StrayEdit& stray : stray_edits(today_.snapshot, lineages, words, paired, dialect)) {
+            const auto [known, is_new] = added.try_emplace({stray.id.source, stray.id.target}, today_.pairs.size());
+            if (is_new) {
+                today_.pairs.push_back({stray.id, kScore, false, true});
+                alike_.push_back(stray.alike);
+            }
+            out.push_back({known->second, stray.alike, std::move(stray.edit), false});
+        }
     }
 
     static constexpr size_t kFew = 20;           ///< whoever asks for no more than that wants what is likely

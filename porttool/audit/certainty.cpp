@@ -85,11 +85,11 @@ std::vector<bool> shared_pairs(const TodaysPairs& today) {
     };
     for (const TodaysPair& pair : today.pairs)
         for (const Side side : kBothSides)
-            partners[key(pair, side)].insert(leaf_of(today.unit(pair, other(side)).name));
+            if (!pair.stray) partners[key(pair, side)].insert(leaf_of(today.unit(pair, other(side)).name));
     std::vector<bool> out;
     for (const TodaysPair& pair : today.pairs)
-        out.push_back(partners.at(key(pair, Side::Source)).size() > 1 ||
-                      partners.at(key(pair, Side::Target)).size() > 1);
+        out.push_back(!pair.stray && (partners.at(key(pair, Side::Source)).size() > 1 ||
+                                      partners.at(key(pair, Side::Target)).size() > 1));
     return out;
 }
 
@@ -153,7 +153,7 @@ private:
             out_.why.emplace_back("the commit message speaks of speed");
         }
         if (says.platform) {
-            z_ -= 0.7;
+            z_ -= 1.2;
             out_.why.emplace_back("the commit message speaks of one platform");
         }
     }
@@ -208,14 +208,32 @@ private:
     double z_ = 0;
 };
 
+/// A long statement cut down to the part in which it differs from another one.
+WrittenStatement telling_part(const WrittenStatement& statement, const WrittenStatement& than) {
+    constexpr size_t kLong = 48, kAround = 10, kMost = 60;  // words
+    const std::vector<std::string> words = words_of_statement(statement), others = words_of_statement(than);
+    if (words.size() <= kLong) return statement;
+    size_t first = 0, last = words.size();
+    while (first < last && first < others.size() && words[first] == others[first]) ++first;
+    for (size_t end = others.size(); last > first && end > first && words[last - 1] == others[end - 1]; --end) --last;
+    first -= std::min(first, kAround);
+    last = std::min({words.size(), last + kAround, first + kMost});
+    WrittenStatement out = first > 0 ? "..." : "";
+    for (size_t i = first; i < last; ++i) (out.empty() ? out : out += '\x1f') += words[i];
+    return last < words.size() ? out + "\x1f..." : out;
+}
+
 std::string summary_of(const MissingEdit& edit) {
     const MissingPlace& place = strongest(edit);
     const std::string other = edit.side == Side::Source ? "the target" : "the source";
     const auto quoted_one = [](const WrittenStatement& statement) { return "`" + shown_statement(statement) + "`"; };
     switch (place.kind) {
-        case MissingPlace::Kind::Replaced:
-            return other + " still has " + quoted_one(place.there) + " where " + quoted_one(place.before) + " became " +
-                   quoted_one(place.now);
+        case MissingPlace::Kind::Replaced: {
+            const std::string there = quoted_one(telling_part(place.there, place.now)),
+                              before = quoted_one(telling_part(place.before, place.now));
+            return other + " still has " + there + (before == there ? ", which" : " where " + before) + " became " +
+                   quoted_one(telling_part(place.now, place.before));
+        }
         case MissingPlace::Kind::Added:
             return other + " lacks " + quoted_one(place.now);
         case MissingPlace::Kind::Removed:

@@ -80,15 +80,69 @@ size_t end_of_cast(const Text& words, size_t first, const Text& before) {
     return is_type || alone || is_word_token(next) || is_number_token(next) ? end : first;
 }
 
-/// Without `*` and `&` before an operand, casts, template arguments and the names of what holds a name.
+/// Where the `]` of `& a . b [ i ]` stands that begins there, if nothing goes into the element; else the place itself.
+size_t end_of_element(const Text& words, size_t first) {
+    size_t i = first + 1;
+    while (i < words.size() && (is_word_token(words[i]) || words[i] == "." || words[i] == "->")) ++i;
+    if (i == first + 1 || i >= words.size() || words[i] != "[") return first;
+    int depth = 0;
+    for (; i < words.size(); ++i) {
+        depth += words[i] == "[" ? 1 : words[i] == "]" ? -1 : 0;
+        if (depth == 0) break;
+    }
+    const bool goes_on = i + 1 < words.size() && (words[i + 1] == "." || words[i + 1] == "->" || words[i + 1] == "[");
+    return i >= words.size() || goes_on ? first : i;
+}
+
+/// Without casts, and without what only says by which cache a value comes: `__ldg ( & a [ i ] )` is `( a [ i ] )`.
+Text without_casts(const Text& words) {
+    Text out;
+    for (size_t i = 0; i < words.size(); ++i) {
+        if (const size_t end = end_of_cast(words, i, out); end != i) {
+            i = end;
+        } else if (words[i].ends_with("ldg") && i + 2 < words.size() && words[i + 1] == "(" && words[i + 2] == "&") {
+            out.emplace_back("(");
+            i += 2;
+        } else {
+            out.push_back(words[i]);
+        }
+    }
+    return out;
+}
+
+/// `& a [ i ]` and `& ( a [ i ] )` as `a + i`.
+Text with_plain_places(const Text& words) {
+    Text out;
+    for (size_t i = 0; i < words.size(); ++i) {
+        const bool asks = words[i] == "&" && begins_operand(out);
+        const bool in_brackets = asks && i + 1 < words.size() && words[i + 1] == "(";
+        if (in_brackets) ++i;
+        const size_t end = asks ? end_of_element(words, i) : i;
+        if (end == i || (in_brackets && (end + 1 >= words.size() || words[end + 1] != ")"))) {
+            out.push_back(words[i]);
+            continue;
+        }
+        const bool at_start = words[end - 1] == "0" && words[end - 2] == "[";
+        bool opened = false;
+        for (size_t k = i + 1; k < end; ++k) {
+            if (words[k] == "[" && !opened) {
+                opened = true;
+                if (at_start) break;
+                out.emplace_back("+");
+            } else {
+                out.push_back(words[k]);
+            }
+        }
+        i = in_brackets ? end + 1 : end;
+    }
+    return out;
+}
+
+/// Without `*` and `&` before an operand, template arguments and the names of what holds a name.
 Text without_marks(const Text& words) {
     Text out;
     for (size_t i = 0; i < words.size(); ++i) {
         if ((words[i] == "*" || words[i] == "&") && begins_operand(out)) continue;
-        if (const size_t end = end_of_cast(words, i, out); end != i) {
-            i = end;
-            continue;
-        }
         if (words[i] == "<" && i > 0 && is_word_token(words[i - 1])) {
             size_t end = i + 1;
             while (
@@ -296,7 +350,8 @@ float substance_of(const Text& before, const Text& now, const KnownThere& there)
 }
 
 Text essence_of(const Text& words, const Dialect& dialect) {
-    Text out = with_plain_assignment(with_plain_steps(with_plain_calls(without_marks(without_declaration(words)))));
+    Text out = with_plain_assignment(with_plain_steps(
+        with_plain_calls(without_marks(with_plain_places(without_casts(without_declaration(words)))))));
     for (std::string& word : out) word = plain_word(word, dialect);
     std::erase_if(out, [](const std::string& word) { return word == "this"; });
     return out;

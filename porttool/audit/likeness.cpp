@@ -42,4 +42,28 @@ float common_weight(const WeighedWords& a, const WeighedWords& b) {
     return row.back();
 }
 
+float likeness_by_endings(const std::vector<std::string>& a, const std::vector<std::string>& b) {
+    constexpr size_t kTelling = 4;  // letters of an ending
+    const auto is_same = [](const std::string& one, const std::string& two) {
+        return one == two || (one.size() >= kTelling && two.ends_with(one)) ||
+               (two.size() >= kTelling && one.ends_with(two));
+    };
+    std::vector<const std::string*> left, right;
+    for (const std::string& word : a)
+        if (weight_of(word) >= 1) left.push_back(&word);
+    for (const std::string& word : b)
+        if (weight_of(word) >= 1) right.push_back(&word);
+    std::vector<size_t> row(right.size() + 1, 0);
+    for (const std::string* one : left) {
+        size_t diagonal = 0;
+        for (size_t k = 0; k < right.size(); ++k) {
+            const size_t above = row[k + 1];
+            row[k + 1] = is_same(*one, *right[k]) ? diagonal + 1 : std::max(above, row[k]);
+            diagonal = above;
+        }
+    }
+    const size_t all = left.size() + right.size();
+    return all == 0 ? 0 : 2 * static_cast<float>(row.back()) / static_cast<float>(all);
+}
+
 }  // namespace porttool

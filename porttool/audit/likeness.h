@@ -30,6 +30,10 @@ private:
 /// The weight of what two statements have in common in one order.
 float common_weight(const WeighedWords& a, const WeighedWords& b);
 
+/// Twice the common words of two statements in one order by all, 0 to 1, brackets and commas left out. Names count as
+/// the same where one ends with the other: `clamp` and `spectrumclamp`.
+float likeness_by_endings(const std::vector<std::string>& a, const std::vector<std::string>& b);
+
 /// What one has and the other has not, in weight; 0 for equal ones.
 inline float distance(const WeighedWords& a, const WeighedWords& b) { return a.sum + b.sum - 2 * common_weight(a, b); }
 

@@ -7,7 +7,7 @@
 
 namespace porttool {
 
-UnitLineage::UnitLineage(std::vector<WrittenStatement> today) : today_(std::move(today)) {
+UnitLineage::UnitLineage(std::vector<WrittenStatement> today, bool paired) : paired_(paired), today_(std::move(today)) {
     for (size_t i = 0; i < today_.size(); ++i) {
         lines_.push_back({i, {}});
         live_.emplace(today_[i], i);

@@ -38,11 +38,13 @@ struct RemovedStatement {
 ///     commit 4                         -             brought in: the end of it
 class UnitLineage {
 public:
-    explicit UnitLineage(std::vector<WrittenStatement> today);
+    /// `paired`: the unit is part of a pair; others are followed for the sake of their statements alone.
+    explicit UnitLineage(std::vector<WrittenStatement> today, bool paired = true);
 
     /// Takes in an edit. They come newest first.
     void add(const UnitEdit& edit, uint32_t commit);
 
+    bool paired() const { return paired_; }
     const std::vector<WrittenStatement>& today() const { return today_; }
     const std::vector<StatementLineage>& statements() const { return lines_; }
     const std::vector<RemovedStatement>& removed() const { return removed_; }
@@ -59,6 +61,7 @@ public:
     }
 
 private:
+    bool paired_;
     std::vector<WrittenStatement> today_;
     std::vector<StatementLineage> lines_;
     std::unordered_multimap<std::string, size_t> live_;  ///< by what each was, as far back as the walk has come

@@ -41,9 +41,9 @@ constexpr std::array<std::string_view, 7> kBuild = {"compil", "build",    "drive
                                                     "script", "makefile", "dependenc"};
 
 /// What is mended there may have been wrong there alone.
-constexpr std::array<std::string_view, 20> kPlatform = {"opencl", "cuda",  "hip ",  "sycl", "metal", "vulkan",  "gpu",
-                                                        "opengl", "cpu",   "os x",  "osx",  "mac",   "windows", "msvc",
-                                                        "gcc",    "clang", "intel", "amd",  "arm",   "nvidia"};
+constexpr std::array<std::string_view, 21> kPlatform = {
+    "platform", "opencl", "cuda",    "hip ", "sycl", "metal", "vulkan", "gpu", "opengl", "cpu",   "os x",
+    "osx",      "mac",    "windows", "msvc", "gcc",  "clang", "intel",  "amd", "arm",    "nvidia"};
 
 /// Without the `cuda:` or `[cuda]` at its start: so some mark all that they do there.
 std::string without_tag(const std::string& text) {

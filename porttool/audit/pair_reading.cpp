@@ -58,6 +58,7 @@ public:
             read_past(side);
         }
         for (const Side side : kBothSides) find_new_locals(side);
+        for (const Side side : kBothSides) find_held_values(side);
         out.alike = alike();
         if (has_any_past)
             for (const Side side : kBothSides) judge_side(side, out.missing);
@@ -137,6 +138,44 @@ private:
             if (std::find(parameters.begin(), parameters.end(), name) == parameters.end() &&
                 !unit_words_[other(side)].contains(name))
                 new_locals_[side].insert(name);
+    }
+
+    /// What the locals hold that are set once, where they are declared, and the statements with those written out.
+    void find_held_values(Side side) {
+        const ReadSide& read = sides_[side];
+        std::map<std::string, size_t> times;
+        for (const auto& words : read.words)
+            if (words.size() > 2 && words[1] == "=") ++times[words[0]];
+        for (size_t i = 1; i < read.words.size(); ++i) {
+            const auto& words = read.words[i];
+            if (words.size() < 3 || words[1] != "=" || times[words[0]] != 1) continue;
+            const bool declares = folded(words_of_statement(read.written[i]).front()) != words[0];
+            if (declares) held_[side].emplace(words[0], std::vector<std::string>(words.begin() + 2, words.end()));
+        }
+        for (const auto& words : read.words) said_[side].insert(written_out(words, side));
+    }
+
+    /// A statement with the values of such locals in their place, without round brackets.
+    std::vector<std::string> written_out(const std::vector<std::string>& words, Side side) const {
+        constexpr size_t kMostWords = 256;
+        constexpr int kDeep = 3;  // locals that hold what other locals hold
+        std::vector<std::string> out = words;
+        for (int turn = 0; turn < kDeep && !held_[side].empty(); ++turn) {
+            std::vector<std::string> next;
+            for (size_t i = 0; i < out.size(); ++i) {
+                const bool set = i + 1 < out.size() && (out[i + 1] == "=" || out[i + 1] == "(");
+                const bool member = i > 0 && out[i - 1] == ".";
+                const auto known = set || member ? held_[side].end() : held_[side].find(out[i]);
+                if (known == held_[side].end())
+                    next.push_back(out[i]);
+                else
+                    next.insert(next.end(), known->second.begin(), known->second.end());
+            }
+            if (next == out || next.size() > kMostWords) break;
+            out = std::move(next);
+        }
+        std::erase_if(out, [](const std::string& word) { return word == "(" || word == ")"; });
+        return out;
     }
 
     /// Parameters stand for each other by their places where the sides are more alike so: `u0, u1` for `u1, u2`.
@@ -294,6 +333,8 @@ private:
         const WeighedWords& now = sides_[side].weighed[line.index];
         const Nearest of_now = nearest(now, others);
         if (!of_now.any || of_now.distance <= 0 || other_had(side, line.index)) return;
+        const std::vector<std::string> whole = written_out(sides_[side].words[line.index], side);
+        if (said_[other(side)].contains(whole)) return;
         size_t best = line.steps.size();
         Nearest found;
         WeighedWords old_text;
@@ -327,16 +368,19 @@ private:
         place.before = line.steps[best].before;
         place.now = sides_[side].written[line.index];
         place.there = sides_[other(side)].written[found.index];
-        const float substance =
-            substance_of(translated(place.before, side, true), sides_[side].words[line.index], known_there(side));
+        const std::vector<std::string> was = translated(place.before, side, true);
+        const bool names_value = uses_new_local(side, sides_[side].words[line.index]);
+        if (written_out(was, side) == whole) return;  // a value got a name
+        const float substance = names_value ? substance_of(written_out(was, side), whole, known_there(side))
+                                            : substance_of(was, sides_[side].words[line.index], known_there(side));
         place.strength = std::min(1.0f, (leaning - 0.3f) / 0.7f) * std::min(1.0f, (near - 0.3f) / 0.7f) *
                          told_by(old_text.sum) * substance * still_itself(likeness(old_text, now)) *
                          (same_head(side, place) ? 1.0f : 0.4f) * (brings_call(side, place) ? 0.5f : 1.0f) *
                          (counts_threads_otherwise(place) ? 0.2f : 1.0f) *
-                         (turns_round(side, place, line.steps[told].commit) ? 0.1f : 1.0f);
+                         (turns_round(side, place, line.steps[told].commit) ? 0.1f : 1.0f) *
+                         (says_what_is_gained(side, was, sides_[side].words[line.index]) ? 0.3f : 1.0f);
         if (place.strength < kFaint) return;
-        place.strength *= anchored(translated(place.before, side, true), sides_[side].words[line.index],
-                                   sides_[other(side)].words[found.index]);
+        place.strength *= anchored(was, sides_[side].words[line.index], sides_[other(side)].words[found.index]);
         if (place.strength < kFaint) return;
         place.constants_only = numbers_alone(place.before, place.now);
         note(line.steps[told].commit, std::move(place));
@@ -344,7 +388,43 @@ private:
 
     static bool says_nothing(const WrittenStatement& statement) {
         const std::vector<std::string> words = words_of_statement(statement);
-        return is_aside(words) || is_bare_declaration(words);
+        return is_aside(words) || is_bare_declaration(words) || is_head(words);
+    }
+
+    /// True for the head of the unit, whose name is `@` there, be it behind lines of attributes.
+    static bool is_head(const std::vector<std::string>& words) {
+        for (size_t i = 0; i + 1 < words.size() && words[i] != "="; ++i)
+            if (words[i] == "@" && words[i + 1] == "(") return i > 0 && is_word_token(words[i - 1]);
+        return false;
+    }
+
+    bool uses_new_local(Side side, const std::vector<std::string>& words) const {
+        return std::any_of(words.begin(), words.end(), [&](const std::string& word) {
+            return held_[side].contains(word) && !unit_words_[other(side)].contains(word);
+        });
+    }
+
+    /// Names that tell what a statement is about: no types, no words of a letter or two, nothing of the side's own.
+    bool tells(Side side, const std::string& word) const {
+        constexpr size_t kLeast = 4;
+        return is_word_token(word) && word.size() >= kLeast && !is_type_word(word) && !word_is(word, kKeyword) &&
+               !own_names_[side].contains(word);
+    }
+
+    /// True if the names that an edit brought are in use on the other side's unit, and on this side in such edits
+    /// alone: then the other side has it in another statement.
+    bool says_what_is_gained(Side side, const std::vector<std::string>& before,
+                             const std::vector<std::string>& now) const {
+        bool any = false;
+        for (const std::string& word : now) {
+            if (!tells(side, word) || std::find(before.begin(), before.end(), word) != before.end()) continue;
+            any = true;
+            if (!unit_words_[other(side)].contains(word)) return false;
+            for (const auto& words : sides_[side].words)
+                if (&words != &now && words != now && std::find(words.begin(), words.end(), word) != words.end())
+                    return false;
+        }
+        return any;
     }
 
     /// How well the places of a change are known in the other side's statement: what went, and the words beside it,
@@ -450,7 +530,9 @@ private:
         if (step == line.steps.rend()) return;
         const WeighedWords& now = sides_[side].weighed[line.index];
         const float there = 1 - of_now.distance / (now.sum + sides_[other(side)].weighed[of_now.index].sum);
-        if (there > 0.6f || has_elsewhere(side, line.index)) return;
+        if (there > 0.6f || has_elsewhere(side, line.index) || has_in_shape(side, line.index) ||
+            stands_alike_in_file(side, line.index))
+            return;
         MissingPlace place;
         place.kind = MissingPlace::Kind::Added;
         place.now = sides_[side].written[line.index];
@@ -458,9 +540,73 @@ private:
         place.strength = said_in_one(side, line.index) * 0.8f * std::min(1.0f, (1 - there) / 0.6f) *
                          known_names(side, line.index) * (0.35f + 0.65f * neighbours(side, line.index)) *
                          (is_label(side, line.index) ? 1.0f : told_by(now.sum)) * lacks_words(side, line.index) *
-                         in_common_calls(side, line.index) * sets_new(side, line.index);
+                         in_common_calls(side, line.index) * sets_new(side, line.index) *
+                         (names_value(side, line.index) ? 0.4f : 1.0f);
         if (place.strength < kFaint) return;
         note(born.commit, std::move(place));
+    }
+
+    /// True for the declaration of a local that the other side does not have: what matters is where it is used, and
+    /// there its value is written out.
+    bool names_value(Side side, size_t index) const {
+        const std::vector<std::string>& words = sides_[side].words[index];
+        return words.size() > 2 && words[1] == "=" && held_[side].contains(words[0]) &&
+               !unit_words_[other(side)].contains(words[0]);
+    }
+
+    /// A statement with all names alike, and what leads to a member left out: `if ( lid != best [ bid ] )` and
+    /// `if ( threadIdx . x != best [ blockIdx . x ] )` have one shape.
+    static std::string shape_of(const std::vector<std::string>& words) {
+        std::string out;
+        for (size_t i = 0; i < words.size(); ++i) {
+            if (words[i] == ".") {
+                ++i;
+                continue;
+            }
+            const bool name = is_word_token(words[i]) && !word_is(words[i], kKeyword) && !is_type_word(words[i]);
+            out += name ? "a" : words[i];
+            out += ' ';
+        }
+        return out;
+    }
+
+    /// True if the other side has a statement of the same shape that says some of the same names and has no better
+    /// counterpart on this side.
+    bool has_in_shape(Side side, size_t index) const {
+        const std::vector<std::string>& own = sides_[side].words[index];
+        if (is_label(side, index) || own.size() < 6) return false;
+        const std::string shape = shape_of(own);
+        const ReadSide &here = sides_[side], &there = sides_[other(side)];
+        for (size_t i = 1; i < there.words.size(); ++i) {
+            const auto& words = there.words[i];
+            if (words[0] != own[0] && !(is_word_token(words[0]) && is_word_token(own[0]))) continue;
+            if (shape_of(words) != shape) continue;
+            const bool shares = std::any_of(own.begin(), own.end(), [&](const std::string& word) {
+                return word.size() >= 3 && is_word_token(word) && !word_is(word, kKeyword) && !is_type_word(word) &&
+                       std::find(words.begin(), words.end(), word) != words.end();
+            });
+            if (!shares) continue;
+            const float far = distance(there.weighed[i], here.weighed[index]);
+            bool nearest_one = true;
+            for (size_t k = 0; k < here.words.size() && nearest_one; ++k)
+                nearest_one = here.words[k] == own || distance(there.weighed[i], here.weighed[k]) >= far ||
+                              shape_of(here.words[k]) != shape;
+            if (nearest_one) return true;
+        }
+        return false;
+    }
+
+    /// True if some other function of the other side's file says nearly the same: a port may be spread over several.
+    bool stands_alike_in_file(Side side, size_t index) const {
+        constexpr float kAlike = 0.85f;
+        const auto* there = pair_[other(side)].file_statements;
+        const std::vector<std::string>& own = sides_[side].words[index];
+        if (there == nullptr || is_label(side, index) || sides_[side].weighed[index].sum < 3) return false;
+        return std::any_of(there->begin(), there->end(), [&](const std::vector<std::string>& words) {
+            if (words.empty() || words[0] != own[0] || words.size() > 2 * own.size() || own.size() > 2 * words.size())
+                return false;
+            return likeness_by_endings(own, words) >= kAlike;
+        });
     }
 
     /// True for `if ( p )` with nothing but a local of the unit: whether it may be null is the side's own affair.
@@ -653,6 +799,8 @@ private:
     BySide<ReadSide> sides_;
     BySide<std::set<std::string>> own_names_;   ///< parameters and locals
     BySide<std::set<std::string>> new_locals_;  ///< no parameters, and nothing that the other unit names, too
+    BySide<std::map<std::string, std::vector<std::string>>> held_;  ///< what locals hold that are set once
+    BySide<std::set<std::vector<std::string>>> said_;               ///< today's statements, as written_out() has them
     BySide<WordsOfSide> unit_words_;
     BySide<std::set<std::vector<std::string>>> had_;  ///< statements that a side had and has no more
 };

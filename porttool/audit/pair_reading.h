@@ -41,8 +41,9 @@ struct SideOfPair {
     const UnitState* unit = nullptr;
     const UnitLineage* lineage = nullptr;
     const std::set<std::string>* elsewhere = nullptr;  ///< the statements of its file, as statement_key() has them
-    const WordsOfSide* file_words = nullptr;           ///< those that its file uses
-    const UsesOnSide* uses = nullptr;                  ///< of words on the whole side
+    const std::vector<std::vector<std::string>>* file_statements = nullptr;  ///< the same as essence_of() has them
+    const WordsOfSide* file_words = nullptr;                                 ///< those that its file uses
+    const UsesOnSide* uses = nullptr;                                        ///< of words on the whole side
 };
 
 struct PairReading {

@@ -10,6 +10,7 @@
 #include "porttool/audit/likeness.h"
 #include "porttool/compare/plain_statement.h"
 #include "porttool/compare/statement_edit.h"
+#include "porttool/language/words.h"
 #include "porttool/normal/declaration_words.h"
 #include "porttool/normal/locals.h"
 #include "porttool/normal/normal_form.h"
@@ -52,7 +53,8 @@ Words with_plain_lists(const Words& text) {
 
 /// Puts a `;` wherever a statement ends for whoever looks for edits: behind labels of a switch, of which one that a
 /// commit adds to a long list is a statement that came, behind the head of a loop or branch, with braces or without,
-/// and around lines of the preprocessor whose end can be told.
+/// between `a = 1 , b = 2` and the lines of a list of macros, `CASES ( 1 ) CASES ( 2 )`, and around lines of the
+/// preprocessor whose end can be told.
 class LoneStatements {
 public:
     explicit LoneStatements(const Words& text) : text_(text) {}
@@ -69,13 +71,26 @@ public:
                 in_head_ || (depth_ == 0 && at(i + 1) == "(" && is_one_of(word, {"if", "for", "while", "switch"}));
             if (word == "(" || word == "[") ++depth_;
             if (word == ")" || word == "]") --depth_;
+            if (word == "," && depth_ == 0 && sets_value(begin_) && sets_value(i + 1)) {
+                end_statement();
+                begin_ = i + 1;
+                continue;
+            }
             out_.push_back(word);
+            if (is_one_of(word, {";", "{", "}"})) begin_ = i + 1;
+            if (word == ")" && depth_ == 0 && is_macro(i)) {
+                end_statement();
+                begin_ = i + 1;
+            }
             const bool ends_label = in_label_ && word == ":" && depth_ == 0;
             const bool ends_head = in_head_ && word == ")" && depth_ == 0;
             const bool lone_else = word == "else" && at(i + 1) != "if";
             if (ends_label) in_label_ = false;
             if (ends_head) in_head_ = false;
-            if (ends_label || ((ends_head || lone_else) && !is_one_of(at(i + 1), {"{", ";"}))) end_statement();
+            if (ends_label || ((ends_head || lone_else) && !is_one_of(at(i + 1), {"{", ";"}))) {
+                end_statement();
+                begin_ = i + 1;
+            }
         }
         return std::move(out_);
     }
@@ -87,6 +102,37 @@ private:
     }
     std::string_view at(size_t i) const { return i < text_.size() ? text_[i] : std::string_view(); }
     void end_statement() { out_.emplace_back(";"); }
+
+    /// True if `a . b [ i ] =` stands there: no declaration, which has two names in a row.
+    bool sets_value(size_t i) const {
+        if (!is_word_token(at(i))) return false;
+        int depth = 0;  // of brackets
+        for (++i; i < text_.size(); ++i) {
+            const std::string_view word = text_[i];
+            depth += word == "[" ? 1 : word == "]" ? -1 : 0;
+            if (depth > 0 || word == "]") continue;
+            if (is_one_of(word, {"=", "+=", "-=", "*=", "/="})) return true;
+            const bool member = is_word_token(word) && is_one_of(text_[i - 1], {".", "->"});
+            if (!member && !is_one_of(word, {".", "->"})) return false;
+        }
+        return false;
+    }
+
+    /// True if the `)` there ends a macro that stands as a statement without a `;`: all of it is `NAME ( ... )`, and a
+    /// name follows.
+    bool is_macro(size_t end) const {
+        const std::string_view name = at(begin_);
+        if (!is_word_token(name) || at(begin_ + 1) != "(" || !is_word_token(at(end + 1)) || word_is(name, kKeyword) ||
+            is_type_word(name) || is_one_of(name, {"if", "for", "while", "switch", "__attribute__", "layout"}))
+            return false;
+        const bool in_capitals = std::none_of(name.begin(), name.end(), [](char c) { return c >= 'a' && c <= 'z'; });
+        int depth = 0;
+        for (size_t i = begin_ + 1; i < end; ++i) {
+            depth += text_[i] == "(" ? 1 : text_[i] == ")" ? -1 : 0;
+            if (depth == 0) return false;  // the list ended before
+        }
+        return in_capitals;
+    }
 
     size_t take_directive(size_t i) {
         if (!out_.empty() && !is_one_of(out_.back(), {";", "{", "}"})) end_statement();
@@ -102,6 +148,7 @@ private:
     const Words& text_;
     Words out_;
     int depth_ = 0;
+    size_t begin_ = 0;  ///< of the statement
     bool in_label_ = false, in_head_ = false;
 };
 

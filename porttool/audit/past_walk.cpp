@@ -187,8 +187,9 @@ private:
     }
 
     void add(const std::string& id, const UnitEdit& edit, uint32_t commit, std::set<std::string>& touched) {
-        lineages_.at(id).add(edit, commit);
-        if (edit.counts()) touched.insert(id);
+        UnitLineage& lineage = lineages_.at(id);
+        lineage.add(edit, commit);
+        if (edit.counts() && lineage.paired()) touched.insert(id);
     }
 
     /// A file that is new here: the one that went in the same commit, where it is that one under a new name.

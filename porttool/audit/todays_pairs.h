@@ -13,6 +13,7 @@ struct TodaysPair {
     BySide<std::string> id;
     double score = 1;        ///< of the matcher
     bool confirmed = false;  ///< a map names it
+    bool stray = false;      ///< no pair of the matcher's: an edit of one unit has its text from before in the other
 };
 
 /// Both sides as they are in the work tree, and which unit is the port of which.

@@ -315,6 +315,7 @@ TEST_F(Audit, IgnoreSettlesAnItemForGood) {
 struct HandMade {
     const char *name, *before, *now;
     bool is_item;
+    const char* there = nullptr;  ///< what the other side says, where it is not what was before
 };
 
 // Labelled by reading: what a maintainer of the other side would want to know, and what says the same otherwise.
@@ -340,6 +341,24 @@ TEST_F(Audit, HandMadeEdits) {
         {"sign", "if (k >= n) sum += level * w[k] * v[col];", "if (k < n) sum += level * w[k] * v[col];", true},
         {"cached", "sum += level * w[k] * v[col]; level = sum;",
          "const float held = w[k]; sum += level * held * v[col]; level = sum;", false},
+        {"spread", "sum += level * w[k]; level = v[k] * 2.0f;",
+         "if (sum < wide * v[n]) level = wide; sum += level * w[k]; level = v[k] * 2.0f;", false,
+         "const float bar = wide * v[n]; if (sum < bar) level = wide; sum += level * w[k]; level = v[k] * 2.0f;"},
+        {"worker", "sum += w[n] * 0.5f; level += v[k] * sum;",
+         "const int lane = threadIdx.x; if (lane != row[blockIdx.x]) sum += w[n] * 0.5f; level += v[k] * sum;", false,
+         "if (n != row[step]) sum += w[n] * 0.5f; level += v[k] * sum;"},
+        {"held", "sum += fmax(flat ? level : wide, 0.0f) * w[k]; level *= 2.0f;",
+         "const float most = flat ? level : wide; sum += fmax(most, 0.0f) * w[k]; level *= 2.0f;", false},
+        {"read", "sum += add(level, v[k]) * w[n]; level *= 2.0f;",
+         "sum += add(level, __ldg(&v[k])) * w[n]; level *= 2.0f;", false},
+        {"place", "load(&row[k], level, n); sum += level * w[n];", "load(row + k, level, n); sum += level * w[n];",
+         false},
+        {"comma", "if (flat) out[k] = level, row[k] = n, out[n] = wide; sum += level * w[n];",
+         "if (flat) { out[k] = level; row[k] = n; out[n] = wide; } sum += level * w[n];", false},
+        {"macros", "CASES(A_ADD, B_ADD) CASES(A_MUL, B_MUL) CASES(A_SUB, B_SUB) sum += level * w[n];",
+         "CASES(A_ADD, B_ADD) CASES(A_MUL, B_MUL) CASES(A_DIV, B_DIV) CASES(A_SUB, B_SUB) sum += level * w[n];", true},
+        {"named", "sum += level * w[k]; level = v[k] * wide;",
+         "const float least = w[n] * wide - v[n]; sum += fmax(level, least) * w[k]; level = v[k] * wide;", true},
         {"null", "level = w[k] * 2.0f; *out = level + 1.0f; sum += level;",
          "level = w[k] * 2.0f; if (out) *out = level + 1.0f; sum += level;", false},
     };
@@ -351,7 +370,7 @@ TEST_F(Audit, HandMadeEdits) {
                                  "step) { float base = w[0] * level + v[0]; sum += base * 0.5f; ";
         const std::string tail = " return sum * base + level * 0.25f; }\n";
         gpu += "__device__ " + head + one.before + tail;
-        cpu += head + one.before + tail;
+        cpu += head + (one.there != nullptr ? one.there : one.before) + tail;
         edited += "__device__ " + head + one.now + tail;
     }
     write("gpu/all.cu", gpu);
@@ -368,6 +387,38 @@ TEST_F(Audit, HandMadeEdits) {
     for (const HandMade& one : all)
         if (one.is_item) wanted.insert(one.name);
     EXPECT_EQ(found, wanted);
+}
+
+// A function that was cut into two on the other side, under names of their own: the edit is found by its text.
+TEST_F(Audit, FindsTheTextFromBeforeInAnotherFunction) {
+    const std::string lit =
+        "    float fall = 1.0f / (distance * distance + radius);\n"
+        "    float cone = clamp(angle * slope + offset, 0.0f, 1.0f);\n"
+        "    float scale = power * fall * cone;\n";
+    write(
+        "gpu/light.cu",
+        "__device__ float spot(float distance, float radius, float angle, float slope, float offset, float power) {\n" +
+            lit + "    return scale;\n}\n");
+    write(
+        "cpu/lamps.cpp",
+        "struct Lamp { int kind; };\nfloat emit_all(const Lamp* lamps, int count, float distance, float radius, float "
+        "angle, float slope, float offset, float power) {\n    float sum = 0.0f;\n    for (int i = 0; i < count; ++i) "
+        "{\n"
+        "        if (lamps[i].kind == 0) { sum += power; continue; }\n" +
+            lit +
+            "        sum += scale;\n    }\n    if (count == 0) return offset;\n    sum = sum * 0.5f + offset * count;\n"
+            "    return sum / (count + power);\n}\n");
+    commit("Lights", 2);
+    EXPECT_EQ(items(), nlohmann::json::array());
+    change("gpu/light.cu", "angle * slope + offset, 0.0f, 1.0f", "angle * slope - offset, 0.0f, 1.0f");
+    commit("Fix the sign of the offset", 3);
+    const auto found = items();
+    ASSERT_EQ(found.size(), 1) << found;
+    EXPECT_EQ(found[0]["source"], "gpu/light.cu:spot");
+    EXPECT_EQ(found[0]["target"], "cpu/lamps.cpp:emit_all");
+    change("cpu/lamps.cpp", "angle * slope + offset, 0.0f, 1.0f", "angle * slope - offset, 0.0f, 1.0f");
+    commit("The same here", 4);
+    EXPECT_EQ(items(), nlohmann::json::array());
 }
 
 TEST_F(Audit, WhatIsUnlikelyIsListedWhereManyAreAskedFor) {
