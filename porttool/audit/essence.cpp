@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "porttool/language/words.h"
+#include "porttool/normal/declaration_words.h"
 #include "porttool/normal/diff.h"
 #include "porttool/normal/normal_form.h"
 #include "porttool/normal/statements.h"
@@ -94,12 +95,25 @@ size_t end_of_element(const Text& words, size_t first) {
     return i >= words.size() || goes_on ? first : i;
 }
 
+/// Where the `>` of `< const T * >` stands that begins there; 0 where none does.
+size_t at_type(const Text& words, size_t first) {
+    if (first >= words.size() || words[first] != "<") return 0;
+    for (size_t i = first + 1; i < words.size(); ++i) {
+        if (words[i] == ">") return i;
+        if (!is_word_token(words[i]) && !is_one_of(words[i], {"*", "&", "::", ","})) return 0;
+    }
+    return 0;
+}
+
 /// Without casts, and without what only says by which cache a value comes: `__ldg ( & a [ i ] )` is `( a [ i ] )`.
 Text without_casts(const Text& words) {
     Text out;
     for (size_t i = 0; i < words.size(); ++i) {
         if (const size_t end = end_of_cast(words, i, out); end != i) {
             i = end;
+        } else if (is_one_of(words[i], {"static_cast", "reinterpret_cast", "const_cast"}) &&
+                   at_type(words, i + 1) != 0) {
+            i = at_type(words, i + 1);
         } else if (words[i].ends_with("ldg") && i + 2 < words.size() && words[i + 1] == "(" && words[i + 2] == "&") {
             out.emplace_back("(");
             i += 2;
@@ -331,7 +345,8 @@ float substance_of(const Text& before, const Text& now, const KnownThere& there)
             matter.add(*lost[1], there, true);
             matter.unknown += 1;
         } else if (by_new_local) {
-            matter.unknown += 1;
+            const bool joins = lost.empty() && gained.size() > 1 && is_one_of(*gained.front(), {"*", "/", "+", "-"});
+            (joins ? matter.known : matter.unknown) += 1;  // `a` became `a * scale`, or only got another name
         } else if ((is_number(lost) && has_name(gained)) || (is_number(gained) && has_name(lost)))
             matter.add_named_number(gained.size() > lost.size() || is_number(lost) ? gained : lost, there);
         else if (!way)

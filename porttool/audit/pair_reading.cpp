@@ -369,10 +369,12 @@ private:
         place.now = sides_[side].written[line.index];
         place.there = sides_[other(side)].written[found.index];
         const std::vector<std::string> was = translated(place.before, side, true);
-        const bool names_value = uses_new_local(side, sides_[side].words[line.index]);
         if (written_out(was, side) == whole) return;  // a value got a name
-        const float substance = names_value ? substance_of(written_out(was, side), whole, known_there(side))
-                                            : substance_of(was, sides_[side].words[line.index], known_there(side));
+        constexpr float kWrittenOut = 0.5f;           // what a new local holds may stand there in other words
+        float substance = substance_of(was, sides_[side].words[line.index], known_there(side));
+        if (uses_new_local(side, sides_[side].words[line.index]))
+            substance =
+                std::max(substance, kWrittenOut * substance_of(written_out(was, side), whole, known_there(side)));
         place.strength = std::min(1.0f, (leaning - 0.3f) / 0.7f) * std::min(1.0f, (near - 0.3f) / 0.7f) *
                          told_by(old_text.sum) * substance * still_itself(likeness(old_text, now)) *
                          (same_head(side, place) ? 1.0f : 0.4f) * (brings_call(side, place) ? 0.5f : 1.0f) *
@@ -541,7 +543,7 @@ private:
                          known_names(side, line.index) * (0.35f + 0.65f * neighbours(side, line.index)) *
                          (is_label(side, line.index) ? 1.0f : told_by(now.sum)) * lacks_words(side, line.index) *
                          in_common_calls(side, line.index) * sets_new(side, line.index) *
-                         (names_value(side, line.index) ? 0.4f : 1.0f);
+                         (names_value(side, line.index) ? 0.5f : 1.0f);
         if (place.strength < kFaint) return;
         note(born.commit, std::move(place));
     }
