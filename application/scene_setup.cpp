@@ -185,7 +185,7 @@ Result<Camera> followed_camera(const Options& options, const HostScene& scene, u
     return with_lens(options, scene.cameras()[followed].camera);
 }
 
-Result<SceneSetup> set_up_scene(const Options& options, Console& console) {
+Result<SceneSetup> set_up_scene(const Options& options, Console& console, const std::vector<OutputFile>& outputs) {
     const auto start = std::chrono::steady_clock::now();
     auto companions = read_companions(options, console);
     if (!companions.ok()) return companions.status;
@@ -194,8 +194,9 @@ Result<SceneSetup> set_up_scene(const Options& options, Console& console) {
                                                                         .animation = options.animation,
                                                                         .time = options.time});
     if (!loaded.ok()) return loaded.status;
+    if (Status status = check_outputs(outputs, input_files(options, loaded->files)); !status.ok()) return status;
     for (const std::string& warning : loaded->warnings) console.warning(warning);
-    SceneSetup setup{std::move(loaded->scene), {}, {}, false, input_files(options, loaded->files)};
+    SceneSetup setup{std::move(loaded->scene), {}, {}, false};
     HostScene& scene = setup.scene;
 
     if (companions->camera) {

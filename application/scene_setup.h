@@ -28,9 +28,8 @@ std::string default_picture_name(const std::string& scene);
 struct SceneSetup {
     render_system::HostScene scene;
     render_system::Camera camera;
-    std::optional<uint32_t> followed;    ///< the scene's camera that `camera` is, where nothing else was asked for
-    bool framed = false;                 ///< no camera was there: `camera` frames the scene as it is now
-    std::vector<InputFile> inputs = {};  ///< what was read for it, and the kernels that a core will read
+    std::optional<uint32_t> followed;  ///< the scene's camera that `camera` is, where nothing else was asked for
+    bool framed = false;               ///< no camera was there: `camera` frames the scene as it is now
 };
 
 /// The scene's camera `followed` as it stands now, with lens and field of view as the options have them. Fails with
@@ -40,6 +39,9 @@ render_system::Result<render_system::Camera> followed_camera(const Options& opti
 
 /// Loads the scene as it is at `--time`, adds what the camera file brings, chooses camera and sky. Says on the console
 /// what was warned of and what was chosen in place of what is missing.
-render_system::Result<SceneSetup> set_up_scene(const Options& options, Console& console);
+/// Fails as check_outputs does where one of `outputs` is a file that was read for it, or a kernel that a core will
+/// read.
+render_system::Result<SceneSetup> set_up_scene(const Options& options, Console& console,
+                                               const std::vector<OutputFile>& outputs = {});
 
 }  // namespace application

@@ -56,10 +56,8 @@ ExitCode run_bench(const Options& options, Console& console) {
         if (Status status = check_writable(options.output); !status.ok()) return fail(console, status);
     }
     if (Status status = check_files(options, options.output); !status.ok()) return fail(console, status);
-    auto setup = set_up_scene(options, console);
+    auto setup = set_up_scene(options, console, output_files(options, {options.output}));
     if (!setup.ok()) return fail(console, setup.status);
-    if (Status status = check_inputs_stay(options, setup->inputs, {options.output}); !status.ok())
-        return fail(console, status);
     CoreSession session(options, std::move(*setup), console);
     Picture picture(options.width, options.height);
     const auto choice = start_chosen_core(session, options, picture, console);

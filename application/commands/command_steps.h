@@ -24,10 +24,8 @@ ExitCode fail(Console& console, const render_system::Status& status, bool other_
 /// and the folder of kernels.
 render_system::Status check_files(const Options& options, const std::string& output);
 
-/// Whether nothing that the run writes is something that it reads: `pictures`, which -o names, and the files of the
-/// other options.
-render_system::Status check_inputs_stay(const Options& options, const std::vector<InputFile>& inputs,
-                                        const std::vector<std::filesystem::path>& pictures);
+/// What the run writes: `pictures`, which -o names, and the files of the other options.
+std::vector<OutputFile> output_files(const Options& options, const std::vector<std::filesystem::path>& pictures);
 
 /// Starts the core that the options ask for; with `auto` one line on stderr says which and why.
 render_system::Result<render_system::CoreChoice> start_chosen_core(CoreSession& session, const Options& options,

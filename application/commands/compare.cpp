@@ -229,10 +229,8 @@ ExitCode run_compare(const Options& options, Console& console) {
     if (!options.images_a.empty())
         return options.bias ? compare_sets(options, console) : compare_images(options, console);
     if (Status status = check_compare(options, console); !status.ok()) return fail(console, status);
-    auto setup = set_up_scene(options, console);
+    auto setup = set_up_scene(options, console, output_files(options, pictures_of(options)));
     if (!setup.ok()) return fail(console, setup.status);
-    if (Status status = check_inputs_stay(options, setup->inputs, pictures_of(options)); !status.ok())
-        return fail(console, status);
     return options.bias ? compare_means(options, *setup, console) : compare_renders(options, *setup, console);
 }
 

@@ -46,7 +46,7 @@ Status check_output(const Options& options) {
     std::vector<std::filesystem::path> pictures;
     for (const char* name : PAIR_NAMES) pictures.push_back(std::filesystem::path(options.output) / name);
     if (options.bias) pictures.push_back(std::filesystem::path(options.output) / BIAS_PICTURE);
-    return check_inputs_stay(options, inputs, pictures);
+    return check_outputs(output_files(options, pictures), inputs);
 }
 
 /// No SSIM, no limit of it.

@@ -180,10 +180,8 @@ ExitCode run_frames(const Options& options, Console& console) {
 
     Options first = options;
     first.time = frame_time(options, options.frames->first);
-    auto setup = set_up_scene(first, console);
+    auto setup = set_up_scene(first, console, output_files(options, frames_there(pattern, *options.frames)));
     if (!setup.ok()) return fail(console, setup.status);
-    if (Status status = check_inputs_stay(options, setup->inputs, frames_there(pattern, *options.frames)); !status.ok())
-        return fail(console, status);
     Sequence sequence(options, pattern, *kind, std::move(*setup), console);
     if (Status status = sequence.render(); !status.ok()) return fail(console, status);
     if (const int signal = sequence.interrupted(); signal != 0) {

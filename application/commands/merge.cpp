@@ -66,7 +66,7 @@ ExitCode run_merge(const Options& options, Console& console) {
     if (!kind.ok()) return fail(console, kind.status);
     std::vector<InputFile> inputs;
     for (const std::string& file : options.inputs) inputs.push_back({"merge", file});
-    if (Status status = check_inputs_stay(options, inputs, {options.output}); !status.ok())
+    if (Status status = check_outputs(output_files(options, {options.output}), inputs); !status.ok())
         return fail(console, status);
     if (Status status = check_writable(options.output); !status.ok()) return fail(console, status);
     const auto whole = sum_of_files(options.inputs);

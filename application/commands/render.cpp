@@ -39,11 +39,10 @@ Status check_places(const Options& options, const std::string& file, Console& co
     return Status::success();
 }
 
-/// What stands in the way once it is known which files the scene is read from.
-Status check_setup(const Options& options, const render_system::Result<SceneSetup>& setup, const std::string& file) {
-    if (!setup.ok()) return setup.status;
+/// The picture, and the checkpoint beside it where one is kept.
+std::vector<OutputFile> outputs_of(const Options& options, const std::string& file) {
     const bool keeps = options.sampling.checkpoint || options.resume;
-    return check_inputs_stay(options, setup->inputs, {file, keeps ? checkpoint_of(file) : std::filesystem::path()});
+    return output_files(options, {file, keeps ? checkpoint_of(file) : std::filesystem::path()});
 }
 
 /// `mine`, or why another member of the team could not go on; alone, `mine`.
@@ -100,8 +99,8 @@ ExitCode run_render(const Options& options, Console& console) {
     if (Status status = agreed(leads ? check_places(options, file, console) : Status::success()); !status.ok())
         return fail_once(console, status);
 
-    auto setup = set_up_scene(options, console);
-    if (Status status = agreed(check_setup(options, setup, file)); !status.ok()) return fail_once(console, status);
+    auto setup = set_up_scene(options, console, outputs_of(options, file));
+    if (Status status = agreed(setup.status); !status.ok()) return fail_once(console, status);
     const KeptInterrupt interrupt;
     CoreSession session(options, std::move(*setup), console);
     SampleSums sums(leads ? options.width : 0, options.height, keeps_squares(options));

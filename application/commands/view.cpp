@@ -48,10 +48,8 @@ ExitCode run_view(const Options& options, Console& console) {
                     Status::invalid("--output " + options.output + ": the key P saves a PNG; end it with .png"));
     ViewLog log;
     if (Status status = check_log(options); !status.ok()) return fail(console, status);
-    auto setup = set_up_scene(options, console);
+    auto setup = set_up_scene(options, console, output_files(options, saved_files(options)));
     if (!setup.ok()) return fail(console, setup.status);
-    if (Status status = check_inputs_stay(options, setup->inputs, saved_files(options)); !status.ok())
-        return fail(console, status);
     if (!options.log.empty())
         if (Status status = log.open(options.log); !status.ok()) return fail(console, status);
     ViewSession session(options, std::move(*setup), log);

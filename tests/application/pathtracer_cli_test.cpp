@@ -152,12 +152,13 @@ TEST_F(Pathtracer, ReplacesNothingThatItReads) {
         {{"compare", "cd/difference.png", "floor1.png", "-o", "cd"}, "-o cd/difference.png: compare reads this file"},
     };
     for (auto [words, said] : rows) {
-        words.push_back("--quiet");
         if (words[0] == "render") words.insert(words.end(), null.begin(), null.end());
         expect_refused(words, {said});
     }
     for (const auto& [name, content] : before) EXPECT_TRUE(read_file(folder.path / name) == content) << name;
     EXPECT_THAT(files_in(folder.path / "cd"), ElementsAre("b.png", "difference.png"));
+    EXPECT_THAT(render({"--camera", "cam.json", "--look-at", "0,0,9,0,0,0"}).err,
+                HasSubstr("--look-at has the view; of cam.json"));
 }
 
 TEST_F(Pathtracer, RefusesAPipeThatNobodyReadsAndWritesToOneThatIsRead) {
