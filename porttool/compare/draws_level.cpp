@@ -3,15 +3,19 @@
 #include "porttool/compare/draws_level.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <map>
 #include <set>
 #include <string>
+#include <unordered_map>
+#include <unordered_set>
 #include <utility>
 
 #include "porttool/compare/alignment.h"
 #include "porttool/compare/hints.h"
 #include "porttool/language/words.h"
 #include "porttool/normal/diff.h"
+#include "porttool/normal/statements.h"
 
 namespace porttool {
 namespace {
@@ -21,13 +25,81 @@ using Text = std::vector<std::string>;
 bool is_name_or_number(std::string_view word) { return is_word_token(word) || is_number_token(word); }
 
 /// What is computed, other than by names: a sign that came must stand in the other text as well.
-bool is_operator(const Text& words, size_t i) {
-    const std::string& word = words[i];
+template <class AnyText>
+bool is_operator(const AnyText& words, size_t i) {
+    const std::string_view word = words[i];
     const bool binary = i > 0 && (is_name_or_number(words[i - 1]) || words[i - 1] == ")" || words[i - 1] == "]");
     if (word == "*" || word == "&") return binary && i > 1 && !is_type_word(words[i - 1]);
     constexpr std::string_view kSigns = "+-/%<>=!|^~?";
     return word != "->" && (word == "&&" || kSigns.find(word[0]) != std::string_view::npos);
 }
+
+/// The names and numbers that an edit brought in and took away.
+struct EditedWords {
+    EditedWords(const Words& before, const Words& now) {
+        for (const DiffStep& step : diff(before, now)) {
+            if (step.kind == DiffStep::Add && is_name_or_number(now[step.now])) gained.push_back(now[step.now]);
+            if (step.kind == DiffStep::Remove && is_name_or_number(before[step.before]))
+                lost.push_back(before[step.before]);
+        }
+    }
+
+    Words gained, lost;
+};
+
+/// The other side's words without their order: asked first, since laying texts side by side is dear.
+class OthersWords {
+public:
+    OthersWords(const Words& words, const Dialect& dialect) : dialect_(dialect) {
+        for (const std::string_view word : words) ++times_[is_number_token(word) ? in_common(word) : std::string(word)];
+        for (const std::string_view word : words)
+            if (is_word_token(word)) known_.insert(in_common(word));
+    }
+
+    /// False if more came that is foreign to the other side than what is not, or went and was foreign.
+    bool may_be_nearer(const EditedWords& edit) const {
+        std::unordered_map<std::string_view, long> change;
+        for (const std::string_view word : edit.gained) ++change[word];
+        for (const std::string_view word : edit.lost) --change[word];
+        long nearer = 0, foreign = 0;
+        for (const auto& [word, times] : change) {
+            const bool has = has_like(word);
+            if ((times > 0) == has) nearer += std::abs(times);
+            if (times > 0 && !has) foreign += times;
+        }
+        return foreign <= nearer;
+    }
+
+    /// False if a number or an operator came that must stand alone: more often than before and than the other has it.
+    bool may_match(const Words& before, const Words& now) const {
+        std::unordered_map<std::string_view, size_t> then, today;
+        const auto count = [](const Words& words, std::unordered_map<std::string_view, size_t>& out) {
+            for (size_t i = 0; i < words.size(); ++i)
+                if (is_number_token(words[i]) || is_operator(words, i)) ++out[words[i]];
+        };
+        count(before, then);
+        count(now, today);
+        return std::all_of(today.begin(), today.end(), [&](const auto& each) {
+            const auto [word, times] = each;
+            const auto had = then.find(word);
+            const auto has = times_.find(is_number_token(word) ? in_common(word) : std::string(word));
+            return times <= (had == then.end() ? 0 : had->second) + (has == times_.end() ? 0 : has->second);
+        });
+    }
+
+private:
+    std::string in_common(std::string_view word) const {
+        std::string common = common_word(word, dialect_);
+        return common.empty() ? std::string(word) : common;
+    }
+    bool has_like(std::string_view word) const {
+        return is_number_token(word) ? times_.contains(in_common(word)) : known_.contains(in_common(word));
+    }
+
+    const Dialect& dialect_;
+    std::unordered_map<std::string, size_t> times_;  ///< numbers by their value
+    std::unordered_set<std::string> known_;          ///< names, as common words
+};
 
 /// A name without the last or the first of its words: what two sides may spell in two manners.
 std::vector<std::pair<std::string, std::string>> manners(const std::string& a, const std::string& b) {
@@ -129,21 +201,19 @@ bool draws_level(const LoneTexts& texts, const Dialect& dialect) {
     constexpr size_t kMost = 16'000;                // words of all texts
     constexpr size_t kLeastGained = 4, kLeast = 6;  // names and numbers that came, and that came or went
     if (texts.before.size() + texts.now.size() + texts.other.size() > kMost) return false;
-    const auto text = [](const Words& words) {
-        const Words plain = without_hints(words);
-        return Text(plain.begin(), plain.end());
-    };
-    const Text before = text(texts.before), now = text(texts.now), other = text(texts.other);
-    size_t gained = 0, lost = 0;
-    for (const DiffStep& step : diff(before, now)) {
-        if (step.kind == DiffStep::Add && is_name_or_number(now[step.now])) ++gained;
-        if (step.kind == DiffStep::Remove && is_name_or_number(before[step.before])) ++lost;
-    }
-    if (gained < kLeastGained || gained + lost < kLeast) return false;
+    const Words plain_before = without_hints(texts.before), plain_now = without_hints(texts.now),
+                plain_other = without_hints(texts.other);
+    const EditedWords edit(plain_before, plain_now);
+    const size_t changed = edit.gained.size() + edit.lost.size();
+    if (edit.gained.size() < kLeastGained || changed < kLeast) return false;
+    const OthersWords others(plain_other, dialect);
+    if (!others.may_be_nearer(edit) || !others.may_match(plain_before, plain_now)) return false;
+    const auto text = [](const Words& words) { return Text(words.begin(), words.end()); };
+    const Text before = text(plain_before), now = text(plain_now), other = text(plain_other);
     WordKeys keys(dialect);
     const AlignedText was = keys.text(before, false), is = keys.text(now, false), there = keys.text(other, false);
     const Beside then(before, other, was, there), today(now, other, is, there);
-    if (3 * (today.balance() - then.balance()) < 2 * static_cast<long>(gained + lost)) return false;
+    if (3 * (today.balance() - then.balance()) < 2 * static_cast<long>(changed)) return false;
     const std::set<size_t> covered_then = then.covered(), covered_today = today.covered();
     if (!std::includes(covered_today.begin(), covered_today.end(), covered_then.begin(), covered_then.end()))
         return false;
