@@ -53,7 +53,11 @@ float confidence(const UnitFeatures& source, const UnitFeatures& target, const A
     if (pair.wrong_operands) z -= 2.5f;
     if (source.works && !target.computes) z -= 1.5f;
     if (pair.shared && !variant) z -= 1.0f;
-    return 1 / (1 + std::exp(-z));
+    const float score = 1 / (1 + std::exp(-z));
+    // One more source of a target that is another's is only sure under its name: of `clamp` and `op_clamp` one may be
+    // the helper of the other.
+    constexpr float kMostOfShared = 0.85f;
+    return pair.shared && resemblance.same_name < 0.999f ? std::min(score, kMostOfShared) : score;
 }
 
 }  // namespace porttool
