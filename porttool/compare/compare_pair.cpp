@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "porttool/compare/call_forms.h"
+#include "porttool/compare/caught_up.h"
 #include "porttool/compare/learned_words.h"
 #include "porttool/compare/lone_edit.h"
 #include "porttool/compare/struct_fields.h"
@@ -146,12 +147,14 @@ private:
     bool has_caught_up() {
         const Side side = changed(Side::Source) ? Side::Source : Side::Target;
         const UnitKind kind = pair_[side].kind;
-        if (kind != UnitKind::Function && kind != UnitKind::Kernel) return false;
+        const bool structs = kind == UnitKind::Struct && pair_[other(side)].kind == kind;
+        if (kind != UnitKind::Function && kind != UnitKind::Kernel && !structs) return false;
         const PlainStatements plain(kind, pair_[side].language, dialect_);
         if (!declaration_changes(before_[side], now_[side], plain).empty()) return false;
-        return now_says_what_other_says(
-            {without_prelude(before_[side]), without_prelude(now_[side]), without_prelude(now_[other(side)])}, side,
-            dialect_, {pair_.source.language, pair_.target.language});
+        const LoneTexts texts{without_prelude(before_[side]), without_prelude(now_[side]),
+                              without_prelude(now_[other(side)])};
+        return (structs ? now_has_fields_of_other : now_says_what_other_says)(
+            texts, side, dialect_, {pair_.source.language, pair_.target.language});
     }
 
     /// The files of both changed how they declare what the units use in one way.

@@ -6,6 +6,7 @@
 
 #include "porttool/compare/guarded_words.h"
 #include "porttool/compare/hints.h"
+#include "porttool/compare/lone_statements.h"
 #include "porttool/compare/positions.h"
 #include "porttool/compare/renaming.h"
 #include "porttool/compare/same_words.h"
@@ -88,7 +89,11 @@ EditComparison compare_edits(const PairTexts& written, const Dialect& dialect, c
         with_new_names_of_source(texts.source_before, source, texts.target_before,
                                  with_old_names(texts.target_before, texts.target_now, dialect), dialect);
     if (source == texts.source_now && target == texts.target_now) return out;
-    return compare_as_named({texts.source_before, source, texts.target_before, target}, dialect, languages);
+    EditComparison renamed =
+        compare_as_named({texts.source_before, source, texts.target_before, target}, dialect, languages);
+    // Sentences with names that no longer stand there help only where they make the list shorter.
+    const bool shorter = renamed.differences.size() < out.differences.size();
+    return renamed.equivalent || shorter ? renamed : out;
 }
 
 bool now_says_what_other_says(const LoneTexts& texts, Side side, const Dialect& dialect,
@@ -97,28 +102,12 @@ bool now_says_what_other_says(const LoneTexts& texts, Side side, const Dialect& 
     const Words before = without_hints(texts.before), now = without_hints(texts.now),
                 there = without_hints(texts.other);
     if (before.size() + now.size() + there.size() > kMost) return false;
-    const bool source = side == Side::Source;
-    const PairTexts pair = source ? PairTexts{before, now, there, there} : PairTexts{there, there, before, now};
-    const Meaning meaning(pair, dialect, languages);
-    const auto translator = [&](Side each) {
-        return [&meaning, each](const Words& statement, bool in_body) {
-            return meaning.translate(statement, each, in_body);
-        };
-    };
-    const StatementEdit edit = statement_edit(before, now, translator(side));
+    const LoneStatements found({before, now, there}, side, dialect, languages);
+    const auto& edit = found.edit;
     const bool tells = std::any_of(edit.gained.begin(), edit.gained.end(),
                                    [&](size_t i) { return edit.now[i].common.size() >= kLeastWords; });
     if (!tells || (edit.gained.size() == 1 && edit.lost.size() == 1)) return false;
-    const std::vector<Statement> others = split_statements(there, translator(other(side)));
-    const auto in_common = [&](const std::vector<Statement>& here) {
-        Words left, right;
-        for (const Statement& statement : here) left.push_back(statement.key);
-        for (const Statement& statement : others) right.push_back(statement.key);
-        size_t kept = 0;
-        for (const DiffStep& step : diff(left, right)) kept += step.kind == DiffStep::Keep ? 1 : 0;
-        return kept;
-    };
-    return in_common(edit.now) >= in_common(edit.before) + edit.gained.size();
+    return found.in_common(edit.now) >= found.in_common(edit.before) + edit.gained.size();
 }
 
 }  // namespace porttool

@@ -40,6 +40,8 @@ public:
         }
         source_words_.insert(texts.source_before.begin(), texts.source_before.end());
         target_words_.insert(texts.target_before.begin(), texts.target_before.end());
+        new_words_.insert(texts.target_now.begin(), texts.target_now.end());
+        learn_parts();
     }
 
     LearnedWords run() const {
@@ -99,6 +101,7 @@ private:
             other = type_among_several(std::string(word), there);
         } else if (is_word_token(word)) {
             other = counterpart(std::string(word));
+            if (other.empty()) other = new_counterpart(std::string(word));
         } else if (is_number_token(word) && marks == Marks::Added && is_unmarked_real(word)) {
             other = normal_number(std::string(word) + "f");
         } else if (is_number_token(word) && marks == Marks::Dropped && is_float(word)) {
@@ -129,6 +132,50 @@ private:
         return source_words_.contains(there) || target_words_.contains(word) ? std::string() : there;
     }
 
+    /// Where a name of the source and the target's differ in one part alone (`op_cuda_add`, `op_sycl_add`), that part
+    /// stands for the other.
+    void learn_parts() {
+        std::map<std::string, std::map<std::string, size_t>> parts;
+        for (const auto& [word, others] : there_of_)
+            for (const auto& [other, times] : others)
+                if (const auto [part, there] = other_part(word, other); !part.empty()) ++parts[part][there];
+        constexpr size_t kLeast = 3;  // names that tell it
+        for (const auto& [part, others] : parts) {
+            const std::string there = usual(parts, part);
+            if (!there.empty() && others.at(there) >= kLeast) parts_.emplace(part, there);
+        }
+    }
+
+    /// The one part between underscores in which two names differ, on each side.
+    static std::pair<std::string, std::string> other_part(const std::string& a, const std::string& b) {
+        const size_t most = std::min(a.size(), b.size());
+        size_t front = 0, back = 0;
+        while (front < most && a[front] == b[front]) ++front;
+        while (front > 0 && a[front - 1] != '_') --front;
+        while (back < most - front && a[a.size() - 1 - back] == b[b.size() - 1 - back]) ++back;
+        while (back > 0 && a[a.size() - back] != '_') --back;
+        const std::string part = a.substr(front, a.size() - back - front),
+                          other = b.substr(front, b.size() - back - front);
+        const bool whole = front + back == 0 || part.empty() || other.empty() || part == other;
+        return whole || (part + other).find('_') != std::string::npos ? std::pair<std::string, std::string>()
+                                                                      : std::pair(part, other);
+    }
+
+    /// A name that is new on both sides, spelled as the target spells such names; "" if the target has no such name.
+    std::string new_counterpart(const std::string& word) const {
+        if (parts_.empty() || source_words_.contains(word) || target_words_.contains(word)) return {};
+        for (size_t first = 0; first < word.size();) {
+            const size_t end = std::min(word.find('_', first), word.size());
+            if (const auto found = parts_.find(word.substr(first, end - first)); found != parts_.end()) {
+                std::string there = word.substr(0, first) + found->second + word.substr(end);
+                const bool is_new = !target_words_.contains(there) && !source_words_.contains(there);
+                if (is_new && new_words_.contains(there)) return there;
+            }
+            first = end + 1;
+        }
+        return {};
+    }
+
     /// A port that says `double` here and there says `REAL` for most of the source's: what is new is `REAL` there.
     std::string type_among_several(const std::string& word, const std::string& there) const {
         const std::string most = usual(there_of_, word);
@@ -148,7 +195,8 @@ private:
     std::vector<Marks> marks_at_;       ///< of the source's words before
     std::vector<std::string> type_at_;  ///< what stands for each of its types there
     size_t marks_added_ = 0, marks_dropped_ = 0, marks_kept_ = 0, plain_kept_ = 0;
-    std::set<std::string, std::less<>> source_words_, target_words_;
+    std::set<std::string, std::less<>> source_words_, target_words_, new_words_;  ///< new: of the target now
+    std::map<std::string, std::string> parts_;  ///< of names, that stand for each other
 };
 
 }  // namespace

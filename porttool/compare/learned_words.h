@@ -20,6 +20,7 @@ struct LearnedWords {
 
 /// Learns from the texts of a pair when it was last in step what each side calls the same thing. A name of the source
 /// is one of the target only if the two nearly always stand for each other, and neither side has the other's name.
+/// A name that is new on both sides is one where others of the source's differ from the target's in the same part.
 /// Numbers get the mark of a float where each number without it stands for one that has it.
 ///
 ///     source    REAL a = 0.5f ; REAL b = a ;        now also    REAL c = 2.0f ;

@@ -166,6 +166,12 @@ Meaning::Meaning(const PairTexts& texts, const Dialect& dialect, const BySide<La
     note_names(texts.target_now, Side::Target);
     note_scopes(texts.source_before, texts.target_before);
     for (const Side side : kBothSides) note_objects(texts, side);
+    for (const Side side : kBothSides)
+        std::erase_if(contexts_[side], [&](std::string_view name) {
+            return spellings_[other(side)].contains(folded(runtime_name(name)));
+        });
+    directed_ = changes_direction(texts.source_before, texts.source_now) ||
+                changes_direction(texts.target_before, texts.target_now);
 }
 
 void Meaning::note_names(const Words& tokens, Side side) {
@@ -173,6 +179,8 @@ void Meaning::note_names(const Words& tokens, Side side) {
         if (is_word_token(token) && dialect_.meaning(token) == nullptr)
             spellings_[side][folded(runtime_name(token))].insert(token);
     note_vectors(tokens, vectors_[side]);
+    note_contexts(tokens, contexts_[side]);
+    in_order_ = in_order_ || std::find(tokens.begin(), tokens.end(), "in_order") != tokens.end();
     for (auto& [name, scopes] : scopes_in(tokens, dialect_)) scopes_[side][name].insert(scopes.begin(), scopes.end());
 }
 
@@ -263,6 +271,8 @@ std::string Meaning::scoped(std::string_view scope, std::string_view name, Side 
 std::vector<std::string> Meaning::translate(const Words& statement, Side side, bool in_body) const {
     Words tokens = with_one_word_types(statement);
     write_plain_components(tokens, vectors_[side]);
+    const bool of_context = !tokens.empty() && contexts_[side].contains(tokens[0]);
+    drop_contexts(tokens, contexts_[side]);
     const std::set<size_t> steps = atomic_steps(tokens);
     std::vector<std::string> out;
     if (in_body)
@@ -300,6 +310,7 @@ std::vector<std::string> Meaning::translate(const Words& statement, Side side, b
     drop_status_check(out);
     write_plain_barrier(out);
     drop_cast_to_declared_type(out);
+    write_plain_transfer(out, {of_context, in_order_, directed_});
     return out;
 }
 

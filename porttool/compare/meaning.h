@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "porttool/compare/phrases.h"
+#include "porttool/compare/runtime_calls.h"
 #include "porttool/language/dialect.h"
 #include "porttool/language/language.h"
 #include "porttool/normal/normal_text.h"
@@ -54,6 +55,8 @@ private:
     std::map<std::string_view, std::string_view> renamed_;  ///< the source's scope for one of the port's
     BySide<std::set<std::string_view>> objects_;  ///< parameters whose members the other side names without an object
     BySide<VectorNames> vectors_;                 ///< what each side declares as vectors
+    BySide<ContextNames> contexts_;               ///< what each side hands on and the other does not name
+    bool directed_ = false, in_order_ = false;    ///< see TransferRules
 };
 
 }  // namespace porttool

@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "porttool/judge/shared_port.h"
 
+#include <algorithm>
+
 namespace porttool {
 namespace {
 
-const std::string& recorded_print(const MappedPair& pair, Side side) {
-    return (side == Side::Source ? pair.lock.pair->source_prints : pair.lock.pair->target_prints).written;
+const Fingerprints* prints_of(const MappedPair& pair, Side side) {
+    return side == Side::Source ? &pair.lock.pair->source_prints : &pair.lock.pair->target_prints;
 }
 
 }  // namespace
@@ -18,29 +20,31 @@ SharedPorts::SharedPorts(const Case& facts, const BySide<RenamedNames>& renamed,
             groups_[pair.units[side_].unit].pairs.push_back(&pair);
 }
 
-/// True for a pair whose two sides changed alike.
-bool SharedPorts::explains(const MappedPair& pair) const {
-    if (pair.units[other(side_)].unit == nullptr) return false;
-    FindingList unsaid(facts_.map);
-    const JudgedPair judged = PairJudge(facts_, renamed_, unsaid).judge(pair.id, pair.map_line, pair.units, pair.lock);
+/// What a pair makes of the edit of the port: its original's edit explains it, or is told as another one.
+SharedPorts::Worth SharedPorts::answer_of(const MappedPair& pair) const {
     const Side original = other(side_);
-    const Fingerprints& then = original == Side::Source ? pair.lock.pair->source_prints : pair.lock.pair->target_prints;
-    return judged.equivalent && is_edit(classify(then, pair.units[original].unit->prints));
+    const UnitState* unit = pair.units[original].unit;
+    if (unit == nullptr || !is_edit(classify(*prints_of(pair, original), unit->prints))) return Worth::Tell;
+    FindingList said(facts_.map);
+    const JudgedPair judged = PairJudge(facts_, renamed_, said).judge(pair.id, pair.map_line, pair.units, pair.lock);
+    if (judged.equivalent) return Worth::Explained;
+    const auto all = said.from(0);
+    const bool differs = std::any_of(all.begin(), all.end(), [](const Finding& finding) {
+        return finding.rule == Rule::PortDiffers && finding.level != Level::Off;
+    });
+    return differs ? Worth::Told : Worth::Tell;
 }
 
 SharedPorts::Worth SharedPorts::worth_of(const MappedPair& pair) {
     const auto found = groups_.find(pair.units[side_].unit);
     if (found == groups_.end() || found->second.pairs.size() < 2 || pair.lock.pair == nullptr) return Worth::Tell;
     Group& group = found->second;
-    const std::string& print = recorded_print(pair, side_);
-    const auto [known, is_new] = group.explained.try_emplace(print, false);
-    if (is_new)
-        for (const MappedPair* one : group.pairs)
-            if (recorded_print(*one, side_) == print && explains(*one)) {
-                known->second = true;
-                break;
-            }
-    if (known->second) return Worth::Explained;
+    const std::string& print = prints_of(pair, side_)->written;
+    const auto [known, is_new] = group.answers.try_emplace(print, Worth::Tell);
+    for (size_t i = 0; is_new && i < group.pairs.size() && known->second != Worth::Explained; ++i)
+        if (prints_of(*group.pairs[i], side_)->written == print)
+            known->second = std::max(known->second, answer_of(*group.pairs[i]));
+    if (known->second != Worth::Tell) return known->second;
     if (group.told) return Worth::Told;
     group.told = true;
     return Worth::Tell;

@@ -18,14 +18,15 @@ struct MappedPair {
 };
 
 /// Units that are the port of several originals. An edit of one answers the edit of one original; to the others it is
-/// no news, and where no original explains it, one finding says so, not one for each pair.
+/// no news, also where the two edits are not alike, which is told of that pair. Where no original was edited, one
+/// finding says so, not one for each pair.
 class SharedPorts {
 public:
     /// All must outlive it.
     SharedPorts(const Case& facts, const BySide<RenamedNames>& renamed, const std::vector<MappedPair>& pairs);
 
     /// What the finding that the port alone of a pair changed is worth.
-    enum class Worth : uint8_t { Tell, Explained, Told };
+    enum class Worth : uint8_t { Tell, Told, Explained };
     /// Asked once for each such finding, in the order of the pairs.
     Worth worth_of(const MappedPair& pair);
 
@@ -35,11 +36,11 @@ public:
 private:
     struct Group {
         std::vector<const MappedPair*> pairs;
-        std::map<std::string, bool> explained;  ///< by the print of the recorded text
+        std::map<std::string, Worth> answers;  ///< to an edit, by the print of the recorded text: what pairs make of it
         bool told = false;
     };
 
-    bool explains(const MappedPair& pair) const;
+    Worth answer_of(const MappedPair& pair) const;
 
     const Case& facts_;
     const BySide<RenamedNames>& renamed_;

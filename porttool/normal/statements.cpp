@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "porttool/language/words.h"
 #include "porttool/normal/directive_end.h"
 #include "porttool/normal/literal.h"
 #include "porttool/normal/normal_form.h"
@@ -72,6 +73,12 @@ bool ends_lambda_head(const Words& words) {
     return end > 1 && !is_word_token(words[end - 2]) && words[end - 2] != "]" && words[end - 2] != ")";
 }
 
+/// True if a statement's words end, with this one more, as what controls another statement: `if ( a )`, `else`.
+bool ends_control_head(const Words& words, std::string_view next) {
+    if (words.empty()) return next == "else";
+    return next == ")" && word_is(words[0], kControls);
+}
+
 }  // namespace
 
 std::string folded(std::string_view word) {
@@ -95,10 +102,33 @@ std::vector<Statement> split_statements(const Words& tokens, const Translator& t
     std::vector<int> outside;    // of each that is a lambda's body how many parentheses are open around it, else 0
     int parens = 0, braces = 0;  ///< that are open; braces of literals
     bool in_body = false;
+    std::vector<bool> implied;  // of each open block: it has no braces
     auto head = [&] { return heads.empty() ? Statement::kNoHead : heads.back(); };
     auto finish = [&] {
         if (!current.empty()) out.push_back(make_statement(current, translator(current, in_body), head()));
         current.clear();
+    };
+    const auto open_block = [&](size_t head_of_block, int parens_around, bool is_implied) {
+        heads.push_back(head_of_block);
+        outside.push_back(parens_around);
+        implied.push_back(is_implied);
+    };
+    // A closing brace counts: a statement moved out of a block is another program.
+    const auto close_block = [&] {
+        out.push_back({"}", {"}"}, "}", head()});
+        if (heads.empty()) return;
+        if (outside.back() > 0) parens = outside.back();
+        heads.pop_back();
+        outside.pop_back();
+        implied.pop_back();
+    };
+    // Blocks without braces end with their statement; an `else` goes on with the innermost.
+    const auto close_implied = [&](std::string_view next) {
+        while (!implied.empty() && implied.back()) {
+            const bool goes_on = next == "else" && out[heads.back()].shown.starts_with("if");
+            close_block();
+            if (goes_on) return;
+        }
     };
     for (size_t i = 0; i < tokens.size(); ++i) {
         const std::string_view token = tokens[i];
@@ -123,6 +153,14 @@ std::vector<Statement> split_statements(const Words& tokens, const Translator& t
             current.push_back(token);
             continue;
         }
+        // Within a lambda that is an argument the normal form gives no braces to a single statement.
+        if (parens == 0 && in_body && i + 1 < tokens.size() && tokens[i + 1] != "{" && tokens[i + 1] != ";" &&
+            ends_control_head(current, token)) {
+            current.push_back(token);
+            finish();
+            open_block(out.size() - 1, 0, true);
+            continue;
+        }
         const bool opens_lambda = token == "{" && parens > 0 && ends_lambda_head(current);
         if (!opens_lambda && (parens > 0 || (token != ";" && token != "{" && token != "}"))) {
             current.push_back(token);
@@ -130,19 +168,18 @@ std::vector<Statement> split_statements(const Words& tokens, const Translator& t
         }
         const bool headless = current.empty();
         finish();
+        const std::string_view next = i + 1 < tokens.size() ? tokens[i + 1] : std::string_view();
         if (token == "{") {
-            heads.push_back(headless ? head() : out.size() - 1);
-            outside.push_back(opens_lambda ? parens : 0);
+            open_block(headless ? head() : out.size() - 1, opens_lambda ? parens : 0, false);
             if (opens_lambda) parens = 0;
             in_body = true;
-        } else if (token == "}") {
-            // A closing brace counts: a statement moved out of a block is another program.
-            out.push_back({"}", {"}"}, "}", head()});
-            if (!heads.empty()) {
-                heads.pop_back();
-                if (outside.back() > 0) parens = outside.back();
-                outside.pop_back();
-            }
+        } else if (token == ";") {
+            close_implied(next);
+        } else {
+            const bool goes_on = next == "else" && !heads.empty() && heads.back() != Statement::kNoHead &&
+                                 out[heads.back()].shown.starts_with("if");
+            close_block();
+            if (!goes_on) close_implied(next);
         }
     }
     finish();

@@ -225,6 +225,112 @@ TEST(BothSides, AScopeThatThePortCallsOtherwiseThroughoutIsTheSame) {
     EXPECT_NE(found(source, target, with(source, "cuda"), with(target, "other"), ".cpp"), "");
 }
 
+/// A CUDA host function or kernel and its port to SYCL, edited on both sides.
+std::string found_in_sycl(const Edit& bodies, const Edit& bodies_now) {
+    const auto cuda = [](const std::string& body) {
+        return "void f(float* p, float* h, int n) {\n    int g = n / 4;\n" + body + "}\n";
+    };
+    const auto sycl = [](const std::string& body) {
+        return "void f(sycl::queue& q, float* p, float* h, int n) {\n    int g = n / 4;\n" + body + "}\n";
+    };
+    return found(cuda(bodies.first), sycl(bodies.second), cuda(bodies_now.first), sycl(bodies_now.second), ".cpp");
+}
+
+TEST(BothSides, WhatARuntimeWantsHandedOnHoldsNoData) {
+    const Edit none = {"run(p, n);\n", "run(q, p, n);\n"};
+    const auto more = [&](const std::string& source, const std::string& target) {
+        return found_in_sycl(none, {none.first + source, none.second + target});
+    };
+    EXPECT_EQ(more("run(h, n);\n", "run(q, h, n);\n"), "");
+    EXPECT_EQ(more("go(n);\n", "go(n, q);\n"), "");
+    EXPECT_NE(more("run(h, n);\n", "run(q, p, n);\n"), "");
+    EXPECT_NE(more("run(h, n);\n", "run(q, h, n, n);\n"), "");
+    const std::string kernel = "__global__ void k(float* r, int size, int n) {\n    r[threadIdx.x] = size;\n}\n";
+    const std::string port =
+        "void k(float* r, int size, int n, sycl::nd_item<1>& item) {\n    r[item.get_local_id(0)] = size;\n}\n";
+    const std::string now = replaced(kernel, ", int n", "");
+    EXPECT_EQ(found(kernel, port, now, replaced(port, ", int n", ""), ".cpp"), "");
+    EXPECT_NE(found(kernel, port, now, replaced(port, "int size, ", ""), ".cpp"), "");
+    EXPECT_NE(found(kernel, port, kernel, replaced(port, ", sycl::nd_item<1>& item", ""), ".cpp"), "")
+        << "an edit of one side alone is one";
+}
+
+TEST(BothSides, MemoryOfADeviceIsFilledAndCopiedInTwoManners) {
+    struct Row {
+        const char *source, *target;
+        bool same;
+    };
+    for (const Row& row : std::vector<Row>{
+             {"cudaMemset(p, 0, n);", "q.memset(p, 0, n).wait();", true},
+             {"cudaMemset(p, 0, n);", "q.memset(p, 1, n).wait();", false},
+             {"cudaMemset(p, 0, n);", "q.memset(h, 0, n).wait();", false},
+             {"cudaMemset(p, 0, n);", "q.memset(p, 0, n);", false},  // nothing says that the queue keeps the order
+             {"cudaMemcpy(p, h, n, cudaMemcpyHostToDevice);", "q.memcpy(p, h, n).wait();", true},
+             {"cudaMemcpy(p, h, n, cudaMemcpyHostToDevice);", "q.memcpy(p, h, n);", false},
+             {"cudaMemcpy(p, h, n, cudaMemcpyHostToDevice);", "q.memcpy(h, p, n).wait();", false},
+             {"cudaMemcpyAsync(p, h, n, cudaMemcpyHostToDevice, 0);", "q.memcpy(p, h, n);", true},
+             {"cudaDeviceSynchronize();", "q.wait();", true},
+             {"cudaDeviceSynchronize();", "", false}})
+        EXPECT_EQ(found_in_sycl({"", ""}, {row.source, row.target}) == "", row.same) << row.source << row.target;
+    const std::string copy = "cudaMemcpy(p, h, n, cudaMemcpyHostToDevice);\n", there = "q.memcpy(p, h, n).wait();\n";
+    EXPECT_EQ(found_in_sycl({copy, there}, {copy + "g += 1;\n", there + "g += 1;\n"}), "");
+    EXPECT_NE(found_in_sycl({copy, there},
+                            {replaced(copy, "HostToDevice", "DeviceToHost") + "g += 1;\n", there + "g += 1;\n"}),
+              "");
+}
+
+TEST(BothSides, AStatementWithoutBracesInALambdaIsOneByItself) {
+    const std::string kernel =
+        "__global__ void k(float* r, int n) {\n    int i = blockIdx.x * blockDim.x + threadIdx.x;\n"
+        "    if (i < n) r[i] = n;\n}\n";
+    const std::string port =
+        "void k(sycl::queue& q, float* r, int n) {\n    q.parallel_for(n, [=](sycl::nd_item<1> it) {\n"
+        "        int i = it.get_global_id(0);\n        if (i < n) r[i] = n;\n    });\n}\n";
+    const Edit guard = {"    if (i < n) r[i] = n;", "    if (i >= n) return;\n    r[i] = n;"};
+    const auto now = [&](const Edit& there) {
+        return found(kernel, port, replaced(kernel, guard.first, guard.second),
+                     replaced(port, there.first, there.second), ".cpp");
+    };
+    EXPECT_EQ(now(guard), "");
+    EXPECT_NE(now({guard.first, "    if (i > n) return;\n    r[i] = n;"}), "");
+    EXPECT_NE(now({guard.first, "    if (i >= n) { return;\n    r[i] = n; }"}), "");
+    EXPECT_NE(now({guard.first, "    if (i >= n) return; else r[i] = n;"}), "");
+}
+
+TEST(BothSides, ANewNameIsSpelledAsItsSiblingsAre) {
+    const auto dispatch = [](const std::string& own, const std::string& more) {
+        std::string out = "switch (m) {\n";
+        for (const std::string each : {"case 0: x_OWN_add(n); break;\n", "case 1: x_OWN_mul(n); break;\n",
+                                       "case 2: x_OWN_sub(n); break;\n", "case 4: x_OWN_div(n); break;\n"})
+            out += replaced(each, "OWN", own);
+        return "int f(int m, int n) {\n" + out + more + "default: break;\n}\nreturn m;\n}\n";
+    };
+    const std::string source = dispatch("gpu", ""), target = dispatch("cpu", "");
+    const std::string now = dispatch("gpu", "case 5: x_gpu_neg(n); break;\n");
+    EXPECT_EQ(found(source, target, now, dispatch("cpu", "case 5: x_cpu_neg(n); break;\n"), ".cpp"), "");
+    for (const char* other :
+         {"case 5: x_cpu_abs(n); break;\n", "case 6: x_cpu_neg(n); break;\n", "case 5: x_cpu_add(n); break;\n",
+          "case 5: x_cpu_neg(m); break;\n", "case 5: y_cpu_neg(n); break;\n"})
+        EXPECT_NE(found(source, target, now, dispatch("cpu", other), ".cpp"), "") << other;
+}
+
+TEST(BothSides, AStructThatGetsAFieldOfTheOtherHasCaughtUp) {
+    const std::string source = "struct Photon {\n    float3 direction;\n    float power;\n};\n";
+    const std::string target =
+        "struct Photon {\n    float3 direction;\n    unsigned int light;\n    float power;\n    float weight;\n};\n";
+    const auto now = [&](const std::string& from, const std::string& to) {
+        return found(source, target, replaced(source, from, to), target, ".cpp");
+    };
+    EXPECT_EQ(now("    float power", "    uint light;\n    float power"), "");
+    EXPECT_EQ(now("float power;", "float power;\n    float weight;"), "");
+    for (const auto& [from, to] : std::vector<Edit>{{"float power;", "float power;\n    uint light;"},
+                                                    {"    float power", "    int light;\n    float power"},
+                                                    {"    float power", "    uint lights;\n    float power"},
+                                                    {"    float power", "    uint light"},
+                                                    {"    float power;\n", ""}})
+        EXPECT_NE(now(from, to), "") << to;
+}
+
 /// The matcher still takes them for the same.
 TEST(BothSides, UnlikeFunctionsStillPairUnits) {
     const Dialect dialect;

@@ -552,5 +552,18 @@ TEST(SharedPort, AnEditOfAnOriginalIsNeverSettledByAnother) {
     EXPECT_EQ(report["findings"][0]["source"]["id"], "src/b.cu:shade");
 }
 
+TEST(SharedPort, AnEditThatIsToldOfOnePairIsNoNewsToTheOthers) {
+    for (const std::string file : {"/r/src/a.cu", "/r/src/b.cu"}) {
+        MemoryDisk disk = two_for_one();
+        disk.files[file] = replaced(disk.files[file], "a * 2.0f", "a * 4.0f");
+        disk.files["/r/port/k.comp"] = replaced(kTwoInOne, "a * 2.0", "a * 3.0");
+        const auto report = check(disk);
+        EXPECT_EQ(levels(report), "port-differs/error ") << report.dump(1);
+        EXPECT_EQ(report["summary"]["in_step"], 0);
+        disk.files["/r/portmap.toml"] += "\n[rules]\n\"port-differs\" = \"off\"\n";
+        EXPECT_EQ(levels(check(disk)), "target-changed/warning ") << "it would not be told at all";
+    }
+}
+
 }  // namespace
 }  // namespace porttool::testing::unwatched_test
