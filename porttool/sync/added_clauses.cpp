@@ -14,7 +14,8 @@ namespace {
 
 class ClauseAdder : EditReading {
 public:
-    ClauseAdder(const EditReading& reading, Transplant& out) : EditReading(reading), out_(out) {}
+    ClauseAdder(const EditReading& reading, const InsertedUses& uses, Transplant& out)
+        : EditReading(reading), uses_(uses), out_(out) {}
 
     AddedSources run() {
         for (size_t c = 0; c < origin_.size();) {
@@ -76,6 +77,10 @@ private:
             if (const std::string name = indexed_otherwise(clause.words); !name.empty())
                 return give_up("the port has `" + name + "` with other indices");
         if (!unknown.empty()) return give_up("nothing tells how the port says " + listed(unknown));
+        for (const ClauseAdded& clause : clauses)
+            if (!moved_from(clause.source))
+                if (std::string why = uses_.doubt_before(clause.words, now(clause.source).end, *place); !why.empty())
+                    return give_up(why);
         for (size_t c = first; c < end; ++c)
             if (const auto source = moved_from(c)) sources_.moved.insert(*source);
         out_.added.push_back({*place, std::move(clauses)});
@@ -269,14 +274,15 @@ private:
         return beside_left && !(goes_around && beside_right) ? target(left).end : target(right).first;
     }
 
+    const InsertedUses& uses_;
     Transplant& out_;
     AddedSources sources_;
 };
 
 }  // namespace
 
-AddedSources carry_added_clauses(const EditReading& reading, Transplant& out) {
-    return ClauseAdder(reading, out).run();
+AddedSources carry_added_clauses(const EditReading& reading, const InsertedUses& uses, Transplant& out) {
+    return ClauseAdder(reading, uses, out).run();
 }
 
 }  // namespace porttool

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "porttool/sync/edit_reading.h"
+#include "porttool/sync/inserted_uses.h"
 
 namespace porttool {
 
@@ -15,6 +16,6 @@ struct AddedSources {
 };
 
 /// Carries the clauses that the source gained: each run of them to between the counterparts of its neighbours.
-AddedSources carry_added_clauses(const EditReading& reading, Transplant& out);
+AddedSources carry_added_clauses(const EditReading& reading, const InsertedUses& uses, Transplant& out);
 
 }  // namespace porttool

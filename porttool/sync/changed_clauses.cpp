@@ -23,7 +23,8 @@ struct Hunk {
 
 class ClauseChanger : EditReading {
 public:
-    ClauseChanger(const EditReading& reading, Transplant& out) : EditReading(reading), out_(out) {}
+    ClauseChanger(const EditReading& reading, const InsertedUses& uses, Transplant& out)
+        : EditReading(reading), uses_(uses), out_(out) {}
 
     std::vector<WordsReplaced> run() {
         for (size_t c = 0; c < origin_.size(); ++c)
@@ -41,6 +42,11 @@ private:
                              shown(texts_.before.words, before(was).first, before(was).end) +
                              "`; the port says that in more places",
                          now(is).first, target(there).first);
+        if (there != kNothing && returns_in_more_places(was))
+            return leave("the source has `" + shown(texts_.now.words, now(is).first, now(is).end) + "` for `" +
+                             shown(texts_.before.words, before(was).first, before(was).end) +
+                             "`; the port gives its value back in more places",
+                         now(is).first, target(there).first);
         const bool asks_alike = there != kNothing && before(was).opens &&
                                 comparisons(texts_.before, before(was)) == comparisons(texts_.target, target(there));
         if (there != kNothing && is_doubtful(asks_alike ? before(was).inside : was))
@@ -48,7 +54,7 @@ private:
                              shown(texts_.before.words, before(was).first, before(was).end) +
                              "`; the port's condition there is another one",
                          now(is).first, target(there).first);
-        if (there == kNothing || texts_.across.likeness[was] < kSure) {
+        if (there == kNothing || texts_.across.likeness[was] < kSure || gives_another(was, there)) {
             if (there == kNothing && stands_in_target(is)) {
                 ++out_.already;
                 return;
@@ -68,6 +74,35 @@ private:
             return;
         }
         change_words(hunks, was, is, there);
+    }
+
+    /// True for a `return` of a value where the target has more of them than the source.
+    bool returns_in_more_places(size_t was) const {
+        const auto returns = [](const AlignedText& text, const Clause& clause) {
+            return text.words[clause.first] == "return" && clause.size() > 2;
+        };
+        const auto count = [&](const AlignedText& text) {
+            return std::count_if(text.clauses.begin(), text.clauses.end(),
+                                 [&](const Clause& clause) { return returns(text, clause); });
+        };
+        return returns(texts_.before, before(was)) && count(texts_.target) > count(texts_.before);
+    }
+
+    /// True where the target's statement writes another variable, and resembles the source's no more than any may.
+    bool gives_another(size_t was, size_t there) const {
+        constexpr double kSame = 0.8;
+        const auto written_at = [](const std::vector<std::string>& words, const Clause& clause) {
+            size_t i = clause.first;
+            while (i < clause.end && words[i] != "=" && words[i] != "(" && words[i] != "[") ++i;
+            return i < clause.end && words[i] == "=" && i > clause.first ? i - 1 : kNothing;
+        };
+        if (texts_.across.likeness[was] >= kSame) return false;
+        const size_t here = written_at(texts_.before.words, before(was));
+        const size_t other = written_at(texts_.target.words, target(there));
+        if (here == kNothing || other == kNothing || texts_.before.words[here] == texts_.target.words[other])
+            return false;
+        const std::vector<CarriedWord> said = carry_old(here, here + 1).words;
+        return said.empty() || said.back().text != texts_.target.words[other];
     }
 
     /// What both sides give back is the same, however they come to it: `return f ( a ) ;` that became
@@ -92,6 +127,9 @@ private:
         CarriedWords front = carry_new(made.first, at);
         const CarriedWords back = carry_new(after, made.end);
         if (!front.unknown.empty() || !back.unknown.empty()) return false;
+        if (!uses_.doubt_within(front.words, at, port.first).empty() ||
+            !uses_.doubt_within(back.words, made.end, port.first).empty())
+            return false;
         const bool bare = is_operand(texts_.target.words, port.first, port.end);
         if (!bare) front.words.push_back({"(", CarriedWord::kNoSource});
         for (size_t i = port.first; i < port.end; ++i)
@@ -115,7 +153,8 @@ private:
         const size_t made = out_.replaced.size();
         for (const Hunk& hunk : hunks) {
             const CarriedWords words = carry_new(hunk.now_first, hunk.now_end);
-            if (!words.unknown.empty()) {
+            const size_t place = *at + (hunk.first - old.first);
+            if (!words.unknown.empty() || !uses_.doubt_within(words.words, hunk.now_end, place).empty()) {
                 out_.replaced.resize(made);
                 return false;
             }
@@ -192,6 +231,7 @@ private:
             return;
         const CarriedWords now_said = carry_new(now(is).first, now(is).end);
         if (!now_said.unknown.empty() || result_of(other, made) == texts_of(now_said.words)) return;
+        if (!uses_.doubt_within(now_said.words, now(is).end, other.first).empty()) return;
         out_.replaced.resize(made);
         out_.replaced.push_back({target(there).first, target(there).end, now_said.words, now(is).first, now(is).end});
     }
@@ -275,6 +315,8 @@ private:
             return leave_run(hunk, first, "the port declares `" + texts_.target.words[first] + "` itself");
         if (const std::string name = indexed_otherwise(now.words); !name.empty())
             return leave_run(hunk, first, "the port has `" + name + "` with other indices");
+        if (const std::string why = uses_.doubt_within(now.words, hunk.now_end, first); !why.empty())
+            return leave_run(hunk, first, why);
         out_.replaced.push_back({first, end, now.words, hunk.now_first, hunk.now_end});
     }
 
@@ -463,14 +505,16 @@ private:
         out_.left.push_back({std::move(message), source_word, target_word});
     }
 
+    const InsertedUses& uses_;
     Transplant& out_;
     std::vector<WordsReplaced> respelled_;
 };
 
 }  // namespace
 
-std::vector<WordsReplaced> carry_changed_clauses(const EditReading& reading, Transplant& out) {
-    return ClauseChanger(reading, out).run();
+std::vector<WordsReplaced> carry_changed_clauses(const EditReading& reading, const InsertedUses& uses,
+                                                 Transplant& out) {
+    return ClauseChanger(reading, uses, out).run();
 }
 
 }  // namespace porttool

@@ -92,6 +92,47 @@ void SideWords::add_known(const ScannedFile& file, Words& words) {
     add_until(static_cast<uint32_t>(lexed.tokens.size()), {});
 }
 
+void SideWords::add_bare(const ScannedFile& file, Words& words) {
+    const LexedText& lexed = file.lexed;
+    Words fields;
+    std::vector<bool> within(lexed.tokens.size(), false);  // structs, without what is defined in them
+    for (const Unit& unit : file.units) {
+        if (unit.name_token < lexed.tokens.size()) words.insert(lexed.view(unit.name_token));
+        if (unit.kind != UnitKind::Struct || unit.tokens.empty()) continue;
+        bool lists = false;  // an `enum` does
+        for (uint32_t i = unit.tokens.first; i < unit.name_token && i < unit.tokens.end; ++i)
+            lists |= lexed.view(i) == "enum";
+        if (lists) continue;
+        add_identifiers(lexed, unit.body, fields);
+        std::fill(within.begin() + unit.tokens.first, within.begin() + unit.tokens.end, true);
+    }
+    uint32_t at = 0;
+    const auto add_until = [&](uint32_t end, const std::set<std::string, std::less<>>& locals, bool in_function) {
+        for (; at < end; ++at) {
+            const Token& token = lexed.tokens[at];
+            if (token.kind != TokenKind::Identifier || (token.flags & kDead) != 0) continue;
+            const std::string_view word = lexed.view(token);
+            const bool picked = at > 0 && (lexed.view(at - 1) == "." || lexed.view(at - 1) == "->");
+            if (in_function ? !picked && !locals.contains(word) && !fields.contains(word) : !within[at])
+                words.insert(word);
+        }
+    };
+    for (const Unit& unit : file.units) {
+        if (unit.kind != UnitKind::Function && unit.kind != UnitKind::Kernel) continue;
+        add_until(std::max(at, unit.tokens.first), {}, false);
+        const std::vector<std::string> names = local_names(file, unit);
+        add_until(std::max(at, unit.tokens.end), {names.begin(), names.end()}, true);
+    }
+    add_until(static_cast<uint32_t>(lexed.tokens.size()), {}, false);
+}
+
+const SideWords::Words& SideWords::bare() const {
+    if (bare_read_) return bare_;
+    bare_read_ = true;
+    for (const ScannedFile& file : files_) add_bare(file, bare_);
+    return bare_;
+}
+
 void SideWords::note(const ScannedFile& file, const Dialect& dialect, ByMeaning& by_meaning) {
     std::map<std::string_view, size_t> uses;
     for (const Token& token : file.lexed.tokens)
@@ -174,6 +215,12 @@ std::string KnownWords::in_other_manner(std::string_view word) const {
             return is_capital(said) == is_capital(word) ? said : std::string();
         }
     return {};
+}
+
+bool KnownWords::is_only_local(std::string_view word) const {
+    if (stands_bare(word)) return false;
+    const auto found = to_.all.by_meaning().find(meaning_of(word, dialect_));
+    return found != to_.all.by_meaning().end() && found->second.contains(word);
 }
 
 bool KnownWords::is_of_source(std::string_view word) const {

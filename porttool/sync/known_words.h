@@ -30,6 +30,10 @@ public:
     /// What the side declares: units, macros, variables of files, fields.
     const Words& declared() const;
 
+    /// Names that mean something in every function: of functions, types, macros, variables, enumerators; no fields.
+    const Words& bare() const;
+
+    static void add_bare(const ScannedFile& file, Words& words);
     static void add_known(const ScannedFile& file, Words& words);
     static void note(const ScannedFile& file, const Dialect& dialect, ByMeaning& by_meaning);
 
@@ -39,8 +43,8 @@ private:
     const std::vector<ScannedFile>& files_;
     const Dialect& dialect_;
     mutable ByMeaning by_meaning_;
-    mutable Words known_, declared_;
-    mutable bool read_ = false, declared_read_ = false;
+    mutable Words known_, declared_, bare_;
+    mutable bool read_ = false, declared_read_ = false, bare_read_ = false;
 };
 
 /// The words of one side, and the file of it that an edit is in.
@@ -108,6 +112,9 @@ public:
         };
         return is_cpp(from_.edited.language) && is_cpp(to_.edited.language);
     }
+    bool stands_bare(std::string_view word) const { return to_.all.bare().contains(word); }
+    /// True for what the target's side has within functions or as a field, and nowhere else.
+    bool is_only_local(std::string_view word) const;
     bool is_declared_there(std::string_view word) const { return to_.all.declared().contains(word); }
     /// True for a name that no file of either side declares, and that is none of a language's run time.
     bool is_from_elsewhere(std::string_view word) const;

@@ -261,6 +261,7 @@ private:
         const KnownWords& known = knowledge_.known_words(from, *file, *other);
         const UnitNames& names = knowledge_.unit_names(from);
         const LearnedBeside beside = knowledge_.learned_beside(from, file->path, other->path);
+        const bool is_method = port->name.size() > port->namespace_length + leaf_of(port->name).size() + 2;
         const bool on_host = !runs_on_device(*file, *unit);
         const auto written = [&](size_t i) {
             return is.words[i] == "@" || is.is_added(i) ? is.words[i] : std::string(file->lexed.view(is.tokens[i]));
@@ -268,7 +269,9 @@ private:
         const EditTexts texts{old_text, new_text, port_text, edit, across};
         Transplant found;
         // What uses a new name can only be carried with what declares it.
-        do found = transplant(texts, EditTranslator(examples, beside, names, lone, known, brought, on_host), written);
+        do
+            found = transplant(texts, EditTranslator(examples, beside, names, lone, known, brought, on_host), written,
+                               is_method);
         while (lose_undeclared(is.words, found, from_elsewhere, brought, lone));
         for (const LeftOver& left : found.left) {
             const uint32_t here = line_at(*file, is, left.source_word),

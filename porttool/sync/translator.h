@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "porttool/normal/declaration_words.h"
 #include "porttool/sync/examples.h"
 #include "porttool/sync/known_words.h"
 
@@ -78,6 +79,19 @@ public:
     /// True where the target declares `name`, and nobody `other`, not even the edit.
     bool declares_alone(std::string_view name, std::string_view other) const {
         return known_.is_declared_there(name) && is_from_elsewhere(other, other) && !brought_.contains(other);
+    }
+
+    /// True for a name that the edit itself brings in.
+    bool brings(std::string_view name) const { return brought_.contains(name); }
+    /// True for what the target's side has for all its functions, other than fields.
+    bool stands_bare(std::string_view name) const { return known_.stands_bare(name); }
+    bool is_in_file(std::string_view name) const { return known_.in_file(name); }
+    /// True for what the target's side has only within functions, or as fields.
+    bool is_only_local(std::string_view name) const { return known_.is_only_local(name); }
+    /// True for what tells a thread which one it is.
+    bool is_of_thread(std::string_view word) const {
+        return is_one_of(known_.meaning(std::string(word)),
+                         {"local_id", "group_id", "group_size", "group_count", "global_id"});
     }
 
 private:

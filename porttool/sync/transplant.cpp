@@ -16,9 +16,10 @@ class EditCarrier : EditReading {
 public:
     using EditReading::EditReading;
 
-    Transplant run() {
-        std::vector<WordsReplaced> respelled = carry_changed_clauses(*this, out_);
-        added_ = carry_added_clauses(*this, out_);
+    Transplant run(bool is_method) {
+        const InsertedUses uses(*this, is_method);
+        std::vector<WordsReplaced> respelled = carry_changed_clauses(*this, uses, out_);
+        added_ = carry_added_clauses(*this, uses, out_);
         // In the order of the source's text, whichever of the two came upon it.
         std::stable_sort(out_.left.begin(), out_.left.end(),
                          [](const LeftOver& a, const LeftOver& b) { return a.source_word < b.source_word; });
@@ -106,8 +107,8 @@ private:
 }  // namespace
 
 Transplant transplant(const EditTexts& texts, const EditTranslator& translator,
-                      const std::function<std::string(size_t)>& written) {
-    return EditCarrier(texts, translator, written).run();
+                      const std::function<std::string(size_t)>& written, bool is_method) {
+    return EditCarrier(texts, translator, written).run(is_method);
 }
 
 }  // namespace porttool

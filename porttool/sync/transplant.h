@@ -58,8 +58,9 @@ struct EditTexts {
 
 /// Carries the source's edit before -> now into the target: each changed word to the words that stand for it there,
 /// each new clause to between the counterparts of its neighbours. What has no sure place, or no sure words, is left.
-/// `written`: how the source writes each word of its new text.
+/// `written`: how the source writes each word of its new text. `is_method`: the target's unit sees the fields of a
+/// class.
 Transplant transplant(const EditTexts& texts, const EditTranslator& translator,
-                      const std::function<std::string(size_t)>& written);
+                      const std::function<std::string(size_t)>& written, bool is_method);
 
 }  // namespace porttool

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The porttool authors
 // SPDX-License-Identifier: Apache-2.0
 // What sync proposes, against ports that were written by hand: each test has the port as a person would make it.
+#include <array>
+
 #include "tests/porttool/fixtures.h"
 #include "tests/porttool/run_command.h"
 
@@ -1042,6 +1044,119 @@ TEST(SyncLayout, AnOperatorThatTookThePlaceOfACloseOneStandsApart) {
     };
     expect_written({"k.cu", "k.cpp", text("__device__ ", "i++"), text("__device__ ", "i += 4"), text("", "i++"),
                     text("", "i += 4")});
+}
+
+// Ports that were written in their own way: the same names do not mean the same values there.
+
+struct OtherWay {
+    std::string source, port;
+};
+/// An edit of one line of such a source. `ported`: the port's line and what it becomes; without it the edit is left,
+/// and what is carried of it, if anything is, does not have `word`.
+struct OtherWayEdit {
+    std::string from, to, word;
+    std::array<std::string, 2> ported = {};
+};
+
+void expect_edits(const OtherWay& way, const std::vector<OtherWayEdit>& edits) {
+    for (const OtherWayEdit& edit : edits) {
+        SCOPED_TRACE(edit.to);
+        const std::string ported = replaced(way.port, edit.ported[0], edit.ported[1]);
+        const EditCase one{"k.cu", "k.cpp", way.source, replaced(way.source, edit.from, edit.to), way.port, ported};
+        if (!edit.ported[0].empty()) {
+            expect_ported(one);
+            continue;
+        }
+        const Synced got = synced(one);
+        EXPECT_TRUE(got.state() == "refused" || got.state() == "partial") << got.why() << got.port;
+        const std::string patch = got.proposal["patch"].is_string() ? got.proposal["patch"] : "";
+        for (size_t at = patch.find("\n+"); at != std::string::npos; at = patch.find("\n+", at + 1))
+            EXPECT_EQ(patch.substr(at, patch.find('\n', at + 1) - at).find(edit.word), std::string::npos) << patch;
+    }
+}
+
+TEST(SyncOtherWay, AWordThatOnlyAnotherFunctionOfThePortHasIsLeft) {
+    const OtherWay nearest{
+        "struct Hit { float t; int id; int n; };\n"
+        "__device__ float pick(const Hit* hits, int n, float tmax) {\n"
+        "    float best = tmax;\n    int id = -1;\n"
+        "    for (int i = 0; i < n; i++) {\n"
+        "        if (hits[i].t < best) {\n            best = hits[i].t;\n            id = hits[i].id;\n        }\n    "
+        "}\n"
+        "    return id < 0 ? tmax : best;\n}\n"
+        "__device__ float twice(const float* in, int i) { return in[i] * 2.0f; }\n",
+        "struct Hit { float t; int id; int n; };\n"
+        "float pick(const std::vector<Hit>& hits, float tmax) {\n"
+        "  float nearest = tmax;\n  int which = -1;\n"
+        "  for (const Hit& hit : hits) {\n"
+        "    if (hit.t < nearest) {\n      nearest = hit.t;\n      which = hit.id;\n    }\n  }\n"
+        "  return which < 0 ? tmax : nearest;\n}\n"
+        "float twice(const float* in, int i) { return in[i] * 2.0f; }\n"};
+    expect_edits(nearest,
+                 {{"hits[i].t < best", "hits[i].t < best && i > 2", "i > 2"},
+                  {"hits[i].t < best", "hits[i].t < best && hits[i].id != i", "!= i"},
+                  {"hits[i].t < best", "hits[i].t < best && n > 2", "n > 2"},
+                  {"float best = tmax;", "float best = tmax;\n    tmax = id;", "tmax ="},
+                  {"id < 0 ?", "id < 0 || best > 9.0f ?", "", {"which < 0 ?", "which < 0 || nearest > 9.0f ?"}},
+                  {"hits[i].t < best", "hits[i].t < best * 2.0f", "", {"hit.t < nearest", "hit.t < nearest * 2.0f"}}});
+    const OtherWay fade{
+        "__device__ float fade(float x, float len) {\n    float inv = 1.0f / len;\n    float r = x * inv;\n    return "
+        "r * r;\n}\n"
+        "__device__ float norm(float x, float y) {\n    float inv = 1.0f / sqrtf(x * x + y * y);\n    return x * "
+        "inv;\n}\n",
+        "float fade(float x, float len) {\n  const float r = x / len;\n  return r * r;\n}\n"
+        "float norm(float x, float y) {\n  const float inv = 1.0f / std::sqrt(x * x + y * y);\n  return x * inv;\n}\n"};
+    expect_edits(fade, {{"return r * r;", "return r * r * inv;", "inv"},
+                        {"    return r * r;", "    r *= 2.0f;\n    return r * r;", "r *="},
+                        {"return r * r;", "return r * r * len;", "", {"return r * r;", "return r * r * len;"}}});
+}
+
+TEST(SyncOtherWay, AVariableIsNotAnotherOneThatIsWrittenOtherwise) {
+    expect_edits(
+        {"__device__ float noise(int n, float t) {\n    float acc = 0.0f;\n    float amp = 1.0f;\n"
+         "    while (n > 0) {\n        acc += amp * t;\n        amp *= 0.5f;\n        n--;\n    }\n    return "
+         "acc;\n}\n",
+         "float noise(int octaves, float t) {\n  float acc = 0.0f;\n  float amp = 1.0f;\n"
+         "  for (int k = 0; k < octaves; ++k) {\n    acc += amp * t;\n    amp *= 0.5f;\n  }\n  return acc;\n}\n"},
+        {{"acc += amp * t;", "acc += amp * t / n;", "octaves"},
+         {"acc += amp * t;", "acc += amp * t + acc;", "", {"acc += amp * t;", "acc += amp * t + acc;"}}});
+    expect_edits({"__device__ float gain(float v, int level) {\n    float k = v;\n    level = level + 1;\n    k = k * "
+                  "level;\n    return k;\n}\n",
+                  "float gain(float v, int level) {\n  float k = v;\n  k = k * (level + 1);\n  return k;\n}\n"},
+                 {{"return k;", "return level > 3 ? 1.0f : k;", "level > 3"},
+                  {"return k;", "return v > 3.0f ? 1.0f : k;", "", {"return k;", "return v > 3.0f ? 1.0f : k;"}}});
+    expect_edits({"__device__ float decay(float v, float dt) {\n    v = v * dt;\n    float out = v + 1.0f;\n    return "
+                  "out;\n}\n",
+                  "float decay(float v, float dt) {\n  const float scaled = v * dt;\n  const float out = scaled + "
+                  "1.0f;\n  return out;\n}\n"},
+                 {{"out = v + 1.0f", "out = v + v + 1.0f", "+ v"},
+                  {"return out;", "return out + v;", "+ v"},
+                  {"return out;", "return out + dt;", "", {"return out;", "return out + dt;"}}});
+    expect_edits(
+        {"__device__ int find(const int* a, int n, int key) {\n    int lo = 0;\n    int hi = n;\n    while (lo < hi) "
+         "{\n"
+         "        int mid = (lo + hi) / 2;\n        if (a[mid] < key) lo = mid + 1;\n        else hi = mid;\n    }\n   "
+         " return lo;\n}\n",
+         "int find(const int* a, int n, int key) {\n  int first = 0;\n  int last = n - 1;\n  while (first <= last) {\n"
+         "    int mid = (first + last) / 2;\n    if (a[mid] < key) first = mid + 1;\n    else last = mid - 1;\n  }\n  "
+         "return first;\n}\n"},
+        {{"int hi = n;", "int hi = n;\n    if (hi == 0) return -1;", "last"},
+         {"return lo;", "return hi - lo;", "last"},
+         {"int hi = n;",
+          "int hi = n;\n    if (n == 0) return -1;",
+          "",
+          {"int last = n - 1;", "int last = n - 1;\n  if (n == 0) return -1;"}}});
+}
+
+TEST(SyncOtherWay, AThreadsIndexIsTheCounterOfTheLoopThatThePortHasForIt) {
+    expect_edits(
+        {"__global__ void blur(const float* in, float* out, int w, int h) {\n"
+         "    int x = blockIdx.x * blockDim.x + threadIdx.x;\n    int y = blockIdx.y * blockDim.y + threadIdx.y;\n"
+         "    if (x >= w || y >= h) return;\n    float v = in[y * w + x] * 0.5f;\n    out[y * w + x] = v;\n}\n",
+         "void blur(const float* in, float* out, int w, int h) {\n  for (int y = 0; y < h; ++y) {\n    for (int x = 0; "
+         "x < w; ++x) {\n"
+         "      float v = in[y * w + x] * 0.5f;\n      out[y * w + x] = v;\n    }\n  }\n}\n"},
+        {{"* 0.5f;", "* 0.5f + x;", "", {"* 0.5f;", "* 0.5f + x;"}}});
 }
 
 }  // namespace
