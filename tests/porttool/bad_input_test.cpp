@@ -161,9 +161,6 @@ TEST(BadInput, AReasonHasWords) {
     EXPECT_TRUE(
         says(error_of(disk, {"defer", "src/k.cu:shade", "--owner", "", "--until", "2999-01-01", "--reason", "b"}),
              "--owner is empty"));
-    MemoryDisk mapped = disk;
-    mapped.files["/r/portmap.toml"] += "[[ignore]]\nid = \"src/k.cu:shade\"\nreason = \"\"\n";
-    EXPECT_TRUE(says(error_of(mapped, {"check"}), "'reason' is empty"));
 }
 
 TEST(BadInput, LoopsOfLinksPipesAndLargeFilesAreSkippedAndNamed) {

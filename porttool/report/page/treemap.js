@@ -8,12 +8,13 @@ const RAMP = {
 const MOST_TILES = 1200;
 let printing = false;
 
-// A colour between two, and whether dark text reads better on it than white (relative luminance as WCAG defines it).
+// A colour between two, and whether black text reads better on it than white (relative luminance as WCAG defines it):
+// above 0.179 it does, and there both have 4.58. A black any paler would have less than 4.5 around that.
 function mixed(a, b, t) {
   const part = (text, i) => parseInt(text.slice(1 + 2 * i, 3 + 2 * i), 16);
   const channels = [0, 1, 2].map((i) => Math.round(part(a, i) + (part(b, i) - part(a, i)) * t));
   const [red, green, blue] = channels.map((c) => (c / 255 <= 0.04045 ? c / 255 / 12.92 : ((c / 255 + 0.055) / 1.055) ** 2.4));
-  return { color: `rgb(${channels.join(" ")})`, light: 0.2126 * red + 0.7152 * green + 0.0722 * blue > 0.2 };
+  return { color: `rgb(${channels.join(" ")})`, light: 0.2126 * red + 0.7152 * green + 0.0722 * blue > 0.179 };
 }
 
 function colorOf(value) {
@@ -72,7 +73,7 @@ function tileOf(place) {
     s("title", null, label),
     s("rect", { x: place.x, y: place.y, width: Math.max(0, place.w), height: Math.max(0, place.h), rx: 2,
                 class: alone ? "alone" : null, fill: alone ? null : tone.color }),
-    fits && s("text", { x: place.x + 5, y: place.y + 14, fill: alone ? "var(--muted)" : tone.light ? "#1d2126" : "#ffffff" },
+    fits && s("text", { x: place.x + 5, y: place.y + 14, fill: alone ? "var(--muted)" : tone.light ? "#000000" : "#ffffff" },
       text.length > room ? text.slice(0, Math.max(1, room - 1)) + "…" : text));
 }
 
