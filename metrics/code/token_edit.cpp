@@ -56,10 +56,6 @@ struct Renumbered {
     std::vector<uint32_t> a, b;
 };
 
-}  // namespace
-
-namespace {
-
 /// The two sequences without what both begin and end with, which no shortest edit touches.
 void trim(std::span<const uint32_t>& a, std::span<const uint32_t>& b) {
     const size_t same = static_cast<size_t>(std::ranges::mismatch(a, b).in1 - a.begin());

@@ -80,7 +80,7 @@ public:
         const auto [known, is_new] = essences_.try_emplace(path);
         if (!is_new) return &known->second;
         std::set<std::vector<std::string>> out;
-        for (const std::string& key : *keys) out.insert(essence_of(split_words(key), dialect_));
+        for (const std::string& key : *keys) out.insert(essence_of(words_of_key(key), dialect_));
         known->second.assign(out.begin(), out.end());
         return &known->second;
     }
@@ -94,7 +94,7 @@ public:
     }
 
 private:
-    static std::vector<std::string> split_words(const std::string& key) {
+    static std::vector<std::string> words_of_key(const std::string& key) {
         std::vector<std::string> out;
         for (size_t at = 0; at < key.size();) {
             const size_t end = std::min(key.find(' ', at), key.size());

@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <sstream>
 
-#include "porttool/read/glob.h"
 #include "porttool/read/source_glob.h"
 #include "porttool/snapshot/lock_store.h"
 #include "porttool/snapshot/project.h"

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "porttool/scan/scan.h"
 #include "porttool/text/sink/terminal.h"
 
 namespace porttool {
@@ -26,16 +25,6 @@ std::optional<uint32_t> unfinished_merge(std::string_view text) {
     if (between == std::string_view::npos || find_line(text, ">>>>>>> ", between) == std::string_view::npos)
         return std::nullopt;
     return 1 + static_cast<uint32_t>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(ours), '\n'));
-}
-
-std::set<std::string> named_files(const MapFile& map, Side side) {
-    std::set<std::string> out;
-    for (const MapPair& pair : map.pairs) {
-        if (side == Side::Source) out.insert(split_id(pair.source).first);
-        for (const std::string& target : pair.targets)
-            if (side == Side::Target) out.insert(split_id(target).first);
-    }
-    return out;
 }
 
 void require_finished_merges(const Project& project, const BySide<std::set<std::string>>& files) {

@@ -23,7 +23,4 @@ void require_finished_merges(const Project& project);
 /// The same for any files, by their paths.
 void require_finished_merges(const Project& project, const BySide<std::set<std::string>>& files);
 
-/// The files of one side that the map's pairs name.
-std::set<std::string> named_files(const MapFile& map, Side side);
-
 }  // namespace porttool

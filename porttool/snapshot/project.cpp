@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "porttool/read/refusals.h"
+#include "porttool/scan/scan.h"
 #include "porttool/text/sink/terminal.h"
 
 namespace porttool {
@@ -160,6 +161,16 @@ std::string target_root(const Project& project) {
 bool is_elsewhere(const Project& project) {
     return !project.map.target_root.empty() && target_root(project) != project.root &&
            !below(project.root, target_root(project));
+}
+
+std::set<std::string> named_files(const MapFile& map, Side side) {
+    std::set<std::string> out;
+    for (const MapPair& pair : map.pairs) {
+        if (side == Side::Source) out.insert(split_id(pair.source).first);
+        for (const std::string& target : pair.targets)
+            if (side == Side::Target) out.insert(split_id(target).first);
+    }
+    return out;
 }
 
 }  // namespace porttool

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -67,5 +68,8 @@ void use_map(Project& project, const std::string& name, const std::string& text)
 
 /// The root of the target side, which may be another checkout.
 std::string target_root(const Project& project);
+
+/// The files of one side that the map's pairs name.
+std::set<std::string> named_files(const MapFile& map, Side side);
 
 }  // namespace porttool
