@@ -38,7 +38,7 @@ FLOAT, TRIANGLES = 5126, 4
 
 
 def fail(message):
-    print(f"compare_renderers.py: {message}", file=sys.stderr)
+    print(f"{pathlib.Path(sys.argv[0]).name}: {message}", file=sys.stderr)
     sys.exit(2)
 
 
@@ -204,23 +204,33 @@ def embree(options, camera, folder):
     return run
 
 
-def cycles(options, camera):
+def cycles_job(options, camera):
+    """What bench/cycles_render.py has to know of a scene."""
     job = {"scene": os.path.abspath(options.scene), "sky": camera["sky_radiance"],
            "area_lights": camera.get("area_lights", []), "view": {name: camera[name] for name in ("position", "target", "up")},
-           "size": options.size, "threads": options.threads, "frames": options.frames,
-           "max_path_length": options.max_path_length}
+           "size": options.size, "threads": options.threads, "max_path_length": options.max_path_length}
     job["view"]["vfov"] = math.radians(camera["vfov_degrees"])
+    return job
+
+
+def run_cycles(job):
+    """What bench/cycles_render.py says of a job."""
     script = pathlib.Path(__file__).with_name("cycles_render.py")
     blender = shutil.which("blender")
     # Blender's Python takes its library from beside the first python3 on the PATH: let that be its own.
     environment = os.environ | {"PATH": os.path.dirname(blender) + os.pathsep + os.environ["PATH"]}
     command = [blender, "-b", "--factory-startup", "--python-exit-code", "2", "--python", str(script), "--", json.dumps(job)]
+    found = re.search(r"^CYCLES (.*)", output_of(command, environment), re.MULTILINE)
+    if found is None:
+        fail("blender printed no line CYCLES; see bench/cycles_render.py")
+    return json.loads(found[1])
+
+
+def cycles(options, camera):
+    job = cycles_job(options, camera) | {"frames": options.frames}
 
     def run():
-        found = re.search(r"^CYCLES (.*)", output_of(command, environment), re.MULTILINE)
-        if found is None:
-            fail("blender printed no line CYCLES; see bench/cycles_render.py")
-        said = json.loads(found[1])
+        said = run_cycles(job)
         if min(said[roulette] for roulette in OURS) <= 0:
             fail("Cycles took no longer for more samples; take more --frames, a larger --size or a quieter machine")
         return {f"Cycles {said['version']}, {roulette}": said[roulette] for roulette in OURS}

@@ -1,12 +1,13 @@
 # SPDX-FileCopyrightText: 2026 The porttool authors
 # SPDX-License-Identifier: Apache-2.0
-"""Times Cycles inside Blender, for bench/compare_renderers.py, which says how:
+"""Runs Cycles inside Blender, for bench/compare_renderers.py and bench/equal_time.py, which say how:
 
     blender -b --factory-startup --python-exit-code 2 --python bench/cycles_render.py -- '{"scene": "scene.gltf", ...}'
 
-Prints one line, "CYCLES " and JSON: Blender's version and the seconds that a sample per pixel takes, with and without
-roulette. That is the difference of two renders over the difference of their samples, so that loading, building the tree
-and starting up drop out.
+Prints one line, "CYCLES " and JSON: Blender's version and either the seconds that a sample per pixel takes, with and
+without roulette (the difference of two renders over the difference of their samples, so that loading, building the tree
+and starting up drop out), or, where the job names "pictures", the processor seconds of each, with roulette: it is written
+as linear EXR.
 """
 import json
 import sys
@@ -101,10 +102,30 @@ def seconds_per_sample(job, roulette):
     return (seconds(2 + job["frames"]) - seconds(2)) / job["frames"]
 
 
+def write_pictures(job):
+    """Nothing that a converged picture would lack or that mixes pixels: no clamping, sharp reflections, a box filter."""
+    render, cycles = bpy.context.scene.render, bpy.context.scene.cycles
+    cycles.sample_clamp_direct = cycles.sample_clamp_indirect = cycles.blur_glossy = 0
+    cycles.pixel_filter_type = "BOX"
+    cycles.min_light_bounces = cycles.min_transparent_bounces = 0
+    settings = render.image_settings
+    settings.file_format, settings.color_depth, settings.color_mode = "OPEN_EXR", "32", "RGB"
+    taken = []
+    for picture in job["pictures"]:
+        render.filepath, cycles.samples, cycles.seed = picture["file"], picture["samples"], picture["seed"]
+        start = time.process_time()
+        bpy.ops.render.render(write_still=True)
+        taken.append(time.process_time() - start)
+    return taken
+
+
 def main():
     job = json.loads(sys.argv[-1])
     load(job)
     set_options(job)
+    if "pictures" in job:
+        print("CYCLES", json.dumps({"version": bpy.app.version_string, "processor_seconds": write_pictures(job)}))
+        return
     print("CYCLES", json.dumps({"version": bpy.app.version_string, "no roulette": seconds_per_sample(job, False),
                                 "roulette": seconds_per_sample(job, True)}))
 

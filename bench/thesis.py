@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Measures anew what the thesis has in tables and figures, beside its own numbers.
 
-    bench/thesis.py -o DIR            everything (an hour and more); interrupted, it goes on where it was
+    bench/thesis.py -o DIR            everything (an hour and more on two processors without a GPU); interrupted, it goes on where it was
     bench/thesis.py --quick -o DIR    a small picture of one scene, in seconds
     bench/thesis.py --self-test FILE  the same small run packed into one file, for a machine with a GPU, to be sent back
     bench/thesis.py --with FILE...    such files beside this machine
@@ -19,9 +19,11 @@ import json
 import os
 import pathlib
 import re
+import resource
 import shutil
 import subprocess
 import sys
+import time
 import zipfile
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
@@ -32,7 +34,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 CORES = ("source", "target")
 BLOCKS = ("generate", "extend", "shade", "connect", "finalize")
 QUICK = {"size": "64x36", "counts": [1, 4], "bias": 16, "frames": 2}
-FULL = {"size": "640x360", "counts": [1, 4, 16, 64, 256, 1024], "bias": 256, "frames": 9}
+FULL = {"size": "320x180", "counts": [1, 4, 16, 64, 256, 1024], "bias": 256, "frames": 9}
 OTHER_SEED = 1
 
 
@@ -73,6 +75,11 @@ def update_age(page):
 # --- Measuring ---
 
 
+def processor_seconds():
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime
+
+
 class Measurements:
     """Answers of commands, kept in a folder."""
 
@@ -80,6 +87,7 @@ class Measurements:
         self.folder, self.program, self.porttool = folder, program, porttool
         self.digest = hashlib.sha256(json.dumps(kernel_digests()).encode()).hexdigest()[:12]
         self.failures = []
+        self.seconds, self.processor_seconds = 0.0, 0.0
         (folder / "measured").mkdir(parents=True, exist_ok=True)
 
     def take(self, name, command, kept=None):
@@ -89,17 +97,26 @@ class Measurements:
         said = [str(word) for word in command]
         if file.is_file() and (kept is None or kept.is_file()):
             before = json.loads(file.read_text())
-            if before["command"] == said and before["kernels"] == self.digest:
+            if before["command"] == said and before["kernels"] == self.digest and "cost" in before:
+                self.add_cost(before["cost"])
                 return before["result"]
+        start, busy = time.monotonic(), processor_seconds()
         done = subprocess.run(said, capture_output=True, text=True, check=False, cwd=ROOT)
+        cost = [time.monotonic() - start, processor_seconds() - busy]
+        self.add_cost(cost)
         if done.returncode not in (0, 1) or (done.returncode == 1 and not done.stdout):
             self.failures.append(f"{name}: {' '.join(done.stderr.split())}")
             return None
         result = json.loads(done.stdout) if done.stdout.startswith("{") else {}
         unfinished = file.with_suffix(".new")
-        unfinished.write_text(json.dumps({"command": said, "kernels": self.digest, "result": result}, indent=1))
+        unfinished.write_text(json.dumps({"command": said, "kernels": self.digest, "cost": cost, "result": result},
+                                         indent=1))
         unfinished.replace(file)
         return result
+
+    def add_cost(self, cost):
+        self.seconds += cost[0]
+        self.processor_seconds += cost[1]
 
     def pathtracer(self, name, *words, kept=None):
         return self.take(name, [self.program, *words, "--quiet", "--format", "json"], kept)
@@ -194,6 +211,8 @@ def add_machine(page, take, settings, left_out, scenes):
     if any(word in (devices.get("source") or "").lower() for word in ("llvmpipe", "lavapipe", "swiftshader")):
         section.say("This machine has no GPU: the source core runs in software here, and its times say nothing of the thesis's "
                     "GPU. `bench/thesis.py --self-test FILE` on a machine with one makes a file that `--with FILE` adds.")
+    section.say(f"Measuring took {take.seconds / 60:.1f} minutes, and {take.processor_seconds / 60:.1f} minutes of processor "
+                "time, of which an idle machine needs at least its share a processor.")
     section.say("Scenes, by rising size: " + ", ".join(scene.name for scene in scenes) + ".")
     for reason in left_out:
         section.say(f"Left out: {reason}.")
@@ -273,21 +292,31 @@ def add_table2(page, report):
                                            if b["degree_of_portability"]})
 
 
-def add_equations(page, report):
+def add_equations(page, report, scene, pictures):
     section = page.section("Equations 3 to 8")
     rows = []
+    if pictures is not None:
+        spp, row = list(pictures["rows"].items())[-1]
+        rows += [[f"RMSE, {scene.name}, {spp} samples", "sqrt(mean (a - b)^2)", number(row["same"]["rmse"], 2),
+                  "31.9 (Pica Pica, 1024)"],
+                 [f"SSIM, {scene.name}, {spp} samples",
+                  "(2 m_a m_b + c_1)(2 s_ab + c_2) / ((m_a^2 + m_b^2 + c_1)(s_a^2 + s_b^2 + c_2))",
+                  number(row["same"]["ssim"], 4), "0.878 (Pica Pica, 1024)"]]
     for block in (report or {"blocks": []})["blocks"]:
         theirs = thesis.TABLE2.get(block["name"])
-        if theirs:
-            rows.append([f"degree of portability, {block['name']}", "1 - (lines not shared) / (lines)",
-                         number(block["degree_of_portability"] and block["degree_of_portability"]["loc"], 2), theirs[-1]])
+        if not theirs:
+            continue
+        lines, shared, degree = block["target_lines"], block["shared_target"], block["degree_of_portability"]
+        rows += [[f"C_port, {block['name']}", "lines not shared", lines - shared, theirs[0] - theirs[1]],
+                 [f"C_redevelop, {block['name']}", "lines", lines, theirs[0]],
+                 [f"degree of portability, {block['name']}", "1 - C_port / C_redevelop", number(degree and degree["loc"], 2),
+                  theirs[-1]]]
     efforts = (ROOT / "portmap.toml").read_text().count("[[effort]]")
     rows.append(["equation 8, cost of a port", "Y = C prod 10^(beta alpha) X^beta",
                  f"{efforts} recorded ports" + ("; a fit needs 8" if efforts < 8 else "; see porttool effort"), "-"])
     section.table(["quantity", "formula", "here", "thesis"], rows)
-    section.say("The project holds no copy of the thesis and no list of its equations: what is known of them is Mooney's degree of "
-                "portability in lines, behind its Table 2, and equation 8 (3.1.3). The numbers of equations 3 to 7 are not in "
-                "the project, and none is made up here. How the formulas of this project read is in docs/metrics.md.")
+    section.say("The project holds no copy of the thesis: which formula has which of its numbers is known of equation 8 alone "
+                "(3.1.3). These are the quantities of its tables; docs/metrics.md has each formula in full, with its source.")
 
 
 def add_other_machines(page, files):
@@ -353,7 +382,7 @@ def make_page(arguments, settings, take, folder):
         if series:
             add_speed(page, scene, series)
     add_table2(page, report)
-    add_equations(page, report)
+    add_equations(page, report, scenes[0], found[0][1])
     add_other_machines(page, arguments.others)
     page.kernels = now
     return page, found
@@ -386,7 +415,7 @@ def keep(folder, page):
 
 def picture_size(text):
     if not re.fullmatch(r"[1-9]\d{0,4}x[1-9]\d{0,4}", text):
-        raise argparse.ArgumentTypeError(f"'{text}' is no size; give WIDTHxHEIGHT in pixels, e.g. 640x360")
+        raise argparse.ArgumentTypeError(f"'{text}' is no size; give WIDTHxHEIGHT in pixels, e.g. 320x180")
     return text
 
 
@@ -402,7 +431,7 @@ def read_options():
     parser.add_argument("--quick", action="store_true")
     parser.add_argument("--scene", action="append", default=[], help="one more scene, a .gltf file")
     parser.add_argument("--scenes", default=str(ROOT.parent / "shared/scenes"), help="folder of pica and kitchen")
-    parser.add_argument("--size", type=picture_size, metavar="WxH", help="of the pictures (640x360; 64x36 with --quick)")
+    parser.add_argument("--size", type=picture_size, metavar="WxH", help="of the pictures (320x180; 64x36 with --quick)")
     parser.add_argument("--samples", type=sample_count, metavar="N", help="the most samples of a whole run (1024; 4 with --quick)")
     parser.add_argument("--program", default=str(ROOT / "build/release/bin/pathtracer"))
     parser.add_argument("--porttool", default=str(ROOT / "build/release/bin/porttool"))
@@ -423,7 +452,7 @@ def main():
     arguments.quick = arguments.quick or arguments.self_test is not None
     settings = QUICK if arguments.quick else FULL
     if arguments.self_test is not None:
-        settings = {**settings, "size": FULL["size"]}
+        settings = {**settings, "size": "640x360"}
     if arguments.size is not None:
         settings = {**settings, "size": arguments.size}
     if arguments.samples is not None:

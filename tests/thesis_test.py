@@ -12,6 +12,8 @@ import tempfile
 import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
+sys.path.insert(0, str(ROOT / "bench"))
+import equal_time  # noqa: E402
 SCRIPT = ROOT / "bench/thesis.py"
 STORED = ROOT / "docs/thesis-numbers.md"
 PATHTRACER, PORTTOOL = (str(pathlib.Path(word).resolve()) for word in sys.argv[1:3])
@@ -122,6 +124,33 @@ class Age(unittest.TestCase):
                 self.assertIn(said, refused.stderr)
                 self.assertNotIn("Traceback", refused.stderr)
                 self.assertFalse(out.exists())
+
+
+class EqualTime(unittest.TestCase):
+    """Independent samples: the error is 8 / sqrt(samples), and after a given time it is known in closed form."""
+    ERRORS = {1: 8.0, 4: 4.0, 16: 2.0, 64: 1.0}
+
+    def test_error_follows_from_time_and_time_from_error(self):
+        for time in (0.02, 0.1, 0.5, 1.2):
+            samples, error = equal_time.error_after(time, 0.02, self.ERRORS)
+            self.assertAlmostEqual(samples, time / 0.02)
+            self.assertAlmostEqual(error, 8 / (time / 0.02) ** 0.5)
+            self.assertAlmostEqual(equal_time.time_for(error, 0.06, self.ERRORS), 3 * time)
+
+    def test_beyond_what_was_rendered_nothing_is_known(self):
+        self.assertIsNone(equal_time.error_after(0.01, 0.02, self.ERRORS)[1])
+        self.assertIsNone(equal_time.error_after(2, 0.02, self.ERRORS)[1])
+        self.assertIsNone(equal_time.time_for(9, 0.02, self.ERRORS))
+        self.assertIsNone(equal_time.time_for(0.5, 0.02, self.ERRORS))
+
+    def test_what_is_missing_is_named(self):
+        for words, said in ((["--pathtracer", "nosuch"], "there is no program nosuch"), (["--times", "1,x"], "1,x: expected seconds"),
+                            (["--reference", "8"], "8: expected a whole number of at least 512")):
+            refused = subprocess.run([sys.executable, str(ROOT / "bench/equal_time.py"), *words], capture_output=True, text=True,
+                                     check=False)
+            self.assertEqual(refused.returncode, 2)
+            self.assertIn(said, refused.stderr)
+            self.assertNotIn("Traceback", refused.stderr)
 
 
 if __name__ == "__main__":
