@@ -366,8 +366,11 @@ void declare_view(CLI::App& app, Options& options) {
              "this folder)")
         ->type_name("FILE.png");
     declare_samples(app, options, "Samples per pixel after which a core rests (4096)");
-    declare_filter(app, options, "none");
-    app.preparse_callback([&options](size_t) { options.spp = {ENOUGH_SAMPLES}; });
+    declare_filter(app, options, "temporal");
+    app.preparse_callback([&options](size_t) {
+        options.spp = {ENOUGH_SAMPLES};
+        options.filter = FilterMode::temporal;
+    });
     declare_picture(app, options);
     declare_paths(app, options);
     declare_machine(app, options);

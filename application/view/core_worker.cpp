@@ -167,7 +167,7 @@ Status CoreWorker::draw(const Request& request, bool fresh) {
         if (Status status = core_.play(request.seconds); !status.ok()) return status;
         samples_ = 0;
         in_parts_ = sample_ms_ > LONG_SAMPLE_MS;
-        was_coarse_ = sample_ms_ > PASS_MS;
+        was_coarse_ = first_picture_ms(request) > PASS_MS;
         if (was_coarse_)
             if (Status status = draw_coarsely(request); !status.ok()) return status;
         if (is_called_away(request) || (was_coarse_ && waits_for_more(request))) return Status::success();
@@ -234,7 +234,8 @@ Status CoreWorker::filter(const Request& request, Picture& picture, uint32_t sam
     if (request.filter == FilterMode::none) return Status::success();
     const bool remembers = first && request.filter == FilterMode::temporal;
     const std::vector<float> noise = first ? std::vector<float>() : variances();
-    return core_->Filter(
+    const auto start = Clock::now();
+    const Status status = core_->Filter(
         request.view, {.means = picture.pixels,
                        .variances = noise,
                        .first_sample = settings_.first_sample + first_sample(request),
@@ -242,6 +243,9 @@ Status CoreWorker::filter(const Request& request, Picture& picture, uint32_t sam
                        .filtered = picture.pixels,
                        .history = remembers ? render_system::FilterHistory::go_on : render_system::FilterHistory::none,
                        .most_rays = MOST_RAYS});
+    const double share = static_cast<double>(picture.pixels.size()) / (1.0 * request.width * request.height);
+    filter_ms_ = ms_since(start) / share;
+    return status;
 }
 
 bool CoreWorker::is_to_be_shown(const Request& request) const {
@@ -259,9 +263,14 @@ bool CoreWorker::waits_for_more(const Request& request) {
     return wake_.wait_for(lock, MOMENT, [&] { return ends_ || !runs_ || wanted_.number != request.number; });
 }
 
+/// Of a whole picture of one sample, ready to be shown.
+double CoreWorker::first_picture_ms(const Request& request) const {
+    return sample_ms_ + (request.filter == FilterMode::none ? 0.0 : filter_ms_);
+}
+
 Status CoreWorker::draw_coarsely(const Request& request) {
     uint32_t divisor = 2;
-    while (divisor < 8 && sample_ms_ > PASS_MS * divisor * divisor) divisor *= 2;
+    while (divisor < 8 && first_picture_ms(request) > PASS_MS * divisor * divisor) divisor *= 2;
     const auto start = Clock::now();
     if (Status status = point_at(request, divisor); !status.ok()) return status;
     if (Status status = core_->Render(request.view, Convergence::Restart, 1); !status.ok()) return status;
@@ -332,12 +341,13 @@ Status CoreWorker::take_sample_in_parts(const Request& request) {
     return show_drawn(request, std::move(picture), taken, false, sample_ms_);
 }
 
-/// Takes the noise out where that is asked for.
+/// Takes the noise out where that is asked for, which cannot be called off: so not if nobody waits for it any more.
 Status CoreWorker::show_drawn(const Request& request, Picture picture, const CoreStats& taken, bool coarse,
                               double took_ms) {
     if (!coarse && request.filter != FilterMode::none && std::has_single_bit(samples_)) note_noise(picture);
     if (!coarse && !is_to_be_shown(request)) return Status::success();
     const bool first = coarse || (!was_coarse_ && samples_ == 1);
+    if (!first && request.filter != FilterMode::none && is_called_away(request)) return Status::success();
     if (Status status = filter(request, picture, coarse ? 1 : samples_, first); !status.ok()) return status;
     const std::lock_guard lock(mutex_);
     drawn_.picture = std::move(picture);

@@ -94,6 +94,7 @@ private:
     render_system::Status take_sample_in_parts(const Request& request);
     render_system::Status point_at(const Request& request, uint32_t divisor);
     uint32_t first_sample(const Request& request) const;
+    double first_picture_ms(const Request& request) const;
     render_system::Status filter(const Request& request, Picture& picture, uint32_t samples, bool first);
     void note_noise(const Picture& mean);
     std::vector<float> variances() const;
@@ -126,6 +127,7 @@ private:
     std::unique_ptr<Picture> target_;
     uint32_t samples_ = 0;    // of the request that is drawn
     double sample_ms_ = 1e9;  // of one sample of the whole picture
+    double filter_ms_ = 0.0;  // of filtering it; 0 before it was
     bool in_parts_ = false;
     bool was_coarse_ = false;              // what is shown of the request that is drawn
     std::vector<glm::vec4> sample_, sum_;  // in parts: the sample that is being taken, and those that are whole

@@ -168,7 +168,7 @@ def has_both_cores():
 
 class ViewTest(Person):
     def test_a_person_looks_orbits_switches_compares_and_leaves(self):
-        self.open_window("--spp", 8, "-o", "saved.png", "--core", "target,source", "--filter", "temporal")
+        self.open_window("--spp", 8, "-o", "saved.png", "--core", "target,source")
         self.wait_for("pixels", lambda detail: detail["core"] == "target")
         first = self.until(lambda now: brightness(now) > 20 and len(set(now)) > 200)  # not the coarse pass before
 
