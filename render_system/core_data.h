@@ -92,6 +92,8 @@ struct CoreMaterial {
     float film = 0.0f;                         ///< KHR_materials_iridescence
     float film_ior = 1.3f;                     ///< KHR_materials_iridescence
     glm::vec2 film_thickness{100.0f, 400.0f};  ///< nanometres, where film_thickness_texture is 0 and 1 (without one: 1)
+    float anisotropy = 0.0f;                   ///< KHR_materials_anisotropy, its strength; nothing where light is bent
+    float anisotropy_rotation = 0.0f;          ///< counter-clockwise from the tangent
     CoreTextureSlot base_color_texture;        ///< RGB, alpha in A
     CoreTextureSlot metallic_roughness_texture;  ///< roughness in G, metallic in B
     CoreTextureSlot normal_texture;              ///< tangent space
@@ -106,6 +108,7 @@ struct CoreMaterial {
     CoreTextureSlot coat_normal_texture;         ///< tangent space; without one the coat follows the geometry's normal
     CoreTextureSlot film_texture;                ///< R
     CoreTextureSlot film_thickness_texture;      ///< G
+    CoreTextureSlot anisotropy_texture;          ///< direction along tangent and bitangent in RG, strength in B
 
     bool operator==(const CoreMaterial&) const = default;
 };
@@ -127,6 +130,7 @@ constexpr CoreTextureSlot CoreMaterial::*kTextureSlots[] = {
     &CoreMaterial::coat_normal_texture,
     &CoreMaterial::film_texture,
     &CoreMaterial::film_thickness_texture,
+    &CoreMaterial::anisotropy_texture,
 };
 
 /// One triangle mesh. `triangles` holds three vertex indices and the material of each triangle in w.

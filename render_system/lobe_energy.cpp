@@ -32,16 +32,18 @@ struct Interface {
 double smith(double cosine, double alpha) { return std::sqrt(alpha * alpha + (1.0 - alpha * alpha) * cosine * cosine); }
 
 // A Fibonacci lattice: a turn's cosine and sine, and a number from 0 to 1.
+template <class Point>
+std::vector<Point> lattice_of(uint32_t size, uint32_t generator) {
+    std::vector<Point> made;
+    for (uint32_t i = 0; i < size; ++i) {
+        const double turn = kTwoPi * static_cast<double>(i * generator % size) / size;
+        made.emplace_back(std::cos(turn), std::sin(turn), (i + 0.5) / size);
+    }
+    return made;
+}
+
 const std::vector<glm::dvec3>& lattice() {
-    static const std::vector<glm::dvec3> points = [] {
-        constexpr uint32_t kLattice = 610, kGenerator = 377;
-        std::vector<glm::dvec3> made;
-        for (uint32_t i = 0; i < kLattice; ++i) {
-            const double turn = kTwoPi * static_cast<double>(i * kGenerator % kLattice) / kLattice;
-            made.emplace_back(std::cos(turn), std::sin(turn), (i + 0.5) / kLattice);
-        }
-        return made;
-    }();
+    static const std::vector<glm::dvec3> points = lattice_of<glm::dvec3>(610, 377);
     return points;
 }
 
@@ -80,6 +82,55 @@ glm::dvec2 energy(const Interface& face, double cosine, double roughness) {
     for (const glm::dvec3& point : lattice()) sum += leaving(face, wo, visible_normal(wo, alpha, point), alpha);
     // What sums and interpolation miss, up to a thousandth, shall take light away, not make it.
     return glm::min(1.001 * sum / static_cast<double>(lattice().size()), 1.0);
+}
+
+// GGX stretched along x. Below this alpha no lobe is: the kernels' SMOOTH_ALPHA.
+constexpr float kSmoothAlpha = 1e-3f;
+
+struct Stretched {
+    float along, across;
+
+    Stretched(float roughness, float strength) {
+        const float alpha = roughness * roughness;
+        along = alpha + (1.0f - alpha) * strength * strength;
+        across = std::min(std::max(alpha, kSmoothAlpha), along);
+    }
+    float root(const glm::vec3& w) const { return glm::length(w * glm::vec3(along, across, 1.0f)); }
+
+    // The view at that cosine and turn: its projected roughness lies between those of the axes, in equal steps of
+    // roots.
+    glm::vec3 view(float cosine, float turn) const {
+        const float z = std::max(cosine, 1e-4f), sine = std::sqrt(1.0f - z * z);
+        const float root = std::sqrt(across) + (std::sqrt(along) - std::sqrt(across)) * turn;
+        const float widest = along * along - across * across;
+        const float x2 = widest > 0.0f ? (root * root * root * root - across * across) / widest : 0.0f;
+        const float bounded = std::clamp(x2, 0.0f, 1.0f);
+        return {sine * std::sqrt(bounded), sine * std::sqrt(1.0f - bounded), z};
+    }
+};
+
+// As energy() of reflection alone, in floats and over fewer points: it is asked for 40,000 times.
+glm::dvec2 stretched_energy(float cosine, float turn, float roughness, float strength) {
+    constexpr uint32_t kPoints = 144, kGenerator = 89;
+    static const std::vector<glm::vec3> points = lattice_of<glm::vec3>(kPoints, kGenerator);
+    const Stretched lobe(roughness, strength);
+    if (lobe.along < kSmoothAlpha) return energy({0.0, 1.0, 1.0}, static_cast<double>(cosine), 0.0);
+    const glm::vec3 wo = lobe.view(cosine, turn), scale(lobe.along, lobe.across, 1.0f);
+    const glm::vec3 seen = glm::normalize(wo * scale);
+    const float root_o = lobe.root(wo);
+    glm::vec2 sum(0.0f);
+    for (const glm::vec3& point : points) {
+        const float z = (1.0f - point.z) * (1.0f + seen.z) - seen.z;
+        const float sine = std::sqrt(std::max(1.0f - z * z, 0.0f));
+        const glm::vec3 h = (glm::vec3(sine * point.x, sine * point.y, z) + seen) * scale;
+        const float squared = glm::dot(h, h), wo_h = glm::dot(wo, h);
+        const glm::vec3 wi = h * (2.0f * wo_h / squared) - wo;
+        if (wi.z <= 0.0f) continue;
+        const float m = std::max(1.0f - wo_h / std::sqrt(squared), 0.0f);
+        const float unmasked = wi.z * (wo.z + root_o) / (wo.z * lobe.root(wi) + wi.z * root_o);
+        sum += unmasked * glm::vec2(1.0f, (m * m) * (m * m) * m);
+    }
+    return glm::min(1.001 * glm::dvec2(sum) / static_cast<double>(kPoints), 1.0);
 }
 
 // Charlie's sheen: Estevez and Kulla 2017, "Production Friendly Microfacet Sheen BRDF", with its fitted shadowing.
@@ -143,6 +194,24 @@ const std::vector<glm::vec4>& reflection_slice() {
     return slice;
 }
 
+// All slices of a stretched lobe; those of strength 0 are one.
+const std::vector<glm::vec4>& stretched_slices() {
+    static const std::vector<glm::vec4> slices = [] {
+        std::vector<glm::vec4> made;
+        for (uint32_t i = 0; i < (kEnergyStrengths + 1) * (kEnergyTurns + 1); ++i) {
+            const float turn = static_cast<float>(i % (kEnergyTurns + 1)) / kEnergyTurns;
+            const float strength = static_cast<float>(i / (kEnergyTurns + 1)) / kEnergyStrengths;
+            const std::vector<glm::vec4> slice =
+                strength == 0.0f ? reflection_slice() : slice_with([&](double cosine, double roughness) {
+                    return stretched_energy(static_cast<float>(cosine), turn, static_cast<float>(roughness), strength);
+                });
+            made.insert(made.end(), slice.begin(), slice.end());
+        }
+        return made;
+    }();
+    return slices;
+}
+
 }  // namespace
 
 float bending_ior(const CoreMaterial& material) {
@@ -158,6 +227,14 @@ uint32_t LobeEnergy::sheen_row() {
     static const std::vector<glm::vec4> slice = slice_with(sheen_energy);
     rows_.insert(rows_.end(), slice.begin(), slice.end());
     return sheen_row_;
+}
+
+uint32_t LobeEnergy::stretched_row() {
+    if (rows_.empty()) rows_ = reflection_slice();
+    if (stretched_row_ != NONE) return stretched_row_;
+    stretched_row_ = static_cast<uint32_t>(rows_.size());
+    rows_.insert(rows_.end(), stretched_slices().begin(), stretched_slices().end());
+    return stretched_row_;
 }
 
 uint32_t LobeEnergy::row_of(const CoreMaterial& material) {

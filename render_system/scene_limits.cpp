@@ -127,6 +127,7 @@ Status check_material(const CoreMaterial& material) {
                              material.film_ior,
                              material.film_thickness.x,
                              material.film_thickness.y,
+                             material.anisotropy,
                              material.specular_color.y,
                              material.specular_color.z,
                              material.alpha,
@@ -149,6 +150,8 @@ Status check_material(const CoreMaterial& material) {
                                "; from 1e-4 to 1e4 light can be bent");
     }
     if (!std::isfinite(material.normal_scale)) return Status::invalid("the scale of its normal map is not finite");
+    if (!std::isfinite(material.anisotropy_rotation))
+        return Status::invalid("the rotation of its anisotropy is not finite");
     for (const auto slot : kTextureSlots) {
         const CoreTextureSlot& used = material.*slot;
         if (used.texture == NONE) continue;

@@ -47,6 +47,7 @@ constexpr uint kSlotFeatures[] = {
     FEATURE_TEXTURES | FEATURE_LOBE_TEXTURES,      // coat_normal
     FEATURE_TEXTURES | FEATURE_LOBE_TEXTURES,      // film
     FEATURE_TEXTURES | FEATURE_LOBE_TEXTURES,      // film_thickness
+    0u,                                            // anisotropy: the source core alone
 };
 static_assert(ENERGY_CELLS == kEnergyCells);
 static_assert(std::size(kSlotFeatures) == std::size(kTextureSlots));
@@ -107,7 +108,7 @@ void pack_textures(std::span<const CoreTexture> textures, SceneTables& tables) {
         texels += texture.texels.size();
     }
     std::vector<uint32_t>().swap(tables.texels);  // `= {}` would keep the room
-    tables.texels.reserve(texels);  // growing would take as much again
+    tables.texels.reserve(texels);                // growing would take as much again
     for (size_t i = 0; i < textures.size(); ++i) {
         const CoreTexture& texture = textures[i];
         uint wrap_s = static_cast<uint>(texture.wrap_s) << TEXTURE_WRAP_S_SHIFT;

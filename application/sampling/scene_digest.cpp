@@ -42,14 +42,15 @@ void add_slot(Digest& digest, const CoreTextureSlot& slot) {
 }
 
 void add_material(Digest& digest, const CoreMaterial& material) {
-    static_assert(sizeof(CoreMaterial) == 584, "a member more goes into the digest");
+    static_assert(sizeof(CoreMaterial) == 624, "a member more goes into the digest");
     for (const glm::vec3& color :
          {material.base_color, material.specular_color, material.absorption, material.emission, material.sheen_color})
         add_value(digest, color);
     for (const float factor :
          {material.alpha, material.alpha_cutoff, material.metallic, material.roughness, material.ior, material.specular,
           material.transmission, material.normal_scale, material.sheen_roughness, material.coat,
-          material.coat_roughness, material.coat_normal_scale, material.film, material.film_ior})
+          material.coat_roughness, material.coat_normal_scale, material.film, material.film_ior, material.anisotropy,
+          material.anisotropy_rotation})
         add_value(digest, factor);
     add_value(digest, material.film_thickness);
     for (const bool flag : {material.opaque, material.double_sided, material.thin_walled})

@@ -38,6 +38,7 @@ constexpr ExtensionRow kExtensionRows[] = {
     {"KHR_animation_pointer", Treatment::supported},
     {"KHR_draco_mesh_compression", Treatment::supported},
     {"KHR_lights_punctual", Treatment::supported},
+    {"KHR_materials_anisotropy", Treatment::supported},
     {"KHR_materials_clearcoat", Treatment::supported},
     {"KHR_materials_emissive_strength", Treatment::supported},
     {"KHR_materials_ior", Treatment::supported},

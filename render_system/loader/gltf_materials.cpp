@@ -90,6 +90,7 @@ public:
             read_sheen(source);
             read_coat(source);
             read_film(source);
+            read_anisotropy(source);
         }
         document_.uv_sets[index] = resolve_uv_sets();
         // Index 0 stands for one past all bounds: all light is reflected, and nothing behind is ever seen.
@@ -256,6 +257,17 @@ private:
             document_.omissions.add("least thicknesses above the greatest, which were kept", place_);
         material_.film_texture = slot(info_in(*extension, "iridescenceTexture"), TextureRole::data);
         material_.film_thickness_texture = slot(info_in(*extension, "iridescenceThicknessTexture"), TextureRole::data);
+    }
+
+    void read_anisotropy(const tinygltf::Material& source) {
+        const Value* extension = find(source.extensions, "KHR_materials_anisotropy");
+        if (!extension) return;
+        material_.anisotropy = unit(static_cast<double>(number(*extension, "anisotropyStrength", 0.0f)));
+        if (material_.anisotropy == 0.0f && !changes_) return;
+        material_.anisotropy_rotation = number(*extension, "anisotropyRotation", 0.0f);
+        material_.anisotropy_texture = slot(info_in(*extension, "anisotropyTexture"), TextureRole::data);
+        if (material_.transmission > 0.0f && !material_.thin_walled)
+            document_.omissions.add("anisotropy of what bends light", place_);
     }
 
     // With a `glossiness` the texture's roughness is 1 minus that times its alpha. The slot's set of coordinates is the

@@ -293,11 +293,15 @@ private:
         }
     }
 
-    // Only a normal map needs tangents. Those of the file are taken as they are, made to be of unit length.
+    // Only a normal map and anisotropy need tangents. Those of the file are taken as they are, made to be of unit
+    // length.
     void make_tangents(const tinygltf::Primitive& primitive, bool given) {
         const CoreMaterial& material = scene_.materials()[material_of(document_, primitive)].core;
         const bool bent = material.normal_texture.texture != NONE;
-        const CoreTextureSlot& slot = bent ? material.normal_texture : material.coat_normal_texture;
+        const bool stretched = material.anisotropy > 0.0f || material.anisotropy_texture.texture != NONE;
+        const CoreTextureSlot& slot = bent        ? material.normal_texture
+                                      : stretched ? material.anisotropy_texture
+                                                  : material.coat_normal_texture;
         if (given) {
             for (size_t i = first_vertex_; i < mesh_.tangents.size(); ++i) {
                 glm::vec4& tangent = mesh_.tangents[i];
@@ -306,7 +310,7 @@ private:
                     size > 0.0f && std::isfinite(size) ? glm::vec3(tangent) / size : any_tangent(mesh_.normals[i]);
                 tangent = glm::vec4(direction, tangent.w < 0.0f ? -1.0f : 1.0f);
             }
-        } else if (slot.texture != NONE) {
+        } else if (slot.texture != NONE || stretched) {
             mesh_.tangents.resize(first_vertex_);
             mesh_.tangents.resize(mesh_.positions.size(), glm::vec4(0.0f));
             for (const uint32_t split : generate_tangents(mesh_, first_vertex_, first_triangle_, slot))
