@@ -444,13 +444,17 @@ def parity_meshes(scene):
     bubble = scene.material("bubble", (0.5, 0.5, 0.5), metallic=0.3, roughness=0.2, extensions={
         "KHR_materials_iridescence": {"iridescenceFactor": 0.8, "iridescenceThicknessMaximum": 700,
                                       "iridescenceThicknessTexture": {"index": metal}}})
+    brushed = scene.material("brushed", (0.9, 0.8, 0.7), metallic=1.0, roughness=0.3, extensions={
+        "KHR_materials_anisotropy": {"anisotropyStrength": 0.9, "anisotropyRotation": 0.6,
+                                     "anisotropyTexture": {"index": bumps}}})
     lamp = scene.material("lamp", (0, 0, 0), emissiveFactor=[1.0, 0.7, 0.4],
                           extensions={"KHR_materials_emissive_strength": {"emissiveStrength": 6.0}})
     return [scene.mesh(name, shape, material) for name, shape, material in (
         ("masked card", card, mask), ("blended card", card, blend), ("tiled cube", cube, tiles),
         ("patchy ball", ball, patchy), ("tiled ball", ball, tiles), ("glass ball", ball, glass),
         ("masked cube", cube, mask), ("cloth ball", ball, cloth),
-        ("lacquered ball", ball, lacquer), ("bubble", ball, bubble))], scene.mesh("lamp", card, lamp)
+        ("lacquered ball", ball, lacquer), ("bubble", ball, bubble),
+        ("brushed ball", ball, brushed))], scene.mesh("lamp", card, lamp)
 
 
 def parity(folder):

@@ -47,9 +47,10 @@ constexpr uint kSlotFeatures[] = {
     FEATURE_TEXTURES | FEATURE_LOBE_TEXTURES,      // coat_normal
     FEATURE_TEXTURES | FEATURE_LOBE_TEXTURES,      // film
     FEATURE_TEXTURES | FEATURE_LOBE_TEXTURES,      // film_thickness
-    0u,                                            // anisotropy: the source core alone
+    FEATURE_TEXTURES | FEATURE_LOBE_TEXTURES,      // anisotropy
 };
 static_assert(ENERGY_CELLS == kEnergyCells);
+static_assert(ENERGY_STRENGTHS == kEnergyStrengths && ENERGY_TURNS == kEnergyTurns);
 static_assert(std::size(kSlotFeatures) == std::size(kTextureSlots));
 
 bool has_sheen(const CoreMaterial& material) { return material.sheen_color != glm::vec3(0.0f); }
@@ -93,6 +94,10 @@ void pack_materials(std::span<const CoreMaterial> materials, SceneTables& tables
             vec4(material.film, material.film_ior, material.film_thickness.x, material.film_thickness.y);
         rows[MATERIAL_FILM_SLOTS] = vec4(slots[12], slots[13], slots[14], slots[15]);
         rows[MATERIAL_VOLUME] = row(material.absorption, 0.0f);
+        uint stretched_row = material.anisotropy > 0.0f ? tables.energies.stretched_row() : 0u;
+        rows[MATERIAL_ANISOTROPY] =
+            vec4(material.anisotropy, as_float(stretched_row), std::cos(material.anisotropy_rotation),
+                 std::sin(material.anisotropy_rotation));
         tables.materials.insert(tables.materials.end(), rows, rows + MATERIAL_ROWS);
     }
     tables.lobe_energy.clear();
@@ -227,6 +232,7 @@ uint material_features(std::span<const CoreMaterial> materials) {
         raise(material.coat > 0.0f, FEATURE_COAT);
         raise(material.film > 0.0f, FEATURE_FILM);
         raise(absorbs(material), FEATURE_VOLUME);
+        raise(material.anisotropy > 0.0f, FEATURE_ANISOTROPY);
     }
     return features;
 }

@@ -9,9 +9,9 @@
 namespace target_core::kernels {
 
 // The metallic-roughness model of glTF 2.0 (appendix B) with KHR_materials_transmission, _ior, _specular, _sheen,
-// _clearcoat, _iridescence and, for solids, refraction. Directions are local: z is the shading normal on the side of
-// wo; wo and wi point away. Radiance is not scaled by the squared ratio of indices at an interface: it cancels over a
-// closed solid.
+// _clearcoat, _iridescence, _anisotropy and, for solids, refraction. Directions are local: z is the shading normal on
+// the side of wo, x where an anisotropic lobe is stretched to; wo and wi point away. Radiance is not scaled by the
+// squared ratio of indices at an interface: it cancels over a closed solid.
 
 // Below this GGX alpha a surface is a perfect mirror or pane: its lobe is a delta and has no density.
 const float SMOOTH_ALPHA = 1.0e-3f;
@@ -30,8 +30,9 @@ struct Bsdf {
     Float f90;
     Float dielectric_f0;  // of what does not enter the dielectric
     Float dielectric_f90;
-    Float alpha;
-    Float eta;  // index behind the surface over the index on wo's side
+    Float alpha;  // along y
+    Float along;  // along x: no less than that
+    Float eta;    // index behind the surface over the index on wo's side
     Mask refracts;
     Mask is_smooth;
     Float root_o;  // of Smith's masking of wo
@@ -101,6 +102,20 @@ inline Float smith_root(Float cosine, Float alpha) {
     return sqrt(a2 + (1.0f - a2) * cosine * cosine);
 }
 
+// The same of a lobe that is stretched along x (Heitz 2014): the root of Smith's masking, not divided by the cosine.
+inline Float stretched_root(vec3 w, Float along, Float across) {
+    vec3 scaled = vec3(w.x * along, w.y * across, w.z);
+    return sqrt(dot(scaled, scaled));
+}
+
+inline Float lobe_root(Bsdf bsdf, vec3 w) {
+    Float root = smith_root(abs(w.z), bsdf.alpha);
+    if (has_feature(FEATURE_ANISOTROPY)) {
+        root = select(bsdf.along > bsdf.alpha, stretched_root(w, bsdf.along, bsdf.alpha), root);
+    }
+    return root;
+}
+
 inline vec2 unpack_energy(Float corner) {
     Uint bits = floatBitsToUint(corner);
     return vec2(Float(bits & ENERGY_MASK), Float(bits >> ENERGY_SHIFT)) * 1.52590219e-5f;
@@ -117,6 +132,24 @@ inline vec2 lobe_energy(Uint first_row, Float cosine, Float roughness) {
     vec2 smoother = blend(unpack_energy(corners.x), unpack_energy(corners.y), x - column);
     vec2 rougher = blend(unpack_energy(corners.z), unpack_energy(corners.w), x - column);
     return blend(smoother, rougher, y - line);
+}
+
+// The same of reflection that is stretched, by its strength and by how rough it is to wo between x and y.
+inline vec2 stretched_energy(Bsdf bsdf, Uint first_row, Float roughness, Float strength) {
+    Float cosine_squared = square(bsdf.wo.x) / max(square(bsdf.wo.x) + square(bsdf.wo.y), SMALLEST);
+    Float alpha = sqrt(blend(square(bsdf.alpha), square(bsdf.along), cosine_squared));
+    Float least = sqrt(bsdf.alpha);
+    Float turn = saturate((sqrt(alpha) - least) / max(sqrt(bsdf.along) - least, 1.0e-6f)) * float(ENERGY_TURNS);
+    Float step = saturate(strength) * float(ENERGY_STRENGTHS);
+    Float column = min(floor(turn), float(ENERGY_TURNS - 1u));
+    Float line = min(floor(step), float(ENERGY_STRENGTHS - 1u));
+    Uint weak = first_row + (Uint(line) * (ENERGY_TURNS + 1u) + Uint(column)) * ENERGY_ROWS;
+    Uint strong = weak + (ENERGY_TURNS + 1u) * ENERGY_ROWS;
+    vec2 weaker = blend(lobe_energy(weak, bsdf.wo.z, roughness), lobe_energy(weak + ENERGY_ROWS, bsdf.wo.z, roughness),
+                        turn - column);
+    vec2 stronger = blend(lobe_energy(strong, bsdf.wo.z, roughness),
+                          lobe_energy(strong + ENERGY_ROWS, bsdf.wo.z, roughness), turn - column);
+    return blend(weaker, stronger, step - line);
 }
 
 // Fresnel term of an interface, averaged over the hemisphere; the fit of Kulla and Conty 2017.
@@ -283,10 +316,23 @@ inline Bsdf make_bsdf(Material material, vec3 wo, vec3 side, Mask front) {
     Float opaque = body - clear;
     bsdf.transmission_color = material.base_color * clear;
     bsdf.alpha = square(material.roughness);
-    bsdf.is_smooth = bsdf.alpha < SMOOTH_ALPHA;
-    bsdf.root_o = smith_root(wo.z, bsdf.alpha);
+    bsdf.along = bsdf.alpha;
+    Float strength = 0.0f;
+    if (has_feature(FEATURE_ANISOTROPY)) {
+        strength = select(bsdf.refracts, Float(0.0f), material.anisotropy);
+        bsdf.along = blend(bsdf.alpha, Float(1.0f), square(strength));
+        bsdf.alpha = select(strength > 0.0f, min(max(bsdf.alpha, SMOOTH_ALPHA), bsdf.along), bsdf.alpha);
+    }
+    bsdf.is_smooth = bsdf.along < SMOOTH_ALPHA;
+    bsdf.root_o = lobe_root(bsdf, wo);
     // What one scattering returns of a white surface's light, and Schlick's weight for it on average.
     vec2 energy = lobe_energy(Uint(0u), wo.z, material.roughness);
+    if (has_feature(FEATURE_ANISOTROPY)) {
+        if (any_lane(strength > 0.0f)) {
+            vec2 stretched = stretched_energy(bsdf, material.stretched_row, material.roughness, strength);
+            energy = select(strength > 0.0f, stretched, energy);
+        }
+    }
     vec2 inside = energy;
     if (has_feature(FEATURE_TRANSMISSION)) {
         Uint energy_row = material.energy_row + select(front, Uint(0u), Uint(ENERGY_ROWS));
@@ -346,14 +392,30 @@ inline Float ggx_density(vec3 h, Float alpha) {
     return a2 / (PI * max(d * d, SMALLEST));
 }
 
+// The same, stretched along x: Burley 2012, "Physically-Based Shading at Disney", and KHR_materials_anisotropy.
+inline Float stretched_density(vec3 h, Float along, Float across) {
+    Float both = along * across;
+    vec3 scaled = vec3(h.x * across, h.y * along, h.z * both);
+    Float d = dot(scaled, scaled);
+    return both * both * both / (PI * max(d * d, SMALLEST));
+}
+
+inline Float lobe_density(Bsdf bsdf, vec3 h) {
+    Float density = ggx_density(h, bsdf.alpha);
+    if (has_feature(FEATURE_ANISOTROPY)) {
+        density = select(bsdf.along > bsdf.alpha, stretched_density(h, bsdf.along, bsdf.alpha), density);
+    }
+    return density;
+}
+
 // Visible normals: Dupuy and Benyoub 2023, "Sampling Visible GGX Normals with Spherical Caps".
-inline vec3 sample_visible_normal(vec3 wo, Float alpha, vec2 u) {
-    vec3 stretched = normalized(vec3(wo.x * alpha, wo.y * alpha, wo.z));
+inline vec3 sample_visible_normal(vec3 wo, Float along, Float across, vec2 u) {
+    vec3 stretched = normalized(vec3(wo.x * along, wo.y * across, wo.z));
     Float z = (1.0f - u.y) * (1.0f + stretched.z) - stretched.z;
     Float sine = sqrt(saturate(1.0f - z * z));
     vec2 around = cos_sin_turns(u.x);
     vec3 h = vec3(sine * around.x, sine * around.y, z) + stretched;
-    return normalized(vec3(h.x * alpha, h.y * alpha, h.z));
+    return normalized(vec3(h.x * along, h.y * across, h.z));
 }
 
 // Lambert under the dielectric interface, which light crosses on its way in and out: with glTF's single factor at
@@ -379,8 +441,8 @@ inline BsdfValue evaluate_diffuse(Bsdf bsdf, vec3 wi) {
 // same lobe, mirrored at the surface.
 inline BsdfValue evaluate_reflection(Bsdf bsdf, vec3 wi, vec3 h, Float weight, Mask passes) {
     Float cosine = abs(wi.z);
-    Float root_i = smith_root(cosine, bsdf.alpha);
-    Float density = ggx_density(h, bsdf.alpha);
+    Float root_i = lobe_root(bsdf, wi);
+    Float density = lobe_density(bsdf, h);
     Float visible = 0.5f / max(bsdf.wo.z * root_i + cosine * bsdf.root_o, SMALLEST);
     Float share = reflected_share(bsdf, weight);
     Float lobe = density * visible * cosine;
@@ -495,14 +557,14 @@ inline vec3 sample_sheen(Bsdf bsdf, vec2 u) {
 }
 
 inline vec3 sample_coat(Bsdf bsdf, vec2 u) {
-    vec3 h = sample_visible_normal(bsdf.coat_wo, bsdf.coat_alpha, u);
+    vec3 h = sample_visible_normal(bsdf.coat_wo, bsdf.coat_alpha, bsdf.coat_alpha, u);
     return to_world(bsdf.coat_frame, h * (2.0f * dot(bsdf.coat_wo, h)) - bsdf.coat_wo);
 }
 
 // The share of visible microfacets' light in direction wi that no other microfacet keeps; 0 past the horizon.
 inline Float unmasked_share(Bsdf bsdf, vec3 wi, Mask reflects) {
     Float cosine = abs(wi.z);
-    Float root_i = smith_root(cosine, bsdf.alpha);
+    Float root_i = lobe_root(bsdf, wi);
     Float share = cosine * (bsdf.wo.z + bsdf.root_o) / max(bsdf.wo.z * root_i + cosine * bsdf.root_o, SMALLEST);
     if (has_feature(FEATURE_TRANSMISSION)) {
         Float separate = 2.0f * cosine / max(cosine + root_i, SMALLEST);
@@ -524,7 +586,7 @@ inline BsdfSample sample_bsdf(Bsdf bsdf, vec2 u, Float lobe) {
     Mask diffuses = lobe >= bsdf.pick_glossy;
     vec3 h = vec3(0.0f, 0.0f, 1.0f);
     if (any_lane(!diffuses && !bsdf.is_smooth)) {
-        h = select(bsdf.is_smooth, h, sample_visible_normal(bsdf.wo, bsdf.alpha, u));
+        h = select(bsdf.is_smooth, h, sample_visible_normal(bsdf.wo, bsdf.along, bsdf.alpha, u));
     }
     Float wo_h = dot(bsdf.wo, h);
     Float weight = fresnel_weight(bsdf, wo_h);

@@ -38,8 +38,8 @@ const uint INSTANCE_TRANSFORM = 0u;  // 3 rows of the object-to-world matrix
 const uint INSTANCE_MESH = 3u;       // first mesh triangle, first vertex, flags (all as bits), determinant's sign
 const uint INSTANCE_HAS_TANGENTS = 1u;
 
-// materials: 13 rows per material. The slots are in the order of the render system's kTextureSlots.
-const uint MATERIAL_ROWS = 13u;
+// materials: 14 rows per material. The slots are in the order of the render system's kTextureSlots.
+const uint MATERIAL_ROWS = 14u;
 const uint MATERIAL_BASE_COLOR = 0u;   // base_color.rgb, alpha
 const uint MATERIAL_SURFACE = 1u;      // metallic, roughness, specular, transmission
 const uint MATERIAL_EMISSION = 2u;     // emission.rgb, emission_weight
@@ -51,8 +51,9 @@ const uint MATERIAL_SHEEN = 7u;        // sheen_color.rgb, sheen_roughness
 const uint MATERIAL_LOBES = 8u;        // sheen's row in lobe_energy as bits, coat, coat_roughness, coat_normal_scale
 const uint MATERIAL_LOBE_SLOTS = 9u;   // slots as bits: sheen_roughness, coat, coat_roughness, coat_normal
 const uint MATERIAL_FILM = 10u;        // film, film_ior, least and greatest thickness in nanometres
-const uint MATERIAL_FILM_SLOTS = 11u;  // slots as bits: film, film_thickness, unused, unused
+const uint MATERIAL_FILM_SLOTS = 11u;  // slots as bits: film, film_thickness, anisotropy, unused
 const uint MATERIAL_VOLUME = 12u;      // absorption.rgb, unused
+const uint MATERIAL_ANISOTROPY = 13u;  // strength, its row in lobe_energy as bits, cosine and sine of its rotation
 const uint MATERIAL_OPAQUE = 1u;
 const uint MATERIAL_DOUBLE_SIDED = 2u;
 const uint MATERIAL_THIN_WALLED = 4u;
@@ -64,6 +65,10 @@ const uint MATERIAL_THIN_WALLED = 4u;
 // scaled by to return no more than there is.
 const uint ENERGY_CELLS = 23u;  // columns, and lines
 const uint ENERGY_ROWS = 529u;  // of a slice
+// Stretched reflection has a slice for each of so many steps of strength and, fastest, of wo's turn, and one more
+// at the end of each.
+const uint ENERGY_STRENGTHS = 12u;
+const uint ENERGY_TURNS = 5u;
 const uint ENERGY_MASK = 65535u;
 const uint ENERGY_SHIFT = 16u;
 
@@ -129,11 +134,12 @@ const uint FEATURE_PUNCTUAL_LIGHTS = 512u;
 const uint FEATURE_VERTEX_COLORS = 1024u;
 const uint FEATURE_SPECULAR_TEXTURES = 2048u;  // transmission, specular or specular colour from a texture
 const uint FEATURE_SHEEN = 4096u;
-const uint FEATURE_LOBE_TEXTURES = 8192u;  // something of sheen, coat or film from a texture
+const uint FEATURE_LOBE_TEXTURES = 8192u;  // something of sheen, coat, film or anisotropy from a texture
 const uint FEATURE_COAT = 16384u;
 const uint FEATURE_FILM = 32768u;
-const uint FEATURE_VOLUME = 65536u;  // some solid absorbs light
+const uint FEATURE_VOLUME = 65536u;       // some solid absorbs light
 const uint FEATURE_COINCIDENT = 131072u;  // some triangles lie in one place
+const uint FEATURE_ANISOTROPY = 262144u;
 
 const uint NONE = 0xFFFFFFFFu;
 

@@ -28,6 +28,9 @@ struct Material {
     Float film;
     Float film_ior;
     Float film_thickness;  // nanometres
+    Float anisotropy;
+    vec2 stretch;  // where the lobe is stretched to, along tangent and bitangent
+    Uint stretched_row;
 };
 
 inline Material fetch_material(Surface surface) {
@@ -89,6 +92,21 @@ inline Material fetch_material(Surface surface) {
             thick = sample_slot(floatBitsToUint(slots.y), surface.coordinates).y;
         }
         material.film_thickness = blend(film.z, film.w, thick);
+    }
+    if (has_feature(FEATURE_ANISOTROPY)) {
+        vec4 anisotropy = fetch_materials(rows, MATERIAL_ANISOTROPY);
+        material.anisotropy = anisotropy.x;
+        material.stretched_row = floatBitsToUint(anisotropy.y);
+        material.stretch = vec2(anisotropy.z, anisotropy.w);
+        if (has_feature(FEATURE_LOBE_TEXTURES)) {
+            Uint slot = floatBitsToUint(fetch_materials(rows, MATERIAL_FILM_SLOTS).z);
+            vec4 texel = sample_slot(slot, surface.coordinates);
+            Float x = 2.0f * texel.x - 1.0f;
+            Float y = 2.0f * texel.y - 1.0f;
+            vec2 turned = vec2(anisotropy.z * x - anisotropy.w * y, anisotropy.w * x + anisotropy.z * y);
+            material.anisotropy = material.anisotropy * texel.z;
+            material.stretch = select(slot != NONE, turned, material.stretch);
+        }
     }
     if (has_feature(FEATURE_COAT)) {
         vec4 lobes = fetch_materials(rows, MATERIAL_LOBES);

@@ -136,6 +136,16 @@ inline Frame frame_around(vec3 normal) {
     return frame;
 }
 
+// The same with its tangent along `along`, as far as that is at a right angle to the normal; without such a part, any.
+inline Frame frame_along(vec3 normal, vec3 along) {
+    Frame frame = frame_around(normal);
+    vec3 flat_part = along - normal * dot(normal, along);
+    Mask usable = dot(flat_part, flat_part) > 1.0e-6f;
+    frame.tangent = select(usable, normalized(flat_part), frame.tangent);
+    frame.bitangent = select(usable, cross(normal, frame.tangent), frame.bitangent);
+    return frame;
+}
+
 inline vec3 to_local(Frame frame, vec3 v) {
     return vec3(dot(v, frame.tangent), dot(v, frame.bitangent), dot(v, frame.normal));
 }

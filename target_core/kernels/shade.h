@@ -53,6 +53,13 @@ inline Scatterer make_scatterer(Surface surface, Material material, vec3 directi
     scatterer.position = surface.position;
     scatterer.side = side;
     scatterer.frame = frame_around(normal);
+    if (has_feature(FEATURE_ANISOTROPY)) {
+        Mask stretched = material.anisotropy > 0.0f;
+        if (any_lane(stretched)) {
+            vec3 along = select(stretched, stretched_along(surface, material.stretch), vec3(0.0f));
+            scatterer.frame = frame_along(normal, along);
+        }
+    }
     vec3 wo = to_local(scatterer.frame, towards);
     wo = vec3(wo.x, wo.y, max(wo.z, 1.0e-6f));
     scatterer.bsdf = make_bsdf(material, wo, to_local(scatterer.frame, side), surface.front);

@@ -134,27 +134,45 @@ inline vec4 unpack_tangent(Uint bits) {
     return vec4(normalized(direction), select((bits >> TANGENT_SIGN_SHIFT) != 0u, Float(-1.0f), Float(1.0f)));
 }
 
-// The shading normal bent by a normal map, which lies in the frame of the interpolated tangent.
-inline vec3 bend_normal(Surface surface, Uint slot, Float scale) {
-    Rows rows = rows_from(surface.instance * INSTANCE_ROWS);
+// The interpolated tangent and the bitangent at a point of an instance that has tangents.
+inline Frame tangent_frame(Surface surface, Rows rows, vec4 mesh_row) {
     vec4 row0 = fetch_instances(rows, INSTANCE_TRANSFORM);
     vec4 row1 = fetch_instances(rows, INSTANCE_TRANSFORM + 1u);
     vec4 row2 = fetch_instances(rows, INSTANCE_TRANSFORM + 2u);
-    vec4 mesh_row = fetch_instances(rows, INSTANCE_MESH);
     vec4 tangent0 = unpack_tangent(fetch_tangents(surface.corners.x));
     vec4 tangent1 = unpack_tangent(fetch_tangents(surface.corners.y));
     vec4 tangent2 = unpack_tangent(fetch_tangents(surface.corners.z));
     Float w = (1.0f - surface.u) - surface.v;
     vec3 interpolated = (vec3(tangent0) * w + vec3(tangent1) * surface.u) + vec3(tangent2) * surface.v;
     vec3 along = transform_vector(row0, row1, row2, interpolated);
-    vec3 tangent = normalized(along - surface.normal * dot(surface.normal, along));
-    vec3 bitangent = cross(surface.normal, tangent) * (tangent0.w * mesh_row.w);
+    Frame frame;
+    frame.tangent = normalized(along - surface.normal * dot(surface.normal, along));
+    frame.bitangent = cross(surface.normal, frame.tangent) * (tangent0.w * mesh_row.w);
+    frame.normal = surface.normal;
+    return frame;
+}
+
+inline Mask has_tangents(vec4 mesh_row) { return (floatBitsToUint(mesh_row.z) & INSTANCE_HAS_TANGENTS) != 0u; }
+
+// The shading normal bent by a normal map, which lies in the frame of the interpolated tangent.
+inline vec3 bend_normal(Surface surface, Uint slot, Float scale) {
+    Rows rows = rows_from(surface.instance * INSTANCE_ROWS);
+    vec4 mesh_row = fetch_instances(rows, INSTANCE_MESH);
+    Frame frame = tangent_frame(surface, rows, mesh_row);
     vec4 texel = sample_slot(slot, surface.coordinates);
-    vec3 bent = (tangent * ((2.0f * texel.x - 1.0f) * scale) + bitangent * ((2.0f * texel.y - 1.0f) * scale)) +
-                surface.normal * (2.0f * texel.z - 1.0f);
-    Uint flags = floatBitsToUint(mesh_row.z);
-    Mask usable = slot != NONE && (flags & INSTANCE_HAS_TANGENTS) != 0u;
-    return select(usable, normalized(bent), surface.normal);
+    vec3 bent =
+        (frame.tangent * ((2.0f * texel.x - 1.0f) * scale) + frame.bitangent * ((2.0f * texel.y - 1.0f) * scale)) +
+        surface.normal * (2.0f * texel.z - 1.0f);
+    return select(slot != NONE && has_tangents(mesh_row), normalized(bent), surface.normal);
+}
+
+// Where a lobe is stretched to by so much along tangent and bitangent; the zero vector without tangents.
+inline vec3 stretched_along(Surface surface, vec2 stretch) {
+    Rows rows = rows_from(surface.instance * INSTANCE_ROWS);
+    vec4 mesh_row = fetch_instances(rows, INSTANCE_MESH);
+    Frame frame = tangent_frame(surface, rows, mesh_row);
+    vec3 along = frame.tangent * stretch.x + frame.bitangent * stretch.y;
+    return select(has_tangents(mesh_row), along, vec3(0.0f));
 }
 
 }  // namespace target_core::kernels

@@ -133,6 +133,27 @@ TEST(LoaderMaterial, ReadsIridescence) {
     EXPECT_EQ(m.film_thickness, glm::vec2(0.0f, 900.0f));
 }
 
+TEST(LoaderMaterial, ReadsAnisotropy) {
+    const char* name = "KHR_materials_anisotropy";
+    EXPECT_EQ(material_with(extension(name, {{"anisotropyRotation", 1}})).anisotropy, 0.0f);
+    std::vector<std::string> warnings;
+    json members = {{"anisotropyStrength", 0.5}, {"anisotropyRotation", -7.5}};
+    const CoreMaterial m = material_with(extension(name, members), &warnings);
+    EXPECT_EQ(m.anisotropy, 0.5f);
+    EXPECT_EQ(m.anisotropy_rotation, -7.5f);
+    EXPECT_THAT(warnings, ElementsAre());
+    members["anisotropyStrength"] = 2;
+    EXPECT_EQ(material_with(extension(name, members), &warnings).anisotropy, 1.0f);
+    EXPECT_THAT(warnings, ElementsAre(HasSubstr("clamped (/materials/0)")));
+    const json solid = {{"extensions",
+                         {{name, {{"anisotropyStrength", 1}}},
+                          {"KHR_materials_transmission", {{"transmissionFactor", 1}}},
+                          {"KHR_materials_volume", {{"thicknessFactor", 1}}}}}};
+    warnings.clear();
+    material_with(solid, &warnings);
+    EXPECT_THAT(warnings, ElementsAre(HasSubstr("anisotropy of what bends light (/materials/0)")));
+}
+
 TEST(LoaderMaterial, AVolumeWithThicknessIsSolidAndAbsorbs) {
     EXPECT_FALSE(material_with(extension("KHR_materials_volume", {{"thicknessFactor", 0.1}})).thin_walled);
     EXPECT_TRUE(material_with(extension("KHR_materials_volume", json::object())).thin_walled);
@@ -189,6 +210,7 @@ TEST(LoaderMaterial, ReadsEverySlotWithTheRightRole) {
                         {"clearcoatTexture", info},
                         {"clearcoatRoughnessTexture", info},
                         {"clearcoatNormalTexture", {{"index", 0}, {"scale", 0.25}}}}},
+                      {"KHR_materials_anisotropy", {{"anisotropyStrength", 1}, {"anisotropyTexture", info}}},
                       {"KHR_materials_iridescence",
                        {{"iridescenceFactor", 1}, {"iridescenceTexture", info}, {"iridescenceThicknessTexture", info}}},
                       {"KHR_materials_specular", {{"specularTexture", info}, {"specularColorTexture", info}}}}}},
@@ -208,6 +230,7 @@ TEST(LoaderMaterial, ReadsEverySlotWithTheRightRole) {
     EXPECT_EQ(format(m.sheen_roughness_texture), TexelFormat::rgba8);
     EXPECT_EQ(format(m.coat_texture), TexelFormat::rgba8);
     EXPECT_EQ(format(m.film_texture), TexelFormat::rgba8);
+    EXPECT_EQ(format(m.anisotropy_texture), TexelFormat::rgba8);
     EXPECT_EQ(format(m.film_thickness_texture), TexelFormat::rgba8);
     EXPECT_EQ(format(m.coat_roughness_texture), TexelFormat::rgba8);
     EXPECT_EQ(format(m.coat_normal_texture), TexelFormat::rgba8);

@@ -90,6 +90,7 @@ Status send_feature_scene(CoreAPI& core) {
     plain.sheen_color = glm::vec3(0.5f);
     plain.coat = 0.5f;
     plain.film = 0.5f;
+    plain.anisotropy = 0.5f;
     plain.sheen_color_texture.texture = 0;
     CoreMaterial leaf;
     leaf.opaque = false;

@@ -25,13 +25,16 @@ struct Case {
     float sheen = 0.0f, sheen_roughness = 0.0f;
     float coat = 0.0f, coat_roughness = 0.0f;  // along a normal of its own
     float film_thickness = 0.0f;
+    float anisotropy = 0.0f;
+    float turn = 0.9272952f;  // of wo from x: a cosine of 0.6
 };
 
 std::ostream& operator<<(std::ostream& out, const Case& c) { return out << c.name << ", cosine " << c.cosine; }
 
 Bsdf bsdf_of(const Case& c, vec3 base_color = vec3(1.0f)) {
     settings.features = FEATURE_TRANSMISSION | (c.sheen > 0.0f ? FEATURE_SHEEN : 0u) |
-                        (c.coat > 0.0f ? FEATURE_COAT : 0u) | (c.film_thickness > 0.0f ? FEATURE_FILM : 0u);
+                        (c.coat > 0.0f ? FEATURE_COAT : 0u) | (c.film_thickness > 0.0f ? FEATURE_FILM : 0u) |
+                        (c.anisotropy > 0.0f ? FEATURE_ANISOTROPY : 0u);
     Material material{};
     material.base_color = base_color;
     material.metallic = c.metallic;
@@ -53,13 +56,16 @@ Bsdf bsdf_of(const Case& c, vec3 base_color = vec3(1.0f)) {
     material.sheen_color = vec3(c.sheen);
     material.sheen_roughness = c.sheen_roughness;
     material.sheen_row = energies.sheen_row();
+    material.anisotropy = c.anisotropy;
+    if (c.anisotropy > 0.0f) material.stretched_row = energies.stretched_row();
     bound.lobe_energy = reinterpret_cast<const vec4*>(energies.rows().data());
     material.coat = c.coat;
     material.coat_roughness = c.coat_roughness;
     material.film = 0.75f;
     material.film_ior = 1.3f;
     material.film_thickness = c.film_thickness;
-    const Bsdf bsdf = make_bsdf(material, vec3(sine * 0.6f, sine * 0.8f, c.cosine), vec3(0.0f, 0.0f, 1.0f), c.front);
+    const vec3 wo(sine * std::cos(c.turn), sine * std::sin(c.turn), c.cosine);
+    const Bsdf bsdf = make_bsdf(material, wo, vec3(0.0f, 0.0f, 1.0f), c.front);
     return c.coat > 0.0f ? with_coat(bsdf, material, normalized(vec3(0.2f, -0.1f, 1.0f))) : bsdf;
 }
 
@@ -201,25 +207,107 @@ TEST_P(RoughBsdf, EvaluationEqualsWhatSamplingReturns) {
 
 INSTANTIATE_TEST_SUITE_P(
     Models, RoughBsdf,
-    testing::Values(Case{"Lambert", 0, 1, 0, 0, 1.5f, true, true, 0.7f},
-                    Case{"plastic", 0, 0.4f, 1, 0, 1.5f, true, true, 0.8f},
-                    Case{"plastic, grazing", 0, 0.5f, 1, 0, 1.5f, true, true, 0.15f},
-                    Case{"metal", 1, 0.3f, 1, 0, 1.5f, true, true, 0.6f},
-                    Case{"rough metal, grazing", 1, 1.0f, 1, 0, 1.5f, true, true, 0.1f},
-                    Case{"thin rough glass", 0, 0.5f, 1, 1, 1.5f, true, true, 0.7f},
-                    Case{"half transmitting wall", 0, 0.6f, 1, 0.5f, 1.5f, true, true, 0.5f},
-                    Case{"rough solid glass, entering", 0, 0.5f, 1, 1, 1.5f, false, true, 0.7f},
-                    Case{"rough solid glass, leaving", 0, 0.5f, 1, 1, 1.5f, false, false, 0.85f},
-                    Case{"sheen on plastic", 0, 0.4f, 1, 0, 1.5f, true, true, 0.6f, 0.8f, 0.4f},
-                    Case{"sheen on metal, grazing", 1, 0.5f, 1, 0, 1.5f, true, true, 0.15f, 1, 0.2f},
-                    Case{"sheen on glass", 0, 0.5f, 1, 1, 1.5f, false, true, 0.5f, 1, 1},
-                    Case{"coat on metal", 1, 0.6f, 1, 0, 1.5f, true, true, 0.6f, 0, 0, 1, 0.3f},
-                    Case{"coat on sheen on plastic", 0, 0.4f, 1, 0, 1.5f, true, true, 0.5f, 0.7f, 0.5f, 0.6f, 0.5f},
-                    Case{"coat on glass", 0, 0.5f, 1, 1, 1.5f, false, true, 0.7f, 0, 0, 1, 1},
-                    Case{"film on thin glass", 0.3f, 0.5f, 1, 0.5f, 1.5f, true, true, 0.6f, 0, 0, 0, 0, 380},
-                    Case{"film on solid glass", 0, 0.5f, 1, 1, 1.5f, false, true, 0.6f, 0, 0, 0, 0, 380},
-                    Case{"rough solid glass, leaving past the critical angle", 0, 0.4f, 1, 1, 1.5f, false, false,
-                         0.4f}));
+    testing::Values(
+        Case{"Lambert", 0, 1, 0, 0, 1.5f, true, true, 0.7f}, Case{"plastic", 0, 0.4f, 1, 0, 1.5f, true, true, 0.8f},
+        Case{"plastic, grazing", 0, 0.5f, 1, 0, 1.5f, true, true, 0.15f},
+        Case{"metal", 1, 0.3f, 1, 0, 1.5f, true, true, 0.6f},
+        Case{"rough metal, grazing", 1, 1.0f, 1, 0, 1.5f, true, true, 0.1f},
+        Case{"thin rough glass", 0, 0.5f, 1, 1, 1.5f, true, true, 0.7f},
+        Case{"half transmitting wall", 0, 0.6f, 1, 0.5f, 1.5f, true, true, 0.5f},
+        Case{"rough solid glass, entering", 0, 0.5f, 1, 1, 1.5f, false, true, 0.7f},
+        Case{"rough solid glass, leaving", 0, 0.5f, 1, 1, 1.5f, false, false, 0.85f},
+        Case{"sheen on plastic", 0, 0.4f, 1, 0, 1.5f, true, true, 0.6f, 0.8f, 0.4f},
+        Case{"sheen on metal, grazing", 1, 0.5f, 1, 0, 1.5f, true, true, 0.15f, 1, 0.2f},
+        Case{"sheen on glass", 0, 0.5f, 1, 1, 1.5f, false, true, 0.5f, 1, 1},
+        Case{"coat on metal", 1, 0.6f, 1, 0, 1.5f, true, true, 0.6f, 0, 0, 1, 0.3f},
+        Case{"coat on sheen on plastic", 0, 0.4f, 1, 0, 1.5f, true, true, 0.5f, 0.7f, 0.5f, 0.6f, 0.5f},
+        Case{"coat on glass", 0, 0.5f, 1, 1, 1.5f, false, true, 0.7f, 0, 0, 1, 1},
+        Case{"film on thin glass", 0.3f, 0.5f, 1, 0.5f, 1.5f, true, true, 0.6f, 0, 0, 0, 0, 380},
+        Case{"film on solid glass", 0, 0.5f, 1, 1, 1.5f, false, true, 0.6f, 0, 0, 0, 0, 380},
+        Case{"brushed metal", 1, 0.3f, 1, 0, 1.5f, true, true, 0.6f, 0, 0, 0, 0, 0, 0.7f},
+        Case{"brushed thin glass under a coat, grazing", 0, 0.5f, 1, 0.5f, 1.5f, true, true, 0.2f, 0, 0, 1, 0.3f, 0, 1},
+        Case{"rough solid glass, leaving past the critical angle", 0, 0.4f, 1, 1, 1.5f, false, false, 0.4f}));
+
+// GGX stretched along x in double precision, from the papers and not from the kernels: Burley 2012 for its density,
+// Heitz 2014, "Understanding the Masking-Shadowing Function", for the masking, with the two roughnesses of
+// KHR_materials_anisotropy.
+struct StretchedGgx {
+    double along, across;
+
+    StretchedGgx(double roughness, double strength)
+        : along(std::lerp(roughness * roughness, 1.0, strength * strength)), across(roughness * roughness) {}
+    double lambda(double x, double y, double z) const {
+        const double slopes = (along * along * x * x + across * across * y * y) / (z * z);
+        return 0.5 * (std::sqrt(1.0 + slopes) - 1.0);
+    }
+    double density(double x, double y, double z) const {
+        const double sum = std::pow(x / along, 2) + std::pow(y / across, 2) + z * z;
+        return 1.0 / (std::numbers::pi * along * across * sum * sum);
+    }
+    // What one scattering of a white metal returns of the light from that direction, over slopes of equal share.
+    double returned(double cosine, double turn) const {
+        constexpr int N = 160;
+        const double sine = std::sqrt(1.0 - cosine * cosine), x = sine * std::cos(turn), y = sine * std::sin(turn);
+        double sum = 0.0;
+        for (int i = 0; i < N; ++i) {
+            const double u = (i + 0.5) / N, slope = std::sqrt(u / (1.0 - u));
+            for (int j = 0; j < N; ++j) {
+                const double around = 2.0 * std::numbers::pi * (j + 0.5) / N;
+                const double hx = -along * slope * std::cos(around), hy = -across * slope * std::sin(around);
+                const double squared = 1.0 + hx * hx + hy * hy, wo_h = x * hx + y * hy + cosine;
+                const double f = 2.0 * wo_h / squared, ix = f * hx - x, iy = f * hy - y, iz = f - cosine;
+                if (wo_h <= 0.0 || iz <= 0.0) continue;
+                sum += wo_h / cosine / (1.0 + lambda(x, y, cosine) + lambda(ix, iy, iz));
+            }
+        }
+        return sum / (N * N);
+    }
+};
+
+TEST(StretchedBsdf, IsTheLobeOfTheExtension) {
+    for (float turn : {0.0f, 0.7f, 1.5f}) {
+        Case c{"brushed metal", 1, 0.4f, 1, 0, 1.5f, true, true, 0.5f};
+        c.anisotropy = 0.6f;
+        c.turn = turn;
+        const Bsdf bsdf = bsdf_of(c);
+        const StretchedGgx model(0.4, 0.6);
+        const double along = model.lambda(bsdf.wo.x, bsdf.wo.y, bsdf.wo.z);
+        for (uint i = 0; i < 200; ++i) {
+            const vec3 wi = direction_at(0.02 + 0.0049 * i, 2.4 * i);
+            const vec3 h = normalized(bsdf.wo + wi);
+            const double masking = 1.0 / (1.0 + along + model.lambda(wi.x, wi.y, wi.z));
+            const double once = model.density(h.x, h.y, h.z) * masking / (4.0 * static_cast<double>(bsdf.wo.z));
+            const double again = static_cast<double>(bsdf.again_reflected.x * wi.z) / std::numbers::pi;
+            ASSERT_NEAR(static_cast<double>(evaluate_bsdf(bsdf, wi).value.x), once + again, 2e-5 * (once + 1.0))
+                << turn;
+        }
+    }
+}
+
+// The table that it stands in is off by a tenth of a per cent on average, most where light grazes.
+TEST(StretchedBsdf, GivesBackWhatItsMicrofacetsKeep) {
+    double errors = 0.0;
+    int cases = 0;
+    for (float roughness : {0.15f, 0.4f, 0.8f}) {
+        for (float strength : {0.3f, 0.65f, 1.0f}) {
+            for (float turn : {0.1f, 0.8f, 1.5f}) {
+                for (float cosine : {0.15f, 0.5f, 0.95f}) {
+                    Case c{"brushed metal", 1, roughness, 1, 0, 1.5f, true, true, cosine};
+                    c.anisotropy = strength;
+                    c.turn = turn;
+                    const StretchedGgx model(static_cast<double>(roughness), static_cast<double>(strength));
+                    const double kept = 1.0 - model.returned(static_cast<double>(cosine), static_cast<double>(turn));
+                    const double given_back = static_cast<double>(bsdf_of(c).again_reflected.x);
+                    EXPECT_NEAR(given_back, kept, 0.013)
+                        << roughness << " " << strength << " " << turn << " " << cosine;
+                    errors += std::abs(given_back - kept);
+                    ++cases;
+                }
+            }
+        }
+    }
+    EXPECT_LT(errors / cases, 2.5e-3);
+}
 
 // The evaluation that KHR_materials_iridescence gives as its reference, in double precision and by its own names.
 double film_reference(double f0, double ior, double thickness, double cos1, int channel) {

@@ -88,6 +88,9 @@ protected:
             material.coat_texture.texture = i % 10 == 3 ? 0 : render_system::NONE;
             material.coat_roughness_texture.texture = i % 10 == 3 ? 0 : render_system::NONE;
             material.coat_normal_texture.texture = i % 10 == 8 ? 0 : render_system::NONE;
+            material.anisotropy = i % 5 == 1 ? 0.6f : 0.0f;
+            material.anisotropy_rotation = 0.3f * static_cast<float>(i);
+            material.anisotropy_texture.texture = i % 10 == 1 ? 0 : render_system::NONE;
             materials_.push_back(material);
         }
         pack_materials(materials_, tables_);

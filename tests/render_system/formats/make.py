@@ -291,6 +291,7 @@ def materials():
     rows = {
         "emissive_strength": {"emissiveStrength": 5}, "ior": {"ior": 1.4}, "specular": {"specularFactor": 0.5},
         "sheen": {"sheenColorFactor": [1, 0.5, 0.5], "sheenRoughnessFactor": 0.5},
+        "anisotropy": {"anisotropyStrength": 0.8, "anisotropyRotation": 0.5},
         "clearcoat": {"clearcoatFactor": 1, "clearcoatRoughnessFactor": 0.1},
         "iridescence": {"iridescenceFactor": 1, "iridescenceIor": 1.5},
         "transmission": {"transmissionFactor": 1}, "unlit": {}, "dispersion": {"dispersion": 0.1},
