@@ -82,12 +82,17 @@ MpiTeam::Round MpiTeam::announced(Round round) {
     return {numbers[0], numbers[1]};
 }
 
-uint64_t MpiTeam::next_tile() {
-    const uint64_t one = 1;
+/// The counter of this round as it was before.
+uint64_t MpiTeam::raised_by(uint64_t more) {
     uint64_t fetched = 0;
-    MPI_Fetch_and_op(&one, &fetched, MPI_UINT64_T, 0, 0, MPI_SUM, counter_);
+    MPI_Fetch_and_op(&more, &fetched, MPI_UINT64_T, 0, 0, MPI_SUM, counter_);
     MPI_Win_flush(0, counter_);
     return fetched - fetched_before_;
+}
+
+void MpiTeam::add_up(std::span<uint64_t> numbers) {
+    MPI_Reduce(rank_ == 0 ? MPI_IN_PLACE : numbers.data(), numbers.data(), static_cast<int>(numbers.size()),
+               MPI_UINT64_T, MPI_SUM, 0, MPI_COMM_WORLD);
 }
 
 void MpiTeam::put_tile(uint64_t first_pixel) {
@@ -104,7 +109,7 @@ void MpiTeam::put_tile(uint64_t first_pixel) {
 
 void MpiTeam::work_off(CoreSession& session, const Round& round) {
     const uint64_t tiles = (pixels_ + tile_pixels_ - 1) / tile_pixels_;
-    for (uint64_t tile = next_tile(); tile < tiles; tile = next_tile()) {
+    for (uint64_t tile = raised_by(1); tile < tiles; tile = raised_by(1)) {
         const uint64_t first_pixel = tile * tile_pixels_;
         const uint64_t count = std::min(tile_pixels_, pixels_ - first_pixel);
         tile_.assign(count, {});

@@ -11,9 +11,9 @@
 
 namespace application {
 
-/// A team of MPI's ranks; rank 0 leads. Tiles, runs of pixels, are handed out by a counter on rank 0 that each rank
-/// fetches and raises by itself (one-sided), and finished tiles are put into memory of rank 0. MPI must be initialised,
-/// and is not finalised here.
+/// A team of MPI's ranks; rank 0 leads. Tiles, runs of pixels, and tasks are handed out by a counter on rank 0 that
+/// each rank fetches and raises by itself (one-sided), and finished tiles are put into memory of rank 0. MPI must be
+/// initialised, and is not finalised here.
 class MpiTeam final : public Team {
 public:
     MpiTeam();
@@ -30,6 +30,10 @@ public:
     render_system::Status render(CoreSession& session, SampleSums& sums, uint32_t first, uint32_t count) override;
     void end() override;
     render_system::Status follow(CoreSession& session, bool squares) override;
+    void open_tasks() override { open_windows(0, false); }
+    uint64_t next_task() override { return raised_by(1); }
+    void skip_tasks(uint64_t end) override { raised_by(end); }
+    void add_up(std::span<uint64_t> numbers) override;
 
 private:
     /// Samples [first, first + count) of all pixels; count 0 ends.
@@ -42,12 +46,12 @@ private:
     Round announced(Round round);
     std::string text_of(int rank, const std::string& mine);
     void work_off(CoreSession& session, const Round& round);
-    uint64_t next_tile();
+    uint64_t raised_by(uint64_t more);
     void put_tile(uint64_t first_pixel);
 
     int rank_ = 0;
     int ranks_ = 1;
-    MPI_Win counter_ = MPI_WIN_NULL;  // on rank 0: how many tiles were fetched, ever
+    MPI_Win counter_ = MPI_WIN_NULL;  // on rank 0: how many tiles or tasks were fetched, ever
     MPI_Win sums_ = MPI_WIN_NULL;     // on rank 0: the round's sums of all pixels, then their squares
     std::byte* round_memory_ = nullptr;
     uint64_t pixels_ = 0;

@@ -13,4 +13,6 @@ Team* team() { return team_of_process; }
 
 void set_team(Team* team) { team_of_process = team; }
 
+render_system::Status agreed(const render_system::Status& mine) { return team() ? team()->agree(mine) : mine; }
+
 }  // namespace application

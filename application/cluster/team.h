@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 #include "application/core_session.h"
 #include "application/sampling/run_identity.h"
@@ -10,8 +11,9 @@
 
 namespace application {
 
-/// Processes that render one picture together. Every one of them has the scene and a core; one leads: it decides how
-/// many samples come next, speaks, and writes. All calls are made by all members, in the same order.
+/// Processes that render one picture, or the frames of one sequence, together. Every one of them has the scene and a
+/// core; one leads and speaks. Of a picture it decides how many samples come next, and writes; of a sequence each
+/// member writes the frames that it got. All calls but next_task() are made by all members, in the same order.
 class Team {
 public:
     virtual ~Team() = default;
@@ -32,10 +34,22 @@ public:
 
     /// All others: renders what the leader asks for, until it ends.
     virtual render_system::Status follow(CoreSession& session, bool squares) = 0;
+
+    /// Once, before tasks instead of pictures: they are counted from 0 on.
+    virtual void open_tasks() = 0;
+    /// The next task, which no other member is given.
+    virtual uint64_t next_task() = 0;
+    /// Gives out no task below `end` any more.
+    virtual void skip_tasks(uint64_t end) = 0;
+    /// Puts the sums over all members into the leader's numbers.
+    virtual void add_up(std::span<uint64_t> numbers) = 0;
 };
 
 /// The Team of this process; none where it works alone.
 Team* team();
 void set_team(Team* team);
+
+/// `mine`, or why another member of the team could not go on; alone, `mine`.
+render_system::Status agreed(const render_system::Status& mine);
 
 }  // namespace application

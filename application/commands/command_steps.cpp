@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "application/cluster/team.h"
 #include "application/cores.h"
 #include "application/file_output.h"
 
@@ -17,6 +18,10 @@ using render_system::StatusCode;
 ExitCode fail(Console& console, const Status& status, bool other_core) {
     console.error(explain(status, other_core));
     return FAILED;
+}
+
+ExitCode fail_once(Console& console, const Status& status) {
+    return team() && !team()->leads() ? FAILED : fail(console, status);
 }
 
 namespace {

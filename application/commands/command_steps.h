@@ -20,6 +20,9 @@ namespace application {
 /// Says why not and answers the exit code for it; `other_core`: --core may name another.
 ExitCode fail(Console& console, const render_system::Status& status, bool other_core = true);
 
+/// Where a team fails, its leader says why.
+ExitCode fail_once(Console& console, const render_system::Status& status);
+
 /// What can be known to be wrong before anything is loaded: the place of the statistics, which must not be `output`,
 /// and the folder of kernels.
 render_system::Status check_files(const Options& options, const std::string& output);

@@ -8,12 +8,14 @@
 #include <filesystem>
 #include <optional>
 
+#include "application/cluster/team.h"
 #include "application/commands/command_steps.h"
 #include "application/commands/commands.h"
 #include "application/file_output.h"
 #include "application/frame_files.h"
 #include "application/option_values.h"
 #include "application/sampling/interrupt.h"
+#include "application/sampling/run_identity.h"
 #include "application/sampling/take_samples.h"
 
 namespace application {
@@ -43,22 +45,7 @@ public:
     /// Renders what is not there yet; stops at the first frame that cannot be done, or with a signal. Those before it
     /// stay.
     Status render() {
-        for (uint32_t number = options_.frames->first; number < options_.frames->end; ++number) {
-            const std::string file = *frame_file(pattern_, number);
-            const std::string text = frame_text(text_, frame_time(options_, number));
-            if (interrupt_.signal() != 0) return Status::success();
-            if (options_.resume && holds_frame(file, kind_, text)) {
-                ++kept_;
-                continue;
-            }
-            if (Status status = render_frame(number); !status.ok()) return status;
-            if (interrupt_.signal() != 0) return Status::success();
-            const auto bytes = encode_frame(picture_, kind_, options_, text);
-            if (!bytes.ok()) return bytes.status;
-            if (Status status = write_file(file, *bytes); !status.ok()) return status;
-            ++rendered_;
-        }
-        return Status::success();
+        return team() ? render_on(*team()) : render_frames([next = 0U]() mutable { return next++; });
     }
 
     /// The signal that ended it before its last frame, or 0.
@@ -84,19 +71,57 @@ public:
 private:
     uint32_t frame_count() const { return options_.frames->end - options_.frames->first; }
 
-    Status render_frame(uint32_t number) {
-        const auto start = std::chrono::steady_clock::now();
+    /// Each rank takes the next frame when it is done with one.
+    Status render_on(Team& ranks) {
+        Status status = start(options_.frames->first);
+        if (status = ranks.agree(status); !status.ok()) return status;
+        if (status = ranks.agree_on(run_identity(options_, session_)); !status.ok()) return status;
+        ranks.open_tasks();
+        status = render_frames([&ranks] { return ranks.next_task(); });
+        if (!status.ok()) ranks.skip_tasks(frame_count());
+        status = ranks.agree(status);
+        uint64_t done[] = {kept_, rendered_};
+        ranks.add_up(done);
+        kept_ = static_cast<uint32_t>(done[0]);
+        rendered_ = static_cast<uint32_t>(done[1]);
+        return status;
+    }
+
+    /// The frames that `next` names, from 0 on, as long as there are such.
+    template <class Next>
+    Status render_frames(Next next) {
+        for (uint64_t place = next(); place < frame_count(); place = next()) {
+            const uint32_t number = options_.frames->first + static_cast<uint32_t>(place);
+            const std::string file = *frame_file(pattern_, number);
+            const std::string text = frame_text(text_, frame_time(options_, number));
+            if (interrupt_.signal() != 0) return Status::success();
+            if (options_.resume && holds_frame(file, kind_, text)) {
+                ++kept_;
+                continue;
+            }
+            if (Status status = render_frame(number); !status.ok()) return status;
+            if (interrupt_.signal() != 0) return Status::success();
+            const auto bytes = encode_frame(picture_, kind_, options_, text);
+            if (!bytes.ok()) return bytes.status;
+            if (Status status = write_file(file, *bytes); !status.ok()) return status;
+            ++rendered_;
+        }
+        return Status::success();
+    }
+
+    /// The core takes its first sample, of that frame.
+    Status start(uint32_t number) {
         if (Status status = session_.show(frame_time(options_, number)); !status.ok()) return named(number, status);
         sums_.clear();
-        if (Status status = next_samples(); !status.ok()) return named(number, status);
-        if (started_) {
-            if (Status status = session_.render(Convergence::Restart, 1); !status.ok()) return named(number, status);
-        } else {
-            const auto choice = start_chosen_core(session_, options_, picture_, console_);
-            if (!choice.ok()) return choice.status;
-            started_ = true;
-        }
-        const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - start;
+        const auto choice = start_chosen_core(session_, options_, picture_, console_);
+        started_ = choice.ok();
+        return choice.status;
+    }
+
+    Status render_frame(uint32_t number) {
+        const auto began = std::chrono::steady_clock::now();
+        if (Status status = started_ ? show(number) : start(number); !status.ok()) return status;
+        const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - began;
         const render_system::CoreStats stats = session_.stats();
         console_.detail(
             fmt::format("frame {}: {:.2f} ms until the scene was in place, {:.2f} of them for trees; {:.2f} ms "
@@ -116,12 +141,18 @@ private:
         return session_.filter(picture_, variances_of(sums_), {first, first + sums_.samples}, history);
     }
 
+    Status show(uint32_t number) {
+        if (Status status = session_.show(frame_time(options_, number)); !status.ok()) return named(number, status);
+        sums_.clear();
+        if (Status status = session_.go_on_from(first_sample()); !status.ok()) return named(number, status);
+        const Status status = session_.render(Convergence::Restart, 1);
+        return status.ok() ? status : named(number, status);
+    }
+
     /// Samples are new in each frame that a history goes through: of the same ones nothing more would be learned.
     uint32_t first_sample() const {
         return options_.filter == FilterMode::temporal ? rendered_ * options_.spp.front() : 0;
     }
-
-    Status next_samples() { return started_ ? session_.go_on_from(first_sample()) : Status::success(); }
 
     Status named(uint32_t number, Status status) const {
         status.message = fmt::format("{}: frame {}: {}", options_.scene, number, status.message);
@@ -143,6 +174,11 @@ private:
 };
 
 Status check_sequence(const Options& options, const std::string& pattern) {
+    if (options.filter == FilterMode::temporal && team())
+        return Status::invalid(
+            "--frames: with --filter temporal each follows from those before it, and ranks take them in no order; "
+            "start "
+            "one rank, or give spatial");
     if (options.filter == FilterMode::temporal && options.resume)
         return Status::invalid(
             "--resume: frames of --filter temporal follow from those before them, of which a file holds too little; "
@@ -175,15 +211,18 @@ ExitCode run_frames(const Options& options, Console& console) {
     const std::string stem = std::filesystem::path(default_picture_name(options.scene)).stem();
     const std::string pattern = options.output.empty() ? stem + "_####.png" : options.output;
     const auto kind = image_kind(pattern);
-    if (!kind.ok()) return fail(console, kind.status);
-    if (Status status = check_sequence(options, pattern); !status.ok()) return fail(console, status);
+    const bool leads = !team() || team()->leads();
+    Status checked = kind.status;
+    if (checked.ok() && leads) checked = check_sequence(options, pattern);
+    if (checked = agreed(checked); !checked.ok()) return fail_once(console, checked);
 
     Options first = options;
     first.time = frame_time(options, options.frames->first);
     auto setup = set_up_scene(first, console, output_files(options, frames_there(pattern, *options.frames)));
-    if (!setup.ok()) return fail(console, setup.status);
+    if (Status status = agreed(setup.status); !status.ok()) return fail_once(console, status);
     Sequence sequence(options, pattern, *kind, std::move(*setup), console);
-    if (Status status = sequence.render(); !status.ok()) return fail(console, status);
+    if (Status status = sequence.render(); !status.ok()) return fail_once(console, status);
+    if (!leads) return DONE;
     if (const int signal = sequence.interrupted(); signal != 0) {
         console.note(sequence.progress());
         return signal == SIGINT ? INTERRUPTED : TERMINATED;

@@ -45,9 +45,6 @@ std::vector<OutputFile> outputs_of(const Options& options, const std::string& fi
     return output_files(options, {file, keeps ? checkpoint_of(file) : std::filesystem::path()});
 }
 
-/// `mine`, or why another member of the team could not go on; alone, `mine`.
-Status agreed(const Status& mine) { return team() ? team()->agree(mine) : mine; }
-
 /// Takes the samples, on the team where there is one.
 Status take_together(PictureRun& run, std::chrono::steady_clock::time_point start) {
     Status status = run.resume();
@@ -74,14 +71,7 @@ Status check_sequence(const Options& options) {
     if (sampling.range || sampling.checkpoint || sampling.time_limit || sampling.noise)
         return Status::invalid(
             "--frames: --samples, --checkpoint, --time-limit and --noise are for one picture; leave them out");
-    if (team()) return Status::invalid("--frames: several ranks render one picture, no sequence; start one rank");
     return Status::success();
-}
-
-/// Where a team fails, one of it says why.
-ExitCode fail_once(Console& console, const Status& status) {
-    if (team() && !team()->leads()) return FAILED;
-    return fail(console, status);
 }
 
 }  // namespace

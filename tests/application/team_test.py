@@ -58,9 +58,27 @@ class Teams(unittest.TestCase):
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertEqual(self.bytes("m.png"), self.bytes("n.png"), "noise ends a team after the same sample")
 
+    def test_frames_are_those_of_one_process_each_rendered_once(self):
+        frames = [*RENDER, "--spp", "2", "--frames", "0:5", "--threads", "1", "-o"]
+        alone = subprocess.run([PROGRAM, *frames, self.file("alone_##.png")], capture_output=True)
+        self.assertEqual(alone.returncode, 0, alone.stderr)
+        result = team(3, *frames, self.file("team_##.png"))
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual(result.stderr.count("5 frames of 100x57"), 1, "one rank speaks, of all frames: " + result.stderr)
+        self.assertEqual([self.bytes(f"team_{i:02}.png") for i in range(5)], [self.bytes(f"alone_{i:02}.png") for i in range(5)])
+        (self.path / "team_03.png").unlink()
+        times = {i: (self.path / f"team_{i:02}.png").stat().st_mtime_ns for i in (0, 1, 2, 4)}
+        result = team(2, *frames, self.file("team_##.png"), "--resume")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn("4 of them kept", result.stderr)
+        self.assertEqual({i: (self.path / f"team_{i:02}.png").stat().st_mtime_ns for i in times}, times)
+        self.assertEqual(self.bytes("team_03.png"), self.bytes("alone_03.png"))
+
     def test_what_fails_is_said_once(self):
         for arguments, word in ((["render", "missing.gltf"], "missing.gltf"), ([*RENDER, "-o", "missing/a.png"], "missing/a.png"),
-                                ([*RENDER, "--spp", "0"], "--spp"), ([*RENDER, "--core", "nonsense"], "nonsense")):
+                                ([*RENDER, "--spp", "0"], "--spp"), ([*RENDER, "--frames", "0:3", "-o", "missing/##.png"], "missing"),
+                                ([*RENDER, "--frames", "0:3", "-o", self.file("##.png"), "--filter", "temporal"], "temporal"),
+                                ([*RENDER, "--core", "nonsense"], "nonsense")):
             result = team(2, *arguments)
             self.assertNotEqual(result.returncode, 0)
             said = [line for line in result.stderr.splitlines() if line.startswith("pathtracer: error")]
