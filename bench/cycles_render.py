@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The porttool authors
 # SPDX-License-Identifier: Apache-2.0
-"""Runs Cycles inside Blender, for bench/compare_renderers.py and bench/equal_time.py, which say how:
+"""Runs Cycles inside Blender, for bench/compare_renderers.py, bench/equal_time.py and bench/beside_blender.py, which
+say how:
 
     blender -b --factory-startup --python-exit-code 2 --python bench/cycles_render.py -- '{"scene": "scene.gltf", ...}'
 
@@ -10,6 +11,7 @@ and starting up drop out), or, where the job names "pictures", the processor sec
 as linear EXR.
 """
 import json
+import math
 import sys
 import time
 
@@ -113,6 +115,9 @@ def write_pictures(job):
     taken = []
     for picture in job["pictures"]:
         render.filepath, cycles.samples, cycles.seed = picture["file"], picture["samples"], picture["seed"]
+        if "seconds" in picture:
+            frame = picture["seconds"] * render.fps / render.fps_base
+            bpy.context.scene.frame_set(math.floor(frame), subframe=frame - math.floor(frame))
         start = time.process_time()
         bpy.ops.render.render(write_still=True)
         taken.append(time.process_time() - start)

@@ -162,7 +162,7 @@ def times(text):
         found = [float(word) for word in text.split(",")]
     except ValueError:
         found = []
-    if not found or not all(0 < time < math.inf for time in found):
+    if not found or not all(0 <= time < math.inf for time in found):
         raise argparse.ArgumentTypeError(f"{text}: expected seconds, such as 1,4,16")
     return found
 
