@@ -10,8 +10,12 @@ repository, edits one side and both, and runs scan, map, init, check, compare an
 worst constructs of each command (--all: of all); exits 1 if twice the size takes more than 2.3 times as long, or more
 than 1 GiB. Times below 0.5 s count as that: they are the start of the program.
 
---counts: millions of instructions, counted by valgrind, in place of seconds. They are the same on a busy machine, and tell
-what grows faster than the text from what a larger text does to the caches. Takes fifty times as long; try --bytes 262144.
+What is filled in up to a bound that docs/porttool.md names grows faster below it. So what grows too fast is doubled again,
+up to 4 MiB, and must grow in line with the text by then; the table has the sizes of which that was seen.
+
+--counts: millions of instructions, counted by valgrind, in place of seconds, and at most 2.1 times as many. They are the
+same on a busy machine, and tell what grows faster than the text from what a larger text does to the caches. Takes fifty
+times as long; try --bytes 262144.
 """
 import argparse
 import json
@@ -27,7 +31,8 @@ import time
 # `init` writes a file for each text that it records: where a disk is slow with a hundred thousand of them in a folder, or
 # with those of the construct before that were just removed, its time would be in the table, not porttool's.
 MEMORY = "/dev/shm"
-MOST_GROWTH, LEAST_SECONDS, LEAST_MILLIONS, MOST_BYTES, LONGEST = 2.3, 0.5, 20, 1 << 30, 120
+MOST_GROWTH, MOST_GROWTH_OF_COUNTS, LEAST_SECONDS, LEAST_MILLIONS = 2.3, 2.1, 0.5, 20
+MOST_BYTES, LARGEST, LONGEST = 1 << 30, 4 << 20, 120
 SIDES = ["--source", "s/**", "--target", "t/**"]
 
 
@@ -119,17 +124,35 @@ def growth(once, twice, counts):
     return max(twice[0], least) / max(once[0], least)
 
 
-def measure_twice(tool, construct, size, counts):
+def too_fast(once, twice, counts):
+    """The commands that take too much more for twice the size."""
+    most = MOST_GROWTH_OF_COUNTS if counts else MOST_GROWTH
+    return {command for command in twice if growth(once[command], twice[command], counts) > most}
+
+
+def measure_pair(tool, construct, size, counts):
     """The rows of a size and of twice that. What else a machine does only adds to a time: what is beyond the bound is
     measured again, up to twice, and the least time of each size counts."""
     once, twice = (measure(tool, construct, part, counts) for part in (size, 2 * size))
     for _ in range(0 if counts else 2):
-        if all(growth(once[command], twice[command], counts) <= MOST_GROWTH for command in twice):
+        if not too_fast(once, twice, counts):
             break
         for rows, part in ((once, size), (twice, 2 * size)):
             for command, (seconds, peak, code) in measure(tool, construct, part, counts).items():
                 rows[command] = (min(seconds, rows[command][0]), max(peak, rows[command][1]), code)
     return once, twice
+
+
+def measure_twice(tool, construct, size, counts):
+    """The rows of each command at a size and at twice that, with the size: for what grows too fast the largest."""
+    once, twice = measure_pair(tool, construct, size, counts)
+    found = {command: (once[command], twice[command], size) for command in twice}
+    while (fast := too_fast(once, twice, counts)) and 4 * size <= LARGEST:
+        size *= 2
+        once, twice = measure_pair(tool, construct, size, counts)
+        found.update({command: (once[command], twice[command], size) for command in fast})
+        once, twice = ({command: rows[command] for command in fast} for rows in (once, twice))
+    return found
 
 
 def main():
@@ -152,21 +175,20 @@ def main():
     for construct in constructs:
         if options.only and not any(part in construct["name"] for part in options.only):
             continue
-        once, twice = measure_twice(tool, construct, options.bytes, counts)
-        for command, (seconds, peak, code) in twice.items():
-            times = growth(once[command], twice[command], counts)
-            bad = times > MOST_GROWTH or peak > MOST_BYTES or code not in (0, 1)
+        for command, (once, twice, size) in measure_twice(tool, construct, options.bytes, counts).items():
+            (seconds, peak, code), times = twice, growth(once, twice, counts)
+            bad = bool(too_fast({command: once}, {command: twice}, counts)) or peak > MOST_BYTES or code not in (0, 1)
             failed += bad
-            rows.setdefault(command, []).append((times, seconds, once[command][0], peak, construct["name"], code, bad))
+            rows.setdefault(command, []).append((times, seconds, once[0], peak, construct["name"], code, bad, size))
         # A long run that is cut off has said what it found.
         worst = max(row[-1] for row in rows.values())
-        print(f"{construct['name']}: at most {worst[0]:.2f} times{', TOO MUCH' if any(row[-1][-1] for row in rows.values()) else ''}", file=sys.stderr, flush=True)
-    print(f"| command | construct | {options.bytes} bytes | twice that | growth | peak | |\n| --- | --- | --- | --- | --- | --- | --- |")
+        print(f"{construct['name']}: at most {worst[0]:.2f} times{', TOO MUCH' if any(row[-1][6] for row in rows.values()) else ''}", file=sys.stderr, flush=True)
+    print("| command | construct | bytes | | twice that | growth | peak | |\n| --- | --- | --- | --- | --- | --- | --- | --- |")
     for command, found in rows.items():
         worst = {max(found)[4], max(found, key=lambda row: row[1])[4], max(found, key=lambda row: row[3])[4]}
-        for times, seconds, before, peak, name, code, bad in sorted(found, reverse=True):
+        for times, seconds, before, peak, name, code, bad, size in sorted(found, reverse=True):
             if options.all or bad or name in worst:
-                print(f"| {command} | {name} | {before:.2f} {unit} | {seconds:.2f} {unit} | {times:.2f} | {peak / 2**20:.0f} MiB |"
+                print(f"| {command} | {name} | {size} | {before:.2f} {unit} | {seconds:.2f} {unit} | {times:.2f} | {peak / 2**20:.0f} MiB |"
                       f" {'exit ' + str(code) if code not in (0, 1) else 'TOO MUCH' if bad else ''} |")
     print(f"\n{sum(len(found) for found in rows.values())} runs of twice the size, {failed} beyond the bounds")
     return 1 if failed else 0

@@ -66,6 +66,10 @@ std::string plain_text(std::string_view file, std::vector<uint32_t>* splices) {
     std::string text;
     text.reserve(file.size() + 1);
     for (size_t i = 0; i < file.size(); ++i) {
+        const size_t first = i;
+        while (i < file.size() && file[i] != '\\' && file[i] != '\r') ++i;
+        text.append(file, first, i - first);
+        if (i == file.size()) break;
         char c = file[i];
         if (c == '\\') {
             size_t next = i + 1;

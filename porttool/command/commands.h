@@ -15,8 +15,12 @@ namespace porttool {
 struct Outcome {
     std::string text;
     int exit_code = 0;
-    bool is_exact = false;  ///< the bytes of files, whatever their encoding: not made UTF-8
+    bool is_exact = false;     ///< the bytes of files, whatever their encoding: not made UTF-8
+    std::string written = {};  ///< what is on disk by then, for who cannot be given the text: "portmap.lock is written"
 };
+
+/// What Outcome::written says of a command that records.
+inline constexpr const char* kLockIsWritten = "portmap.lock is written";
 
 // Each command stands in a file of its own: its options, and what carries it out.
 void declare_scan(Declare& declare, Options& options);

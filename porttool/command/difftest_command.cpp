@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The porttool authors
 // SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 #include <set>
@@ -105,6 +107,16 @@ std::string record_same(const Options& options, const DifftestResult& result, Wo
     return std::to_string(count) + " pairs recorded as verified\n";
 }
 
+/// Nothing was found out, so that nothing goes to stdout but the JSON, which has all of the reasons.
+std::string why_none_ran(const std::vector<DifftestPair>& pairs) {
+    if (pairs.empty()) return "there is no pair of functions to run; name one, SOURCE=TARGET";
+    const DifftestPair& first = pairs.front();
+    const std::string more =
+        pairs.size() == 1 ? "" : fmt::format("; {} more could not be run, see --format json", pairs.size() - 1);
+    return terminal_text(first.source) + " = " + terminal_text(first.target) +
+           ": not run: " + terminal_text(first.reason) + more;
+}
+
 }  // namespace
 
 void declare_difftest(Declare& declare, Options& options) {
@@ -148,14 +160,15 @@ Outcome run_difftest(const Options& options, Workplace& place) {
             throw CannotDo(evidence + ": " + failure);
     std::string recorded;
     if (options.records) recorded = record_same(options, result, place);
+    const std::string written = recorded.empty() ? "" : kLockIsWritten;
     const auto is = [](DifftestState state) {
         return [state](const DifftestPair& pair) { return pair.state == state; };
     };
     const bool differs = std::any_of(pairs.begin(), pairs.end(), is(DifftestState::Differs));
     const bool none_ran = std::all_of(pairs.begin(), pairs.end(), is(DifftestState::NotRun));
-    const std::string text =
-        options.format == "json" ? difftest_json(pairs) : difftest_table(pairs, options.verbose) + recorded;
-    return {text, differs ? 1 : none_ran ? 2 : 0};
+    if (options.format == "json") return {difftest_json(pairs), differs ? 1 : none_ran ? 2 : 0, false, written};
+    if (none_ran) throw CannotDo(why_none_ran(pairs));
+    return {difftest_table(pairs, options.verbose) + recorded, differs ? 1 : 0, false, written};
 }
 
 }  // namespace porttool

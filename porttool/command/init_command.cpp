@@ -171,7 +171,7 @@ Outcome record_map(const Options& options, Workplace& place) {
                         "Next: porttool check\n",
                         lock.pairs.size(), terminal_text(now.project.map_path), lock.baseline.size(),
                         map.empty() ? "" : "The map had none; they are suggestions: read those that are not sure.\n"),
-            0};
+            0, false, kLockIsWritten};
 }
 
 }  // namespace
@@ -229,8 +229,8 @@ Outcome run_init(const Options& options, Workplace& place) {
     take_as_verified(lock, assessed);
     const std::string map = map_text(now.project, matching);
     store_lock(now.project, {lock, now.states, {}, &map, true}, place.disk);
-    if (options.assess) return {assessed_text(assessed, options), 0};
-    return {summary(matching, now.project), 0};
+    return {options.assess ? assessed_text(assessed, options) : summary(matching, now.project), 0, false,
+            "portmap.toml and portmap.lock are written"};
 }
 
 }  // namespace porttool

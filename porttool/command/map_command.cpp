@@ -40,7 +40,7 @@ Outcome write_suggestions(Project project, const Matching& matching, double leas
     std::string out = fmt::format("{} pairs from a score of {:g} on added to {}\n", pairs.size(), least,
                                   terminal_text(project.map_path));
     if (!pairs.empty()) out += "Look at them, then record them: porttool accept ID, or accept --all --force\n";
-    return {out, 0};
+    return {out, 0, false, pairs.empty() ? "" : "portmap.toml is written"};
 }
 
 }  // namespace

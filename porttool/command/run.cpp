@@ -45,10 +45,15 @@ int run_command(const Options& options, Disk& disk, std::ostream& out, std::ostr
     const Outcome outcome = find_command(options.command)->run(options, place);
     // A source in Latin-1 must not break the format, unless the format is the source's own.
     const std::string text = outcome.is_exact ? outcome.text : as_utf8(outcome.text);
-    if (!to_file)
-        print(out, text);
-    else if (const std::string failure = disk.write(path, text); !failure.empty())
-        throw CannotDo(option + ": " + failure);
+    try {
+        if (!to_file)
+            print(out, text);
+        else if (const std::string failure = disk.write(path, text); !failure.empty())
+            throw CannotDo(option + ": " + failure);
+    } catch (const CannotDo& problem) {
+        if (outcome.written.empty()) throw;
+        throw CannotDo(std::string(problem.what()) + "; but " + outcome.written + ": do not repeat the command");
+    }
     return outcome.exit_code;
 }
 

@@ -74,7 +74,7 @@ Outcome settle(const Options& options, Workplace& place, Verdict verdict) {
         }
     }
     store(checked, place.disk);
-    return {out, 0};
+    return {out, 0, false, kLockIsWritten};
 }
 
 /// SOURCE=TARGET of two units that are there. An id may hold equal signs itself.
@@ -168,7 +168,7 @@ Outcome run_accept(const Options& options, Workplace& place) {
             "add --force:\n",
             left.size());
     for (const JudgedPair* pair : left) out += "  " + terminal_line(pair->id.source) + "\n";
-    return {out, left.empty() ? 0 : 1};
+    return {out, left.empty() ? 0 : 1, false, kLockIsWritten};
 }
 
 Outcome run_reject(const Options& options, Workplace& place) {
@@ -183,7 +183,8 @@ Outcome run_reject(const Options& options, Workplace& place) {
     const std::string map = remove_pair(checked.project, {id.source, id.target});
     reject_pair(checked.lock, *pair, checked.project.map);
     store(checked, place.disk, &map);
-    return {"no longer a pair: " + terminal_text(id.source) + " = " + terminal_text(id.target) + "\n", 0};
+    return {"no longer a pair: " + terminal_text(id.source) + " = " + terminal_text(id.target) + "\n", 0, false,
+            kLockIsWritten};
 }
 
 void declare_defer(Declare& declare, Options& options) {

@@ -135,9 +135,11 @@ Outcome run_sync(const Options& options, Workplace& place) {
         write_files(files, options, checked.project, place);
     }
     const int code = result.any_left() || failed ? 1 : 0;
-    if (options.format == "json") return {sync_json(result, verification), fits_json(result) ? code : 1};
-    if (options.format == "patch") return {sync_patch(result), code, true};
-    return {sync_table(result, verification), code};
+    const std::string written = options.apply && !failed && !files.empty() ? "the files are written" : "";
+    if (options.format == "json")
+        return {sync_json(result, verification), fits_json(result) ? code : 1, false, written};
+    if (options.format == "patch") return {sync_patch(result), code, true, written};
+    return {sync_table(result, verification), code, false, written};
 }
 
 }  // namespace porttool

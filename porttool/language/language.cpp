@@ -65,8 +65,10 @@ bool contains_any(std::string_view text, std::initializer_list<std::string_view>
 const LanguageTraits& traits_of(Language language) { return kLanguages[static_cast<size_t>(language)]; }
 
 Language language_of_path(std::string_view path) {
-    const std::string lower = in_small_letters(path.substr(path.find_last_of('/') + 1));
+    const std::string_view name = path.substr(path.find_last_of('/') + 1);
     Language found = Language::Unknown;
+    if (name.find('.') == std::string_view::npos) return found;
+    const std::string lower = in_small_letters(name);
     size_t longest = 0;
     for (const LanguageTraits& row : kLanguages)
         for_each_word(row.suffixes, [&](std::string_view suffix) {

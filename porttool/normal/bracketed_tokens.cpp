@@ -14,8 +14,9 @@ BracketedTokens::BracketedTokens(const LexedText& lexed, TokenRange range) : lex
     std::vector<size_t> open;
     for (size_t i = 0; i < tokens_.size(); ++i) {
         const std::string_view text = word(i);
-        if (text == "(" || text == "[" || text == "{") open.push_back(i);
-        if (open.empty() || (text != ")" && text != "]" && text != "}")) continue;
+        const char sign = text.size() == 1 ? text[0] : '\0';
+        if (sign == '(' || sign == '[' || sign == '{') open.push_back(i);
+        if (open.empty() || (sign != ')' && sign != ']' && sign != '}')) continue;
         after_[open.back()] = i + 1;
         open.pop_back();
     }

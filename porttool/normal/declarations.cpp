@@ -176,22 +176,24 @@ private:
     /// Takes the token at `i` into account; true if a statement or a clause of a head starts after it.
     bool step(size_t i) {
         const std::string_view text = word(i);
+        if (text.size() != 1) return false;
+        const char sign = text[0];
         Group& group = groups_.back();
-        if (text == "(" || text == "[" || text == "{") return open(i);
-        if (text == ")" || text == "]" || text == "}") {
+        if (sign == '(' || sign == '[' || sign == '{') return open(i);
+        if (sign == ')' || sign == ']' || sign == '}') {
             const Place closed = group.place;
             if (groups_.size() > 1) groups_.pop_back();
-            return text == "}" && (closed == Place::Block || closed == Place::Record);
+            return sign == '}' && (closed == Place::Block || closed == Place::Record);
         }
-        if (text == ";") {
+        if (sign == ';') {
             group.declares = false;
             ++group.clause;
             return group.place == Place::Block || group.place == Place::Record ||
                    (group.place == Place::Condition && group.clause == 1);
         }
-        if (text == ":") return group.place == Place::Block && is_one_of(word(group.first), {"case", "default"});
-        if (text == "," && group.declares && i >= arguments_end_) group.declares = declare_next(i + 1);
-        if (text == "<" && group.declares && i >= arguments_end_) arguments_end_ = tokens_.after_arguments(i);
+        if (sign == ':') return group.place == Place::Block && is_one_of(word(group.first), {"case", "default"});
+        if (sign == ',' && group.declares && i >= arguments_end_) group.declares = declare_next(i + 1);
+        if (sign == '<' && group.declares && i >= arguments_end_) arguments_end_ = tokens_.after_arguments(i);
         return false;
     }
 

@@ -19,15 +19,16 @@ bool is_name(std::string_view text) {
 }  // namespace
 
 size_t LocalNumbers::next(std::string_view text, uint32_t token) {
-    if (head_closes_) close(text == "{");
-    head_closes_ = false;
-    const size_t number = is_name(text) && !member_ ? number_of(text, token) : 0;
-    if (text == "(") open(scoped_);
-    if (text == "{") open_block();
-    if (text == ")") head_closes_ = true;
-    if (text == "}") close(false);
-    member_ = text == "." || text == "->" || text == "::";
-    scoped_ = text == "]" || word_is(text, kOwnScope);  // after `]` a lambda's parameters
+    const char sign = text.size() == 1 ? text[0] : '\0';
+    const bool named = is_name(text);
+    if (head_closes_) close(sign == '{');
+    const size_t number = named && !member_ ? number_of(text, token) : 0;
+    if (sign == '(') open(scoped_);
+    if (sign == '{') open_block();
+    head_closes_ = sign == ')';
+    if (sign == '}') close(false);
+    member_ = sign == '.' || (text.size() == 2 && (text == "->" || text == "::"));
+    scoped_ = sign == ']' || (named && word_is(text, kOwnScope));  // after `]` a lambda's parameters
     return number;
 }
 

@@ -68,6 +68,9 @@ private:
         while (in_directive()) emit();
     }
 
+    /// A word of one character, or 0.
+    char sign() const { return word().size() == 1 ? word()[0] : '\0'; }
+
     std::string_view word_at(size_t at) const {
         return at < tokens_.size() ? lexed_.view(tokens_[at]) : std::string_view();
     }
@@ -76,7 +79,7 @@ private:
     void attributes() {
         constexpr size_t kLongest = 32;
         const bool named = word() == "__attribute__" && word_at(at_ + 1) == "(";
-        if (!named && word() != "[") return;
+        if (!named && sign() != '[') return;
         size_t end = at_ + (named ? 1 : 0);
         int depth = 0;
         for (; end < at_ + kLongest; ++end) {
@@ -93,9 +96,9 @@ private:
         int depth = 0;
         while (at_ < tokens_.size()) {
             if (!in_directive()) {
-                const std::string_view text = word();
-                if (text == "(" || text == "[" || text == "{") ++depth;
-                if (text == ")" || text == "]" || text == "}") --depth;
+                const char c = sign();
+                if (c == '(' || c == '[' || c == '{') ++depth;
+                if (c == ')' || c == ']' || c == '}') --depth;
             }
             emit();
             if (depth <= 0) return;
@@ -104,7 +107,7 @@ private:
 
     void block(int depth) {
         emit();  // the opening brace
-        while (at_ < tokens_.size() && word() != "}") statement(depth);
+        while (at_ < tokens_.size() && sign() != '}') statement(depth);
         if (at_ < tokens_.size()) emit();
     }
 
@@ -119,10 +122,10 @@ private:
     void statement(int depth) {
         directives();
         attributes();
-        const std::string_view text = word();
-        if (text == "}" || at_ >= tokens_.size()) return;
+        if (sign() == '}' || at_ >= tokens_.size()) return;
         if (depth > kDeepest) return simple();
-        if (text == "{") return block(depth + 1);
+        if (sign() == '{') return block(depth + 1);
+        const std::string_view text = word();
         if (word_is(text, kControls)) {
             emit();
             if (word() == "constexpr") emit();
@@ -158,14 +161,14 @@ private:
                 emit();
                 continue;
             }
-            const std::string_view text = word();
-            if (text == "}") return;
-            if (text == "(" || text == "[" || text == "{") {
+            const char c = sign();
+            if (c == '}') return;
+            if (c == '(' || c == '[' || c == '{') {
                 group();
                 continue;
             }
             emit();
-            if (text == ";" || text == ":") return;
+            if (c == ';' || c == ':') return;
         }
     }
 

@@ -169,7 +169,8 @@ OpenedBeneath open_beneath(const TreePath& at, int flags, OpenBy first) {
     if (first == OpenBy::Kernel) {
         Descriptor file = open_by_kernel(root.get(), at, flags);
         if (file.valid()) return {std::move(file), "", 0};
-        if (errno == ENOENT || errno == EACCES || errno == ENOTDIR) return {Descriptor(), cannot_be_read(errno), errno};
+        // A link in the place of a folder is ENOTDIR here, too: the steps tell whether it leads to one.
+        if (errno == ENOENT || errno == EACCES) return {Descriptor(), cannot_be_read(errno), errno};
     }
     Steps steps(at, std::move(root));
     if (const Refusal refusal = steps.go(); refusal.code != 0) return {Descriptor(), refusal.text, refusal.code};

@@ -43,10 +43,11 @@ FileText read_open(const Descriptor& file, uint64_t limit) {
     return out;
 }
 
-bool is_folder_in(int folder, const dirent& entry) {
-    if (entry.d_type != DT_UNKNOWN) return entry.d_type == DT_DIR;
+DirectoryEntry entry_in(int folder, const dirent& entry) {
+    if (entry.d_type != DT_UNKNOWN) return {entry.d_name, entry.d_type == DT_DIR, entry.d_type == DT_LNK};
     struct stat status {};
-    return ::fstatat(folder, entry.d_name, &status, AT_SYMLINK_NOFOLLOW) == 0 && S_ISDIR(status.st_mode);
+    const bool known = ::fstatat(folder, entry.d_name, &status, AT_SYMLINK_NOFOLLOW) == 0;
+    return {entry.d_name, known && S_ISDIR(status.st_mode), known && S_ISLNK(status.st_mode)};
 }
 
 }  // namespace
@@ -98,8 +99,7 @@ FolderList RealDisk::list(const TreePath& path) const {
     opened.file.release();  // closedir() closes it
     while (const dirent* entry = ::readdir(folder)) {
         const std::string_view name = entry->d_name;
-        if (name != "." && name != "..")
-            out.entries.push_back({std::string(name), is_folder_in(::dirfd(folder), *entry)});
+        if (name != "." && name != "..") out.entries.push_back(entry_in(::dirfd(folder), *entry));
     }
     ::closedir(folder);
     std::sort(out.entries.begin(), out.entries.end(), [](const auto& a, const auto& b) { return a.name < b.name; });

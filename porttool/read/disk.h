@@ -15,6 +15,7 @@ namespace porttool {
 struct DirectoryEntry {
     std::string name;
     bool is_directory = false;  ///< a real one: symbolic links to folders are not followed
+    bool is_link = false;
 };
 
 /// What reading a file gave: its bytes, or why there are none.

@@ -9,7 +9,6 @@
 #include <cmath>
 #include <limits>
 #include <set>
-#include <sstream>
 #include <stdexcept>
 
 #include "porttool/read/disk.h"
@@ -17,7 +16,6 @@
 #include "porttool/text/enum_names.h"
 #include "porttool/text/sink/terminal.h"
 #include "porttool/text/suggest.h"
-#include "porttool/text/utf8.h"
 
 namespace porttool {
 namespace {
@@ -25,16 +23,6 @@ namespace {
 struct Misread : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
-
-/// Blanks and a caret below a column of a line as `terminal_line` shows it. toml++ counts columns in characters.
-std::string caret_below(const std::string& line, uint32_t column) {
-    std::string_view rest = line;
-    uint32_t at = 1;
-    for (; at < column && !rest.empty(); ++at) rest.remove_prefix(std::max<size_t>(1, utf8_length(rest)));
-    const std::string shown = terminal_line(std::string_view(line).substr(0, line.size() - rest.size()));
-    const auto width = std::count_if(shown.begin(), shown.end(), [](char c) { return (c & 0xC0) != 0x80; });
-    return std::string(static_cast<size_t>(width) + column - at, ' ') + "^";
-}
 
 class MapReader {
 public:
@@ -86,6 +74,10 @@ public:
 
 private:
     toml::table parse() {
+        constexpr size_t kMebibyte = 1024 * 1024, kMost = 16;  // its table takes thirty times as much
+        if (text_.size() > kMost * kMebibyte)
+            throw Misread(fmt::format("{} is {} MiB, more than the {} MiB that are read of a map", terminal_text(path_),
+                                      text_.size() / kMebibyte, kMost));
         if (const auto line = line_of_deep_key(text_))
             throw Misread(path_ + ":" + std::to_string(*line) +
                           ": a key of more than 16 dots; no table of a map lies that deep");
@@ -95,21 +87,13 @@ private:
             std::string reason(error.description());  // toml++ quotes what it found, a line break as well
             for (char& letter : reason)
                 if (letter == '\n' || letter == '\r') letter = ' ';
-            fail(error.source(), reason);
+            fail(error.source(), "no TOML: " + reason + "; correct that line");
         }
     }
 
     [[noreturn]] void fail(const toml::source_region& where, const std::string& what) const {
-        std::ostringstream message;
-        message << terminal_text(path_) << ":" << where.begin.line << ":" << where.begin.column << ": "
-                << terminal_text(what);
-        std::istringstream lines(text_);
-        std::string line;
-        for (uint32_t i = 0; i < where.begin.line; ++i) std::getline(lines, line);
-        constexpr size_t kLongest = 160;
-        if (where.begin.line > 0 && !line.empty() && line.size() < kLongest && where.begin.column > 0)
-            message << "\n" << terminal_line(line) << "\n" << caret_below(line, where.begin.column);
-        throw Misread(message.str());
+        throw Misread(fmt::format("{}:{}:{}: {}", terminal_text(path_), where.begin.line, where.begin.column,
+                                  terminal_text(what)));
     }
 
     void only(const toml::table& table, const std::vector<std::string>& known, const char* where) const {

@@ -103,7 +103,7 @@ struct MapFile {
     std::map<std::string, MapValue> values;  ///< all that stands there but pairs and ignores: "rules.orphaned"
 };
 
-/// A map, or the error as it is shown: file:line:column, what is wrong, the line with a caret.
+/// A map, or the error as it is shown, in one line: file:line:column, what is wrong.
 struct ReadMap {
     MapFile map;
     std::string error;

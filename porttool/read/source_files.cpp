@@ -59,6 +59,7 @@ public:
                     open.push_back(path);
                 else
                     visit(path);
+                if (entry.is_link && language_of_path(path) == Language::Unknown) note_way_out(path);
             }
         }
     }
@@ -70,10 +71,16 @@ public:
 
     /// True if a rule hid something.
     bool ignored_some() const { return ignored_some_; }
-    /// Folders that lie elsewhere, and so were not looked into.
+    /// Folders that lie elsewhere, and links that lead there; they were not looked into.
     const std::vector<SkippedFile>& refused() const { return refused_; }
 
 private:
+    /// A link may stand for a folder of sources: where it leads out of the root, nobody shall think that they were
+    /// read.
+    void note_way_out(const std::string& path) {
+        if (const FolderList list = disk_.list(place_of(path)); list.refused) refused_.push_back({path, list.error});
+    }
+
     /// The rules that hold in a folder: its parent's and its own.
     const IgnoreRules& rules_of(const std::string& folder) {
         if (const auto known = rules_.find(folder); known != rules_.end()) return known->second;

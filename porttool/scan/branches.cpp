@@ -52,7 +52,7 @@ struct Group {
     bool true_branch_seen = false;
 };
 
-bool ends_statement(std::string_view text) { return text == ";" || text == "}" || text == "{"; }
+bool ends_statement(char c) { return c == ';' || c == '}' || c == '{'; }
 
 /// The value of a condition that is one literal: `#if 0`, `#elif 1`.
 std::optional<bool> constant_condition(const LexedText& lexed, const Directive& directive) {
@@ -91,9 +91,12 @@ private:
         for (uint32_t i = first; i < end; ++i) {
             const Token& token = lexed_.tokens[i];
             ++branch.size;
+            branch.ends_statement = false;
+            if (token.kind != TokenKind::Punctuator) continue;
             const std::string_view text = lexed_.view(token);
-            if (token.kind == TokenKind::Punctuator && text.size() == 1) branch.balance.add(text[0]);
-            branch.ends_statement = ends_statement(text);
+            if (text.size() != 1) continue;
+            branch.balance.add(text[0]);
+            branch.ends_statement = ends_statement(text[0]);
         }
     }
 

@@ -64,20 +64,6 @@ std::vector<ScannedFile> scan_again(SourceSet set, std::vector<ScannedFile>& las
     return files;
 }
 
-/// A bracket that is never closed stands for itself, as in a shell, which is rarely what was meant.
-std::string bracket_hint(const std::string& glob) {
-    for (const auto& [open, close] : {std::pair('[', ']'), std::pair('{', '}')})
-        if (std::count(glob.begin(), glob.end(), open) > std::count(glob.begin(), glob.end(), close))
-            return std::string("; its '") + open + "' is never closed";
-    return "; globs are relative to the root, ** crosses folders";
-}
-
-void require_matches(const std::vector<std::string>& unmatched, const char* side) {
-    if (unmatched.empty()) return;
-    throw CannotDo(std::string(side) + " glob '" + terminal_text(unmatched.front()) + "' matches no file that is read" +
-                   bracket_hint(unmatched.front()));
-}
-
 const std::vector<std::string>& globs_of(const MapFile& map, Side side) {
     return side == Side::Source ? map.source : map.target;
 }
@@ -87,6 +73,29 @@ std::string root_of(const Project& project, Side side) {
 }
 
 const char* name_of(Side side) { return side == Side::Source ? "source" : "target"; }
+
+/// A bracket that is never closed stands for itself, as in a shell, which is rarely what was meant.
+std::string bracket_hint(const std::string& glob) {
+    for (const auto& [open, close] : {std::pair('[', ']'), std::pair('{', '}')})
+        if (std::count(glob.begin(), glob.end(), open) > std::count(glob.begin(), glob.end(), close))
+            return std::string("; its '") + open + "' is never closed";
+    return "; globs are relative to the root, ** crosses folders";
+}
+
+/// A glob that matches nothing is a mistake, or its files are gone. A port that is gone has findings to tell of it,
+/// which are errors; the side whose behaviour counts has not. It, and another checkout, may also just not be there.
+void require_matches(const std::vector<std::string>& unmatched, const Project& project, Side side) {
+    const Side counts = project.map.reference == Reference::Target ? Side::Target : Side::Source;
+    const bool is_told = side != counts && !(side == Side::Target && is_elsewhere(project));
+    const std::set<std::string> named = is_told ? named_files(project.map, side) : std::set<std::string>();
+    for (const std::string& text : unmatched) {
+        const SourceGlob glob(text, root_of(project, side));
+        if (std::any_of(named.begin(), named.end(), [&](const std::string& file) { return glob.takes(file); }))
+            continue;
+        throw CannotDo(std::string(name_of(side)) + " glob '" + terminal_text(text) + "' matches no file that is read" +
+                       bracket_hint(text));
+    }
+}
 
 /// Wants what globs name.
 WantsFile wanted(const std::vector<std::string>& globs) {
@@ -108,7 +117,7 @@ SourceSet read_side(const Project& project, const Disk& disk, Side side) {
         read_globs(disk, root, globs, unmatched,
                    {project.globs_given ? Reach::Anywhere : Reach::Beneath,
                     side == Side::Target && is_elsewhere(project), named_files(project.map, side), tracked});
-    require_matches(unmatched, name_of(side));
+    require_matches(unmatched, project, side);
     return out;
 }
 

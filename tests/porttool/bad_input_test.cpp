@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The porttool authors
 // SPDX-License-Identifier: Apache-2.0
-// What a person gets wrong: exit code 2, one or two lines (and a caret) that name the place, and nothing written.
+// What a person gets wrong: exit code 2, one or two lines that name the place, and nothing written.
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -60,7 +60,16 @@ TEST(BadInput, Pairs) {
     map = "";
     message = error_of(disk, {"check"});
     EXPECT_TRUE(says(message, "'version = 1' is missing")) << message;
-    EXPECT_EQ(std::count(message.begin(), message.end(), '\n'), 1) << "no empty line with a caret below it";
+    for (const char* broken : {"", "version = 1\n[sides\n", "version = 1\n[sides]\nsauce = [\"src/*\"]\n"}) {
+        map = broken;
+        message = error_of(disk, {"check"});
+        EXPECT_EQ(std::count(message.begin(), message.end(), '\n'), 1) << "one line: " << message;
+    }
+    map = good + std::string(17 << 20, '#');
+    EXPECT_TRUE(says(error_of(disk, {"check"}), "portmap.toml is 17 MiB, more than the 16 MiB"));
+    map = "version = 1\n[sides\n";
+    EXPECT_TRUE(says(error_of(disk, {"check"}), "portmap.toml:2:7: no TOML: ")) << message;
+    EXPECT_TRUE(says(error_of(disk, {"check"}), "; correct that line"));
 }
 
 TEST(BadInput, Locks) {
@@ -173,6 +182,7 @@ TEST(BadInput, LoopsOfLinksPipesAndLargeFilesAreSkippedAndNamed) {
     RealDisk disk;
     ASSERT_EQ(run(disk, {"-C", root.string(), "init", "--source", "src/*", "--target", "port/*"}).exit_code, 0);
     std::filesystem::create_directory_symlink("../src", root / "src/loop");
+    std::filesystem::create_directory_symlink("/usr", root / "src/elsewhere");
     std::filesystem::create_symlink("self.cu", root / "src/self.cu");
     std::filesystem::create_symlink("nowhere.cu", root / "src/dangling.cu");
     ASSERT_EQ(::mkfifo((root / "src/pipe.cu").c_str(), 0600), 0);
@@ -186,7 +196,8 @@ TEST(BadInput, LoopsOfLinksPipesAndLargeFilesAreSkippedAndNamed) {
         EXPECT_EQ(finding["rule"], "unreadable");
         files.push_back(finding["source"]["file"]);
     }
-    EXPECT_EQ(files, (std::vector<std::string>{"src/dangling.cu", "src/large.cu", "src/pipe.cu", "src/self.cu"}));
+    EXPECT_EQ(files, (std::vector<std::string>{"src/dangling.cu", "src/elsewhere", "src/large.cu", "src/pipe.cu",
+                                               "src/self.cu"}));
     std::filesystem::remove_all(root);
 }
 

@@ -362,6 +362,27 @@ TEST(Check, ExplainShowsBothEditsAndRules) {
     EXPECT_NE(run(disk, {"explain", "port-differs"}).out.find("not the same after translation"), std::string::npos);
 }
 
+TEST(Check, APortThatIsDeletedIsToldAsOneThatIsEmptied) {
+    std::vector<nlohmann::json> told;
+    for (const bool deleted : {false, true}) {
+        MemoryDisk disk = started(kSource, kTarget);
+        disk.files["/r/port/k.comp"].clear();
+        if (deleted) disk.files.erase("/r/port/k.comp");
+        const CommandRun got = run(disk, {"-C", "/r", "check", "--format", "json"});
+        EXPECT_EQ(got.exit_code, 1) << got.err;
+        told.push_back(nlohmann::json::parse(got.out)["findings"]);
+        EXPECT_FALSE(told.back().empty());
+        for (const auto& finding : told.back()) EXPECT_EQ(finding["rule"], "dead-link");
+    }
+    EXPECT_EQ(told[0], told[1]);
+    MemoryDisk disk = started(kSource, kTarget);
+    disk.files.erase("/r/src/k.cu");  // it may not have been checked out: without it nothing can be said
+    EXPECT_EQ(run(disk, {"-C", "/r", "check"}).exit_code, 2);
+    disk = started(kSource, kTarget);
+    disk.files["/r/portmap.toml"] = replaced(disk.files["/r/portmap.toml"], "port/*", "nowhere/*");
+    EXPECT_EQ(run(disk, {"-C", "/r", "check"}).exit_code, 2) << "the map names nothing there";
+}
+
 TEST(Check, BadMapsAndLocksAreNamed) {
     MemoryDisk disk = started(kSource, kTarget);
     const std::string map = disk.files["/r/portmap.toml"], lock = disk.files["/r/portmap.lock"];

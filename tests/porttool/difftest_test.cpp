@@ -353,6 +353,19 @@ TEST_F(Difftest, LeavesNothingBehindWhenInterrupted) {
     EXPECT_TRUE(std::filesystem::is_empty(root / "tmp"));
 }
 
+TEST_F(Difftest, WhereNothingRanStdoutHasAtMostTheJson) {
+    write("a/a.cu", "__global__ void k(float* x) { x[0] = 1.0f; }\n");
+    write("b/b.cu", "__global__ void k(float* x) { x[0] = 2.0f; }\n");
+    const CommandRun text = porttool({"difftest", "--source", "a/*", "--target", "b/*"});
+    EXPECT_EQ(text.exit_code, 2);
+    EXPECT_EQ(text.out, "");
+    EXPECT_NE(text.err.find("a/a.cu:k = b/b.cu:k: not run: a kernel"), std::string::npos) << text.err;
+    EXPECT_EQ(std::count(text.err.begin(), text.err.end(), '\n'), 1) << text.err;
+    const CommandRun json = porttool({"difftest", "--source", "a/*", "--target", "b/*", "--format", "json"});
+    EXPECT_EQ(json.exit_code, 2);
+    EXPECT_EQ(nlohmann::json::parse(json.out)["pairs"][0]["state"], "not_run");
+}
+
 TEST_F(Difftest, SaysWhatIsMissing) {
     write("a/a.glsl", "float half_of(float x) { return x * 0.5; }\n");
     write("b/b.h", "inline float half_of(float x) { return x * 0.5f; }\n");

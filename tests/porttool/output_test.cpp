@@ -38,6 +38,29 @@ TEST_F(Output, AFullDeviceIsAFailure) {
     }
 }
 
+TEST_F(Output, WhatIsRecordedIsSaidWhereTheAnswerCannotBe) {
+    if (!std::filesystem::is_character_file("/dev/full")) GTEST_SKIP() << "there is no /dev/full";
+    write("s/k.cu", "__device__ float f(float a) { return a; }\n");
+    write("t/k.cpp", "inline float f(float a) { return a; }\n");
+    ASSERT_EQ(porttool({"init", "--source", "s/*", "--target", "t/*"}).exit_code, 0);
+    int number = 2;
+    for (const char* sink : {"> /dev/full", "-o /dev/full", ">&-", "<&- >&-"}) {
+        write("s/k.cu", "__device__ float f(float a) { return a * " + std::to_string(++number) + ".0f; }\n");
+        const CommandRun got = shell(std::string("accept --all --force ") + sink);
+        EXPECT_EQ(got.exit_code, 2) << sink;
+        EXPECT_EQ(std::count(got.err.begin(), got.err.end(), '\n'), 1) << sink << ": " << got.err;
+        EXPECT_NE(got.err.find("portmap.lock is written"), std::string::npos) << sink << ": " << got.err;
+        EXPECT_EQ(porttool({"check", "--strict"}).exit_code, 0) << sink;
+    }
+    // No file that is opened gets the number of a closed stream, and with it what is said.
+    ASSERT_EQ(
+        std::system(
+            ("cd '" + root.string() + "' && '" + program_folder() + "/porttool' accept nobody 2>&- >&-").c_str()) >>
+            8,
+        2);
+    EXPECT_EQ(porttool({"check", "--strict"}).exit_code, 0);
+}
+
 TEST_F(Output, ADashIsStdout) {
     write("k.cu", "__device__ float f(float a) { return a; }\n");
     const CommandRun got = porttool({"scan", "k.cu", "-o", "-"});
