@@ -40,6 +40,7 @@ Status validate_values(const CoreMesh& mesh) {
     const char* wrong = !all_finite(mesh.positions)  ? "positions"
                         : !all_finite(mesh.normals)  ? "normals"
                         : !all_finite(mesh.tangents) ? "tangents"
+                        : !all_finite(mesh.colors)   ? "colors"
                                                      : nullptr;
     if (wrong) return Status::invalid(std::string("mesh: ") + wrong + " holds an element that is not finite");
     if (within_texture(mesh.uv0) && within_texture(mesh.uv1)) return Status::success();
@@ -123,8 +124,9 @@ Status validate_texture(const CoreTexture& texture) {
                              std::to_string(texture.levels) + " levels";
     const uint64_t wanted = mip_chain_texels(texture.width, texture.height, texture.levels);
     if (wanted == 0) return Status::invalid("texture: " + size + " is no mip chain");
-    if (texture.texels.size() != wanted) {
-        return Status::invalid("texture: " + std::to_string(texture.texels.size()) + " texels, but " + size +
+    const uint32_t words = texel_words(texture.format);
+    if (texture.texels.size() != wanted * words) {
+        return Status::invalid("texture: " + std::to_string(texture.texels.size() / words) + " texels, but " + size +
                                " needs " + std::to_string(wanted));
     }
     return Status::success();

@@ -34,12 +34,17 @@ struct ViewPyramid {
 /// Converge adds samples to those already taken; Restart drops them first.
 enum class Convergence { Converge, Restart };
 
-/// How one 32-bit texel is read.
+/// How one texel is read: of one 32-bit word but for the last two.
 enum class TexelFormat : uint32_t {
     rgba8 = 0,       ///< 8-bit unorm, linear; red in the lowest byte
     rgba8_srgb = 1,  ///< 8-bit unorm, red, green and blue carry the sRGB curve, alpha is linear
     rgb9e5 = 2,      ///< shared exponent, as VK_FORMAT_E5B9G9R9_UFLOAT_PACK32; alpha reads as 1
+    rgba16 = 3,      ///< 16-bit unorm, linear, two words; red in the low half of the first, blue in that of the second
+    rgba16_srgb = 4  ///< the same; red, green and blue carry the sRGB curve
 };
+
+/// 32-bit words of one texel.
+constexpr uint32_t texel_words(TexelFormat format) { return format >= TexelFormat::rgba16 ? 2 : 1; }
 
 enum class TextureWrap : uint32_t { repeat = 0, mirrored_repeat = 1, clamp_to_edge = 2 };
 
@@ -52,8 +57,8 @@ struct CoreTexture {
     TexelFormat format = TexelFormat::rgba8;
     TextureWrap wrap_s = TextureWrap::repeat;
     TextureWrap wrap_t = TextureWrap::repeat;
-    bool nearest = false;  ///< magnification and minification without interpolation inside a level
-    std::span<const uint32_t> texels;
+    bool nearest = false;              ///< magnification and minification without interpolation inside a level
+    std::span<const uint32_t> texels;  ///< texel_words() words each
 };
 
 /// A texture as a material uses it: uv' = rows * (u, v, 1), with uv from set 0 or 1.
@@ -142,7 +147,7 @@ struct CoreMesh {
     std::span<const glm::vec4> tangents;  ///< w is the bitangent's sign
     std::span<const glm::vec2> uv0;
     std::span<const glm::vec2> uv1;
-    std::span<const uint32_t> colors;  ///< rgba8, linear, red in the lowest byte
+    std::span<const glm::vec4> colors;  ///< linear RGBA, 0 to 1
     std::span<const glm::uvec4> triangles;
 };
 

@@ -37,7 +37,7 @@ struct HostMesh {
     std::vector<glm::vec4> tangents;
     std::vector<glm::vec2> uv0;
     std::vector<glm::vec2> uv1;
-    std::vector<uint32_t> colors;
+    std::vector<glm::vec4> colors;
     std::vector<glm::uvec4> triangles;
 
     CoreMesh view() const;  ///< spans into this mesh

@@ -75,4 +75,35 @@ glm::vec4 unpack_texel(uint32_t texel, TexelFormat format) {
     return {static_cast<float>(r) / 255.0f, static_cast<float>(g) / 255.0f, static_cast<float>(b) / 255.0f, alpha};
 }
 
+glm::uvec2 pack_deep_texel(const glm::u16vec4& stored) {
+    return {uint32_t{stored.x} | uint32_t{stored.y} << 16, uint32_t{stored.z} | uint32_t{stored.w} << 16};
+}
+
+glm::u16vec4 deep_texel(const glm::vec4& linear, TexelFormat format) {
+    glm::u16vec4 stored;
+    for (int i = 0; i < 4; ++i) {
+        const float value = saturate(linear[i]);
+        const float curved = format == TexelFormat::rgba16_srgb && i < 3 ? linear_to_srgb(value) : value;
+        stored[i] = static_cast<uint16_t>(curved * 65535.0f + 0.5f);
+    }
+    return stored;
+}
+
+void append_texel(const glm::vec4& linear, TexelFormat format, std::vector<uint32_t>& texels) {
+    if (texel_words(format) == 1) {
+        texels.push_back(pack_texel(linear, format));
+        return;
+    }
+    const glm::uvec2 words = pack_deep_texel(deep_texel(linear, format));
+    texels.insert(texels.end(), {words.x, words.y});
+}
+
+glm::vec4 texel_at(std::span<const uint32_t> texels, size_t i, TexelFormat format) {
+    if (texel_words(format) == 1) return unpack_texel(texels[i], format);
+    const uint32_t low = texels[2 * i], high = texels[2 * i + 1];
+    glm::vec4 texel = glm::vec4(low & 0xFFFFu, low >> 16, high & 0xFFFFu, high >> 16) / 65535.0f;
+    for (int c = 0; c < 3 && format == TexelFormat::rgba16_srgb; ++c) texel[c] = srgb_to_linear(texel[c]);
+    return texel;
+}
+
 }  // namespace render_system

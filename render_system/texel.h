@@ -4,6 +4,8 @@
 
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <span>
+#include <vector>
 
 #include "render_system/core_data.h"
 
@@ -20,10 +22,23 @@ constexpr float RGB9E5_MAX = 65408.0f;
 uint32_t pack_rgb9e5(const glm::vec3& color);
 glm::vec3 unpack_rgb9e5(uint32_t texel);
 
-/// Packs linear values as a texel of that format; 8-bit formats round to nearest, values outside 0 to 1 are clamped.
+/// Packs linear values as a texel of that format of one word; 8-bit formats round to nearest, values outside 0 to 1 are
+/// clamped.
 uint32_t pack_texel(const glm::vec4& linear, TexelFormat format);
 
-/// The linear values that a texel stands for.
+/// The linear values that a texel of one word stands for.
 glm::vec4 unpack_texel(uint32_t texel, TexelFormat format);
+
+/// The two words of a texel of 16 bits a channel, as stored.
+glm::uvec2 pack_deep_texel(const glm::u16vec4& stored);
+
+/// Linear values as a texel of that format, rounded to nearest, clamped to 0 to 1, as stored.
+glm::u16vec4 deep_texel(const glm::vec4& linear, TexelFormat format);
+
+/// Appends the words of a texel of any format.
+void append_texel(const glm::vec4& linear, TexelFormat format, std::vector<uint32_t>& texels);
+
+/// The linear values of texel `i`, of any format.
+glm::vec4 texel_at(std::span<const uint32_t> texels, size_t i, TexelFormat format);
 
 }  // namespace render_system

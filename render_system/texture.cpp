@@ -79,7 +79,7 @@ Level halve(const Rows& level) {
 
 // A float texel as the format's own texels are once they are read.
 glm::vec4 linear_texel(glm::vec4 texel, TexelFormat format) {
-    if (format == TexelFormat::rgba8_srgb) {
+    if (format == TexelFormat::rgba8_srgb || format == TexelFormat::rgba16_srgb) {
         for (int i = 0; i < 3; ++i) texel[i] = srgb_to_linear(texel[i]);
     } else if (format == TexelFormat::rgb9e5) {
         texel = glm::vec4(unpack_rgb9e5(pack_rgb9e5(glm::vec3(texel))), 1.0f);  // clamped; NaN gone
@@ -102,6 +102,23 @@ Rows rows_of(const Level& level) {
             [&level](size_t y, glm::vec4* row) { std::copy_n(&level.texels[y * level.width], level.width, row); }};
 }
 
+TexelFormat format_of(const Image& image, TextureRole role) {
+    if (image.is_hdr) return TexelFormat::rgb9e5;
+    const bool deep = image.bytes.empty();
+    if (role == TextureRole::color) return deep ? TexelFormat::rgba16_srgb : TexelFormat::rgba8_srgb;
+    return deep ? TexelFormat::rgba16 : TexelFormat::rgba8;
+}
+
+// Level 0 of an image that is not of bytes; 16 bits as they are in the file.
+void append_finest(const Image& image, HostTexture& texture) {
+    for (const glm::u16vec4& stored : image.shorts) {
+        const glm::uvec2 words = pack_deep_texel(stored);
+        texture.texels.insert(texture.texels.end(), {words.x, words.y});
+    }
+    for (const glm::vec4& stored : image.floats)
+        append_texel(linear_texel(stored, texture.format), texture.format, texture.texels);
+}
+
 uint32_t full_chain_levels(uint32_t width, uint32_t height) {
     uint32_t levels = 1;
     while (std::max(width, height) >> levels) ++levels;
@@ -120,27 +137,20 @@ HostTexture build_texture(Image image, TextureRole role, bool with_mips) {
     texture.width = image.width;
     texture.height = image.height;
     texture.levels = with_mips ? full_chain_levels(image.width, image.height) : 1;
-    texture.format = image.is_hdr                 ? TexelFormat::rgb9e5
-                     : role == TextureRole::color ? TexelFormat::rgba8_srgb
-                                                  : TexelFormat::rgba8;
+    texture.format = format_of(image, role);
     Level level{};
     if (texture.levels > 1) level = halve(rows_of(image, texture.format));
-    texture.texels = std::move(image.bytes);
-    if (texture.texels.empty()) {
-        texture.texels.reserve(image.texels());
-        for (size_t i = 0; i < image.texels(); ++i) {
-            texture.texels.push_back(pack_texel(linear_texel(image.texel(i), texture.format), texture.format));
-        }
-        image.shorts = {};
-        image.floats = {};
-    }
     size_t chain = 0;
     for (uint32_t i = 0; i < texture.levels; ++i)
         chain += size_t{std::max(1u, image.width >> i)} * std::max(1u, image.height >> i);
-    texture.texels.reserve(chain);
+    texture.texels = std::move(image.bytes);
+    texture.texels.reserve(chain * texel_words(texture.format));
+    if (texture.texels.empty()) append_finest(image, texture);
+    image.shorts = {};
+    image.floats = {};
     for (uint32_t i = 1; i < texture.levels; ++i) {
         if (i > 1) level = halve(rows_of(level));
-        for (const glm::vec4& texel : level.texels) texture.texels.push_back(pack_texel(texel, texture.format));
+        for (const glm::vec4& texel : level.texels) append_texel(texel, texture.format, texture.texels);
     }
     return texture;
 }
@@ -148,7 +158,7 @@ HostTexture build_texture(Image image, TextureRole role, bool with_mips) {
 glm::vec3 mean_color(const HostTexture& texture) {
     const size_t count = static_cast<size_t>(texture.width) * texture.height;
     glm::dvec3 sum(0.0);
-    for (size_t i = 0; i < count; ++i) sum += glm::dvec3(unpack_texel(texture.texels[i], texture.format));
+    for (size_t i = 0; i < count; ++i) sum += glm::dvec3(texel_at(texture.texels, i, texture.format));
     return sum / static_cast<double>(count);
 }
 

@@ -29,8 +29,8 @@ struct Image {
 enum class TextureRole { color, data };
 
 /// Builds a texture with its mip chain. Colour is stored as sRGB and filtered in linear light, data is linear; HDR
-/// images become rgb9e5. Level 0 of an 8-bit image holds the file's bytes as they are. Each level is the exact area
-/// average (box) of the one above, taken before that one is rounded; odd sizes share texels by fractions.
+/// images become rgb9e5. Level 0 of an image of 8 or 16 bits holds the file's numbers as they are. Each level is the
+/// exact area average (box) of the one above, taken before that one is rounded; odd sizes share texels by fractions.
 /// `with_mips` false leaves level 0 alone. Wrap modes and filter are for the caller to set.
 HostTexture build_texture(Image image, TextureRole role, bool with_mips = true);
 

@@ -63,6 +63,11 @@ bool has_alpha_texture(const CoreMaterial& material) {
     return material.base_color_texture.texture != render_system::NONE;
 }
 
+// In VERTEX_ROWS: its vertices, and what its colours take.
+size_t vertex_places(const CoreMesh& mesh) {
+    return mesh.positions.size() + (mesh.colors.size() + VERTEX_ROWS - 1) / VERTEX_ROWS;
+}
+
 }  // namespace
 
 void pack_materials(std::span<const CoreMaterial> materials, SceneTables& tables) {
@@ -114,6 +119,7 @@ void pack_textures(std::span<const CoreTexture> textures, SceneTables& tables) {
     }
     std::vector<uint32_t>().swap(tables.texels);  // `= {}` would keep the room
     tables.texels.reserve(texels);                // growing would take as much again
+    tables.texture_features = 0;
     for (size_t i = 0; i < textures.size(); ++i) {
         const CoreTexture& texture = textures[i];
         uint wrap_s = static_cast<uint>(texture.wrap_s) << TEXTURE_WRAP_S_SHIFT;
@@ -128,8 +134,9 @@ void pack_textures(std::span<const CoreTexture> textures, SceneTables& tables) {
             uint width = std::max(1u, texture.width >> level);
             uint height = std::max(1u, texture.height >> level);
             tables.textures.push_back(uvec4(first, width, height, 0u));
-            first += width * height;
+            first += width * height * texel_words(texture.format);
         }
+        tables.texture_features |= texel_words(texture.format) > 1 ? FEATURE_DEEP_TEXELS : 0u;
         tables.texels.insert(tables.texels.end(), texture.texels.begin(), texture.texels.end());
     }
 }
@@ -163,19 +170,23 @@ void pack_sky(const CoreSky& sky, SceneTables& tables) {
 }
 
 std::vector<vec4> pack_vertices(const CoreMesh& mesh) {
-    std::vector<vec4> rows(mesh.positions.size() * VERTEX_ROWS);
+    std::vector<vec4> rows(vertex_places(mesh) * VERTEX_ROWS);
+    const size_t first_color = mesh.positions.size() * VERTEX_ROWS;
     for (size_t i = 0; i < mesh.positions.size(); ++i) {
         glm::vec2 uv0 = mesh.uv0.empty() ? glm::vec2(0.0f) : mesh.uv0[i];
         glm::vec2 uv1 = mesh.uv1.empty() ? glm::vec2(0.0f) : mesh.uv1[i];
-        uint color = mesh.colors.empty() ? 0xFFFFFFFFu : mesh.colors[i];
-        rows[i * VERTEX_ROWS + VERTEX_NORMAL] = row(mesh.normals[i], as_float(color));
+        size_t behind = mesh.colors.empty() ? 0 : first_color + i - i * VERTEX_ROWS;
+        rows[i * VERTEX_ROWS + VERTEX_NORMAL] = row(mesh.normals[i], as_float(static_cast<uint>(behind)));
         rows[i * VERTEX_ROWS + VERTEX_UV] = vec4(uv0.x, uv0.y, uv1.x, uv1.y);
+    }
+    for (size_t i = 0; i < mesh.colors.size(); ++i) {
+        rows[first_color + i] = row(glm::vec3(mesh.colors[i]), mesh.colors[i].w);
     }
     return rows;
 }
 
 std::vector<uint> pack_tangents(const CoreMesh& mesh) {
-    std::vector<uint> words(mesh.positions.size(), 0u);
+    std::vector<uint> words(vertex_places(mesh), 0u);
     for (size_t i = 0; i < mesh.tangents.size(); ++i) {
         glm::vec4 t = mesh.tangents[i];
         float sum = std::fabs(t.x) + std::fabs(t.y) + std::fabs(t.z);

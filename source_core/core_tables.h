@@ -18,6 +18,7 @@ struct SceneTables {
     std::vector<vec4> texture_slots;
     std::vector<uvec4> textures;
     std::vector<uint> texels;
+    uint texture_features = 0;  // what reading them needs
     std::vector<vec4> lights;
     std::vector<vec4> light_table;
     std::vector<vec4> sky_texels;
@@ -29,7 +30,7 @@ struct SceneTables {
 /// Fills materials, texture_slots and lobe_energy.
 void pack_materials(std::span<const render_system::CoreMaterial> materials, SceneTables& tables);
 
-/// Fills textures and texels.
+/// Fills textures, texels and texture_features.
 void pack_textures(std::span<const render_system::CoreTexture> textures, SceneTables& tables);
 
 /// Fills lights and light_table.
@@ -38,10 +39,11 @@ void pack_lights(const render_system::CoreLights& lights, SceneTables& tables);
 /// Fills sky_texels and sky_table.
 void pack_sky(const render_system::CoreSky& sky, SceneTables& tables);
 
-/// The attribute rows of one mesh: VERTEX_ROWS per vertex.
+/// The attribute rows of one mesh: VERTEX_ROWS per vertex, then its colours; a multiple of VERTEX_ROWS.
 std::vector<vec4> pack_vertices(const render_system::CoreMesh& mesh);
 
-/// One octahedral tangent per vertex; zeros for a mesh without tangents.
+/// One octahedral tangent per vertex; zeros for a mesh without tangents. As many as there are times VERTEX_ROWS of
+/// attribute rows.
 std::vector<uint> pack_tangents(const render_system::CoreMesh& mesh);
 
 /// INSTANCE_ROWS rows of one instance.

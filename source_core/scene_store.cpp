@@ -18,7 +18,7 @@ namespace {
 // The tree's share, a little above what real scenes need; it is known only once the tree is built.
 constexpr uint64_t NODE_BYTES_PER_TRIANGLE = 32;
 
-uint64_t least_bytes_of(const CoreMeshCopy& mesh) { return least_bytes(mesh.triangles.size(), mesh.positions.size()); }
+uint64_t least_bytes_of(const CoreMeshCopy& mesh) { return least_bytes(mesh.triangles.size(), mesh.tangents.size()); }
 
 // Raises a flag by id.
 void raise(std::vector<bool>& flags, uint32_t id) {
@@ -290,7 +290,7 @@ void SceneStore::describe(Settings& settings) const {
 }
 
 uint32_t SceneStore::features() const {
-    return material_features(materials_) | light_features_ | geometry_.features |
+    return material_features(materials_) | tables_.texture_features | light_features_ | geometry_.features |
            (sky_width_ > 0 ? FEATURE_SKY_MAP : 0u) | (coincident_.empty() ? 0u : FEATURE_COINCIDENT);
 }
 

@@ -103,8 +103,8 @@ void CoreMeshes::move_vertices(uint id, const CoreMesh& data) {
     Mesh& mesh = meshes_[id];
     std::vector<PackedVertex> positions = packed_positions(data);
     std::copy(positions.begin(), positions.end(), mesh.positions.begin());
-    splice(vertices_, mesh.first_vertex * VERTEX_ROWS, mesh.vertex_count * VERTEX_ROWS, pack_vertices(data));
-    splice(tangents_, mesh.first_vertex, mesh.vertex_count, pack_tangents(data));
+    splice(vertices_, mesh.first_vertex * VERTEX_ROWS, mesh.vertex_places * VERTEX_ROWS, pack_vertices(data));
+    splice(tangents_, mesh.first_vertex, mesh.vertex_places, pack_tangents(data));
     mesh.is_baked = false;
     edits_.shape = edits_.shape || !mesh.deforms;
     edits_.deformed.push_back(id);
@@ -144,14 +144,16 @@ void CoreMeshes::set_mesh(uint id, const CoreMesh& data) {
     mesh.has_tangents = !data.tangents.empty();
     mesh.has_colors = !data.colors.empty();
     splice(mesh_triangles_, mesh.first_triangle, mesh.triangle_count, triangles);
-    splice(vertices_, mesh.first_vertex * VERTEX_ROWS, mesh.vertex_count * VERTEX_ROWS, pack_vertices(data));
-    splice(tangents_, mesh.first_vertex, mesh.vertex_count, pack_tangents(data));
+    splice(vertices_, mesh.first_vertex * VERTEX_ROWS, mesh.vertex_places * VERTEX_ROWS, pack_vertices(data));
+    const std::vector<uint> tangents = pack_tangents(data);
+    splice(tangents_, mesh.first_vertex, mesh.vertex_places, tangents);
     for (size_t later = id + 1; later < meshes_.size(); ++later) {
         meshes_[later].first_triangle += triangles.size() - mesh.triangle_count;
-        meshes_[later].first_vertex += data.positions.size() - mesh.vertex_count;
+        meshes_[later].first_vertex += tangents.size() - mesh.vertex_places;
     }
     mesh.triangle_count = triangles.size();
     mesh.vertex_count = data.positions.size();
+    mesh.vertex_places = tangents.size();
     if (mesh.deforms) mesh.spread = spread_of(mesh);
 }
 

@@ -68,6 +68,7 @@ private:
         size_t triangle_count = 0;
         size_t first_vertex = 0;
         size_t vertex_count = 0;
+        size_t vertex_places = 0;  // times VERTEX_ROWS in the table: with its colours
         bool has_tangents = false;
         bool has_colors = false;
         bool deforms = false;

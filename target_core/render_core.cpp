@@ -201,8 +201,9 @@ Status TargetCore::prepare() {
     }
     geometry_dirty_ = false;
     materials_dirty_ = false;
-    features_ = material_features(materials_) | light_features_ | meshes_.features(materials_) |
-                (sky_width_ > 0 ? FEATURE_SKY_MAP : 0u) | (coincident_.empty() ? 0u : FEATURE_COINCIDENT);
+    features_ = material_features(materials_) | tables_.texture_features | light_features_ |
+                meshes_.features(materials_) | (sky_width_ > 0 ? FEATURE_SKY_MAP : 0u) |
+                (coincident_.empty() ? 0u : FEATURE_COINCIDENT);
     return Status::success();
 }
 

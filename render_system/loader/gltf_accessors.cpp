@@ -260,16 +260,16 @@ std::vector<float> read_floats(const GltfDocument& document, int accessor, int c
     }
 }
 
-void append_colors(const GltfDocument& document, int accessor, std::vector<uint32_t>& out) {
+void append_colors(const GltfDocument& document, int accessor, std::vector<glm::vec4>& out) {
+    const size_t first = out.size();
     if (document.model.accessors[static_cast<size_t>(accessor)].type == TINYGLTF_TYPE_VEC3) {
         std::vector<glm::vec3> colors;
         append(document, accessor, true, colors);
-        for (const glm::vec3& color : colors) out.push_back(pack_texel(glm::vec4(color, 1.0f), TexelFormat::rgba8));
-        return;
+        for (const glm::vec3& color : colors) out.push_back(glm::vec4(color, 1.0f));
+    } else {
+        append(document, accessor, true, out);
     }
-    std::vector<glm::vec4> colors;
-    append(document, accessor, true, colors);
-    for (const glm::vec4& color : colors) out.push_back(pack_texel(color, TexelFormat::rgba8));
+    for (size_t i = first; i < out.size(); ++i) out[i] = glm::clamp(out[i], 0.0f, 1.0f);
 }
 
 std::vector<uint32_t> read_indices(const GltfDocument& document, int index) {

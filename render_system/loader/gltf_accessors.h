@@ -28,9 +28,8 @@ void append_vectors(const GltfDocument& document, int accessor, bool must_be_fin
 /// 3 (VEC3), 4 (VEC4) or 16 (MAT4, by columns). Fails as append_vectors does; all must be finite.
 std::vector<float> read_floats(const GltfDocument& document, int accessor, int components);
 
-/// Appends colours (VEC3 or VEC4) as linear rgba8, red in the lowest byte; VEC3 has alpha 1. Values outside 0 to 1 are
-/// clamped.
-void append_colors(const GltfDocument& document, int accessor, std::vector<uint32_t>& out);
+/// Appends colours (VEC3 or VEC4) as linear RGBA; VEC3 has alpha 1. Values outside 0 to 1 are clamped.
+void append_colors(const GltfDocument& document, int accessor, std::vector<glm::vec4>& out);
 
 /// The elements of an accessor of indices: SCALAR, unsigned, not normalised.
 std::vector<uint32_t> read_indices(const GltfDocument& document, int accessor);

@@ -153,7 +153,7 @@ private:
         if (!mesh_.tangents.empty()) mesh_.tangents.resize(vertices, glm::vec4(0.0f));
         if (!mesh_.uv0.empty()) mesh_.uv0.resize(vertices, glm::vec2(0.0f));
         if (!mesh_.uv1.empty()) mesh_.uv1.resize(vertices, glm::vec2(0.0f));
-        if (!mesh_.colors.empty()) mesh_.colors.resize(vertices, 0xFFFFFFFFu);
+        if (!mesh_.colors.empty()) mesh_.colors.resize(vertices, glm::vec4(1.0f));
     }
 
     // An array that one primitive of a mesh has, all of them get: filled with `T(0)` for those before.
@@ -176,7 +176,7 @@ private:
     }
 
     void add_colors(const tinygltf::Primitive& primitive) {
-        constexpr uint32_t WHITE = 0xFFFFFFFFu;
+        constexpr glm::vec4 WHITE(1.0f);
         const int accessor = attribute(primitive, "COLOR_0");
         if (accessor != MISSING) {
             check_count("COLOR_0", accessor);

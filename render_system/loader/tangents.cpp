@@ -83,7 +83,7 @@ uint32_t duplicate_vertex(HostMesh& mesh, uint32_t vertex) {
     mesh.tangents.push_back(glm::vec4(0.0f));
     if (!mesh.uv0.empty()) mesh.uv0.push_back(glm::vec2(mesh.uv0[vertex]));
     if (!mesh.uv1.empty()) mesh.uv1.push_back(glm::vec2(mesh.uv1[vertex]));
-    if (!mesh.colors.empty()) mesh.colors.push_back(uint32_t{mesh.colors[vertex]});
+    if (!mesh.colors.empty()) mesh.colors.push_back(glm::vec4(mesh.colors[vertex]));
     return static_cast<uint32_t>(mesh.positions.size() - 1);
 }
 

@@ -27,9 +27,10 @@ struct Attributes {
     Float uv_area1;
 };
 
-vec4 unpack_color(Uint bits) {
-    return vec4(unorm8(bits & RGBA8_MASK), unorm8((bits >> RGBA8_GREEN_SHIFT) & RGBA8_MASK),
-                unorm8((bits >> RGBA8_BLUE_SHIFT) & RGBA8_MASK), unorm8(bits >> RGBA8_ALPHA_SHIFT));
+// The colour of a vertex that stands so many rows behind it.
+vec4 vertex_color(Uint corner, Uint behind) {
+    vec4 color = fetch_vertices(rows_from(corner * VERTEX_ROWS + behind), VERTEX_COLOR);
+    return select(behind != 0u, color, vec4(1.0f));
 }
 
 Float doubled_area(vec2 a, vec2 b, vec2 c) { return abs((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)); }
@@ -51,9 +52,9 @@ Attributes fetch_attributes(uvec4 corners, Float u, Float v) {
     attributes.normal = (vec3(normal0) * w + vec3(normal1) * u) + vec3(normal2) * v;
     attributes.color = vec4(1.0f);
     if (has_feature(FEATURE_VERTEX_COLORS)) {
-        attributes.color =
-            (unpack_color(floatBitsToUint(normal0.w)) * w + unpack_color(floatBitsToUint(normal1.w)) * u) +
-            unpack_color(floatBitsToUint(normal2.w)) * v;
+        attributes.color = (vertex_color(corners.x, floatBitsToUint(normal0.w)) * w +
+                            vertex_color(corners.y, floatBitsToUint(normal1.w)) * u) +
+                           vertex_color(corners.z, floatBitsToUint(normal2.w)) * v;
     }
     attributes.uv0 = vec2(uv.x, uv.y);
     attributes.uv1 = vec2(uv.z, uv.w);

@@ -42,8 +42,8 @@ struct Bindings {
 };
 
 /// What most scenes lack: wide kernels are compiled once with these and, for shading, once without.
-constexpr uint LOBE_FEATURES =
-    FEATURE_SHEEN | FEATURE_COAT | FEATURE_FILM | FEATURE_LOBE_TEXTURES | FEATURE_VOLUME | FEATURE_ANISOTROPY;
+constexpr uint LOBE_FEATURES = FEATURE_SHEEN | FEATURE_COAT | FEATURE_FILM | FEATURE_LOBE_TEXTURES | FEATURE_VOLUME |
+                               FEATURE_ANISOTROPY | FEATURE_DEEP_TEXELS;
 
 /// Bound per thread for the duration of a tile, as descriptors are for a dispatch.
 inline constinit thread_local Bindings bound{};

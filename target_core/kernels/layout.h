@@ -15,12 +15,14 @@ namespace target_core {
 
 // mesh_triangles: uvec4 per triangle (vertex, vertex, vertex, material); vertices count from the mesh's first.
 
-// vertices: 2 rows per vertex.
+// vertices: 2 rows per vertex; behind those of a mesh with colours one row of colour for each, and one more where
+// that makes no even number.
 const uint VERTEX_ROWS = 2u;
-const uint VERTEX_NORMAL = 0u;  // normal.xyz, colour as rgba8 bits
+const uint VERTEX_NORMAL = 0u;  // normal.xyz, rows to the vertex's colour as bits (0: it is white)
 const uint VERTEX_UV = 1u;      // uv0.xy, uv1.xy
+const uint VERTEX_COLOR = 0u;   // of a row of colour: linear rgba
 
-// rgba8, a colour or a texel in one word: red in the lowest byte.
+// rgba8, a texel in one word: red in the lowest byte.
 const uint RGBA8_MASK = 255u;
 const uint RGBA8_GREEN_SHIFT = 8u;
 const uint RGBA8_BLUE_SHIFT = 16u;
@@ -78,8 +80,8 @@ const uint SLOT_U = 0u;  // row_u.xyz, texture as bits
 const uint SLOT_V = 1u;  // row_v.xyz, uv set as bits
 
 // textures: uvec4 rows: row i is the header of texture i: format (in the lowest bits), wraps and nearest in one word;
-// texels of level 0 as the bits of a float; levels; row of level 0. The rows of levels follow all headers: first texel,
-// width, height, unused.
+// texels of level 0 as the bits of a float; levels; row of level 0. The rows of levels follow all headers: first word
+// of texels, width, height, unused.
 const uint TEXTURE_FIELD_MASK = 255u;  // of format and wraps
 const uint TEXTURE_WRAP_S_SHIFT = 8u;
 const uint TEXTURE_WRAP_T_SHIFT = 16u;
@@ -87,6 +89,10 @@ const uint TEXTURE_NEAREST_SHIFT = 24u;
 const uint TEXEL_RGBA8 = 0u;
 const uint TEXEL_RGBA8_SRGB = 1u;
 const uint TEXEL_RGB9E5 = 2u;  // red in the lowest bits
+const uint TEXEL_RGBA16 = 3u;  // from here on two words: red in the low half of the first, blue in that of the second
+const uint TEXEL_RGBA16_SRGB = 4u;
+const uint RGBA16_MASK = 65535u;
+const uint RGBA16_SHIFT = 16u;
 const uint RGB9E5_MASK = 511u;
 const uint RGB9E5_GREEN_SHIFT = 9u;
 const uint RGB9E5_BLUE_SHIFT = 18u;
@@ -140,6 +146,7 @@ const uint FEATURE_FILM = 32768u;
 const uint FEATURE_VOLUME = 65536u;       // some solid absorbs light
 const uint FEATURE_COINCIDENT = 131072u;  // some triangles lie in one place
 const uint FEATURE_ANISOTROPY = 262144u;
+const uint FEATURE_DEEP_TEXELS = 524288u;  // some textures have 16 bits a channel
 
 const uint NONE = 0xFFFFFFFFu;
 

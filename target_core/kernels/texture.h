@@ -48,6 +48,29 @@ inline vec4 decode_texel(Uint bits, Uint format) {
     return color;
 }
 
+inline Float unorm16(Uint short_value) { return Float(short_value) * 1.52590219e-5f; }
+
+inline vec4 decode_deep_texel(Uint low, Uint high, Uint format) {
+    vec4 color = vec4(unorm16(low & RGBA16_MASK), unorm16(low >> RGBA16_SHIFT), unorm16(high & RGBA16_MASK),
+                      unorm16(high >> RGBA16_SHIFT));
+    vec4 curved = vec4(linear_from_srgb(color.x), linear_from_srgb(color.y), linear_from_srgb(color.z), color.w);
+    return select(format == TEXEL_RGBA16_SRGB, curved, color);
+}
+
+// The texel that stands so many texels behind the first word of its level.
+inline vec4 fetch_color(Uint first, Uint texel, Uint format) {
+    vec4 color = decode_texel(fetch_texels(first + texel), format);
+    if (has_feature(FEATURE_DEEP_TEXELS)) {
+        Mask deep = format >= TEXEL_RGBA16;
+        if (any_lane(deep)) {
+            Uint low = first + select(deep, texel * 2u, texel);
+            Uint high = select(deep, low + 1u, low);
+            color = select(deep, decode_deep_texel(fetch_texels(low), fetch_texels(high), format), color);
+        }
+    }
+    return color;
+}
+
 // A coordinate brought to [0, 1) or [0, 1] by its wrap mode.
 inline Float wrap_coordinate(Float u, Uint wrap) {
     Float repeated = u - floor(u);
@@ -80,12 +103,10 @@ inline vec4 sample_level(uvec4 header, Uint level, vec2 uv) {
     Float fraction_y = select(nearest, floor((y - top) + 0.5f), y - top);
     Uint x0 = wrap_texel(Int(left), Int(size.y), wrap_s);
     Uint x1 = wrap_texel(Int(left) + 1, Int(size.y), wrap_s);
-    Uint row0 = size.x + wrap_texel(Int(top), Int(size.z), wrap_t) * size.y;
-    Uint row1 = size.x + wrap_texel(Int(top) + 1, Int(size.z), wrap_t) * size.y;
-    vec4 upper =
-        blend(decode_texel(fetch_texels(row0 + x0), format), decode_texel(fetch_texels(row0 + x1), format), fraction_x);
-    vec4 lower =
-        blend(decode_texel(fetch_texels(row1 + x0), format), decode_texel(fetch_texels(row1 + x1), format), fraction_x);
+    Uint row0 = wrap_texel(Int(top), Int(size.z), wrap_t) * size.y;
+    Uint row1 = wrap_texel(Int(top) + 1, Int(size.z), wrap_t) * size.y;
+    vec4 upper = blend(fetch_color(size.x, row0 + x0, format), fetch_color(size.x, row0 + x1, format), fraction_x);
+    vec4 lower = blend(fetch_color(size.x, row1 + x0, format), fetch_color(size.x, row1 + x1, format), fraction_x);
     return blend(upper, lower, fraction_y);
 }
 

@@ -359,7 +359,7 @@ TYPED_TEST_P(CoreContractSuite, RefusesMeshesThatContradictThemselves) {
     mesh = scene.mesh();
     mesh.tangents = tangents;
     this->expect_refused(this->core_->SetGeometry(0, mesh));
-    const std::vector<uint32_t> colors(3);
+    const std::vector<glm::vec4> colors(3);
     mesh = scene.mesh();
     mesh.colors = colors;
     this->expect_refused(this->core_->SetGeometry(0, mesh));

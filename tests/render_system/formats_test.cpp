@@ -70,6 +70,13 @@ TEST(Formats, ThePageSaysWhatBecomesOfEachModel) {
     }
 }
 
+// What the model's one texel says, in 16 bits.
+TEST(Formats, AnImageOfSixteenBitsKeepsThem) {
+    const auto result = load_scene(FORMATS "/sixteen_bits.gltf");
+    ASSERT_TRUE(result.ok()) << result.status.message;
+    EXPECT_EQ(result->scene.textures()[0].texels, (std::vector<uint32_t>{0x05231234u, 0xFFFF8001u}));
+}
+
 TEST(Formats, ThePageNamesEachModel) {
     std::set<std::string> named;
     for (const FormatRow& row : rows_of_the_page()) named.insert(row.model);

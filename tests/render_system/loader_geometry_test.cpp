@@ -239,19 +239,20 @@ TEST(LoaderGeometry, PutsAllPrimitivesOfAMeshIntoOneWithTheirMaterials) {
     EXPECT_EQ(scene.materials()[2].core.roughness, 1.0f);
 }
 
-TEST(LoaderGeometry, ReadsColoursAsLinearBytes) {
+TEST(LoaderGeometry, ReadsColoursInFullDepth) {
     GltfFile file;
     const int positions = file.add(std::vector<glm::vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
-    const int rgb = file.add(std::vector<glm::vec3>{{1, 0, 0}, {0, 0.5f, 0}, {0, 0, 2.0f}});
+    const int rgb = file.add(std::vector<glm::vec3>{{1, 0, 0}, {0, 0.001f, 0}, {0, 0, 2.0f}});
     const HostMesh mesh = mesh_of(file, {{"attributes", {{"POSITION", positions}, {"COLOR_0", rgb}}}});
-    EXPECT_THAT(mesh.colors, ElementsAre(0xFF0000FFu, 0xFF008000u, 0xFFFF0000u));
+    EXPECT_THAT(mesh.colors, ElementsAre(glm::vec4(1, 0, 0, 1), glm::vec4(0, 0.001f, 0, 1), glm::vec4(0, 0, 1, 1)));
 
     GltfFile bytes;
     const int corners = bytes.add(std::vector<glm::vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
     const std::vector<uint8_t> values = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12};
     const int rgba = bytes.add_accessor(bytes.add_view(values), UBYTE, "VEC4", 3, true);
     const HostMesh exact = mesh_of(bytes, {{"attributes", {{"POSITION", corners}, {"COLOR_0", rgba}}}});
-    EXPECT_THAT(exact.colors, ElementsAre(0x04030201u, 0x08070605u, 0x0C0B0A09u));
+    const auto shares = [](float r, float g, float b, float a) { return glm::vec4(r, g, b, a) / 255.0f; };
+    EXPECT_THAT(exact.colors, ElementsAre(shares(1, 2, 3, 4), shares(5, 6, 7, 8), shares(9, 10, 11, 12)));
 }
 
 TEST(LoaderGeometry, ReadsTwoUvSetsAndPassesOverAThirdThatNobodyReads) {

@@ -84,8 +84,8 @@ TEST(LoaderDraco, DecodesBothConnectivitiesAndAllAttributes) {
             EXPECT_NEAR(mesh.uv0[i].x, x / 4, 2e-3f);
             EXPECT_NEAR(mesh.uv0[i].y, y / 4, 2e-3f);
             EXPECT_GT(mesh.normals[i].z, 0.99f);
-            EXPECT_EQ(mesh.colors[i] & 255u, static_cast<uint32_t>(50.0f * std::round(x)));
-            EXPECT_EQ(mesh.colors[i] >> 16 & 255u, 7u);
+            EXPECT_NEAR(255.0f * mesh.colors[i].x, 50.0f * std::round(x), 1e-4f);
+            EXPECT_NEAR(255.0f * mesh.colors[i].z, 7.0f, 1e-4f);
         }
     }
 }

@@ -124,13 +124,23 @@ TEST(Texture, FloatImagesBecomeSharedExponents) {
     EXPECT_EQ(unpack_texel(texture.texels[2], texture.format), glm::vec4(2, 1, 2, 1));
 }
 
-TEST(Texture, SixteenBitImagesAreRoundedToEight) {
+TEST(Texture, SixteenBitImagesKeepTheirNumbers) {
     Image image;
-    image.width = 1;
+    image.width = 2;
     image.height = 1;
-    image.floats = {{0.5f, 100.0f / 255.0f, 1.0f, 0.25f}};
-    EXPECT_EQ(build_texture(image, TextureRole::data).texels[0], 0x40FF6480u);
-    EXPECT_EQ(build_texture(image, TextureRole::color).texels[0], 0x40FF6480u);  // already on the curve
+    image.shorts = {{0x1234, 0xFFFF, 0x0001, 0x8000}, {0x1236, 0xFFFF, 0x0003, 0x8002}};
+    const HostTexture data = build_texture(image, TextureRole::data);
+    EXPECT_EQ(data.format, TexelFormat::rgba16);
+    // The second level is their mean.
+    EXPECT_EQ(data.texels,
+              (std::vector<uint32_t>{0xFFFF1234u, 0x80000001u, 0xFFFF1236u, 0x80020003u, 0xFFFF1235u, 0x80010002u}));
+    EXPECT_NEAR(texel_at(data.texels, 2, data.format).x, 0x1235 / 65535.0, 1e-7);
+    const HostTexture color = build_texture(image, TextureRole::color);
+    EXPECT_EQ(color.format, TexelFormat::rgba16_srgb);
+    EXPECT_EQ(color.texels[0], 0xFFFF1234u) << "already on the curve";
+    // IEC 61966-2-1 at 0x1234 / 65535, 0.0711070.
+    EXPECT_NEAR(texel_at(color.texels, 0, color.format).x, std::pow((0.0711070 + 0.055) / 1.055, 2.4), 1e-6);
+    EXPECT_NEAR(mean_color(color).x, std::pow((0.0711223 + 0.055) / 1.055, 2.4), 1e-6);
 }
 
 TEST(Texture, TheMeanColourIsInLinearLight) {

@@ -44,18 +44,22 @@ protected:
     }
 
     void make_textures() {
-        for (uint i = 0; i < 64 + 16 + 4 + 1; ++i) {
+        constexpr uint kTexels = 64 + 16 + 4 + 1;
+        for (uint i = 0; i < 2 * kTexels; ++i) {
             texels_.push_back(0xFF000000u | ((i * 2654435761u) >> 8));
         }
         render_system::CoreTexture texture;
         texture.width = 8;
         texture.height = 8;
         texture.levels = 4;
-        texture.texels = texels_;
+        texture.texels = std::span(texels_).first(kTexels);
         render_system::CoreTexture curved = texture;
         curved.format = render_system::TexelFormat::rgba8_srgb;
         curved.wrap_s = render_system::TextureWrap::mirrored_repeat;
-        render_system::CoreTexture textures[] = {texture, curved};
+        render_system::CoreTexture deep = texture;
+        deep.format = render_system::TexelFormat::rgba16_srgb;
+        deep.texels = texels_;
+        render_system::CoreTexture textures[] = {texture, curved, deep};
         pack_textures(textures, tables_);
     }
 
@@ -71,7 +75,7 @@ protected:
             material.emission = glm::vec3(i % 7 == 0 ? 0.5f : 0.0f);
             material.emission_weight = material.emission.x;
             material.double_sided = i % 2 == 0;
-            material.base_color_texture.texture = i % 2 == 0 ? 1 : render_system::NONE;
+            material.base_color_texture.texture = i % 2 == 0 ? 1 + i / 2 % 2 : render_system::NONE;
             material.normal_texture.texture = i % 3 == 1 ? 0 : render_system::NONE;
             material.metallic_roughness_texture.texture = i % 5 == 2 ? 0 : render_system::NONE;
             material.metallic_roughness_texture.uv_set = 1;
@@ -133,7 +137,7 @@ protected:
         std::vector<glm::vec3> positions, normals;
         std::vector<glm::vec4> tangents;
         std::vector<glm::vec2> uv;
-        std::vector<uint32_t> colors;
+        std::vector<glm::vec4> colors;
         std::vector<glm::uvec4> triangles;
         for (uint i = 0; i < N * N; ++i) {
             float x = static_cast<float>(i % N) * 0.2f - 2.0f;
@@ -142,7 +146,8 @@ protected:
             normals.push_back(glm::normalize(glm::vec3(-0.5f * std::cos(3.0f * x), 1.0f, 0.3f * std::sin(2.0f * z))));
             tangents.push_back({1, 0, 0, i % 2 == 0 ? 1.0f : -1.0f});
             uv.push_back({x * 1.7f, z * 0.9f});
-            colors.push_back(0xFF808080u + i * 12345u % 0x7F7F7Fu);
+            colors.push_back(
+                {0.5f + 0.1f * static_cast<float>(i % 5), 0.9f, 0.51f + 0.07f * static_cast<float>(i % 7), 1.0f});
         }
         for (uint i = 0; i + N < N * N; ++i) {
             if (i % N + 1 < N) {
@@ -168,8 +173,8 @@ protected:
         settings_.sky_height = 4;
         settings_.sky_light_probability = 0.5f;
         settings_.light_weight_scale = 0.1f;
-        settings_.features =
-            material_features(materials_) | light_features_ | meshes_.features(materials_) | FEATURE_SKY_MAP;
+        settings_.features = material_features(materials_) | tables_.texture_features | light_features_ |
+                             meshes_.features(materials_) | FEATURE_SKY_MAP;
         pass_.path_count = TILE_PATHS;
         bindings_.mesh_triangles = meshes_.mesh_triangles().data();
         bindings_.vertices = meshes_.vertices().data();

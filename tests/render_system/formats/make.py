@@ -29,13 +29,13 @@ def data_uri(kind, data):
     return f"data:{kind};base64," + base64.b64encode(data).decode()
 
 
-def png(red, green, blue, alpha=255):
+def png(red, green, blue, alpha=255, bits=8):
     """One texel."""
     def chunk(name, data):
         return struct.pack(">I", len(data)) + name + data + struct.pack(">I", zlib.crc32(name + data))
 
-    header = struct.pack(">IIBBBBB", 1, 1, 8, 6, 0, 0, 0)
-    texel = zlib.compress(bytes([0, red, green, blue, alpha]))
+    header = struct.pack(">IIBBBBB", 1, 1, bits, 6, 0, 0, 0)
+    texel = zlib.compress(struct.pack(">B4B" if bits == 8 else ">B4H", 0, red, green, blue, alpha))
     return b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IDAT", texel) + chunk(b"IEND", b"")
 
 
@@ -268,6 +268,11 @@ def textures():
     info = {"index": texture, "texCoord": 1}
     model.root["materials"][0]["normalTexture"] = info
     model.write("third_uv_set")
+
+    model = Model()
+    texture = model.texture(data_uri("image/png", png(0x1234, 0x0523, 0x8001, 0xFFFF, bits=16)))
+    model.material(pbrMetallicRoughness={"baseColorTexture": {"index": texture}})
+    model.write("sixteen_bits")
 
     model = Model()
     texture = model.texture("missing.png", extensions={"EXT_texture_webp": {"source": 1}})
