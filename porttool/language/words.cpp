@@ -89,11 +89,10 @@ constexpr std::array kRows = {
     WordRow{"SYCL_EXTERNAL", kDroppedName | kHeadPromise},
     WordRow{"nodiscard", kDroppedName | kIdleAttribute},
     WordRow{"maybe_unused", kDropped | kIdleAttribute},
-    WordRow{
-        "always_inline noinline gnu_inline unused used nothrow leaf visibility cold hot noreturn deprecated stdcall "
-        "cdecl fastcall vectorcall dllexport dllimport warn_unused_result fallthrough likely unlikely flatten "
-        "opencl_unroll_hint unroll dont_unroll loop branch",
-        kIdleAttribute},
+    WordRow{"always_inline noinline gnu_inline unused used nothrow leaf visibility cold hot deprecated stdcall "
+            "cdecl fastcall vectorcall dllexport dllimport warn_unused_result fallthrough likely unlikely flatten "
+            "opencl_unroll_hint unroll dont_unroll loop branch",
+            kIdleAttribute},
     WordRow{"__stdcall __cdecl __fastcall __vectorcall", kHeadPromise},
 
     // Types.

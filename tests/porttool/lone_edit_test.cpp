@@ -421,6 +421,7 @@ const std::vector<LabelledEdit> kHarmful = {
     {".cpp", kC, "float f(", "INLINED_TARGET float f("},
     {".cpp", kC, "float f(", "INLINE(avx) float f("},
     {".cpp", kC, "float f(", "__attribute__((optimize(\"fast-math\"))) float f("},
+    {".cpp", kC, "float f(", "[[noreturn]] float f("},  // what follows a call of it is gone
     {".cpp", kC, "float f(", "__attribute__((target(\"fma\"))) float f("},
     {".cpp", kC, "unsigned int k", "int k"},
     {".cpp", kC, "unsigned int k", "unsigned short k"},
