@@ -10,6 +10,7 @@
 #include "porttool/compare/learned_words.h"
 #include "porttool/compare/lone_edit.h"
 #include "porttool/compare/struct_fields.h"
+#include "porttool/compare/switch_cases.h"
 #include "porttool/compare/values.h"
 #include "porttool/normal/prelude.h"
 
@@ -111,13 +112,24 @@ private:
         const PairTexts texts{source_before, source_now, target_before, target_now};
         const BySide<Language> languages{pair_.source.language, pair_.target.language};
         EditComparison edits = compare_edits(texts, dialect_, languages);
-        if (!edits.equivalent) edits.equivalent = alike_in_words_of_pair(texts, languages);
+        if (!edits.equivalent)
+            edits.equivalent =
+                alike_in_words_of_pair(texts, languages) || alike_without_order_of_cases(texts, languages);
         if (edits.equivalent && declared_alike()) out_.standing = Standing::Equivalent;
         out_.missing = std::move(edits.differences);
         if (edits.equivalent && out_.standing != Standing::Equivalent)
             out_.missing = {
                 "the two sides declare what they use, or how they are called, otherwise than before, and "
                 "not alike"};
+    }
+
+    bool alike_without_order_of_cases(const PairTexts& texts, const BySide<Language>& languages) const {
+        const Words source_before = with_sorted_cases(texts.source_before),
+                    source_now = with_sorted_cases(texts.source_now),
+                    target_before = with_sorted_cases(texts.target_before),
+                    target_now = with_sorted_cases(texts.target_now);
+        if (source_now == texts.source_now && target_now == texts.target_now) return false;
+        return compare_edits({source_before, source_now, target_before, target_now}, dialect_, languages).equivalent;
     }
 
     /// True if the edits are one in the words that the pair itself teaches, and in functions for the other's methods.

@@ -12,6 +12,7 @@
 #include "porttool/compare/renaming.h"
 #include "porttool/compare/statement_edit.h"
 #include "porttool/compare/struct_fields.h"
+#include "porttool/compare/switch_cases.h"
 #include "porttool/language/words.h"
 #include "porttool/normal/prelude.h"
 
@@ -210,6 +211,7 @@ LoneEdit lone_edit(const Words& before, const Words& now, UnitKind kind, Languag
             StatementEdit named = statement_edit(old_text, bare(renamed), translator);
             out.means_nothing = named.lost.empty() && named.gained.empty();
         }
+    if (!out.means_nothing && is_code) out.means_nothing = with_sorted_cases(old_text) == with_sorted_cases(bare(now));
     if (!out.means_nothing) out.edit = shown_edit(edit);
     add_changed_declarations(before, now, plain, out.edit);
     out.means_nothing = out.means_nothing && out.edit.lost.empty() && out.edit.gained.empty();

@@ -26,6 +26,7 @@ public:
             if (unit.kind != UnitKind::File) read_uses(unit);
         for (auto& [unit, users] : users_) tell(unit, users);
         find_relatives();
+        find_rows();
         climb();
         follow();
         find_new_files();
@@ -175,6 +176,41 @@ private:
             // One more overload of a function is another function.
             if (!is_code(*unit) && !same.is_watched && same.is_known && same.files == unit->file)
                 told_.emplace(unit, "other variants of it have no port");
+        }
+    }
+
+    /// A new constant in a row of constants: where those beside it have no port, it is one more of them.
+    void find_rows() {
+        std::map<std::string_view, std::vector<const UnitState*>> rows;
+        for (const UnitState* unit : units_.unported)
+            if (unit->kind == UnitKind::Constant) rows[unit->file];
+        if (rows.empty()) return;
+        for (const auto& [id, unit] : units_.all)
+            if (const auto row = rows.find(unit.file); row != rows.end() && unit.kind != UnitKind::File)
+                row->second.push_back(&unit);
+        for (auto& [file, row] : rows) {
+            std::sort(row.begin(), row.end(),
+                      [](const UnitState* a, const UnitState* b) { return a->start_line < b->start_line; });
+            tell_row(row);
+        }
+    }
+
+    void tell_row(const std::vector<const UnitState*>& row) {
+        const std::set<const UnitState*> open(units_.unported.begin(), units_.unported.end());
+        constexpr uint32_t kNear = 8;  // lines
+        for (size_t i = 0; i < row.size(); ++i) {
+            if (row[i]->kind != UnitKind::Constant || !open.contains(row[i])) continue;
+            size_t above = i, below = i;
+            while (above > 0 && open.contains(row[above])) --above;
+            while (below + 1 < row.size() && open.contains(row[below])) ++below;
+            const auto lacks_port = [&](const UnitState& unit) {
+                const bool near =
+                    unit.start_line < row[i]->start_line + kNear && row[i]->start_line < unit.start_line + kNear;
+                return near && unit.kind == UnitKind::Constant && units_.lone.contains(&unit) &&
+                       !units_.fresh.contains(&unit);
+            };
+            if (lacks_port(*row[above]) && lacks_port(*row[below]))
+                told_.emplace(row[i], "those beside it have no port either");
         }
     }
 

@@ -4,9 +4,13 @@
 
 #include <algorithm>
 
-#include "porttool/compare/draws_level.h"
+#include "porttool/compare/asides.h"
+#include "porttool/compare/lone_edit.h"
+#include "porttool/compare/own_words.h"
 #include "porttool/compare/paired_names.h"
+#include "porttool/compare/respelled_calls.h"
 #include "porttool/language/hazards.h"
+#include "porttool/normal/diff.h"
 #include "porttool/normal/prelude.h"
 
 namespace porttool {
@@ -55,6 +59,14 @@ void soften(JudgedPair& pair, Finding& finding, const std::string& same) {
     finding.message += "; but it " + same;
     finding.remedy =
         "Nothing to port; to be rid of this note, run: porttool accept " + argument(pair.id.source, finding);
+}
+
+/// What a person would change by mistake.
+bool is_of_few_words(const Words& before, const Words& now) {
+    constexpr size_t kFew = 4;
+    const std::vector<DiffStep> steps = diff(before, now);
+    return std::count_if(steps.begin(), steps.end(), [](const DiffStep& step) { return step.kind != DiffStep::Keep; }) <
+           static_cast<std::ptrdiff_t>(kFew);
 }
 
 }  // namespace
@@ -116,9 +128,13 @@ void PairJudge::report_gone(const JudgedPair& pair, bool is_recorded) {
         if (is_recorded) finding.level = std::min(finding.level, Level::Note);  // both sides did the same
     } else if (is_recorded && no_target) {
         const bool is_original = facts_.map.reference == Reference::Target;
-        findings_.add(
+        Finding& finding = findings_.add(
             is_original ? Rule::Orphaned : Rule::DeadLink, pair, ChangeKind::Removed,
             is_original ? target + " is gone; " + source + " is still there" : "the port " + target + " is gone");
+        if (const std::string call = call_in_place_of(target); !call.empty()) {
+            finding.level = std::min(finding.level, Level::Warning);
+            finding.message += "; " + call + " is called there now";
+        }
     } else if (no_target) {
         findings_.add(Rule::DeadLink, pair, ChangeKind::Removed, "the map names a port that is not there: " + target);
     } else if (is_recorded && facts_.map.reference == Reference::Target) {
@@ -128,6 +144,16 @@ void PairJudge::report_gone(const JudgedPair& pair, bool is_recorded) {
     } else {
         findings_.add(Rule::DeadLink, pair, {}, "the map names a source unit that is not there: " + source);
     }
+}
+
+/// What the file of a port that is gone calls by another spelling of its name: a built-in that does the same, mostly.
+std::string PairJudge::call_in_place_of(const std::string& gone) const {
+    const auto [file, name] = split_id(gone);
+    const std::string_view leaf = leaf_of(name).substr(0, leaf_of(name).find('#'));
+    for (const auto& [id, unit] : facts_.target)
+        if (unit.file == file)
+            if (const std::string_view call = respelled_call(unit.text, leaf); !call.empty()) return std::string(call);
+    return {};
 }
 
 void PairJudge::report_moved(const JudgedPair& pair, Side side) {
@@ -170,7 +196,7 @@ void PairJudge::compare(JudgedPair& pair, const LockedPair& lock) {
         case Standing::TargetChanged:
             return report_one(pair, found, before);
         case Standing::EditsDiffer:
-            return report_both(pair, found);
+            return report_both(pair, found, before);
         case Standing::ValuesDiffer:
             return report_values(pair, found);
     }
@@ -227,28 +253,37 @@ void PairJudge::report_one(JudgedPair& pair, const PairComparison& found, const 
     if (found.standing == Standing::CaughtUp)
         return soften(pair, finding,
                       side == Side::Source ? "says what the port says already" : "says what the source says already");
-    const bool same_variables = prelude_of(before[side].words()) == prelude_of(pair.unit[side]->text.words());
-    if (!same_variables) return;
-    if (change == Change::Semantic && facts_.same_code)
+    const UnitState& unit = *pair.unit[side];
+    const PlainStatements plain(unit.kind, language_of_path(unit.file), dialect_);
+    const Words then = before[side].words(), now = unit.text.words();
+    if (!declaration_changes(then, now, plain).empty()) return;
+    if (change == Change::Semantic && facts_.same_code && prelude_of(then) == prelude_of(now))
         soften(pair, finding, facts_.same_code(*pair.unit[side], side, before[side]));
-    if (finding.level > Level::Note && draws_near(pair, side, before[side])) {
-        finding.level = Level::Note;
-        finding.message += side == Side::Source ? "; but the port has most of it" : "; but the source has most of it";
+    weigh_edit(pair, side, before[side], finding);
+}
+
+/// An edit that most likely needs no port is a note, one of a word or two a warning.
+void PairJudge::weigh_edit(const JudgedPair& pair, Side side, const NormalText& before, Finding& finding) const {
+    const UnitState &now = *pair.unit[side], &there = *pair.unit[other(side)];
+    if (finding.level <= Level::Note || (now.kind != UnitKind::Function && now.kind != UnitKind::Kernel)) return;
+    const LoneTexts texts{without_prelude(before.words()), without_prelude(now.text.words()),
+                          without_prelude(there.text.words())};
+    const auto weaken = [&](Level level, const std::string& why) {
+        finding.level = std::min(finding.level, level);
+        finding.message += "; but " + why;
         finding.remedy = "Compare the two once; if nothing is left to port, run: porttool accept " +
                          argument(pair.id.source, finding);
-    }
+    };
+    if (only_respells_calls(texts.before, texts.now))
+        return weaken(Level::Note, "it only calls the same by another spelling");
+    if (without_asides(texts.before) == without_asides(texts.now))
+        return weaken(is_of_few_words(texts.before, texts.now) ? Level::Warning : Level::Note,
+                      "it only changes what is printed, checked or timed");
+    if (draws_nearer(texts, dialect_))
+        weaken(Level::Note, side == Side::Source ? "the port has most of it" : "the source has most of it");
 }
 
-/// True if a function's edit is for the most part what the other side has already.
-bool PairJudge::draws_near(const JudgedPair& pair, Side side, const NormalText& before) const {
-    const UnitState &now = *pair.unit[side], &there = *pair.unit[other(side)];
-    if (now.kind != UnitKind::Function && now.kind != UnitKind::Kernel) return false;
-    return draws_level(
-        {without_prelude(before.words()), without_prelude(now.text.words()), without_prelude(there.text.words())},
-        dialect_);
-}
-
-void PairJudge::report_both(const JudgedPair& pair, const PairComparison& found) {
+void PairJudge::report_both(const JudgedPair& pair, const PairComparison& found, const BySide<NormalText>& before) {
     const ChangeKind change = kind_of(larger_change(found));
     if (found.text_missing) {
         findings_.add(Rule::PortDiffers, pair, change,
@@ -259,6 +294,25 @@ void PairJudge::report_both(const JudgedPair& pair, const PairComparison& found)
     Finding& finding = findings_.add(Rule::PortDiffers, pair, change, found.missing.front());
     finding.details = found.missing;
     if (finding.details.size() > 1) finding.message += " (and " + std::to_string(finding.details.size() - 1) + " more)";
+    if (finding.level > Level::Note && in_own_words(pair, before)) {
+        finding.level = Level::Note;
+        finding.message += "; but each side says for the most part what the other does";
+        finding.remedy = "Compare the two once; if nothing is left to port, run: porttool accept " +
+                         argument(pair.id.source, finding);
+    }
+}
+
+/// True if the edits of both sides of a function seem to be one. Beside the text, how the files declare what it uses
+/// may have changed.
+bool PairJudge::in_own_words(const JudgedPair& pair, const BySide<NormalText>& before) const {
+    BySide<Words> then, now;
+    for (const Side side : kBothSides) {
+        const UnitState& unit = *pair.unit[side];
+        if (unit.kind != UnitKind::Function && unit.kind != UnitKind::Kernel) return false;
+        then[side] = without_prelude(before[side].words());
+        now[side] = without_prelude(unit.text.words());
+    }
+    return edits_in_own_words({then.source, now.source, then.target, now.target}, dialect_);
 }
 
 }  // namespace porttool

@@ -31,6 +31,7 @@ private:
 
     void examine(JudgedPair& pair, const LockedPair* lock);
     void report_gone(const JudgedPair& pair, bool is_recorded);
+    std::string call_in_place_of(const std::string& gone) const;
     void report_moved(const JudgedPair& pair, Side side);
 
     /// Both sides are there and recorded: what their edits mean to each other.
@@ -40,8 +41,9 @@ private:
     void report_uncompared(const JudgedPair& pair, const PairComparison& found);
     void report_values(const JudgedPair& pair, const PairComparison& found);
     void report_one(JudgedPair& pair, const PairComparison& found, const BySide<NormalText>& before);
-    void report_both(const JudgedPair& pair, const PairComparison& found);
-    bool draws_near(const JudgedPair& pair, Side side, const NormalText& before) const;
+    void report_both(const JudgedPair& pair, const PairComparison& found, const BySide<NormalText>& before);
+    bool in_own_words(const JudgedPair& pair, const BySide<NormalText>& before) const;
+    void weigh_edit(const JudgedPair& pair, Side side, const NormalText& before, Finding& finding) const;
 
     const Case& facts_;
     const BySide<RenamedNames>& renamed_;

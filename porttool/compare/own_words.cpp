@@ -1,0 +1,175 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/compare/own_words.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <string>
+#include <string_view>
+
+#include "porttool/compare/side_by_side.h"
+#include "porttool/compare/side_edit.h"
+#include "porttool/normal/statements.h"
+
+namespace porttool {
+namespace {
+
+constexpr size_t kMostBeside = 24'000;  // of all texts
+
+using Counts = std::map<std::string_view, size_t>;
+
+/// What stands alone, by common word.
+std::map<std::string, size_t> in_common(const Counts& alone, const Dialect& dialect) {
+    std::map<std::string, size_t> out;
+    for (const auto& [word, times] : alone) {
+        std::string common = common_word(word, dialect);
+        out[common.empty() ? std::string(word) : common] += times;
+    }
+    return out;
+}
+
+/// The two texts of a pair beside each other, before and now.
+struct Distance {
+    size_t unlike;                                ///< names, numbers and operators of both
+    BySide<std::map<std::string, size_t>> alone;  ///< numbers and operators that have no like in the other text
+    std::set<size_t> covered;                     ///< the target's words that have their like in the source
+
+    Distance(const std::vector<std::string>& source, const std::vector<std::string>& target, const Dialect& dialect) {
+        WordKeys keys(dialect);
+        const AlignedText a = keys.text(source, false), b = keys.text(target, false);
+        const SideBySide laid(source, target, a, b);
+        unlike = laid.unlike();
+        covered = laid.covered();
+        alone = {in_common(laid.alone(), dialect), in_common(laid.alone_there(), dialect)};
+    }
+};
+
+/// Two moments of a pair.
+struct Way {
+    const Distance &then, &today;
+
+    /// True if such a number or operator stands without its like more often than before.
+    bool is_lonelier(const std::string& word, Side side) const {
+        return times_in(today.alone[side], word) > times_in(then.alone[side], word);
+    }
+};
+
+size_t words_of(const std::map<std::string, size_t>& counts) {
+    size_t out = 0;
+    for (const auto& [word, times] : counts) out += times;
+    return out;
+}
+
+/// True if each number and operator that one side has more often, or less often, than before is one that the other
+/// side's edit brought or took as well, or that stands there as often anyway; or that has its like there.
+bool signs_follow(const SideEdit& here, const SideEdit& there, Side side, const Way& way) {
+    const auto followed = [&](const std::string& word) {
+        if (is_word_token(word)) return true;
+        const size_t was = times_in(here.had, word), is = times_in(here.has, word), other = times_in(there.has, word);
+        if (is > was) return there.gained.contains(word) || other >= is || !way.is_lonelier(word, side);
+        return is == was || there.lost.contains(word) || other <= is || !way.is_lonelier(word, porttool::other(side));
+    };
+    return std::all_of(here.gained.begin(), here.gained.end(), followed) &&
+           std::all_of(here.lost.begin(), here.lost.end(), followed);
+}
+
+/// The same of an edit of one side alone, which brings nothing that the other has not.
+bool signs_arrive(const SideEdit& here, const SideEdit& there, const Way& way) {
+    const auto arrived = [&](const std::string& word) {
+        if (is_word_token(word)) return true;
+        const size_t was = times_in(here.had, word), is = times_in(here.has, word), other = times_in(there.has, word);
+        if (is < was) return other <= is || !way.is_lonelier(word, Side::Target);
+        return !way.is_lonelier(word, Side::Source);
+    };
+    return std::all_of(here.gained.begin(), here.gained.end(), arrived) &&
+           std::all_of(here.lost.begin(), here.lost.end(), arrived);
+}
+
+/// True if nearly all names that are new on one side have their like among those of the other.
+bool names_follow(const SideEdit& here, const SideEdit& there) {
+    size_t lone = 0;
+    for (const auto& [name, spelling] : here.new_names) {
+        const auto like = [&, &spelling = spelling](const auto& other) { return are_like(spelling, other.second); };
+        if (!there.has.contains(name) && std::none_of(there.new_names.begin(), there.new_names.end(), like)) ++lone;
+    }
+    return 4 * lone <= here.new_names.size();
+}
+
+/// How many names that stood there before came more often than the other side has them, and how many went although it
+/// has them as often.
+size_t names_astray(const SideEdit& edit, const SideEdit& other) {
+    size_t out = 0;
+    const auto add = [&](const std::string& word) {
+        if (!is_word_token(word)) return;
+        const size_t was = times_in(edit.had, word), is = times_in(edit.has, word), there = times_in(other.has, word);
+        if (was > 0 && is > std::max(was, there)) out += is - std::max(was, there);
+        if (is < std::min(was, there)) out += std::min(was, there) - is;
+    };
+    std::set<std::string> words = edit.gained;
+    words.insert(edit.lost.begin(), edit.lost.end());
+    for (const std::string& word : words) add(word);
+    return out;
+}
+
+/// True if nearly all new names have their like on the other side.
+bool names_arrive(const SideEdit& edit, const SideEdit& other) {
+    size_t lone = 0;
+    for (const auto& [name, spelling] : edit.new_names) {
+        const auto like = [&, &spelling = spelling](const std::string& word) {
+            return is_word_token(word) && are_like(spelling, word);
+        };
+        if (!other.has.contains(name) && std::none_of(other.now.begin(), other.now.end(), like)) ++lone;
+    }
+    return 4 * lone <= edit.new_names.size();
+}
+
+/// Asked first, since laying texts side by side is dear: false if a number or an operator came more often than the
+/// other side has it.
+bool may_arrive(const SideEdit& edit, const SideEdit& other) {
+    return std::all_of(edit.gained.begin(), edit.gained.end(), [&](const std::string& word) {
+        const size_t is = times_in(edit.has, word);
+        return is_word_token(word) || is <= times_in(edit.had, word) + times_in(other.has, word);
+    });
+}
+
+}  // namespace
+
+bool edits_in_own_words(const PairTexts& texts, const Dialect& dialect) {
+    const size_t words =
+        texts.source_before.size() + texts.source_now.size() + texts.target_before.size() + texts.target_now.size();
+    if (words > kMostBeside) return false;
+    const SideEdit source(texts.source_before, texts.source_now, dialect),
+        target(texts.target_before, texts.target_now, dialect);
+    constexpr size_t kLeast = 6;  // words of each edit
+    if (source.size < kLeast || target.size < kLeast || source.guarded != target.guarded) return false;
+    if (!names_follow(source, target) || !names_follow(target, source)) return false;
+    const Distance then(source.before, target.before, dialect), today(source.now, target.now, dialect);
+    constexpr size_t kTwins = 10;  // texts of which less than one word in so many differs are held to every word
+    if (kTwins * then.unlike < words_of(source.had) + words_of(target.had)) return false;
+    constexpr size_t kFree = 2, kShare = 8;  // words that may differ now, and one in so many of both edits
+    if (today.unlike > then.unlike + kFree + (source.size + target.size) / kShare) return false;
+    const Way way{then, today};
+    return signs_follow(source, target, Side::Source, way) && signs_follow(target, source, Side::Target, way);
+}
+
+bool draws_nearer(const LoneTexts& texts, const Dialect& dialect) {
+    if (texts.before.size() + texts.now.size() + texts.other.size() > kMostBeside) return false;
+    constexpr size_t kLeast = 4, kLeastTaken = 10;  // words of an edit, and of one that hardly brings any
+    const SideEdit edit(texts.before, texts.now, dialect);
+    const bool takes = edit.gained_words < kLeast;
+    if (edit.size < (takes ? kLeastTaken : kLeast) || !edit.guarded.empty()) return false;
+    const SideEdit other(texts.other, texts.other, dialect);
+    if (!may_arrive(edit, other)) return false;
+    const size_t astray = names_astray(edit, other);
+    if (takes && astray > 0) return false;
+    const Distance then(edit.before, other.now, dialect), today(edit.now, other.now, dialect);
+    const size_t nearer = then.unlike - std::min(then.unlike, today.unlike);
+    const size_t thirds = astray == 0 && names_arrive(edit, other) ? 1 : 2;  // of what was edited
+    if (3 * nearer < thirds * edit.size) return false;
+    const bool keeps_what_was_alike =
+        std::includes(today.covered.begin(), today.covered.end(), then.covered.begin(), then.covered.end());
+    return (keeps_what_was_alike || astray == 0) && signs_arrive(edit, other, {then, today});
+}
+
+}  // namespace porttool

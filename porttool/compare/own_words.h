@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "porttool/compare/edits.h"
+#include "porttool/language/dialect.h"
+
+namespace porttool {
+
+/// True if edits of both sides are for the most part one, each in the words of its side: the two texts are about as
+/// much alike as before, no number, operator or name came or went on one side alone. Less sure than compare_edits(),
+/// which holds statement against statement.
+///
+///                 source                              port
+///     before      y[i] = x[i];                        store(y + i, load(x + i));
+///     now         y[i] = max(x[i], lim) * 0.5f;       store(y + i, std::max(load(x + i), lim) * 0.5f);
+///     or now      y[i] = max(x[i], lim) * 0.5f;       store(y + i, std::max(load(x + i), lim));          not: 0.5
+bool edits_in_own_words(const PairTexts& texts, const Dialect& dialect);
+/// True if an edit of one side alone brings it nearer to the other side's text, which has what the edit brings in and
+/// nothing of what it takes away: a third of what was edited has its like there now and had none before, and no number
+/// or operator stands alone now that had its like before, or is new. Less sure than now_says_what_other_says(). Edits
+/// of a few words are never that.
+///
+///     before      y = x[i];                                                        port
+///     now         if (lim > 0) { const float c = damp(x, lim, 0.5f); y = c; }
+///     other       if (lim > 0) { const float d = damp(x, lim, 0.5f); y = d; }      source
+bool draws_nearer(const LoneTexts& texts, const Dialect& dialect);
+
+}  // namespace porttool

@@ -1,0 +1,160 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/compare/switch_cases.h"
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace porttool {
+namespace {
+
+int depth_change(std::string_view word) {
+    if (word == "(" || word == "[" || word == "{") return 1;
+    return word == ")" || word == "]" || word == "}" ? -1 : 0;
+}
+
+/// The place of the bracket that closes the one at `open`, or the end.
+size_t closing(const Words& tokens, size_t open) {
+    int depth = 0;
+    for (size_t i = open; i < tokens.size(); ++i)
+        if ((depth += depth_change(tokens[i])) == 0) return i;
+    return tokens.size();
+}
+
+/// Labels that share what follows them, and what that is: one arm, or several of which each falls into the next.
+struct Arm {
+    std::vector<Words> labels;
+    Words body;
+
+    /// True if the next arm is not reached from this one.
+    bool is_left() const {
+        size_t end = body.size();
+        while (end > 0 && body[end - 1] == "}") --end;
+        if (end == 0 || body[end - 1] != ";") return false;
+        size_t first = end - 1;
+        int depth = 0;
+        while (first > 0 &&
+               (depth != 0 || (body[first - 1] != ";" && body[first - 1] != "{" && body[first - 1] != "}")))
+            depth -= depth_change(body[--first]);
+        const bool in_block = body.front() == "{" && closing(body, 0) + 1 == body.size();
+        if (body.size() - end > (in_block ? 1 : 0)) return false;  // the block of an `if` may be passed
+        const std::string_view word = body[first];
+        return word == "break" || word == "return" || word == "continue" || word == "goto";
+    }
+
+    /// Writes how it is left in one way: `break ;` at the end, outside of a block that is all there is.
+    void write_plain_end() {
+        const auto ends_with_break = [](const Words& words) {
+            return words.size() > 1 && words[words.size() - 2] == "break" && words.back() == ";";
+        };
+        if (ends_with_break(body)) body.resize(body.size() - 2);
+        if (!body.empty() && body.front() == "{" && closing(body, 0) + 1 == body.size())
+            body = Words(body.begin() + 1, body.end() - 1);
+        if (ends_with_break(body)) body.resize(body.size() - 2);
+        body.insert(body.end(), {"break", ";"});
+    }
+};
+
+class SwitchSorter {
+public:
+    explicit SwitchSorter(const Words& tokens) : tokens_(tokens) {}
+
+    Words run(size_t first, size_t end) {
+        Words out;
+        for (size_t i = first; i < end; ++i) {
+            out.push_back(tokens_[i]);
+            if (tokens_[i] != "switch" || i + 1 >= end || tokens_[i + 1] != "(") continue;
+            const size_t head = closing(tokens_, i + 1);
+            if (head + 1 >= end || tokens_[head + 1] != "{") continue;
+            const size_t last = closing(tokens_, head + 1);
+            if (last >= end) continue;
+            out.insert(out.end(), at(i + 1), at(head + 2));
+            add_arms(head + 2, last, out);
+            out.push_back(tokens_[last]);
+            i = last;
+        }
+        return out;
+    }
+
+private:
+    Words::const_iterator at(size_t i) const { return tokens_.begin() + static_cast<std::ptrdiff_t>(i); }
+
+    bool is_label(size_t i) const { return tokens_[i] == "case" || tokens_[i] == "default"; }
+
+    /// The end of the label that starts at `i`, behind its colon.
+    size_t end_of_label(size_t i, size_t end) const {
+        int depth = 0;
+        for (; i < end; ++i) {
+            depth += depth_change(tokens_[i]);
+            if (depth == 0 && tokens_[i] == ":") return i + 1;
+        }
+        return end;
+    }
+
+    void add_arms(size_t first, size_t end, Words& out) {
+        if (std::find(at(first), at(end), "#") != at(end)) return as_written(first, end, out);
+        std::vector<Arm> arms;
+        bool open = false;
+        for (size_t i = first; i < end;) {
+            if (!is_label(i)) return as_written(first, end, out);
+            Arm arm;
+            while (i < end && is_label(i)) {
+                const size_t behind = end_of_label(i, end);
+                arm.labels.emplace_back(at(i), at(behind));
+                i = behind;
+            }
+            const size_t body = i;
+            for (int depth = 0; i < end && (depth > 0 || !is_label(i)); ++i) depth += depth_change(tokens_[i]);
+            arm.body = run(body, i);
+            const bool left = arm.is_left() || i >= end;
+            if (left) arm.write_plain_end();
+            if (open)
+                append(std::move(arm), arms.back());
+            else
+                arms.push_back(std::move(arm));
+            open = !left;
+        }
+        write_sorted(arms, out);
+    }
+
+    void as_written(size_t first, size_t end, Words& out) const { out.insert(out.end(), at(first), at(end)); }
+
+    static void append(Arm next, Arm& arm) {
+        std::sort(next.labels.begin(), next.labels.end());
+        for (const Words& label : next.labels) arm.body.insert(arm.body.end(), label.begin(), label.end());
+        arm.body.insert(arm.body.end(), next.body.begin(), next.body.end());
+    }
+
+    static void write_sorted(std::vector<Arm>& arms, Words& out) {
+        std::vector<std::pair<Words, const Words*>> single;
+        for (Arm& arm : arms) {
+            constexpr size_t kMost = 2'000;  // words of an arm and its copies
+            std::sort(arm.labels.begin(), arm.labels.end());
+            if (arm.labels.size() * arm.body.size() <= kMost) {
+                for (const Words& label : arm.labels) single.emplace_back(label, &arm.body);
+                continue;
+            }
+            Words labels;
+            for (const Words& label : arm.labels) labels.insert(labels.end(), label.begin(), label.end());
+            single.emplace_back(std::move(labels), &arm.body);
+        }
+        std::stable_sort(single.begin(), single.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+        for (const auto& [label, body] : single) {
+            out.insert(out.end(), label.begin(), label.end());
+            out.insert(out.end(), body->begin(), body->end());
+        }
+    }
+
+    const Words& tokens_;
+};
+
+}  // namespace
+
+Words with_sorted_cases(const Words& tokens) {
+    if (std::find(tokens.begin(), tokens.end(), "case") == tokens.end()) return tokens;
+    return SwitchSorter(tokens).run(0, tokens.size());
+}
+
+}  // namespace porttool

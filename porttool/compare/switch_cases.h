@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "porttool/normal/normal_text.h"
+
+namespace porttool {
+
+/// The arms of each `switch` by themselves and in the order of their labels, since that order and which labels share an
+/// arm say nothing. Only arms that are left at their end for sure, by `break`, `return`, `continue` or `goto`, are told
+/// apart; what falls through stays with what it falls into. Tokens in normal form.
+///
+///     switch ( k ) { case B : case A : return f ( k ) ; case C : g ( ) ; case D : h ( ) ; break ; }
+///     switch ( k ) { case A : return f ( k ) ; break ; case B : return f ( k ) ; break ;
+///                    case C : g ( ) ; case D : h ( ) ; break ; }
+Words with_sorted_cases(const Words& tokens);
+
+}  // namespace porttool

@@ -1,0 +1,190 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+// Edits that most likely need no port, labelled by hand, each beside one like it that does: the first are notes, the
+// second stay errors.
+#include <gtest/gtest.h>
+
+#include "porttool/compare/asides.h"
+#include "porttool/compare/side_edit.h"
+#include "porttool/compare/switch_cases.h"
+#include "porttool/scan/side.h"
+#include "tests/porttool/fixtures.h"
+#include "tests/porttool/run_command.h"
+
+namespace porttool::testing::weighed_edit_test {
+namespace {
+
+struct Weighed {
+    std::string what;
+    BySide<std::string> before, now;
+    Rules rules;  ///< that are no notes
+};
+
+/// A CUDA kernel `f` and its port in C++, recorded with the texts before and checked with those of now.
+Rules open_rules(const Weighed& row) {
+    MemoryDisk disk;
+    disk.files = {{"/r/s/k.cu", row.before.source},
+                  {"/r/t/k.cpp", row.before.target},
+                  {"/r/portmap.toml",
+                   "version = 1\n[sides]\nsource = [\"s/*\"]\ntarget = [\"t/*\"]\n"
+                   "[[pair]]\nsource = \"s/k.cu:f\"\ntarget = \"t/k.cpp:f\"\n"}};
+    EXPECT_EQ(run(disk, {"-C", "/r", "init", "--force"}).exit_code, 0) << row.what;
+    disk.files["/r/s/k.cu"] = row.now.source;
+    disk.files["/r/t/k.cpp"] = row.now.target;
+    Rules out;
+    const auto report = check(disk);
+    for (const auto& finding : report["findings"])
+        if (finding["level"] != "note") out.push_back(finding["rule"]);
+    return out;
+}
+
+void expect_all(const std::vector<Weighed>& rows) {
+    for (const Weighed& row : rows) EXPECT_EQ(open_rules(row), row.rules) << row.what;
+}
+
+const BySide<std::string> kCopy = {
+    "void f(float* y, const float* x, float lim, int n) {\n"
+    "  const int at = first_index(); const int out = 3 * at;\n"
+    "  if (at >= n) { return; }\n  y[out] = x[at];\n  y[out + 1] = lim;\n}\n",
+    "void f(span y, span x, float lim, int n) {\n"
+    "  for (int at = 0; at < n; ++at) { const int out = 3 * at;\n"
+    "    y.store(out, x.load(at));\n    y.store(out + 1, lim);\n  }\n}\n"};
+
+BySide<std::string> copy_with(const std::string& from_source, const std::string& to_source,
+                              const std::string& from_target, const std::string& to_target) {
+    return {replaced(kCopy.source, from_source, to_source), replaced(kCopy.target, from_target, to_target)};
+}
+
+TEST(WeighedEdit, BothSidesInTheirOwnWords) {
+    const std::string from = "y[out] = x[at];", to = "y[out] = min(x[at] * 0.5f - shift(at), lim);";
+    const std::string there = "y.store(out, x.load(at));";
+    expect_all({
+        {"one edit in two manners",
+         kCopy,
+         copy_with(from, to, there, "y.store(out, std::min(x.load(at) * 0.5f - shift(at), lim));"),
+         {}},
+        {"another number",
+         kCopy,
+         copy_with(from, to, there, "y.store(out, std::min(x.load(at) * 0.25f - shift(at), lim));"),
+         {"port-differs"}},
+        {"another sign",
+         kCopy,
+         copy_with(from, to, there, "y.store(out, std::min(x.load(at) + 0.5f - shift(at), lim));"),
+         {"port-differs"}},
+        {"half of the edit",
+         kCopy,
+         copy_with(from, to, there, "y.store(out, x.load(at) * 0.5f - shift(at));"),
+         {"port-differs"}},
+        {"another function",
+         kCopy,
+         copy_with(from, to, there, "y.store(out, std::max(x.load(at) * 0.5f - shift(at), lim));"),
+         {"port-differs"}},
+        {"a condition on one side",
+         kCopy,
+         copy_with(from, to, there, "if (at > out) { y.store(out, std::min(x.load(at) * 0.5f - shift(at), lim)); }"),
+         {"port-differs"}},
+    });
+}
+
+TEST(WeighedEdit, OneSideComesNearerInItsOwnWords) {
+    const BySide<std::string> apart = {
+        "void f(float* y, const float* x, float lim, int n) {\n  y[0] = x[0];\n}\n",
+        "void f(span y, span x, float lim, int n) {\n"
+        "  if (lim > 0) { const float d = damp(x.load(0), lim, 0.5f); y.store(0, d); }\n}\n"};
+    const auto source = [&](const std::string& body) {
+        return BySide<std::string>{replaced(apart.source, "y[0] = x[0];", body), apart.target};
+    };
+    expect_all({
+        {"what the port has", apart, source("if (lim > 0) { const float c = damp(x[0], lim, 0.5f); y[0] = c; }"), {}},
+        {"another number",
+         apart,
+         source("if (lim > 0) { const float c = damp(x[0], lim, 0.7f); y[0] = c; }"),
+         {"source-changed"}},
+        {"more than the port has",
+         apart,
+         source("if (lim > 0) { const float c = damp(x[0], lim, 0.5f); y[0] = c + lim; }"),
+         {"source-changed"}},
+    });
+}
+
+TEST(WeighedEdit, AnotherSpellingOfACall) {
+    const BySide<std::string> same = {"void f(float* p, float d) { keep_max(p, SQRT(d)); }",
+                                      "void f(float* p, float d) { keep_max(p, SQRT(d)); }"};
+    const auto target = [&](const std::string& text) { return BySide<std::string>{same.source, text}; };
+    expect_all({
+        {"case, underscores and std", same, target("void f(float* p, float d) { keepMax(p, std::sqrt(d)); }"), {}},
+        {"another function",
+         same,
+         target("void f(float* p, float d) { keepMin(p, std::sqrt(d)); }"),
+         {"target-changed"}},
+        {"another variable",
+         {"void f(int n, int N) { g(n); }", "void f(int n, int N) { g(n); }"},
+         {"void f(int n, int N) { g(n); }", "void f(int n, int N) { g(N); }"},
+         {"target-changed"}},
+    });
+}
+
+TEST(WeighedEdit, WhatIsPrintedOrTimed) {
+    const BySide<std::string> same = {"void f(float* p, float d) { p[0] = d * 2; p[1] = d; }",
+                                      "void f(float* p, float d) { p[0] = d * 2; p[1] = d; }"};
+    const auto source = [&](const std::string& text) { return BySide<std::string>{text, same.target}; };
+    expect_all({
+        {"it prints",
+         same,
+         source("void f(float* p, float d) { p[0] = d * 2; printf(\"%f\\n\", p[0]); assert(d > 0); p[1] = d; }"),
+         {}},
+        {"it takes the time",
+         same,
+         source("void f(float* p, float d) {\n#ifdef TIMING\nt0 = now();\n#endif\np[0] = d * 2; p[1] = d; }"),
+         {}},
+        {"it does more",
+         same,
+         source("void f(float* p, float d) { p[0] = d * 2; printf(\"%f\\n\", p[0]); p[1] = -d; }"),
+         {"source-changed"}},
+    });
+    const BySide<std::string> prints = {"void f(int d) { g(d); printf(\"%d\", d + 1); }",
+                                        "void f(int d) { g(d); printf(\"%d\", d + 1); }"};
+    expect_all({{"a word of what is printed is no note",
+                 prints,
+                 {"void f(int d) { g(d); printf(\"%d\", d + 2); }", prints.target},
+                 {"source-changed"}}});
+}
+
+Words words_of(const std::string& text) {
+    Words out;
+    for (size_t i = 0; i < text.size();) {
+        const size_t end = std::min(text.find(' ', i), text.size());
+        out.push_back(std::string_view(text).substr(i, end - i));
+        i = end + 1;
+    }
+    return out;
+}
+
+TEST(WeighedEdit, ArmsOfASwitchHaveNoOrder) {
+    const auto sorted = [](const std::string& text) {
+        std::string out;
+        for (const std::string_view word : with_sorted_cases(words_of(text))) out += std::string(word) + " ";
+        return out;
+    };
+    const std::string one = "switch ( k ) { case B : case A : return f ( k ) ; case C : g ( ) ; break ; }";
+    const std::string other = "switch ( k ) { case C : { g ( ) ; break ; } case A : case B : return f ( k ) ; }";
+    EXPECT_EQ(sorted(one), sorted(other));
+    const std::string falls = "switch ( k ) { case B : f ( ) ; case A : g ( ) ; break ; }";
+    const std::string turned = "switch ( k ) { case A : g ( ) ; case B : f ( ) ; break ; }";
+    EXPECT_NE(sorted(falls), sorted(turned));
+    const std::string passed = "switch ( k ) { case B : if ( x ) { return 1 ; } case A : g ( ) ; }";
+    const std::string passed_too = "switch ( k ) { case A : g ( ) ; case B : if ( x ) { return 1 ; } }";
+    EXPECT_NE(sorted(passed), sorted(passed_too));
+    const std::string guarded = "switch ( k ) { case B : # ifdef X return 1 ; # endif case A : return 2 ; }";
+    EXPECT_EQ(sorted(guarded), guarded + " ");
+}
+
+TEST(WeighedEdit, NamesOfBothSidesAreLike) {
+    EXPECT_TRUE(are_like("gpu_op_add", "cpuOpAdd"));
+    EXPECT_TRUE(are_like("PREVIOUS_FLOAT", "previousFloat"));
+    EXPECT_FALSE(are_like("gpu_op_add", "gpu_pool_free"));
+    EXPECT_FALSE(are_like("min", "max"));
+}
+
+}  // namespace
+}  // namespace porttool::testing::weighed_edit_test
