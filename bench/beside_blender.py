@@ -17,12 +17,11 @@ import math
 import os
 import pathlib
 import re
-import shutil
 import subprocess
 import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
-from compare_renderers import at_least, cycles_job, fail, run_cycles, size  # noqa: E402
+from compare_renderers import at_least, cycles_job, fail, need_programs, run_cycles, size  # noqa: E402
 from equal_time import times  # noqa: E402
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
@@ -90,10 +89,7 @@ def read_options():
     parser.add_argument("--threads", type=at_least(1), default=os.cpu_count())
     parser.add_argument("--pathtracer", default=str(ROOT / "build/release/bin/pathtracer"))
     options = parser.parse_args()
-    if not os.access(options.pathtracer, os.X_OK):
-        fail(f"there is no program {options.pathtracer}; build it, or name it with --pathtracer")
-    if shutil.which("blender") is None:
-        fail("there is no blender on the PATH; apt-get install blender python3-numpy")
+    need_programs(options)
     options.output = options.output.resolve()
     options.output.mkdir(parents=True, exist_ok=True)
     options.max_path_length = 8

@@ -213,6 +213,14 @@ def cycles_job(options, camera):
     return job
 
 
+def need_programs(options):
+    """Ends where ours or Blender is missing."""
+    if not os.access(options.pathtracer, os.X_OK):
+        fail(f"there is no program {options.pathtracer}; build it, or name it with --pathtracer")
+    if shutil.which("blender") is None:
+        fail("there is no blender on the PATH; apt-get install blender python3-numpy")
+
+
 def run_cycles(job):
     """What bench/cycles_render.py says of a job."""
     script = pathlib.Path(__file__).with_name("cycles_render.py")

@@ -24,12 +24,11 @@ import math
 import os
 import pathlib
 import resource
-import shutil
 import subprocess
 import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
-from compare_renderers import at_least, cycles_job, fail, output_of, run_cycles, size  # noqa: E402
+from compare_renderers import at_least, cycles_job, fail, need_programs, output_of, run_cycles, size  # noqa: E402
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 # Both renderers need camera and sky from outside of the file; these are the ones that make_scenes.py puts there.
@@ -179,10 +178,7 @@ def read_options():
     parser.add_argument("--threads", type=at_least(1), default=os.cpu_count())
     parser.add_argument("--pathtracer", default=str(ROOT / "build/release/bin/pathtracer"))
     options = parser.parse_args()
-    if not os.access(options.pathtracer, os.X_OK):
-        fail(f"there is no program {options.pathtracer}; build it, or name it with --pathtracer")
-    if shutil.which("blender") is None:
-        fail("there is no blender on the PATH; apt-get install blender python3-numpy")
+    need_programs(options)
     options.output = options.output.resolve()
     return options
 

@@ -131,10 +131,8 @@ void PairJudge::report_gone(const JudgedPair& pair, bool is_recorded) {
         Finding& finding = findings_.add(
             is_original ? Rule::Orphaned : Rule::DeadLink, pair, ChangeKind::Removed,
             is_original ? target + " is gone; " + source + " is still there" : "the port " + target + " is gone");
-        if (const std::string call = call_in_place_of(target); !call.empty()) {
-            finding.level = std::min(finding.level, Level::Warning);
+        if (const std::string call = call_in_place_of(target); !call.empty())
             finding.message += "; " + call + " is called there now";
-        }
     } else if (no_target) {
         findings_.add(Rule::DeadLink, pair, ChangeKind::Removed, "the map names a port that is not there: " + target);
     } else if (is_recorded && facts_.map.reference == Reference::Target) {
