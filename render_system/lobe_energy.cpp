@@ -111,8 +111,8 @@ struct Stretched {
 
 // As energy() of reflection alone, in floats and over fewer points: it is asked for 40,000 times.
 glm::dvec2 stretched_energy(float cosine, float turn, float roughness, float strength) {
-    constexpr uint32_t kPoints = 144, kGenerator = 89;
-    static const std::vector<glm::vec3> points = lattice_of<glm::vec3>(kPoints, kGenerator);
+    constexpr uint32_t kFewPoints = 144, kGenerator = 89;
+    static const std::vector<glm::vec3> points = lattice_of<glm::vec3>(kFewPoints, kGenerator);
     const Stretched lobe(roughness, strength);
     if (lobe.along < kSmoothAlpha) return energy({0.0, 1.0, 1.0}, static_cast<double>(cosine), 0.0);
     const glm::vec3 wo = lobe.view(cosine, turn), scale(lobe.along, lobe.across, 1.0f);
@@ -130,7 +130,7 @@ glm::dvec2 stretched_energy(float cosine, float turn, float roughness, float str
         const float unmasked = wi.z * (wo.z + root_o) / (wo.z * lobe.root(wi) + wi.z * root_o);
         sum += unmasked * glm::vec2(1.0f, (m * m) * (m * m) * m);
     }
-    return glm::min(1.001 * glm::dvec2(sum) / static_cast<double>(kPoints), 1.0);
+    return glm::min(1.001 * glm::dvec2(sum) / static_cast<double>(kFewPoints), 1.0);
 }
 
 // Charlie's sheen: Estevez and Kulla 2017, "Production Friendly Microfacet Sheen BRDF", with its fitted shadowing.
