@@ -6,6 +6,8 @@
 #include <array>
 #include <string>
 #include <string_view>
+#include <unordered_map>
+#include <vector>
 
 #include "porttool/normal/statements.h"
 
@@ -28,7 +30,7 @@ bool names_one_of(const std::array<std::string_view, N>& parts, std::string_view
 
 class AsideReader {
 public:
-    explicit AsideReader(const Words& tokens) : tokens_(tokens) {}
+    explicit AsideReader(const Words& tokens) : tokens_(tokens) { find_guards(); }
 
     Words run() {
         Words out;
@@ -37,9 +39,9 @@ public:
                 i = end;
                 continue;
             }
-            const size_t end = end_of_statement(i);
-            if (end == i || !is_aside(i, end)) out.insert(out.end(), at(i), at(std::max(end, i + 1)));
-            i = std::max(end, i + 1);
+            const size_t stop = end_of_statement(i), end = std::max(stop, i + 1);
+            if (tokens_[end - 1] != ";" || !is_aside(i, end)) out.insert(out.end(), at(i), at(end));
+            i = end;
         }
         return out;
     }
@@ -48,30 +50,42 @@ private:
     Words::const_iterator at(size_t i) const { return tokens_.begin() + static_cast<std::ptrdiff_t>(i); }
     std::string_view word(size_t i) const { return i < tokens_.size() ? tokens_[i] : std::string_view(); }
 
-    /// Behind the `# endif` of such a macro whose lines begin at `i`, or `i`. One with an `# else` stays.
-    size_t end_of_guarded(size_t i) const {
-        const bool guarded = word(i) == "#" && word(i + 1) == "ifdef" && names_one_of(kMacros, word(i + 2));
-        if (!guarded) return i;
-        int depth = 0;
-        for (size_t k = i; k + 1 < tokens_.size(); ++k) {
+    /// Where the lines end that such a macro guards, by where they begin. Those with an `# else` stay.
+    void find_guards() {
+        struct Open {
+            size_t place = 0;
+            bool has_else = false;
+        };
+        std::vector<Open> open;
+        for (size_t k = 0; k + 1 < tokens_.size(); ++k) {
             if (tokens_[k] != "#") continue;
             const std::string_view kind = tokens_[k + 1];
-            if (kind.starts_with("if")) ++depth;
-            if (kind == "endif" && --depth == 0) return k + 2;
-            if (depth == 1 && kind.starts_with("el")) return i;
+            if (kind.starts_with("if")) open.push_back({k});
+            if (open.empty()) continue;
+            if (kind.starts_with("el")) open.back().has_else = true;
+            if (kind != "endif") continue;
+            const Open guard = open.back();
+            open.pop_back();
+            if (!guard.has_else && word(guard.place + 1) == "ifdef" && names_one_of(kMacros, word(guard.place + 2)))
+                guards_[guard.place] = k + 2;
         }
-        return i;
     }
 
-    /// Behind the semicolon of the statement without a block that begins at `i`, or `i`.
+    /// Behind the `# endif` of such lines that begin at `i`, or `i`.
+    size_t end_of_guarded(size_t i) const {
+        const auto guard = guards_.find(i);
+        return guard == guards_.end() ? i : guard->second;
+    }
+
+    /// Behind the semicolon of the statement without a block that begins at `i`, or where something else comes first.
     size_t end_of_statement(size_t i) const {
         int depth = 0;
         for (size_t k = i; k < tokens_.size(); ++k) {
-            if (tokens_[k] == "{" || tokens_[k] == "}" || tokens_[k] == "#") return i;
+            if (tokens_[k] == "{" || tokens_[k] == "}" || tokens_[k] == "#") return k;
             depth += tokens_[k] == "(" ? 1 : tokens_[k] == ")" ? -1 : 0;
             if (depth == 0 && tokens_[k] == ";") return k + 1;
         }
-        return i;
+        return tokens_.size();
     }
 
     bool is_aside(size_t first, size_t end) const {
@@ -85,6 +99,7 @@ private:
     }
 
     const Words& tokens_;
+    std::unordered_map<size_t, size_t> guards_;
 };
 
 }  // namespace

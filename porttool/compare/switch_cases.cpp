@@ -61,7 +61,10 @@ class SwitchSorter {
 public:
     explicit SwitchSorter(const Words& tokens) : tokens_(tokens) {}
 
-    Words run(size_t first, size_t end) {
+    /// Each level of nesting copies what it holds: deeper ones stay as they are written.
+    Words run(size_t first, size_t end, int deep = 0) {
+        constexpr int kDeepest = 8;
+        if (deep == kDeepest) return Words(at(first), at(end));
         Words out;
         for (size_t i = first; i < end; ++i) {
             out.push_back(tokens_[i]);
@@ -71,7 +74,7 @@ public:
             const size_t last = closing(tokens_, head + 1);
             if (last >= end) continue;
             out.insert(out.end(), at(i + 1), at(head + 2));
-            add_arms(head + 2, last, out);
+            add_arms(head + 2, last, deep, out);
             out.push_back(tokens_[last]);
             i = last;
         }
@@ -93,7 +96,7 @@ private:
         return end;
     }
 
-    void add_arms(size_t first, size_t end, Words& out) {
+    void add_arms(size_t first, size_t end, int deep, Words& out) {
         if (std::find(at(first), at(end), "#") != at(end)) return as_written(first, end, out);
         std::vector<Arm> arms;
         bool open = false;
@@ -107,7 +110,7 @@ private:
             }
             const size_t body = i;
             for (int depth = 0; i < end && (depth > 0 || !is_label(i)); ++i) depth += depth_change(tokens_[i]);
-            arm.body = run(body, i);
+            arm.body = run(body, i, deep + 1);
             const bool left = arm.is_left() || i >= end;
             if (left) arm.write_plain_end();
             if (open)

@@ -8,7 +8,8 @@ namespace porttool {
 
 /// The arms of each `switch` by themselves and in the order of their labels, since that order and which labels share an
 /// arm say nothing. Only arms that are left at their end for sure, by `break`, `return`, `continue` or `goto`, are told
-/// apart; what falls through stays with what it falls into. Tokens in normal form.
+/// apart; what falls through stays with what it falls into. More than eight levels of `switch` within each other stay as
+/// written from there on. Tokens in normal form.
 ///
 ///     switch ( k ) { case B : case A : return f ( k ) ; case C : g ( ) ; case D : h ( ) ; break ; }
 ///     switch ( k ) { case A : return f ( k ) ; break ; case B : return f ( k ) ; break ;

@@ -137,8 +137,8 @@ vec2 lobe_energy(Uint first_row, Float cosine, Float roughness) {
 vec2 stretched_energy(Bsdf bsdf, Uint first_row, Float roughness, Float strength) {
     Float cosine_squared = square(bsdf.wo.x) / max(square(bsdf.wo.x) + square(bsdf.wo.y), SMALLEST);
     Float alpha = sqrt(blend(square(bsdf.alpha), square(bsdf.along), cosine_squared));
-    Float least = sqrt(bsdf.alpha);
-    Float turn = saturate((sqrt(alpha) - least) / max(sqrt(bsdf.along) - least, 1.0e-6f)) * float(ENERGY_TURNS);
+    Float least = sqrt(max(bsdf.alpha, 0.0f));
+    Float turn = saturate((sqrt(alpha) - least) / max(sqrt(max(bsdf.along, 0.0f)) - least, 1.0e-6f)) * float(ENERGY_TURNS);
     Float step = saturate(strength) * float(ENERGY_STRENGTHS);
     Float column = min(floor(turn), float(ENERGY_TURNS - 1u));
     Float line = min(floor(step), float(ENERGY_STRENGTHS - 1u));

@@ -149,7 +149,9 @@ class WatchTest(Project):
         self.assertEqual(self.settled()[-1]["summary"]["drifted"], 0)
 
         (self.root / "port/k.h").rename(self.root / "k.h")
-        self.assertEqual(self.settled()[-1]["event"], "error")  # the target's glob matches nothing
+        gone = self.settled()
+        self.assertEqual(gone[-1]["verdict"], "drift")
+        self.assertIn("dead-link", [one.get("rule") for one in gone])
         (self.root / "k.h").rename(self.root / "port/k.h")
         self.assertEqual(self.settled()[-1]["verdict"], "in_step")
 
