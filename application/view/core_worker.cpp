@@ -17,6 +17,8 @@ using render_system::Status;
 /// Nothing is begun that takes longer, as an answer is wanted within 100 ms: short samples are taken together, long
 /// ones in parts, and before the first of these comes a coarse one.
 constexpr double PASS_MS = 40.0;
+/// Where a filter follows, which cannot be called off, for all of it.
+constexpr double FILTERED_PASS_MS = 20.0;
 /// From here on in parts: they cost a little.
 constexpr double LONG_SAMPLE_MS = 100.0;
 /// From here on a sample is one part: Mesa's lavapipe (22.3) loses 0.2 MB with each sample, however few its pixels.
@@ -25,6 +27,8 @@ constexpr uint32_t SETTLED_SAMPLES = 16;
 uint64_t all_rays(const CoreStats& stats) { return stats.primary_rays + stats.extension_rays + stats.shadow_rays; }
 
 using Clock = std::chrono::steady_clock;
+
+double pass_ms(FilterMode filter) { return filter == FilterMode::none ? PASS_MS : FILTERED_PASS_MS; }
 
 double ms_since(Clock::time_point start) {
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
@@ -167,7 +171,7 @@ Status CoreWorker::draw(const Request& request, bool fresh) {
         if (Status status = core_.play(request.seconds); !status.ok()) return status;
         samples_ = 0;
         in_parts_ = sample_ms_ > LONG_SAMPLE_MS;
-        was_coarse_ = first_picture_ms(request) > PASS_MS;
+        was_coarse_ = first_picture_ms(request) > pass_ms(request.filter);
         if (was_coarse_)
             if (Status status = draw_coarsely(request); !status.ok()) return status;
         if (is_called_away(request) || (was_coarse_ && waits_for_more(request))) return Status::success();
@@ -270,7 +274,7 @@ double CoreWorker::first_picture_ms(const Request& request) const {
 
 Status CoreWorker::draw_coarsely(const Request& request) {
     uint32_t divisor = 2;
-    while (divisor < 8 && first_picture_ms(request) > PASS_MS * divisor * divisor) divisor *= 2;
+    while (divisor < 8 && first_picture_ms(request) > pass_ms(request.filter) * divisor * divisor) divisor *= 2;
     const auto start = Clock::now();
     if (Status status = point_at(request, divisor); !status.ok()) return status;
     if (Status status = core_->Render(request.view, Convergence::Restart, 1); !status.ok()) return status;
@@ -281,7 +285,8 @@ Status CoreWorker::draw_coarsely(const Request& request) {
 Status CoreWorker::take_samples(const Request& request) {
     if (samples_ == 0)
         if (Status status = point_at(request, 1); !status.ok()) return status;
-    const auto together = static_cast<uint32_t>(std::clamp(PASS_MS / std::max(sample_ms_, 1e-3), 1.0, 64.0));
+    const auto together =
+        static_cast<uint32_t>(std::clamp(pass_ms(request.filter) / std::max(sample_ms_, 1e-3), 1.0, 64.0));
     uint32_t samples = samples_ == 0 ? 1 : std::min(together, most_samples_ - samples_);
     if (request.filter != FilterMode::none && samples_ > 0)  // none past those that are shown next
         samples = std::min(samples, std::bit_ceil(samples_ + 1) - samples_);
