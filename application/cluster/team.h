@@ -13,7 +13,8 @@ namespace application {
 
 /// Processes that render one picture, or the frames of one sequence, together. Every one of them has the scene and a
 /// core; one leads and speaks. Of a picture it decides how many samples come next, and writes; of a sequence each
-/// member writes the frames that it got. All calls but next_task() are made by all members, in the same order.
+/// member writes the frames that it got. All calls but next_task() and skip_tasks() are made by all members, in the
+/// same order.
 class Team {
 public:
     virtual ~Team() = default;

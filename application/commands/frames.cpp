@@ -177,8 +177,7 @@ Status check_sequence(const Options& options, const std::string& pattern) {
     if (options.filter == FilterMode::temporal && team())
         return Status::invalid(
             "--frames: with --filter temporal each follows from those before it, and ranks take them in no order; "
-            "start "
-            "one rank, or give spatial");
+            "start one rank, or give spatial");
     if (options.filter == FilterMode::temporal && options.resume)
         return Status::invalid(
             "--resume: frames of --filter temporal follow from those before them, of which a file holds too little; "

@@ -61,6 +61,14 @@ void soften(JudgedPair& pair, Finding& finding, const std::string& same) {
         "Nothing to port; to be rid of this note, run: porttool accept " + argument(pair.id.source, finding);
 }
 
+/// Says of an edit why it most likely needs no port.
+void weaken(const JudgedPair& pair, Finding& finding, Level level, const std::string& why) {
+    finding.level = std::min(finding.level, level);
+    finding.message += "; but " + why;
+    finding.remedy =
+        "Compare the two once; if nothing is left to port, run: porttool accept " + argument(pair.id.source, finding);
+}
+
 /// What a person would change by mistake.
 bool is_of_few_words(const Words& before, const Words& now) {
     constexpr size_t kFew = 4;
@@ -266,19 +274,14 @@ void PairJudge::weigh_edit(const JudgedPair& pair, Side side, const NormalText& 
     if (finding.level <= Level::Note || (now.kind != UnitKind::Function && now.kind != UnitKind::Kernel)) return;
     const LoneTexts texts{without_prelude(before.words()), without_prelude(now.text.words()),
                           without_prelude(there.text.words())};
-    const auto weaken = [&](Level level, const std::string& why) {
-        finding.level = std::min(finding.level, level);
-        finding.message += "; but " + why;
-        finding.remedy = "Compare the two once; if nothing is left to port, run: porttool accept " +
-                         argument(pair.id.source, finding);
-    };
     if (only_respells_calls(texts.before, texts.now))
-        return weaken(Level::Note, "it only calls the same by another spelling");
+        return weaken(pair, finding, Level::Note, "it only calls the same by another spelling");
     if (without_asides(texts.before) == without_asides(texts.now))
-        return weaken(is_of_few_words(texts.before, texts.now) ? Level::Warning : Level::Note,
+        return weaken(pair, finding, is_of_few_words(texts.before, texts.now) ? Level::Warning : Level::Note,
                       "it only changes what is printed, checked or timed");
     if (draws_nearer(texts, dialect_))
-        weaken(Level::Note, side == Side::Source ? "the port has most of it" : "the source has most of it");
+        weaken(pair, finding, Level::Note,
+               side == Side::Source ? "the port has most of it" : "the source has most of it");
 }
 
 void PairJudge::report_both(const JudgedPair& pair, const PairComparison& found, const BySide<NormalText>& before) {
@@ -292,12 +295,8 @@ void PairJudge::report_both(const JudgedPair& pair, const PairComparison& found,
     Finding& finding = findings_.add(Rule::PortDiffers, pair, change, found.missing.front());
     finding.details = found.missing;
     if (finding.details.size() > 1) finding.message += " (and " + std::to_string(finding.details.size() - 1) + " more)";
-    if (finding.level > Level::Note && in_own_words(pair, before)) {
-        finding.level = Level::Note;
-        finding.message += "; but each side says for the most part what the other does";
-        finding.remedy = "Compare the two once; if nothing is left to port, run: porttool accept " +
-                         argument(pair.id.source, finding);
-    }
+    if (finding.level > Level::Note && in_own_words(pair, before))
+        weaken(pair, finding, Level::Note, "each side says for the most part what the other does");
 }
 
 /// True if the edits of both sides of a function seem to be one. Beside the text, how the files declare what it uses
