@@ -5,14 +5,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <array>
+#include <algorithm>
 #include <fstream>
 #include <string_view>
 
 #include "application/comparison/picture_file.h"
 #include "application/option_values.h"
 #include "application/sampling/scene_digest.h"
-#include "application/scene_setup.h"
 
 namespace application {
 namespace {
@@ -20,16 +19,21 @@ namespace {
 using render_system::Result;
 using render_system::Status;
 
-/// FNV-1a of a file's bytes: tells an edited scene from the one that was rendered.
-uint64_t fingerprint_of_file(const std::string& name) {
-    uint64_t hash = 0xCBF29CE484222325u;
-    std::ifstream file(name, std::ios::binary);
-    std::array<char, 65536> bytes;
-    while (file.read(bytes.data(), bytes.size()), file.gcount() > 0) {
-        for (std::streamsize i = 0; i < file.gcount(); ++i)
-            hash = (hash ^ static_cast<unsigned char>(bytes[static_cast<size_t>(i)])) * 0x100000001B3u;
+/// The kernels that --kernels brings, name by name: they may be others when the sequence goes on.
+std::string kernels_text(const std::string& folder) {
+    std::vector<std::filesystem::path> files;
+    std::error_code error;
+    for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
+        if (entry.is_regular_file(error)) files.push_back(entry.path());
     }
-    return hash;
+    std::sort(files.begin(), files.end());
+    Digest digest;
+    for (const std::filesystem::path& file : files) {
+        digest.add(file.filename().string());
+        std::ifstream stream(file, std::ios::binary);
+        digest.add(std::string(std::istreambuf_iterator<char>(stream), {}));
+    }
+    return " kernels " + digest.hex();
 }
 
 /// `text` with the checksum of the values that the file holds.
@@ -47,27 +51,6 @@ bool ends_whole(const std::string& file, ImageKind kind) {
     std::ifstream stream(file, std::ios::binary);
     stream.seekg(-static_cast<std::streamoff>(end.size()), std::ios::end);
     return kind == ImageKind::exr || (stream.read(end.data(), static_cast<std::streamsize>(end.size())) && end == LAST);
-}
-
-std::string camera_text(const Options& options, bool framed) {
-    std::string text;
-    if (!options.camera.file.empty()) text += fmt::format(" camera {:016x}", fingerprint_of_file(options.camera.file));
-    if (options.camera.index) text += fmt::format(" camera {}", *options.camera.index);
-    if (options.look_at)
-        text += fmt::format(" look-at {},{}", fmt::join(options.look_at->eye, ","),
-                            fmt::join(options.look_at->target, ","));
-    if (framed && !options.look_at) text += fmt::format(" framed {}", frame_time(options, options.frames->first));
-    if (options.vertical_fov) text += fmt::format(" fov {}", *options.vertical_fov);
-    if (options.aperture) text += fmt::format(" aperture {}", *options.aperture);
-    if (options.focus) text += fmt::format(" focus {}", *options.focus);
-    return text;
-}
-
-std::string sky_text(const Options& options) {
-    if (!options.sky.file.empty()) return fmt::format(" sky {:016x}", fingerprint_of_file(options.sky.file));
-    if (options.sky.radiance) return fmt::format(" sky {}", fmt::join(*options.sky.radiance, ","));
-    // Whether there is a studio around it was decided at the first frame.
-    return fmt::format(" sky at {}", frame_time(options, options.frames->first));
 }
 
 }  // namespace
@@ -104,25 +87,23 @@ std::vector<std::filesystem::path> frames_there(const std::string& pattern, cons
 
 double frame_time(const Options& options, uint32_t number) { return static_cast<double>(number) / options.fps; }
 
-std::string sequence_text(const Options& options, bool framed) {
+std::string sequence_text(const Options& options, const render_system::HostScene& scene) {
     std::string text =
-        fmt::format("scene {:016x} size {}x{} spp {} seed {} max-path-length {} core {}",
-                    fingerprint_of_file(scene_path(options.scene)), options.width, options.height, options.spp.front(),
-                    options.seed, options.max_path_length, fmt::join(options.cores, ","));
+        fmt::format("version {} textures {} sky {} size {}x{} spp {} seed {} max-path-length {} core {}",
+                    PORTTOOL_VERSION, texture_digest(scene), sky_digest(scene.sky()), options.width, options.height,
+                    options.spp.front(), options.seed, options.max_path_length, fmt::join(options.cores, ","));
     if (!options.russian_roulette) text += " no-roulette";
     if (!options.next_event_estimation) text += " no-nee";
     if (options.indirect_limit > 0.0f) text += fmt::format(" clamp {}", options.indirect_limit);
     if (options.exact) text += " exact";
     if (options.filter != FilterMode::none) text += fmt::format(" filter {}", static_cast<int>(options.filter));
-    if (!options.variant.empty()) text += fmt::format(" variant {}", options.variant);
-    if (!options.animation.empty()) text += fmt::format(" animation {}", options.animation);
-    if (!options.kernels.empty()) text += fmt::format(" kernels {}", options.kernels);
-    text += camera_text(options, framed) + sky_text(options);
+    if (!options.kernels.empty()) text += kernels_text(options.kernels);
     return text + fmt::format(" exposure {} tone-map {}", options.exposure, static_cast<int>(options.tone_map));
 }
 
-std::string frame_text(const std::string& sequence, double seconds) {
-    return fmt::format("{} time {}", sequence, seconds);
+std::string frame_text(const std::string& sequence, const render_system::HostScene& scene,
+                       const render_system::ViewPyramid& view, double seconds) {
+    return fmt::format("{} scene {} view {} time {}", sequence, pose_digest(scene), view_digest(view), seconds);
 }
 
 Result<std::string> encode_frame(const Picture& picture, ImageKind kind, const Options& options,

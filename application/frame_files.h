@@ -9,6 +9,7 @@
 
 #include "application/options.h"
 #include "application/picture.h"
+#include "render_system/host_scene.h"
 #include "render_system/status.h"
 
 // The files of a sequence: their names, and what each says it was made with.
@@ -25,12 +26,12 @@ std::vector<std::filesystem::path> frames_there(const std::string& pattern, cons
 /// The seconds of a frame.
 double frame_time(const Options& options, uint32_t number);
 
-/// One line of all that decides what the picture of a sequence shows, but for its time: options, the contents of the
-/// files that they name, and where the scene has no camera the first frame, which the view frames.
-std::string sequence_text(const Options& options, bool framed);
+/// One line of what decides what the pictures of a sequence show and no frame changes: options, textures and sky.
+std::string sequence_text(const Options& options, const render_system::HostScene& scene);
 
-/// With the time of a frame.
-std::string frame_text(const std::string& sequence, double seconds);
+/// With the scene as it stands in a frame, the view of it and its time.
+std::string frame_text(const std::string& sequence, const render_system::HostScene& scene,
+                       const render_system::ViewPyramid& view, double seconds);
 
 /// The bytes of a frame's file, which says `text` and a checksum of its pixels.
 render_system::Result<std::string> encode_frame(const Picture& picture, ImageKind kind, const Options& options,

@@ -127,7 +127,6 @@ Status choose_camera(const Options& options, const Companions& companions, Scene
         camera = render_system::look_at({eye[0], eye[1], eye[2]}, {target[0], target[1], target[2]}, {0.0f, 1.0f, 0.0f},
                                         fov);
     }
-    setup.framed = !camera;
     if (!camera) camera = default_camera(options, setup.scene, console);
     const auto chosen = with_lens(options, *camera);
     if (chosen.ok()) setup.camera = *chosen;
@@ -196,7 +195,7 @@ Result<SceneSetup> set_up_scene(const Options& options, Console& console, const 
     if (!loaded.ok()) return loaded.status;
     if (Status status = check_outputs(outputs, input_files(options, loaded->files)); !status.ok()) return status;
     for (const std::string& warning : loaded->warnings) console.warning(warning);
-    SceneSetup setup{std::move(loaded->scene), {}, {}, false};
+    SceneSetup setup{std::move(loaded->scene), {}, {}};
     HostScene& scene = setup.scene;
 
     if (companions->camera) {

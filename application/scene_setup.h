@@ -29,7 +29,6 @@ struct SceneSetup {
     render_system::HostScene scene;
     render_system::Camera camera;
     std::optional<uint32_t> followed;  ///< the scene's camera that `camera` is, where nothing else was asked for
-    bool framed = false;               ///< no camera was there: `camera` frames the scene as it is now
 };
 
 /// The scene's camera `followed` as it stands now, with lens and field of view as the options have them. Fails with

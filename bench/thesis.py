@@ -7,7 +7,8 @@
     bench/thesis.py --quick -o DIR    a small picture of one scene, in seconds
     bench/thesis.py --self-test FILE  the same small run packed into one file, for a machine with a GPU, to be sent back
     bench/thesis.py --with FILE...    such files beside this machine
-    bench/thesis.py --keep PAGE.md ...   also puts the page there, with its pictures in a folder PAGE beside it
+    bench/thesis.py --keep PAGE.md ...   also puts the page there, with its pictures in a folder PAGE beside it: those of
+                                         scenes of our own, as others' are not ours to pass on
     bench/thesis.py --age PAGE        brings up to date how many kernel files changed since PAGE was made
 
 DIR/thesis.html is one file, DIR/thesis.md has its pictures in DIR/pictures. Every number of theirs is in DIR/measured,
@@ -24,6 +25,7 @@ import shutil
 import subprocess
 import sys
 import time
+import tomllib
 import zipfile
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
@@ -36,6 +38,7 @@ BLOCKS = ("generate", "extend", "shade", "connect", "finalize")
 QUICK = {"size": "64x36", "counts": [1, 4], "bias": 16, "frames": 2}
 FULL = {"size": "320x180", "counts": [1, 4, 16, 64, 256, 1024], "bias": 256, "frames": 9}
 OTHER_SEED = 1
+FEWEST_PORTS = 8  # that porttool fits equation 8 to
 
 
 def fail(message):
@@ -123,10 +126,10 @@ class Measurements:
 
 
 class Scene:
-    """A scene as the command line takes it, its diffuse copy, and what was measured of it."""
+    """A scene as the command line takes it. `ours`: it is of this project's own making."""
 
-    def __init__(self, name, file, options=()):
-        self.name, self.file, self.options = name, file, [str(option) for option in options]
+    def __init__(self, name, file, options=(), ours=False):
+        self.name, self.file, self.options, self.ours = name, file, [str(option) for option in options], ours
 
     def words(self, settings):
         return [self.file, "--size", settings["size"], *self.options]
@@ -292,7 +295,21 @@ def add_table2(page, report):
                                            if b["degree_of_portability"]})
 
 
-def add_equations(page, report, scene, pictures):
+def law_of_ports(take):
+    """Equation 8 fitted to the ports that portmap.toml records with lines and hours, asked of the last of them."""
+    records = tomllib.loads((ROOT / "portmap.toml").read_text()).get("effort", [])
+    timed = [record for record in records if "lines" in record and "port" in record]
+    if len(timed) < FEWEST_PORTS or take.porttool is None:
+        return f"{len(timed)} ports are recorded with lines and hours; a fit needs {FEWEST_PORTS}"
+    answer = take.take("effort", [take.porttool, "effort", "--from", timed[-1]["from"], "--to", timed[-1]["to"],
+                                  "--format", "json"])
+    law = answer and answer["predicted_hours_by_law"]
+    if not law:
+        return "not fitted"
+    return f"{law['value']:.2g} h ({law['low']:.2g} to {law['high']:.2g}) for {timed[-1]['lines']} lines"
+
+
+def add_equations(page, report, scene, pictures, take):
     section = page.section("Equations 3 to 8")
     rows = []
     if pictures is not None:
@@ -311,9 +328,7 @@ def add_equations(page, report, scene, pictures):
                  [f"C_redevelop, {block['name']}", "lines", lines, theirs[0]],
                  [f"degree of portability, {block['name']}", "1 - C_port / C_redevelop", number(degree and degree["loc"], 2),
                   theirs[-1]]]
-    efforts = (ROOT / "portmap.toml").read_text().count("[[effort]]")
-    rows.append(["equation 8, cost of a port", "Y = C prod 10^(beta alpha) X^beta",
-                 f"{efforts} recorded ports" + ("; a fit needs 8" if efforts < 8 else "; see porttool effort"), "-"])
+    rows.append(["equation 8, hours of a port", "Y = C prod 10^(beta alpha) X^beta", law_of_ports(take), "-"])
     section.table(["quantity", "formula", "here", "thesis"], rows)
     section.say("The project holds no copy of the thesis: which formula has which of its numbers is known of equation 8 alone "
                 "(3.1.3). These are the quantities of its tables; docs/metrics.md has each formula in full, with its source.")
@@ -339,12 +354,12 @@ def generated(name, folder):
     file = folder / "scenes" / name / f"{name}.gltf"
     if not file.is_file():
         subprocess.run([sys.executable, str(ROOT / "scenes/make_scenes.py"), name, str(file.parent)], check=True)
-    return Scene(name, str(file))
+    return Scene(name, str(file), ours=True)
 
 
 def find_scenes(arguments, folder):
     """The scenes by rising size, and why others are left out."""
-    scenes, left_out = [Scene("still_life", "still_life")], []
+    scenes, left_out = [Scene("still_life", "still_life", ours=True)], []
     for name in arguments.scene:
         scenes.append(Scene(pathlib.Path(name).stem, name))
     if not arguments.quick:
@@ -382,7 +397,7 @@ def make_page(arguments, settings, take, folder):
         if series:
             add_speed(page, scene, series)
     add_table2(page, report)
-    add_equations(page, report, scenes[0], found[0][1])
+    add_equations(page, report, scenes[0], found[0][1], take)
     add_other_machines(page, arguments.others)
     page.kernels = now
     return page, found
@@ -403,9 +418,14 @@ def pack_self_test(arguments, settings, take, found, file):
     print(f"send back: {file}")
 
 
-def keep(folder, page):
-    """The Markdown page and the pictures that it shows, somewhere else."""
+def keep(folder, page, found):
+    """The Markdown page and the pictures that it shows, somewhere else; without those of scenes that others made, which
+    are not ours to pass on."""
     text = (folder / "thesis.md").read_text()
+    for scene, _, _ in found:
+        if not scene.ours:
+            shown = re.compile(rf"(!\[[^]]*\]\(pictures/{re.escape(scene.name)}(_bias)?/.*\)\n+)+")
+            text = shown.sub(f"{scene.name} is another author's: its pictures stay where this was measured.\n\n", text)
     for link in re.findall(r"^!\[[^]]*\]\(pictures/(.*)\)$", text, re.M):
         copy = page.parent / page.stem / link
         copy.parent.mkdir(parents=True, exist_ok=True)
@@ -465,7 +485,7 @@ def main():
     page.write(folder)
     print(folder / "thesis.html")
     if arguments.keep is not None:
-        keep(folder, arguments.keep)
+        keep(folder, arguments.keep, found)
     if arguments.self_test is not None:
         pack_self_test(arguments, settings, take, found, arguments.self_test.resolve())
 

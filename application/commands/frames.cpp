@@ -34,7 +34,7 @@ public:
           pattern_(pattern),
           kind_(kind),
           console_(console),
-          text_(sequence_text(options, setup.framed)),
+          text_(sequence_text(options, setup.scene)),
           session_(options, std::move(setup), console),
           picture_(options.width, options.height),
           sums_(keeps_squares(options) ? options.width : 0, options.height, true) {
@@ -73,7 +73,8 @@ private:
 
     /// Each rank takes the next frame when it is done with one.
     Status render_on(Team& ranks) {
-        Status status = start(options_.frames->first);
+        Status status = session_.show(frame_time(options_, options_.frames->first));
+        if (status.ok()) status = start();
         if (status = ranks.agree(status); !status.ok()) return status;
         if (status = ranks.agree_on(run_identity(options_, session_)); !status.ok()) return status;
         ranks.open_tasks();
@@ -93,8 +94,10 @@ private:
         for (uint64_t place = next(); place < frame_count(); place = next()) {
             const uint32_t number = options_.frames->first + static_cast<uint32_t>(place);
             const std::string file = *frame_file(pattern_, number);
-            const std::string text = frame_text(text_, frame_time(options_, number));
             if (interrupt_.signal() != 0) return Status::success();
+            const double seconds = frame_time(options_, number);
+            if (Status status = session_.show(seconds); !status.ok()) return named(number, status);
+            const std::string text = frame_text(text_, session_.scene(), session_.view(), seconds);
             if (options_.resume && holds_frame(file, kind_, text)) {
                 ++kept_;
                 continue;
@@ -109,9 +112,8 @@ private:
         return Status::success();
     }
 
-    /// The core takes its first sample, of that frame.
-    Status start(uint32_t number) {
-        if (Status status = session_.show(frame_time(options_, number)); !status.ok()) return named(number, status);
+    /// The core takes its first sample, of the frame that is shown.
+    Status start() {
         sums_.clear();
         const auto choice = start_chosen_core(session_, options_, picture_, console_);
         started_ = choice.ok();
@@ -120,7 +122,7 @@ private:
 
     Status render_frame(uint32_t number) {
         const auto began = std::chrono::steady_clock::now();
-        if (Status status = started_ ? show(number) : start(number); !status.ok()) return status;
+        if (Status status = started_ ? begin(number) : start(); !status.ok()) return status;
         const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - began;
         const render_system::CoreStats stats = session_.stats();
         console_.detail(
@@ -141,8 +143,7 @@ private:
         return session_.filter(picture_, variances_of(sums_), {first, first + sums_.samples}, history);
     }
 
-    Status show(uint32_t number) {
-        if (Status status = session_.show(frame_time(options_, number)); !status.ok()) return named(number, status);
+    Status begin(uint32_t number) {
         sums_.clear();
         if (Status status = session_.go_on_from(first_sample()); !status.ok()) return named(number, status);
         const Status status = session_.render(Convergence::Restart, 1);

@@ -89,6 +89,26 @@ void add_sky(Digest& digest, const Sky& sky) {
     add_array(digest, sky.texels);
 }
 
+void add_geometry(Digest& digest, const HostScene& scene) {
+    for (const HostMesh& mesh : scene.meshes()) add_mesh(digest, mesh);
+    for (const HostInstance& instance : scene.instances()) {
+        add_value(digest, instance.mesh);
+        for (const glm::vec4& row : instance.transform.rows) add_value(digest, row);
+    }
+}
+
+void add_materials(Digest& digest, const HostScene& scene) {
+    for (const HostMaterial& material : scene.materials()) add_material(digest, material.core);
+}
+
+void add_textures(Digest& digest, const HostScene& scene) {
+    for (const HostTexture& texture : scene.textures()) add_texture(digest, texture);
+}
+
+void add_lights(Digest& digest, const HostScene& scene) {
+    for (const PunctualLight& light : scene.punctual_lights()) add_light(digest, light);
+}
+
 }  // namespace
 
 void Digest::add_bytes(const void* bytes, size_t size) { value_ = XXH64(bytes, size, value_); }
@@ -99,15 +119,25 @@ std::string Digest::hex() const { return fmt::format("{:016x}", value_); }
 
 std::string scene_digest(const HostScene& scene) {
     Digest digest;
-    for (const HostMesh& mesh : scene.meshes()) add_mesh(digest, mesh);
-    for (const HostInstance& instance : scene.instances()) {
-        add_value(digest, instance.mesh);
-        for (const glm::vec4& row : instance.transform.rows) add_value(digest, row);
-    }
-    for (const HostMaterial& material : scene.materials()) add_material(digest, material.core);
-    for (const HostTexture& texture : scene.textures()) add_texture(digest, texture);
-    for (const PunctualLight& light : scene.punctual_lights()) add_light(digest, light);
+    add_geometry(digest, scene);
+    add_materials(digest, scene);
+    add_textures(digest, scene);
+    add_lights(digest, scene);
     add_sky(digest, scene.sky());
+    return digest.hex();
+}
+
+std::string pose_digest(const HostScene& scene) {
+    Digest digest;
+    add_geometry(digest, scene);
+    add_materials(digest, scene);
+    add_lights(digest, scene);
+    return digest.hex();
+}
+
+std::string texture_digest(const HostScene& scene) {
+    Digest digest;
+    add_textures(digest, scene);
     return digest.hex();
 }
 

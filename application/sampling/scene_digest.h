@@ -26,6 +26,12 @@ private:
 /// What of a scene reaches a picture: geometry, materials, textures, lights and sky; no names.
 std::string scene_digest(const render_system::HostScene& scene);
 
+/// The same as the scene stands now, without its textures and its sky, which nothing animates.
+std::string pose_digest(const render_system::HostScene& scene);
+
+/// The textures alone.
+std::string texture_digest(const render_system::HostScene& scene);
+
 /// The sky alone, which is in that of the scene as well.
 std::string sky_digest(const render_system::Sky& sky);
 

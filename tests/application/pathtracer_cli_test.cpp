@@ -259,6 +259,33 @@ TEST_F(Pathtracer, ASequenceIsTakenUpWhereItsFramesHaveTheseOptions) {
     EXPECT_THAT(files_in(folder.path), ElementsAre("f00.png", "f01.png", "f02.png", moving, scene));
 }
 
+TEST_F(Pathtracer, FramesAreRenderedAgainWhereWhatTheySeeHasChanged) {
+    const std::filesystem::path file = write_moving_scene(folder.path);
+    std::string text = read_file(file);
+    const size_t uri = text.find("data:");
+    text.replace(uri, text.find('"', uri) - uri, "moving.bin");
+    std::ofstream(file) << text;
+    const auto write_buffer = [&](float last_x) {
+        const float corners_times_places[] = {-1, -1, 0, 1, -1, 0, 0, 1, 0, 0, 1, 0, 0, 0, last_x, 0, 0};
+        std::ofstream(folder.path / "moving.bin", std::ios::binary)
+            .write(reinterpret_cast<const char*>(corners_times_places), sizeof(corners_times_places));
+    };
+    const auto frames = [&](std::vector<std::string> more = {}) {
+        std::vector<std::string> words = {
+            "render",    "moving.gltf", "--core", "null",   "--size",   "16x9", "--spp", "2",
+            "--look-at", "0,0,5,0,0,0", "-o",     "f#.png", "--frames", "0:3",  "--fps", "2"};
+        words.insert(words.end(), more.begin(), more.end());
+        return run(words);
+    };
+    write_buffer(1);
+    EXPECT_EQ(frames().exit_code, 0);
+    std::ofstream(file) << text << "\n\n";  // says the same
+    EXPECT_THAT(frames({"--resume"}).err, HasSubstr(", 3 of them kept"));
+    write_buffer(2);  // goes on elsewhere from where it starts
+    EXPECT_THAT(frames({"--resume"}).err, HasSubstr(", 1 of them kept"));
+    EXPECT_THAT(frames({"--resume", "--fov", "30"}).err, Not(HasSubstr("kept")));
+}
+
 TEST_F(Pathtracer, OnlyFramesThatAreWholeAreKept) {
     const auto frames = [&](const std::string& pattern, std::vector<std::string> more = {}) {
         more.insert(more.begin(), {"-o", pattern, "--frames", "0:4", "--look-at", "0,0,5,0,0,0", "--sky", "1,1,1"});
