@@ -9,12 +9,13 @@
 #include <utility>
 
 #include "porttool/match/decide.h"
+#include "porttool/match/inlined_kernels.h"
 #include "porttool/match/words.h"
 
 namespace porttool {
 namespace {
 
-constexpr uint32_t kNobody = 0xFFFFFFFFu;
+constexpr uint32_t kNobody = kNoUnit;
 
 struct Choice {
     float score;
@@ -40,6 +41,7 @@ public:
                 scores_.back().push_back(candidate.resemblance.score +
                                          (is_namesake(candidate) ? kNamesakeBonus : 0.0f) + role_bonus(candidate));
         }
+        for (uint32_t s = 0; s < source_.size(); ++s) prefer_alike_bodies(s);
         constexpr float kFixed = 10;  // ahead of all that is only alike
         for (const FixedPair& pair : fixed) {
             fixed_[pair.source] = true;
@@ -61,7 +63,7 @@ public:
         settle();
         share_targets();
         share_sources();
-        find_inlined();
+        add_inlined();
         return std::move(settled_);
     }
 
@@ -78,6 +80,23 @@ private:
     /// One name for several units of a file, and the two share it. In several files they are copies.
     static bool is_overloaded(const UnitFeatures& a, const UnitFeatures& b) {
         return a.folded_leaf == b.folded_leaf && (a.overloaded || b.overloaded);
+    }
+
+    /// Of several functions about a kernel's subject, as one that hands on, one that checks and one that works it out,
+    /// the port is the one that is written most alike, however long its name is.
+    void prefer_alike_bodies(uint32_t s) {
+        constexpr float kPerShare = 0.6f;
+        const auto about_it = [&](const Candidate& candidate) {
+            return candidate.resemblance.core >= 1 && source_[s].kernel && !target_[candidate.target].kernel;
+        };
+        float most = 0;
+        for (const Candidate& candidate : candidates_[s])
+            if (about_it(candidate)) most = std::max(most, body_likeness(candidate.resemblance));
+        for (uint32_t c = 0; c < candidates_[s].size(); ++c) {
+            const Candidate& candidate = candidates_[s][c];
+            if (about_it(candidate) && candidate.resemblance.same_name < 1)
+                scores_[s][c] -= kPerShare * (most - body_likeness(candidate.resemblance));
+        }
     }
 
     /// One of the two launches kernels. Where they share the last part of their names, the other can hold the launcher
@@ -378,37 +397,19 @@ private:
         });
     }
 
-    /// A kernel whose launcher is ported by a function that computes by itself stands in that function: `main` with its
-    /// loops is the port of the `main` that launches, and of what it launches.
-    void find_inlined() {
-        std::unordered_map<uint32_t, std::vector<uint32_t>> open;  // kernels without a target, by name
-        for (uint32_t s = 0; s < source_.size(); ++s)
-            if (source_[s].kernel && choice_[s] == kNobody) open[source_[s].called_as].push_back(s);
-        const size_t pairs = settled_.size();
-        for (size_t i = 0; i < pairs && !open.empty(); ++i) {
-            const UnitFeatures& target = target_[settled_[i].target];
-            if (target.launcher || !target.computes) continue;
-            for (const uint32_t name : source_[settled_[i].source].callees) {
-                const auto found = open.find(name);
-                if (found == open.end() || std::binary_search(target.callees.begin(), target.callees.end(), name))
-                    continue;
-                for (const uint32_t s : found->second) add_inlined(s, settled_[i].target);
-            }
+    /// Kernels that are left stand in a function that ports what launches them.
+    void add_inlined() {
+        std::vector<uint32_t> ports(source_.size(), kNoUnit);
+        for (const Assignment& pair : settled_)
+            if (ports[pair.source] == kNoUnit) ports[pair.source] = pair.target;
+        for (const InlinedKernel& kernel : find_inlined_kernels(source_, target_, ports, claimed_)) {
+            Assignment pair;
+            pair.source = kernel.source;
+            pair.target = kernel.target;
+            pair.shared = true;
+            pair.confidence = kernel.confidence;
+            settled_.push_back(pair);
         }
-    }
-
-    void add_inlined(uint32_t s, uint32_t t) {
-        constexpr float kLeast = 0.5f, kBase = 0.4f, kPerShare = 0.5f;
-        if (choice_[s] != kNobody) return;
-        const float contained = contained_in(source_[s], target_[t]);
-        if (contained < kLeast) return;
-        Assignment pair;
-        pair.source = s;
-        pair.target = t;
-        pair.shared = true;
-        pair.confidence = kBase + kPerShare * contained;
-        choice_[s] = 0;
-        settled_.push_back(pair);
     }
 
     /// Variants of one unit, or of one name, share a counterpart; what else resembles one that is taken is a sibling of

@@ -56,6 +56,7 @@ struct UnitFeatures {
     std::vector<uint32_t> ordered_words;  ///< term ids of the qualified name's words, as they follow each other
     std::string core;                     ///< what the name is about, in one word, see name_cores.h
     std::vector<uint32_t> core_words;     ///< sorted term ids
+    std::vector<std::string> name_types;  ///< the types that the name speaks of, in common spelling
     std::shared_ptr<const std::vector<uint32_t>> path_words;  ///< sorted term ids (of names) of folders and file
     std::vector<uint32_t> parameter_types;                    ///< sorted term ids
     std::vector<uint32_t> operands;                           ///< term ids of the parameters' types, in order

@@ -102,6 +102,66 @@ std::unordered_set<uint32_t> words_of_one_side(const std::vector<NameWords>& own
     return out;
 }
 
+constexpr size_t kShortestHead = 2, kLongestHead = 3;
+
+/// How many names begin with the same words, and how many of these the other side has without them.
+struct Head {
+    float names = 0, found = 0;
+};
+
+using Heads = std::unordered_map<std::string, Head>;
+
+/// The first words of a name, and what follows them.
+std::string head_of(const NameWords& name, size_t length, const TermNumbers& terms) {
+    std::string text;
+    for (size_t i = 0; i < length; ++i) (text += terms.text(name[i])) += ' ';
+    return text;
+}
+
+NameWords without_head(const NameWords& name, size_t length) {
+    return {name.begin() + static_cast<std::ptrdiff_t>(length), name.end()};
+}
+
+/// A member's first words are its class, which is no head.
+bool may_have_head(const UnitFeatures& unit) {
+    return unit.group == Group::Code && unit.folded_name == unit.folded_leaf;
+}
+
+Heads count_heads(const std::vector<NameWords>& own, const std::vector<UnitFeatures>& units,
+                  const std::unordered_set<std::string>& other_names, const TermNumbers& terms) {
+    Heads heads;
+    for (size_t i = 0; i < own.size(); ++i) {
+        if (!may_have_head(units[i])) continue;
+        for (size_t length = kShortestHead; length <= kLongestHead && length < own[i].size(); ++length) {
+            Head& head = heads[head_of(own[i], length, terms)];
+            head.names += 1;
+            if (other_names.contains(joined(without_head(own[i], length), terms))) head.found += 1;
+        }
+    }
+    return heads;
+}
+
+/// Leaves out the several words that one side has in front of names which the other side has without them
+/// (`api_forward_roll` where there is `roll`): no one of the words alone stands before a name.
+void leave_heads_out(std::vector<NameWords>& names, const std::vector<UnitFeatures>& units, const Heads& own,
+                     const Heads& other, const TermNumbers& terms) {
+    constexpr float kFewest = 4, kMostThere = 0.2f, kShare = 0.3f;
+    const auto of_one_side = [&](const std::string& text) {
+        const Head& head = own.at(text);
+        const auto there = other.find(text);
+        const float others = there == other.end() ? 0 : there->second.names;
+        return head.names >= kFewest && head.found >= kShare * head.names && others <= kMostThere * head.names;
+    };
+    for (size_t i = 0; i < names.size(); ++i) {
+        if (!may_have_head(units[i])) continue;
+        for (size_t length = kLongestHead; length >= kShortestHead; --length)
+            if (length < names[i].size() && of_one_side(head_of(names[i], length, terms))) {
+                names[i] = without_head(names[i], length);
+                break;
+            }
+    }
+}
+
 void leave_out(std::vector<NameWords>& names, const std::unordered_set<uint32_t>& words) {
     if (words.empty()) return;
     for (NameWords& name : names) {
@@ -125,6 +185,8 @@ void store(const std::vector<NameWords>& names, const TermNumbers& terms, std::v
     for (size_t i = 0; i < units.size(); ++i) {
         units[i].core = joined(names[i], terms);
         units[i].core_words = names[i];
+        for (const uint32_t word : units[i].ordered_words)
+            if (const auto type = type_of_word(terms.text(word)); !type.empty()) units[i].name_types.emplace_back(type);
         std::sort(units[i].core_words.begin(), units[i].core_words.end());
     }
 }
@@ -141,6 +203,10 @@ void read_cores(std::vector<UnitFeatures>& source, std::vector<UnitFeatures>& ta
     const auto of_right = words_of_one_side(right, target_words, source_words, texts_of(left, source, terms), terms);
     leave_out(left, of_left);
     leave_out(right, of_right);
+    const Heads left_heads = count_heads(left, source, texts_of(right, target, terms), terms);
+    const Heads right_heads = count_heads(right, target, texts_of(left, source, terms), terms);
+    leave_heads_out(left, source, left_heads, right_heads, terms);
+    leave_heads_out(right, target, right_heads, left_heads, terms);
     store(left, terms, source);
     store(right, terms, target);
 }

@@ -6,6 +6,8 @@
 #include <unordered_map>
 #include <unordered_set>
 
+#include "porttool/match/words.h"
+
 namespace porttool {
 namespace {
 
@@ -160,6 +162,19 @@ private:
 /// What two names differ in, as one number.
 uint64_t key_of(const WordList& lost, const WordList& gained) { return sum(lost) * 31 + sum(gained); }
 
+/// Each of the two names speaks of types, and none of them is the same.
+bool speak_of_other_types(const UnitFeatures& a, const UnitFeatures& b) {
+    return !a.name_types.empty() && !b.name_types.empty() &&
+           std::find_first_of(a.name_types.begin(), a.name_types.end(), b.name_types.begin(), b.name_types.end()) ==
+               a.name_types.end();
+}
+
+NameDifference mixed(const NameDifference& a, const NameDifference& b, float share) {
+    const auto mix_of = [share](float one, float other) { return share * one + (1 - share) * other; };
+    return {mix_of(a.lost, b.lost), mix_of(a.gained, b.gained), mix_of(a.lost_variant, b.lost_variant),
+            mix_of(a.gained_variant, b.gained_variant)};
+}
+
 std::vector<bool> certain_ones(size_t count, const std::vector<LearnedPair>& pairs, uint32_t LearnedPair::*side) {
     std::vector<bool> certain(count, false);
     for (const LearnedPair& pair : pairs)
@@ -207,8 +222,7 @@ NameEvidence::NameEvidence(const std::vector<UnitFeatures>& source, const std::v
 
 NameEvidence::~NameEvidence() = default;
 
-NameDifference NameEvidence::difference(const UnitFeatures& from, const UnitFeatures& to) const {
-    const WordList lost = missing(from, to, learned_->terms), gained = missing(to, from, learned_->terms);
+NameDifference NameEvidence::weigh(const WordList& lost, const WordList& gained) const {
     const float habit = learned_->habit(key_of(lost, gained));
     NameDifference out;
     out.lost = learned_->there.kept(lost, habit);
@@ -216,6 +230,19 @@ NameDifference NameEvidence::difference(const UnitFeatures& from, const UnitFeat
     out.lost_variant = learned_->source_variants.left_out(lost);
     out.gained_variant = learned_->target_variants.left_out(gained);
     return out;
+}
+
+NameDifference NameEvidence::difference(const UnitFeatures& from, const UnitFeatures& to) const {
+    WordList lost = missing(from, to, learned_->terms), gained = missing(to, from, learned_->terms);
+    const NameDifference all = weigh(lost, gained);
+    if (from.core != to.core || speak_of_other_types(from, to)) return all;
+    const auto how = [&](uint32_t word) {
+        const std::string_view text = learned_->terms.text(word);
+        return text.size() == 1 || tells_how(text);
+    };
+    if (std::erase_if(lost, how) + std::erase_if(gained, how) == 0) return all;
+    constexpr float kHow = 0.25f;
+    return mixed(all, weigh(lost, gained), kHow);
 }
 
 float doubt(const NameDifference& difference) {

@@ -33,10 +33,14 @@ public:
                  const TermNumbers& terms, const std::vector<LearnedPair>& pairs);
     ~NameEvidence();
 
+    /// Between names about one thing, words that tell how count little, unless the two speak of different types.
     NameDifference difference(const UnitFeatures& from, const UnitFeatures& to) const;
 
 private:
     struct Learned;
+
+    NameDifference weigh(const std::vector<uint32_t>& lost, const std::vector<uint32_t>& gained) const;
+
     std::unique_ptr<const Learned> learned_;
 };
 

@@ -47,6 +47,14 @@ size_t joint_in(std::string_view word) {
     return letters(at - kBefore, at) && letters(at + 1, word.size()) ? at : std::string_view::npos;
 }
 
+/// `conv2d` is `conv 2d`: the place of the digit before a `d` at the end.
+size_t dimension_in(std::string_view word) {
+    constexpr size_t kBefore = 3;
+    if (word.size() < kBefore + 2 || word.back() != 'd' || !is_digit(word[word.size() - 2])) return word.npos;
+    const bool letters = is_small_letter(word[word.size() - 3]) && is_small_letter(word[word.size() - 4]);
+    return letters ? word.size() - 2 : word.npos;
+}
+
 bool ends_with_joint(std::string_view word) {
     return word.size() > 3 && word.back() == '2' && is_small_letter(word[word.size() - 2]) &&
            is_small_letter(word[word.size() - 3]);
@@ -56,6 +64,10 @@ void add_word(std::string word, std::vector<std::string>& words) {
     if (const size_t joint = joint_in(word); joint != std::string_view::npos) {
         add_word(word.substr(0, joint), words);
         word.erase(0, joint + 1);
+    }
+    if (const size_t dimension = dimension_in(word); dimension != std::string_view::npos) {
+        add_word(word.substr(0, dimension), words);
+        word.erase(0, dimension);
     }
     stem(word);
     words.push_back(std::move(word));
@@ -106,6 +118,32 @@ bool tells_how(std::string_view word) {
         return words;
     }();
     return is_short_type(word) || is_type_word(word) || kWords.contains(std::string(word));
+}
+
+std::string_view type_of_word(std::string_view word) {
+    struct Row {
+        std::string_view word, type;
+    };
+    constexpr std::array<Row, 13> kRows = {{{"float", "f32"},
+                                            {"fp32", "f32"},
+                                            {"double", "f64"},
+                                            {"fp64", "f64"},
+                                            {"half", "f16"},
+                                            {"fp16", "f16"},
+                                            {"bf16", "bf16"},
+                                            {"int", "i32"},
+                                            {"uint", "u32"},
+                                            {"char", "i8"},
+                                            {"uchar", "u8"},
+                                            {"short", "i16"},
+                                            {"ushort", "u16"}}};
+    if (is_short_type(word)) return word;
+    const auto letters = std::find_if(word.begin(), word.end(), is_digit);
+    const bool vector = word.end() - letters <= 2 && !word.starts_with('f') ? true : word.starts_with("float");
+    const std::string_view stem_of = vector ? word.substr(0, static_cast<size_t>(letters - word.begin())) : word;
+    for (const Row& row : kRows)
+        if (row.word == word || row.word == stem_of) return row.type;
+    return {};
 }
 
 bool converts(std::string_view name) {

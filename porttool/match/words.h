@@ -19,6 +19,9 @@ bool converts(std::string_view name);
 /// `float4`), platforms (`cuda`, `avx2`), ways of working (`tiled`, `optimized`), verbs that fit everything (`run`).
 bool tells_how(std::string_view word);
 
+/// The type of numbers that a word, as split_words() gives it, stands for (`f32`, `float`, `float4`: f32); else empty.
+std::string_view type_of_word(std::string_view word);
+
 /// True for a word, as split_words() gives it, that tells for which instruction set a function is written (`avx2`).
 bool names_instruction_set(std::string_view word);
 
