@@ -92,7 +92,7 @@ std::string sync_table(const SyncResult& result, const std::optional<Verificatio
                                item.target_line, terminal_text(item.message));
         add_lines(one.patch, out);
         if (!one.record_patch.empty())
-            out += "    with the lines of its new pairs in portmap.toml, portmap.lock, portmap.base/\n";
+            out += "    with what changes of it in portmap.toml, portmap.lock, portmap.base/\n";
     }
     if (verification) {
         out += fmt::format("{} in {:.1f} s: {}\n", verification->passed() ? "verified" : "failed",

@@ -73,6 +73,10 @@ private:
             ++out_.already;
             return;
         }
+        if (const std::string why = uses_.doubt_of_step(was); !why.empty())
+            return leave("the source has `" + shown(texts_.now.words, now(is).first, now(is).end) + "` for `" +
+                             shown(texts_.before.words, before(was).first, before(was).end) + "`; " + why,
+                         now(is).first, target(there).first);
         change_words(hunks, was, is, there);
     }
 
@@ -311,6 +315,7 @@ private:
         if (!now.unknown.empty() && !is_renamed_elsewhere(hunk, first, end))
             return leave_run(hunk, first, "nothing tells how the port says " + listed(now.unknown));
         if (hunk.end == hunk.first + 1 && hunk.now_end == hunk.now_first + 1 && end == first + 1 &&
+            !uses_.is_local(hunk.now_first) &&
             translator_.declares_alone(texts_.target.words[first], texts_.now.words[hunk.now_first]))
             return leave_run(hunk, first, "the port declares `" + texts_.target.words[first] + "` itself");
         if (const std::string name = indexed_otherwise(now.words); !name.empty())

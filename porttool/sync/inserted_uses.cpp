@@ -24,9 +24,9 @@ size_t find_words(const std::vector<std::string>& in, size_t first, size_t end, 
 InsertedUses::InsertedUses(const EditReading& reading, bool is_method)
     : EditReading(reading),
       is_method_(is_method),
-      before_(texts_.before),
-      now_(texts_.now),
-      there_(texts_.target),
+      before_(texts_.before, texts_.hands_back),
+      now_(texts_.now, texts_.hands_back),
+      there_(texts_.target, texts_.target_hands_back),
       values_(reading, before_, there_),
       was_(texts_.now.words.size(), kNothing) {
     for (size_t i = 0; i < texts_.before.words.size(); ++i)
@@ -62,6 +62,32 @@ std::string InsertedUses::doubt_within(const std::vector<CarriedWord>& words, si
 std::string InsertedUses::doubt_before(const std::vector<CarriedWord>& words, size_t source_end,
                                        size_t target_word) const {
     return doubt({words, target_word, there_.place_before(target_word)}, source_end);
+}
+
+std::string InsertedUses::doubt_of_step(size_t was) const {
+    if (!before_.is_known() || !there_.is_known()) return {};
+    const auto beginning = [](const LocalWrites& writes, const AlignedText& text, size_t word) {
+        std::set<std::string> out;
+        for (const size_t clause : writes.reaching(word))
+            for (const VariableWrite& write : writes.writes(clause, text.words[word], writes.part(word).part))
+                if (write.op == "=" && write.end == write.first + 1 && is_number_token(text.words[write.first]))
+                    out.insert(number_value(text.words[write.first]));
+        return out;
+    };
+    for (size_t i = before(was).first; i < before(was).end; ++i) {
+        const size_t other = word_of(i);
+        if (before_.local(i) == 0 || other == kNothing || there_.local(other) == 0) continue;
+        const auto writes = before_.writes(was, texts_.before.words[i], before_.part(i).part);
+        const bool steps = std::any_of(writes.begin(), writes.end(), [](const VariableWrite& write) {
+            return write.op.size() > 1 && write.op.back() == '=';
+        });
+        const auto here = beginning(before_, texts_.before, i),
+                   beginning_there = beginning(there_, texts_.target, other);
+        if (steps && !here.empty() && !beginning_there.empty() && here != beginning_there)
+            return "the port's `" + texts_.target.words[other] + "` begins with `" + *beginning_there.begin() +
+                   "`, not `" + *here.begin() + "`";
+    }
+    return {};
 }
 
 std::string InsertedUses::doubt(const Insertion& in, size_t source_end) const {

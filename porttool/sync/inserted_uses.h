@@ -25,6 +25,13 @@ public:
     InsertedUses(const InsertedUses&) = delete;
     InsertedUses& operator=(const InsertedUses&) = delete;
 
+    /// True for a word of the source's new text that names a local of it.
+    bool is_local(size_t now_word) const { return now_.local(now_word) != 0; }
+
+    /// Why a step of a variable in a clause of the source's old text, `n ++` or `n += 2`, leads elsewhere in the port
+    /// whatever it says: it counts from another number there. "" if nothing shows that.
+    std::string doubt_of_step(size_t was) const;
+
     /// Words, made from those of the source's new text before `source_end`, in place of words of a clause of the
     /// target. Why they cannot be sure there, as a clause; "" if they are.
     std::string doubt_within(const std::vector<CarriedWord>& words, size_t source_end, size_t target_word) const;

@@ -5,6 +5,7 @@
 #include "porttool/compare/paired_names.h"
 #include "porttool/match/words.h"
 #include "porttool/scan/scan.h"
+#include "porttool/sync/call_sites.h"
 #include "porttool/sync/local_manner.h"
 #include "porttool/sync/unit_words.h"
 
@@ -34,6 +35,31 @@ size_t arguments_of(const NormalText& text) {
     return words <= 1 ? 0 : commas + 1;
 }
 
+/// How a parameter says that the function may write what it is given.
+bool says_handed_back(std::string_view word) { return word == "&" || word == "inout" || word == "out"; }
+
+bool may_hand_back(const LexedText& lexed, const Unit& unit) {
+    for (uint32_t i = unit.parameters.first; i < unit.parameters.end; ++i)
+        if (says_handed_back(lexed.view(i))) return true;
+    return false;
+}
+
+/// Which parameters of a function are references that it may write through.
+std::vector<size_t> handed_back(const ScannedFile& file, const Unit& unit) {
+    std::vector<size_t> out;
+    const std::vector<TokenRange> all = parameters_of_head(file, unit);
+    for (size_t place = 0; place < all.size(); ++place) {
+        bool writes = false, constant = false;
+        for (uint32_t i = all[place].first; i < all[place].end; ++i) {
+            const std::string_view word = file.lexed.view(i);
+            writes |= says_handed_back(word);
+            constant |= word == "const";
+        }
+        if (writes && !constant) out.push_back(place);
+    }
+    return out;
+}
+
 std::map<std::string, const Unit*> units_by_id(const ScannedFile& file) {
     std::map<std::string, const Unit*> out;
     for (const Unit& unit : file.units) out.emplace(unit_id(file, unit), &unit);
@@ -49,6 +75,24 @@ Knowledge::Knowledge(const CheckedProject& checked)
       words_{SideWords(checked.project.source, dialect_), SideWords(checked.project.target, dialect_)} {
     for (const Side side : kBothSides)
         for (const ScannedFile& file : files(side)) by_path_[side].emplace(file.path, &file);
+    for (const Side side : kBothSides)
+        hands_back_[side] = [this, side](const std::string& function, size_t argument) {
+            return is_handed_back(side, function, argument);
+        };
+}
+
+bool Knowledge::is_handed_back(Side side, const std::string& function, size_t argument) {
+    auto& known = written_arguments_[side];
+    if (!known) {
+        known.emplace();
+        for (const ScannedFile& file : files(side))
+            for (const Unit& unit : file.units)
+                if (unit.kind == UnitKind::Function && may_hand_back(file.lexed, unit))
+                    for (const size_t place : handed_back(file, unit))
+                        (*known)[std::string(file.lexed.view(unit.name_token))].insert(place);
+    }
+    const auto found = known->find(function);
+    return found != known->end() && found->second.contains(argument);
 }
 
 const ScannedFile* Knowledge::file_of(Side side, const std::string& path) const {

@@ -10,6 +10,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -52,6 +53,9 @@ public:
     const Examples& in_folders(const std::string& source_file, const std::string& target_file, Side from);
     /// Both, for a unit of `here` and its port in `there`.
     LearnedBeside learned_beside(Side from, const std::string& here, const std::string& there);
+    /// Which arguments functions of a side may write through a reference.
+    const HandsBack& hands_back(Side side) const { return hands_back_[side]; }
+
     /// How heads are written: by the pairs of two files of the sides `from` and the other, by all pairs.
     const HeadManners& heads_beside(Side from, const ScannedFile& file, const ScannedFile& other);
     const HeadManners& heads(Side from);
@@ -65,12 +69,16 @@ public:
     void set_fresh(const std::vector<FreshIds>& pairs);
 
 private:
+    bool is_handed_back(Side side, const std::string& function, size_t argument);
     void learn_heads(Side from, const ScannedFile* file, const ScannedFile* other, HeadManners& out) const;
 
     const CheckedProject& checked_;
     Dialect dialect_;
     Dialect base_;  ///< without pairs that this run brings
     BySide<SideWords> words_;
+    BySide<HandsBack> hands_back_;
+    /// By the function's name; overloads together.
+    BySide<std::optional<std::unordered_map<std::string, std::set<size_t>>>> written_arguments_;
     BySide<std::optional<UnitNames>> names_;
     BySide<std::set<std::string>> fresh_names_;
     std::map<std::pair<const ScannedFile*, const ScannedFile*>, std::unique_ptr<KnownWords>> known_;

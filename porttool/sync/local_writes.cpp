@@ -35,8 +35,8 @@ Words without_directives(const std::vector<std::string>& words) {
 
 }  // namespace
 
-LocalWrites::LocalWrites(const AlignedText& text)
-    : text_(text), locals_(local_numbers(without_directives(text.words))), declared_(1) {
+LocalWrites::LocalWrites(const AlignedText& text, const HandsBack& hands_back)
+    : text_(text), hands_back_(hands_back), locals_(local_numbers(without_directives(text.words))), declared_(1) {
     for (size_t i = 0; i < locals_.size(); ++i) {
         if (locals_[i] >= declared_.size()) declared_.resize(locals_[i] + 1, i);
         std::vector<VariableWrite> found;
@@ -58,6 +58,11 @@ LocalPart LocalWrites::part(size_t i) const {
 size_t LocalWrites::local_at(size_t place, const std::string& name) const {
     while (place > 1 && is_accessor(word(place - 1))) place -= 2;
     if (std::find(text_.words.begin(), text_.words.end(), name) == text_.words.end() || locals_.empty()) return 0;
+    if (clause_at(place) == 0) {  // in the head a name is a parameter before it, and a type no name of one
+        for (size_t i = place; i-- > 0;)
+            if (locals_[i] != 0 && word(i) == name) return locals_[i];
+        return 0;
+    }
     std::vector<std::string> words(text_.words);
     // As a statement of its own, where one begins; else as the first of two values.
     const bool begins = std::any_of(text_.clauses.begin(), text_.clauses.end(),
@@ -186,6 +191,8 @@ void LocalWrites::note_write(size_t i, std::vector<VariableWrite>& out) const {
     }
     if (i > 1 && word(i - 1) == "&" && is_one_of(word(i - 2), {"(", ",", "="}) && !declares)
         return out.push_back({std::string(VariableWrite::kAddress), member, next, next, false});
+    if (!declares && is_handed_back(i, next))
+        return out.push_back({std::string(VariableWrite::kAddress), member, next, next, false});
     if (!is_assignment(word(next))) return;
     VariableWrite write{word(next), member, next + 1, end_of_value(next + 1), whole && word(next) == "="};
     // `n = n - 1` is `n -= 1`.
@@ -199,6 +206,20 @@ void LocalWrites::note_write(size_t i, std::vector<VariableWrite>& out) const {
         write.is_whole = false;
     }
     out.push_back(std::move(write));
+}
+
+/// True for words [first, end) that are all of an argument which the function may write.
+bool LocalWrites::is_handed_back(size_t first, size_t end) const {
+    if (first == 0 || !is_one_of(word(first - 1), {"(", ","}) || !is_one_of(word(end), {")", ","})) return false;
+    size_t argument = 0;
+    int depth = 0;
+    for (size_t i = first; i-- > 0;) {
+        if (is_one_of(word(i), {")", "]", "}"})) ++depth;
+        if (word(i) == ";" || (is_one_of(word(i), {"[", "{"}) && --depth < 0)) return false;
+        if (word(i) == "," && depth == 0) ++argument;
+        if (word(i) == "(" && --depth < 0) return i > 0 && is_name(word(i - 1)) && hands_back_(word(i - 1), argument);
+    }
+    return false;
 }
 
 size_t LocalWrites::end_of_value(size_t first) const {

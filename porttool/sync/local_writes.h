@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <set>
 #include <string>
@@ -12,6 +13,9 @@
 #include "porttool/compare/alignment.h"
 
 namespace porttool {
+
+/// True if a function takes its argument of that number, from 0, by a reference that it may write through.
+using HandsBack = std::function<bool(const std::string& function, size_t argument)>;
 
 /// A local, or one of its members.
 struct LocalPart {
@@ -29,7 +33,7 @@ struct UsePlace {
 /// How a clause writes a variable.
 ///
 ///     float v = a + b ;       =   a + b            for ( int i = 0 ; i < n ; i ++ ) {      =   0       +=
-///     v += a ;                +=  a                read ( & v ) ;                          &
+///     v += a ;                +=  a                read ( & v ) ; take ( v ) ;             &
 struct VariableWrite {
     std::string op;
     std::string part;           ///< the member of it that is written, if one
@@ -42,8 +46,8 @@ struct VariableWrite {
 /// The local variables of a unit in normal form, and where they get their values. Preprocessor lines are passed over.
 class LocalWrites {
 public:
-    /// The text must outlive it.
-    explicit LocalWrites(const AlignedText& text);
+    /// Both must outlive it.
+    LocalWrites(const AlignedText& text, const HandsBack& hands_back);
 
     /// Takes a loop for one over all threads, none of which reads what another wrote.
     void run_apart(size_t loop) { apart_.insert(loop); }
@@ -81,11 +85,13 @@ private:
     bool is_in(size_t clause, size_t head) const;
     bool surely_runs(size_t clause, const UsePlace& place) const;
     void note_write(size_t word, std::vector<VariableWrite>& out) const;
+    bool is_handed_back(size_t first, size_t end) const;
     size_t end_of_value(size_t first) const;
     size_t closing(size_t open) const;
     const std::string& word(size_t i) const;
 
     const AlignedText& text_;
+    const HandsBack& hands_back_;
     std::vector<size_t> locals_;
     std::vector<size_t> declared_;  ///< by local: the word that declares it
     std::set<size_t> apart_;

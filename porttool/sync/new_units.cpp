@@ -194,6 +194,14 @@ std::map<std::string, std::string, std::less<>> NewUnits::unported(Side from) co
     return out;
 }
 
+std::string NewUnits::still_alone(Side from) const {
+    for (const auto& [name, units] : fresh_units(from)) {
+        const auto is_it = [&, wanted = &name](const Made& made) { return made.from == from && made.name == *wanted; };
+        if (std::none_of(made_.begin(), made_.end(), is_it)) return name;
+    }
+    return {};
+}
+
 std::set<std::string, std::less<>> NewUnits::brought() const {
     std::set<std::string, std::less<>> out = brought_;
     for (const Made& made : made_)
@@ -378,7 +386,7 @@ std::string NewUnits::settle(const Wanted& wanted, Draft& draft, const std::stri
     std::vector<FreshPair> all;
     for (const Made& one : made_) all.push_back(one.pair);
     try {
-        drafts_.write_record(record_.with(all));
+        record_.set_made(std::move(all));
     } catch (const CannotDo& error) {
         take_back(made_.size() - 1);
         return error.what();

@@ -11,6 +11,7 @@
 #include "porttool/sync/drafts.h"
 #include "porttool/sync/earlier_files.h"
 #include "porttool/sync/knowledge.h"
+#include "porttool/sync/record_draft.h"
 
 namespace porttool {
 
@@ -19,11 +20,11 @@ namespace porttool {
 class NewUnits {
 public:
     /// All must outlive it. `brought`: names that other edits of the run bring in.
-    NewUnits(const CheckedProject& checked, const EarlierFiles& earlier, const Disk& disk, Knowledge& knowledge,
-             Drafts& drafts, const std::set<std::string, std::less<>>& brought)
+    NewUnits(const CheckedProject& checked, const EarlierFiles& earlier, Knowledge& knowledge, Drafts& drafts,
+             RecordDraft& record, const std::set<std::string, std::less<>>& brought)
         : checked_(checked),
           earlier_files_(earlier),
-          record_(checked, disk),
+          record_(record),
           knowledge_(knowledge),
           drafts_(drafts),
           brought_(brought),
@@ -35,6 +36,9 @@ public:
 
     /// The names of all that have no port which `user` could use, each with the reason where one was tried.
     std::map<std::string, std::string, std::less<>> unported(Side from) const;
+
+    /// The name of one that no port was made of; "" if there is none.
+    std::string still_alone(Side from) const;
 
     /// The fields and enumerators of those that the user can use, and what other edits of the run bring in.
     std::set<std::string, std::less<>> brought() const;
@@ -74,7 +78,7 @@ private:
 
     const CheckedProject& checked_;
     const EarlierFiles& earlier_files_;
-    PairRecord record_;
+    RecordDraft& record_;
     Knowledge& knowledge_;
     Drafts& drafts_;
     const std::set<std::string, std::less<>>& brought_;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "porttool/sync/pair_record.h"
 
+#include <algorithm>
+
 #include "porttool/judge/settle.h"
 #include "porttool/snapshot/lock_store.h"
 #include "porttool/snapshot/map_edit.h"
@@ -36,14 +38,27 @@ private:
     const Disk& disk_;
 };
 
+/// Without what was said of pairs that are gone, and without the deferrals of those that are in step.
+void take_out(LockFile& lock, const RecordEdits& edits) {
+    const auto is_among = [](const std::vector<BySide<std::string>>& pairs, const auto& line) {
+        return std::any_of(pairs.begin(), pairs.end(), [&](const BySide<std::string>& pair) {
+            return line.source == pair.source && line.target == pair.target;
+        });
+    };
+    std::erase_if(lock.pairs, [&](const LockedPair& line) { return is_among(edits.removed, line); });
+    std::erase_if(lock.ledger, [&](const LedgerEntry& line) {
+        return is_among(edits.removed, line) || (line.verdict == Verdict::Defer && is_among(edits.in_step, line));
+    });
+}
+
 }  // namespace
 
-std::vector<FileToWrite> PairRecord::new_texts(const std::vector<FreshPair>& pairs) {
+std::vector<FileToWrite> PairRecord::new_texts(const RecordEdits& edits) {
     Project project = without_files(checked_.project);
     std::vector<NewPair> named;
     std::vector<JudgedPair> judged;
     States states;
-    for (const FreshPair& pair : pairs) {
+    for (const FreshPair& pair : edits.made) {
         named.push_back({pair.source.id, pair.target.id});
         JudgedPair one{{pair.source.id, pair.target.id}, {&pair.source, &pair.target}};
         one.changed = true;
@@ -51,7 +66,8 @@ std::vector<FileToWrite> PairRecord::new_texts(const std::vector<FreshPair>& pai
         states.source.emplace(pair.source.id, pair.source);
         states.target.emplace(pair.target.id, pair.target);
     }
-    const std::string map_text = add_pairs(project, named);
+    std::string map_text = named.empty() ? project.map_text : add_pairs(project, named);
+    for (const BySide<std::string>& pair : edits.removed) map_text = remove_pair(project, {pair.source, pair.target});
     const LockFile* stands =
         checked_.against_base ? (checked_.in_project ? &*checked_.in_project : nullptr) : &checked_.lock;
     KeptWrites kept(disk_);
@@ -60,6 +76,7 @@ std::vector<FileToWrite> PairRecord::new_texts(const std::vector<FreshPair>& pai
         return {{beside_map(project, name), map_text}};
     }
     LockFile lock = *stands;
+    take_out(lock, edits);
     std::vector<const JudgedPair*> accepted;
     for (const JudgedPair& one : judged) accepted.push_back(&one);
     accept_pairs(lock, accepted, TargetSets(project.map), Looked::AtNone, "", "");
@@ -67,10 +84,10 @@ std::vector<FileToWrite> PairRecord::new_texts(const std::vector<FreshPair>& pai
     return std::move(kept.written);
 }
 
-std::map<std::string, RecordFile> PairRecord::with(const std::vector<FreshPair>& pairs) {
+std::map<std::string, RecordFile> PairRecord::with(const RecordEdits& edits) {
     if (!checked_.project.has_map) throw CannotDo("there is no portmap.toml to name its pair in");
     std::map<std::string, RecordFile> out;
-    for (FileToWrite& file : new_texts(pairs)) {
+    for (FileToWrite& file : new_texts(edits)) {
         if (file.place.root != checked_.project.root) throw CannotDo("portmap.toml lies outside of the project");
         RecordFile one{"", std::move(file.bytes), disk_.kind(file.place) == FileKind::None};
         if (!one.is_new) {

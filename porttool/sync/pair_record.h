@@ -16,24 +16,31 @@ struct FreshPair {
     UnitState source, target;
 };
 
+/// What becomes of the project's own files.
+struct RecordEdits {
+    std::vector<FreshPair> made;
+    std::vector<BySide<std::string>> in_step;  ///< pairs that are no longer deferred
+    std::vector<BySide<std::string>> removed;  ///< pairs of units that are gone
+};
+
 /// A project's own file, by its path relative to the root.
 struct RecordFile {
     std::string before, now;
     bool is_new = false;
 };
 
-/// The project's own files as they become with new pairs.
+/// The project's own files as they become.
 class PairRecord {
 public:
     /// Both must outlive it.
     PairRecord(const CheckedProject& checked, const Disk& disk) : checked_(checked), disk_(disk) {}
 
-    /// With these pairs. Throws CannotDo where the files cannot be gone on with, as where the map is not on the disk as
+    /// With these edits. Throws CannotDo where the files cannot be gone on with, as where the map is not on the disk as
     /// it was judged.
-    std::map<std::string, RecordFile> with(const std::vector<FreshPair>& pairs);
+    std::map<std::string, RecordFile> with(const RecordEdits& edits);
 
 private:
-    std::vector<FileToWrite> new_texts(const std::vector<FreshPair>& pairs);
+    std::vector<FileToWrite> new_texts(const RecordEdits& edits);
 
     const CheckedProject& checked_;
     const Disk& disk_;

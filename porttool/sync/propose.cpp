@@ -25,11 +25,14 @@
 #include "porttool/sync/rescan.h"
 #include "porttool/sync/scopes.h"
 #include "porttool/sync/transplant.h"
+#include "porttool/sync/unit_remover.h"
 
 namespace porttool {
 namespace {
 
 constexpr size_t kMostWords = 5000;  ///< of a unit; a longer one is a person's
+
+bool is_gone(const JudgedPair& pair) { return pair.unit.source == nullptr || pair.unit.target == nullptr; }
 
 class Proposer {
 public:
@@ -40,7 +43,9 @@ public:
           earlier_(checked, commit),
           knowledge_(checked),
           drafts_(checked, disk),
-          new_units_(checked, earlier_, disk, knowledge_, drafts_, brought_),
+          record_(checked, disk, drafts_),
+          new_units_(checked, earlier_, knowledge_, drafts_, record_, brought_),
+          remover_(checked, knowledge_, drafts_, record_),
           earlier_texts_(earlier_),
           includes_(checked, earlier_texts_, knowledge_, drafts_),
           declarations_(earlier_texts_, knowledge_, drafts_),
@@ -96,10 +101,14 @@ private:
             out.left.push_back({std::move(why), line_of(pair, Side::Source), line_of(pair, Side::Target)});
             return out;
         };
-        if (pair.unit.source == nullptr || pair.unit.target == nullptr)
-            return refuse(std::string(pair.unit.source == nullptr ? "the source" : "the port") +
-                          " is gone; name the unit that stands for it in portmap.toml");
         const LockedPair* line = lines_.find(pair.id.source, pair.id.target);
+        if (is_gone(pair)) {
+            const std::string why = remove_port(pair, line, out);
+            if (out.state == ProposalState::Proposed) return out;
+            return refuse(std::string(pair.unit.source == nullptr ? "the source" : "the port") +
+                          " is gone; name the unit that stands for it in portmap.toml" +
+                          (why.empty() ? why : ", or remove the other: " + why));
+        }
         if (line == nullptr) return refuse("this pair was never recorded as in step, so no edit of it is known");
         const BySide<const Fingerprints*> recorded{&line->source_prints, &line->target_prints};
         BySide<NormalText> before;
@@ -133,6 +142,26 @@ private:
             return refuse("too long to be carried: more than 5000 words");
         carry_with_new_units(pair, *line, before, from, out);
         return out;
+    }
+
+    /// What came to be without a counterpart goes as well, if all that used it let it go. Why not; "" where there is
+    /// nothing to say.
+    std::string remove_port(const JudgedPair& pair, const LockedPair* line, Proposal& out) {
+        const Side to = pair.unit.source == nullptr ? Side::Target : Side::Source;
+        const bool forward = write_ != (to == Side::Target ? WriteSide::Source : WriteSide::Target);
+        if (line == nullptr || pair.unit[to] == nullptr || !forward) return {};
+        const Fingerprints& recorded = to == Side::Source ? line->source_prints : line->target_prints;
+        if (is_edit(classify(recorded, pair.unit[to]->prints))) return "it changed itself";
+        if (counterparts_[to].at(pair.id[to]) > 1) return "it stands in several pairs";
+        drafts_.begin();
+        std::string why = remover_.remove(pair, to, result_.proposals, new_units_);
+        if (!why.empty()) return why;
+        out.state = ProposalState::Proposed;
+        out.is_elsewhere = to == Side::Target && target_root(checked_.project) != checked_.project.root;
+        out.patch = drafts_.patch();
+        out.record_patch = drafts_.record_patch();
+        out.why.emplace_back("what it stood for is gone, and nothing uses it any more");
+        return {};
     }
 
     static uint32_t line_of(const JudgedPair& pair, Side side) {
@@ -174,6 +203,7 @@ private:
                 declarations_.carry(pair, from, ported_words(pair, other_side(from)));
                 includes_.carry(pair, from);
                 calls_.carry(pair, from, before[from]);
+                if (out.state == ProposalState::Proposed) end_deferral(pair, out);
                 out.is_elsewhere = from == Side::Source && target_root(checked_.project) != checked_.project.root;
                 out.patch = drafts_.patch();
                 out.record_patch = drafts_.record_patch();
@@ -189,6 +219,14 @@ private:
         out.state = ProposalState::Refused;
         out.left.push_back({"it uses units that came without a port; port these first", line_of(pair, Side::Source),
                             line_of(pair, Side::Target)});
+    }
+
+    void end_deferral(const JudgedPair& pair, Proposal& out) {
+        try {
+            record_.end_deferral(pair.id);
+        } catch (const CannotDo& error) {
+            out.why.emplace_back(std::string("it stays deferred: ") + error.what());
+        }
     }
 
     static std::vector<std::string> text_words(const NormalText& text) {
@@ -266,7 +304,8 @@ private:
         const auto written = [&](size_t i) {
             return is.words[i] == "@" || is.is_added(i) ? is.words[i] : std::string(file->lexed.view(is.tokens[i]));
         };
-        const EditTexts texts{old_text, new_text, port_text, edit, across};
+        const EditTexts texts{
+            old_text, new_text, port_text, edit, across, knowledge_.hands_back(from), knowledge_.hands_back(to)};
         Transplant found;
         // What uses a new name can only be carried with what declares it.
         do
@@ -468,7 +507,9 @@ private:
     EarlierFiles earlier_;
     Knowledge knowledge_;
     Drafts drafts_;
+    RecordDraft record_;
     NewUnits new_units_;
+    UnitRemover remover_;
     EarlierTexts earlier_texts_;
     IncludeCarrier includes_;
     DeclarationCarrier declarations_;
@@ -519,8 +560,10 @@ SyncResult propose_all(const CheckedProject& checked, const std::vector<size_t>&
 
 SyncResult propose(const CheckedProject& checked, const std::vector<size_t>& pairs, WriteSide write, const Disk& disk,
                    const std::string& commit) {
-    SyncResult out = propose_all(checked, pairs, write, disk, commit);
     std::vector<size_t> whole = pairs;
+    // Whether anything still uses what is to go shows once all else is done.
+    std::stable_partition(whole.begin(), whole.end(), [&](size_t i) { return !is_gone(checked.judgement.pairs[i]); });
+    SyncResult out = propose_all(checked, whole, write, disk, commit);
     SyncResult last = out;
     // What leans on a partial proposal may be none without it.
     for (;;) {

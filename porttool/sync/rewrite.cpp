@@ -195,6 +195,7 @@ private:
         const size_t first = placed_from(one.first), last = placed_before(one.end);
         if (first == kNone || last == kNone || last < first) return insert(one, before, after, now);
         if (now.empty()) return cut(before, first, last, after);
+        now += trail_of(one, last, after);
         if (closes_up(one, before, first)) return put(end_of(before), end_of(last), now);
         put(start_of(first), end_of(last), lead_of(one, before, first) + now);
     }
@@ -213,6 +214,13 @@ private:
         const bool is_tight = before != kNone && end_of(before) == start_of(first);
         const bool is_apart = one.words.front().from == one.source_first && !source_gap(one.source_first).empty();
         return is_tight && is_apart && stand_apart(target_.words.words[before], one.words.front().text) ? " " : "";
+    }
+
+    /// The same blank behind them: `atan2(y, x)` for `atan(y/x)`.
+    std::string trail_of(const WordsReplaced& one, size_t last, size_t after) const {
+        const bool is_tight = after != kNone && end_of(last) == start_of(after);
+        const bool is_apart = one.words.back().from == one.source_end - 1 && !source_gap(one.source_end).empty();
+        return is_tight && is_apart && stand_apart(one.words.back().text, target_.words.words[after]) ? " " : "";
     }
 
     void insert(const WordsReplaced& one, size_t before, size_t after, const std::string& now) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "porttool/compare/alignment.h"
+#include "porttool/sync/local_writes.h"
 #include "porttool/sync/translator.h"
 
 namespace porttool {
@@ -52,8 +53,9 @@ struct Transplant {
 /// The three texts that an edit is carried by, and how they stand for each other.
 struct EditTexts {
     const AlignedText &before, &now, &target;
-    const Alignment& edit;    ///< before -> now
-    const Alignment& across;  ///< before -> target
+    const Alignment& edit;                            ///< before -> now
+    const Alignment& across;                          ///< before -> target
+    const HandsBack &hands_back, &target_hands_back;  ///< of the functions of each side
 };
 
 /// Carries the source's edit before -> now into the target: each changed word to the words that stand for it there,

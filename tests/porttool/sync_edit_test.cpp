@@ -194,6 +194,42 @@ TEST(SyncEdit, ANewParameter) {
         replaced(replaced(kWeighPort, "int count)", "int count, float bias)"), "gain * 0.5", "gain + bias")});
 }
 
+TEST(SyncEdit, ANewParameterOfATypeThatTheFunctionNames) {
+    const std::string source =
+        "Float moved(Float p, Float n) {\n    Int steps = Int(256.0f * n);\n    return p + Float(steps);\n}\n";
+    const std::string edited =
+        replaced(replaced(source, "Float n)", "Float n, Float scale)"), "256.0f * n", "scale * n");
+    expect_ported({"k.glsl", "k.cpp", source, edited, "inline " + source, "inline " + edited});
+}
+
+// 2 is as right a step as 1 only where both sides count from the same number.
+TEST(SyncEdit, AStepOfWhatCountsFromAnotherNumber) {
+    const std::string head = "void f(float* out, int m) {\n    int n = ",
+                      loop = ";\n    while (n < m) {\n        out[n] = 1.0f;\n        n++;\n    }\n}\n";
+    const std::string two = replaced(loop, "n++", "n += 2");
+    expect_ported({"k.cl", "k.cpp", head + "0" + loop, head + "0" + two, head + "0" + loop, head + "0" + two});
+    expect_left({"k.cl", "k.cpp", head + "0" + loop, head + "0" + two, head + "1" + loop, ""});
+}
+
+TEST(SyncEdit, AFunctionThatWritesItsArgument) {
+    const std::string take = "void take(int& n, int by) { n = n + by; }\n",
+                      head = take + "float f(float* out, int m) {\n    int n = m;\n", call = "    take(n, 3);\n",
+                      rest = "    out[0] = 1.0f;\n    return out[m];\n}\n", edited = replaced(rest, "1.0f", "1.0f + n");
+    expect_ported(
+        {"k.cu", "k.cpp", head + call + rest, head + call + edited, head + call + rest, head + call + edited});
+    expect_left({"k.cu", "k.cpp", head + call + rest, head + call + edited, head + rest, ""});
+    // What takes a value writes nothing.
+    const std::string by_value = replaced(head, "int& n", "int n");
+    expect_ported(
+        {"k.cu", "k.cpp", by_value + call + rest, by_value + call + edited, by_value + rest, by_value + edited});
+}
+
+TEST(SyncLayout, WordsThatTakeThePlaceOfCloseOnesStandApartAsInTheSource) {
+    const std::string text = "float f(float y, float x) {\n    float a = atan(y/x);\n    return a;\n}\n";
+    const std::string edited = replaced(text, "atan(y/x)", "atan2(y, x)");
+    expect_written({"k.cu", "k.cpp", text, edited, text, edited});
+}
+
 TEST(SyncEdit, AMemberIsSpelledOtherwise) {
     const EditCase one{"k.cl",
                        "k.cpp",

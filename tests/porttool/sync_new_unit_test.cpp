@@ -522,5 +522,61 @@ TEST(SyncNames, FollowThoseBesideThem) {
     EXPECT_EQ(name_in_manner("sheen_weight", {}), "sheen_weight");
 }
 
+const std::string kScaled =
+    "// What is left of a value.\nfloat scaled(float value) { return value * 0.5; }\n\n"
+    "float shade(float value) { return scaled(value) + 1.0; }\n";
+const std::string kScaledPort =
+    "// What is left of a value.\nstatic float scaled(float value) { return value * 0.5f; }\n\n"
+    "static float shade(float value) { return scaled(value) + 1.0f; }\n";
+const std::string kMerged = "float shade(float value) { return value * 0.5 + 1.0; }\n";
+const std::string kMergedPort = "static float shade(float value) { return value * 0.5f + 1.0f; }\n";
+
+TEST_F(SyncNewUnit, AHelperThatGoesTakesItsPortAlong) {
+    start("k.glsl", kScaled, "k.cpp", kScaledPort);
+    write(source_path, kMerged);
+    expect_ported(kMergedPort);
+    EXPECT_EQ(read_text(root / "portmap.toml").find("scaled"), std::string::npos);
+    EXPECT_EQ(read_text(root / "portmap.lock").find("scaled"), std::string::npos);
+}
+
+TEST_F(SyncNewUnit, APortThatIsStillUsedStays) {
+    const std::string own = "\nfloat preview(float value) { return scaled(value); }\n";
+    start("k.glsl", kScaled, "k.cpp", kScaledPort + own);
+    write(source_path, kMerged);
+    const nlohmann::json all = proposals(1);
+    ASSERT_EQ(all.size(), 2u);
+    EXPECT_EQ(all[1]["state"], "refused") << all.dump(1);
+    EXPECT_NE(all[1].dump().find("still uses `scaled`"), std::string::npos) << all.dump(1);
+    apply_all(all);
+    EXPECT_EQ(target(), replaced(kScaledPort, "scaled(value) +", "value * 0.5f +") + own);
+}
+
+// A new function that nobody calls may be the old one under another name, with another text.
+TEST_F(SyncNewUnit, APortStaysWhereItsSourceMayBeAnotherNow) {
+    start("k.glsl", kScaled, "k.cpp", kScaledPort);
+    write(source_path, "float damped(float v, float by) { return v / max(by, 2.0); }\n\n" + kMerged);
+    const nlohmann::json all = proposals(1);
+    EXPECT_NE(all.dump().find("`damped` came without a port"), std::string::npos) << all.dump(1);
+    apply_all(all);
+    EXPECT_NE(target().find("scaled"), std::string::npos);
+}
+
+TEST_F(SyncNewUnit, WhatIsBroughtInStepIsNoLongerDeferred) {
+    start("k.glsl", kScaled, "k.cpp", kScaledPort);
+    write(source_path, replaced(kScaled, "value * 0.5", "value * 0.25"));
+    ASSERT_EQ(
+        porttool({"defer", "s/k.glsl:scaled", "--owner", "me", "--until", "2100-01-01", "--reason", "later"}).exit_code,
+        0);
+    commit("later");
+    EXPECT_EQ(json({"check"})["summary"]["deferred"], 1);
+    const nlohmann::json all = proposals(0);
+    apply_all(all);
+    EXPECT_EQ(read_text(root / "portmap.lock").find("later"), std::string::npos);
+    EXPECT_EQ(json({"check"})["summary"]["in_step"], 2);
+    git("checkout -q t portmap.lock");
+    EXPECT_EQ(porttool({"sync", "--apply"}).exit_code, 0);
+    EXPECT_EQ(read_text(root / "portmap.lock").find("later"), std::string::npos);
+}
+
 }  // namespace sync_new_unit_test
 }  // namespace porttool::testing

@@ -1,0 +1,268 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The porttool authors
+# SPDX-License-Identifier: Apache-2.0
+"""Holds `porttool sync` to what it promises, on edits of our own kernels.
+
+Each edit of own_edit_list.py is made in one core of a clone; `sync --all --apply` ports it. As most kernels are twins,
+the same edit made in the other core by hand is an independent answer: the port is exact where all files have its words
+(comments and line breaks aside), and `check --strict` must be in step. What is neither is built and rendered with
+--build: its picture has to be that of the edited core in every bit. --history takes the commits that changed both
+cores' kernels instead: the source's half at the commit before, held against the port that was written.
+
+Prints one line an edit and the counts. Exit code 1 where a port is wrong, or one of an edit of the list is left.
+"""
+import argparse
+import collections
+import importlib.util
+import json
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+from own_edit_list import LARGE, SMALL
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+FOLDERS = {"source": "source_core/kernels", "target": "target_core/kernels"}
+WORD = re.compile(r"[A-Za-z_]\w*|\d[\w.]*(?:(?<=[eE])[-+]\d+\w*)?|<<|>>|<=|>=|==|!=|&&|\|\||[-+*/%&|^]=|\+\+|--|->|::|\S")
+LITERAL = re.compile(r"\d+\.\d*(?:[eE][-+]?\d+)?f?\b|\.\d+f?\b")
+
+
+def words(text):
+    """The words of a text without comments; numbers by their value."""
+    plain = re.sub(r"//[^\n]*|/\*.*?\*/", " ", text, flags=re.S)
+    return [str(float(w.rstrip("f"))) if LITERAL.fullmatch(w) else w for w in WORD.findall(plain)]
+
+
+def path_on(side, file):
+    """Where a file of the list lies in a core; None where it is the other core's alone."""
+    if file.startswith("core:"):
+        return f"{side}_core/{file[5:]}"
+    if ":" in file:
+        owner, file = file.split(":")
+        return f"{FOLDERS[side]}/{file}" if owner == side else None
+    return f"{FOLDERS[side]}/{file}{'.h' if side == 'target' or file == 'layout' else '.glsl'}"
+
+
+def text_on(side, file, text):
+    """A text of the list as a core writes it."""
+    target = side == "target"
+    guard = file.upper() + "_GLSL"
+    top = f"// SPDX-FileCopyrightText: 2026 The porttool authors\n// SPDX-License-Identifier: Apache-2.0\n" \
+          f"// Kind: twin of {path_on('source' if target else 'target', file)}.\n" if "#guard" in text else ""
+    text = top + text.replace("#guard", "#pragma once" if target else f"#ifndef {guard}\n#define {guard}")
+    text = text.replace("#open", "namespace target_core::kernels {\n\n" if target else "")
+    text = text.replace("#close", "}  // namespace target_core::kernels" if target else "#endif")
+    text = re.sub(r"#include <(\w+)>", r'#include "target_core/kernels/\1.h"' if target else r'#include "\1.glsl"', text)
+    return text.replace("@", "inline " if target else "")
+
+
+def edited(side, steps, read):
+    """The files of a core after an edit, by path."""
+    out = {}
+    for file, old, new in steps:
+        path = path_on(side, file)
+        if path is None:
+            continue
+        if old is None:
+            out[path] = text_on(side, file, new)
+            continue
+        text = out[path] if path in out else read(path)
+        was = text_on(side, file, old)
+        if text.count(was) != 1:
+            sys.exit(f"own_edits.py: {path} has {text.count(was)} times: {was}; adapt own_edit_list.py")
+        out[path] = text.replace(was, text_on(side, file, new))
+    return out
+
+
+class Clone:
+    def __init__(self, folder, porttool, revision):
+        self.folder, self.porttool = folder, porttool
+        self.git("clone", "-q", "-s", str(ROOT), ".")
+        self.git("checkout", "-q", "--detach", revision)
+        self.revision = revision
+
+    def git(self, *words_):
+        return subprocess.run(["git", *words_], cwd=self.folder, check=True, capture_output=True, text=True).stdout
+
+    def read(self, path):
+        return (self.folder / path).read_text() if (self.folder / path).is_file() else ""
+
+    def write(self, files):
+        for path, text in files.items():
+            (self.folder / path).write_text(text)
+
+    def reset(self, revision=None):
+        self.git("checkout", "-q", "--force", "--detach", revision or self.revision)
+        self.git("clean", "-q", "-f", "-d")
+
+    def run(self, *words_):
+        done = subprocess.run([self.porttool, *words_], cwd=self.folder, capture_output=True, text=True)
+        if done.returncode not in (0, 1):
+            raise RuntimeError(done.stderr.strip() or f"exit code {done.returncode}")
+        return done
+
+    def sync(self, to):
+        """What `sync` proposes, after it was written; the run that writes must say the same."""
+        asked = json.loads(self.run("sync", "--all", "--to", to, "--format", "json").stdout)
+        self.run("sync", "--all", "--to", to, "--apply")
+        return asked["proposals"]
+
+
+def in_step(clone):
+    done = clone.run("check", "--strict", "--no-cache")
+    return done.returncode == 0, done.stdout
+
+
+def judged(clone, to, wanted, proposals):
+    """How the port came out, by name; and what there is to say."""
+    said = [f"{p['state']}: {p['source'].split(':')[-1]}: {item['message']}"
+            for p in proposals for item in p["left"]]
+    differs = [path for path in wanted if words(clone.read(path)) != words(wanted[path])]
+    fine, report = in_step(clone)
+    touched = clone.git("status", "--porcelain", FOLDERS[to]).strip()
+    if not differs:
+        if said or not fine:
+            return "exact, unsaid", said or [report.strip()[:2000]]
+        return ("exact" if touched else "nothing due"), []
+    if said:
+        return ("partial" if any(p["state"] == "partial" or p["patch"] for p in proposals) else "left"), said
+    # A unit that has another name or place with the same text is known again: the port stands as it did.
+    verdict = "different" if touched else "in step as it is" if fine else "nothing"
+    return verdict, differs + ([] if fine else [report.strip()[:2000]])
+
+
+def difference(clone, wanted):
+    with tempfile.TemporaryDirectory() as folder:
+        out = ""
+        for path, text in wanted.items():
+            if words(clone.read(path)) == words(text):
+                continue
+            file = pathlib.Path(folder) / "wanted"
+            file.write_text(text)
+            out += subprocess.run(["diff", "-u", "--label", "by hand", "--label", path, str(file), str(clone.folder / path)],
+                                  capture_output=True, text=True).stdout
+        return out
+
+
+def pictures_agree(clone, program, scenes):
+    """Builds the target core's kernels as they stand in the clone and holds the pictures of both cores together."""
+    spec = importlib.util.spec_from_file_location("locate_edits", ROOT / "bench/locate_edits.py")
+    locate = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(locate)
+    side = locate.Side("target")
+    side.files = {p.name: p.read_text() for p in sorted((clone.folder / FOLDERS["target"]).iterdir())}
+    with tempfile.TemporaryDirectory() as folder:
+        trial = locate.TargetTrial(side, program, pathlib.Path(folder) / "edited")
+        changed = clone.git("diff", "--name-only", "--", FOLDERS["target"]).split()
+        for path in changed or [FOLDERS["target"] + "/shade.h"]:
+            if not trial.prepare(pathlib.Path(path).name, clone.read(path)):
+                return "does not compile"
+        for scene in scenes:
+            done = subprocess.run([trial.program, "compare", *scene, "--exact", "--spp", "4", "--format", "json", "--kernels",
+                                   str(clone.folder / FOLDERS["source"])], capture_output=True, text=True)
+            if done.returncode != 0:
+                return done.stderr.strip()
+            if any(r["identical_pixels"] < 1.0 for r in json.loads(done.stdout)["results"]):
+                return "another picture"
+    return "the same picture"
+
+
+def try_list(arguments, clone):
+    scenes = [["still_life", "--size", "64x36"]]
+    counts, wrong = collections.defaultdict(collections.Counter), 0
+    for to in arguments.to:
+        side = "target" if to == "source" else "source"
+        for edit in SMALL + LARGE:
+            name, kind, steps = edit[:3]
+            if arguments.only and arguments.only not in (name, kind):
+                continue
+            clone.reset()
+            done, wanted = edited(side, steps, clone.read), edited(to, steps, clone.read)
+            if kind == "nothing":
+                wanted = {path: clone.read(path) for path in wanted}
+            clone.write(done)
+            try:
+                verdict, said = judged(clone, to, wanted, clone.sync(to))
+            except RuntimeError as error:
+                verdict, said = "failed", [str(error)]
+            shown = difference(clone, wanted) if arguments.verbose else ""
+            if arguments.build and verdict in ("different", "exact") and (verdict == "different" or name in arguments.sample):
+                said = said + [pictures_agree(clone, arguments.program, scenes)]
+            due = "nothing due" if kind == "nothing" else "exact"
+            wrong += verdict not in (due, "in step as it is")
+            counts[to][verdict] += 1
+            print(f"to {to}: {verdict}: {name}", flush=True)
+            for line in [line for text in said for line in text.splitlines()] + shown.splitlines():
+                print("    " + line, flush=True)
+    for to, found in counts.items():
+        print(f"to {to}: " + ", ".join(f"{n} {verdict}" for verdict, n in sorted(found.items())))
+    return wrong
+
+
+def try_history(arguments, clone):
+    """Commits of both cores' kernels: the source's half, ported, and what was written."""
+    counts = collections.Counter()
+    listed = clone.git("log", "--reverse", "--no-merges", "--format=%h", "--", *FOLDERS.values()).split()
+    for commit in listed:
+        if arguments.only and arguments.only != commit:
+            continue
+        files = clone.git("show", "--name-status", "--format=", "--no-renames", commit).splitlines()
+        modified = [f.split("\t")[1] for f in files if f.startswith(("M", "A"))]
+        halves = [[f for f in modified if f.startswith(folder)] for folder in FOLDERS.values()]
+        if not all(halves):
+            continue
+        if not clone.git("rev-list", "--parents", "-n1", commit).split()[1:]:
+            continue
+        clone.reset(commit + "^")
+        if not (clone.folder / "portmap.lock").is_file():
+            continue
+        try:
+            clone.run("init", "--force", "--source", "source_core/kernels/**", "--target", "target_core/kernels/**")
+            clone.git("add", "-A")
+            clone.git("-c", "user.name=bench", "-c", "user.email=bench@localhost", "commit", "-q", "-m", "In step")
+            clone.write({f: clone.git("show", f"{commit}:{f}") for f in halves[0]})
+            wanted = {f: clone.git("show", f"{commit}:{f}") for f in halves[1]}
+            proposals = clone.sync("target")
+        except RuntimeError as error:
+            counts["failed"] += 1
+            print(f"{commit}: failed: {error}", flush=True)
+            continue
+        states = collections.Counter(p["state"] for p in proposals if p["state"] != "already")
+        exact = sum(words(clone.read(f)) == words(t) for f, t in wanted.items())
+        counts["files exact"] += exact
+        counts["files different"] += len(wanted) - exact
+        counts.update({f"pairs {state}": n for state, n in states.items()})
+        print(f"{commit}: {exact} of {len(wanted)} files exact, {dict(states)}", flush=True)
+        if arguments.verbose:
+            for p in proposals:
+                for item in p["left"]:
+                    print(f"    {p['state']}: {p['source']}: {item['message']}")
+            print(difference(clone, wanted))
+    print(dict(counts))
+    return 0
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--porttool", default=str(ROOT / "build/release/bin/porttool"))
+    parser.add_argument("--program", default=str(ROOT / "build/release/bin/pathtracer"))
+    parser.add_argument("--revision", default="HEAD", help="what to edit")
+    parser.add_argument("--to", action="append", choices=["source", "target"], help="the side that is written; both unless given")
+    parser.add_argument("--only", metavar="NAME", help="one edit, or one kind; with --history one commit")
+    parser.add_argument("--build", action="store_true", help="build what differs from the port by hand, and a sample of the others")
+    parser.add_argument("--sample", nargs="*", default=["new lobe", "parameter through three functions", "field in a packed row"])
+    parser.add_argument("--history", action="store_true", help="commits of both cores instead of the list")
+    parser.add_argument("--verbose", action="store_true", help="show what differs")
+    arguments = parser.parse_args()
+    arguments.to = arguments.to or ["target", "source"]
+    arguments.porttool = os.path.abspath(arguments.porttool)
+    with tempfile.TemporaryDirectory() as folder:
+        clone = Clone(pathlib.Path(folder), arguments.porttool, arguments.revision)
+        return int((try_history if arguments.history else try_list)(arguments, clone) > 0)
+
+
+if __name__ == "__main__":
+    sys.exit(main())
