@@ -60,6 +60,11 @@ Status CoreSession::render_part(std::span<render_system::PixelSum> sums, std::sp
     return status.ok() ? system_.render(view_, Convergence::Restart, samples) : status;
 }
 
+void CoreSession::stand_still() {
+    content_ = scene_digest(scene());
+    still_ = true;
+}
+
 Status CoreSession::go_on_from(uint32_t sample) {
     first_sample_ = sample;
     restart_ = true;
@@ -84,8 +89,9 @@ Result<CoreChoice> CoreSession::start(const std::vector<std::string>& ids, Pictu
         if (sums_ && !only_tries_ && status.ok()) sums_->samples = 1;
         return status;
     };
-    auto choice = choose_core(make_registry(options_), ids, {.threads = options_.threads, .exact = options_.exact},
-                              system_, first_sample);
+    auto choice =
+        choose_core(make_registry(options_), ids,
+                    {.threads = options_.threads, .exact = options_.exact, .still = still_}, system_, first_sample);
     if (choice.ok()) console_.detail("core " + choice->core + ": " + stats().device);
     return choice;
 }

@@ -12,6 +12,7 @@
 #include "application/picture.h"
 #include "application/sampling/interrupt.h"
 #include "application/sampling/sample_sums.h"
+#include "application/sampling/scene_digest.h"
 #include "application/scene_setup.h"
 #include "render_system/core_choice.h"
 #include "render_system/embree_probe.h"
@@ -50,6 +51,9 @@ public:
     /// The sums have to stay where they are.
     void sum_into(SampleSums* sums, uint32_t first_sample);
 
+    /// Nothing will be edited, and there is one start: what only more of these would need is given back.
+    void stand_still();
+
     /// From the next start on that takes a sample of one pixel alone, to see that the core can do it.
     void only_try() { only_tries_ = true; }
 
@@ -69,6 +73,8 @@ public:
 
     std::vector<render_system::KernelText> kernel_texts() { return system_.core().GetKernelTexts(); }
     const render_system::HostScene& scene() const { return system_.scene(); }
+    /// Its scene_digest, which is known also where the scene has been given back.
+    std::string scene_content() const { return still_ ? content_ : scene_digest(scene()); }
     const render_system::ViewPyramid& view() const { return view_; }
 
     /// `samples` samples more, or from the first again, in one call of the core.
@@ -101,6 +107,8 @@ private:
     uint32_t first_sample_ = 0;
     bool restart_ = false;  // with the next samples
     bool only_tries_ = false;
+    bool still_ = false;
+    std::string content_;          // of a scene that stands still
     std::span<glm::vec4> pixels_;  // of the target
 };
 

@@ -100,7 +100,12 @@ Status CheckedCore::SetSkyData(const CoreSky& sky) {
     });
 }
 
+Status CheckedCore::settled() const {
+    return Status::error(StatusCode::wrong_order, id_ + " core: it was told that its geometry stays as it is");
+}
+
 Status CheckedCore::SetGeometry(uint32_t mesh, const CoreMesh& data) {
+    if (is_settled_) return settled();
     return change(contract_.check_geometry(mesh, data), [&] {
         set_mesh(mesh, data);
         contract_.accept_geometry(mesh, data);
@@ -109,6 +114,7 @@ Status CheckedCore::SetGeometry(uint32_t mesh, const CoreMesh& data) {
 }
 
 Status CheckedCore::SetInstance(uint32_t instance, uint32_t mesh, const CoreTransform& transform) {
+    if (is_settled_) return settled();
     Status check = contract_.check_instance(instance, mesh, transform);
     if (check.ok() && matrices_ == InstanceMatrices::invertible && mesh != NONE && !is_invertible(transform)) {
         check = Status::invalid("instance: the matrix cannot be inverted");
@@ -128,6 +134,7 @@ Status CheckedCore::SetWatch(PathWatch* watch) {
 
 Status CheckedCore::Render(const ViewPyramid& view, Convergence convergence, uint32_t samples) {
     return after(contract_.check_render(view, samples), [&] {
+        is_settled_ = options_.still;
         Status status = prepare();
         if (!status.ok()) return status;
         stats_.triangles = contract_.triangles();
@@ -175,6 +182,7 @@ void CheckedCore::Shutdown() {
     close();
     target_ = {};
     watch_ = nullptr;
+    is_settled_ = false;
 }
 
 void CheckedCore::drop_samples() {

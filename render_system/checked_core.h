@@ -85,6 +85,7 @@ private:
     Status after(const Status& check, Work&& work);
     template <class Work>
     Status change(const Status& check, Work&& work);
+    Status settled() const;
     void look_back(const ViewPyramid& view, FilterHistory history);
     void remember(const ViewPyramid& view);
 
@@ -100,6 +101,7 @@ private:
     FrameBefore kept_;                              // for the next one that goes on
     std::vector<CoreTransform> transforms_before_;  // none until a filter keeps a history
     bool scene_changed_ = true;                     // since then
+    bool is_settled_ = false;                       // still, and a Render came
 };
 
 }  // namespace render_system

@@ -55,12 +55,12 @@ public:
 
     /// Sets mesh `mesh`; ids are dense, a new mesh has the next free id. Fails with invalid_argument on an index past
     /// the vertices, spans of unequal length or an element that is not finite. What does not fit the budget is refused
-    /// by Render, which knows all of it.
+    /// by Render, which knows all of it. Fails with wrong_order after the first Render of a core that is still.
     virtual Status SetGeometry(uint32_t mesh, const CoreMesh& data) = 0;
 
     /// Puts mesh `mesh` into the scene as instance `instance` (dense ids), or moves it there. NONE as mesh hides it.
     /// Fails with invalid_argument if the mesh does not exist, or the matrix is not finite, or cannot be inverted where
-    /// the core needs that; a RenderSystem sends no such matrix.
+    /// the core needs that; a RenderSystem sends no such matrix. Fails with wrong_order as SetGeometry does.
     virtual Status SetInstance(uint32_t instance, uint32_t mesh, const CoreTransform& transform) = 0;
 
     /// From the next Render on `watch` is shown every path after every kernel, or with null no longer. It stays valid

@@ -43,6 +43,7 @@ Result<CoreChoice> choose_core(const CoreRegistry& registry, const std::vector<s
     std::string passed_over;
     Status last = Status::error(StatusCode::not_found, "no core to choose from");
     for (const std::string& id : ids) {
+        if (options.still && &id == &ids.back()) system.give_back();  // no other core will ask for it
         last = try_core(registry, id, options, system, first_render);
         if (last.ok()) return CoreChoice{id, why(id, system.core().GetCoreStats(), passed_over)};
         if (last.code != StatusCode::no_core && last.code != StatusCode::no_device &&

@@ -25,6 +25,7 @@ using FirstRender = std::function<Status(RenderSystem&)>;
 /// The first for which all this succeeds stays in `system`, its first picture taken. A core that answers no_core,
 /// no_device or out_of_memory at any step is passed over for the next; any other failure is answered at once. If none
 /// is left, answers the last status with the reasons of all. With one id this is "use that core, or say why not".
+/// With `options.still` the scene is given back (RenderSystem::give_back) as the last of them is sent it.
 Result<CoreChoice> choose_core(const CoreRegistry& registry, const std::vector<std::string>& ids,
                                const CoreOptions& options, RenderSystem& system, const FirstRender& first_render);
 

@@ -241,6 +241,7 @@ struct CoreFilter {
 struct CoreOptions {
     uint32_t threads = 0;  ///< host threads, 0: all; never changes the picture
     bool exact = false;    ///< the checking mode: all cores give the same bits, by one shared triangle test
+    bool still = false;    ///< no geometry comes or moves after the first Render: what only that needs is not kept
 };
 
 /// What may change between two images.

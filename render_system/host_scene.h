@@ -220,6 +220,11 @@ public:
     /// Whether a triangle of that mesh has a material that emits.
     bool is_emissive(uint32_t mesh) const;
 
+    /// Gives back what a core has its own copy of: vertices and triangles of a mesh that gives no light, texels of all
+    /// textures. Names, boxes and materials stay. For a scene that goes to one core and is not edited again.
+    void give_back_mesh(uint32_t id);
+    void give_back_textures();
+
     const SceneChanges& changes() const { return changes_; }
     SceneChanges& changes() { return changes_; }
     void mark_all_changed();

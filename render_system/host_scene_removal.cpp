@@ -40,6 +40,17 @@ HostTexture no_texture() {
 
 }  // namespace
 
+void HostScene::give_back_mesh(uint32_t id) {
+    if (is_emissive(id)) return;
+    HostMesh kept;
+    kept.name = std::move(meshes_[id].name);
+    meshes_[id] = std::move(kept);
+}
+
+void HostScene::give_back_textures() {
+    for (HostTexture& texture : textures_) texture.texels = {};
+}
+
 Status HostScene::remove_instance(uint32_t id) {
     if (Status status = mark_removed(removed_.instances, id, instances_.size(), "instance"); !status.ok())
         return status;

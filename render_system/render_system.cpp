@@ -35,12 +35,13 @@ Status send_materials(CoreAPI& core, const HostScene& scene, SceneChanges& chang
     return Status::success();
 }
 
-Status send_meshes(CoreAPI& core, const HostScene& scene, SceneChanges& changes) {
+Status send_meshes(CoreAPI& core, HostScene& scene, SceneChanges& changes, bool give_back) {
     for (uint32_t i = 0; i < changes.meshes.size(); ++i) {
         if (!changes.meshes[i]) continue;
         Status status = core.SetGeometry(i, scene.meshes()[i].view());
         if (!status.ok()) return status;
         changes.meshes[i] = false;
+        if (give_back) scene.give_back_mesh(i);
     }
     return Status::success();
 }
@@ -68,9 +69,11 @@ void RenderSystem::use_core(std::unique_ptr<CoreAPI> core) {
 Status RenderSystem::synchronize() {
     if (!core_) return Status::error(StatusCode::wrong_order, "the render system has no core yet");
     SceneChanges& changes = scene_.changes();
+    const bool new_textures = changes.textures;
     if (Status status = send_textures(*core_, scene_, changes); !status.ok()) return status;
+    if (gives_back_ && new_textures) scene_.give_back_textures();
     if (Status status = send_materials(*core_, scene_, changes); !status.ok()) return status;
-    if (Status status = send_meshes(*core_, scene_, changes); !status.ok()) return status;
+    if (Status status = send_meshes(*core_, scene_, changes, gives_back_); !status.ok()) return status;
     // Before the flags of the instances go down: what moved may have changed the scene's radius.
     if (radius_matters_ && scene_radius(scene_) != radius_) changes.lights = true;
     if (Status status = send_instances(*core_, scene_, changes); !status.ok()) return status;

@@ -29,6 +29,10 @@ public:
     /// Gives the core away; it keeps what it was sent. Then there is none.
     std::unique_ptr<CoreAPI> take_core() { return std::move(core_); }
 
+    /// Of what the core at hand is sent the scene keeps no copy where only an edit would need it: nothing can be edited
+    /// then, and no other core can take the scene.
+    void give_back() { gives_back_ = true; }
+
     /// Sends what changed since the last call. Fails as the core's Set* do.
     Status synchronize();
 
@@ -44,6 +48,7 @@ private:
     float sky_probability_ = 0.0f;  // as in the light table last sent
     float radius_ = 0.0f;           // the scene's, as in the light table last sent
     bool radius_matters_ = false;
+    bool gives_back_ = false;
     bool restart_ = false;  // what the core has gathered belongs to an older scene
 };
 

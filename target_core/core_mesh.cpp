@@ -199,7 +199,7 @@ void CoreMeshes::bake(Mesh& mesh, const CoreTransform& transform) {
     });
 }
 
-void CoreMeshes::place(std::span<const CoreMaterial> materials, float reach) {
+void CoreMeshes::place(std::span<const CoreMaterial> materials, float reach, bool still) {
     // Meshes came one by one; what the tables grew ahead is given back.
     mesh_triangles_.shrink_to_fit();
     vertices_.shrink_to_fit();
@@ -223,6 +223,7 @@ void CoreMeshes::place(std::span<const CoreMaterial> materials, float reach) {
         geometry.deforms = mesh.deforms;
         if (geometry.baked) {
             bake(mesh, transform);
+            if (still && !mesh.baked.empty()) mesh.positions = {};
         } else {
             mesh.baked = {};
             mesh.is_baked = false;
@@ -301,7 +302,7 @@ uint64_t CoreMeshes::memory_bytes() const {
 uint64_t CoreMeshes::traced_bytes() const {
     uint64_t bytes = mesh_triangles_.size() * sizeof(uvec4);
     for (const Mesh& mesh : meshes_) {
-        bytes += mesh.positions.size() * sizeof(PackedVertex);
+        bytes += (mesh.vertex_count + 1) * sizeof(PackedVertex);
     }
     return bytes;
 }

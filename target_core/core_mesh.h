@@ -39,8 +39,8 @@ public:
 
     /// Fills the instance table and `geometry()` for the materials at hand; bakes meshes of one instance that stand
     /// still. `reach` is the largest coordinate from which rays may come, where exact mode's boxes are to be padded for
-    /// it.
-    void place(std::span<const render_system::CoreMaterial> materials, float reach = 0.0f);
+    /// it. `still`: no mesh or instance will be set any more, so of what was baked nothing else is kept.
+    void place(std::span<const render_system::CoreMaterial> materials, float reach = 0.0f, bool still = false);
 
     /// Finds what lies in one place, or follows the edits since the last `settle`. After `place`.
     void find_coincident(render_system::CoincidentSurfaces& surfaces) const;

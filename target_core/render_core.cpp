@@ -174,7 +174,7 @@ Status TargetCore::prepare() {
     }
     if (geometry_dirty_) {
         auto start = std::chrono::steady_clock::now();
-        meshes_.place(materials_, ray_reach_);
+        meshes_.place(materials_, ray_reach_, options().still);
         meshes_.find_coincident(coincident_);  // before the tree, whose memory it does not need
         std::string message;
         bool built = false;

@@ -94,6 +94,7 @@ ExitCode run_render(const Options& options, Console& console) {
     const KeptInterrupt interrupt;
     CoreSession session(options, std::move(*setup), console);
     SampleSums sums(leads ? options.width : 0, options.height, keeps_squares(options));
+    session.stand_still();
     session.sum_into(&sums, wanted_samples(options).first);
     if (team()) session.only_try();
     Picture picture(options.width, options.height);

@@ -54,7 +54,7 @@ RunIdentity run_identity(const Options& options, CoreSession& session) {
     identity.entries = {
         {"the program's version", PORTTOOL_VERSION},
         {"the sky (--sky, or that of camera or scene)", sky_digest(session.scene().sky())},
-        {"the scene's content", scene_digest(session.scene())},
+        {"the scene's content", session.scene_content()},
         {"the core", stats.core},
         {"the core's kernels", kernels_digest(session)},
         {"--size", fmt::format("{}x{}", options.width, options.height)},

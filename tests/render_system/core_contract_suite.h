@@ -657,6 +657,40 @@ TYPED_TEST_P(CoreContractSuite, WhatIsRemovedGivesItsMemoryBack) {
     EXPECT_EQ(this->render(), before);
 }
 
+// What would only be needed by later edits is given back, and nothing of that shows.
+TYPED_TEST_P(CoreContractSuite, AStillCoreDrawsTheSameAndKeepsItsGeometry) {
+    SKIP_WITHOUT_DEVICE();
+    CoreTransform aside;
+    aside.rows[0].w = 0.25f;
+    const auto place = [&](const ContractScene& scene) {
+        this->send(scene);
+        this->expect_ok(this->core_->SetInstance(0, 0, aside));
+        this->expect_ok(this->core_->SetTarget(this->target()));
+    };
+    ContractScene scene;
+    place(scene);
+    const std::vector<glm::vec4> expected = this->render();
+    const uint64_t held = this->core_->GetCoreStats().memory_bytes;
+    CoreOptions still = TypeParam::options();
+    still.still = true;
+    this->core_ = TypeParam::create();
+    this->expect_ok(this->core_->Init(still));
+    place(scene);
+    EXPECT_EQ(this->render(), expected);
+    EXPECT_LE(this->core_->GetCoreStats().memory_bytes, held);
+    this->expect_refused(this->core_->SetGeometry(0, scene.mesh()), StatusCode::wrong_order);
+    this->expect_refused(this->core_->SetInstance(0, 0, CoreTransform()), StatusCode::wrong_order);
+    // All else may be edited, also what the geometry is placed by: whether rays may pass.
+    scene.materials[0].opaque = false;
+    scene.materials[0].alpha = 0.5f;
+    this->expect_ok(this->core_->SetMaterials(0, scene.materials));
+    const std::vector<glm::vec4> thin = this->render();
+    this->core_ = TypeParam::create();
+    this->expect_ok(this->core_->Init(TypeParam::options()));
+    place(scene);
+    EXPECT_EQ(this->render(), thin);
+}
+
 // What moves is followed, and what stands still left alone: no such order of edits may be seen in the picture. The
 // environment's EDITS asks for more of them.
 TYPED_TEST_P(CoreContractSuite, AfterManyEditsThePictureIsThatOfTheSceneAsItIs) {
@@ -691,6 +725,7 @@ REGISTER_TYPED_TEST_SUITE_P(CoreContractSuite, NothingWorksBeforeInitOrAfterShut
                             RefusesInstancesOfNothingAndMatricesThatAreNotFinite, RefusesWhatRaysCannotReachOrStartFrom,
                             RefusesTablesOfTheWrongLength, DanglingIdsAreRefusedAtRender,
                             AFailedCallLeavesWhatWasSetBefore, EditsTakeEffectWithTheNextRender,
-                            WhatIsRemovedGivesItsMemoryBack, AfterManyEditsThePictureIsThatOfTheSceneAsItIs);
+                            WhatIsRemovedGivesItsMemoryBack, AStillCoreDrawsTheSameAndKeepsItsGeometry,
+                            AfterManyEditsThePictureIsThatOfTheSceneAsItIs);
 
 }  // namespace render_system::testing
