@@ -6,6 +6,7 @@
 #include <iterator>
 #include <map>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 
 #include "porttool/match/decide.h"
@@ -35,6 +36,7 @@ public:
         for (const UnitFeatures& unit : source_) ++source_names_[unit.folded_name];
         for (const UnitFeatures& unit : target_) ++target_names_[unit.folded_name];
         for (const UnitFeatures& unit : target_) ++target_cores_[unit.core];
+        read_launchers();
         for (const auto& list : candidates_) {
             scores_.emplace_back();
             for (const Candidate& candidate : list)
@@ -99,6 +101,30 @@ private:
         }
     }
 
+    /// What each target does with the kernels of the source: launches them, calls what does, or neither.
+    void read_launchers() {
+        std::unordered_set<uint32_t> kernels, launchers;
+        for (const UnitFeatures& unit : source_)
+            if (unit.kernel) kernels.insert(unit.called_as);
+        for (const UnitFeatures& unit : target_)
+            if (unit.group == Group::Code) kernels.erase(unit.called_as);  // calls of that name are calls of this
+        launches_.assign(target_.size(), false);
+        const auto calls_any = [](const UnitFeatures& unit, const std::unordered_set<uint32_t>& names) {
+            return std::any_of(unit.callees.begin(), unit.callees.end(),
+                               [&](uint32_t name) { return names.contains(name); });
+        };
+        for (uint32_t t = 0; t < target_.size(); ++t) {
+            const UnitFeatures& unit = target_[t];
+            launches_[t] = !unit.kernel && unit.launches && (unit.launcher || calls_any(unit, kernels));
+            if (launches_[t]) launchers.insert(target_[t].called_as);
+        }
+        for (uint32_t t = 0; t < target_.size(); ++t)
+            if (!target_[t].works && calls_any(target_[t], launchers)) launches_[t] = true;
+    }
+
+    /// A kernel, and what launches it there or hands on to what does.
+    bool is_launched_there(uint32_t s, uint32_t t) const { return source_[s].kernel && launches_[t]; }
+
     /// One of the two launches kernels. Where they share the last part of their names, the other can hold the launcher
     /// and its kernel in one, but is no kernel.
     static bool other_role(const UnitFeatures& a, const UnitFeatures& b) {
@@ -119,7 +145,9 @@ private:
                         kOperands = 0.15f;
         const UnitFeatures &a = source_[candidate.source], &b = target_[candidate.target];
         float bonus = kCore * candidate.resemblance.core;
-        if (a.launcher != b.launcher)
+        if (is_launched_there(candidate.source, candidate.target))
+            bonus += kNoKernel;
+        else if (a.launcher != b.launcher)
             bonus += a.kernel || b.kernel ? kNoKernel : other_role(a, b) ? kLauncher : kSameName;
         else if ((a.works && !b.computes) || (b.works && !a.computes))
             bonus += kIdle;
@@ -254,7 +282,7 @@ private:
         out.resemblance = chosen.resemblance;
         out.margin = margin(s, c);
         out.names = differences_[s][c];
-        out.other_role = other_role(source_[s], target_[chosen.target]);
+        out.other_role = other_role(source_[s], target_[chosen.target]) || is_launched_there(s, chosen.target);
         out.body_margin = body_margin(s, c);
         constexpr float kOperands = 0.67f;
         out.wrong_operands =
@@ -438,6 +466,7 @@ private:
     std::vector<std::vector<float>> scores_;
     std::vector<std::vector<float>> alike_;  ///< the scores before names are weighed
     std::unordered_map<std::string, int> source_names_, target_names_, target_cores_;
+    std::vector<bool> launches_;                            ///< of each target
     std::vector<uint32_t> choice_;                          ///< of each source, an index into its candidates
     std::vector<uint32_t> claimed_;                         ///< of each target, the source
     std::vector<std::vector<NameDifference>> differences_;  ///< of the names, as scores_

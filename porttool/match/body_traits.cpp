@@ -83,10 +83,18 @@ private:
             lexed_.view(i + 1) == "<" && lexed_.view(i + 2) == "<")
             traits_.launches = true;  // kernel<<<grid, block>>>(...)
         if (sign == '+' || sign == '/' || sign == '^' || sign == '%' || sign == '?') ++operators_;
-        if (sign == '*') ++stars_;
+        if (sign == '*' && multiplies(i, unit)) ++stars_;
         if (sign == ']' && writes_after(i + 1, unit.body.end) && i > 0 &&
             lexed_.tokens[i - 1].kind != TokenKind::Number)
             traits_.stores = true;
+    }
+
+    /// No cast (`(Image *) p`), no pointer to a pointer, and no declaration (`; Image *p`).
+    bool multiplies(uint32_t i, const Unit& unit) const {
+        if (i < unit.body.first + 2 || i + 1 >= unit.body.end) return false;
+        const std::string_view after = lexed_.view(i + 1), before = lexed_.view(i - 2);
+        if (after == ")" || after == "*" || after == "," || after == ">") return false;
+        return before != ";" && before != "{" && before != "}" && before != "const";
     }
 
     bool touches(uint32_t a, uint32_t b) const {

@@ -138,6 +138,7 @@ private:
 
     void read_traits(const Unit& unit, UnitFeatures& features) {
         const BodyTraits traits = read_body_traits(file_, unit);
+        features.launches = traits.launches;
         features.launcher = traits.launches && !traits.stores && !features.kernel;
         features.computes = traits.computes;
         features.works = traits.works || features.kernel;

@@ -40,6 +40,7 @@ struct UnitFeatures {
     Group group = Group::Code;
     bool kernel = false;
     bool says_kernels = false;     ///< its language marks kernels
+    bool launches = false;         ///< sets arguments of kernels, or enqueues them
     bool launcher = false;         ///< sets arguments and enqueues a kernel, without computing by itself
     bool computes = false;         ///< has a loop, arithmetic or a store at an index
     bool works = false;            ///< the same, and more of it than a wrapper has

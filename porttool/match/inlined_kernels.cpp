@@ -77,7 +77,7 @@ private:
     }
 
     InlinedKernel place_of(uint32_t kernel) const {
-        constexpr float kLeast = 0.25f, kBase = 0.42f, kPerShare = 0.5f;
+        constexpr float kLeast = 0.25f, kLeastBeside = 0.3f, kBase = 0.42f, kPerShare = 0.5f;
         InlinedKernel best{kernel, kNoUnit, 0};
         float most = kLeast;
         const auto look = [&](const UnitList& places) {
@@ -89,38 +89,45 @@ private:
             }
         };
         for (const uint32_t port : ports_of_launchers(kernel)) look(places_in(port));
+        most = std::max(most, kLeastBeside);
         for (const uint32_t launcher : launchers_there(kernel)) look(places_beside(launcher));
         return best;
     }
 
-    /// Functions of the other side that launch a kernel of this one, as where the kernels alone are the source.
+    /// Functions of the other side that launch a kernel of this one, as where the kernels alone are the source: what is
+    /// called or created by that name is not theirs.
     UnitList launchers_there(uint32_t kernel) const {
+        const uint32_t name = source_[kernel].called_as;
+        const auto found = callers_there_.find(name);
+        const bool own = found == callers_there_.end() || named_there_.contains(name);
         UnitList out;
-        const auto found = callers_there_.find(source_[kernel].called_as);
-        if (found == callers_there_.end()) return out;
+        if (own) return out;
         std::copy_if(found->second.begin(), found->second.end(), std::back_inserter(out),
-                     [&](uint32_t t) { return target_[t].launcher; });
+                     [&](uint32_t t) { return target_[t].launches; });
         return out.size() <= kMostLaunchers ? out : UnitList();
     }
 
-    /// What does the work where a launcher does not: who calls it and computes as well, and the entry point of its
-    /// file.
+    /// What does the work where a launcher does not: who calls it and works as well, and the entry point of its file.
     UnitList places_beside(uint32_t launcher) const {
         UnitList out;
         const auto add = [&](uint32_t t) {
-            if (target_[t].works && !target_[t].launcher && !target_[t].kernel) out.push_back(t);
+            if (target_[t].launches || target_[t].kernel || !target_[t].works) return;
+            const UnitList places = places_in(t);
+            out.insert(out.end(), places.begin(), places.end());
         };
-        UnitList callers{launcher};
+        UnitList callees{launcher};
         constexpr int kLevels = 2;
         for (int level = 0; level < kLevels; ++level) {
-            UnitList next;
-            for (const uint32_t callee : callers) {
-                const auto found = callers_there_.find(target_[callee].called_as);
-                if (found == callers_there_.end() || found->second.size() > kMostCallers) continue;
-                next.insert(next.end(), found->second.begin(), found->second.end());
+            UnitList callers;
+            for (const uint32_t callee : callees) {
+                const uint32_t name = target_[callee].called_as;
+                const auto found = callers_there_.find(name);
+                const bool known = found != callers_there_.end() && named_there_.at(name).size() == 1;
+                if (known && found->second.size() <= kMostLaunchers)
+                    callers.insert(callers.end(), found->second.begin(), found->second.end());
             }
-            std::for_each(next.begin(), next.end(), add);
-            callers = std::move(next);
+            std::for_each(callers.begin(), callers.end(), add);
+            callees = std::move(callers);
         }
         for (const uint32_t t : units_there_[target_[launcher].file])
             if (target_[t].entry) add(t);
@@ -167,7 +174,7 @@ private:
             for (const uint32_t t : found->second) {
                 const UnitFeatures& unit = target_[t];
                 const bool own = unit.file == target_[port].file || found->second.size() == 1;
-                if (out.size() < kMostPlaces && own && owners_[t] == kNoUnit && unit.works && !unit.launcher &&
+                if (out.size() < kMostPlaces && own && owners_[t] == kNoUnit && unit.works && !unit.launches &&
                     !unit.kernel)
                     out.push_back(t);
             }

@@ -420,6 +420,28 @@ TEST(Match, AKernelIsPortedByWhatCallsItsLauncherAndComputesAsWell) {
     EXPECT_EQ(pairs(got), (Pairs{{"kernels/tone.cl:lift_shadows", "src/tone.cpp:brighten"}}));
 }
 
+TEST(Match, WhatHandsOnToALauncherIsNoKernelsPort) {
+    const std::string sharpen = "dst[i] = src[i] + gain * (src[i] - 0.5f * (src[i - 1] + src[i + 1]));\n";
+    const Matching got = match(
+        {{"gpu/kernels.cl",
+          "__kernel void sharpen(__global const float* src, __global float* dst, float gain, int n) {\n"
+          "  int i = get_global_id(0);\n  if (i > 0 && i + 1 < n) " +
+              sharpen + "}\n"}},
+        {{"gpu/launch.c",
+          "static Image *compute_sharpen_image(const Image *in, Queue queue, float gain) {\n  Image *out = "
+          "clone(in);\n  Kernel kernel = acquire_kernel(\"sharpen\");\n  set_kernel_arg(kernel, 0, in);\n"
+          "  set_kernel_arg(kernel, 1, out);\n  enqueue_kernel(queue, kernel, in->size);\n  return out;\n}\n"
+          "Image *sharpen_on_device(const Image *in, float gain) {\n  Image *out;\n  Queue *queue;\n"
+          "  check(in != (Image *) NULL);\n  queue = get_queue((void *) NULL);\n  if (queue == (Queue *) NULL) return "
+          "(Image *) NULL;\n  out = compute_sharpen_image(in, queue, gain);\n  return out;\n}\n"},
+         {"core/effect.c",
+          "Image *crisp(const Image *in, float gain) {\n  Image *out = sharpen_on_device(in, gain);\n  if (out != "
+          "NULL) "
+          "return out;\n  float *dst = new_row(), *src = row_of(in);\n  for (int i = 1; i + 1 < in->size; ++i) " +
+              sharpen + "  return to_image(dst);\n}\n"}});
+    EXPECT_EQ(pairs(got), (Pairs{{"gpu/kernels.cl:sharpen", "core/effect.c:crisp"}}));
+}
+
 TEST(Match, AKernelIsPortedByTheFunctionThatWorksAndNotByWhatHandsOn) {
     std::string kernels, functions;
     Pairs expected;
