@@ -149,7 +149,7 @@ private:
             bonus += kNoKernel;
         else if (a.launcher != b.launcher)
             bonus += a.kernel || b.kernel ? kNoKernel : other_role(a, b) ? kLauncher : kSameName;
-        else if ((a.works && !b.computes) || (b.works && !a.computes))
+        else if ((a.works && !b.computes) || (a.kernel && a.acts && !b.acts) || (b.works && !a.computes))
             bonus += kIdle;
         if (is_overloaded(a, b)) bonus -= kOperands * (1 - candidate.resemblance.operands);
         return bonus;

@@ -55,6 +55,7 @@ public:
         }
         traits_.launches = traits_.launches || (takes_arguments_ && speaks_of_kernels(unit));
         traits_.computes = traits_.stores || loops_ || operators_ > 0 || stars_ > 1;  // a star also makes a pointer
+        traits_.acts = traits_.stores || loops_;
         traits_.works = traits_.stores || loops_ || operators_ + stars_ >= kMuch;
         return traits_;
     }

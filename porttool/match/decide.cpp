@@ -51,7 +51,8 @@ float confidence(const UnitFeatures& source, const UnitFeatures& target, const A
     if (target.entry && !source.entry) z -= 5.0f * std::max(0.0f, kHeld - contained_in(source, target));
     if (resemblance.reversed) z -= 2.5f;
     if (pair.wrong_operands) z -= 2.5f;
-    if (source.works && !target.computes) z -= 1.5f;
+    const bool idle = source.kernel && source.acts && !target.kernel ? !target.acts : !target.computes;
+    if (source.works && idle) z -= 1.5f;
     if (pair.shared && !variant) z -= 1.0f;
     const float score = 1 / (1 + std::exp(-z));
     // One more source of a target that is another's is only sure under its name: of `clamp` and `op_clamp` one may be

@@ -141,6 +141,7 @@ private:
         features.launches = traits.launches;
         features.launcher = traits.launches && !traits.stores && !features.kernel;
         features.computes = traits.computes;
+        features.acts = traits.acts;
         features.works = traits.works || features.kernel;
     }
 

@@ -43,6 +43,7 @@ struct UnitFeatures {
     bool launches = false;         ///< sets arguments of kernels, or enqueues them
     bool launcher = false;         ///< sets arguments and enqueues a kernel, without computing by itself
     bool computes = false;         ///< has a loop, arithmetic or a store at an index
+    bool acts = false;             ///< has a loop or a store at an index
     bool works = false;            ///< the same, and more of it than a wrapper has
     bool beside_kernels = false;   ///< its side has kernels
     bool whole_file_main = false;  ///< a shader's main: the file's name is its name

@@ -443,7 +443,7 @@ TEST(Match, WhatHandsOnToALauncherIsNoKernelsPort) {
 }
 
 TEST(Match, AKernelIsPortedByTheFunctionThatWorksAndNotByWhatHandsOn) {
-    std::string kernels, functions;
+    std::string kernels, functions, graph;
     Pairs expected;
     for (const auto& [name, value] : std::map<std::string, std::string>{{"fill", "value"},
                                                                         {"scale", "x[i] * value"},
@@ -459,10 +459,14 @@ TEST(Match, AKernelIsPortedByTheFunctionThatWorksAndNotByWhatHandsOn) {
                      "(const params* p, tensor* dst) {\n  switch (p->type) {\n    case TYPE_F32: "
                      "api_compute_forward_" +
                      name + "_f32(p, dst); break;\n    default: fail();\n  }\n}\n";
+        graph +=
+            "tensor *" + name +
+            "(tensor *a, float value) {\n  const long size = a->n * a->m * a->k * 4 + 16 + a->n / 8;\n  tensor *out "
+            "= new_tensor(a, size);\n  out->op = OP_ANY;\n  set_params(out, value);\n  return out;\n}\n";
         expected.emplace_back("cuda/ops.cu:" + name + "_kernel", "cpu/ops.c:api_compute_forward_" + name + "_f32");
     }
     std::sort(expected.begin(), expected.end());
-    EXPECT_EQ(pairs(match({{"cuda/ops.cu", kernels}}, {{"cpu/ops.c", functions}})), expected);
+    EXPECT_EQ(pairs(match({{"cuda/ops.cu", kernels}}, {{"cpu/ops.c", functions}, {"cpu/graph.c", graph}})), expected);
 }
 
 TEST(Match, AKernelIsFoundInAFunctionByTheStringThatCreatesIt) {
