@@ -4,11 +4,14 @@
 """What texts that were written to hurt cost porttool: its time and memory at one size and at twice that.
 
     bench/scaling.py [--porttool build/release/bin/porttool] [--bytes 2097152] [--only PART] [--all] [--counts]
+                     [--journal FILE]
 
 Makes each text of bench/constructs.json in a temporary folder (in memory where that can be) as both sides of a
 repository, edits one side and both, and runs scan, map, init, check, compare and effort. Prints a Markdown table of the
 worst constructs of each command (--all: of all); exits 1 if twice the size takes more than 2.3 times as long, or more
-than 1 GiB. Times below 0.5 s count as that: they are the start of the program.
+than 1 GiB. Times are the processor's; below 0.5 s they count as that: they are the start of the program.
+
+--journal FILE: notes what each construct took in FILE, and goes on from what is noted there: all take hours.
 
 What is filled in up to a bound that docs/porttool.md names grows faster below it. So what grows too fast is doubled again,
 up to 4 MiB, and must grow in line with the text by then; the table has the sizes of which that was seen.
@@ -22,11 +25,11 @@ import json
 import os
 import pathlib
 import re
+import resource
 import shutil
 import subprocess
 import sys
 import tempfile
-import time
 
 # `init` writes a file for each text that it records: where a disk is slow with a hundred thousand of them in a folder, or
 # with those of the construct before that were just removed, its time would be in the table, not porttool's.
@@ -84,15 +87,9 @@ class Repository:
             self.rows[name] = (count - self.counts, 0, code)
             return
         with open(os.devnull, "wb") as sink:
-            process = subprocess.Popen([self.tool, *arguments], cwd=self.folder, stdout=sink, stderr=sink)
-            start = time.monotonic()
-            while True:
-                pid, status, usage = os.wait4(process.pid, os.WNOHANG)
-                if pid:
-                    break
-                if time.monotonic() - start > LONGEST:
-                    process.kill()
-                time.sleep(0.005)
+            process = subprocess.Popen([self.tool, *arguments], cwd=self.folder, stdout=sink, stderr=sink,
+                                       preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CPU, (LONGEST, LONGEST)))
+            _, status, usage = os.wait4(process.pid, 0)
         process.returncode = os.waitstatus_to_exitcode(status)
         self.rows[name] = (usage.ru_utime + usage.ru_stime, usage.ru_maxrss * 1024, process.returncode)
 
@@ -155,6 +152,27 @@ def measure_twice(tool, construct, size, counts):
     return found
 
 
+def noted(journal, key):
+    """The rows that a run before this one noted under the key; None where it noted none."""
+    if journal is not None and journal.exists():
+        for line in journal.read_text(encoding="utf-8").splitlines():
+            if (entry := json.loads(line))["key"] == key:
+                return entry["rows"]
+    return None
+
+
+def measured(tool, construct, size, counts, journal):
+    """The rows of a construct, out of the journal where they are noted, else measured, and then noted."""
+    key = [construct["name"], size, bool(counts)]
+    rows = noted(journal, key)
+    if rows is None:
+        rows = measure_twice(tool, construct, size, counts)
+        if journal is not None:
+            with journal.open("a", encoding="utf-8") as file:
+                file.write(json.dumps({"key": key, "rows": rows}) + "\n")
+    return rows
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("--porttool", default="build/release/bin/porttool")
@@ -162,6 +180,7 @@ def main():
     parser.add_argument("--only", action="append", default=[], help="constructs whose name holds this; may be given again")
     parser.add_argument("--all", action="store_true", help="a row for every construct")
     parser.add_argument("--counts", action="store_true", help="count instructions by valgrind")
+    parser.add_argument("--journal", type=pathlib.Path, help="note what each construct took in this file, and go on from it")
     options = parser.parse_args()
     if options.counts and shutil.which("valgrind") is None:
         sys.exit("--counts needs valgrind; install it")
@@ -175,7 +194,7 @@ def main():
     for construct in constructs:
         if options.only and not any(part in construct["name"] for part in options.only):
             continue
-        for command, (once, twice, size) in measure_twice(tool, construct, options.bytes, counts).items():
+        for command, (once, twice, size) in measured(tool, construct, options.bytes, counts, options.journal).items():
             (seconds, peak, code), times = twice, growth(once, twice, counts)
             bad = bool(too_fast({command: once}, {command: twice}, counts)) or peak > MOST_BYTES or code not in (0, 1)
             failed += bad

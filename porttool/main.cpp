@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The porttool authors
 // SPDX-License-Identifier: Apache-2.0
 #include <fcntl.h>
+#include <signal.h>
 #include <unistd.h>
 
 #include <cstdio>
@@ -18,10 +19,20 @@ void hold_standard_streams() {
             return;
 }
 
+/// A write beyond what a file may hold (`ulimit -f`) is an error with a line, not the end on the spot with files left
+/// behind. A handler, not SIG_IGN: programs that are started do not inherit it.
+void take_full_files_for_errors() {
+    struct sigaction action {};
+    action.sa_handler = [](int) {};
+    action.sa_flags = SA_RESTART;
+    (void)::sigaction(SIGXFSZ, &action, nullptr);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) try {
     hold_standard_streams();
+    take_full_files_for_errors();
     porttool::RealDisk disk;
     return porttool::run_porttool(argc, argv, disk, std::cout, std::cerr);
 } catch (...) {  // what even the message of an error could not be made of

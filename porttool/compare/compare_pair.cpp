@@ -62,6 +62,11 @@ private:
         return out;
     }
 
+    /// The text alone does not tell which macros its file has; its prints were taken with them.
+    static bool names_count(const PairedUnit& unit) {
+        return prints_of_text(unit.now).renamed != unit.prints_now.renamed;
+    }
+
     void read_texts() {
         for (const Side side : kBothSides) {
             now_[side] = pair_[side].now.words();
@@ -71,7 +76,8 @@ private:
                 out_.text_missing = true;
                 continue;
             }
-            LoneEdit lone = lone_edit(before_[side], now_[side], pair_[side].kind, pair_[side].language, dialect_);
+            LoneEdit lone = lone_edit(before_[side], now_[side], pair_[side].kind, pair_[side].language, dialect_,
+                                      names_count(pair_[side]));
             out_.idle[side] = lone.means_nothing;
             out_.edits[side] = std::move(lone.edit);
         }

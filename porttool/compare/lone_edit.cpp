@@ -190,7 +190,8 @@ std::string what_it_says(const Statement& said) {
 
 }  // namespace
 
-LoneEdit lone_edit(const Words& before, const Words& now, UnitKind kind, Language language, const Dialect& dialect) {
+LoneEdit lone_edit(const Words& before, const Words& now, UnitKind kind, Language language, const Dialect& dialect,
+                   bool names_count) {
     PlainStatements plain(kind, language, dialect);
     plain.note_vectors_of(before);
     plain.note_vectors_of(now);
@@ -206,7 +207,7 @@ LoneEdit lone_edit(const Words& before, const Words& now, UnitKind kind, Languag
     StatementEdit edit = statement_edit(old_text, bare(now), translator);
     LoneEdit out;
     out.means_nothing = (edit.lost.empty() && edit.gained.empty()) || (is_code && only_moves_declarations(edit));
-    if (!out.means_nothing && is_code)
+    if (!out.means_nothing && is_code && !names_count)
         if (const Words renamed = with_old_names(before, now, dialect); renamed != now) {
             StatementEdit named = statement_edit(old_text, bare(renamed), translator);
             out.means_nothing = named.lost.empty() && named.gained.empty();

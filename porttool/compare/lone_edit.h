@@ -23,7 +23,9 @@ struct LoneEdit {
 ///     before    inline float @ (float* a) { return a[0]; }
 ///     now       float @ (const float* a) { return a[0]; }        means nothing
 ///     or now    float @ (const float* a) { return a[1]; }        `return a[1]` for `return a[0]`, no word of the head
-LoneEdit lone_edit(const Words& before, const Words& now, UnitKind kind, Language language, const Dialect& dialect);
+/// `names_count`: a macro takes locals as they are spelled, so that their names are no matter of taste.
+LoneEdit lone_edit(const Words& before, const Words& now, UnitKind kind, Language language, const Dialect& dialect,
+                   bool names_count);
 
 /// What an edit did to how its file declares what the unit uses, and to what the file says of the unit itself: the
 /// words that went and came, without names, sorted. Two sides that did the same have equal lists.

@@ -28,8 +28,8 @@ LinesOfCode LineReader::read(const Excerpt& excerpt) {
     LinesOfCode out;
     if (excerpt.file == nullptr) return out;
     const LexedText& lexed = excerpt.file->lexed;
-    for (const std::vector<uint32_t>& run : code_runs(excerpt))
-        for (const uint32_t index : run) {
+    for (const TokenRange& stretch : code_stretches(excerpt))
+        for (uint32_t index = stretch.first; index < stretch.end; ++index) {
             const Token& token = lexed.tokens[index];
             if (out.lines.empty() || out.lines.back().line != token.line)
                 out.lines.push_back({token.line, 0, out.words.size(), 0});

@@ -7,6 +7,7 @@
 #include <unordered_map>
 
 #include "porttool/match/body_traits.h"
+#include "porttool/scan/macros.h"
 #include "porttool/scan/scan.h"
 
 namespace porttool {
@@ -30,6 +31,7 @@ public:
         climb();
         follow();
         find_new_files();
+        std::erase_if(told_, [](const auto& one) { return redefines_word(leaf(*one.first)); });
         return std::move(told_);
     }
 

@@ -23,7 +23,8 @@ struct SideUnits {
 
 /// New units without a counterpart whose lack is no news of its own, with the clause that says why: what uses them is
 /// watched, and tells of the edit that brought them; or has no port itself; or they launch kernels, which is nobody's
-/// port. A kernel is always news, and so is what nothing uses by name.
+/// port. A kernel is always news, and so are what nothing uses by name, and a macro that redefines a word of the
+/// language: what uses it was not edited.
 ///
 ///     float fresnel(float c) {...}        new, used by shade() alone: "shade.cu:shade uses it, which is watched"
 std::map<const UnitState*, std::string> told_with_others(const SideUnits& units);

@@ -34,8 +34,8 @@ std::vector<UnitCode> code_by_unit(const ScannedFile& file) {
     std::vector<size_t> open;  // units nest; those that hold the token in hand
     size_t next = 0;
     uint32_t last_line = 0;
-    for (const std::vector<uint32_t>& run : code_runs({&file, nullptr})) {
-        for (const uint32_t token : run) {
+    for (const TokenRange& stretch : code_stretches({&file, nullptr})) {
+        for (uint32_t token = stretch.first; token < stretch.end; ++token) {
             for (; next < file.units.size() && file.units[next].tokens.first <= token; ++next) open.push_back(next);
             while (!open.empty() && file.units[open.back()].tokens.end <= token) open.pop_back();
             const uint32_t line = file.lexed.tokens[token].line;

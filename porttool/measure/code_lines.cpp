@@ -25,68 +25,55 @@ bool is_include_guard(const LexedText& lexed) {
     return false;
 }
 
-/// Walks ascending tokens and tells which belong to directives that are boilerplate.
-class Boilerplate {
-public:
-    Boilerplate(const LexedText& lexed, TokenRange range)
-        : directives_(lexed.directives),
-          guarded_((range.first < 6 || range.end == lexed.tokens.size()) && is_include_guard(lexed)) {
-        skip_to(range.first);
+/// The directives of a range of tokens that are boilerplate, and the holes of its unit: what is left out as a whole.
+std::vector<TokenRange> left_out(const Excerpt& excerpt, TokenRange range) {
+    const LexedText& lexed = excerpt.file->lexed;
+    const std::vector<Directive>& directives = lexed.directives;
+    const bool guarded = (range.first < 6 || range.end == lexed.tokens.size()) && is_include_guard(lexed);
+    std::vector<TokenRange> out;
+    if (excerpt.unit != nullptr) out = excerpt.unit->holes;
+    const auto first = std::partition_point(directives.begin(), directives.end(),
+                                            [&](const Directive& one) { return one.end_token <= range.first; });
+    for (auto at = first; at != directives.end() && at->first_token < range.end; ++at) {
+        const bool of_guard = guarded && (at - directives.begin() < 2 || at + 1 == directives.end());
+        if (of_guard || at->kind == DirectiveKind::Include || at->kind == DirectiveKind::Other)
+            out.push_back({at->first_token, at->end_token});
     }
-
-    void skip_to(uint32_t token) {
-        at_ = std::lower_bound(directives_.begin() + at_, directives_.end(), token,
-                               [](const Directive& directive, uint32_t i) { return directive.end_token <= i; }) -
-              directives_.begin();
-    }
-
-    bool holds(uint32_t token) {
-        const auto count = static_cast<std::ptrdiff_t>(directives_.size());
-        while (at_ < count && directives_[static_cast<size_t>(at_)].end_token <= token) ++at_;
-        if (at_ == count) return false;
-        const Directive& directive = directives_[static_cast<size_t>(at_)];
-        if (directive.first_token > token) return false;
-        const bool of_guard = guarded_ && (at_ < 2 || at_ + 1 == count);
-        return of_guard || directive.kind == DirectiveKind::Include || directive.kind == DirectiveKind::Other;
-    }
-
-private:
-    const std::vector<Directive>& directives_;
-    bool guarded_;
-    std::ptrdiff_t at_ = 0;
-};
+    std::sort(out.begin(), out.end(), [](TokenRange a, TokenRange b) { return a.first < b.first; });
+    return out;
+}
 
 }  // namespace
 
-std::vector<std::vector<uint32_t>> code_runs(const Excerpt& excerpt) {
-    const LexedText& lexed = excerpt.file->lexed;
+std::vector<TokenRange> code_stretches(const Excerpt& excerpt) {
+    const std::vector<Token>& tokens = excerpt.file->lexed.tokens;
     const TokenRange range =
-        excerpt.unit != nullptr ? excerpt.unit->tokens : TokenRange{0, static_cast<uint32_t>(lexed.tokens.size())};
-    Boilerplate left_out(lexed, range);
-    static const std::vector<TokenRange> kNone;
-    const std::vector<TokenRange>& holes = excerpt.unit != nullptr ? excerpt.unit->holes : kNone;
-    size_t hole = 0;
-    std::vector<std::vector<uint32_t>> runs(1);
-    for (uint32_t i = range.first; i < range.end; ++i) {
-        while (hole < holes.size() && holes[hole].end <= i) ++hole;
-        if (hole < holes.size() && holes[hole].first <= i) {
-            if (!runs.back().empty()) runs.emplace_back();
-            i = holes[hole].end - 1;
-            left_out.skip_to(i + 1);
-        } else if ((lexed.tokens[i].flags & kDead) == 0 && !left_out.holds(i)) {
-            runs.back().push_back(i);
+        excerpt.unit != nullptr ? excerpt.unit->tokens : TokenRange{0, static_cast<uint32_t>(tokens.size())};
+    std::vector<TokenRange> stretches;
+    uint32_t at = range.first;
+    const auto take_until = [&](uint32_t end) {
+        while (at < end) {
+            while (at < end && (tokens[at].flags & kDead) != 0) ++at;
+            const uint32_t first = at;
+            while (at < end && (tokens[at].flags & kDead) == 0) ++at;
+            if (first < at) stretches.push_back({first, at});
         }
+    };
+    for (const TokenRange& gap : left_out(excerpt, range)) {
+        take_until(std::min(gap.first, range.end));
+        at = std::max(at, gap.end);
     }
-    if (runs.back().empty()) runs.pop_back();
-    return runs;
+    take_until(range.end);
+    return stretches;
 }
 
 std::vector<uint32_t> code_lines(const Excerpt& excerpt) {
     std::vector<uint32_t> lines;
-    for (const std::vector<uint32_t>& run : code_runs(excerpt))
-        for (const uint32_t token : run) {
+    uint32_t last = 0;
+    for (const TokenRange& stretch : code_stretches(excerpt))
+        for (uint32_t token = stretch.first; token < stretch.end; ++token) {
             const uint32_t line = excerpt.file->lexed.tokens[token].line;
-            if (lines.empty() || lines.back() != line) lines.push_back(line);
+            if (line != last) lines.push_back(last = line);
         }
     return lines;
 }

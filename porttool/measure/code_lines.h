@@ -18,10 +18,10 @@ struct Excerpt {
 /// One side of a comparison; each excerpt's text is a sequence of its own.
 using Passage = std::vector<Excerpt>;
 
-/// The tokens of an excerpt that count as code (indices into LexedText::tokens), cut where a hole of the unit lies.
+/// The tokens of an excerpt that count as code (indices into LexedText::tokens), as stretches of consecutive ones.
 /// Left out: comments and licence heads, `#if 0`, include guards, and directives that say nothing by themselves:
 /// #include, #pragma, #version, #extension, #line, #error, #undef.
-std::vector<std::vector<uint32_t>> code_runs(const Excerpt& excerpt);
+std::vector<TokenRange> code_stretches(const Excerpt& excerpt);
 
 /// The lines (from 1, ascending) on which such a token starts: what `lines` counts everywhere.
 std::vector<uint32_t> code_lines(const Excerpt& excerpt);

@@ -56,8 +56,12 @@ public:
                 everything.takes[side][file.path];
             }
         out_.blocks_are_file_pairs = blocks.are_file_pairs;
-        for (const Block& block : blocks_)
+        for (const Block& block : blocks_) {
+            for (const Side side : kBothSides)
+                for (const auto& [file, names] : block.takes[side])
+                    takers_[side][file].push_back({static_cast<int>(out_.blocks.size()), &names});
             out_.blocks.push_back(measure_block(block, files, dialect, facts.map.weights));
+        }
         out_.totals = measure_block(everything, files, dialect, facts.map.weights);
     }
 
@@ -76,13 +80,11 @@ public:
 private:
     std::vector<int> blocks_with(Side side, const Excerpt& excerpt) const {
         std::vector<int> blocks;
-        for (size_t i = 0; i < blocks_.size(); ++i) {
-            const auto taken = blocks_[i].takes[side].find(excerpt.file->path);
-            if (taken == blocks_[i].takes[side].end()) continue;
-            const std::set<std::string>& names = taken->second;
-            if (names.empty() || (excerpt.unit != nullptr && names.contains(excerpt.unit->name)))
-                blocks.push_back(static_cast<int>(i));
-        }
+        const auto takers = takers_[side].find(excerpt.file->path);
+        if (takers == takers_[side].end()) return blocks;
+        for (const auto& [block, names] : takers->second)
+            if (names->empty() || (excerpt.unit != nullptr && names->contains(excerpt.unit->name)))
+                blocks.push_back(block);
         return blocks;
     }
 
@@ -140,7 +142,14 @@ private:
         return found->second;
     }
 
+    /// A block that takes a file, or units of it, whose names these are.
+    struct Taker {
+        int block;
+        const std::set<std::string>* names;
+    };
+
     const std::vector<Block>& blocks_;
+    BySide<std::map<std::string_view, std::vector<Taker>>> takers_;  ///< by file, blocks ascending
     Rows rows_;
     BySide<std::map<std::pair<const BlockReport*, std::string>, std::set<uint32_t>>> shared_;
     PortabilityReport out_;

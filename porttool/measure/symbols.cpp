@@ -20,8 +20,8 @@ std::vector<PlacedToken> SymbolTable::place(const Passage& passage) {
     for (uint32_t at = 0; at < passage.size(); ++at) {
         const LexedText& lexed = passage[at].file->lexed;
         bool first = true;
-        for (const std::vector<uint32_t>& run : code_runs(passage[at])) {
-            for (const uint32_t index : run) {
+        for (const TokenRange& stretch : code_stretches(passage[at])) {
+            for (uint32_t index = stretch.first; index < stretch.end; ++index) {
                 const Token& token = lexed.tokens[index];
                 out.push_back({at, token.line, word(lexed.view(token), token.kind), first});
                 first = false;
@@ -34,19 +34,24 @@ std::vector<PlacedToken> SymbolTable::place(const Passage& passage) {
 SymbolSequence SymbolTable::sequence(const std::vector<PlacedToken>& tokens, Vocabulary vocabulary,
                                      uint32_t side) const {
     SymbolSequence out;
-    out.symbols.reserve(tokens.size());
-    out.tokens.reserve(tokens.size());
+    const auto excerpts =
+        std::count_if(tokens.begin(), tokens.end(), [](const PlacedToken& t) { return t.starts_run; });
+    out.symbols.resize(tokens.size() + static_cast<size_t>(excerpts));
+    out.tokens.resize(out.symbols.size());
     uint32_t separator = kNothing - 1 - side, run = 0;  // far above metrics::FIRST_SEPARATOR
-    auto add = [&](uint32_t symbol, uint32_t token) {
-        out.symbols.push_back(symbol);
-        out.tokens.push_back(token);
+    size_t count = 0;
+    const auto put = [&, symbols = out.symbols.data(), places = out.tokens.data()](uint32_t symbol, uint32_t token) {
+        symbols[count] = symbol;
+        places[count++] = token;
+    };
+    const auto add = [&](uint32_t symbol, uint32_t token) {
+        put(symbol, token);
         ++out.token_count;
         out.longest_run = std::max(out.longest_run, ++run);
     };
     for (uint32_t i = 0; i < tokens.size(); ++i) {
-        if (tokens[i].starts_run && !out.symbols.empty()) {
-            out.symbols.push_back(separator);
-            out.tokens.push_back(kNoToken);
+        if (tokens[i].starts_run && count > 0) {
+            put(separator, kNoToken);
             separator -= 2;
             run = 0;
         }
@@ -61,6 +66,8 @@ SymbolSequence SymbolTable::sequence(const std::vector<PlacedToken>& tokens, Voc
         const uint32_t symbol = vocabulary == Vocabulary::Blind ? word.blind : word.dialect;
         if (!is_scope && symbol != kNothing) add(symbol, i);
     }
+    out.symbols.resize(count);
+    out.tokens.resize(count);
     return out;
 }
 

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "porttool/normal/unit_state.h"
 
+#include <algorithm>
+#include <unordered_set>
+
 #include "porttool/normal/declarations.h"
 #include "porttool/normal/locals.h"
 #include "porttool/normal/prelude.h"
@@ -14,6 +17,29 @@ namespace {
 /// What prints take for a number, `.*` among it: a recorded print must not change.
 bool is_blanked(std::string_view text) {
     return !text.empty() && ((text[0] >= '0' && text[0] <= '9') || text[0] == '.') && text != "." && text != "...";
+}
+
+/// Leaves out of the places of declarations those of locals that the unit hands to a macro that takes their spelling:
+/// `CHECK(x)` that prints `#x`. Such a name is no matter of taste.
+void drop_spelled(const ScannedFile& file, const Unit& unit, std::vector<uint32_t>& places) {
+    if (file.spelling_macros.empty() || places.empty()) return;
+    const LexedText& lexed = file.lexed;
+    std::unordered_set<std::string_view> spelled;
+    int depth = 0;  // of brackets within such a macro's
+    for (uint32_t at = unit.body.first; at < unit.body.end; ++at) {
+        const std::string_view word = lexed.view(at);
+        if (depth > 0) {
+            if (word == "(") ++depth;
+            if (word == ")") --depth;
+            if (lexed.tokens[at].kind == TokenKind::Identifier) spelled.insert(word);
+        } else if (lexed.tokens[at].kind == TokenKind::Identifier && at + 1 < unit.body.end &&
+                   lexed.view(at + 1) == "(" &&
+                   std::binary_search(file.spelling_macros.begin(), file.spelling_macros.end(), word)) {
+            depth = 1;
+            ++at;
+        }
+    }
+    std::erase_if(places, [&](uint32_t place) { return spelled.contains(lexed.view(place)); });
 }
 
 /// The three prints of a unit, word by word.
@@ -62,6 +88,7 @@ UnitState unit_state(const ScannedFile& file, const Unit& unit) {
         state.text.add(word);
         prints.add(word, 0);
     });
+    drop_spelled(file, unit, places);
     LocalNumbers numbers(std::move(places));
     write_normal_form(file, unit, [&](std::string_view word, uint32_t token) {
         state.text.add(word);

@@ -28,7 +28,7 @@ std::string packed(std::string_view text) {
     std::string out(size, '\0');
     const int result =
         compress2(reinterpret_cast<Bytef*>(out.data()), &size, reinterpret_cast<const Bytef*>(text.data()),
-                  static_cast<uLong>(text.size()), Z_BEST_COMPRESSION);
+                  static_cast<uLong>(text.size()), Z_DEFAULT_COMPRESSION);
     if (result != Z_OK) throw std::runtime_error("zlib cannot compress the page");
     out.resize(size);
     return base64(out);

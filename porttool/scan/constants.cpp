@@ -96,15 +96,17 @@ std::vector<Unit> find_macro_units(const LexedText& lexed) {
     std::vector<Unit> units;
     for (const Directive& directive : lexed.directives) {
         const uint32_t name = directive.first_token + 2;
-        if (directive.kind != DirectiveKind::Define || directive.end_token <= name + 1) continue;
+        if (directive.kind != DirectiveKind::Define || directive.end_token <= name) continue;
         if ((lexed.tokens[name].flags & kDead) != 0) continue;
-        const bool function_like = is_function_like(lexed, name);
+        const bool function_like = directive.end_token > name + 1 && is_function_like(lexed, name);
         uint32_t value = name + 1;
         if (function_like)
             while (value < directive.end_token && lexed.view(value++) != ")") {
             }
-        if (value >= directive.end_token) continue;
-        if (!function_like && !carries_value(lexed, value, directive.end_token)) continue;
+        if (!redefines_word(lexed.view(name))) {
+            if (value >= directive.end_token) continue;
+            if (!function_like && !carries_value(lexed, value, directive.end_token)) continue;
+        }
         Unit unit;
         unit.kind = UnitKind::Constant;
         unit.name = std::string(lexed.view(name));

@@ -3,6 +3,8 @@
 #include "porttool/scan/macros.h"
 
 #include <algorithm>
+#include <set>
+#include <unordered_map>
 
 #include "porttool/language/words.h"
 
@@ -62,6 +64,36 @@ MacroTable read_macros(const LexedText& lexed) {
     return table;
 }
 
+std::vector<std::string_view> spelling_macros(const LexedText& lexed) {
+    std::vector<const Directive*> defines;
+    std::vector<std::string_view> found;
+    const auto name_of = [&](const Directive& define) { return lexed.view(define.first_token + 2); };
+    for (const Directive& directive : lexed.directives) {
+        if (directive.kind != DirectiveKind::Define || directive.end_token < directive.first_token + 5 ||
+            !is_function_like(lexed, directive.first_token + 2))
+            continue;
+        defines.push_back(&directive);
+        for (uint32_t at = directive.first_token + 4; at < directive.end_token; ++at) {
+            if (lexed.view(at) != "#") continue;
+            found.push_back(name_of(directive));
+            break;
+        }
+    }
+    if (found.empty()) return found;
+    std::unordered_map<std::string_view, std::vector<const Directive*>> users;  // by each word of their replacements
+    for (const Directive* define : defines)
+        for (uint32_t at = define->first_token + 4; at < define->end_token; ++at)
+            if (lexed.tokens[at].kind == TokenKind::Identifier) users[lexed.view(at)].push_back(define);
+    std::set<std::string_view> all(found.begin(), found.end());
+    for (; !found.empty();) {
+        const std::string_view macro = found.back();
+        found.pop_back();
+        for (const Directive* user : users[macro])
+            if (all.insert(name_of(*user)).second) found.push_back(name_of(*user));
+    }
+    return {all.begin(), all.end()};
+}
+
 std::vector<std::string> expand(const Macro& macro, const std::vector<std::string>& arguments) {
     std::vector<std::string> out;
     bool paste = false;
@@ -81,6 +113,8 @@ std::vector<std::string> expand(const Macro& macro, const std::vector<std::strin
     }
     return out;
 }
+
+bool redefines_word(std::string_view macro) { return word_is(macro, kNoFunctionName | kShapeWord); }
 
 bool defines_something(const MacroTable& macros, std::string_view macro) {
     const auto known = macros.find(macro);

@@ -28,6 +28,14 @@ MacroTable read_macros(const LexedText& lexed);
 /// The replacement of `macro` with `arguments` put in and `##` carried out, token by token. One level only.
 std::vector<std::string> expand(const Macro& macro, const std::vector<std::string>& arguments);
 
+/// The macros of a file that take an argument as it is spelled, not for its value: `#x`, `a##x`, or by handing it on to
+/// such a macro. Sorted.
+std::vector<std::string_view> spelling_macros(const LexedText& lexed);
+
+/// True for a macro in the place of a word that structures texts or names a type of C: `#define float double`. What it
+/// touches means something else, with not a word of it edited.
+bool redefines_word(std::string_view macro);
+
 /// True if the macro defines something by itself: the lines after it are no part of it.
 bool defines_something(const MacroTable& macros, std::string_view macro);
 

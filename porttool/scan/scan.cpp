@@ -163,6 +163,7 @@ ScannedFile scan_text(std::string_view path, std::string_view text) {
     file.variables = std::move(found.variables);
     read_variable_pragmas(file.lexed, file.variables);
     file.pragmas = read_file_pragmas(file.lexed, file.units);
+    for (const std::string_view name : spelling_macros(file.lexed)) file.spelling_macros.emplace_back(name);
     std::stable_sort(file.variables.begin(), file.variables.end(), [&](const FileVariable& a, const FileVariable& b) {
         return file.lexed.view(a.name_token) < file.lexed.view(b.name_token);
     });

@@ -69,6 +69,7 @@ struct ScannedFile {
     std::vector<LineClass> lines;         ///< lines[0] is line 1
     std::vector<FileVariable> variables;  ///< sorted by name
     std::vector<FilePragma> pragmas;
+    std::vector<std::string> spelling_macros;  ///< names of macros that take arguments as they are spelled, sorted
     bool balanced = true;
 };
 

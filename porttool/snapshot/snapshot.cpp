@@ -82,12 +82,17 @@ std::string bracket_hint(const std::string& glob) {
     return "; globs are relative to the root, ** crosses folders";
 }
 
-/// A glob that matches nothing is a mistake, or its files are gone. A port that is gone has findings to tell of it,
-/// which are errors; the side whose behaviour counts has not. It, and another checkout, may also just not be there.
-void require_matches(const std::vector<std::string>& unmatched, const Project& project, Side side) {
+/// The files of a side that findings, which are errors, tell of where they are gone: of a port those with pairs. The
+/// side whose behaviour counts has no such findings; it, and another checkout, may also just not be there.
+std::set<std::string> told_files(const Project& project, Side side) {
     const Side counts = project.map.reference == Reference::Target ? Side::Target : Side::Source;
-    const bool is_told = side != counts && !(side == Side::Target && is_elsewhere(project));
-    const std::set<std::string> named = is_told ? named_files(project.map, side) : std::set<std::string>();
+    const bool are_told = side != counts && !(side == Side::Target && is_elsewhere(project));
+    return are_told ? named_files(project.map, side) : std::set<std::string>();
+}
+
+/// A glob that matches nothing is a mistake, or its files are gone, which must be told.
+void require_matches(const std::vector<std::string>& unmatched, const Project& project, Side side) {
+    const std::set<std::string> named = told_files(project, side);
     for (const std::string& text : unmatched) {
         const SourceGlob glob(text, root_of(project, side));
         if (std::any_of(named.begin(), named.end(), [&](const std::string& file) { return glob.takes(file); }))
@@ -224,7 +229,7 @@ BySide<std::set<std::string>> read_from_git(Snapshot& snapshot, const Snapshot* 
                                      : by_path(side == Side::Source ? known->project.source : known->project.target);
         (side == Side::Source ? project.source : project.target) = scan_all(files, there, same[side]);
         project.skipped.insert(project.skipped.end(), files.skipped.begin(), files.skipped.end());
-        if (snapshot.at.kind == Moment::Kind::Index && files.files.empty())
+        if (snapshot.at.kind == Moment::Kind::Index && files.files.empty() && told_files(project, side).empty())
             throw CannotDo(std::string("--staged: the index holds no file of the ") + name_of(side) +
                            " side\nStage them with: git add; or check without --staged");
     }

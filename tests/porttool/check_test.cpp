@@ -81,6 +81,27 @@ TEST(Check, CosmeticEditsRaiseNothing) {
     EXPECT_EQ(check(disk)["verdict"], "in_step");
 }
 
+TEST(Check, ANameThatAMacroSpellsIsNoMatterOfTaste) {
+    const std::string quotes = "#define SHOW(v) show(#v, v)\n", pastes = "#define ROW(v) row_##v(0)\n",
+                      hands_on = "#define TELL(v) SHOW(v)\n" + quotes, values = "#define TWICE(v) ((v) + (v))\n";
+    const auto renamed = [](const std::string& macros, const std::string& call) {
+        const std::string kernel =
+            "__device__ float f(float a) {\n    float b = a;\n    " + call + ";\n    return b;\n}\n";
+        MemoryDisk disk =
+            started(macros + kernel, macros + "float f(float a) { float b = a; " + call + "; return b; }\n");
+        EXPECT_EQ(check(disk)["verdict"], "in_step");
+        const std::string other =
+            "    float other = a;\n    " + replaced(call, "(b", "(other") + ";\n    return other;\n}\n";
+        disk.files["/r/src/k.cu"] = macros + "__device__ float f(float a) {\n" + other;
+        return rules(check(disk));
+    };
+    EXPECT_EQ(renamed(quotes, "SHOW(b)"), Rules{"source-changed"}) << "another text is shown";
+    EXPECT_EQ(renamed(hands_on, "TELL(b * 2.0f)"), Rules{"source-changed"});
+    EXPECT_EQ(renamed(pastes, "ROW(b)"), Rules{"source-changed"}) << "another function is called";
+    EXPECT_EQ(renamed(values, "TWICE(b)"), Rules{});
+    EXPECT_EQ(renamed(quotes, "TWICE(b)"), Rules{}) << "the macro is not used";
+}
+
 TEST(Check, ARenamingThatIsNotOneIsSemantic) {
     MemoryDisk disk = started(kSource, kTarget);
     disk.files["/r/src/k.cu"] = replaced(kSource, "max(pdf, 1e-6f)", "max(throughput, 1e-6f)");

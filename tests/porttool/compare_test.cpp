@@ -236,7 +236,7 @@ TEST(Compare, MembersAreNotPartOfTheirClass) {
     const auto unit = std::find_if(file.units.begin(), file.units.end(), [](const Unit& u) { return u.name == "Big"; });
     ASSERT_NE(unit, file.units.end());
     EXPECT_EQ(code_lines({&file, &*unit}), (std::vector<uint32_t>{1, 2, 13}));
-    EXPECT_EQ(code_runs({&file, &*unit}).size(), 2u);
+    EXPECT_EQ(code_stretches({&file, &*unit}).size(), 2u);
     const std::string small =
         "struct Pair {\n    float first_of_two, second_of_two;\n    float sum() const { return 1; }\n"
         "    float third, fourth, fifth, sixth, seventh;\n};\n";

@@ -197,6 +197,17 @@ TEST_F(Git, BeforeTheFirstCommitOnlyTheIndexHelps) {
     EXPECT_EQ(check({})["verdict"], "in_step");
 }
 
+TEST_F(Git, APortThatIsDeletedIsToldOfTheIndexAsOfTheWorkTree) {
+    git("rm -q -r port");
+    const auto worktree = check({}), staged = check({"--staged"});
+    ASSERT_EQ(worktree["findings"].size(), 1u) << worktree;
+    EXPECT_EQ(worktree["findings"][0]["rule"], "dead-link");
+    EXPECT_EQ(staged["findings"], worktree["findings"]);
+    EXPECT_EQ(staged["verdict"], "drift");
+    git("reset -q --hard && git rm -q -r src");
+    EXPECT_NE(error_of({"--staged"}).find("the source side"), std::string::npos) << "no finding would tell of that";
+}
+
 TEST_F(Git, AConflictInTheIndexIsNotJudged) {
     git("checkout -q -b feature base");
     write("src/k.cu", replaced(source, "a * b", "a + b"));

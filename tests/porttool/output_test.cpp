@@ -38,6 +38,22 @@ TEST_F(Output, AFullDeviceIsAFailure) {
     }
 }
 
+TEST_F(Output, ALimitOnTheSizeOfFilesIsAnErrorThatLeavesNothing) {
+    write("s/k.cu", "__device__ float f(float a) { return a; }\n");
+    write("t/k.cpp", "inline float f(float a) { return a; }\n");
+    const auto init = [&](const std::string& before) {
+        return std::system(("cd '" + root.string() + "' && " + before + " '" + program_folder() +
+                            "/porttool' init --source 's/*' --target 't/*' > /dev/null 2>&1")
+                               .c_str());
+    };
+    const int status = init("ulimit -f 0;");
+    ASSERT_TRUE(WIFEXITED(status)) << "a signal ended it";
+    EXPECT_EQ(WEXITSTATUS(status), 2);
+    for (const auto& entry : std::filesystem::directory_iterator(root))
+        EXPECT_FALSE(entry.path().filename().string().starts_with("portmap")) << entry.path();
+    EXPECT_EQ(init(""), 0);
+}
+
 TEST_F(Output, WhatIsRecordedIsSaidWhereTheAnswerCannotBe) {
     if (!std::filesystem::is_character_file("/dev/full")) GTEST_SKIP() << "there is no /dev/full";
     write("s/k.cu", "__device__ float f(float a) { return a; }\n");

@@ -244,6 +244,19 @@ TEST(Unwatched, WhatAWatchedUnitUsesIsToldWithIt) {
         << "whichever of the two is called, both are new";
 }
 
+TEST(Unwatched, AMacroInThePlaceOfAWordOfTheLanguageIsToldForItself) {
+    for (const char* macro : {"return one_more return", "return", "float double", "if(x) if (!(x))", "struct union"}) {
+        MemoryDisk disk = started(kLum, kLumPort);
+        disk.files["/r/src/k.cu"] = "#define " + std::string(macro) + "\n" + kLum;
+        const auto report = check(disk);
+        ASSERT_EQ(rules(report), Rules{"unported"}) << macro;
+        EXPECT_EQ(report["findings"][0]["level"], "error") << macro << ": lum() means something else, unedited";
+    }
+    MemoryDisk disk = started(kLum, kLumPort);
+    disk.files["/r/src/k.cu"] = "#define DEVICE __device__\n" + kLum;
+    EXPECT_EQ(rules(check(disk)), Rules{}) << "what only names a qualifier is no unit";
+}
+
 TEST(Unwatched, OfAKernelAndItsLauncherTheKernelIsTold) {
     MemoryDisk disk = started(kLum + "void step(int n) { printf(\"%d\", n); }\n", kLumPort);
     const std::string kernel =
