@@ -296,8 +296,9 @@ private:
             if (first < 0) first = node;
         }
         if (hidden_copies_ >= 0) document_.omissions.add("instances scaled to nothing", node_place(hidden_copies_));
-        if (first < 0) first = hidden_copies_;
         if (scene().triangle_count() > 0) return;
+        if (first >= 0 && scene().is_animated()) return;  // what is hidden now may be there later
+        if (first < 0) first = hidden_copies_;
         if (first >= 0)
             fail_at(node_place(first), "its mesh is scaled to nothing, and the scene has no other; scale it up");
         fail_at("", "the scene has no triangles; name a file with a mesh in its scene");

@@ -143,6 +143,17 @@ TEST(LoaderAnimation, HidesWhatIsScaledToNothingForAsLong) {
     }
 }
 
+TEST(LoaderAnimation, ASceneMayBeginWithNothingToSee) {
+    GltfFile file = one_triangle();
+    add_channel(file, {0, 1}, {0, 0, 0, 1, 1, 1}, "VEC3", 3, part(0, "scale"));
+    std::vector<std::string> warnings;
+    HostScene scene = loaded(file, &warnings);
+    EXPECT_THAT(warnings, ElementsAre(HasSubstr("instances scaled to nothing (/nodes/0)")));
+    EXPECT_EQ(scene.triangle_count(), 0u);
+    ASSERT_TRUE(scene.play(1.0).ok());
+    EXPECT_EQ(scene.triangle_count(), 1u);
+}
+
 // The triangle with two joints, of which `count` influences a vertex share the pull.
 GltfFile skinned(size_t count) {
     GltfFile file = one_triangle();
@@ -326,11 +337,13 @@ TEST(LoaderAnimation, RefusesSkinsThatCannotHold) {
         refused([&](GltfFile& file) { attributes(file)["JOINTS_0"] = add_floats(file, Floats(12, 0), "VEC4", 4); }),
         HasSubstr("JOINTS_0: must hold unsigned bytes or shorts"));
     GltfFile heavy = skinned(4);
-    attributes(heavy)["WEIGHTS_0"] = add_floats(heavy, Floats(12, 0.5f), "VEC4", 4);
-    std::vector<std::string> warnings;
-    const HostScene scene = loaded(heavy, &warnings);
-    EXPECT_THAT(warnings[0], HasSubstr("weights of joints that do not add up to 1"));
-    expect_near(scene.meshes()[0].positions[0], {0.5f, 0, 3.5f});
+    for (const float weight : {0.5f, 3e38f}) {  // four of the latter are past the range of a float
+        attributes(heavy)["WEIGHTS_0"] = add_floats(heavy, Floats(12, weight), "VEC4", 4);
+        std::vector<std::string> warnings;
+        const HostScene scene = loaded(heavy, &warnings);
+        EXPECT_THAT(warnings[0], HasSubstr("weights of joints that do not add up to 1"));
+        expect_near(scene.meshes()[0].positions[0], {0.5f, 0, 3.5f});
+    }
 }
 
 }  // namespace
