@@ -4,12 +4,13 @@
 """One text in place of two, for one BSDF: source_core/kernels/bsdf.glsl compiled as C++ through target_core/device/glsl.h.
 
 In a copy of the target core bsdf.h becomes a wrapper that includes the GLSL file; the kernel that uses it (shade.cpp, one
-lane: --exact) is compiled with the build's own command and linked in front of the library. Then: lines, bits (the same
-picture?), machine code, time, which file a debugger shows, and what spirv-cross makes of
-the kernel. Needs a built build/release.
+lane: --exact) is compiled with the build's own command and linked in front of the library into a module, which the program
+takes by PATHTRACER_MODULES. Then: lines, bits (the same picture?), machine code, time, which file a debugger shows, and what
+spirv-cross makes of the kernel. Needs a built build/release.
 """
 import argparse
 import json
+import os
 import pathlib
 import re
 import shlex
@@ -20,6 +21,7 @@ import tempfile
 import tomllib
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
+MODULE = "lib/porttool/pathtracer-core-target.so"
 WRAPPER = """// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
@@ -45,7 +47,7 @@ def code_lines(text):
 
 
 def build(arguments, folder, one_text):
-    """The program with shade.cpp compiled from a copy of the tree; also the object."""
+    """A folder with the core's module, whose shade.cpp is compiled from a copy of the tree; also the object."""
     tree = folder / ("one" if one_text else "two")
     tree.mkdir()
     for part in ("render_system", "source_core"):
@@ -63,12 +65,18 @@ def build(arguments, folder, one_text):
                           cwd=arguments.build)
     if done.returncode:
         sys.exit(f"one_text.py: it does not compile:\n{done.stderr[:4000]}")
-    link = run(["ninja", "-C", str(arguments.build), "-t", "commands", "-s", "bin/pathtracer"]).strip().splitlines()[-1]
+    link = run(["ninja", "-C", str(arguments.build), "-t", "commands", "-s", MODULE]).strip().splitlines()[-1]
     link = re.search(r"&& (.*?) && :", link).group(1)
-    program = tree / "pathtracer"
-    subprocess.run(re.sub(r"-o \S+", f"{tree / 'shade.o'} -o {program}", link, count=1), shell=True, cwd=arguments.build,
-                   check=True, capture_output=True)
-    return program, tree / "shade.o"
+    modules = tree / "modules"
+    modules.mkdir()
+    subprocess.run(re.sub(r"-o \S+", f"-o {modules / pathlib.Path(MODULE).name} {tree / 'shade.o'}", link, count=1), shell=True,
+                   cwd=arguments.build, check=True, capture_output=True)
+    return modules, tree / "shade.o"
+
+
+def pathtracer(arguments, modules, *words):
+    """What the program prints with the target core of that folder."""
+    return run([str(arguments.build / "bin/pathtracer"), *words], env={**os.environ, "PATHTRACER_MODULES": str(modules)})
 
 
 def machine_code(obj):
@@ -81,13 +89,13 @@ def machine_code(obj):
     return size, operations
 
 
-def shade_ms(programs, rounds):
+def shade_ms(arguments, cores):
     """The least of several runs of each, in turn: milliseconds of shading in a frame."""
-    least = [float("inf")] * len(programs)
-    for _ in range(rounds):
-        for i, program in enumerate(programs):
-            bench = json.loads(run([str(program), "bench", "still_life", "--core", "target", "--exact", "--threads", "1", "--size",
-                                    "320x180", "--spp", "5", "--format", "json", "--quiet"]))
+    least = [float("inf")] * len(cores)
+    for _ in range(arguments.rounds):
+        for i, modules in enumerate(cores):
+            bench = json.loads(pathtracer(arguments, modules, "bench", "still_life", "--core", "target", "--exact", "--threads", "1",
+                                          "--size", "320x180", "--spp", "5", "--format", "json", "--quiet"))
             least[i] = min(least[i], bench["ms_per_frame"]["shade"])
     return least
 
@@ -132,17 +140,17 @@ def main():
         print(cross_compiled(folder) or "without spirv-cross: it is not installed", flush=True)
         (two, two_object), (one, one_object) = build(arguments, folder, False), build(arguments, folder, True)
         pictures = []
-        for program in (two, one):
-            pictures.append(folder / f"{program.parent.name}.exr")
-            run([str(program), "render", "still_life", "--core", "target", "--exact", "--size", "160x90", "--spp", "4", "-o",
-                 str(pictures[-1])])
+        for modules in (two, one):
+            pictures.append(modules / "picture.exr")
+            pathtracer(arguments, modules, "render", "still_life", "--core", "target", "--exact", "--size", "160x90", "--spp", "4",
+                       "-o", str(pictures[-1]))
         print("bits: " + ("the same picture" if pictures[0].read_bytes() == pictures[1].read_bytes() else "ANOTHER PICTURE"))
         print(f"a debugger's lines: two texts {files_of_lines(two_object)}, one text {files_of_lines(one_object)}", flush=True)
         (size_two, code_two), (size_one, code_one) = machine_code(two_object), machine_code(one_object)
         print(f"machine code: two texts {size_two} bytes, {sum(code_two.values())} instructions; one text {size_one} bytes, "
               f"{sum(code_one.values())} instructions; {'the same operations' if code_two == code_one else 'other operations'}",
               flush=True)
-        times = shade_ms([two, one], arguments.rounds)
+        times = shade_ms(arguments, [two, one])
         print(f"ms of shading a frame, one lane: two texts {times[0]:.2f}, one text {times[1]:.2f}")
 
 

@@ -203,6 +203,14 @@ def number(value, digits=3):
     return "-" if value is None else f"{value:.{digits}f}"
 
 
+def degree_of(block):
+    """As `porttool report` has it: 1.00 is a port that costs nothing at all."""
+    degree = block["degree_of_portability"]
+    if degree is None or degree["loc"] is None:
+        return "-"
+    return "0.99" if 0.99 < degree["loc"] < 1 else number(degree["loc"], 2)
+
+
 def add_machine(page, take, settings, left_out, scenes):
     info = take.take("info", [take.program, "info", "--format", "json"]) or {"cores": []}
     devices = {core["id"]: core.get("device") or core.get("reason") for core in info["cores"]}
@@ -216,7 +224,8 @@ def add_machine(page, take, settings, left_out, scenes):
                     "GPU. `bench/thesis.py --self-test FILE` on a machine with one makes a file that `--with FILE` adds.")
     section.say(f"Measuring took {take.seconds / 60:.1f} minutes, and {take.processor_seconds / 60:.1f} minutes of processor "
                 "time, of which an idle machine needs at least its share a processor.")
-    section.say("Scenes, by rising size: " + ", ".join(scene.name for scene in scenes) + ".")
+    ours, others = ([scene.name for scene in scenes if scene.ours == own] for own in (True, False))
+    section.say("Scenes of our own, by rising size: " + ", ".join(ours) + ("; and " + ", ".join(others) if others else "") + ".")
     for reason in left_out:
         section.say(f"Left out: {reason}.")
 
@@ -283,10 +292,9 @@ def add_table2(page, report):
     rows = []
     for block in report["blocks"]:
         theirs = thesis.TABLE2.get(block["name"], ("-",) * 7)
-        degree = block["degree_of_portability"]
         rows.append([block["name"], block["target_lines"], block["shared_target"], number(block["moss_percent_target"], 0),
                      block["source_lines"], block["shared_source"], number(block["moss_percent_source"], 0),
-                     number(degree and degree["loc"], 2),
+                     degree_of(block),
                      number(100 * block["target_lines"] / max(whole["target_lines"], 1), 1), *theirs])
     section.table(["block", "CPU lines", "shared", "Moss %", "GPU lines", "shared", "Moss %", "degree of portability",
                    "% of the whole CPU core", "thesis: CPU lines", "shared", "Moss %", "GPU lines", "shared", "Moss %",
@@ -323,11 +331,10 @@ def add_equations(page, report, scene, pictures, take):
         theirs = thesis.TABLE2.get(block["name"])
         if not theirs:
             continue
-        lines, shared, degree = block["target_lines"], block["shared_target"], block["degree_of_portability"]
+        lines, shared = block["target_lines"], block["shared_target"]
         rows += [[f"C_port, {block['name']}", "lines not shared", lines - shared, theirs[0] - theirs[1]],
                  [f"C_redevelop, {block['name']}", "lines", lines, theirs[0]],
-                 [f"degree of portability, {block['name']}", "1 - C_port / C_redevelop", number(degree and degree["loc"], 2),
-                  theirs[-1]]]
+                 [f"degree of portability, {block['name']}", "1 - C_port / C_redevelop", degree_of(block), theirs[-1]]]
     rows.append(["equation 8, hours of a port", "Y = C prod 10^(beta alpha) X^beta", law_of_ports(take), "-"])
     section.table(["quantity", "formula", "here", "thesis"], rows)
     section.say("The project holds no copy of the thesis: which formula has which of its numbers is known of equation 8 alone "
@@ -357,20 +364,42 @@ def generated(name, folder):
     return Scene(name, str(file), ours=True)
 
 
+def unlike(name, taken):
+    """That name, or the first of NAME_2, NAME_3, ... that nobody has."""
+    names = [name, *(f"{name}_{i}" for i in range(2, len(taken) + 3))]
+    return next(name for name in names if name not in taken)
+
+
+def is_json(file):
+    try:
+        return isinstance(json.loads(pathlib.Path(file).read_text()), dict)
+    except (OSError, ValueError):
+        return False
+
+
 def find_scenes(arguments, folder):
     """The scenes by rising size, and why others are left out."""
     scenes, left_out = [Scene("still_life", "still_life", ours=True)], []
-    for name in arguments.scene:
-        scenes.append(Scene(pathlib.Path(name).stem, name))
+    taken = {"still_life", "interior", "city", "pica", "kitchen"}
+    for file in arguments.scene:
+        name = unlike(pathlib.Path(file).stem, taken)
+        taken.add(name)
+        scenes.append(Scene(name, os.path.abspath(file)))
     if not arguments.quick:
         scenes += [generated(name, folder) for name in ("interior", "city")]
         for name in ("pica", "kitchen"):
             file = pathlib.Path(arguments.scenes) / name / "scene.gltf"
             scenes.append(Scene(name, str(file), ["--camera", file.with_name("camera.json")]))
+    found = scenes[:1]
     for scene in scenes[1:]:
+        file = os.path.relpath(scene.file, ROOT)
         if not os.path.isfile(scene.file):
-            left_out.append(f"{scene.name}, there is no {os.path.relpath(scene.file, ROOT)}")
-    return [scenes[0]] + [scene for scene in scenes[1:] if os.path.isfile(scene.file)], left_out
+            left_out.append(f"{scene.name}, there is no {file}")
+        elif not is_json(scene.file):
+            left_out.append(f"{scene.name}, since {file} is no .gltf file")
+        else:
+            found.append(scene)
+    return found, left_out
 
 
 def make_page(arguments, settings, take, folder):

@@ -68,7 +68,23 @@ class QuickRun(unittest.TestCase):
         self.assertEqual({name for name in before if after[name] != before[name]}, {"still_life_bias.json"})
         self.assertRegex((self.folder / "thesis.md").read_text(), r"Left out: town, there is no \S*missing/town.gltf\.")
 
-    def test_4_packs_are_read_back_or_refused(self):
+    def test_4_scenes_are_told_apart_and_what_is_none_is_left_out(self):
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name)
+            for scene in ("a/town.gltf", "b/town.gltf", "city.gltf"):
+                (folder / scene).parent.mkdir(exist_ok=True)
+                (folder / scene).write_text("{}")
+            (folder / "town.glb").write_bytes(b"glTF\xff")
+            words = [word for file in ("a/town.gltf", "b/town.gltf", "city.gltf", "town.glb") for word in ("--scene", file)]
+            done = subprocess.run([sys.executable, str(SCRIPT), "--quick", "-o", str(self.folder), "--program", PATHTRACER,
+                                   "--porttool", PORTTOOL, *words], capture_output=True, text=True, check=False, cwd=folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        text = (self.folder / "thesis.md").read_text()
+        self.assertIn("still_life; and town, town_2, city_2.", text)
+        self.assertRegex(text, r"Left out: town_3, since \S*town.glb is no .gltf file")
+        self.assertRegex(text, r"Left out: town_2_same: .*b/town.gltf")
+
+    def test_5_packs_are_read_back_or_refused(self):
         before = self.times()
         pack = self.folder / "gpu.zip"
         packed = self.quick("--self-test", pack, "--size", "64x36")
