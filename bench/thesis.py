@@ -299,6 +299,8 @@ def add_table2(page, report):
     section.table(["block", "CPU lines", "shared", "Moss %", "GPU lines", "shared", "Moss %", "degree of portability",
                    "% of the whole CPU core", "thesis: CPU lines", "shared", "Moss %", "GPU lines", "shared", "Moss %",
                    "degree of portability"], rows)
+    section.say("The render core's lines are host code for the most part, whose changes the count of kernel files at the head of this "
+                "page does not see; the figures of the day are in docs/portability-report.md.")
     section.bars("degree of portability", {b["name"]: b["degree_of_portability"]["loc"] for b in report["blocks"]
                                            if b["degree_of_portability"]})
 
