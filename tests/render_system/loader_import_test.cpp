@@ -336,6 +336,24 @@ TEST(LoaderFbx, ReadsMeshesNodesAndMaterialsInMetres) {
     EXPECT_EQ(paint.emission, glm::vec3(0, 1, 0));
 }
 
+TEST(LoaderFbx, StaysInItsFolder) {
+    const TempFolder folder;
+    std::filesystem::create_directory(folder / "scene");
+    const auto message_of = [&](const std::string& picture) {
+        std::string text = read_file(FORMATS "/sheet.fbx");
+        text.insert(text.find("\tMaterial: 30"), "\tTexture: 50, \"Texture::t\", \"\" {\n\t\tFileName: \"" + picture +
+                                                     "\"\n\t\tRelativeFilename: \"" + picture + "\"\n\t}\n");
+        text.insert(text.find("\tC: \"OO\",20,0"), "\tC: \"OP\",50,30,\"DiffuseColor\"\n");
+        return load_text(folder, "scene/a.fbx", text).status.message;
+    };
+    write_file(folder / "a.png", "not shown");
+    std::filesystem::create_symlink("../a.png", folder / "scene/link.png");
+    for (const char* const out : {"../a.png", "..\\a.png", "link.png"})
+        EXPECT_THAT(message_of(out), AllOf(HasSubstr("leads out"), HasSubstr("--allow-outside"))) << out;
+    ASSERT_EQ(mkfifo((folder / "scene/pipe.png").c_str(), 0600), 0);
+    EXPECT_THAT(message_of("pipe.png"), HasSubstr("not a regular file but a pipe"));
+}
+
 TEST(LoaderFbx, RefusesDamageInOneLine) {
     const TempFolder folder;
     const std::string whole = read_file(FORMATS "/sheet.fbx");
