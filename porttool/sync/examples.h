@@ -32,6 +32,17 @@ public:
     };
     Phrase longest(const std::vector<std::string>& words, size_t at, size_t end) const;
 
+    /// Takes statements that say the same of one name each, however else they say it: where `a ( job ) ;`,
+    /// `b ( job ) ;` and `c ( job ) ;` are `each < a > ( n ) ;` and so on, `d ( job ) ;` is `each < d > ( n ) ;`.
+    void learn_patterns(const AlignedText& source, const AlignedText& target, const Alignment& alignment);
+
+    /// Such a statement as the target says it.
+    struct Pattern {
+        size_t name = 0;                  ///< the word of the source that it is about
+        std::vector<std::string> target;  ///< "" in the place of the name; none if nothing is known
+    };
+    Pattern pattern(const std::vector<std::string>& words, size_t first, size_t end) const;
+
     /// True for a phrase that the target says in several ways, however often each.
     bool is_said_variously(const std::string& word) const;
 
@@ -57,6 +68,8 @@ private:
         size_t all = 0;
     };
     std::unordered_map<std::string, Said> phrases_;  ///< by the source's words
+    /// By the source's statement without its name, and the target's: the names.
+    std::map<std::string, std::map<std::string, std::set<std::string>>> patterns_;
     /// How names begin, by the source; which of its names say so.
     std::map<std::string, std::map<std::string, std::set<std::string>>, std::less<>> begins_;
     std::map<std::pair<char, char>, size_t> marks_;  ///< how often a number with that mark has that one there; ' ' none

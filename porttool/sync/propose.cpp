@@ -279,6 +279,7 @@ private:
                 "told");
         Examples examples;
         examples.learn(old_text, port_text, across);
+        examples.learn_patterns(old_text, port_text, across);
         std::set<std::string, std::less<>> from_elsewhere = new_units_.brought();
         from_elsewhere.merge(new_members(pair, from));
         const auto& declared = declarations_.brings(pair, from);

@@ -124,7 +124,22 @@ private:
             if (written.find('\n') != std::string::npos) return "\n";
             return written.empty() ? (must_part(before.text, word.text) ? " " : "") : " ";
         }
-        return stand_apart(before.text, word.text) ? " " : "";
+        return stands_apart_there(before.text, word.text) ? " " : "";
+    }
+
+    /// As the target writes the two words side by side, or words as these.
+    bool stands_apart_there(const std::string& a, const std::string& b) const {
+        const auto is_like = [](const std::string& here, const std::string& there) {
+            return here == there || (is_word_token(here) && is_word_token(there));
+        };
+        size_t tight = 0, apart = 0;
+        for (size_t i = 1; i < target_.words.size(); ++i) {
+            const std::string &first = target_.words.words[i - 1], &second = target_.words.words[i];
+            if (is_added(i - 1) || is_added(i) || (first != a && second != b)) continue;
+            if (is_like(a, first) && is_like(b, second)) ++(end_of(i - 1) == start_of(i) ? tight : apart);
+        }
+        if (must_part(a, b) || tight == apart) return stand_apart(a, b);
+        return apart > tight;
     }
 
     static bool must_part(const std::string& a, const std::string& b) {

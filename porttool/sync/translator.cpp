@@ -100,9 +100,23 @@ bool EditTranslator::carry_literal(const std::vector<std::string>& words, size_t
     return true;
 }
 
+/// A statement that differs from others of the pair by the name of a unit.
+bool EditTranslator::carry_pattern(const std::vector<std::string>& words, size_t first, size_t end,
+                                   CarriedWords& out) const {
+    const Examples::Pattern pattern = pair_.pattern(words, first, end);
+    if (pattern.target.empty()) return false;
+    const auto unit = units_.names.find(words[pattern.name]);  // whose name means the same wherever it stands
+    if (unit == units_.names.end() || unit->second.size() != 1) return false;
+    const std::string& name = *unit->second.begin();
+    for (const std::string& said : pattern.target)
+        out.words.push_back({said.empty() ? name : written_number(said), CarriedWord::kNoSource});
+    return true;
+}
+
 CarriedWords EditTranslator::carry(const std::vector<std::string>& words, size_t first, size_t end,
                                    const std::function<std::string(size_t)>& written) const {
     CarriedWords out;
+    if (carry_pattern(words, first, end, out)) return out;
     for (size_t i = first; i < end;) {
         if (is_number_token(words[i])) {
             out.words.push_back({number(written(i)), i});

@@ -102,6 +102,7 @@ private:
     std::string type_named(const std::string& name) const;
     std::string said_in_folder(std::string_view text, Use use) const;
     std::string number(const std::string& written) const;
+    bool carry_pattern(const std::vector<std::string>& words, size_t first, size_t end, CarriedWords& out) const;
     /// Carries a value of several parts in the target's form, and moves `i` behind it; false if none stands there.
     bool carry_literal(const std::vector<std::string>& words, size_t& i, size_t end,
                        const std::function<std::string(size_t)>& written, CarriedWords& out) const;

@@ -578,5 +578,30 @@ TEST_F(SyncNewUnit, WhatIsBroughtInStepIsNoLongerDeferred) {
     EXPECT_EQ(read_text(root / "portmap.lock").find("later"), std::string::npos);
 }
 
+// What each side makes of its kernels is said once more for a new one.
+TEST_F(SyncNewUnit, AStatementThatDiffersFromOthersByAFunctionIsSaidAsTheyAre) {
+    const std::string units =
+                          "void first(uint job) { store(job, 1.0); }\nvoid second(uint job) { store(job, 2.0); }\n"
+                          "void third(uint job) { store(job, 3.0); }\n",
+                      fourth = "void fourth(uint job) { store(job, 4.0); }\n";
+    const std::string run =
+                          "void run(uint job, int stage) {\n  if (stage == 0) {\n    first(job);\n  } else if (stage "
+                          "== 1) {\n    second(job);\n"
+                          "  } else {\n    third(job);\n  }\n}\n",
+                      more = "    second(job);\n  } else if (stage == 2) {\n    fourth(job);\n";
+    const std::string host_units =
+        "void first(uint job) { store(job, 1.0f); }\nvoid second(uint job) { store(job, 2.0f); }\n"
+        "void third(uint job) { store(job, 3.0f); }\n";
+    const std::string host_run =
+        "void run(int stage) {\n  if (stage == 0) {\n    each<first>(pass.count);\n  } else if (stage == 1) {\n"
+        "    each<second>(pass.count);\n  } else {\n    each<third>(pass.count);\n  }\n}\n";
+    start("k.glsl", units + run, "k.cpp", host_units + host_run);
+    write(source_path, units + fourth + replaced(run, "    second(job);\n", more));
+    const nlohmann::json all = proposals(1);  // for check asks about a statement that is none of the pair's words
+    apply_all(all);
+    EXPECT_NE(target().find(" each<fourth>(pass.count);\n"), std::string::npos) << target();
+    EXPECT_EQ(target().find("fourth(job)"), std::string::npos) << target();
+}
+
 }  // namespace sync_new_unit_test
 }  // namespace porttool::testing
