@@ -5,15 +5,13 @@
 
 Each edit of own_edit_list.py is made in one core of a clone; `sync --all --apply` ports it. As most kernels are twins,
 the same edit made in the other core by hand is an independent answer: the port is exact where all files have its words
-(comments and line breaks aside), and `check --strict` must be in step. What is neither is built and rendered with
---build: its picture has to be that of the edited core in every bit. --history takes the commits that changed both
-cores' kernels instead: the source's half at the commit before, held against the port that was written.
+(comments and line breaks aside), and `check --strict` must be in step. Nothing is built. --history takes the commits
+that changed both cores' kernels instead: the source's half at the commit before, held against the port that was written.
 
 Prints one line an edit and the counts. Exit code 1 where a port is wrong, or one of an edit of the list is left.
 """
 import argparse
 import collections
-import importlib.util
 import json
 import os
 import pathlib
@@ -147,29 +145,7 @@ def difference(clone, wanted):
         return out
 
 
-def pictures_agree(clone, program, scenes):
-    """Builds the target core's kernels as they stand in the clone and holds the pictures of both cores together."""
-    spec = importlib.util.spec_from_file_location("locate_edits", ROOT / "bench/locate_edits.py")
-    locate = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(locate)
-    side = locate.Side("target")
-    side.files = {p.name: p.read_text() for p in sorted((clone.folder / FOLDERS["target"]).iterdir())}
-    with tempfile.TemporaryDirectory() as folder:
-        trial = locate.TargetTrial(side, program, pathlib.Path(folder) / "edited")
-        if not trial.prepare("layout.h", side.files["layout.h"]):  # which every kernel includes
-            return "does not compile"
-        for scene in scenes:
-            done = subprocess.run([trial.program, "compare", *scene, "--exact", "--spp", "4", "--format", "json", "--kernels",
-                                   str(clone.folder / FOLDERS["source"])], capture_output=True, text=True)
-            if done.returncode != 0:
-                return done.stderr.strip()
-            if any(r["identical_pixels"] < 1.0 for r in json.loads(done.stdout)["results"]):
-                return "another picture"
-    return "the same picture"
-
-
 def try_list(arguments, clone):
-    scenes = [["still_life", "--size", "64x36"]]
     counts, wrong = collections.defaultdict(collections.Counter), 0
     for to in arguments.to:
         side = "target" if to == "source" else "source"
@@ -187,8 +163,6 @@ def try_list(arguments, clone):
             except RuntimeError as error:
                 verdict, said = "failed", [str(error)]
             shown = difference(clone, wanted) if arguments.verbose else ""
-            if arguments.build and verdict in ("different", "exact") and (verdict == "different" or name in arguments.sample):
-                said = said + [pictures_agree(clone, arguments.program, scenes)]
             due = "nothing due" if kind == "nothing" else "exact"
             wrong += verdict not in (due, "in step as it is")
             counts[to][verdict] += 1
@@ -246,12 +220,9 @@ def try_history(arguments, clone):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--porttool", default=str(ROOT / "build/release/bin/porttool"))
-    parser.add_argument("--program", default=str(ROOT / "build/release/bin/pathtracer"))
     parser.add_argument("--revision", default="HEAD", help="what to edit")
     parser.add_argument("--to", action="append", choices=["source", "target"], help="the side that is written; both unless given")
     parser.add_argument("--only", metavar="NAME", help="one edit, or one kind; with --history one commit")
-    parser.add_argument("--build", action="store_true", help="build what differs from the port by hand, and a sample of the others")
-    parser.add_argument("--sample", nargs="*", default=["new lobe", "parameter through three functions", "field in a packed row"])
     parser.add_argument("--history", action="store_true", help="commits of both cores instead of the list")
     parser.add_argument("--verbose", action="store_true", help="show what differs")
     arguments = parser.parse_args()
