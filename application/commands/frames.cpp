@@ -37,9 +37,9 @@ public:
           text_(sequence_text(options, setup.scene)),
           session_(options, std::move(setup), console),
           picture_(options.width, options.height),
-          sums_(keeps_squares(options) ? options.width : 0, options.height, true) {
+          sums_(options.width, options.height, keeps_squares(options)) {
         session_.stop_on(&interrupt_);
-        if (keeps_squares(options)) session_.sum_into(&sums_, 0);
+        session_.sum_into(&sums_, 0);
     }
 
     /// Renders what is not there yet; stops at the first frame that cannot be done, or with a signal. Those before it
@@ -133,9 +133,10 @@ private:
         const std::string label =
             fmt::format("frame {} ({}/{})", number, number - frames.first + 1, frames.end - frames.first);
         if (Status status = session_.render_up_to(options_.spp.front(), label); !status.ok()) return status;
-        if (options_.filter == FilterMode::none || interrupt_.signal() != 0) return Status::success();
+        if (interrupt_.signal() != 0) return Status::success();
         const Picture mean = mean_picture(sums_);
         std::copy(mean.pixels.begin(), mean.pixels.end(), picture_.pixels.begin());  // the core knows where they are
+        if (options_.filter == FilterMode::none) return Status::success();
         const uint32_t first = first_sample();
         FilterHistory history = FilterHistory::none;
         if (options_.filter == FilterMode::temporal)
@@ -168,7 +169,7 @@ private:
     CoreSession session_;
     Picture picture_;
     KeptInterrupt interrupt_;
-    SampleSums sums_;  // where a filter wants to know their noise
+    SampleSums sums_;
     bool started_ = false;
     uint32_t kept_ = 0;
     uint32_t rendered_ = 0;

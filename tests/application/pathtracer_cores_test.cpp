@@ -55,33 +55,25 @@ TEST_P(EachCore, GivesAnotherFileForAnotherSeed) {
 TEST_P(EachCore, AFrameIsTheSameWhateverCameBefore) {
     SKIP_WITHOUT(GetParam());
     const std::string moving = write_moving_scene(folder.path).string();
-    const auto last_frame = [&](const std::string& range) {
-        const RunResult result = run({"render",
-                                      moving,
-                                      "--core",
-                                      GetParam(),
-                                      "--size",
-                                      "32x18",
-                                      "--spp",
-                                      "2",
-                                      "--look-at",
-                                      "0,1,4,0.5,0,0",
-                                      "--sky",
-                                      "1,0.5,0.25",
-                                      "--max-path-length",
-                                      "2",
-                                      "--frames",
-                                      range,
-                                      "--fps",
-                                      "4",
-                                      "-o",
-                                      "f#.exr"});
+    const auto rendered = [&](std::vector<std::string> which, const std::string& file) {
+        std::vector<std::string> words = {
+            "render",        moving,  "--core",     GetParam(),          "--size", "32x18", "--spp", "5", "--look-at",
+            "0,1,4,0.5,0,0", "--sky", "1,0.5,0.25", "--max-path-length", "2"};
+        words.insert(words.end(), which.begin(), which.end());
+        const RunResult result = run(words);
         EXPECT_EQ(result.exit_code, 0) << result.err;
-        return read_file(folder.path / "f2.exr");
+        return read_file(folder.path / file);
+    };
+    const auto last_frame = [&](const std::string& range) {
+        return rendered({"--frames", range, "--fps", "4", "-o", "f#.exr"}, "f2.exr");
     };
     const std::string after_others = last_frame("0:3");
     EXPECT_TRUE(after_others == last_frame("2:3"));
     EXPECT_FALSE(after_others == read_file(folder.path / "f1.exr"));
+    rendered({"--time", "0.5", "-o", "alone.exr"}, "alone.exr");
+    const RunResult beside = run({"compare", "f2.exr", "alone.exr", "--format", "json"});
+    ASSERT_EQ(beside.exit_code, 0) << beside.err;
+    EXPECT_EQ(json::parse(beside.out)["results"][0]["identical_pixels"].get<double>(), 1.0);
 }
 
 TEST_P(EachCore, CountsItsRays) {
