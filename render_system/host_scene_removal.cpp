@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "render_system/give_back.h"
 #include "render_system/host_scene.h"
 
 namespace render_system {
@@ -48,7 +49,7 @@ void HostScene::give_back_mesh(uint32_t id) {
 }
 
 void HostScene::give_back_textures() {
-    for (HostTexture& texture : textures_) texture.texels = {};
+    for (HostTexture& texture : textures_) give_back(texture.texels);
 }
 
 Status HostScene::remove_instance(uint32_t id) {

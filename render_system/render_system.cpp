@@ -35,13 +35,13 @@ Status send_materials(CoreAPI& core, const HostScene& scene, SceneChanges& chang
     return Status::success();
 }
 
-Status send_meshes(CoreAPI& core, HostScene& scene, SceneChanges& changes, bool give_back) {
+Status send_meshes(CoreAPI& core, HostScene& scene, SceneChanges& changes, bool gives_back) {
     for (uint32_t i = 0; i < changes.meshes.size(); ++i) {
         if (!changes.meshes[i]) continue;
         Status status = core.SetGeometry(i, scene.meshes()[i].view());
         if (!status.ok()) return status;
         changes.meshes[i] = false;
-        if (give_back) scene.give_back_mesh(i);
+        if (gives_back) scene.give_back_mesh(i);
     }
     return Status::success();
 }

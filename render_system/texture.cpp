@@ -6,6 +6,7 @@
 #include <functional>
 #include <utility>
 
+#include "render_system/give_back.h"
 #include "render_system/texel.h"
 
 namespace render_system {
@@ -146,8 +147,8 @@ HostTexture build_texture(Image image, TextureRole role, bool with_mips) {
     texture.texels = std::move(image.bytes);
     texture.texels.reserve(chain * texel_words(texture.format));
     if (texture.texels.empty()) append_finest(image, texture);
-    image.shorts = {};
-    image.floats = {};
+    give_back(image.shorts);
+    give_back(image.floats);
     for (uint32_t i = 1; i < texture.levels; ++i) {
         if (i > 1) level = halve(rows_of(level));
         for (const glm::vec4& texel : level.texels) append_texel(texel, texture.format, texture.texels);

@@ -266,7 +266,7 @@ private:
     }
 
     void add_slot(const Triangle& triangle, uint32_t primitive, uint32_t instance, const CoreMeshCopy& mesh) {
-        const float opacity = opacity_of_(mesh.triangles[primitive].w, mesh.has_colors);
+        const float opacity = opacity_of_(mesh.triangles[primitive].w, mesh.has_colors());
         tables_.features |= opacity < 1.0f ? FEATURE_ALPHA : 0u;
         tables_.features |= opacity < 0.0f ? FEATURE_ALPHA_TEXTURES : 0u;
         append_slot(triangle, opacity, primitive, instance, tables_.triangles);
@@ -450,21 +450,24 @@ private:
     void pack_meshes() {
         std::vector<MeshPlan>& plans = tables_.plan.meshes;
         plans.resize(meshes_.size());
+        size_t vertex_rows = 1;
+        for (const CoreMeshCopy& mesh : meshes_) vertex_rows += mesh.vertex_rows.size();
+        tables_.vertices.reserve(vertex_rows);
         for (size_t m = 0; m < meshes_.size(); ++m) {
             const CoreMeshCopy& mesh = meshes_[m];
             plans[m].first_triangle = static_cast<uint32_t>(tables_.mesh_triangles.size());
-            plans[m].first_vertex = static_cast<uint32_t>(tables_.vertices.size() / VERTEX_ROWS);
+            plans[m].first_vertex_row = static_cast<uint32_t>(tables_.vertices.size());
             tables_.mesh_triangles.insert(tables_.mesh_triangles.end(), mesh.triangles.begin(), mesh.triangles.end());
             tables_.vertices.insert(tables_.vertices.end(), mesh.vertex_rows.begin(), mesh.vertex_rows.end());
-            tables_.tangents.insert(tables_.tangents.end(), mesh.tangents.begin(), mesh.tangents.end());
-            tables_.features |= mesh.has_colors ? FEATURE_VERTEX_COLORS : 0u;
+            tables_.features |= mesh.has_colors() ? FEATURE_VERTEX_COLORS : 0u;
         }
+        tables_.vertices.push_back(glm::vec4(0.0f));
         tables_.instances.assign(instances_.size() * INSTANCE_ROWS, glm::vec4(0.0f));
         for (size_t i = 0; i < instances_.size(); ++i) {
             const CoreInstance& instance = instances_[i];
             if (instance.mesh != render_system::NONE) {
                 pack_instance(instance.transform, plans[instance.mesh].first_triangle,
-                              plans[instance.mesh].first_vertex, meshes_[instance.mesh].has_tangents,
+                              plans[instance.mesh].first_vertex_row, meshes_[instance.mesh].flags,
                               &tables_.instances[i * INSTANCE_ROWS]);
             }
         }
@@ -489,9 +492,9 @@ private:
 
 }  // namespace
 
-uint64_t least_bytes(uint64_t triangles, uint64_t vertices) {
+uint64_t least_bytes(uint64_t triangles, uint64_t vertex_rows) {
     const uint64_t row = sizeof(glm::vec4);
-    return triangles * (TRIANGLE_ROWS * row + row) + vertices * (VERTEX_ROWS * row + sizeof(uint32_t));
+    return triangles * (TRIANGLE_ROWS * row + row) + vertex_rows * row;
 }
 
 Result<GeometryTables> build_geometry(const std::vector<CoreMeshCopy>& meshes,
@@ -579,12 +582,11 @@ private:
         std::vector<glm::vec4> triangles;
         for (const uint32_t primitive : plan.tree.order) {
             slots[primitive] = plan.first_slot + static_cast<uint32_t>(triangles.size() / TRIANGLE_ROWS);
-            append_slot(triangle_of(mesh, primitive), opacity_of_(mesh.triangles[primitive].w, mesh.has_colors),
+            append_slot(triangle_of(mesh, primitive), opacity_of_(mesh.triangles[primitive].w, mesh.has_colors()),
                         primitive, render_system::NONE, triangles);
         }
         patch(BINDING_TRIANGLES, uint64_t{plan.first_slot} * TRIANGLE_ROWS, triangles);
-        patch(BINDING_VERTICES, uint64_t{plan.first_vertex} * VERTEX_ROWS, mesh.vertex_rows);
-        patch(BINDING_TANGENTS, plan.first_vertex, mesh.tangents);
+        patch(BINDING_VERTICES, plan.first_vertex_row, mesh.vertex_rows);
     }
 
     Box world_box(const CoreInstance& instance) const {
@@ -629,8 +631,8 @@ private:
             const CoreInstance& instance = instances_[i];
             if (instance.mesh != render_system::NONE) {
                 const MeshPlan& mesh = plan_.meshes[instance.mesh];
-                pack_instance(instance.transform, mesh.first_triangle, mesh.first_vertex,
-                              meshes_[instance.mesh].has_tangents, &rows[(i - *first) * INSTANCE_ROWS]);
+                pack_instance(instance.transform, mesh.first_triangle, mesh.first_vertex_row,
+                              meshes_[instance.mesh].flags, &rows[(i - *first) * INSTANCE_ROWS]);
             }
         }
         patch(BINDING_INSTANCES, uint64_t{*first} * INSTANCE_ROWS, rows);

@@ -12,6 +12,7 @@
 #include "render_system/core_data.h"
 #include "render_system/status.h"
 #include "source_core/acceleration/bvh.h"
+#include "source_core/kernels/layout.h"
 
 namespace source_core {
 
@@ -20,9 +21,9 @@ struct CoreMeshCopy {
     std::vector<glm::vec3> positions;
     std::vector<glm::uvec4> triangles;
     std::vector<glm::vec4> vertex_rows;
-    std::vector<uint32_t> tangents;
-    bool has_tangents = false;
-    bool has_colors = false;
+    uint32_t flags = 0;  // INSTANCE_HAS_...
+
+    bool has_colors() const { return (flags & INSTANCE_HAS_COLORS) != 0; }
 };
 
 struct CoreInstance {
@@ -44,7 +45,7 @@ struct MovingParts {
 /// Where a build has put a mesh.
 struct MeshPlan {
     uint32_t first_triangle = 0;  ///< rows of the tables
-    uint32_t first_vertex = 0;
+    uint32_t first_vertex_row = 0;
     uint32_t first_slot = 0;
     uint32_t first_node = 0;
     uint32_t node_room = 0;
@@ -87,7 +88,6 @@ struct GeometryTables {
     std::vector<glm::vec4> triangles;
     std::vector<glm::uvec4> mesh_triangles;
     std::vector<glm::vec4> vertices;
-    std::vector<uint32_t> tangents;
     std::vector<glm::vec4> instances;
     glm::vec3 extent{0.0f};       ///< largest coordinate in magnitude, world space
     uint32_t features = 0;        ///< FEATURE_INSTANCES, FEATURE_ALPHA, ... as the triangles need them
@@ -112,7 +112,7 @@ struct GeometryUpdate {
 using OpacityOf = std::function<float(uint32_t material, bool mesh_has_colors)>;
 
 /// Bytes that a mesh takes in the tables at least, whatever the instances.
-uint64_t least_bytes(uint64_t triangles, uint64_t vertices);
+uint64_t least_bytes(uint64_t triangles, uint64_t vertex_rows);
 
 /// Builds trees and tables. A mesh with one visible instance goes into the tree of the scene in world space; one with
 /// several, or which moves, gets a tree of its own. Once something moves, all that is baked is a tree of its own too,

@@ -33,7 +33,6 @@ VkFormat table_format(uint32_t table) {
         case BINDING_TEXTURES:
         case BINDING_COINCIDENT:
             return VK_FORMAT_R32G32B32A32_UINT;
-        case BINDING_TANGENTS:
         case BINDING_TEXELS:
             return VK_FORMAT_R32_UINT;
         default:

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <chrono>
 #include <iterator>
-#include <type_traits>
 
+#include "render_system/give_back.h"
 #include "source_core/scene_buffers.h"
 
 namespace source_core {
@@ -18,7 +18,9 @@ namespace {
 // The tree's share, a little above what real scenes need; it is known only once the tree is built.
 constexpr uint64_t NODE_BYTES_PER_TRIANGLE = 32;
 
-uint64_t least_bytes_of(const CoreMeshCopy& mesh) { return least_bytes(mesh.triangles.size(), mesh.tangents.size()); }
+uint64_t least_bytes_of(const CoreMeshCopy& mesh) {
+    return least_bytes(mesh.triangles.size(), mesh.vertex_rows.size());
+}
 
 // Raises a flag by id.
 void raise(std::vector<bool>& flags, uint32_t id) {
@@ -28,8 +30,7 @@ void raise(std::vector<bool>& flags, uint32_t id) {
 
 // Whether only the vertices differ.
 bool same_shape(const CoreMeshCopy& mesh, const CoreMesh& data) {
-    return mesh.positions.size() == data.positions.size() && mesh.has_tangents == !data.tangents.empty() &&
-           mesh.has_colors == !data.colors.empty() &&
+    return mesh.positions.size() == data.positions.size() && mesh.flags == vertex_flags(data) &&
            std::equal(mesh.triangles.begin(), mesh.triangles.end(), data.triangles.begin(), data.triangles.end());
 }
 
@@ -80,9 +81,7 @@ void SceneStore::set_mesh(uint32_t mesh, const CoreMesh& data) {
     copy.positions = {data.positions.begin(), data.positions.end()};  // no more room than that
     copy.triangles = {data.triangles.begin(), data.triangles.end()};
     copy.vertex_rows = pack_vertices(data);
-    copy.tangents = pack_tangents(data);
-    copy.has_tangents = !data.tangents.empty();
-    copy.has_colors = !data.colors.empty();
+    copy.flags = vertex_flags(data);
     mesh_bytes_ += least_bytes_of(copy);
     if (!deforms) {
         geometry_changed_ = true;
@@ -151,8 +150,7 @@ Status SceneStore::rebuild_geometry(uint32_t threads) {
     }
     geometry_ = std::move(*built);
     patches_.clear();
-    mark({BINDING_NODES, BINDING_TRIANGLES, BINDING_MESH_TRIANGLES, BINDING_VERTICES, BINDING_TANGENTS,
-          BINDING_INSTANCES});
+    mark({BINDING_NODES, BINDING_TRIANGLES, BINDING_MESH_TRIANGLES, BINDING_VERTICES, BINDING_INSTANCES});
     bytes_[BINDING_NODES] += geometry_.plan.spare_count * sizeof(WideNode);
     return Status::success();
 }
@@ -193,7 +191,7 @@ void SceneStore::find_coincident(bool anew) {
         const uint32_t mesh = instances_[name.instance].mesh;
         const uint32_t material = meshes_[mesh].triangles[name.primitive].w;
         return CoincidentTriangle{geometry_.plan.slot_of(name.instance, mesh, name.primitive),
-                                  opacity_function()(material, meshes_[mesh].has_colors)};
+                                  opacity_function()(material, meshes_[mesh].has_colors())};
     });
     mark({BINDING_COINCIDENT});
 }
@@ -237,8 +235,6 @@ std::span<const std::byte> SceneStore::rows(uint32_t table) const {
             return bytes(geometry_.mesh_triangles);
         case BINDING_VERTICES:
             return bytes(geometry_.vertices);
-        case BINDING_TANGENTS:
-            return bytes(geometry_.tangents);
         case BINDING_INSTANCES:
             return bytes(geometry_.instances);
         case BINDING_MATERIALS:
@@ -269,12 +265,10 @@ std::span<const std::byte> SceneStore::rows(uint32_t table) const {
 void SceneStore::uploaded() {
     changed_.fill(false);
     patches_.clear();
-    const auto give_back = [](auto& rows) { std::remove_reference_t<decltype(rows)>().swap(rows); };  // `= {}` keeps it
     give_back(geometry_.nodes);
     give_back(geometry_.triangles);
     give_back(geometry_.mesh_triangles);
     give_back(geometry_.vertices);
-    give_back(geometry_.tangents);
     give_back(geometry_.instances);
 }
 

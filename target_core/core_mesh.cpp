@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render_system/give_back.h"
 #include "target_core/core_tables.h"
 #include "target_core/device/surface_order.h"
 #include "target_core/kernels/intersect.h"
@@ -68,7 +69,7 @@ constexpr double kWorn = 1.4;
 
 bool CoreMeshes::has_shape_of(const Mesh& mesh, const CoreMesh& data) const {
     if (mesh.vertex_count != data.positions.size() || mesh.triangle_count != data.triangles.size() ||
-        mesh.has_tangents == data.tangents.empty() || mesh.has_colors == data.colors.empty())
+        mesh.flags != vertex_flags(data))
         return false;
     const uvec4* triangle = mesh_triangles_.data() + mesh.first_triangle;
     return std::all_of(data.triangles.begin(), data.triangles.end(), [&](const glm::uvec4& t) {
@@ -103,8 +104,7 @@ void CoreMeshes::move_vertices(uint id, const CoreMesh& data) {
     Mesh& mesh = meshes_[id];
     std::vector<PackedVertex> positions = packed_positions(data);
     std::copy(positions.begin(), positions.end(), mesh.positions.begin());
-    splice(vertices_, mesh.first_vertex * VERTEX_ROWS, mesh.vertex_places * VERTEX_ROWS, pack_vertices(data));
-    splice(tangents_, mesh.first_vertex, mesh.vertex_places, pack_tangents(data));
+    splice(vertices_, mesh.first_vertex_row, mesh.vertex_row_count, pack_vertices(data));
     mesh.is_baked = false;
     edits_.shape = edits_.shape || !mesh.deforms;
     edits_.deformed.push_back(id);
@@ -119,7 +119,7 @@ void CoreMeshes::set_mesh(uint id, const CoreMesh& data) {
     if (id == meshes_.size()) {
         meshes_.emplace_back();
         meshes_.back().first_triangle = mesh_triangles_.size();
-        meshes_.back().first_vertex = tangents_.size();
+        meshes_.back().first_vertex_row = vertices_.size() - 1;
     }
     Mesh& mesh = meshes_[id];
     if (!edits_.shape && has_shape_of(mesh, data)) {
@@ -139,21 +139,19 @@ void CoreMeshes::set_mesh(uint id, const CoreMesh& data) {
     std::sort(mesh.materials.begin(), mesh.materials.end());
     mesh.materials.erase(std::unique(mesh.materials.begin(), mesh.materials.end()), mesh.materials.end());
     mesh.positions = packed_positions(data);
-    mesh.baked = {};
+    give_back(mesh.baked);
     mesh.is_baked = false;
-    mesh.has_tangents = !data.tangents.empty();
-    mesh.has_colors = !data.colors.empty();
+    mesh.flags = vertex_flags(data);
     splice(mesh_triangles_, mesh.first_triangle, mesh.triangle_count, triangles);
-    splice(vertices_, mesh.first_vertex * VERTEX_ROWS, mesh.vertex_places * VERTEX_ROWS, pack_vertices(data));
-    const std::vector<uint> tangents = pack_tangents(data);
-    splice(tangents_, mesh.first_vertex, mesh.vertex_places, tangents);
+    const std::vector<vec4> rows = pack_vertices(data);
+    splice(vertices_, mesh.first_vertex_row, mesh.vertex_row_count, rows);
     for (size_t later = id + 1; later < meshes_.size(); ++later) {
         meshes_[later].first_triangle += triangles.size() - mesh.triangle_count;
-        meshes_[later].first_vertex += tangents.size() - mesh.vertex_places;
+        meshes_[later].first_vertex_row += rows.size() - mesh.vertex_row_count;
     }
     mesh.triangle_count = triangles.size();
     mesh.vertex_count = data.positions.size();
-    mesh.vertex_places = tangents.size();
+    mesh.vertex_row_count = rows.size();
     if (mesh.deforms) mesh.spread = spread_of(mesh);
 }
 
@@ -178,7 +176,7 @@ void CoreMeshes::set_instance(uint id, uint mesh, const CoreTransform& transform
 
 bool CoreMeshes::lets_rays_pass(const Mesh& mesh, std::span<const CoreMaterial> materials) const {
     return std::any_of(mesh.materials.begin(), mesh.materials.end(),
-                       [&](uint material) { return opacity_code(materials[material], mesh.has_colors) < 1.0f; });
+                       [&](uint material) { return opacity_code(materials[material], mesh.has_colors()) < 1.0f; });
 }
 
 void CoreMeshes::bake(Mesh& mesh, const CoreTransform& transform) {
@@ -186,7 +184,7 @@ void CoreMeshes::bake(Mesh& mesh, const CoreTransform& transform) {
     mesh.is_baked = true;
     mesh.placed_by = transform;
     if (is_identity(transform)) {
-        mesh.baked = {};
+        give_back(mesh.baked);
         return;
     }
     mesh.baked.resize(mesh.positions.size());
@@ -203,7 +201,6 @@ void CoreMeshes::place(std::span<const CoreMaterial> materials, float reach, boo
     // Meshes came one by one; what the tables grew ahead is given back.
     mesh_triangles_.shrink_to_fit();
     vertices_.shrink_to_fit();
-    tangents_.shrink_to_fit();
     std::vector<uint> uses(meshes_.size(), 0);
     for (const Instance& instance : placed_) {
         if (instance.mesh != render_system::NONE) {
@@ -223,9 +220,9 @@ void CoreMeshes::place(std::span<const CoreMaterial> materials, float reach, boo
         geometry.deforms = mesh.deforms;
         if (geometry.baked) {
             bake(mesh, transform);
-            if (still && !mesh.baked.empty()) mesh.positions = {};
+            if (still && !mesh.baked.empty()) give_back(mesh.positions);
         } else {
-            mesh.baked = {};
+            give_back(mesh.baked);
             mesh.is_baked = false;
         }
         geometry.positions = mesh.baked.empty() ? mesh.positions.data() : mesh.baked.data();
@@ -238,8 +235,8 @@ void CoreMeshes::place(std::span<const CoreMaterial> materials, float reach, boo
         for (int r = 0; r < 3; ++r) {
             geometry.rows[r] = row_of(transform.rows[r]);
         }
-        pack_instance(transform, static_cast<uint>(mesh.first_triangle), static_cast<uint>(mesh.first_vertex),
-                      mesh.has_tangents, &instances_[i * INSTANCE_ROWS]);
+        pack_instance(transform, static_cast<uint>(mesh.first_triangle), static_cast<uint>(mesh.first_vertex_row),
+                      mesh.flags, &instances_[i * INSTANCE_ROWS]);
     }
     assign_bins(geometry_);
 }
@@ -275,7 +272,7 @@ bool CoreMeshes::passing_changed(std::span<const CoreMaterial> materials) const 
 }
 
 bool CoreMeshes::has_colors() const {
-    return std::any_of(meshes_.begin(), meshes_.end(), [](const Mesh& mesh) { return mesh.has_colors; });
+    return std::any_of(meshes_.begin(), meshes_.end(), [](const Mesh& mesh) { return mesh.has_colors(); });
 }
 
 uint CoreMeshes::features(std::span<const CoreMaterial> materials) const {
@@ -292,7 +289,7 @@ uint CoreMeshes::features(std::span<const CoreMaterial> materials) const {
 
 uint64_t CoreMeshes::memory_bytes() const {
     uint64_t bytes = mesh_triangles_.capacity() * sizeof(uvec4) + vertices_.capacity() * sizeof(vec4) +
-                     tangents_.capacity() * sizeof(uint) + instances_.capacity() * sizeof(vec4);
+                     instances_.capacity() * sizeof(vec4);
     for (const Mesh& mesh : meshes_) {
         bytes += (mesh.positions.capacity() + mesh.baked.capacity()) * sizeof(PackedVertex);
     }

@@ -19,7 +19,7 @@ struct GeometryEdits {
     std::vector<uint> worn{};      ///< of these, those that have drifted so far apart that their trees are built anew
 };
 
-/// All meshes and instances: the tables mesh_triangles, vertices, tangents and instances, and the positions that
+/// All meshes and instances: the tables mesh_triangles, vertices and instances, and the positions that
 /// Embree reads.
 class CoreMeshes {
 public:
@@ -51,7 +51,6 @@ public:
     std::span<const InstanceGeometry> geometry() const { return geometry_; }
     const std::vector<uvec4>& mesh_triangles() const { return mesh_triangles_; }
     const std::vector<vec4>& vertices() const { return vertices_; }
-    const std::vector<uint>& tangents() const { return tangents_; }
     const std::vector<vec4>& instances() const { return instances_; }
     bool has_colors() const;
     /// FEATURE_INSTANCES, FEATURE_ALPHA, FEATURE_ALPHA_TEXTURES and FEATURE_VERTEX_COLORS.
@@ -66,16 +65,17 @@ private:
         std::vector<PackedVertex> baked;      // the same in world space, where a transform needs it
         size_t first_triangle = 0;
         size_t triangle_count = 0;
-        size_t first_vertex = 0;
+        size_t first_vertex_row = 0;
+        size_t vertex_row_count = 0;
         size_t vertex_count = 0;
-        size_t vertex_places = 0;  // times VERTEX_ROWS in the table: with its colours
-        bool has_tangents = false;
-        bool has_colors = false;
+        uint flags = 0;  // INSTANCE_HAS_...
         bool deforms = false;
         bool is_baked = false;                   // `baked` is that of `placed_by`
         render_system::CoreTransform placed_by;  // of the last bake
         double spread = 0.0;                     // spread_of, when its tree was built
         std::vector<uint> materials;             // the distinct ones
+
+        bool has_colors() const { return (flags & INSTANCE_HAS_COLORS) != 0; }
     };
     struct Instance {
         uint mesh = render_system::NONE;
@@ -94,8 +94,7 @@ private:
     bool is_alive_ = false;
     std::vector<InstanceGeometry> geometry_;
     std::vector<uvec4> mesh_triangles_;
-    std::vector<vec4> vertices_;
-    std::vector<uint> tangents_;
+    std::vector<vec4> vertices_{vec4(0.0f)};
     std::vector<vec4> instances_;
 };
 

@@ -63,9 +63,19 @@ bool has_alpha_texture(const CoreMaterial& material) {
     return material.base_color_texture.texture != render_system::NONE;
 }
 
-// In VERTEX_ROWS: its vertices, and what its colours take.
-size_t vertex_places(const CoreMesh& mesh) {
-    return mesh.positions.size() + (mesh.colors.size() + VERTEX_ROWS - 1) / VERTEX_ROWS;
+uint pack_tangent(const glm::vec4& t) {
+    float sum = std::fabs(t.x) + std::fabs(t.y) + std::fabs(t.z);
+    float scale = sum > 0.0f ? 1.0f / sum : 0.0f;
+    float x = t.x * scale;
+    float y = t.y * scale;
+    if (t.z < 0.0f) {
+        float folded_x = (1.0f - std::fabs(y)) * (x >= 0.0f ? 1.0f : -1.0f);
+        y = (1.0f - std::fabs(x)) * (y >= 0.0f ? 1.0f : -1.0f);
+        x = folded_x;
+    }
+    uint word_x = static_cast<uint>(std::lround((x * 0.5f + 0.5f) * static_cast<float>(TANGENT_X_MASK)));
+    uint word_y = static_cast<uint>(std::lround((y * 0.5f + 0.5f) * static_cast<float>(TANGENT_Y_MASK)));
+    return word_x | word_y << TANGENT_Y_SHIFT | (t.w < 0.0f ? 1u : 0u) << TANGENT_SIGN_SHIFT;
 }
 
 }  // namespace
@@ -169,44 +179,32 @@ void pack_sky(const CoreSky& sky, SceneTables& tables) {
     }
 }
 
+uint vertex_flags(const CoreMesh& mesh) {
+    return (mesh.tangents.empty() ? 0u : INSTANCE_HAS_TANGENTS) |
+           (mesh.uv0.empty() && mesh.uv1.empty() ? 0u : INSTANCE_HAS_UV) |
+           (mesh.colors.empty() ? 0u : INSTANCE_HAS_COLORS);
+}
+
 std::vector<vec4> pack_vertices(const CoreMesh& mesh) {
-    std::vector<vec4> rows(vertex_places(mesh) * VERTEX_ROWS);
-    const size_t first_color = mesh.positions.size() * VERTEX_ROWS;
+    const uint flags = vertex_flags(mesh);
+    std::vector<vec4> rows;
+    rows.reserve(mesh.positions.size() *
+                 (1u + (flags >> INSTANCE_UV_SHIFT & 1u) + (flags >> INSTANCE_COLORS_SHIFT & 1u)));
     for (size_t i = 0; i < mesh.positions.size(); ++i) {
-        glm::vec2 uv0 = mesh.uv0.empty() ? glm::vec2(0.0f) : mesh.uv0[i];
-        glm::vec2 uv1 = mesh.uv1.empty() ? glm::vec2(0.0f) : mesh.uv1[i];
-        size_t behind = mesh.colors.empty() ? 0 : first_color + i - i * VERTEX_ROWS;
-        rows[i * VERTEX_ROWS + VERTEX_NORMAL] = row(mesh.normals[i], as_float(static_cast<uint>(behind)));
-        rows[i * VERTEX_ROWS + VERTEX_UV] = vec4(uv0.x, uv0.y, uv1.x, uv1.y);
-    }
-    for (size_t i = 0; i < mesh.colors.size(); ++i) {
-        rows[first_color + i] = row(glm::vec3(mesh.colors[i]), mesh.colors[i].w);
+        rows.push_back(row(mesh.normals[i], as_float(mesh.tangents.empty() ? 0u : pack_tangent(mesh.tangents[i]))));
+        if ((flags & INSTANCE_HAS_UV) != 0u) {
+            glm::vec2 uv0 = mesh.uv0.empty() ? glm::vec2(0.0f) : mesh.uv0[i];
+            glm::vec2 uv1 = mesh.uv1.empty() ? glm::vec2(0.0f) : mesh.uv1[i];
+            rows.push_back(vec4(uv0.x, uv0.y, uv1.x, uv1.y));
+        }
+        if ((flags & INSTANCE_HAS_COLORS) != 0u) {
+            rows.push_back(row(glm::vec3(mesh.colors[i]), mesh.colors[i].w));
+        }
     }
     return rows;
 }
 
-std::vector<uint> pack_tangents(const CoreMesh& mesh) {
-    std::vector<uint> words(vertex_places(mesh), 0u);
-    for (size_t i = 0; i < mesh.tangents.size(); ++i) {
-        glm::vec4 t = mesh.tangents[i];
-        float sum = std::fabs(t.x) + std::fabs(t.y) + std::fabs(t.z);
-        float scale = sum > 0.0f ? 1.0f / sum : 0.0f;
-        float x = t.x * scale;
-        float y = t.y * scale;
-        if (t.z < 0.0f) {
-            float folded_x = (1.0f - std::fabs(y)) * (x >= 0.0f ? 1.0f : -1.0f);
-            y = (1.0f - std::fabs(x)) * (y >= 0.0f ? 1.0f : -1.0f);
-            x = folded_x;
-        }
-        uint word_x = static_cast<uint>(std::lround((x * 0.5f + 0.5f) * static_cast<float>(TANGENT_X_MASK)));
-        uint word_y = static_cast<uint>(std::lround((y * 0.5f + 0.5f) * static_cast<float>(TANGENT_Y_MASK)));
-        words[i] = word_x | word_y << TANGENT_Y_SHIFT | (t.w < 0.0f ? 1u : 0u) << TANGENT_SIGN_SHIFT;
-    }
-    return words;
-}
-
-void pack_instance(const CoreTransform& transform, uint first_triangle, uint first_vertex, bool has_tangents,
-                   vec4* rows) {
+void pack_instance(const CoreTransform& transform, uint first_triangle, uint first_vertex_row, uint flags, vec4* rows) {
     glm::vec3 a(transform.rows[0]);
     glm::vec3 b(transform.rows[1]);
     glm::vec3 c(transform.rows[2]);
@@ -214,8 +212,7 @@ void pack_instance(const CoreTransform& transform, uint first_triangle, uint fir
     for (uint i = 0; i < 3; ++i) {
         rows[INSTANCE_TRANSFORM + i] = row(glm::vec3(transform.rows[i]), transform.rows[i].w);
     }
-    uint flags = has_tangents ? INSTANCE_HAS_TANGENTS : 0u;
-    rows[INSTANCE_MESH] = vec4(as_float(first_triangle), as_float(first_vertex), as_float(flags), mirrored);
+    rows[INSTANCE_MESH] = vec4(as_float(first_triangle), as_float(first_vertex_row), as_float(flags), mirrored);
 }
 
 float opacity_code(const CoreMaterial& material, bool mesh_has_colors) {

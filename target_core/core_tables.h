@@ -39,16 +39,15 @@ void pack_lights(const render_system::CoreLights& lights, SceneTables& tables);
 /// Fills sky_texels and sky_table.
 void pack_sky(const render_system::CoreSky& sky, SceneTables& tables);
 
-/// The attribute rows of one mesh: VERTEX_ROWS per vertex, then its colours; a multiple of VERTEX_ROWS.
+/// What of INSTANCE_HAS_... a mesh has.
+uint vertex_flags(const render_system::CoreMesh& mesh);
+
+/// The attribute rows of one mesh: as many a vertex as its flags say.
 std::vector<vec4> pack_vertices(const render_system::CoreMesh& mesh);
 
-/// One octahedral tangent per vertex; zeros for a mesh without tangents. As many as there are times VERTEX_ROWS of
-/// attribute rows.
-std::vector<uint> pack_tangents(const render_system::CoreMesh& mesh);
-
 /// INSTANCE_ROWS rows of one instance.
-void pack_instance(const render_system::CoreTransform& transform, uint first_triangle, uint first_vertex,
-                   bool has_tangents, vec4* rows);
+void pack_instance(const render_system::CoreTransform& transform, uint first_triangle, uint first_vertex_row,
+                   uint flags, vec4* rows);
 
 /// What meets_surface takes for a triangle of this material: 1 opaque, [0, 1) constant coverage, -1 where texture
 /// or vertex colours decide.

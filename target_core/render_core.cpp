@@ -14,6 +14,7 @@
 #include "render_system/camera.h"
 #include "render_system/checked_core.h"
 #include "render_system/embree_probe.h"
+#include "render_system/give_back.h"
 #include "target_core/core_mesh.h"
 #include "target_core/core_tables.h"
 #include "target_core/device/embree_scene.h"
@@ -266,7 +267,6 @@ Bindings TargetCore::bindings() {
     Bindings bindings;
     bindings.mesh_triangles = meshes_.mesh_triangles().data();
     bindings.vertices = meshes_.vertices().data();
-    bindings.tangents = meshes_.tangents().data();
     bindings.instances = meshes_.instances().data();
     bindings.materials = tables_.materials.data();
     bindings.texture_slots = tables_.texture_slots.data();
@@ -420,14 +420,14 @@ void TargetCore::close() {
     meshes_ = {};
     tables_ = {};
     coincident_ = {};
-    coincident_rows_ = {};
-    accumulator_ = {};
-    guides_ = {};
-    filter_picture_ = {};
-    planes_ = {};
-    motions_ = {};
-    history_ = {};
-    history_before_ = {};
+    give_back(coincident_rows_);
+    give_back(accumulator_);
+    give_back(guides_);
+    give_back(filter_picture_);
+    give_back(planes_);
+    give_back(motions_);
+    give_back(history_);
+    give_back(history_before_);
     workers_.clear();
     arena_.reset();
     parallelism_.reset();

@@ -11,8 +11,8 @@ namespace {
 constexpr const char* KERNEL_NAMES[KERNEL_COUNT] = {"generate", "extend", "shade",  "connect",  "finalize",
                                                     "schedule", "guide",  "filter", "reproject"};
 constexpr const char* TABLE_NAMES[TABLE_COUNT] = {
-    "nodes",    "triangles", "mesh_triangles", "vertices",    "tangents",   "instances", "materials",   "texture_slots",
-    "textures", "texels",    "lights",         "light_table", "sky_texels", "sky_table", "lobe_energy", "coincident"};
+    "nodes",  "triangles", "mesh_triangles", "vertices",   "instances", "materials",   "texture_slots", "textures",
+    "texels", "lights",    "light_table",    "sky_texels", "sky_table", "lobe_energy", "coincident"};
 constexpr const char* ACCESS_NAMES[] = {"VIA_TEXELS", "VIA_STORAGE", "VIA_ADDRESS"};
 
 }  // namespace

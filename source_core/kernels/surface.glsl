@@ -20,6 +20,7 @@ struct TriangleVertices {
 // The attributes of one triangle's vertices at barycentric coordinates (u, v), in mesh space.
 struct Attributes {
     vec3 normal;
+    uvec4 tangents;  // of each vertex, in x, y and z
     vec4 color;
     vec2 uv0;
     vec2 uv1;
@@ -27,47 +28,58 @@ struct Attributes {
     Float uv_area1;
 };
 
-// The colour of a vertex that stands so many rows behind it.
-vec4 vertex_color(Uint corner, Uint behind) {
-    vec4 color = fetch_vertices(rows_from(corner * VERTEX_ROWS + behind), VERTEX_COLOR);
-    return select(behind != 0u, color, vec4(1.0f));
+// Of a vertex, by the flags of its instance.
+Uint vertex_rows(Uint flags) {
+    return (((flags >> INSTANCE_UV_SHIFT) & 1u) + ((flags >> INSTANCE_COLORS_SHIFT) & 1u)) + 1u;
+}
+
+// White where a mesh has no colours.
+vec4 vertex_color(Uint corner, Uint flags) {
+    vec4 color = fetch_vertices(rows_from((corner + vertex_rows(flags)) - 1u), VERTEX_COLOR);
+    return select((flags & INSTANCE_HAS_COLORS) != 0u, color, vec4(1.0f));
 }
 
 Float doubled_area(vec2 a, vec2 b, vec2 c) { return abs((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)); }
 
-// `corners` are rows of mesh_triangles plus the mesh's first vertex.
-Attributes fetch_attributes(uvec4 corners, Float u, Float v) {
+// `corners` and `flags` are those of fetch_corners and of the instance.
+Attributes fetch_attributes(uvec4 corners, Uint flags, Float u, Float v) {
     Float w = (1.0f - u) - v;
-    Rows rows0 = rows_from(corners.x * VERTEX_ROWS);
-    Rows rows1 = rows_from(corners.y * VERTEX_ROWS);
-    Rows rows2 = rows_from(corners.z * VERTEX_ROWS);
+    Rows rows0 = rows_from(corners.x);
+    Rows rows1 = rows_from(corners.y);
+    Rows rows2 = rows_from(corners.z);
     vec4 normal0 = fetch_vertices(rows0, VERTEX_NORMAL);
     vec4 normal1 = fetch_vertices(rows1, VERTEX_NORMAL);
     vec4 normal2 = fetch_vertices(rows2, VERTEX_NORMAL);
+    // Where there are none, of something else.
     vec4 uv_a = fetch_vertices(rows0, VERTEX_UV);
     vec4 uv_b = fetch_vertices(rows1, VERTEX_UV);
     vec4 uv_c = fetch_vertices(rows2, VERTEX_UV);
-    vec4 uv = (uv_a * w + uv_b * u) + uv_c * v;
+    Mask has_uv = (flags & INSTANCE_HAS_UV) != 0u;
+    vec4 uv = select(has_uv, (uv_a * w + uv_b * u) + uv_c * v, vec4(0.0f));
     Attributes attributes;
     attributes.normal = (vec3(normal0) * w + vec3(normal1) * u) + vec3(normal2) * v;
+    attributes.tangents =
+        uvec4(floatBitsToUint(normal0.w), floatBitsToUint(normal1.w), floatBitsToUint(normal2.w), Uint(0u));
     attributes.color = vec4(1.0f);
     if (has_feature(FEATURE_VERTEX_COLORS)) {
-        attributes.color = (vertex_color(corners.x, floatBitsToUint(normal0.w)) * w +
-                            vertex_color(corners.y, floatBitsToUint(normal1.w)) * u) +
-                           vertex_color(corners.z, floatBitsToUint(normal2.w)) * v;
+        attributes.color =
+            (vertex_color(corners.x, flags) * w + vertex_color(corners.y, flags) * u) + vertex_color(corners.z, flags) * v;
     }
     attributes.uv0 = vec2(uv.x, uv.y);
     attributes.uv1 = vec2(uv.z, uv.w);
-    attributes.uv_area0 = doubled_area(vec2(uv_a.x, uv_a.y), vec2(uv_b.x, uv_b.y), vec2(uv_c.x, uv_c.y));
-    attributes.uv_area1 = doubled_area(vec2(uv_a.z, uv_a.w), vec2(uv_b.z, uv_b.w), vec2(uv_c.z, uv_c.w));
+    Float area0 = doubled_area(vec2(uv_a.x, uv_a.y), vec2(uv_b.x, uv_b.y), vec2(uv_c.x, uv_c.y));
+    Float area1 = doubled_area(vec2(uv_a.z, uv_a.w), vec2(uv_b.z, uv_b.w), vec2(uv_c.z, uv_c.w));
+    attributes.uv_area0 = select(has_uv, area0, Float(0.0f));
+    attributes.uv_area1 = select(has_uv, area1, Float(0.0f));
     return attributes;
 }
 
-// Vertices of a mesh triangle, counted in the scene's table, and its material in w.
+// First rows of the vertices of a mesh triangle, and its material in w.
 uvec4 fetch_corners(vec4 mesh_row, Uint primitive) {
     uvec4 corners = fetch_mesh_triangles(floatBitsToUint(mesh_row.x) + primitive);
-    Uint first_vertex = floatBitsToUint(mesh_row.y);
-    return uvec4(corners.x + first_vertex, corners.y + first_vertex, corners.z + first_vertex, corners.w);
+    Uint first = floatBitsToUint(mesh_row.y);
+    Uint rows = vertex_rows(floatBitsToUint(mesh_row.z));
+    return uvec4(corners.x * rows + first, corners.y * rows + first, corners.z * rows + first, corners.w);
 }
 
 // A point on a surface as the ray that found it sees it.
@@ -77,7 +89,7 @@ struct Surface {
     vec3 normal;            // unit shading normal, on the front side
     vec4 color;
     TextureCoordinates coordinates;
-    uvec4 corners;
+    uvec4 tangents;  // of each vertex, in x, y and z
     Uint instance;
     Uint material;
     Float u;
@@ -94,7 +106,7 @@ Surface make_surface(PathRay path_ray, Hit hit, TriangleVertices triangle) {
     vec4 row2 = fetch_instances(rows, INSTANCE_TRANSFORM + 2u);
     vec4 mesh_row = fetch_instances(rows, INSTANCE_MESH);
     Surface surface;
-    surface.corners = fetch_corners(mesh_row, triangle.primitive);
+    uvec4 corners = fetch_corners(mesh_row, triangle.primitive);
     vec3 edge1 = triangle.v1 - triangle.v0;
     vec3 edge2 = triangle.v2 - triangle.v0;
     vec3 area = cross(edge1, edge2) * mesh_row.w;
@@ -102,14 +114,15 @@ Surface make_surface(PathRay path_ray, Hit hit, TriangleVertices triangle) {
         intersect_triangle(path_ray.ray.origin, path_ray.ray.direction, triangle.v0, triangle.v1, triangle.v2);
     surface.u = crossing.u;
     surface.v = crossing.v;
-    Attributes attributes = fetch_attributes(surface.corners, surface.u, surface.v);
+    Attributes attributes = fetch_attributes(corners, floatBitsToUint(mesh_row.z), surface.u, surface.v);
     surface.position = (triangle.v0 + edge1 * surface.u) + edge2 * surface.v;
     Float doubled = sqrt(max(dot(area, area), SMALLEST));
     surface.geometric_normal = area * (1.0f / doubled);
     surface.normal = normalized(transform_normal(row0, row1, row2, attributes.normal) * mesh_row.w);
     surface.color = attributes.color;
     surface.instance = hit.instance;
-    surface.material = surface.corners.w;
+    surface.tangents = attributes.tangents;
+    surface.material = corners.w;
     vec3 way = surface.position - path_ray.ray.origin;
     surface.distance_squared = dot(way, way);
     surface.cone_width = path_ray.cone_width + path_ray.cone_spread * sqrt(surface.distance_squared);
@@ -139,9 +152,9 @@ Frame tangent_frame(Surface surface, Rows rows, vec4 mesh_row) {
     vec4 row0 = fetch_instances(rows, INSTANCE_TRANSFORM);
     vec4 row1 = fetch_instances(rows, INSTANCE_TRANSFORM + 1u);
     vec4 row2 = fetch_instances(rows, INSTANCE_TRANSFORM + 2u);
-    vec4 tangent0 = unpack_tangent(fetch_tangents(surface.corners.x));
-    vec4 tangent1 = unpack_tangent(fetch_tangents(surface.corners.y));
-    vec4 tangent2 = unpack_tangent(fetch_tangents(surface.corners.z));
+    vec4 tangent0 = unpack_tangent(surface.tangents.x);
+    vec4 tangent1 = unpack_tangent(surface.tangents.y);
+    vec4 tangent2 = unpack_tangent(surface.tangents.z);
     Float w = (1.0f - surface.u) - surface.v;
     vec3 interpolated = (vec3(tangent0) * w + vec3(tangent1) * surface.u) + vec3(tangent2) * surface.v;
     vec3 along = transform_vector(row0, row1, row2, interpolated);

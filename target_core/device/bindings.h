@@ -16,7 +16,6 @@ namespace target_core {
 struct Bindings {
     const uvec4* mesh_triangles = nullptr;
     const vec4* vertices = nullptr;
-    const uint* tangents = nullptr;
     const vec4* instances = nullptr;
     const vec4* materials = nullptr;
     const vec4* texture_slots = nullptr;

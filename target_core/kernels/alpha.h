@@ -25,7 +25,7 @@ inline Uint ray_key(Uint path, uint kind) {
 inline Float textured_coverage(Uint instance, Uint primitive, Float u, Float v) {
     vec4 mesh_row = fetch_instances(rows_from(instance * INSTANCE_ROWS), INSTANCE_MESH);
     uvec4 corners = fetch_corners(mesh_row, primitive);
-    Attributes attributes = fetch_attributes(corners, u, v);
+    Attributes attributes = fetch_attributes(corners, floatBitsToUint(mesh_row.z), u, v);
     Rows rows = rows_from(corners.w * MATERIAL_ROWS);
     vec4 base_color = fetch_materials(rows, MATERIAL_BASE_COLOR);
     vec4 alpha = fetch_materials(rows, MATERIAL_ALPHA);

@@ -21,7 +21,6 @@ inline bool has_feature(uint feature) { return (settings.features & feature & ~T
 
 inline uvec4 fetch_mesh_triangles(Uint row) { return gather(bound.mesh_triangles, row); }
 inline vec4 fetch_vertices(Rows first, uint offset) { return gather(bound.vertices, first, offset); }
-inline Uint fetch_tangents(Uint row) { return gather(bound.tangents, row); }
 inline vec4 fetch_instances(Rows first, uint offset) { return gather_shared(bound.instances, first, offset); }
 inline vec4 fetch_materials(Rows first, uint offset) { return gather_shared(bound.materials, first, offset); }
 inline vec4 fetch_texture_slots(Rows first, uint offset) { return gather_shared(bound.texture_slots, first, offset); }

@@ -15,12 +15,11 @@ namespace target_core {
 
 // mesh_triangles: uvec4 per triangle (vertex, vertex, vertex, material); vertices count from the mesh's first.
 
-// vertices: 2 rows per vertex; behind those of a mesh with colours one row of colour for each, and one more where
-// that makes no even number.
-const uint VERTEX_ROWS = 2u;
-const uint VERTEX_NORMAL = 0u;  // normal.xyz, rows to the vertex's colour as bits (0: it is white)
+// vertices: a row per vertex, one more where its mesh has texture coordinates and one more where it has colours; at the
+// end a row that no vertex has.
+const uint VERTEX_NORMAL = 0u;  // normal.xyz, tangent as bits
 const uint VERTEX_UV = 1u;      // uv0.xy, uv1.xy
-const uint VERTEX_COLOR = 0u;   // of a row of colour: linear rgba
+const uint VERTEX_COLOR = 0u;   // from the last row on: linear rgba
 
 // rgba8, a texel in one word: red in the lowest byte.
 const uint RGBA8_MASK = 255u;
@@ -28,7 +27,7 @@ const uint RGBA8_GREEN_SHIFT = 8u;
 const uint RGBA8_BLUE_SHIFT = 16u;
 const uint RGBA8_ALPHA_SHIFT = 24u;
 
-// tangents: one word per vertex: octahedral tangent, x in the lowest 16 bits, y in 15, then the bitangent's sign.
+// A tangent in one word: octahedral, x in the lowest 16 bits, y in 15, then the bitangent's sign.
 const uint TANGENT_X_MASK = 65535u;
 const uint TANGENT_Y_SHIFT = 16u;
 const uint TANGENT_Y_MASK = 32767u;
@@ -37,8 +36,12 @@ const uint TANGENT_SIGN_SHIFT = 31u;  // 1: the bitangent is turned round
 // instances: 4 rows per instance.
 const uint INSTANCE_ROWS = 4u;
 const uint INSTANCE_TRANSFORM = 0u;  // 3 rows of the object-to-world matrix
-const uint INSTANCE_MESH = 3u;       // first mesh triangle, first vertex, flags (all as bits), determinant's sign
+const uint INSTANCE_MESH = 3u;       // first mesh triangle, first row of vertices, flags (as bits), determinant's sign
 const uint INSTANCE_HAS_TANGENTS = 1u;
+const uint INSTANCE_HAS_UV = 2u;
+const uint INSTANCE_HAS_COLORS = 4u;
+const uint INSTANCE_UV_SHIFT = 1u;
+const uint INSTANCE_COLORS_SHIFT = 2u;
 
 // materials: 14 rows per material. The slots are in the order of the render system's kTextureSlots.
 const uint MATERIAL_ROWS = 14u;

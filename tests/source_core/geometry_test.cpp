@@ -18,8 +18,7 @@ CoreMeshCopy one_triangle() {
     CoreMeshCopy mesh;
     mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
     mesh.triangles = {{0, 1, 2, 0}};
-    mesh.vertex_rows.resize(3 * VERTEX_ROWS);
-    mesh.tangents.resize(3);
+    mesh.vertex_rows.resize(3);
     return mesh;
 }
 
@@ -153,8 +152,7 @@ CoreMeshCopy flat_sheet(uint32_t side) {
         mesh.triangles.push_back({corner, corner + 1, corner + side + 1, 0});
         mesh.triangles.push_back({corner + 1, corner + side + 2, corner + side + 1, 0});
     }
-    mesh.vertex_rows.resize(mesh.positions.size() * VERTEX_ROWS);
-    mesh.tangents.resize(mesh.positions.size());
+    mesh.vertex_rows.resize(mesh.positions.size());
     return mesh;
 }
 

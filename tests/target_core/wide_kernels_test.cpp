@@ -178,7 +178,6 @@ protected:
         pass_.path_count = TILE_PATHS;
         bindings_.mesh_triangles = meshes_.mesh_triangles().data();
         bindings_.vertices = meshes_.vertices().data();
-        bindings_.tangents = meshes_.tangents().data();
         bindings_.instances = meshes_.instances().data();
         bindings_.materials = tables_.materials.data();
         bindings_.texture_slots = tables_.texture_slots.data();
