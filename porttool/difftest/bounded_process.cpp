@@ -46,7 +46,7 @@ void limit(int resource, uint64_t most) {
     (void)::setrlimit(static_cast<__rlimit_resource_t>(resource), &value);
 }
 
-/// In the child, before it becomes the program: only calls that are safe after fork().
+/// In the child, before it becomes the program: calls of the system alone, since its memory is still the parent's.
 void become_bounded(const ProcessLimits& limits, pid_t parent, int output) {
     (void)::setpgid(0, 0);
     (void)::prctl(PR_SET_PDEATHSIG, SIGKILL);
@@ -60,6 +60,10 @@ void become_bounded(const ProcessLimits& limits, pid_t parent, int output) {
     (void)::dup2(nothing, STDIN_FILENO);
     (void)::dup2(output, STDOUT_FILENO);
     (void)::dup2(output, STDERR_FILENO);
+    // No handler of ours can run in it: CleanOnInterrupt waits for signals, and has none.
+    sigset_t none;
+    (void)::sigemptyset(&none);
+    (void)::pthread_sigmask(SIG_SETMASK, &none, nullptr);
 }
 
 /// The processes that we have started and still wait for. What they leave behind becomes ours, and is ended by whoever
@@ -149,16 +153,15 @@ ProcessEnd run_process(const std::vector<std::string>& arguments, const std::str
     const std::vector<char*> argv = pointers_to(words), envp = pointers_to(environment);
     const pid_t parent = ::getpid();
     const auto start = ProcessClock::now();
-    const pid_t child = own_processes().start([] { return ::fork(); });
-    if (child < 0) return {127, false, "no process can be started"};
-    if (child == 0) {
-        sigset_t none;
-        (void)::sigemptyset(&none);
-        (void)::pthread_sigmask(SIG_SETMASK, &none, nullptr);
+    const pid_t child = own_processes().start([&] {
+        // Not fork(), which takes away every page of the tables of inputs and has each written one fetched again.
+        const pid_t started = ::vfork();
+        if (started != 0) return started;
         become_bounded(limits, parent, writer.get());
         if (::chdir(folder.c_str()) == 0) ::execve(argv[0], argv.data(), envp.data());
         ::_exit(127);
-    }
+    });
+    if (child < 0) return {127, false, "no process can be started"};
     (void)::setpgid(child, child);  // whoever is first
     writer = Descriptor();
     int status = 0;

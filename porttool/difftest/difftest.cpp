@@ -60,15 +60,17 @@ private:
     std::string path_;
 };
 
-/// Does pieces of work by as many threads as there are cores.
-void in_parallel(size_t count, const std::function<void(size_t)>& work) {
+/// Does pieces of work by as many threads as there are cores. `work` gets the piece's number, and what its thread has
+/// for its trials.
+void in_parallel(size_t count, const std::function<void(size_t, TrialMemory&)>& work) {
     constexpr unsigned kMostThreads = 16;
     std::atomic<size_t> next = 0;
     std::vector<std::thread> threads;
     const unsigned cores = std::clamp(std::thread::hardware_concurrency(), 1u, kMostThreads);
     for (unsigned i = 0; i < std::min<size_t>(cores, count); ++i)
         threads.emplace_back([&] {
-            for (size_t at = next++; at < count; at = next++) work(at);
+            TrialMemory memory;
+            for (size_t at = next++; at < count; at = next++) work(at, memory);
         });
     for (std::thread& thread : threads) thread.join();
 }
@@ -238,8 +240,8 @@ public:
     void run() {
         for (size_t i = 0; i < pairs.size(); ++i) look_at(i);
         build();
-        in_parallel(pairs.size(), [&](size_t i) {
-            if (pairs[i].reason.empty()) compare(i);
+        in_parallel(pairs.size(), [&](size_t i, TrialMemory& memory) {
+            if (pairs[i].reason.empty()) compare(i, memory);
         });
         if (settings_.ulps > 0) compare_with_wide();
     }
@@ -356,7 +358,7 @@ private:
                          definitions(side).standard_headers(*work_[i].unit[side]->file,
                                                             work_[i].subject[side].closure.pieces)});
         BySide<BuiltParts> built;
-        in_parallel(2, [&](size_t which) {
+        in_parallel(2, [&](size_t which, TrialMemory&) {
             const Side side = kBothSides.at(which);
             built[side] = build_parts(parts[side], workshop_, side == Side::Source ? "source" : "target");
         });
@@ -387,13 +389,13 @@ private:
         for (size_t i = 0; i < pairs.size(); ++i)
             if (pairs[i].state == DifftestState::Differs) again.push_back(i);
         if (again.empty()) return;
-        in_parallel(2, [&](size_t which) { build_wide(kBothSides.at(which), again); });
-        in_parallel(again.size(), [&](size_t at) {
+        in_parallel(2, [&](size_t which, TrialMemory&) { build_wide(kBothSides.at(which), again); });
+        in_parallel(again.size(), [&](size_t at, TrialMemory& memory) {
             DifftestPair& pair = pairs[again[at]];
             const DifftestPair before = std::exchange(pair, DifftestPair());
             pair.source = before.source;
             pair.target = before.target;
-            compare(again[at]);
+            compare(again[at], memory);
             if (pair.state == DifftestState::NotRun) pair = before;
         });
     }
@@ -429,7 +431,7 @@ private:
         return read_leaves(run_process({program, "list"}, workshop_.folder, limits).output);
     }
 
-    void compare(size_t i) {
+    void compare(size_t i, TrialMemory& memory) {
         DifftestPair& pair = pairs[i];
         PairWork& work = work_[i];
         LeafMatch match = match_leaves(work.built.source.leaves, work.built.target.leaves);
@@ -437,7 +439,7 @@ private:
         if (!why_not.empty() && lift(work)) match = match_leaves(work.built.source.leaves, work.built.target.leaves);
         pair.reason = match.reason;
         if (!pair.reason.empty()) return;
-        Trial trial(work.built.source, work.built.target, match, {settings_.ulps}, workshop_.folder,
+        Trial trial(work.built.source, work.built.target, match, {settings_.ulps}, workshop_.folder, memory,
                     {work.wide.source.program.empty() ? nullptr : &work.wide.source,
                      work.wide.target.program.empty() ? nullptr : &work.wide.target});
         constexpr size_t kMostSlots = 16'000'000;
@@ -445,12 +447,12 @@ private:
         const size_t records = std::max<size_t>(1, std::min(settings_.inputs, kMostSlots / width));
         const std::vector<double> constants = constants_in(work.subject.source, work.subject.target);
         const std::string array = guessed(work);
-        InputTable table =
-            draw_inputs(trial.inputs(), constants, records, settings_.seed, array.empty() ? 0 : kGuessedCount);
+        InputTable& table = memory.table;
+        draw_inputs(trial.inputs(), constants, records, settings_.seed, array.empty() ? 0 : kGuessedCount, table);
         pair.reason = trial.run(table);
         if (trial.is_endless()) {
             constexpr int64_t kTame = 64;
-            table = draw_inputs(trial.inputs(), constants, records, settings_.seed, kTame);
+            draw_inputs(trial.inputs(), constants, records, settings_.seed, kTame, table);
             pair.reason = trial.run(table);
         }
         if (!pair.reason.empty()) return;

@@ -211,10 +211,10 @@ std::vector<Leaf> common_inputs(const Leaves& source, const Leaves& target, cons
     return out;
 }
 
-InputTable draw_inputs(const std::vector<Leaf>& leaves, const std::vector<double>& constants, size_t records,
-                       uint64_t seed, int64_t most) {
+void draw_inputs(const std::vector<Leaf>& leaves, const std::vector<double>& constants, size_t records, uint64_t seed,
+                 int64_t most, InputTable& out) {
     const size_t width = leaves.size();
-    InputTable out(width * records);
+    out.resize(width * records);
     Drawer drawer(leaves, constants, seed);
     size_t row = 0;
     // Edges, and what lies beside constants, one number at a time: in at most half of the records.
@@ -236,7 +236,6 @@ InputTable draw_inputs(const std::vector<Leaf>& leaves, const std::vector<double
         for (size_t i = 0; i < out.size(); ++i)
             if (const Leaf& leaf = leaves[i % width]; !leaf.is_real())
                 out[i] = static_cast<uint64_t>(static_cast<int64_t>(out[i]) % (most + 1));
-    return out;
 }
 
 uint64_t slot_of(uint64_t input, const Leaf& common, const Leaf& leaf) {

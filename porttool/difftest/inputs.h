@@ -15,11 +15,11 @@ using InputTable = std::vector<uint64_t>;
 /// The narrower of what both sides take, number by number.
 std::vector<Leaf> common_inputs(const Leaves& source, const Leaves& target, const LeafMatch& match);
 
-/// Draws so many records, the same on every machine: edges of each number with the others ordinary; ordinary values;
-/// values beside the constants that stand in the code; unit vectors; numbers equal to each other; any bits at all.
-/// `most`: whole numbers up to that alone, for functions that count to them; 0 for any.
-InputTable draw_inputs(const std::vector<Leaf>& leaves, const std::vector<double>& constants, size_t records,
-                       uint64_t seed, int64_t most = 0);
+/// Makes `out` a table of so many records, the same on every machine: edges of each number with the others ordinary;
+/// ordinary values; values beside the constants that stand in the code; unit vectors; numbers equal to each other; any
+/// bits at all. `most`: whole numbers up to that alone, for functions that count to them; 0 for any.
+void draw_inputs(const std::vector<Leaf>& leaves, const std::vector<double>& constants, size_t records, uint64_t seed,
+                 int64_t most, InputTable& out);
 
 /// The slot of a number as the program of one side reads it.
 uint64_t slot_of(uint64_t input, const Leaf& common, const Leaf& leaf);

@@ -14,19 +14,21 @@ namespace porttool {
 SlotMemory::~SlotMemory() { close(); }
 
 void SlotMemory::close() {
-    if (slots_ != nullptr) (void)::munmap(slots_, count_ * sizeof(uint64_t));
+    if (slots_ != nullptr) (void)::munmap(slots_, room_ * sizeof(uint64_t));
     if (file_ >= 0) (void)::close(file_);
     file_ = -1;
     slots_ = nullptr;
-    count_ = 0;
+    count_ = room_ = 0;
 }
 
 bool SlotMemory::resize(size_t slots) {
-    slots = std::max<size_t>(1, slots);
-    if (slots == count_) return true;
+    if (slots_ != nullptr && slots <= room_) {
+        count_ = slots;
+        return true;
+    }
     close();
     file_ = ::memfd_create("slots", MFD_CLOEXEC | MFD_ALLOW_SEALING);
-    const size_t bytes = slots * sizeof(uint64_t);
+    const size_t room = std::max<size_t>(1, slots), bytes = room * sizeof(uint64_t);
     // Sealed, for what runs on it may do anything, and reading what was cut off would end this program.
     if (file_ < 0 || ::ftruncate(file_, static_cast<off_t>(bytes)) != 0 ||
         ::fcntl(file_, F_ADD_SEALS, F_SEAL_SHRINK | F_SEAL_GROW) != 0)
@@ -35,6 +37,7 @@ bool SlotMemory::resize(size_t slots) {
     if (at == MAP_FAILED) return false;
     slots_ = static_cast<uint64_t*>(at);
     count_ = slots;
+    room_ = room;
     return true;
 }
 

@@ -17,7 +17,8 @@ public:
     SlotMemory(const SlotMemory&) = delete;
     SlotMemory& operator=(const SlotMemory&) = delete;
 
-    /// Makes it that many slots (at least one), whatever they hold. False where there is no memory for them.
+    /// Makes it that many slots, whatever they hold: what it had before is kept and used again where it is enough.
+    /// False where there is no memory for them.
     bool resize(size_t slots);
     std::span<uint64_t> slots() const { return {slots_, count_}; }
     /// By this path a process of the same user opens it, as long as this one lives.
@@ -28,7 +29,7 @@ private:
 
     int file_ = -1;
     uint64_t* slots_ = nullptr;
-    size_t count_ = 0;
+    size_t count_ = 0, room_ = 0;
 };
 
 }  // namespace porttool

@@ -40,23 +40,25 @@ double value_of(uint64_t slot, const Leaf& leaf) {
 }  // namespace
 
 Trial::Trial(const BuiltSide& source, const BuiltSide& target, const LeafMatch& match, Tolerance tolerance,
-             std::string folder, BySide<const BuiltSide*> wide)
+             std::string folder, TrialMemory& memory, BySide<const BuiltSide*> wide)
     : source_(source),
       target_(target),
       match_(match),
       tolerance_(tolerance),
       folder_(std::move(folder)),
       inputs_(common_inputs(source.leaves, target.leaves, match)),
+      memory_(memory),
       wide_(wide) {}
 
 std::string Trial::run_side(const BuiltSide& side, const InputTable& table, bool is_target,
                             std::vector<uint64_t>& out) {
+    SlotMemory &in = memory_.in, &results_of_run = memory_.out;
     const size_t calls = std::max<size_t>(1, side.calls.size());
     const size_t width = side.calls.empty() ? inputs_.size() : side.calls.front().size();
     const size_t outputs = side.calls.empty() ? side.leaves.out.size() : 1;
-    if (!in_.resize(records_ * calls * width) || !out_.resize(records_ * calls * (outputs + 1)))
+    if (!in.resize(records_ * calls * width) || !results_of_run.resize(records_ * calls * (outputs + 1)))
         return "there is no memory for its inputs; give --inputs a smaller number";
-    uint64_t* next = in_.slots().data();
+    uint64_t* next = in.slots().data();
     std::vector<uint64_t> row(inputs_.size());
     for (size_t record = 0; record < records_; ++record) {
         for (size_t i = 0; i < inputs_.size(); ++i) {
@@ -67,17 +69,17 @@ std::string Trial::run_side(const BuiltSide& side, const InputTable& table, bool
         for (const std::vector<size_t>& numbers : side.calls)
             for (const size_t place : numbers) *next++ = row[place];
     }
-    std::fill(out_.slots().begin(), out_.slots().end(), 1);
+    std::fill(results_of_run.slots().begin(), results_of_run.slots().end(), 1);
     std::string failure = run_slots(side, width, outputs, is_target);
     if (side.calls.empty()) {
-        out.assign(out_.slots().begin(), out_.slots().end());
+        out.assign(results_of_run.slots().begin(), results_of_run.slots().end());
         return failure;
     }
     out.assign(records_ * (calls + 1), 0);
     for (size_t i = 0; i < records_ * calls; ++i) {
         uint64_t* const results = &out[i / calls * (calls + 1)];
-        results[0] = std::max(results[0], out_.slots()[2 * i]);
-        results[1 + i % calls] = out_.slots()[2 * i + 1];
+        results[0] = std::max(results[0], results_of_run.slots()[2 * i]);
+        results[1 + i % calls] = results_of_run.slots()[2 * i + 1];
     }
     return failure;
 }
@@ -85,9 +87,10 @@ std::string Trial::run_side(const BuiltSide& side, const InputTable& table, bool
 std::string Trial::run_slots(const BuiltSide& side, size_t width, size_t outputs, bool is_target) {
     ProcessLimits limits;
     limits.time = kRunTime;
-    const ProcessEnd end = run_process({side.program, "run", std::to_string(side.number), std::to_string(width),
-                                        std::to_string(outputs + 1), in_.path(), out_.path()},
-                                       folder_, limits);
+    const ProcessEnd end = run_process(
+        {side.program, "run", std::to_string(side.number), std::to_string(width), std::to_string(outputs + 1),
+         memory_.in.path(), memory_.out.path(), std::to_string(memory_.out.slots().size() / (outputs + 1))},
+        folder_, limits);
     const char* const which = is_target ? "the target" : "the source";
     if (end.timed_out) return fmt::format("{} ran for more than {} s", which, kRunTime.count() / 1000);
     constexpr int kEndless = 5;  // of harness.h
@@ -98,8 +101,8 @@ std::string Trial::run_slots(const BuiltSide& side, size_t width, size_t outputs
 
 std::string Trial::run(const InputTable& table) {
     records_ = inputs_.empty() ? 1 : table.size() / inputs_.size();
-    std::string failure = run_side(source_, table, false, source_out_);
-    if (failure.empty()) failure = run_side(target_, table, true, target_out_);
+    std::string failure = run_side(source_, table, false, memory_.results.source);
+    if (failure.empty()) failure = run_side(target_, table, true, memory_.results.target);
     for (const Side side : kBothSides)
         if (failure.empty() && wide_[side] != nullptr &&
             !run_side(*wide_[side], table, side == Side::Target, wide_out_[side]).empty())
@@ -108,8 +111,8 @@ std::string Trial::run(const InputTable& table) {
 }
 
 bool Trial::repeats(const InputTable& table) {
-    const std::vector<uint64_t> source = source_out_, target = target_out_;
-    return run(table).empty() && source == source_out_ && target == target_out_;
+    const std::vector<uint64_t> source = memory_.results.source, target = memory_.results.target;
+    return run(table).empty() && source == memory_.results.source && target == memory_.results.target;
 }
 
 uint64_t Trial::distance_at(size_t record, size_t output) const {

@@ -26,6 +26,13 @@ struct Tolerance {
     int ulps = 0;  ///< 0: to the bit
 };
 
+/// What trials that follow each other use again: memory that is new is filled with zeros first, page by page.
+struct TrialMemory {
+    InputTable table;    ///< of whoever runs the trial
+    SlotMemory in, out;  ///< of the run that is under way
+    BySide<std::vector<uint64_t>> results;
+};
+
 /// What became of one record on both sides.
 enum class Outcomes : uint8_t {
     Same,  ///< within the tolerance
@@ -36,10 +43,11 @@ enum class Outcomes : uint8_t {
 /// Both sides of a pair, ready to run on the same inputs.
 class Trial {
 public:
-    /// All must outlive it. `folder`: for its files. `wide`: a side with doubles for floats, or nullptr: where the
-    /// other side is no further from its results than this one is, the two differ in how they round alone.
+    /// All must outlive it. `memory`: no other trial's meanwhile. `folder`: for its files. `wide`: a side with doubles
+    /// for floats, or nullptr: where the other side is no further from its results than this one is, the two differ in
+    /// how they round alone.
     Trial(const BuiltSide& source, const BuiltSide& target, const LeafMatch& match, Tolerance tolerance,
-          std::string folder, BySide<const BuiltSide*> wide = {nullptr, nullptr});
+          std::string folder, TrialMemory& memory, BySide<const BuiltSide*> wide = {nullptr, nullptr});
 
     const std::vector<Leaf>& inputs() const { return inputs_; }
 
@@ -64,13 +72,17 @@ public:
 
 private:
     std::string run_side(const BuiltSide& side, const InputTable& table, bool is_target, std::vector<uint64_t>& out);
-    /// Runs a side on in_, rows of `width` slots, into out_.
+    /// Runs a side on the memory's `in`, rows of `width` slots, into its `out`.
     std::string run_slots(const BuiltSide& side, size_t width, size_t outputs, bool is_target);
     uint64_t distance_at(size_t record, size_t output) const;
     bool is_rounding(size_t record, size_t output) const;
     std::optional<double> wide_result(Side side, size_t record, size_t output) const;
-    const uint64_t* source_row(size_t record) const { return &source_out_[record * (source_.leaves.out.size() + 1)]; }
-    const uint64_t* target_row(size_t record) const { return &target_out_[record * (target_.leaves.out.size() + 1)]; }
+    const uint64_t* source_row(size_t record) const {
+        return &memory_.results.source[record * (source_.leaves.out.size() + 1)];
+    }
+    const uint64_t* target_row(size_t record) const {
+        return &memory_.results.target[record * (target_.leaves.out.size() + 1)];
+    }
 
     const BuiltSide &source_, &target_;
     const LeafMatch& match_;
@@ -79,8 +91,7 @@ private:
     std::vector<Leaf> inputs_;
     size_t records_ = 0;
     bool endless_ = false;
-    SlotMemory in_, out_;  ///< of the run that is under way
-    std::vector<uint64_t> source_out_, target_out_;
+    TrialMemory& memory_;
     BySide<const BuiltSide*> wide_;
     BySide<std::vector<uint64_t>> wide_out_;
 };

@@ -447,19 +447,19 @@ void run(R (*function)(A...), const Param* params, const Globals& globals, const
                                   std::index_sequence_for<A...>());
 }
 
-/// A file of slots in memory.
-inline uint64_t* mapped(const char* path, bool writes, size_t& slots) {
+/// The first so many slots of a file in memory.
+inline uint64_t* mapped(const char* path, bool writes, size_t slots) {
     const int file = open(path, writes ? O_RDWR : O_RDONLY);
     struct stat status {};
-    if (file < 0 || fstat(file, &status) != 0) _exit(4);
-    slots = static_cast<size_t>(status.st_size) / 8;
-    void* const at = mmap(nullptr, static_cast<size_t>(status.st_size), writes ? PROT_READ | PROT_WRITE : PROT_READ,
+    if (file < 0 || fstat(file, &status) != 0 || slots > static_cast<size_t>(status.st_size) / 8) _exit(4);
+    void* const at = mmap(nullptr, slots > 0 ? slots * 8 : 8, writes ? PROT_READ | PROT_WRITE : PROT_READ,
                           writes ? MAP_SHARED : MAP_PRIVATE, file, 0);
     if (at == MAP_FAILED) _exit(4);
     return static_cast<uint64_t*>(at);
 }
 
-/// Slots a record of inputs, and of outputs, come on the command line: the inputs are as long as there are records.
+/// Slots a record of inputs, and of outputs, and how many records there are come on the command line: memory may be
+/// larger than that.
 inline int start(int argc, char** argv, const Subject* subjects, size_t count) {
     if (argc == 2) {
         for (size_t i = 0; i < count; ++i) {
@@ -468,16 +468,16 @@ inline int start(int argc, char** argv, const Subject* subjects, size_t count) {
         }
         return 0;
     }
-    if (argc != 7) return 2;
+    if (argc != 8) return 2;
     const int number = std::atoi(argv[2]);
     const auto in_slots = static_cast<size_t>(std::atoll(argv[3])),
-               out_slots = static_cast<size_t>(std::atoll(argv[4]));
-    size_t in_size = 0, out_size = 0;
-    const uint64_t* const in = mapped(argv[5], false, in_size);
-    uint64_t* const out = mapped(argv[6], true, out_size);
+               out_slots = static_cast<size_t>(std::atoll(argv[4])),
+               records = static_cast<size_t>(std::atoll(argv[7]));
+    const uint64_t* const in = mapped(argv[5], false, records * in_slots);
+    uint64_t* const out = mapped(argv[6], true, records * out_slots);
     catch_traps();
     for (size_t i = 0; i < count; ++i)
-        if (subjects[i].number == number) subjects[i].run(in, in_slots, out, out_slots, out_size / out_slots);
+        if (subjects[i].number == number) subjects[i].run(in, in_slots, out, out_slots, records);
     return 0;
 }
 
