@@ -7,6 +7,8 @@
 #include <cmath>
 #include <iterator>
 
+#include "render_system/give_back.h"
+
 namespace target_core {
 
 using namespace render_system;
@@ -127,8 +129,8 @@ void pack_textures(std::span<const CoreTexture> textures, SceneTables& tables) {
     for (const CoreTexture& texture : textures) {
         texels += texture.texels.size();
     }
-    std::vector<uint32_t>().swap(tables.texels);  // `= {}` would keep the room
-    tables.texels.reserve(texels);                // growing would take as much again
+    give_back(tables.texels);
+    tables.texels.reserve(texels);  // growing would take as much again
     tables.texture_features = 0;
     for (size_t i = 0; i < textures.size(); ++i) {
         const CoreTexture& texture = textures[i];
