@@ -10,6 +10,7 @@
 #include "porttool/compare/paired_names.h"
 #include "porttool/judge/assess.h"
 #include "porttool/judge/first_record.h"
+#include "porttool/judge/macro_record.h"
 #include "porttool/match/match_sets.h"
 #include "porttool/read/clock.h"
 #include "porttool/snapshot/map_edit.h"
@@ -165,6 +166,7 @@ Outcome record_map(const Options& options, Workplace& place) {
         if (const std::vector<NewPair> pairs = suggested_pairs(now.project); !pairs.empty())
             map = add_pairs(now.project, pairs);
     LockFile lock = first_lock(now.project.map, now.states);
+    note_macros(lock, now.project, now.states);
     tell_differences(accept_differences(lock, now.states, dialect_of_edits(now.project.map), today()), place);
     store_lock(now.project, {lock, now.states, {}, map.empty() ? nullptr : &map, true}, place.disk);
     return {fmt::format("{} pairs of {} recorded as in step, {} source units without a port as the baseline.\n{}"
@@ -223,6 +225,7 @@ Outcome run_init(const Options& options, Workplace& place) {
     require_finished_merges_of(matching, now.project);
     now.states = read_states(now.project);  // not before: what the matcher needs is as large
     LockFile lock = first_lock(matching, now.states, sets);
+    note_macros(lock, now.project, now.states);
     tell_differences(accept_differences(lock, now.states, Dialect(), today()), place);
     std::vector<AssessedPair> assessed;
     if (options.assess) assessed = assess_pairs(lock, now.states, Dialect());

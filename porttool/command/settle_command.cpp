@@ -11,6 +11,7 @@
 #include "porttool/command/commands.h"
 #include "porttool/command/named.h"
 #include "porttool/judge/lock_index.h"
+#include "porttool/judge/macro_record.h"
 #include "porttool/judge/settle.h"
 #include "porttool/read/clock.h"
 #include "porttool/snapshot/lock_store.h"
@@ -154,6 +155,7 @@ Outcome run_accept(const Options& options, Workplace& place) {
     }
     accept_pairs(checked.lock, accepted, TargetSets(checked.project.map), options.all ? Looked::AtNone : Looked::AtEach,
                  options.reason, today());
+    note_macros(checked.lock, checked.judgement, accepted, checked.project, checked.states);
     std::vector<NewPair> fresh;
     for (const JudgedPair& pair : acceptance.fresh) fresh.push_back({pair.id.source, pair.id.target});
     const std::string map = fresh.empty() ? std::string() : add_pairs(checked.project, fresh);

@@ -3,6 +3,7 @@
 #include "porttool/judge/base_lock.h"
 
 #include "porttool/judge/first_record.h"
+#include "porttool/judge/macro_record.h"
 #include "porttool/read/lock_lines.h"
 #include "porttool/read/lock_upgrade.h"
 #include "porttool/text/sink/terminal.h"
@@ -11,7 +12,8 @@ namespace porttool {
 namespace {
 
 bool same(const LockedPair& a, const LockedPair& b) {
-    return a.source_prints == b.source_prints && a.target_prints == b.target_prints;
+    return a.source_prints == b.source_prints && a.target_prints == b.target_prints &&
+           a.macros.source == b.macros.source && a.macros.target == b.macros.target;
 }
 
 const UnitState* find_in(const std::map<std::string, UnitState>& states, const std::string& id) {
@@ -89,6 +91,7 @@ BaseLock base_lock(const Snapshot& base, const LockFile& then, const LockFile& n
                 out.lock.pairs.push_back({pair.source, target, left->prints, right->prints});
         }
     }
+    note_macros(out.lock, base.project, base.states);
     const TargetSets sets(base.project.map);
     const auto paired = paired_units(base.project.map, sets);
     for (const Side side : kBothSides)

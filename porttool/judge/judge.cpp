@@ -19,6 +19,7 @@
 #include <algorithm>
 
 #include "porttool/judge/lock_index.h"
+#include "porttool/judge/macro_edits.h"
 #include "porttool/judge/pair_judge.h"
 #include "porttool/judge/resolve.h"
 #include "porttool/judge/shared_port.h"
@@ -54,6 +55,7 @@ public:
           shared_ports_(facts, renamed_, pairs_),
           findings_(facts.map),
           pair_judge_(facts, renamed_, findings_),
+          macro_edits_(facts, findings_),
           verdicts_(facts, findings_) {
         if (facts.in_project != nullptr && facts.in_project != &facts.lock)
             in_project_.emplace(facts.map, *facts.in_project, facts.source, facts.target);
@@ -63,6 +65,7 @@ public:
         out_.reference = facts_.map.reference;
         for (const MappedPair& pair : pairs_) judge_pair(pair);
         find_unwatched(facts_, findings_, verdicts_, out_);
+        macro_edits_.tell_how_many();
         verdicts_.report_idle();
         report_unreadable();
         report_unexplained_kernels();
@@ -97,6 +100,7 @@ private:
         out_.pairs.push_back(pair_judge_.judge(mapped.id, mapped.map_line, mapped.units, mapped.lock));
         JudgedPair& pair = out_.pairs.back();
         if (is_unrecorded(mapped)) report_unrecorded(pair);
+        macro_edits_.judge(pair, mapped.lock.pair);
         report_unexplained(pair);
         const Level told = weigh_shared_port(mapped, pair, first);
         const std::optional<Verdict> verdict = verdicts_.settle(pair, first);
@@ -212,6 +216,7 @@ private:
     SharedPorts shared_ports_;
     FindingList findings_;
     PairJudge pair_judge_;
+    MacroEdits macro_edits_;
     Verdicts verdicts_;
     std::optional<LockIndex> in_project_;           ///< of the project's own lock, where another stands in for it
     std::map<std::string, std::string> looked_at_;  ///< units of the baseline, with the prints of their texts

@@ -88,7 +88,8 @@ struct JudgedPair {
     BySide<const UnitState*> unit = {};  ///< today's, if there
     uint32_t map_line = 1;               ///< where the pair stands in portmap.toml
     bool changed = false;
-    bool equivalent = false;  ///< both sides changed alike
+    bool equivalent = false;      ///< both sides changed alike
+    std::string macro_edit = {};  ///< how macros changed what its words say: equal for pairs that one look settles
     PairStanding standing = PairStanding::InStep;
 };
 

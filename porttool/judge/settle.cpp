@@ -130,6 +130,7 @@ void accept_pairs(LockFile& lock, const std::vector<const JudgedPair*>& pairs, c
             line.by.clear();
         }
         if (source != nullptr && target != nullptr) {
+            line.macros = {};
             line.source_prints = source->prints;
             line.target_prints = target->prints;
             lock.pairs.push_back(std::move(line));

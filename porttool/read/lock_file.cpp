@@ -143,6 +143,7 @@ bool read_line_2(LockFile& lock, const Fields& f) {
         pair.more = more_of(f, 9);
         pair.state = taken(pair.more, "state", pair.state);
         pair.by = taken(pair.more, "by");
+        pair.macros = {taken(pair.more, "source-macros"), taken(pair.more, "target-macros")};
         lock.pairs.push_back(std::move(pair));
     } else if (f[0] == "unit" && f.size() >= 7) {
         lock.baseline.push_back({decoded(f[2]), prints_of(f, 3, true), f[6], f[1], more_of(f, 7)});
@@ -321,7 +322,10 @@ std::string lock_text(const LockFile& lock) {
         lines.add(pair.source, pair.target,
                   "pair\t" + encoded(pair.source) + "\t" + encoded(pair.target) + "\t" + text_of(pair.source_prints) +
                       "\t" + text_of(pair.target_prints) +
-                      text_of(pair.more, {{"state", pair.state}, {"by", pair.by}}));
+                      text_of(pair.more, {{"state", pair.state},
+                                          {"by", pair.by},
+                                          {"source-macros", pair.macros.source},
+                                          {"target-macros", pair.macros.target}}));
     for (const LockedUnit& unit : lock.baseline)
         lines.add(unit.id, "",
                   "unit\t" + plain(unit.side) + "\t" + encoded(unit.id) + "\t" + text_of(unit.prints) + "\t" +

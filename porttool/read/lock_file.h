@@ -35,7 +35,8 @@ struct LockedPair {
     std::string state = "recorded";  ///< or kVerified
     std::string by = {};             ///< what verified it, and when
     MoreFields more = {};
-    int line = 0;  ///< in the file that it was read from
+    int line = 0;                     ///< in the file that it was read from
+    BySide<std::string> macros = {};  ///< what WordMacros::of() gave then; "" where that is not known
 };
 
 /// A unit that no pair watches, as it was when it was last looked at: a source unit without a counterpart is in the

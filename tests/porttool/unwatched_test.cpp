@@ -257,6 +257,81 @@ TEST(Unwatched, AMacroInThePlaceOfAWordOfTheLanguageIsToldForItself) {
     EXPECT_EQ(rules(check(disk)), Rules{}) << "what only names a qualifier is no unit";
 }
 
+/// A pair that no edit touches, beside a header of its own side and one that it does not include.
+std::map<std::string, std::string> macro_project() {
+    return {{"/r/src/k.cu",
+             "#include \"real.cuh\"\n#define real float\n__device__ real f(real x, real* restrict p) "
+             "{ return sinf(x) + fma(x, p[0], x); }\n__device__ real g(real x) { return sinf(x); }\n"},
+            {"/r/src/real.cuh", "#pragma once\n"},
+            {"/r/src/other.cuh", "#pragma once\n"},
+            {"/r/port/k.comp",
+             "float f(float x, float p) { return sin(x) + fma(x, p, x); }\n"
+             "float g(float x) { return sin(x); }\n"},
+            {"/r/portmap.toml",
+             "version = 1\n[sides]\nsource = [\"src/*\"]\ntarget = [\"port/*\"]\n"
+             "[[pair]]\nsource = \"src/k.cu:f\"\ntarget = \"port/k.comp:f\"\n"
+             "[[pair]]\nsource = \"src/k.cu:g\"\ntarget = \"port/k.comp:g\"\n"}};
+}
+
+struct MacroRow {
+    const char *file, *from, *to;  ///< the edit: `to` goes before the text where `from` is ""
+    const char* says;              ///< of the finding; "" for none
+};
+
+TEST(Unwatched, AMacroThatGivesAWordOfAnUneditedUnitAnotherMeaningIsAnError) {
+    const std::vector<MacroRow> rows = {
+        {"src/k.cu", "", "#define sinf __sinf\n",
+         "`#define sinf __sinf` now (src/k.cu:1); so does the source of 1 more"},
+        {"src/k.cu", "", "#define fma(a, b, c) ((a) * (b) + (c))\n", "`#define fma ...` now (src/k.cu:1)"},
+        {"src/k.cu", "", "#define restrict\n", "`#define restrict` now (src/k.cu:1)"},
+        {"src/real.cuh", "", "#define sinf __sinf\n", "(src/real.cuh:1)"},
+        {"src/k.cu", "real float", "real double", "its word real is `#define real double` now"},
+        {"src/k.cu", "#define real float", "", "its word real is a macro no longer"},
+        {"src/k.cu", "#include", "#include \"other.cuh\"\n#undef real\n#include", "its word real is `#undef real` now"},
+        {"src/other.cuh", "", "#define sinf __sinf\n", ""},                  // f() does not see it
+        {"src/k.cu", "", "#define HOST __host__\n#define also real\n", ""},  // nobody had the word
+        {"src/k.cu", "return sinf(x);", "return cosf(x);", "-"},             // told as the edit that it is
+    };
+    for (const MacroRow& row : rows) {
+        MemoryDisk disk;
+        disk.files = macro_project();
+        ASSERT_EQ(porttool_at_r(disk, {"init"}).exit_code, 0);
+        ASSERT_EQ(rules(check(disk)), Rules{}) << row.to;
+        std::string& text = disk.files["/r/" + std::string(row.file)];
+        text = *row.from == '\0' ? row.to + text : replaced(text, row.from, row.to);
+        const auto report = check(disk);
+        Rules found = rules(report);
+        std::erase(found, "unported");
+        ASSERT_EQ(found, *row.says == '\0' ? Rules{} : Rules{"source-changed"}) << row.to << report.dump(1);
+        for (const auto& finding : report["findings"]) {
+            if (finding["rule"] == "unported") continue;
+            EXPECT_EQ(finding["level"], "error") << row.to;
+            EXPECT_NE(finding["message"].get<std::string>().find(row.says), std::string::npos) << finding["message"];
+        }
+        EXPECT_EQ(porttool_at_r(disk, {"accept", "src/k.cu:f", "--reason", "the device rounds so"}).exit_code, 0);
+        if (*row.says != '-') {
+            found = rules(check(disk));
+            std::erase(found, "unported");
+            EXPECT_EQ(found, Rules{}) << row.to << ": one look settles the macro";
+        }
+    }
+}
+
+TEST(Unwatched, MacrosThatBothSidesGetAlikeAreInStepAndALockFromBeforeIsSilent) {
+    MemoryDisk disk;
+    disk.files = macro_project();
+    ASSERT_EQ(porttool_at_r(disk, {"init"}).exit_code, 0);
+    std::map<std::string, std::string> before = disk.files;
+    for (const char* file : {"/r/src/k.cu", "/r/port/k.comp"}) disk.files[file] = "#define x y\n" + disk.files[file];
+    EXPECT_EQ(rules(check(disk)), Rules{});
+    disk.files = before;
+    std::string& lock = disk.files["/r/portmap.lock"];
+    for (size_t at = 0; (at = lock.find("-macros=", at)) != std::string::npos;)
+        lock.erase(at - 7, std::min(lock.find_first_of("\t\n", at), lock.size()) - at + 7);
+    disk.files["/r/src/k.cu"] = "#define sinf __sinf\n" + disk.files["/r/src/k.cu"];
+    EXPECT_EQ(rules(check(disk)), Rules{}) << "what macros were there then is not known";
+}
+
 TEST(Unwatched, OfAKernelAndItsLauncherTheKernelIsTold) {
     MemoryDisk disk = started(kLum + "void step(int n) { printf(\"%d\", n); }\n", kLumPort);
     const std::string kernel =

@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/judge/macro_edits.h"
+
+#include <fmt/format.h>
+
+#include "porttool/scan/scan.h"
+
+namespace porttool {
+namespace {
+
+/// The words of which macros make something else than they did, each with what they make now; "-" for nothing.
+std::string difference(std::string_view then, std::string_view now) {
+    const auto before = words_with_macros(then), after = words_with_macros(now);
+    std::string out;
+    const auto add = [&](std::string_view word, std::string_view hash) {
+        out += (out.empty() ? "" : " ") + std::string(word) + ":" + std::string(hash);
+    };
+    for (const auto& [word, hash] : before)
+        if (!after.contains(word)) add(word, "-");
+    for (const auto& [word, hash] : after)
+        if (const auto known = before.find(word); known == before.end() || known->second != hash) add(word, hash);
+    return out;
+}
+
+/// A definition as a message has it.
+std::string shown(const WordMacro& macro) {
+    constexpr size_t kMost = 80;
+    return "`" + (macro.text.size() <= kMost ? macro.text : macro.text.substr(0, kMost) + " ...") + "`";
+}
+
+}  // namespace
+
+WordMacros& MacroEdits::macros(Side side) {
+    if (!macros_[side]) macros_[side].emplace(*facts_.files[side]);
+    return *macros_[side];
+}
+
+void MacroEdits::judge(JudgedPair& pair, const LockedPair* line) {
+    if (line == nullptr || facts_.files.source == nullptr) return;
+    BySide<std::string> edits;
+    for (const Side side : kBothSides) edits[side] = edit_of(pair, *line, side);
+    if (edits.source == edits.target) return;  // none, or both sides did the same
+    for (const Side side : kBothSides)
+        if (!edits[side].empty()) tell(pair, side, edits[side]);
+}
+
+/// Held against the text as it was recorded: a unit that was edited to use a macro tells of that by itself.
+std::string MacroEdits::edit_of(const JudgedPair& pair, const LockedPair& line, Side side) {
+    const std::string& then = line.macros[side];
+    const UnitState* unit = pair.unit[side];
+    if (then.empty() || unit == nullptr) return {};
+    const std::string& print = (side == Side::Source ? line.source_prints : line.target_prints).written;
+    const std::string now = print == unit->prints.written ? macros(side).of(unit->file, unit->text)
+                                                          : macros(side).of(unit->file, facts_.base_text(print));
+    return now == then ? std::string() : difference(then, now);
+}
+
+void MacroEdits::tell(JudgedPair& pair, Side side, const std::string& edit) {
+    const std::string key = (side == Side::Source ? "source " : "target ") + edit;
+    pair.macro_edit += (pair.macro_edit.empty() ? "" : ", ") + key;
+    const bool was_changed = std::exchange(pair.changed, true);
+    if (const auto known = told_.find(key); known != told_.end()) {
+        ++known->second.more;
+        if (!was_changed) pair.equivalent = true;  // accept --all takes it along
+        return;
+    }
+    pair.equivalent = false;
+    const UnitState& unit = *pair.unit[side];
+    Finding& finding = findings_.add(side == Side::Source ? Rule::SourceChanged : Rule::TargetChanged, pair, {}, "",
+                                     "macros of " + key);
+    for (const auto& [word, hash] : words_with_macros(edit)) {
+        std::string says;
+        if (const auto seen = macros(side).seen_from(unit.file, word); !seen.empty()) {
+            says = fmt::format("{} now ({}:{})", shown(seen.front()), seen.front().file, seen.front().line);
+            finding.details.push_back("+ " + seen.front().text);
+        } else {
+            says = "a macro no longer";
+            finding.details.push_back("- #define " + std::string(word));
+        }
+        if (finding.message.empty())
+            finding.message =
+                fmt::format("{} says something else, unedited: ", side == Side::Source ? "the source" : "the port") +
+                (word == "*" ? "macros changed of more of its words than are kept apart"
+                             : fmt::format("its word {} is {}", word, says));
+    }
+    if (finding.details.size() > 1) finding.message += fmt::format(" (and {} more)", finding.details.size() - 1);
+    told_.emplace(key, Told{finding.fingerprint});
+}
+
+void MacroEdits::tell_how_many() {
+    for (const auto& [key, told] : told_) {
+        if (told.more == 0) continue;
+        for (Finding& finding : findings_.from(0))
+            if (finding.fingerprint == told.fingerprint)
+                finding.message += fmt::format("; so {} of {} more pair{}",
+                                               key.starts_with("source") ? "does the source" : "does the port",
+                                               told.more, told.more == 1 ? "" : "s");
+    }
+}
+
+}  // namespace porttool

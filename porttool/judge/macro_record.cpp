@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/judge/macro_record.h"
+
+#include <set>
+#include <string>
+#include <utility>
+
+#include "porttool/normal/word_macros.h"
+
+namespace porttool {
+namespace {
+
+/// Fills in lines of pairs by what the files of one moment say.
+class MacroNotes {
+public:
+    MacroNotes(const Project& project, const States& states)
+        : macros_{WordMacros(project.source), WordMacros(project.target)}, states_(states) {}
+
+    void note(LockedPair& line) {
+        note(line, Side::Source, line.source, line.source_prints);
+        note(line, Side::Target, line.target, line.target_prints);
+    }
+
+private:
+    void note(LockedPair& line, Side side, const std::string& id, const Fingerprints& prints) {
+        const auto unit = states_[side].find(id);
+        if (!line.macros[side].empty() || unit == states_[side].end() || unit->second.prints != prints) return;
+        line.macros[side] = macros_[side].of(unit->second.file, unit->second.text);
+    }
+
+    BySide<WordMacros> macros_;
+    const States& states_;
+};
+
+}  // namespace
+
+void note_macros(LockFile& lock, const Project& project, const States& states) {
+    if (lock.pairs.empty()) return;
+    MacroNotes notes(project, states);
+    for (LockedPair& line : lock.pairs) notes.note(line);
+}
+
+void note_macros(LockFile& lock, const Judgement& judgement, const std::vector<const JudgedPair*>& accepted,
+                 const Project& project, const States& states) {
+    using Two = std::pair<std::string, std::string>;
+    std::set<Two> anew;
+    std::set<std::string> edits;
+    for (const JudgedPair* pair : accepted) {
+        anew.insert({pair->id.source, pair->id.target});
+        if (!pair->macro_edit.empty()) edits.insert(pair->macro_edit);
+    }
+    for (const JudgedPair& pair : judgement.pairs)
+        if (edits.contains(pair.macro_edit)) anew.insert({pair.id.source, pair.id.target});
+    if (anew.empty()) return;
+    MacroNotes notes(project, states);
+    for (LockedPair& line : lock.pairs) {
+        if (!anew.contains(Two{line.source, line.target})) continue;
+        line.macros = {};
+        notes.note(line);
+    }
+}
+
+}  // namespace porttool
