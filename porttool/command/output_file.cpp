@@ -38,9 +38,27 @@ Project named_project(const Options& options, Disk& disk) {
     return project;
 }
 
+/// Where a file that may be a link, also one that leads nowhere yet, is or would be made.
+std::string written_place(std::filesystem::path file) {
+    constexpr int kMostLinks = 40;
+    std::error_code error;
+    for (int i = 0; i < kMostLinks && std::filesystem::is_symlink(std::filesystem::symlink_status(file, error)); ++i)
+        file = file.parent_path() / std::filesystem::read_symlink(file, error);
+    return plain_path(file.generic_string());
+}
+
+/// True for a name in the project's folder that a link takes out of it: a commit can hold that link.
+bool leads_out(const Project& project, const std::string& path) {
+    const auto beneath = [](const std::string& file, const std::string& folder) {
+        return file.starts_with(folder.ends_with('/') ? folder : folder + "/");
+    };
+    const std::string named = absolute_path(path), root = plain_path(project.root);
+    const bool is_named_beneath = beneath(named, root) || beneath(named, absolute_path(project.root));
+    return !project.root.empty() && is_named_beneath && !beneath(written_place(named), root);
+}
+
 /// What a file is to a project, or "".
-std::string part_of_project(const Options& options, const std::string& file, Disk& disk) {
-    const Project project = named_project(options, disk);
+std::string part_of_project(const Project& project, const std::string& file) {
     const auto is = [&](const std::string& path) { return file == plain_path(path); };
     if (is(project.map_path)) return "is the map";
     if (!project.map_path.empty() && is(lock_path(project))) return "is the lock";
@@ -60,9 +78,13 @@ void require_output(const Options& options, const std::string& option, const std
     const std::string folder = std::filesystem::path(path).parent_path().generic_string();
     if (!folder.empty() && !disk.is_directory(folder))
         throw CannotDo(option + ": there is no folder " + terminal_text(folder) + "; make it first");
+    const Project project = named_project(options, disk);
+    if (leads_out(project, path))
+        throw CannotDo(option + " is a link, or lies behind one, that leads out of " + terminal_text(project.root) +
+                       ": a change may have brought it\nRemove the link, or name the file that it leads to");
     if (!disk.exists(path)) return;
     const std::string file = plain_path(absolute_path(path));
-    std::string what = part_of_project(options, file, disk);
+    std::string what = part_of_project(project, file);
     for (const std::string& read : options.paths)
         if (what.empty() && file == plain_path(absolute_path(join_path(options.directory, read)))) what = "is read";
     if (!what.empty()) throw CannotDo(option + " " + what + ", which would be lost; name another file");

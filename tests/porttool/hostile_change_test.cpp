@@ -687,6 +687,20 @@ TEST_F(HostileChange, FoldersNestedDeeperThanAnyPathAreNoFiles) {
         EXPECT_EQ(porttool(command).exit_code, 0) << command[0];
 }
 
+TEST_F(HostileChange, OutputDoesNotFollowALinkOutOfTheTree) {
+    fs::create_symlink(outside / "notes.txt", root / "a.json");
+    fs::create_symlink(outside / "none", root / "b.json");
+    fs::create_directory_symlink(outside, root / "c");
+    fs::create_symlink("b.json", root / "d.json");
+    for (const char* file : {"a.json", "b.json", "c/e.json", "d.json"}) {
+        const CommandRun got = porttool({"check", "--format", "json", "-o", file});
+        EXPECT_EQ(got.exit_code, 2) << file;
+        EXPECT_NE(got.err.find("leads out of"), std::string::npos) << file << got.err;
+    }
+    EXPECT_EQ(read_text(outside / "notes.txt"), "precious");
+    for (const char* file : {"none", "e.json"}) EXPECT_FALSE(fs::exists(outside / file)) << "made there";
+}
+
 TEST_F(HostileChange, OutputGoesToWhatTheFileIs) {
     const fs::path shared = fs::exists("/dev/shm")
                                 ? fs::path("/dev/shm") / ("porttool_test" + std::to_string(::getpid()) + ".txt")
