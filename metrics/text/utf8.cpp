@@ -3,6 +3,7 @@
 #include "metrics/text/utf8.h"
 
 #include <cstdint>
+#include <cstring>
 
 namespace metrics {
 
@@ -26,10 +27,22 @@ namespace {
 
 constexpr std::string_view kReplacement = "\xEF\xBF\xBD";
 
+/// How many bytes of ASCII a text begins with: mostly all of it.
+size_t ascii_length(std::string_view bytes) {
+    constexpr uint64_t kHighBits = 0x8080808080808080u;
+    size_t at = 0;
+    for (uint64_t eight = 0; at + sizeof eight <= bytes.size(); at += sizeof eight) {
+        std::memcpy(&eight, bytes.data() + at, sizeof eight);
+        if ((eight & kHighBits) != 0) break;
+    }
+    while (at < bytes.size() && static_cast<unsigned char>(bytes[at]) < 0x80) ++at;
+    return at;
+}
+
 }  // namespace
 
 bool is_utf8(std::string_view bytes) {
-    while (!bytes.empty()) {
+    for (bytes.remove_prefix(ascii_length(bytes)); !bytes.empty(); bytes.remove_prefix(ascii_length(bytes))) {
         const size_t length = utf8_length(bytes);
         if (length == 0) return false;
         bytes.remove_prefix(length);
@@ -41,6 +54,10 @@ std::string as_utf8(std::string_view bytes) {
     std::string out;
     out.reserve(bytes.size());
     while (!bytes.empty()) {
+        const size_t plain = ascii_length(bytes);
+        out += bytes.substr(0, plain);
+        bytes.remove_prefix(plain);
+        if (bytes.empty()) break;
         const size_t length = utf8_length(bytes);
         out += length > 0 ? bytes.substr(0, length) : kReplacement;
         bytes.remove_prefix(length > 0 ? length : 1);

@@ -58,6 +58,7 @@ private:
 
     /// Moves to `to`, counting the lines on the way.
     void advance(size_t to) {
+        if (next_splice_ == splices_.size()) return advance_without_splices(to);
         for (; at_ < to; ++at_) {
             count_splices();
             if (text_[at_] == '\n') {
@@ -66,6 +67,14 @@ private:
             }
         }
         count_splices();
+    }
+
+    void advance_without_splices(size_t to) {
+        for (; at_ < to; ++at_) {
+            if (text_[at_] != '\n') continue;
+            begin_line(at_ + 1);
+            line_is_fresh_ = true;
+        }
     }
 
     void count_splices() {
