@@ -6,6 +6,8 @@
 #include <map>
 #include <set>
 #include <spirv-tools/libspirv.hpp>
+#include <tuple>
+#include <utility>
 
 #include "source_core/device/kernel_compiler.h"
 #include "source_core/device/kernel_files.h"
@@ -24,14 +26,23 @@ std::map<std::string, std::string> built_in_kernels() {
     return *files;
 }
 
-std::vector<uint32_t> compile(Kernel kernel, uint32_t features, TableAccess access) {
+// Compiled once for all tests of a process.
+const std::vector<uint32_t>& compile(Kernel kernel, uint32_t features, TableAccess access) {
     static const auto files = built_in_kernels();
-    KernelVariant variant;
-    variant.features = features;
-    variant.tables.fill(access);
-    auto words = compile_kernel(files, std::string(kernel_name(kernel)) + ".comp", variant.preamble());
-    EXPECT_TRUE(words.ok()) << words.status.message;
-    return words.ok() ? *words : std::vector<uint32_t>{};
+    static std::map<std::tuple<Kernel, uint32_t, TableAccess>, std::vector<uint32_t>> modules;
+    const auto [found, is_new] = modules.try_emplace({kernel, features, access});
+    if (is_new) {
+        KernelVariant variant;
+        variant.features = features;
+        variant.tables.fill(access);
+        auto words = compile_kernel(files, std::string(kernel_name(kernel)) + ".comp", variant.preamble());
+        EXPECT_TRUE(words.ok()) << words.status.message;
+        if (words.ok()) {
+            found->second = std::move(*words);
+        }
+    }
+    EXPECT_FALSE(found->second.empty()) << "did not compile";
+    return found->second;
 }
 
 std::string disassemble(const std::vector<uint32_t>& words) {
@@ -53,7 +64,9 @@ void for_each_line(const std::string& text, const std::function<void(const std::
 class EveryModule : public testing::TestWithParam<std::tuple<uint32_t, uint32_t, TableAccess>> {
 protected:
     Kernel kernel() const { return static_cast<Kernel>(std::get<0>(GetParam())); }
-    std::vector<uint32_t> module() const { return compile(kernel(), std::get<1>(GetParam()), std::get<2>(GetParam())); }
+    const std::vector<uint32_t>& module() const {
+        return compile(kernel(), std::get<1>(GetParam()), std::get<2>(GetParam()));
+    }
 };
 
 }  // namespace
