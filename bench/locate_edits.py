@@ -6,10 +6,12 @@
 An answer is right if the kernel named is one that the edit can reach: by a call graph of names made here from the
 texts and, where several kernels reach it, by rendering once more with the edit in that kernel alone (source side).
 The source side needs no building (--kernels); for the target side the kernels of one lane are compiled, with the
-commands of the build folder, and linked in front of the library. Edits that do not compile, or never end, are left out.
+commands of the build folder, and linked in front of the library into a core module of their own, which the program
+loads from PATHTRACER_MODULES. Edits that do not compile, or never end, are left out.
 """
 import argparse
 import json
+import os
 import pathlib
 import random
 import re
@@ -49,9 +51,9 @@ NEUTRAL = [
     (None, "extend.glsl", "hit.instance == NONE", "NONE == hit.instance"),
     (None, "shade.glsl", "pass.segment >= 3u", "pass.segment > 2u"),
     (None, "shade.glsl", "0.25f * max(bsdf.pick_diffuse, bsdf.alpha)", "max(bsdf.alpha, bsdf.pick_diffuse) * 0.25f"),
-    (None, "bsdf.glsl", "return select(dot(bsdf.side, wi) < 0.0f, mirrored(wi, bsdf.side), wi);",
-     "return select(dot(bsdf.side, wi) >= 0.0f, wi, mirrored(wi, bsdf.side));"),
-    (None, "bsdf.glsl", "Mask reflects = lobe < bsdf.pick_reflection;", "Mask reflects = bsdf.pick_reflection > lobe;"),
+    (None, "bsdf.glsl", "wi = select(bsdf.is_smooth && wrong_side, mirrored(wi, bsdf.side), wi);",
+     "wi = select(!(bsdf.is_smooth && wrong_side), wi, mirrored(wi, bsdf.side));"),
+    (None, "bsdf.glsl", "Mask reflects = lobe < reflecting;", "Mask reflects = reflecting > lobe;"),
     (None, "connect.glsl", "load_path_radiance(rows_from(path)) + load_shadow_contribution(job)",
      "load_shadow_contribution(job) + load_path_radiance(rows_from(path))"),
     (None, "finalize.glsl", "vec3(load_accumulator(pixel)) + radiance", "radiance + vec3(load_accumulator(pixel))"),
@@ -138,11 +140,12 @@ class Side:
         return result
 
 
-def compare(program, scene, size, kernels=None):
+def compare(program, scene, size, kernels=None, modules=None):
     command = [program, "compare", *scene, "--size", size, "--spp", "3", "--exact", "--locate", "--format", "json"]
     command += ["--kernels", str(kernels)] if kernels else []
+    environment = {**os.environ, "PATHTRACER_MODULES": str(modules)} if modules else None
     try:
-        done = subprocess.run(command, capture_output=True, text=True, timeout=60)
+        done = subprocess.run(command, capture_output=True, text=True, timeout=60, env=environment)
     except subprocess.TimeoutExpired:
         return None
     return json.loads(done.stdout) if done.returncode == 0 else None
@@ -177,11 +180,18 @@ class SourceTrial:
 
 class TargetTrial:
     def __init__(self, side, program, folder):
-        self.side, self.folder = side, folder
+        self.side, self.folder, self.program = side, folder, program
         self.build = pathlib.Path(program).resolve().parent.parent
         commands = json.loads((self.build / "compile_commands.json").read_text())
         self.compile = {pathlib.Path(c["file"]).name: c for c in commands if "/target_core/" in c["file"]}
-        link = subprocess.run(["ninja", "-C", str(self.build), "-t", "commands", "-s", "bin/pathtracer"],
+        module = next(self.build.glob("lib*/**/pathtracer-core-target.so"))
+        self.modules = folder / "modules"
+        self.modules.mkdir(parents=True)
+        for other in module.parent.glob("*.so"):
+            if other.name != module.name:
+                shutil.copy(other, self.modules)
+        link = subprocess.run(["ninja", "-C", str(self.build), "-t", "commands", "-s",
+                               str(module.relative_to(self.build))],
                               capture_output=True, text=True, check=True).stdout.strip().splitlines()[-1]
         self.link = re.search(r"&& (.*?) && :", link).group(1)
         self.tree = folder / "tree"
@@ -189,7 +199,7 @@ class TargetTrial:
         for part in ("render_system", "source_core"):
             (self.tree / part).symlink_to(ROOT / part)
         shutil.copytree(ROOT / "target_core", self.tree / "target_core")
-        self.program = str(folder / "pathtracer")
+        self.module = str(self.modules / module.name)
 
     def closure(self, file):
         text = (self.tree / file).read_text() if (self.tree / file).is_file() else ""
@@ -214,11 +224,11 @@ class TargetTrial:
             if done.returncode:
                 return False
             objects.append(output)
-        link = re.sub(r"-o \S+", f"{' '.join(objects)} -o {self.program}", self.link, count=1)
+        link = re.sub(r"-o \S+", f"{' '.join(objects)} -o {self.module}", self.link, count=1)
         return subprocess.run(link, shell=True, cwd=self.build, capture_output=True).returncode == 0
 
     def run(self, scene, size):
-        return compare(self.program, scene, size)
+        return compare(self.program, scene, size, modules=self.modules)
 
 
 def judge(trial, side, scenes, edit, text):
@@ -258,7 +268,10 @@ def known_edits(trial, side, scenes):
         text = side.files[file]
         assert text.count(old) == 1, (file, old)
         trial.prepare(file, text.replace(old, new))
-        firsts = [trial.run(scene, size)["locate"]["first"] for scene, size in scenes.values()]
+        results = [trial.run(scene, size) for scene, size in scenes.values()]
+        if None in results:
+            sys.exit(f"{file}: {old} -> {new}: the comparison ended, or took over a minute; is {' and '.join(scenes)} there?")
+        firsts = [result["locate"]["first"] for result in results]
         said = [first and first["kernel"] for first in firsts]
         right = set(said) - {None} == ({kernel} if kernel else set())
         wrong += not right

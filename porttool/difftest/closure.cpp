@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 
+#include "porttool/difftest/argument_list.h"
 #include "porttool/difftest/prelude.h"
 #include "porttool/normal/unit_state.h"
 
@@ -29,6 +30,29 @@ bool is_about_streams(const ScannedFile& file, const Unit& unit) {
             return true;
     }
     return false;
+}
+
+/// The names that a macro gives its arguments.
+std::set<std::string, std::less<>> macro_parameters(const Definition& macro) {
+    const LexedText& lexed = macro.file->lexed;
+    std::set<std::string, std::less<>> out;
+    uint32_t i = macro.tokens.first + 3;  // # define NAME
+    const auto is_glued = [&] {
+        return lexed.tokens[i - 1].offset + lexed.tokens[i - 1].length == lexed.tokens[i].offset;
+    };
+    if (i >= macro.tokens.end || lexed.view(i) != "(" || !is_glued()) return out;
+    for (++i; i < macro.tokens.end && lexed.view(i) != ")"; ++i) out.insert(std::string(lexed.view(i)));
+    return out;
+}
+
+/// True for the name of a field where it is declared: `float x, y[3];`. `depth`: of the parentheses that it stands in.
+bool is_field(const LexedText& lexed, uint32_t i, uint32_t end, int depth) {
+    if (depth != 0 || i == 0 || i + 1 >= end) return false;
+    const std::string_view before = lexed.view(i - 1), next = lexed.view(i + 1);
+    const bool after_type = lexed.tokens[i - 1].kind == TokenKind::Identifier || before == "*" || before == "&" ||
+                            before == ">" || before == ",";
+    return after_type && before != "return" &&
+           (next == ";" || next == "," || next == "[" || next == "=" || next == ":");
 }
 
 class Collector {
@@ -81,6 +105,7 @@ public:
         std::set<std::string, std::less<>> locals;
         if (one.unit != nullptr && one.kind == Definition::Kind::Function)
             for (std::string& name : local_names(*one.file, *one.unit)) locals.insert(std::move(name));
+        if (one.kind == Definition::Kind::Macro) locals = macro_parameters(one);
         TokenRange range = one.tokens;
         if (supplied_.functions.contains(&one)) range.end = one.unit->body.first;
         names_in(one, range, left_out, locals, words);
@@ -131,6 +156,7 @@ private:
                   const std::set<std::string, std::less<>>& locals, std::set<std::string, std::less<>>* words) {
         const LexedText& lexed = one.file->lexed;
         auto hole = left_out.begin();
+        int depth = 0;
         for (uint32_t i = range.first; i < range.end && out.missing.empty(); ++i) {
             while (hole != left_out.end() && hole->end <= i) ++hole;
             if (hole != left_out.end() && hole->first <= i) {
@@ -138,19 +164,24 @@ private:
                 continue;
             }
             const Token& token = lexed.tokens[i];
+            if (lexed.view(token) == "(") ++depth;
+            if (lexed.view(token) == ")") --depth;
             if (token.kind != TokenKind::Identifier || (token.flags & kDead) != 0) continue;
             const std::string_view word = lexed.view(token);
             if (words != nullptr) words->insert(std::string(word));
+            if (one.kind == Definition::Kind::Function && one.unit != nullptr && i == one.unit->name_token) continue;
             if (is_member_access(lexed, i) || (i > 0 && lexed.view(i - 1) == "::"))
                 seen_members.insert(std::string(word));
             if (is_member_access(lexed, i) || locals.contains(word) || word == "defined") continue;
+            if (one.kind == Definition::Kind::Struct && is_field(lexed, i, range.end, depth)) continue;
             if (is_vector_type(word)) {
                 // Languages that have vectors themselves let nobody define them, or their operators.
                 if (has_vectors_) continue;
                 if (vectors_.insert(std::string(word)).second && definitions_.find(*one.file, word).empty())
                     bring_operators(word);
             }
-            for (const Definition* found : definitions_.find(*one.file, word))
+            for (const Definition* found :
+                 callable(definitions_.find(*one.file, word), arguments_of_call(lexed, i, range.end)))
                 if (found->owner.empty() && found != &one) bring(*found);
         }
     }

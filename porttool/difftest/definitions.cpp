@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "porttool/difftest/prelude.h"
+#include "porttool/language/words.h"
 #include "porttool/normal/unit_state.h"
 #include "porttool/read/source_files.h"
 #include "porttool/scan/scan.h"
@@ -75,32 +76,58 @@ public:
         }
     }
     void set(Definition& definition) const {
-        const auto after = std::upper_bound(after_.begin(), after_.end(), definition.tokens.first,
-                                            [](uint32_t token, const auto& entry) { return token < entry.first; });
-        if (after == after_.begin()) return;
-        for (const std::vector<uint32_t>& group : std::prev(after)->second) {
-            if (group.empty()) continue;
-            ++definition.open_conditions;
+        for (const std::vector<uint32_t>& group : open_at(definition.tokens.first))
             definition.conditions.insert(definition.conditions.end(), group.begin(), group.end());
-        }
+        // A text that conditions stand in may leave others open than it began in.
+        for (const std::vector<uint32_t>& group : open_at(definition.tokens.end - 1))
+            if (!group.empty()) ++definition.open_conditions;
     }
 
 private:
+    using Groups = std::vector<std::vector<uint32_t>>;  ///< of a header's guard an empty one
+
+    Groups open_at(uint32_t token) const {
+        const auto after = std::upper_bound(after_.begin(), after_.end(), token,
+                                            [](uint32_t at, const auto& entry) { return at < entry.first; });
+        return after == after_.begin() ? Groups() : std::prev(after)->second;
+    }
+
     const ScannedFile& file_;
-    std::vector<std::pair<uint32_t, std::vector<std::vector<uint32_t>>>> after_;
+    std::vector<std::pair<uint32_t, Groups>> after_;
 };
 
-/// The name that `typedef ... NAME;` or `using NAME = ...;` gives; "" for others.
+/// True for a word that every file means the same by, whatever some header makes of it for old compilers.
+bool is_fixed(std::string_view word) { return word == "const" || word_is(word, kTypePart | kQualifier); }
+
+/// The token before the bracket that the one at `close` closes; `first` where there is none.
+uint32_t before_brackets(const LexedText& lexed, uint32_t first, uint32_t close) {
+    int depth = 0;
+    for (uint32_t i = close; i > first; --i) {
+        const std::string_view word = lexed.view(i);
+        if (word == ")" || word == "]" || word == "}") ++depth;
+        if ((word == "(" || word == "[" || word == "{") && --depth == 0) return i - 1;
+    }
+    return first;
+}
+
+/// The name that a `typedef` or a `using NAME = ...;` gives; "" for others: of a function's type `R NAME(...)`, of a
+/// pointer to one `R (CALL* NAME)(...)`, else what stands last beside attributes and bounds.
 std::string_view type_name(const LexedText& lexed, TokenRange statement) {
     if (lexed.view(statement.first) == "using")
         return statement.end > statement.first + 3 && lexed.view(statement.first + 2) == "="
                    ? lexed.view(statement.first + 1)
                    : std::string_view();
-    int depth = 0;  // of the bounds of an array
-    for (uint32_t i = statement.end; i-- > statement.first + 1;) {
-        if (lexed.view(i) == "]") ++depth;
-        if (lexed.view(i) == "[") --depth;
-        if (depth == 0 && lexed.tokens[i].kind == TokenKind::Identifier) return lexed.view(i);
+    for (uint32_t i = statement.end - 1; i > statement.first;) {
+        const std::string_view word = lexed.view(i);
+        if (word == ")" || word == "]") {
+            const uint32_t before = before_brackets(lexed, statement.first, i);
+            const bool is_pointer = word == ")" && lexed.view(before) == ")";
+            i = is_pointer ? before - 1 : before;
+        } else if (lexed.tokens[i].kind == TokenKind::Identifier && !word_is(word, kTakesArguments)) {
+            return word;
+        } else {
+            --i;
+        }
     }
     return {};
 }
@@ -268,7 +295,7 @@ std::vector<const Definition*> Definitions::all_of(Definition::Kind kind) const 
 }
 
 const Definition* Definitions::add(Definition definition) {
-    if (definition.name.empty()) return nullptr;
+    if (definition.name.empty() || is_fixed(definition.name)) return nullptr;
     all_.push_back(std::move(definition));
     const Definition* const one = &all_.back();
     by_file_[one->file][one->name].push_back(one);
@@ -279,7 +306,7 @@ const Definition* Definitions::add(Definition definition) {
 void Definitions::add_names(const Definition& one) {
     const LexedText& lexed = one.file->lexed;
     const auto name_it = [&](std::string_view name) {
-        if (name == one.name) return;
+        if (name == one.name || is_fixed(name)) return;
         by_file_[one.file][std::string(name)].push_back(&one);
         everywhere_[std::string(name)].push_back(&one);
     };
@@ -355,6 +382,7 @@ void Definitions::add_file(const ScannedFile& file) {
             i = next->end - 1;
             continue;
         }
+        if ((lexed.tokens[i].flags & kInDirective) != 0) continue;  // what a macro writes is written where it is used
         const std::string_view word = lexed.view(i);
         if (const TokenRange table = table_at(lexed, i); !table.empty()) {
             if (++tables <= kMostTables && !is_written_to(file, i))

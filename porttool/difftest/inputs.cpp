@@ -221,17 +221,17 @@ void draw_inputs(const std::vector<Leaf>& leaves, const std::vector<double>& con
     constexpr size_t kMostConstants = 24;
     for (size_t i = 0; i < width; ++i)
         for (size_t which = 0; which < Drawer::edge_count(leaves[i]) && row < records / 4; ++which, ++row) {
-            drawer.record(&out[row * width], 0);
+            drawer.record(out.data() + row * width, 0);
             out[row * width + i] = drawer.edge(leaves[i], which);
         }
     for (size_t c = 0; c < std::min(constants.size(), kMostConstants); ++c)
         for (size_t i = 0; i < width; ++i)
             for (int step = -1; step <= 1 && row < records / 2; ++step, ++row) {
-                drawer.record(&out[row * width], 0);
+                drawer.record(out.data() + row * width, 0);
                 out[row * width + i] = drawer.near_constant(leaves[i], constants[c], step);
             }
     for (size_t turn = 0; row < records; ++row, ++turn)
-        drawer.record(&out[row * width], turn % 8 < 4 ? 0 : turn % 8 < 7 ? 1 : 2);
+        drawer.record(out.data() + row * width, turn % 8 < 4 ? 0 : turn % 8 < 7 ? 1 : 2);
     if (most > 0)
         for (size_t i = 0; i < out.size(); ++i)
             if (const Leaf& leaf = leaves[i % width]; !leaf.is_real())

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "porttool/compare/struct_fields.h"
+#include "porttool/difftest/argument_list.h"
 #include "porttool/difftest/cpp_text.h"
 #include "porttool/difftest/prelude.h"
 #include "porttool/language/words.h"
@@ -21,25 +22,6 @@ namespace {
 
 constexpr int kDeepest = 4;  ///< calls that a pointer is followed through
 constexpr int kMostElements = 64;
-
-/// The parts of a list between commas that stand in no brackets.
-std::vector<TokenRange> list_parts(const LexedText& lexed, TokenRange range) {
-    std::vector<TokenRange> out;
-    int depth = 0, angles = 0;
-    uint32_t first = range.first;
-    for (uint32_t i = range.first; i < range.end; ++i) {
-        const std::string_view word = lexed.view(i);
-        if (word == "(" || word == "[" || word == "{") ++depth;
-        if (word == ")" || word == "]" || word == "}") --depth;
-        if (word == "<") ++angles;
-        if (word == ">" && angles > 0) --angles;
-        if (word != "," || depth != 0 || angles != 0) continue;
-        out.push_back({first, i});
-        first = i + 1;
-    }
-    if (first < range.end) out.push_back({first, range.end});
-    return out;
-}
 
 SubjectParameter parameter_of(const ScannedFile& file, TokenRange range, const CppManner& manner) {
     const LexedText& lexed = file.lexed;
@@ -161,6 +143,22 @@ private:
     std::map<std::pair<const Definition*, std::string>, int> seen_;  ///< 1 while one is looked at: it may call itself
 };
 
+/// True for a body that does with its numbers what can be done to whole ones alone.
+bool shifts(const Definition& function) {
+    const LexedText& lexed = function.file->lexed;
+    for (uint32_t i = function.unit->body.first; i < function.unit->body.end; ++i) {
+        const std::string_view word = lexed.view(i);
+        for (const char* one : {">>", "<<", "%", "|", "^", ">>=", "<<=", "%=", "|=", "&=", "^="})
+            if (word == one) return true;
+        // Two that close lists of a template are read one by one, and so is a shift.
+        if (word == ">" && i + 2 < function.unit->body.end && lexed.view(i + 1) == ">" &&
+            lexed.tokens[i + 1].offset == lexed.tokens[i].offset + 1 &&
+            (lexed.tokens[i + 2].kind == TokenKind::Number || lexed.view(i + 2) == "("))
+            return true;
+    }
+    return false;
+}
+
 /// What a function works on, by the types of its parameters: whole numbers where there are no others.
 std::string number_type_of(const Definition& function) {
     const LexedText& lexed = function.file->lexed;
@@ -177,7 +175,7 @@ std::string number_type_of(const Definition& function) {
         for (const char* name : {"int", "ivec", "int32_t", "size_t"})
             if (whole.empty() && is_of(name)) whole = "int";
     }
-    return whole.empty() ? "float" : whole;
+    return whole.empty() && shifts(function) ? "unsigned int" : whole.empty() ? "float" : whole;
 }
 
 /// True for the type of a value that a template can be made for.
@@ -262,7 +260,7 @@ std::vector<std::string> fields_of(const Definition& one) {
     const Words words = data_fields(state.text.words());
     auto at = std::find(words.begin(), words.end(), "{");
     std::string name;
-    bool named = false;
+    bool named = false, starts = true;
     int depth = 0;
     for (at = at == words.end() ? at : at + 1; at != words.end(); ++at) {
         if (*at == "{") ++depth;
@@ -271,9 +269,17 @@ std::vector<std::string> fields_of(const Definition& one) {
             if (!name.empty()) out.push_back(name);
             name.clear();
             named = false;
+            starts = true;
             continue;
         }
         if (depth > 0) continue;
+        // `using value_type = T;` and `static constexpr int n = 4;` are no fields.
+        if (std::exchange(starts, false) && (*at == "using" || *at == "typedef" || *at == "static")) {
+            at = std::find(at, words.end(), ";");
+            if (at == words.end()) break;
+            starts = true;
+            continue;
+        }
         if (*at == "[" || *at == "=" || *at == ":") named = true;
         if (!named && is_word_token(*at)) name = *at;
     }
@@ -533,15 +539,15 @@ std::string subject_text(const Subject& subject, int number, const Definitions& 
     }
     out += pieces;
     out += cpp_text(Piece{subject.function, {}, {}}, manner);
-    out += after;
-    out += visitors;
     out += "const porttool_harness::Param porttool_params[] = {";
     for (const SubjectParameter& parameter : subject.parameters) {
         const std::string count =
             parameter.bound.empty() ? std::to_string(parameter.elements) : "static_cast<int>(" + parameter.bound + ")";
         out += fmt::format("{{\"{}\", {}}}, ", parameter.name, count);
     }
-    out += "{nullptr, 0}};\n";
+    out += "{nullptr, 0}};\n";  // a bound may be spelled with a macro
+    out += after;
+    out += visitors;
     out += fmt::format(
         "struct PorttoolGlobals {{ static constexpr bool kHasNotes = {}; template <class V> void operator()(V& v) "
         "const {{",

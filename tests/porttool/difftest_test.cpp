@@ -366,6 +366,45 @@ TEST_F(Difftest, WhereNothingRanStdoutHasAtMostTheJson) {
     EXPECT_EQ(nlohmann::json::parse(json.out)["pairs"][0]["state"], "not_run");
 }
 
+// What stands around functions in whole repositories: headers of other libraries that take plain words as names, tables
+// in conditions, bounds by macros, specialisations.
+constexpr const char* kAround = R"(#define ASSERT_SIZE(T) typedef char T##_size[sizeof(T) == 4 ? 1 : -1]
+typedef void (*Callback)(float x, int color);
+typedef void (LIBRARY_CALL *Loader)(unsigned type, float a);
+typedef float Row[4];
+#define COUNT 4
+#define SQUARE(a) ((a) * (a))
+#if defined(__CUDACC__)
+__constant__
+#endif
+static const int kDays[] = {31, 28, 31, 30};
+template <class T> T half_way(T x);
+template <> inline float half_way<float>(float x) { return x / 2; }
+template <class T> struct Two { using value_type = T; static constexpr int n = 2; value_type x, y; };
+)";
+
+TEST_F(Difftest, ReadsWhatStandsAroundFunctions) {
+    const std::string own = R"(float three() { return 3.0f; }
+float four() { return 4.0f; }
+float squared(float x) { return SQUARE(x); }
+int days(int month) { return kDays[month]; }
+float last(float row[COUNT], float scale) { return row[COUNT - 1] * scale; }
+template <class T> T lowest_bit(T x) { return x & (x >> 1); }
+template <class T> T cross(Two<T> const& a, Two<T> const& b) { return a.x * b.y - a.y * b.x; }
+Row spare;
+)";
+    std::string other = own;
+    other.replace(other.find("4.0f"), 4, "4.5f");
+    const nlohmann::json pairs = run_on("a.cu", kAround + own, "b.h", kAround + other, {"--inputs", "1000"});
+    for (const char* name : {"three", "squared", "days", "last", "lowest_bit", "cross", "half_way"})
+        EXPECT_EQ(pair_of(pairs, name)["state"], "same") << pair_of(pairs, name).dump(1);
+    // Behind the table stands what the compiler put there: no answer of the function's.
+    EXPECT_LT(pair_of(pairs, "days")["inputs"].get<int>(), 500);
+    const nlohmann::json four = pair_of(pairs, "four");
+    EXPECT_EQ(four["state"], "differs") << "without any input";
+    EXPECT_EQ(four["counterexample"]["target"].get<double>(), 4.5);
+}
+
 TEST_F(Difftest, SaysWhatIsMissing) {
     write("a/a.glsl", "float half_of(float x) { return x * 0.5; }\n");
     write("b/b.h", "inline float half_of(float x) { return x * 0.5f; }\n");
