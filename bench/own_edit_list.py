@@ -203,6 +203,7 @@ LARGE = [
       ("surface", "    return select(slot != NONE && has_tangents(mesh_row), normalized", "    return select(slot != NONE && has_tangents(mesh_row) && layer_in(mesh_row) == 0u, normalized")]),
     ("new lobe", "lobe",
      [("layout", "const uint FEATURE_DEEP_TEXELS = 524288u;", "const uint FEATURE_HAZE = 1048576u;\nconst uint FEATURE_DEEP_TEXELS = 524288u;"),
+      ("core:core_tables.cpp", "        raise(material.coat > 0.0f, FEATURE_COAT);\n", "        raise(material.coat > 0.0f, FEATURE_COAT);\n        raise(material.metallic > 0.0f, FEATURE_HAZE);\n"),
       ("bsdf", "    Float under_coat;\n    Float pick_coat;\n};", "    Float under_coat;\n    Float pick_coat;\n    Float haze;\n    Float haze_alpha;\n    Float haze_root_o;\n    Float pick_haze;\n};"),
       ("bsdf", "@BsdfValue evaluate_bsdf(", HAZE_EVALUATE + "@BsdfValue evaluate_bsdf("),
       ("bsdf", "    if (has_feature(FEATURE_SHEEN)) {\n        BsdfValue sheen",

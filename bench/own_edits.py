@@ -5,10 +5,12 @@
 
 Each edit of own_edit_list.py is made in one core of a clone; `sync --all --apply` ports it. As most kernels are twins,
 the same edit made in the other core by hand is an independent answer: the port is exact where all files have its words
-(comments and line breaks aside), and `check --strict` must be in step. Nothing is built. --history takes the commits
-that changed both cores' kernels instead: the source's half at the commit before, held against the port that was written.
+(comments and line breaks aside), and `check --strict` must be in step. With --build both cores are built with the edit
+and its port, and must draw the same bits (own_edits_build.py). --history takes the commits that changed both cores'
+kernels instead: the source's half at the commit before, held against the port that was written.
 
-Prints one line an edit and the counts. Exit code 1 where a port is wrong, or one of an edit of the list is left.
+Prints one line an edit and the counts. Exit code 1 where a port is wrong, does not build or draws something else, or
+where one of an edit of the list is left.
 """
 import argparse
 import collections
@@ -21,6 +23,7 @@ import sys
 import tempfile
 
 from own_edit_list import LARGE, SMALL
+from own_edits_build import Build
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 FOLDERS = {"source": "source_core/kernels", "target": "target_core/kernels"}
@@ -80,7 +83,7 @@ class Clone:
         self.folder, self.porttool = folder, porttool
         self.git("clone", "-q", "-s", str(ROOT), ".")
         self.git("checkout", "-q", "--detach", revision)
-        self.revision = revision
+        self.revision = self.git("rev-parse", "HEAD").strip()
 
     def git(self, *words_):
         return subprocess.run(["git", *words_], cwd=self.folder, check=True, capture_output=True, text=True).stdout
@@ -91,6 +94,11 @@ class Clone:
     def write(self, files):
         for path, text in files.items():
             (self.folder / path).write_text(text)
+
+    def changed_code(self):
+        """The texts of both cores' files that differ from the commit, by path."""
+        lines = self.git("status", "--porcelain", "-uall", "source_core", "target_core").splitlines()
+        return {line[3:]: self.read(line[3:]) for line in lines}
 
     def reset(self, revision=None):
         self.git("checkout", "-q", "--force", "--detach", revision or self.revision)
@@ -132,6 +140,26 @@ def judged(clone, to, wanted, proposals):
     return verdict, differs + ([] if fine else [report.strip()[:2000]])
 
 
+def build_all(arguments, revision, ported):
+    """Builds what was ported, and draws with it. An edit and its port that have the same words are built once, whichever
+    side was edited. Returns how many do not build or draw something else."""
+    build = Build(pathlib.Path(arguments.build).absolute(), revision)
+    ways = collections.defaultdict(list)
+    for to, name, files in ported:
+        ways[tuple(sorted((path, *words(text)) for path, text in files.items()))].append((to, name, files))
+    found = build.try_all([same[0][2] for same in ways.values()], arguments.group)
+    counts = collections.defaultdict(collections.Counter)
+    for same, (result, said) in zip(ways.values(), found):
+        for to, name, _ in same:
+            counts[to][result] += 1
+            print(f"to {to}: {result}: {name}")
+        for line in said.splitlines():
+            print("    " + line)
+    for to, results in counts.items():
+        print(f"to {to}, built: " + ", ".join(f"{n} {result}" for result, n in sorted(results.items())))
+    return sum(len(same) for same, (result, _) in zip(ways.values(), found) if not result.startswith("identical"))
+
+
 def difference(clone, wanted):
     with tempfile.TemporaryDirectory() as folder:
         out = ""
@@ -147,6 +175,7 @@ def difference(clone, wanted):
 
 def try_list(arguments, clone):
     counts, wrong = collections.defaultdict(collections.Counter), 0
+    ported = []
     for to in arguments.to:
         side = "target" if to == "source" else "source"
         for edit in SMALL + LARGE:
@@ -166,12 +195,45 @@ def try_list(arguments, clone):
             due = "nothing due" if kind == "nothing" else "exact"
             wrong += verdict not in (due, "in step as it is")
             counts[to][verdict] += 1
+            if verdict in (due, "in step as it is"):
+                ported.append((to, name, clone.changed_code()))
             print(f"to {to}: {verdict}: {name}", flush=True)
             for line in [line for text in said for line in text.splitlines()] + shown.splitlines():
                 print("    " + line, flush=True)
     for to, found in counts.items():
         print(f"to {to}: " + ", ".join(f"{n} {verdict}" for verdict, n in sorted(found.items())))
-    return wrong
+    return wrong + (build_all(arguments, clone.revision, ported) if arguments.build else 0)
+
+
+def units_of(clone, files):
+    """The words of the units of files of the clone, by id; what stands between them under the file's name."""
+    there = [f for f in files if (clone.folder / f).is_file()]
+    found = json.loads(clone.run("scan", *there, "--format", "json").stdout)["units"] if there else []
+    units, rests = {}, {f: clone.read(f).splitlines() for f in there}
+    for unit in found:
+        lines = rests[unit["file"]]
+        first, last = unit["start_line"] - 1, unit["end_line"]
+        units[unit["id"]] = words("\n".join(clone.read(unit["file"]).splitlines()[first:last]))
+        lines[first:last] = [""] * (last - first)
+    return units | {f: words("\n".join(lines)) for f, lines in rests.items()}
+
+
+def sort_units(proposals, before, got, wanted):
+    """How each unit that was changed, by hand or by sync, came out: lists of ids by name of the result."""
+    states = {p["target"]: p["state"] for p in proposals}
+    left = {i for i, state in states.items() if state in ("partial", "refused")}
+    out = collections.defaultdict(list)
+    for i in sorted(before.keys() | got.keys() | wanted.keys()):
+        if got.get(i) == wanted.get(i):
+            if got.get(i) != before.get(i):
+                out["exact"].append(i)
+        elif got.get(i) != before.get(i):
+            out["other"].append(i)
+        elif i in left:
+            out["left"].append(i)
+        else:
+            out["not there" if i not in before else "gone by hand" if i not in wanted else "by hand alone"].append(i)
+    return out
 
 
 def try_history(arguments, clone):
@@ -196,23 +258,28 @@ def try_history(arguments, clone):
             clone.git("add", "-A")
             clone.git("-c", "user.name=bench", "-c", "user.email=bench@localhost", "commit", "-q", "-m", "In step")
             clone.write({f: clone.git("show", f"{commit}:{f}") for f in halves[0]})
-            wanted = {f: clone.git("show", f"{commit}:{f}") for f in halves[1]}
+            before = units_of(clone, halves[1])
             proposals = clone.sync("target")
+            got, kept = units_of(clone, halves[1]), {f: clone.read(f) for f in halves[1]}
+            clone.write({f: clone.git("show", f"{commit}:{f}") for f in halves[1]})
+            wanted, by_hand = units_of(clone, halves[1]), {f: clone.read(f) for f in halves[1]}
+            clone.write(kept)
         except RuntimeError as error:
             counts["failed"] += 1
             print(f"{commit}: failed: {error}", flush=True)
             continue
-        states = collections.Counter(p["state"] for p in proposals if p["state"] != "already")
-        exact = sum(words(clone.read(f)) == words(t) for f, t in wanted.items())
-        counts["files exact"] += exact
-        counts["files different"] += len(wanted) - exact
-        counts.update({f"pairs {state}": n for state, n in states.items()})
-        print(f"{commit}: {exact} of {len(wanted)} files exact, {dict(states)}", flush=True)
+        sorted_ = sort_units(proposals, before, got, wanted)
+        counts.update({f"units {name}": len(ids) for name, ids in sorted_.items()})
+        print(f"{commit}: " + ", ".join(f"{len(ids)} {name}" for name, ids in sorted_.items()), flush=True)
+        for i in sorted_["other"]:
+            print(f"    other: {i}")
         if arguments.verbose:
+            for name in ("left", "not there", "gone by hand", "by hand alone"):
+                print("".join(f"    {name}: {i}\n" for i in sorted_[name]), end="")
             for p in proposals:
                 for item in p["left"]:
                     print(f"    {p['state']}: {p['source']}: {item['message']}")
-            print(difference(clone, wanted))
+            print(difference(clone, by_hand))
     print(dict(counts))
     return 0
 
@@ -224,6 +291,8 @@ def main():
     parser.add_argument("--to", action="append", choices=["source", "target"], help="the side that is written; both unless given")
     parser.add_argument("--only", metavar="NAME", help="one edit, or one kind; with --history one commit")
     parser.add_argument("--history", action="store_true", help="commits of both cores instead of the list")
+    parser.add_argument("--build", metavar="DIR", help="build and draw as well, in a work tree kept there")
+    parser.add_argument("--group", type=int, default=8, help="with --build: how many edits are built together (8)")
     parser.add_argument("--verbose", action="store_true", help="show what differs")
     arguments = parser.parse_args()
     arguments.to = arguments.to or ["target", "source"]

@@ -25,6 +25,7 @@
 #include "porttool/sync/rescan.h"
 #include "porttool/sync/scopes.h"
 #include "porttool/sync/transplant.h"
+#include "porttool/sync/unit_raiser.h"
 #include "porttool/sync/unit_remover.h"
 
 namespace porttool {
@@ -46,6 +47,7 @@ public:
           record_(checked, disk, drafts_),
           new_units_(checked, earlier_, knowledge_, drafts_, record_, brought_),
           remover_(checked, knowledge_, drafts_, record_),
+          raiser_(checked, knowledge_, drafts_),
           earlier_texts_(earlier_),
           includes_(checked, earlier_texts_, knowledge_, drafts_),
           declarations_(earlier_texts_, knowledge_, drafts_),
@@ -342,10 +344,32 @@ private:
             out.why.emplace_back("the port has it already");
             return;
         }
+        std::set<std::string> used = words_brought(found);
+        for (const std::string& name : local_names(*file, *unit)) used.erase(name);
+        for (const std::string& word : there.words) used.erase(word);
+        const UnitRaiser::Raised raised = raiser_.raise(to, draft, pair.unit[to]->id, used);
+        if (!raised.failure.empty()) return refuse(raised.failure);
+        if (raised.any) {
+            out.left.clear();
+            return carry(pair, line, before, from, out);  // in the text as it is now
+        }
         declare_constants(new_text, is, constants_of(*file, *unit, *other), found);
         const std::vector<TextEdit> edits = rewrite_unit(found, {*file, is, new_text.clauses},
                                                          {draft.scanned, there, port_text.clauses}, draft.indent());
         finish(pair, line, before, to, draft, edits, out);
+    }
+
+    /// The words that come into the port, but for members.
+    static std::set<std::string> words_brought(const Transplant& found) {
+        std::set<std::string> out;
+        const auto add = [&](const std::vector<CarriedWord>& words) {
+            for (size_t i = 0; i < words.size(); ++i)
+                if (i == 0 || (words[i - 1].text != "." && words[i - 1].text != "->")) out.insert(words[i].text);
+        };
+        for (const WordsReplaced& one : found.replaced) add(one.words);
+        for (const ClausesAdded& one : found.added)
+            for (const ClauseAdded& clause : one.clauses) add(clause.words);
+        return out;
     }
 
     /// The tokens that begin a new declaration which the port's file would make a constant.
@@ -511,6 +535,7 @@ private:
     RecordDraft record_;
     NewUnits new_units_;
     UnitRemover remover_;
+    UnitRaiser raiser_;
     EarlierTexts earlier_texts_;
     IncludeCarrier includes_;
     DeclarationCarrier declarations_;

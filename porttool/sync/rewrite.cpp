@@ -122,9 +122,16 @@ private:
                 return stand_apart(before.text, word.text) ? " " : "";
             const std::string written = source_gap(word.from);
             if (written.find('\n') != std::string::npos) return "\n";
+            if (is_bracketed(before.text, word.text)) return stands_apart_there(before.text, word.text) ? " " : "";
             return written.empty() ? (must_part(before.text, word.text) ? " " : "") : " ";
         }
         return stands_apart_there(before.text, word.text) ? " " : "";
+    }
+
+    /// Just within a bracket, or before a comma, where each project has a manner of its own: `f(x)` or `f( x )`.
+    static bool is_bracketed(const std::string& before, const std::string& next) {
+        const bool opens = before == "(" || before == "[", closes = next == ")" || next == "]" || next == ",";
+        return opens || closes;
     }
 
     /// As the target writes the two words side by side, or words as these.
@@ -258,6 +265,9 @@ private:
 
     std::string before_new(const WordsReplaced& one, size_t before) const {
         if (one.words.front().from == one.source_first && one.source_first < one.source_end) {
+            const std::string& last = target_.words.words[before];
+            if (is_bracketed(last, one.words.front().text))
+                return stands_apart_there(last, one.words.front().text) ? " " : "";
             const std::string there = source_gap(one.source_first);
             if (!there.empty()) return " ";
             return must_part(target_.words.words[before], one.words.front().text) ? " " : "";
@@ -268,6 +278,8 @@ private:
         if (after == kNone) return {};
         const std::string& next = target_.words.words[after];
         if (one.words.back().from == one.source_end - 1 && one.source_end < source_.words.size()) {
+            if (is_bracketed(one.words.back().text, next))
+                return stands_apart_there(one.words.back().text, next) ? " " : "";
             const std::string there = source_gap(one.source_end);
             if (!there.empty()) return " ";
             return must_part(one.words.back().text, next) ? " " : "";

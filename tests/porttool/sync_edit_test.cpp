@@ -1082,6 +1082,14 @@ TEST(SyncLayout, AnOperatorThatTookThePlaceOfACloseOneStandsApart) {
                     text("", "i += 4")});
 }
 
+TEST(SyncLayout, BracketsAreAsTightAsThePortHasThem) {
+    const auto text = [](const std::string& head, const std::string& argument) {
+        return head + "float f(float x, float y) {\n    keep(" + argument + ", y);\n    return x;\n}\n";
+    };
+    expect_written({"k.cu", "k.cpp", text("__device__ ", " x + y "), text("__device__ ", " fabsf( x + y ) "),
+                    text("", "x + y"), text("", "fabsf(x + y)")});
+}
+
 // Ports that were written in their own way: the same names do not mean the same values there.
 
 struct OtherWay {

@@ -184,6 +184,19 @@ TEST_F(SyncNewUnit, AHelperComesInThePortsDress) {
               std::string::npos);
 }
 
+// The source moved a function up, as one above it came to use it. C++ wants it above as well.
+TEST_F(SyncNewUnit, WhatAPortComesToUseIsLiftedAboveIt) {
+    start_lobes();
+    const std::string darken = "void darken(inout float value, float amount) { value = value * amount; }\n\n";
+    const std::string host = "static inline void Darken(float& value, float amount) { value = value * amount; }\n\n";
+    edit(darken, "");
+    edit("float maskedRoot(", darken + "float maskedRoot(");
+    edit("MIN_ALPHA);\n", "MIN_ALPHA);\n  darken(a, cosine);\n");
+    expect_ported(replaced(replaced(replaced(kHostLobes, host, ""), "static inline float MaskedRoot(",
+                                    host + "static inline float MaskedRoot("),
+                           "MIN_ALPHA);\n", "MIN_ALPHA);\n    Darken(a, cosine);\n"));
+}
+
 TEST_F(SyncNewUnit, AHelperWithAHelperAndAConstant) {
     start_lobes();
     edit("const float MIN_ALPHA = 0.001;\n", "const float MIN_ALPHA = 0.001;\nconst float SHEEN_SCALE = 0.75;\n");
