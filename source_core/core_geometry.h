@@ -7,6 +7,8 @@
 #include <functional>
 #include <glm/glm.hpp>
 #include <optional>
+#include <span>
+#include <variant>
 #include <vector>
 
 #include "render_system/core_data.h"
@@ -95,12 +97,20 @@ struct GeometryTables {
     GeometryPlan plan;
 };
 
-/// Bytes to be put into a table in place of those that are there.
+/// The vertex_rows of a mesh, where they are.
+struct RowsOfMesh {
+    uint32_t mesh = 0;
+};
+
+/// Rows to be put into a table in place of those that are there.
 struct TablePatch {
     uint32_t table = 0;
     uint64_t offset = 0;  ///< bytes
-    std::vector<std::byte> rows;
+    std::variant<std::vector<WideNode>, std::vector<glm::vec4>, RowsOfMesh> rows;
 };
+
+/// The bytes of a patch. `meshes` as the update had them.
+std::span<const std::byte> bytes_of(const TablePatch& patch, const std::vector<CoreMeshCopy>& meshes);
 
 /// What an update changes.
 struct GeometryUpdate {

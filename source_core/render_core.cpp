@@ -257,17 +257,18 @@ Status SourceCore::upload() {
     if (scene_.changed(BINDING_TRIANGLES)) {
         primitives_.clear();
     }
+    std::vector<Staging::Part> parts;
     for (const TablePatch& patch : scene_.patches()) {
-        Status status = gpu_->staging->upload(*gpu_->device, gpu_->scene.buffer(patch.table), patch.rows, patch.offset);
-        if (!status.ok()) {
-            return status;
-        }
+        parts.push_back({&gpu_->scene.buffer(patch.table), patch.offset, scene_.bytes_of(patch)});
         if (patch.table == BINDING_TRIANGLES) {
             primitives_.clear();
         }
     }
-    scene_.uploaded();
-    return Status::success();
+    Status status = gpu_->staging->upload(*gpu_->device, parts);
+    if (status.ok()) {
+        scene_.uploaded();
+    }
+    return status;
 }
 
 // Reads back which triangle each slot of the table holds: the host keeps no copy.
@@ -476,7 +477,8 @@ Status SourceCore::make_filter(const CoreFilter& filter) {
             filter.knows(pixel) ? glm::vec4(glm::vec3(picture[pixel]), variance) : glm::vec4(0.0f, 0.0f, 0.0f, NO_MEAN);
     }
     picture.insert(picture.end(), motions.begin(), motions.end());
-    return gpu_->staging->upload(*gpu_->device, gpu_->wavefront->filter_picture(), std::as_bytes(std::span(picture)));
+    const Staging::Part part{&gpu_->wavefront->filter_picture(), 0, std::as_bytes(std::span(picture))};
+    return gpu_->staging->upload(*gpu_->device, {&part, 1});
 }
 
 Status SourceCore::filter(const ViewPyramid& view, const CoreFilter& filter) {

@@ -77,18 +77,20 @@ void SceneStore::set_mesh(uint32_t mesh, const CoreMesh& data) {
     }
     CoreMeshCopy& copy = meshes_[mesh];
     const bool deforms = !geometry_changed_ && same_shape(copy, data);
+    if (deforms) {
+        std::copy(data.positions.begin(), data.positions.end(), copy.positions.begin());
+        copy.vertex_rows = pack_vertices(data);
+        raise(moving_.meshes, mesh);
+        deformed_.push_back(mesh);
+        return;
+    }
     mesh_bytes_ -= least_bytes_of(copy);
     copy.positions = {data.positions.begin(), data.positions.end()};  // no more room than that
     copy.triangles = {data.triangles.begin(), data.triangles.end()};
     copy.vertex_rows = pack_vertices(data);
     copy.flags = vertex_flags(data);
     mesh_bytes_ += least_bytes_of(copy);
-    if (!deforms) {
-        geometry_changed_ = true;
-        return;
-    }
-    raise(moving_.meshes, mesh);
-    deformed_.push_back(mesh);
+    geometry_changed_ = true;
 }
 
 void SceneStore::set_instance(uint32_t instance, uint32_t mesh, const CoreTransform& transform) {

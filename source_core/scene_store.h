@@ -37,6 +37,7 @@ public:
     bool changed(uint32_t table) const { return changed_[table]; }
     /// Parts of tables that are on the device already, to be put in place after all that changed() marks.
     const std::vector<TablePatch>& patches() const { return patches_; }
+    std::span<const std::byte> bytes_of(const TablePatch& patch) const { return source_core::bytes_of(patch, meshes_); }
     std::span<const std::byte> rows(uint32_t table) const;
     uint64_t bytes(uint32_t table) const { return bytes_[table]; }
     /// To be called when everything is on the device: drops what only an upload needs.

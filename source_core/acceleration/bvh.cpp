@@ -153,26 +153,27 @@ BinaryNode node_box(const WideNode& node) {
     return box;
 }
 
-BinaryNode leaf_box(uint32_t word, std::span<const BuildPrimitive> slots) {
-    const uint32_t first = word & LEAF_FIRST_MASK;
-    const uint32_t count = (word >> LEAF_COUNT_SHIFT) & LEAF_COUNT_MASK;
-    BinaryNode box{glm::vec3(NOWHERE), 0, glm::vec3(-NOWHERE), 0};
-    for (const BuildPrimitive& primitive : slots.subspan(first, count)) {
-        include(box, primitive.lower, primitive.upper);
+BinaryNode leaf_box(uint32_t word, std::span<const glm::vec4> rows) {
+    const size_t first = word & LEAF_FIRST_MASK;
+    const size_t count = (word >> LEAF_COUNT_SHIFT) & LEAF_COUNT_MASK;
+    glm::vec4 lower(NOWHERE), upper(-NOWHERE);
+    for (const glm::vec4& vertex : rows.subspan(first * TRIANGLE_ROWS, count * TRIANGLE_ROWS)) {
+        lower = glm::min(lower, vertex);
+        upper = glm::max(upper, vertex);
     }
-    return box;
+    return {glm::vec3(lower), 0, glm::vec3(upper), 0};
 }
 
 }  // namespace
 
 // Nodes come before those below them, so that from the back each node's children are done.
-void refit_wide_tree(WideTree& tree, std::span<const BuildPrimitive> slots) {
+void refit_wide_tree(WideTree& tree, std::span<const glm::vec4> rows) {
     for (size_t i = tree.nodes.size(); i-- > 0;) {
         WideNode& node = tree.nodes[i];
         for (uint32_t child = 0; child < WIDTH; ++child) {
             const uint32_t word = node.children[child];
             if (!is_empty_child(node, child)) {
-                set_child_box(node, child, (word & LEAF) != 0 ? leaf_box(word, slots) : node_box(tree.nodes[word]));
+                set_child_box(node, child, (word & LEAF) != 0 ? leaf_box(word, rows) : node_box(tree.nodes[word]));
             }
         }
     }

@@ -38,9 +38,9 @@ struct WideTree {
 /// Leaves hold up to 4 triangles; those of a primitive that stands alone hold its id. Boxes must be finite.
 WideTree build_wide_tree(std::vector<BuildPrimitive> primitives, uint32_t threads, uint32_t stack_limit);
 
-/// Fits the boxes of a tree of sharing primitives to where these are now: `slots` has the box of each in the order of
-/// tree.order. Which node holds what stays.
-void refit_wide_tree(WideTree& tree, std::span<const BuildPrimitive> slots);
+/// Fits the boxes of a tree of triangles to where these are now: `rows` has TRIANGLE_ROWS for each in the order of
+/// tree.order, as the table of triangles. Which node holds what stays.
+void refit_wide_tree(WideTree& tree, std::span<const glm::vec4> rows);
 
 /// What a walk through the tree is expected to cost: the half areas of all children over that of the root (Goldsmith
 /// and Salmon 1987). It grows as primitives drift apart that were built into one node. 0 for an empty tree.

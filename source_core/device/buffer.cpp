@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstring>
 #include <utility>
+#include <vector>
 
 namespace source_core {
 
@@ -160,20 +161,45 @@ Result<Staging> Staging::create(const Device& device, MemoryBudget& budget) {
     return Result<Staging>(std::move(staging));
 }
 
-Status Staging::upload(const Device& device, const Buffer& target, std::span<const std::byte> data, uint64_t at) const {
-    const auto copy = [&](uint64_t offset, std::span<std::byte> bytes) {
-        std::memcpy(bytes.data(), data.data() + offset, bytes.size());
+Status Staging::upload(const Device& device, std::span<const Part> parts) const {
+    struct Copy {
+        VkBuffer target;
+        VkBufferCopy region;
     };
-    return upload(device, target, data.size(), copy, at);
+    std::vector<Copy> copies;
+    uint64_t filled = 0;
+    const auto send = [&] {
+        Status status = device.submit_and_wait([&](VkCommandBuffer commands) {
+            for (const Copy& copy : copies) {
+                vkCmdCopyBuffer(commands, upload_.handle(), copy.target, 1, &copy.region);
+            }
+        });
+        copies.clear();
+        filled = 0;
+        return status;
+    };
+    for (const Part& part : parts) {
+        for (uint64_t done = 0; done < part.bytes.size();) {
+            const uint64_t count = std::min(PIECE - filled, part.bytes.size() - done);
+            std::memcpy(static_cast<std::byte*>(upload_.mapped()) + filled, part.bytes.data() + done, count);
+            copies.push_back({part.target->handle(), {filled, part.at + done, count}});
+            done += count;
+            filled += count;
+            if (Status status = filled == PIECE ? send() : Status::success(); !status.ok()) {
+                return status;
+            }
+        }
+    }
+    return copies.empty() ? Status::success() : send();
 }
 
 Status Staging::upload(const Device& device, const Buffer& target, uint64_t size,
-                       const std::function<void(uint64_t, std::span<std::byte>)>& produce, uint64_t at) const {
+                       const std::function<void(uint64_t, std::span<std::byte>)>& produce) const {
     for (uint64_t offset = 0; offset < size; offset += PIECE) {
         const uint64_t count = std::min(PIECE, size - offset);
         produce(offset, {static_cast<std::byte*>(upload_.mapped()), count});
         Status status = device.submit_and_wait([&](VkCommandBuffer commands) {
-            const VkBufferCopy copy{0, at + offset, count};
+            const VkBufferCopy copy{0, offset, count};
             vkCmdCopyBuffer(commands, upload_.handle(), target.handle(), 1, &copy);
         });
         if (!status.ok()) {

@@ -81,11 +81,17 @@ public:
 
     static Result<Staging> create(const Device& device, MemoryBudget& budget);
 
-    /// From byte `at` of the target on.
-    Status upload(const Device& device, const Buffer& target, std::span<const std::byte> data, uint64_t at = 0) const;
+    /// Bytes for a buffer from byte `at` on.
+    struct Part {
+        const Buffer* target = nullptr;
+        uint64_t at = 0;
+        std::span<const std::byte> bytes;
+    };
+    /// Several parts, as many as a piece holds with one wait for the device.
+    Status upload(const Device& device, std::span<const Part> parts) const;
     /// Fills the target piece by piece: `produce(offset, bytes)` writes the bytes at that offset of the table.
     Status upload(const Device& device, const Buffer& target, uint64_t size,
-                  const std::function<void(uint64_t, std::span<std::byte>)>& produce, uint64_t at = 0) const;
+                  const std::function<void(uint64_t, std::span<std::byte>)>& produce) const;
     Status download(const Device& device, const Buffer& source, std::span<std::byte> data) const;
 
 private:
