@@ -146,7 +146,9 @@ private:
             records.push_back(
                 make_record(inverse, world_box(instances_[i]), plan_.meshes[instances_[i].mesh].first_node, i));
         }
-        patch(BINDING_NODES, uint64_t{plan_.first_record} + (records.empty() ? 0 : first), std::move(records));
+        if (!records.empty()) {
+            patch(BINDING_NODES, uint64_t{plan_.first_record} + first, std::move(records));
+        }
         return true;
     }
 

@@ -8,6 +8,7 @@ namespace render_system::testing {
 
 struct NullCore {
     static std::unique_ptr<CoreAPI> create() { return create_null_core(); }
+    static constexpr int EDITS = 1000;
     static CoreOptions options() { return {}; }
 };
 

@@ -7,6 +7,7 @@ namespace render_system::testing {
 
 struct SourceCore {
     static std::unique_ptr<CoreAPI> create() { return source_core::create_core(); }
+    static constexpr int EDITS = 180;  // each core compiles its kernels
     static CoreOptions options() { return {}; }
 };
 

@@ -7,11 +7,13 @@ namespace render_system::testing {
 
 struct TargetCore {
     static std::unique_ptr<CoreAPI> create() { return target_core::create_core(); }
+    static constexpr int EDITS = 1000;
     static CoreOptions options() { return {}; }
 };
 
 struct ExactTargetCore {
     static std::unique_ptr<CoreAPI> create() { return target_core::create_core(); }
+    static constexpr int EDITS = 1000;
     static CoreOptions options() {
         CoreOptions options;
         options.exact = true;
