@@ -12,7 +12,8 @@ namespace render_system {
 
 /// A mesh where an instance has it.
 struct PlacedMesh {
-    const float* positions = nullptr;      ///< three a vertex
+    const float* positions = nullptr;  ///< three a vertex
+    uint32_t vertex_count = 0;
     const uint32_t* triangles = nullptr;   ///< four a triangle: three vertices, and one that is not looked at
     uint32_t triangle_count = 0;           ///< 0: hidden
     const glm::vec4* transform = nullptr;  ///< 3 rows from mesh to world space; null: positions are in world space

@@ -20,6 +20,7 @@ Corners corners_of(const PlacedMesh& mesh, uint32_t primitive);
 
 /// Grown by what counts as one place. Boxes of what no ray meets hold nothing.
 WorldBox box_of(const Corners& corners);
+/// Around the boxes of all triangles, and maybe more: around vertices that none of them has.
 WorldBox box_of(const PlacedMesh& mesh);
 bool overlap(const WorldBox& a, const WorldBox& b);
 void include(WorldBox& box, const WorldBox& other);

@@ -178,8 +178,8 @@ void SceneStore::find_coincident(bool anew) {
             continue;
         }
         const CoreMeshCopy& mesh = meshes_[instance.mesh];
-        scene[i] = {&mesh.positions[0].x, &mesh.triangles[0].x, static_cast<uint32_t>(mesh.triangles.size()),
-                    instance.transform.rows};
+        scene[i] = {&mesh.positions[0].x, static_cast<uint32_t>(mesh.positions.size()), &mesh.triangles[0].x,
+                    static_cast<uint32_t>(mesh.triangles.size()), instance.transform.rows};
         if (std::count(deformed_.begin(), deformed_.end(), instance.mesh) > 0) {
             changed.push_back(i);
         }

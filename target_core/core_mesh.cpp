@@ -249,7 +249,8 @@ void CoreMeshes::find_coincident(CoincidentSurfaces& surfaces) const {
         if (geometry.triangle_count == 0) continue;
         const Mesh& mesh = meshes_[geometry.mesh];
         const glm::vec4* rows = geometry.baked ? nullptr : placed_[i].transform.rows;
-        scene[i] = {&geometry.positions->x, &geometry.triangles->x, geometry.triangle_count, rows};
+        scene[i] = {&geometry.positions->x, geometry.vertex_count, &geometry.triangles->x, geometry.triangle_count,
+                    rows};
         if (mesh.deforms && std::count(edits_.deformed.begin(), edits_.deformed.end(), geometry.mesh) > 0) {
             changed.push_back(i);
         }

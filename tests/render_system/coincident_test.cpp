@@ -34,7 +34,8 @@ struct Sheet {
         }
     }
     PlacedMesh placed() const {
-        return {&positions[0].x, &triangles[0].x, static_cast<uint32_t>(triangles.size()), transform};
+        return {&positions[0].x, static_cast<uint32_t>(positions.size()), &triangles[0].x,
+                static_cast<uint32_t>(triangles.size()), transform};
     }
     glm::vec3 corner(uint32_t primitive, int k) const {
         const glm::vec3& p = positions[triangles[primitive][k]];
