@@ -19,7 +19,8 @@
 #include <csetjmp>
 #include <csignal>
 #include <cstdio>
-#include <tuple>
+#include <new>
+#include <utility>
 
 namespace porttool_harness {
 
@@ -32,7 +33,7 @@ template <class T>
 constexpr bool kIsNumber = std::is_arithmetic_v<T> || std::is_enum_v<T> || std::is_same_v<T, _Float16>;
 
 template <class T>
-const char* kind_of() {
+constexpr const char* kind_of() {
     if constexpr (std::is_same_v<T, bool>)
         return "b1";
     else if constexpr (std::is_same_v<T, _Float16>)
@@ -47,17 +48,74 @@ const char* kind_of() {
         return sizeof(T) == 1 ? "u1" : sizeof(T) == 2 ? "u2" : sizeof(T) == 4 ? "u4" : "u8";
 }
 
-/// Prints a line for each number: direction, parameter, kind, path. Without std::string, whose header would take longer
-/// to compile than most subjects.
-struct Lister {
-    const char* direction;
-    int param;
-    size_t count = 0;
+/// What a number takes from its slot.
+template <class T>
+void load(void* at, uint64_t slot) {
+    auto& to = *static_cast<T*>(at);
+    if constexpr (std::is_same_v<T, float>)
+        to = std::bit_cast<float>(static_cast<uint32_t>(slot));
+    else if constexpr (std::is_same_v<T, double>)
+        to = std::bit_cast<double>(slot);
+    else if constexpr (std::is_same_v<T, _Float16> || std::is_floating_point_v<T>)
+        to = static_cast<T>(std::bit_cast<float>(static_cast<uint32_t>(slot)));
+    else if constexpr (std::is_same_v<T, bool>)
+        to = slot != 0;
+    else
+        to = static_cast<T>(static_cast<int64_t>(slot));
+}
+
+/// The slot of a number.
+template <class T>
+uint64_t stored(const void* at) {
+    const auto& x = *static_cast<const T*>(at);
+    if constexpr (std::is_same_v<T, float>)
+        return std::bit_cast<uint32_t>(x);
+    else if constexpr (std::is_same_v<T, double>)
+        return std::bit_cast<uint64_t>(x);
+    else if constexpr (std::is_same_v<T, _Float16> || std::is_floating_point_v<T>)
+        return std::bit_cast<uint32_t>(static_cast<float>(x));
+    else
+        return static_cast<uint64_t>(static_cast<int64_t>(x));
+}
+
+struct NumberType {
+    const char* kind;
+    bool is_word;  ///< its four bytes are the low ones of its slot
+    void (*load)(void* at, uint64_t slot);
+    uint64_t (*stored)(const void* at);
+};
+template <class T>
+constexpr NumberType kNumberType = {kind_of<T>(), std::is_same_v<T, float> || std::is_same_v<T, uint32_t>, load<T>,
+                                    stored<T>};
+
+/// A number of the inputs or outputs in memory.
+struct Place {
+    void* at;
+    const NumberType* type;
+};
+
+/// Visits the inputs or the outputs of a function once. For `list` it prints a line for each number: direction,
+/// parameter, kind, path; for `run` it notes where they are, for what is made for every type of every subject takes
+/// most of the time to compile. Without std::string and std::vector, whose headers would take longer than most
+/// subjects.
+struct Layout {
+    const char* direction;  ///< nullptr: for `run`
+    int param = 0;
+    size_t count = 0;   ///< numbers of this parameter
     size_t length = 0;  ///< of `path`, and of what no longer fits
     char path[1000] = {};
+    Place* places = nullptr;
+    size_t place_count = 0, room = 0;
 
-    Lister(const char* direction_of, int number) : direction(direction_of), param(number) {}
+    explicit Layout(const char* direction_of) : direction(direction_of) {}
+    ~Layout() { std::free(places); }
+    Layout(const Layout&) = delete;
+    Layout& operator=(const Layout&) = delete;
 
+    void begin(int number) {
+        param = number;
+        count = 0;
+    }
     size_t enter(const char* name) {
         const size_t before = length;
         if (length > 0 && name[0] != '[' && name[0] != 0) append(".");
@@ -69,16 +127,30 @@ struct Lister {
         if (length < sizeof path) path[length] = 0;
     }
     template <class T>
-    void number(T&) {
+    void number(T& x) {
+        add(const_cast<std::remove_const_t<T>*>(&x), kNumberType<std::remove_const_t<T>>);
+    }
+    void unusable(const char* why) {
+        if (direction) std::printf("bad %d %s %s\n", param, why, path);
+    }
+
+private:
+    void add(void* at, const NumberType& type) {
+        if (!direction) return note({at, &type});
         constexpr size_t kMost = 2048;  // more is nobody's input
         if (++count == kMost) unusable("many");
         if (count >= kMost) return;
         if (length >= sizeof path) return unusable("deep");
-        std::printf("%s %d %s %s\n", direction, param, kind_of<T>(), path);
+        std::printf("%s %d %s %s\n", direction, param, type.kind, path);
     }
-    void unusable(const char* why) { std::printf("bad %d %s %s\n", param, why, path); }
-
-private:
+    void note(Place place) {
+        if (place_count == room) {
+            room = 2 * room + 64;
+            places = static_cast<Place*>(std::realloc(places, room * sizeof(Place)));
+            if (places == nullptr) _exit(4);
+        }
+        places[place_count++] = place;
+    }
     void append(const char* text) {
         const size_t more = std::strlen(text);
         if (length + more < sizeof path) std::memcpy(path + length, text, more + 1);
@@ -86,47 +158,20 @@ private:
     }
 };
 
-struct Loader {
-    const uint64_t* at;
-    size_t enter(const char*) { return 0; }
-    void leave(size_t) {}
-    template <class T>
-    void number(T& x) {
-        const uint64_t slot = *at++;
-        auto& to = const_cast<std::remove_const_t<T>&>(x);
-        if constexpr (std::is_same_v<std::remove_const_t<T>, float>)
-            to = std::bit_cast<float>(static_cast<uint32_t>(slot));
-        else if constexpr (std::is_same_v<std::remove_const_t<T>, double>)
-            to = std::bit_cast<double>(slot);
-        else if constexpr (std::is_same_v<std::remove_const_t<T>, _Float16> ||
-                           std::is_floating_point_v<std::remove_const_t<T>>)
-            to = static_cast<std::remove_const_t<T>>(std::bit_cast<float>(static_cast<uint32_t>(slot)));
-        else if constexpr (std::is_same_v<std::remove_const_t<T>, bool>)
-            to = slot != 0;
+inline void load_all(const Layout& layout, const uint64_t* slots) {
+    const Place* const end = layout.places + layout.place_count;
+    for (const Place* place = layout.places; place != end; ++place, ++slots)
+        if (place->type->is_word)
+            *static_cast<uint32_t*>(place->at) = static_cast<uint32_t>(*slots);
         else
-            to = static_cast<std::remove_const_t<T>>(static_cast<int64_t>(slot));
-    }
-    void unusable(const char*) {}
-};
+            place->type->load(place->at, *slots);
+}
 
-struct Storer {
-    uint64_t* at;
-    size_t enter(const char*) { return 0; }
-    void leave(size_t) {}
-    template <class T>
-    void number(T& x) {
-        if constexpr (std::is_same_v<std::remove_const_t<T>, float>)
-            *at++ = std::bit_cast<uint32_t>(x);
-        else if constexpr (std::is_same_v<std::remove_const_t<T>, double>)
-            *at++ = std::bit_cast<uint64_t>(x);
-        else if constexpr (std::is_same_v<std::remove_const_t<T>, _Float16> ||
-                           std::is_floating_point_v<std::remove_const_t<T>>)
-            *at++ = std::bit_cast<uint32_t>(static_cast<float>(x));
-        else
-            *at++ = static_cast<uint64_t>(static_cast<int64_t>(x));
-    }
-    void unusable(const char*) {}
-};
+inline void store_all(const Layout& layout, uint64_t* slots) {
+    const Place* const end = layout.places + layout.place_count;
+    for (const Place* place = layout.places; place != end; ++place, ++slots)
+        *slots = place->type->is_word ? *static_cast<const uint32_t*>(place->at) : place->type->stored(place->at);
+}
 
 template <class V, class T>
 void walk(V& v, const char* name, T& x) {
@@ -167,9 +212,7 @@ struct Hasher {
     }
     template <class T>
     void number(T& x) {
-        uint64_t slot = 0;
-        Storer{&slot}.number(x);
-        take(slot);
+        take(stored<std::remove_const_t<T>>(&x));
     }
     void unusable(const char*) {}
 };
@@ -350,83 +393,98 @@ inline void catch_traps() {
     setitimer(ITIMER_VIRTUAL, &every, nullptr);
 }
 
+/// A function with what it takes and gives, without their types.
+struct Frame {
+    void (*call)(Frame&);  ///< from and to where `in` and `out` say
+    Layout in, out;
+    bool has_notes;
+};
+
+inline void run_records(Frame& frame, const uint64_t* in, size_t in_slots, uint64_t* out, size_t out_slots,
+                        size_t records) {
+    for (size_t record = 0; record < records; ++record, in += in_slots, out += out_slots) {
+        load_all(frame.in, in);
+        answers = frame.in.place_count < in_slots ? in[frame.in.place_count] : 0;
+        out[0] = 1;
+        if (frame.has_notes) {
+            std::memset(notes, 0, sizeof notes);
+            note_count = 0;
+        }
+        if (sigsetjmp(came_back, 0) == 0) {
+            ticks = 0;
+            inside = 1;
+            frame.call(frame);
+            inside = 0;
+            store_all(frame.out, out + 1);
+            out[0] = 0;
+        } else {
+            inside = 0;
+            for (size_t i = 1; i < out_slots; ++i) out[i] = 0;
+        }
+    }
+}
+
+/// Parameter `I`: std::tuple would take longer to compile.
+template <size_t I, class A>
+struct Held {
+    Holder<A> holder;
+    explicit Held(const Param* params) : holder(params[I].count) {}
+};
+
+/// What a function gives, which is not looked at where it is a pointer.
+template <class R>
+struct Result {
+    static constexpr bool kUsable = !std::is_void_v<R> && !std::is_pointer_v<R>;
+    Holder<std::conditional_t<kUsable, R, int>> holder{1};
+};
+
 /// `Globals` visits the variables that are inputs.
-template <class Globals, class R, class... A>
-struct Runner {
+template <class Globals, class Numbers, class R, class... A>
+struct Runner;
+template <class Globals, size_t... I, class R, class... A>
+struct Runner<Globals, std::index_sequence<I...>, R, A...> : Frame, Held<I, A>... {
     using Function = R (*)(A...);
+    using Given = std::remove_cvref_t<R>;
+    Function function;
+    Result<Given> result;
 
-    template <size_t... I>
-    static void list(const Param* params, const Globals& globals, bool has_answers, std::index_sequence<I...>) {
-        std::tuple<Holder<A>...> held{Holder<A>(params[I].count)...};
-        (list_in(std::get<I>(held), static_cast<int>(I), params[I].name), ...);
-        Lister in("in", 9000);
+    Runner(Function function_of, const Param* params, bool lists)
+        : Frame{call_function, Layout(lists ? "in" : nullptr), Layout(lists ? "out" : nullptr), Globals::kHasNotes},
+          Held<I, A>(params)...,
+          function(function_of) {}
+
+    void visit_inputs(const Param* params, const Globals& globals) {
+        (visit(in, static_cast<int>(I), params[I].name, Held<I, A>::holder), ...);
+        in.begin(9000);
         globals(in);
-        if (has_answers) std::printf("in 9999 u4 (answers)\n");
-        if constexpr (!std::is_void_v<R>) {
-            Lister out("out", -1);
-            if constexpr (std::is_pointer_v<R>) {
-                out.unusable("returned");
-            } else {
-                Holder<std::remove_cvref_t<R>> result(1);
-                result.visit(out, "");
-            }
-        }
-        (list_out(std::get<I>(held), static_cast<int>(I), params[I].name), ...);
-        if (Globals::kHasNotes)
-            for (int i = 0; i < kNotes; ++i) std::printf("out 9500 f4 (calls)[%d]\n", i);
     }
-    template <class H>
-    static void list_in(H& holder, int place, const char* name) {
-        Lister in("in", place);
-        holder.visit(in, name);
-    }
-    template <class H>
-    static void list_out(H& holder, int place, const char* name) {
-        if constexpr (H::kOut) {
-            Lister out("out", place);
-            holder.visit(out, name);
-        }
+    void visit_outputs(const Param* params) {
+        if constexpr (Result<Given>::kUsable)
+            visit(out, -1, "", result.holder);
+        else if constexpr (!std::is_void_v<R>)
+            out.unusable("returned");
+        (visit_output<I, A>(params), ...);
     }
 
-    template <size_t... I>
-    static void run(Function function, const Param* params, const Globals& globals, const uint64_t* in, size_t in_slots,
-                    uint64_t* out, size_t out_slots, size_t records, std::index_sequence<I...>) {
-        std::tuple<Holder<A>...> held{Holder<A>(params[I].count)...};
-        for (size_t record = 0; record < records; ++record, in += in_slots, out += out_slots) {
-            Loader loader{in};
-            (std::get<I>(held).visit(loader, ""), ...);
-            globals(loader);
-            answers = loader.at < in + in_slots ? *loader.at : 0;
-            out[0] = 1;
-            if (Globals::kHasNotes) {
-                std::memset(notes, 0, sizeof notes);
-                note_count = 0;
-            }
-            if (sigsetjmp(came_back, 0) == 0) {
-                ticks = 0;
-                inside = 1;
-                Storer storer{out + 1};
-                if constexpr (std::is_void_v<R>) {
-                    function(std::get<I>(held).pass()...);
-                    inside = 0;
-                } else {
-                    auto result = function(std::get<I>(held).pass()...);
-                    inside = 0;
-                    if constexpr (!std::is_pointer_v<R>) walk(storer, "", result);
-                }
-                (store_out(storer, std::get<I>(held)), ...);
-                if (Globals::kHasNotes)
-                    for (float& note : notes) storer.number(note);
-                out[0] = 0;
-            } else {
-                inside = 0;
-                for (size_t i = 1; i < out_slots; ++i) out[i] = 0;
-            }
-        }
-    }
+private:
     template <class H>
-    static void store_out(Storer& storer, H& holder) {
-        if constexpr (H::kOut) holder.visit(storer, "");
+    static void visit(Layout& layout, int place, const char* name, H& holder) {
+        layout.begin(place);
+        holder.visit(layout, name);
+    }
+    template <size_t Place, class P>
+    void visit_output(const Param* params) {
+        if constexpr (Holder<P>::kOut) visit(out, static_cast<int>(Place), params[Place].name, Held<Place, P>::holder);
+    }
+    static void call_function(Frame& frame) {
+        auto& self = static_cast<Runner&>(frame);
+        if constexpr (Result<Given>::kUsable) {
+            Given* const at = self.result.holder.value;
+            std::memset(static_cast<void*>(at), 0, sizeof(Given));
+            ::new (static_cast<void*>(at)) Given(self.function(self.Held<I, A>::holder.pass()...));
+        } else {
+            self.function(self.Held<I, A>::holder.pass()...);
+        }
     }
 };
 
@@ -437,14 +495,23 @@ struct Subject {
 };
 
 template <class Globals, class R, class... A>
-void list(R (*)(A...), const Param* params, const Globals& globals, bool has_answers) {
-    Runner<Globals, R, A...>::list(params, globals, has_answers, std::index_sequence_for<A...>());
+void list(R (*function)(A...), const Param* params, const Globals& globals, bool has_answers) {
+    Runner<Globals, std::index_sequence_for<A...>, R, A...> runner(function, params, true);
+    runner.visit_inputs(params, globals);
+    if (has_answers) std::printf("in 9999 u4 (answers)\n");
+    runner.visit_outputs(params);
+    if (Globals::kHasNotes)
+        for (int i = 0; i < kNotes; ++i) std::printf("out 9500 f4 (calls)[%d]\n", i);
 }
 template <class Globals, class R, class... A>
 void run(R (*function)(A...), const Param* params, const Globals& globals, const uint64_t* in, size_t in_slots,
          uint64_t* out, size_t out_slots, size_t records) {
-    Runner<Globals, R, A...>::run(function, params, globals, in, in_slots, out, out_slots, records,
-                                  std::index_sequence_for<A...>());
+    Runner<Globals, std::index_sequence_for<A...>, R, A...> runner(function, params, false);
+    runner.visit_inputs(params, globals);
+    runner.visit_outputs(params);
+    if (Globals::kHasNotes)
+        for (float& note : notes) runner.out.number(note);
+    run_records(runner, in, in_slots, out, out_slots, records);
 }
 
 /// The first so many slots of a file in memory.
@@ -471,8 +538,7 @@ inline int start(int argc, char** argv, const Subject* subjects, size_t count) {
     if (argc != 8) return 2;
     const int number = std::atoi(argv[2]);
     const auto in_slots = static_cast<size_t>(std::atoll(argv[3])),
-               out_slots = static_cast<size_t>(std::atoll(argv[4])),
-               records = static_cast<size_t>(std::atoll(argv[7]));
+               out_slots = static_cast<size_t>(std::atoll(argv[4])), records = static_cast<size_t>(std::atoll(argv[7]));
     const uint64_t* const in = mapped(argv[5], false, records * in_slots);
     uint64_t* const out = mapped(argv[6], true, records * out_slots);
     catch_traps();
