@@ -88,6 +88,7 @@ struct GltfDocument {
     std::vector<GltfChannel> channels;    ///< of all animations, in the file's order
     uint64_t geometry_bytes = 0;          ///< what the meshes and curves read so far take, at least
     Omissions omissions;
+    Omissions mended;  ///< what was wrong in the file, and shown all the same
     std::vector<UnreadImage> unread_images;
 
     /// Throws LoadError where the view does not lie in its buffer: one that nobody reads does no harm.

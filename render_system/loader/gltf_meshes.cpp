@@ -384,7 +384,7 @@ private:
         float sum = 0.0f;
         for (uint32_t i = 0; i < influences_; ++i) sum += weights[i];
         if (!(std::abs(sum - 1.0f) <= kRounding))
-            document_.omissions.add("weights of joints that do not add up to 1, which were made to", place_);
+            document_.mended.add("weights of joints that do not add up to 1, which were made to", place_);
         if (!std::isfinite(sum)) {  // of finite numbers: shares of them add up
             sum = 0.0f;
             for (uint32_t i = 0; i < influences_; ++i) sum += weights[i] /= static_cast<float>(influences_ + 1);

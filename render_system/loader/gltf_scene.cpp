@@ -406,6 +406,7 @@ private:
         if (!document_.omissions.empty()) {
             loaded_.warnings.push_back(file + "not supported and left out: " + document_.omissions.text());
         }
+        if (!document_.mended.empty()) loaded_.warnings.push_back(file + "mended: " + document_.mended.text());
         if (!document_.unread_images.empty()) loaded_.warnings.push_back(file + unread_images_text());
     }
 

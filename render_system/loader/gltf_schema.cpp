@@ -231,6 +231,7 @@ const Rule RULES[] = {
     {"skins[]", Kind::object},
     {"skins[].joints", Kind::indices, "nodes", 0, REQUIRED},
     {"skins[].inverseBindMatrices", Kind::index, "accessors"},
+    {"skins[].skeleton", Kind::index, "nodes"},
     {"animations", Kind::array},
     {"animations[]", Kind::object},
     {"animations[].name", Kind::text},

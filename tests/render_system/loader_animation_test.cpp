@@ -320,6 +320,8 @@ TEST(LoaderAnimation, RefusesSkinsThatCannotHold) {
                 HasSubstr("/skins/0/joints: is missing"));
     EXPECT_THAT(refused([](GltfFile& file) { file.root["skins"][0]["joints"] = json::array(); }),
                 HasSubstr("has no skeleton"));
+    EXPECT_THAT(refused([](GltfFile& file) { file.root["skins"][0]["skeleton"] = 999; }),
+                HasSubstr("/skins/0/skeleton: "));
     EXPECT_THAT(refused([](GltfFile& file) { file.root["skins"][0]["joints"] = {1}; }),
                 HasSubstr("/nodes/0/skin: has 1 joints, but the mesh names joint 1"));
     EXPECT_THAT(refused([](GltfFile& file) {
@@ -341,7 +343,7 @@ TEST(LoaderAnimation, RefusesSkinsThatCannotHold) {
         attributes(heavy)["WEIGHTS_0"] = add_floats(heavy, Floats(12, weight), "VEC4", 4);
         std::vector<std::string> warnings;
         const HostScene scene = loaded(heavy, &warnings);
-        EXPECT_THAT(warnings[0], HasSubstr("weights of joints that do not add up to 1"));
+        EXPECT_THAT(warnings[0], HasSubstr("mended: weights of joints that do not add up to 1"));
         expect_near(scene.meshes()[0].positions[0], {0.5f, 0, 3.5f});
     }
 }
