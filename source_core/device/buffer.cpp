@@ -170,7 +170,13 @@ Status Staging::upload(const Device& device, std::span<const Part> parts) const 
     uint64_t filled = 0;
     const auto send = [&] {
         Status status = device.submit_and_wait([&](VkCommandBuffer commands) {
+            // A part may lie over one before it: copies have no order of their own.
+            VkMemoryBarrier barrier{VK_STRUCTURE_TYPE_MEMORY_BARRIER};
+            barrier.srcAccessMask = VK_ACCESS_TRANSFER_WRITE_BIT;
+            barrier.dstAccessMask = VK_ACCESS_TRANSFER_WRITE_BIT;
             for (const Copy& copy : copies) {
+                vkCmdPipelineBarrier(commands, VK_PIPELINE_STAGE_TRANSFER_BIT, VK_PIPELINE_STAGE_TRANSFER_BIT, 0, 1,
+                                     &barrier, 0, nullptr, 0, nullptr);
                 vkCmdCopyBuffer(commands, upload_.handle(), copy.target, 1, &copy.region);
             }
         });
