@@ -14,8 +14,7 @@ namespace {
 /// The last part of an id's name, without the number of an overload; "" for what is no name, as an operator.
 std::string plain_leaf(const std::string& id) {
     const std::string name = split_id(id).second;
-    const std::string_view leaf = leaf_of(name);
-    const std::string_view plain = leaf.substr(0, leaf.find('#'));
+    const std::string_view plain = bare_leaf_of(name);
     const bool is_name = is_word_token(plain) && plain.find_first_not_of(
                                                      "abcdefghijklmnopqrstuvwxyz"
                                                      "ABCDEFGHIJKLMNOPQRSTUVWXYZ"

@@ -220,12 +220,6 @@ TokenRange table_at(const LexedText& lexed, uint32_t i) {
     return {};
 }
 
-/// The last part of a name, without `#2`.
-std::string bare_leaf(std::string_view name) {
-    const std::string_view leaf = leaf_of(name);
-    return std::string(leaf.substr(0, leaf.find('#')));
-}
-
 }  // namespace
 
 namespace {
@@ -346,7 +340,8 @@ void Definitions::add_file(const ScannedFile& file) {
     std::vector<TokenRange> taken;
     for (const Unit& unit : file.units) {
         if (unit.kind == UnitKind::File) continue;
-        Definition one{kind_of_unit(lexed, unit), &file, &unit, unit.tokens, bare_leaf(unit.name), {}, {}, 0};
+        Definition one{
+            kind_of_unit(lexed, unit), &file, &unit, unit.tokens, std::string(bare_leaf_of(unit.name)), {}, {}, 0};
         if (one.kind == Definition::Kind::Macro) continue;  // all directives are read below
         one.tokens = extent_of(file, unit).tokens;
         if (one.kind == Definition::Kind::Function)
@@ -361,7 +356,7 @@ void Definitions::add_file(const ScannedFile& file) {
         const std::string_view rest =
             std::string_view(unit.name).substr(std::min<size_t>(unit.namespace_length, unit.name.size()));
         const size_t last = rest.rfind("::");
-        if (last != std::string_view::npos) one.owner = bare_leaf(rest.substr(0, last));
+        if (last != std::string_view::npos) one.owner = bare_leaf_of(rest.substr(0, last));
         add_with(std::move(one));
     }
     for (const Directive& directive : lexed.directives)
@@ -599,7 +594,7 @@ std::vector<const Definition*> Definitions::members(std::string_view owner) cons
 const Definition* Definitions::of_unit(const ScannedFile& file, const Unit& unit) const {
     const auto names = by_file_.find(&file);
     if (names == by_file_.end()) return nullptr;
-    const auto found = names->second.find(bare_leaf(unit.name));
+    const auto found = names->second.find(bare_leaf_of(unit.name));
     if (found == names->second.end()) return nullptr;
     for (const Definition* one : found->second)
         if (one->unit == &unit) return one;

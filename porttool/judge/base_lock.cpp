@@ -12,8 +12,7 @@ namespace porttool {
 namespace {
 
 bool same(const LockedPair& a, const LockedPair& b) {
-    return a.source_prints == b.source_prints && a.target_prints == b.target_prints &&
-           a.macros.source == b.macros.source && a.macros.target == b.macros.target;
+    return a.source_prints == b.source_prints && a.target_prints == b.target_prints && a.macros == b.macros;
 }
 
 const UnitState* find_in(const std::map<std::string, UnitState>& states, const std::string& id) {

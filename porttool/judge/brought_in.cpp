@@ -122,8 +122,7 @@ private:
 
     void compare_locked_pair(const LockedPair* old, const LockedPair& pair) {
         const bool same_texts = old != nullptr && old->source_prints == pair.source_prints &&
-                                old->target_prints == pair.target_prints && old->macros.source == pair.macros.source &&
-                                old->macros.target == pair.macros.target;
+                                old->target_prints == pair.target_prints && old->macros == pair.macros;
         const bool by_hand = pair.state == kVerified && pair.by.starts_with(kAcceptedBy);  // as the row says anyway
         const bool same_word = same_texts ? std::tie(old->state, old->by) == std::tie(pair.state, pair.by)
                                           : pair.state == LockedPair().state || by_hand;

@@ -155,7 +155,7 @@ void PairJudge::report_gone(const JudgedPair& pair, bool is_recorded) {
 /// What the file of a port that is gone calls by another spelling of its name: a built-in that does the same, mostly.
 std::string PairJudge::call_in_place_of(const std::string& gone) const {
     const auto [file, name] = split_id(gone);
-    const std::string_view leaf = leaf_of(name).substr(0, leaf_of(name).find('#'));
+    const std::string_view leaf = bare_leaf_of(name);
     for (const auto& [id, unit] : facts_.target)
         if (unit.file == file)
             if (const std::string_view call = respelled_call(unit.text, leaf); !call.empty()) return std::string(call);

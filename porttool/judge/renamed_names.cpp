@@ -10,8 +10,7 @@ namespace {
 /// The last part of an id's name, without the number of an overload.
 std::string name_in_calls(const std::string& id) {
     const std::string name = split_id(id).second;
-    const std::string_view leaf = leaf_of(name);
-    return std::string(leaf.substr(0, leaf.find('#')));
+    return std::string(bare_leaf_of(name));
 }
 
 }  // namespace

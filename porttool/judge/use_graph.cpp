@@ -12,10 +12,7 @@
 namespace porttool {
 namespace {
 
-std::string_view borne_name(const UnitState& unit) {
-    const std::string_view leaf = leaf_of(unit.name);
-    return leaf.substr(0, leaf.find('#'));
-}
+std::string_view borne_name(const UnitState& unit) { return bare_leaf_of(unit.name); }
 
 std::string_view stem_of_path(std::string_view path) {
     path.remove_prefix(path.rfind('/') + 1);  // npos + 1 is 0

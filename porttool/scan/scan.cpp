@@ -189,6 +189,11 @@ std::string_view leaf_of(std::string_view name) {
     return colons == std::string_view::npos ? name : name.substr(colons + 2);
 }
 
+std::string_view bare_leaf_of(std::string_view name) {
+    const std::string_view leaf = leaf_of(name);
+    return leaf.substr(0, leaf.find('#'));
+}
+
 Unit whole_file_unit(const ScannedFile& file) {
     Unit unit;
     unit.kind = UnitKind::File;

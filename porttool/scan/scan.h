@@ -23,6 +23,9 @@ std::pair<std::string, std::string> split_id(const std::string& id);
 /// The last part of a qualified name: `B::f` of `A::B::f` is `f`.
 std::string_view leaf_of(std::string_view name);
 
+/// The same without the number of an overload: `f` of `A::B::f#2`.
+std::string_view bare_leaf_of(std::string_view name);
+
 /// The unit that stands for a whole file, named `@file`.
 Unit whole_file_unit(const ScannedFile& file);
 

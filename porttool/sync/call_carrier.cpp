@@ -12,10 +12,7 @@
 namespace porttool {
 namespace {
 
-std::string function_name(const std::string& unit) {
-    const std::string_view leaf = leaf_of(unit);
-    return std::string(leaf.substr(0, leaf.find('#')));
-}
+std::string function_name(const std::string& unit) { return std::string(bare_leaf_of(unit)); }
 
 std::string tokens_text(const LexedText& lexed, TokenRange range) {
     if (range.empty()) return {};

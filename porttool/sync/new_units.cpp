@@ -23,10 +23,7 @@ constexpr size_t kMostNewUnits = 64;    ///< that one run ports
 constexpr size_t kDeepest = 8;          ///< new units that use one another
 constexpr size_t kMostNewWords = 2000;  ///< of one
 
-std::string plain_name(std::string_view name) {
-    const std::string_view leaf = leaf_of(name);
-    return std::string(leaf.substr(0, leaf.find('#')));
-}
+std::string plain_name(std::string_view name) { return std::string(bare_leaf_of(name)); }
 
 std::string_view text_of(const ScannedFile& file, const Unit& unit) {
     const Token &first = file.lexed.tokens[unit.tokens.first], &last = file.lexed.tokens[unit.tokens.end - 1];

@@ -15,10 +15,7 @@ namespace {
 constexpr size_t kHighest = 8;  ///< units that use one another
 constexpr size_t kMostLifted = 16;
 
-std::string name_alone(const Unit& unit) {
-    const std::string_view leaf = leaf_of(unit.name);
-    return std::string(leaf.substr(0, leaf.find('#')));
-}
+std::string name_alone(const Unit& unit) { return std::string(bare_leaf_of(unit.name)); }
 
 bool is_member(const Unit& unit) { return unit.name.size() > unit.namespace_length + leaf_of(unit.name).size() + 2; }
 

@@ -11,11 +11,6 @@
 namespace porttool {
 namespace {
 
-std::string bare_leaf(std::string_view name) {
-    const std::string_view leaf = leaf_of(name);
-    return std::string(leaf.substr(0, leaf.find('#')));
-}
-
 /// How often a file has a name, comments apart.
 size_t times_of(const ScannedFile& file, std::string_view name) {
     if (file.lexed.text.find(name) == std::string::npos) return 0;
@@ -26,7 +21,7 @@ size_t times_of(const ScannedFile& file, std::string_view name) {
 
 bool stands_once(const ScannedFile& file, const std::string& name) {
     return std::count_if(file.units.begin(), file.units.end(),
-                         [&](const Unit& unit) { return bare_leaf(unit.name) == name; }) < 2;
+                         [&](const Unit& unit) { return bare_leaf_of(unit.name) == name; }) < 2;
 }
 
 }  // namespace
@@ -40,10 +35,11 @@ std::string UnitRemover::remove(const JudgedPair& pair, Side to, const std::vect
     if (file == nullptr || !is_code) return "only a function, a struct or a constant goes by itself";
     Draft& draft = drafts_.of(to, *file);
     const Unit* unit = draft.unit(port.id);
-    const std::string name = bare_leaf(port.name);
+    const std::string name(bare_leaf_of(port.name));
     if (draft.is_linked || unit == nullptr || !stands_once(draft.scanned, name))
         return "its file has it in another form";
-    const std::string gone = bare_leaf(pair.id[other_side(to)].substr(pair.id[other_side(to)].find(':') + 1));
+    const std::string& partner = pair.id[other_side(to)];
+    const std::string gone(bare_leaf_of(std::string_view(partner).substr(partner.find(':') + 1)));
     for (const ScannedFile& other : knowledge_.files(other_side(to)))
         if (times_of(other, gone) > 0) return "`" + gone + "` still stands in " + other.path;
     if (const std::string fresh = new_units.still_alone(other_side(to)); !fresh.empty())
