@@ -19,6 +19,7 @@
 #include "porttool/sync/examples.h"
 #include "porttool/sync/head_manner.h"
 #include "porttool/sync/known_words.h"
+#include "porttool/sync/local_writes.h"
 #include "porttool/sync/translator.h"
 
 namespace porttool {
