@@ -156,12 +156,15 @@ Outcome run_accept(const Options& options, Workplace& place) {
     accept_pairs(checked.lock, accepted, TargetSets(checked.project.map), options.all ? Looked::AtNone : Looked::AtEach,
                  options.reason, today());
     note_macros(checked.lock, checked.judgement, accepted, checked.project, checked.states);
+    // Lines from before macros were noted; one that is named takes no other lines along.
+    const size_t noted = options.all ? note_macros(checked.lock, checked.project, checked.states) : 0;
     std::vector<NewPair> fresh;
     for (const JudgedPair& pair : acceptance.fresh) fresh.push_back({pair.id.source, pair.id.target});
     const std::string map = fresh.empty() ? std::string() : add_pairs(checked.project, fresh);
     store(checked, place.disk, fresh.empty() ? nullptr : &map);
     std::string out = fmt::format("{} pairs recorded as in step\n", accepted.size());
     if (!fresh.empty()) out += fmt::format("{} of them written into portmap.toml\n", fresh.size());
+    if (noted > 0) out += fmt::format("{} more lines note what macros make of their words\n", noted);
     if (checked.lock.version == 1)
         out += "portmap.lock is rewritten as version 2: this once, all of its lines change\n";
     if (!left.empty())

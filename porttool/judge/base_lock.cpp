@@ -33,6 +33,20 @@ const LockedPair* accepted_since(const LinesByPair& then, const LinesByPair& now
     return matches ? line : nullptr;
 }
 
+/// Lines of the base that do not say what macros there were say it where today's lines do: then these differ by what
+/// was done to macros since, not by having been noted.
+void note_macros_as_today(LockFile& then, const LockFile& now, const Snapshot& base) {
+    const LinesByPair lines(now);
+    LockFile noted = then;
+    if (note_macros(noted, base.project, base.states) == 0) return;
+    for (size_t i = 0; i < then.pairs.size(); ++i) {
+        const LockedPair* line = lines.find(then.pairs[i].source, then.pairs[i].target);
+        for (const Side side : kBothSides)
+            if (line != nullptr && !line->macros[side].empty())
+                then.pairs[i].macros[side] = noted.pairs[i].macros[side];
+    }
+}
+
 }  // namespace
 
 BaseRecord base_record(Snapshot& base, const RecordedLock& now, const States& today, std::ostream& err) {
@@ -56,6 +70,7 @@ BaseRecord base_record(Snapshot& base, const RecordedLock& now, const States& to
         ReadLock read = read_lock(text.bytes);
         if (is_outdated(read.lock)) read_base_texts(base);  // only then are they needed
         out.lock = lock_of_today(project, base.git, std::move(read), today);
+        note_macros_as_today(out.lock.lock, now.lock, base);
         out.has_lock = true;
     } catch (const CannotDo& problem) {
         err << "warning: at " << terminal_text(base.at.revision) << ": " << problem.what()

@@ -17,16 +17,19 @@ public:
     MacroNotes(const Project& project, const States& states)
         : macros_{WordMacros(project.source), WordMacros(project.target)}, states_(states) {}
 
-    void note(LockedPair& line) {
-        note(line, Side::Source, line.source, line.source_prints);
-        note(line, Side::Target, line.target, line.target_prints);
+    /// True if there was something to note.
+    bool note(LockedPair& line) {
+        const bool source = note(line, Side::Source, line.source, line.source_prints);
+        const bool target = note(line, Side::Target, line.target, line.target_prints);
+        return source || target;
     }
 
 private:
-    void note(LockedPair& line, Side side, const std::string& id, const Fingerprints& prints) {
+    bool note(LockedPair& line, Side side, const std::string& id, const Fingerprints& prints) {
         const auto unit = states_[side].find(id);
-        if (!line.macros[side].empty() || unit == states_[side].end() || unit->second.prints != prints) return;
+        if (!line.macros[side].empty() || unit == states_[side].end() || unit->second.prints != prints) return false;
         line.macros[side] = macros_[side].of(unit->second.file, unit->second.text);
+        return true;
     }
 
     BySide<WordMacros> macros_;
@@ -35,10 +38,12 @@ private:
 
 }  // namespace
 
-void note_macros(LockFile& lock, const Project& project, const States& states) {
-    if (lock.pairs.empty()) return;
+size_t note_macros(LockFile& lock, const Project& project, const States& states) {
+    if (lock.pairs.empty()) return 0;
     MacroNotes notes(project, states);
-    for (LockedPair& line : lock.pairs) notes.note(line);
+    size_t count = 0;
+    for (LockedPair& line : lock.pairs) count += notes.note(line);
+    return count;
 }
 
 void note_macros(LockFile& lock, const Judgement& judgement, const std::vector<const JudgedPair*>& accepted,

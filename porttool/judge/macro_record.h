@@ -3,6 +3,7 @@
 // What the record has of macros that give words of paired units a meaning.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "porttool/judge/judgement.h"
@@ -12,8 +13,8 @@
 namespace porttool {
 
 /// Notes in each line of a pair whose recorded texts are those of `states` what macros make of its words, where the
-/// line does not say it yet. `project` and `states` are of one moment.
-void note_macros(LockFile& lock, const Project& project, const States& states);
+/// line does not say it yet. `project` and `states` are of one moment. Returns the number of those lines.
+size_t note_macros(LockFile& lock, const Project& project, const States& states);
 
 /// The same for the lines of pairs that were accepted, and of all others whose words the same edits of macros changed:
 /// who looked at one has looked at all.

@@ -513,6 +513,26 @@ TEST_F(HostileChange, AWordOfTrustInTheLockIsListed) {
     EXPECT_NE(got["brought_in"][0]["text"].get<std::string>().find(", verified by difftest"), std::string::npos);
 }
 
+TEST_F(HostileChange, MacrosThatAreNotedFirstAreListedOnlyWhereTheyChanged) {
+    std::string lock = read_text(root / "portmap.lock");
+    for (size_t at = 0; (at = lock.find("-macros=", at)) != std::string::npos;)
+        lock.erase(at - 7, lock.find_first_of("\t\n", at) - at + 7);
+    write("portmap.lock", lock);
+    commit("a lock from before macros were noted");
+    git("checkout -q -b change");
+    ASSERT_EQ(porttool({"accept", "--all"}).exit_code, 0);
+    ASSERT_NE(read_text(root / "portmap.lock"), lock);
+    EXPECT_TRUE(json({"check", "--base", "main"})["brought_in"].empty()) << "nothing but what was so all along";
+    write("portmap.lock", lock);
+    write("src/k.cu", "#define x 0.0f\n" + kSource);
+    ASSERT_EQ(porttool({"accept", "--all"}).exit_code, 0);
+    const CommandRun open = porttool({"check", "--base", "main", "--format", "json"});
+    EXPECT_EQ(nlohmann::json::parse(open.out)["brought_in"].size(), 2) << open.out;
+    const CommandRun trusted = porttool({"check", "--base", "main", "--trusted-map"});
+    EXPECT_EQ(trusted.exit_code, 1);
+    EXPECT_NE(trusted.out.find("its word x is `#define x ...` now"), std::string::npos) << trusted.out;
+}
+
 TEST_F(HostileChange, FilesThatCannotBeReadDoNotPassAsGone) {
     const std::vector<std::pair<std::string, std::string>> rows = {
         {std::string("// \0\n", 5) + replaced(kSource, "3.0f", "4.0f"), "binary"},

@@ -273,6 +273,13 @@ std::map<std::string, std::string> macro_project() {
              "[[pair]]\nsource = \"src/k.cu:g\"\ntarget = \"port/k.comp:g\"\n"}};
 }
 
+/// A lock as it was written before its lines said what macros make of words.
+std::string without_macros(std::string lock) {
+    for (size_t at = 0; (at = lock.find("-macros=", at)) != std::string::npos;)
+        lock.erase(at - 7, std::min(lock.find_first_of("\t\n", at), lock.size()) - at + 7);
+    return lock;
+}
+
 struct MacroRow {
     const char *file, *from, *to;  ///< the edit: `to` goes before the text where `from` is ""
     const char* says;              ///< of the finding; "" for none
@@ -325,11 +332,31 @@ TEST(Unwatched, MacrosThatBothSidesGetAlikeAreInStepAndALockFromBeforeIsSilent) 
     for (const char* file : {"/r/src/k.cu", "/r/port/k.comp"}) disk.files[file] = "#define x y\n" + disk.files[file];
     EXPECT_EQ(rules(check(disk)), Rules{});
     disk.files = before;
-    std::string& lock = disk.files["/r/portmap.lock"];
-    for (size_t at = 0; (at = lock.find("-macros=", at)) != std::string::npos;)
-        lock.erase(at - 7, std::min(lock.find_first_of("\t\n", at), lock.size()) - at + 7);
+    disk.files["/r/portmap.lock"] = without_macros(before["/r/portmap.lock"]);
     disk.files["/r/src/k.cu"] = "#define sinf __sinf\n" + disk.files["/r/src/k.cu"];
     EXPECT_EQ(rules(check(disk)), Rules{}) << "what macros were there then is not known";
+}
+
+TEST(Unwatched, AcceptAllNotesMacrosInLinesFromBeforeAndKeepsTheirState) {
+    MemoryDisk disk;
+    disk.files = macro_project();
+    ASSERT_EQ(porttool_at_r(disk, {"init"}).exit_code, 0);
+    ASSERT_EQ(porttool_at_r(disk, {"accept", "src/k.cu:g", "--reason", "measured"}).exit_code, 0);
+    const std::map<std::string, std::string> whole = disk.files;
+    const std::string before = without_macros(whole.at("/r/portmap.lock"));
+    disk.files["/r/portmap.lock"] = before;
+    ASSERT_EQ(porttool_at_r(disk, {"ignore", "src/k.cu:f", "--reason", "later"}).exit_code, 0);
+    EXPECT_EQ(disk.files["/r/portmap.lock"].find("-macros="), std::string::npos) << "no other line is touched";
+    disk.files["/r/portmap.lock"] = before;
+    const CommandRun got = porttool_at_r(disk, {"accept", "--all"});
+    EXPECT_EQ(got.exit_code, 0) << got.err;
+    EXPECT_NE(got.out.find("2 more lines note what macros make of their words"), std::string::npos) << got.out;
+    EXPECT_EQ(disk.files, whole) << "their states and days stay";
+    EXPECT_EQ(porttool_at_r(disk, {"accept", "--all"}).out, "0 pairs recorded as in step\n");
+    disk.files["/r/portmap.lock"] = before;
+    disk.files["/r/src/k.cu"] = replaced(disk.files["/r/src/k.cu"], "sinf(x) + fma", "cosf(x) + fma");
+    EXPECT_EQ(porttool_at_r(disk, {"accept", "--all"}).exit_code, 1);
+    EXPECT_EQ(rules(check(disk)), Rules{"source-changed"}) << "a line of another text is left";
 }
 
 TEST(Unwatched, OfAKernelAndItsLauncherTheKernelIsTold) {
