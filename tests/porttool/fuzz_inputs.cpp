@@ -62,15 +62,16 @@ redevelopment = { design = 4, coding = 6 }
 uncertainty = 0.2
 )";
 
+const char* kHeader = "#ifdef FAST\n#define exp __expf\n#endif\n#undef fma\n#define scaled(x) ((x) * kScale)\n";
 const char* kSource =
-    "#define SIZE 8\nconst float kScale = 0.5f;\nstruct Hit { float t; int id; };\n"
+    "#include \"k.h\"\n#define SIZE 8\nconst float kScale = 0.5f;\nstruct Hit { float t; int id; };\n"
     "__device__ float shade(float a, float b) {\n  float c = a * b;\n  if (c > 1.0f) c = 1.0f;\n  return c * "
     "kScale;\n}\n"
-    "__device__ float trace(float t) {\n  for (int i = 0; i < SIZE; ++i) t += 0.25f * i;\n  return t;\n}\n";
+    "__device__ float trace(float t) {\n  for (int i = 0; i < SIZE; ++i) t += 0.25f * exp(i);\n  return t;\n}\n";
 const char* kTarget =
     "#define SIZE 8\nconst float kScale = 0.5;\nstruct Hit { float t; int id; };\n"
     "float shade(float a, float b) {\n  float c = a * b;\n  if (c > 1.0) c = 1.0;\n  return c * kScale;\n}\n"
-    "float trace(float t) {\n  for (int i = 0; i < SIZE; ++i) t += 0.25 * i;\n  return t;\n}\n";
+    "float trace(float t) {\n  for (int i = 0; i < SIZE; ++i) t += 0.25 * exp(i);\n  return t;\n}\n";
 
 struct CommandResult {
     int exit_code;
@@ -91,7 +92,7 @@ CommandResult run_command(MemoryDisk& disk, std::vector<const char*> arguments) 
 /// A repository with a map, a lock with all kinds of lines, and one pair that drifted since.
 FuzzInput make_repository() {
     MemoryDisk disk;
-    disk.files = {{"/r/src/k.cu", kSource}, {"/r/port/k.comp", kTarget}};
+    disk.files = {{"/r/src/k.cu", kSource}, {"/r/src/k.h", kHeader}, {"/r/port/k.comp", kTarget}};
     run_command(disk, {"init", "--source", "src/*", "--target", "port/*"});
     auto edit = [&](const char* path, const std::string& from, const std::string& to) {
         std::string& text = disk.files[path];
@@ -172,6 +173,11 @@ const MutationStock& source_stock() {
                                          "const float x = ",
                                          "\\\n",
                                          "#pragma omp ",
+                                         "#include \"k.h\"\n",
+                                         "#include <../src/",
+                                         "#undef SIZE\n",
+                                         "#define shade trace\n",
+                                         "#define exp(x) ",
                                          "// porttool: ignore(unported) ",
                                          "if constexpr(",
                                          std::string(1, '\0'),
@@ -267,6 +273,9 @@ const MutationStock& lock_stock() {
                                          "unit\tsource\t",
                                          "\tstate=verified\tby=",
                                          "\tlater=%",
+                                         "\tsource-macros=-",
+                                         "\ttarget-macros=*:0a1b2c3d",
+                                         "\tsource-macros=SIZE: exp:",
                                          "7f3\n",
                                          "7f3a90c1\n",
                                          "7f3a90c1\t",
@@ -444,7 +453,9 @@ std::optional<FuzzKind> fuzz_kind(std::string_view name) {
 std::string fuzz_seed_fault() {
     const ReadMap map = read_map("portmap.toml", kMap);
     if (!map.error.empty()) return map.error;
-    if (const ReadLock lock = read_lock(repository().at("/r/portmap.lock")); !lock.error.empty()) return lock.error;
+    const std::string& lock = repository().at("/r/portmap.lock");
+    if (const ReadLock read = read_lock(lock); !read.error.empty()) return read.error;
+    if (lock.find(" exp:") == std::string::npos) return "no macro of the header is noted in the lock";
     MemoryDisk disk;
     disk.files = repository();
     const CommandResult got = run_command(disk, {"check"});
