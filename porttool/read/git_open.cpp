@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <iterator>
 
 #include "porttool/read/cannot_do.h"
 #include "porttool/text/sink/shell.h"
@@ -74,8 +75,12 @@ git_repository* open_work_tree(const std::string& git_entry) {
 
 OpenedGit open_git(const std::string& root, const std::string& remedy) {
     git_libgit2_init();
-    // Objects are only read: that the work tree belongs to another user (as in CI containers) does no harm.
+    // Objects are only read: that the work tree belongs to another user (as in CI containers) does no harm. Nor do
+    // extensions about how a work tree is written (`git sparse-checkout` sets one), or how objects are kept and
+    // fetched: one that a partial clone lacks cannot be read, and is told.
     git_libgit2_opts(GIT_OPT_SET_OWNER_VALIDATION, 0);
+    const char* extensions[] = {"worktreeconfig", "partialclone", "preciousobjects"};
+    git_libgit2_opts(GIT_OPT_SET_EXTENSIONS, extensions, std::size(extensions));
     OpenedGit out;
     const std::string entry = git_entry_above(root);
     git_repository* repository = entry.empty() ? nullptr : open_work_tree(entry);

@@ -114,6 +114,19 @@ TEST_F(Git, WorkTreesSubfoldersAndDetachedHeadsWork) {
     EXPECT_EQ(check({"--base", "base"}, (root / "src").string())["verdict"], "in_step");
 }
 
+/// Extensions that tell how a work tree is written, or from where objects come, have no part in reading them.
+TEST_F(Git, WhatSparseCheckoutsAndPartialClonesSetIsNoHindrance) {
+    git("sparse-checkout set --no-cone '/*'");
+    for (const char* extension : {"worktreeConfig true", "partialClone origin", "preciousObjects true"}) {
+        git("config core.repositoryformatversion 1");
+        git(std::string("config extensions.") + extension);
+    }
+    EXPECT_EQ(check({"--base", "base"})["verdict"], "in_step");
+    EXPECT_EQ(check({"--staged"})["verdict"], "in_step");
+    git("config extensions.objectNames stretched");
+    EXPECT_NE(error_of({"--base", "base"}).find("objectnames"), std::string::npos) << "what nobody knows is refused";
+}
+
 TEST_F(Git, ABareRepositoryAndALinkToNowhereAreNamedWithARemedy) {
     git("clone -q --bare . '" + beside("other").string() + "'");
     for (const char* name : {"src", "port", "portmap.toml", "portmap.lock", "portmap.base"})
