@@ -71,9 +71,9 @@ void MacroEdits::tell(JudgedPair& pair, Side side, const std::string& edit) {
                                      "macros of " + key);
     for (const auto& [word, hash] : words_with_macros(edit)) {
         std::string says;
-        if (const auto seen = macros(side).seen_from(unit.file, word); !seen.empty()) {
-            says = fmt::format("{} now ({}:{})", shown(seen.front()), seen.front().file, seen.front().line);
-            finding.details.push_back("+ " + seen.front().text);
+        if (const auto seen = macros(side).first_seen(unit.file, word)) {
+            says = fmt::format("{} now ({}:{})", shown(*seen), seen->file, seen->line);
+            finding.details.push_back("+ " + seen->text);
         } else {
             says = "a macro no longer";
             finding.details.push_back("- #define " + std::string(word));

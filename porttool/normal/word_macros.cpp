@@ -3,7 +3,7 @@
 #include "porttool/normal/word_macros.h"
 
 #include <algorithm>
-#include <set>
+#include <unordered_set>
 
 #include "porttool/language/words.h"
 #include "porttool/scan/macros.h"
@@ -12,14 +12,21 @@
 namespace porttool {
 namespace {
 
-constexpr size_t kMostWords = 64, kHashDigits = 8;
+constexpr size_t kMostWords = 64;
+/// Of one word in one file, kept apart: files that say the same may take each other's place.
+constexpr size_t kMostTexts = 4;
+/// What an `#include` may mean, and the files that one sees: beyond it a file counts as seeing all, so that nothing is
+/// hidden in there.
+constexpr size_t kMostAlike = 64, kMostSeen = 2048;
+constexpr size_t kMostKept = size_t{1} << 24;  ///< numbers of seen files in memory: 64 MiB
 
-std::string_view last_part(std::string_view path) { return path.substr(path.rfind('/') + 1); }
+std::string from_the_end(std::string_view path) { return {path.rbegin(), path.rend()}; }
 
-std::string short_hash(const std::set<std::string>& texts) {
+template <class Texts>
+std::string hash_of(const Texts& texts) {
     Fingerprinter print;
-    for (const std::string& text : texts) print.add(text);
-    return print.digits().substr(0, kHashDigits);
+    for (const std::string_view text : texts) print.add(text);
+    return print.digits();
 }
 
 /// What stands between the quotes or angles of an `#include`; "" for a macro in their place.
@@ -72,7 +79,7 @@ void WordMacros::read(const ScannedFile& file) {
         if (redefines_word(lexed.view(name)) || only_promises(lexed, name + 1, directive.end_token)) continue;
         while (unit != file.units.end() && unit->tokens.first < directive.first_token) ++unit;
         const bool is_unit = unit != file.units.end() && unit->tokens.first == directive.first_token;
-        by_word_[lexed.view(name)].push_back({&file, &directive, is_unit});
+        by_word_[lexed.view(name)].definitions.push_back({&file, &directive, is_unit});
     }
 }
 
@@ -86,79 +93,127 @@ std::string WordMacros::text_of(const Definition& definition) {
 }
 
 std::string WordMacros::of(const std::string& path, const NormalText& text) {
-    std::map<std::string_view, std::string> found;
+    std::map<std::string_view, std::string_view> found;
     for (size_t i = 0; !by_word_.empty() && i < text.size(); ++i) {
         const std::string_view word = text[i];
         if (!is_word_token(word)) continue;
         const auto defined = by_word_.find(word);
         if (defined == by_word_.end() || found.contains(word)) continue;
-        std::set<std::string> texts;
-        for (const Definition& one : defined->second)
-            if (sees(path, one.file)) texts.insert(text_of(one));
-        if (!texts.empty()) found.emplace(word, short_hash(texts));
+        const auto [known, is_new] = hashes_[path].try_emplace(defined->first);
+        if (is_new) known->second = hash_seen(path, defined->second);
+        if (!known->second.empty()) found.emplace(word, known->second);
     }
     std::string out;
-    for (const auto& [word, hash] : found) out += (out.empty() ? "" : " ") + std::string(word) + ":" + hash;
-    if (found.size() > kMostWords) return "*:" + short_hash({out});
+    for (const auto& [word, hash] : found)
+        out += (out.empty() ? "" : " ") + std::string(word) + ":" + std::string(hash);
+    if (found.size() > kMostWords) return "*:" + hash_of(std::set{out});
     return out.empty() ? "-" : out;
 }
 
-std::vector<WordMacro> WordMacros::seen_from(const std::string& path, std::string_view word) {
-    std::vector<WordMacro> out;
-    const auto defined = by_word_.find(word);
-    if (defined == by_word_.end()) return out;
-    for (const Definition& one : defined->second)
-        if (sees(path, one.file)) out.push_back({text_of(one), one.file->path, one.directive->line});
+void WordMacros::sort_by_file(const std::vector<ScannedFile>& files, Word& defined) {
+    for (size_t i = 0; i < defined.definitions.size(); ++i) {  // in the order of the files
+        const Definition& one = defined.definitions[i];
+        const auto file = static_cast<uint32_t>(one.file - files.data());
+        if (defined.by_file.empty() || defined.by_file.back().file != file) defined.by_file.push_back({file, i, {}});
+        defined.by_file.back().hashes.insert(hash_of(std::set{text_of(one)}));
+    }
+    std::set<std::string> all;
+    for (InFile& one : defined.by_file) {
+        if (one.hashes.size() > kMostTexts) one.hashes = {hash_of(one.hashes)};
+        all.insert(one.hashes.begin(), one.hashes.end());
+    }
+    defined.hash_of_all = hash_of(all);
+}
+
+/// The files in which a word is defined for `path`, in order.
+std::vector<const WordMacros::InFile*> WordMacros::seen_in(const std::string& path, Word& defined) {
+    if (defined.by_file.empty()) sort_by_file(files_, defined);
+    std::vector<const InFile*> out;
+    for (const uint32_t file : seen_files(path).numbers) {
+        const auto one = std::lower_bound(defined.by_file.begin(), defined.by_file.end(), file,
+                                          [](const InFile& in, uint32_t number) { return in.file < number; });
+        if (one != defined.by_file.end() && one->file == file) out.push_back(&*one);
+    }
     return out;
 }
 
-bool WordMacros::sees(const std::string& path, const ScannedFile* file) {
-    return file->path == path || seen_files(path)[static_cast<size_t>(file - files_.data())];
+/// "" where no macro of that name is seen.
+std::string WordMacros::hash_seen(const std::string& path, Word& defined) {
+    const std::vector<const InFile*> seen = seen_in(path, defined);
+    if (seen_files(path).all) return defined.hash_of_all;
+    std::vector<std::string_view> hashes;
+    for (const InFile* one : seen) hashes.insert(hashes.end(), one->hashes.begin(), one->hashes.end());
+    std::sort(hashes.begin(), hashes.end());
+    hashes.erase(std::unique(hashes.begin(), hashes.end()), hashes.end());
+    return hashes.empty() ? std::string() : hash_of(hashes);
+}
+
+std::optional<WordMacro> WordMacros::first_seen(const std::string& path, std::string_view word) {
+    const auto defined = by_word_.find(word);
+    if (defined == by_word_.end()) return std::nullopt;
+    const std::vector<const InFile*> seen = seen_in(path, defined->second);
+    const bool all = seen_files(path).all;
+    if (seen.empty() && !all) return std::nullopt;
+    const Definition& one = defined->second.definitions[all ? 0 : seen.front()->first];
+    return WordMacro{text_of(one), one.file->path, one.directive->line};
+}
+
+void WordMacros::index_paths() {
+    for (uint32_t i = 0; i < files_.size(); ++i) {
+        by_path_.emplace(files_[i].path, i);
+        by_path_end_.emplace_back(from_the_end("/" + files_[i].path), i);
+    }
+    std::sort(by_path_end_.begin(), by_path_end_.end());
 }
 
 const WordMacros::Files& WordMacros::seen_files(const std::string& path) {
-    const auto [known, fresh] = seen_.try_emplace(path);
-    if (!fresh) return known->second;
-    if (by_path_.empty())
-        for (const ScannedFile& file : files_) {
-            by_path_.emplace(file.path, &file);
-            by_name_[last_part(file.path)].push_back(&file);
-        }
-    known->second.resize(files_.size());
-    const auto start = by_path_.find(path);
-    std::vector<const ScannedFile*> open;
-    if (start != by_path_.end()) open.push_back(start->second);
-    while (!open.empty()) {
-        const ScannedFile* file = open.back();
+    if (by_path_.empty()) index_paths();
+    if (const auto known = seen_.find(path); known != seen_.end()) return known->second;
+    if (seen_numbers_ > kMostKept) seen_.clear(), seen_numbers_ = 0;
+    Files& seen = seen_[path];
+    std::vector<uint32_t> open;
+    if (const auto start = by_path_.find(path); start != by_path_.end()) open.push_back(start->second);
+    std::unordered_set<uint32_t> found(open.begin(), open.end());
+    while (!open.empty() && !seen.all) {
+        const Files& next = included_by(open.back());
         open.pop_back();
-        const auto number = static_cast<size_t>(file - files_.data());
-        if (known->second[number]) continue;
-        known->second[number] = true;
-        const auto [list, is_new] = includes_.try_emplace(file);
-        if (is_new) list->second = included_by(*file);
-        open.insert(open.end(), list->second.begin(), list->second.end());
+        seen.all = next.all;
+        for (const uint32_t file : next.numbers)
+            if (found.insert(file).second) open.push_back(file);
+        seen.all = seen.all || found.size() > kMostSeen;
     }
-    return known->second;
+    if (!seen.all) seen.numbers.assign(found.begin(), found.end());
+    std::sort(seen.numbers.begin(), seen.numbers.end());
+    seen_numbers_ += seen.numbers.size();
+    return seen;
 }
 
 /// The files that one includes: the one beside it, else all whose paths end so; where the compiler looks is not known.
-std::vector<const ScannedFile*> WordMacros::included_by(const ScannedFile& file) {
-    std::vector<const ScannedFile*> out;
-    for (const Directive& directive : file.lexed.directives) {
+const WordMacros::Files& WordMacros::included_by(uint32_t file) {
+    const auto [list, is_new] = includes_.try_emplace(file);
+    Files& out = list->second;
+    if (!is_new) return out;
+    const std::string& path = files_[file].path;
+    const LexedText& lexed = files_[file].lexed;
+    for (const Directive& directive : lexed.directives) {
         if (directive.kind != DirectiveKind::Include) continue;
-        const std::string name = included_name(file.lexed, directive);
+        const std::string name = included_name(lexed, directive);
         if (name.empty()) continue;
-        const std::string beside = plain_path(file.path.substr(0, file.path.rfind('/') + 1) + name);
+        const std::string beside = plain_path(path.substr(0, path.rfind('/') + 1) + name);
         if (const auto found = by_path_.find(beside); found != by_path_.end()) {
-            out.push_back(found->second);
+            out.numbers.push_back(found->second);
             continue;
         }
-        const std::string below = "/" + plain_path(name);
-        const auto named = by_name_.find(last_part(below));
-        if (named == by_name_.end()) continue;
-        for (const ScannedFile* each : named->second)
-            if (("/" + each->path).ends_with(below)) out.push_back(each);
+        const std::string end = from_the_end("/" + plain_path(name));
+        auto one = std::lower_bound(by_path_end_.begin(), by_path_end_.end(), std::make_pair(end, uint32_t{0}));
+        for (size_t alike = 0; one != by_path_end_.end() && one->first.starts_with(end); ++one) {
+            out.numbers.push_back(one->second);
+            out.all = out.all || ++alike > kMostAlike;
+            if (out.all) return out;
+        }
     }
+    std::sort(out.numbers.begin(), out.numbers.end());
+    out.numbers.erase(std::unique(out.numbers.begin(), out.numbers.end()), out.numbers.end());
     return out;
 }
 

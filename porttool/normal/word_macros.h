@@ -4,9 +4,12 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "porttool/normal/normal_text.h"
@@ -24,7 +27,7 @@ struct WordMacro {
 /// What the macros of a side make of the words of its units: those of a unit's file and of what that includes of the
 /// same side, by whatever steps. A unit says something else where they change, though it was not edited:
 ///
-///     now also  #define sinf __sinf           of()  "" before, "sinf:8c0e6a41" now
+///     now also  #define sinf __sinf           of()  "" before, "sinf:8c0e6a417b2d9f03" now
 ///     as ever   float f(float x) { return sinf(x); }
 ///
 /// A macro with a value or parameters is a unit (scan/constants.h), whose edits are judged as such: here it counts that
@@ -36,32 +39,54 @@ public:
     explicit WordMacros(const std::vector<ScannedFile>& files);
 
     /// The words of a text that macros seen from `path` define, each with a hash of what they make of it, sorted:
-    /// `fma:0a1b2c3d sinf:8c0e6a41`; "-" for none. More than 64 are one hash, `*:0a1b2c3d`.
+    /// `fma:0a1b2c3d4e5f6071 sinf:8c0e6a417b2d9f03`; "-" for none. More than 64 are one hash, `*:0a1b2c3d4e5f6071`.
+    /// Takes time in line with the text, whatever there is of definitions: those of a word are looked through once for
+    /// each file.
     std::string of(const std::string& path, const NormalText& text);
 
-    /// The macros of that name which a file sees, by file and line.
-    std::vector<WordMacro> seen_from(const std::string& path, std::string_view word);
+    /// The first macro of that name which a file sees, by file and line.
+    std::optional<WordMacro> first_seen(const std::string& path, std::string_view word);
 
 private:
-    using Files = std::vector<bool>;  ///< by their places in `files_`
     struct Definition {
         const ScannedFile* file;
         const Directive* directive;
         bool is_unit;
     };
+    /// Hashes of those of one word in one file, or one of them all where there are many.
+    struct InFile {
+        uint32_t file;
+        size_t first;  ///< of `definitions`
+        std::set<std::string> hashes;
+    };
+    struct Word {
+        std::vector<Definition> definitions;
+        std::vector<InFile> by_file;  ///< sorted; filled when first asked
+        std::string hash_of_all;      ///< the same
+    };
+    /// Files by their places in `files_`, sorted; all of them where more than a bound were to be followed.
+    struct Files {
+        bool all = false;
+        std::vector<uint32_t> numbers;
+    };
 
     void read(const ScannedFile& file);
-    bool sees(const std::string& path, const ScannedFile* file);
+    static void sort_by_file(const std::vector<ScannedFile>& files, Word& defined);
+    std::string hash_seen(const std::string& path, Word& defined);
+    std::vector<const InFile*> seen_in(const std::string& path, Word& defined);
     const Files& seen_files(const std::string& path);
-    std::vector<const ScannedFile*> included_by(const ScannedFile& file);
+    const Files& included_by(uint32_t file);
+    void index_paths();
     static std::string text_of(const Definition& definition);
 
     const std::vector<ScannedFile>& files_;
-    std::unordered_map<std::string_view, std::vector<Definition>> by_word_;
-    std::unordered_map<std::string_view, const ScannedFile*> by_path_;               ///< filled when first asked
-    std::unordered_map<std::string_view, std::vector<const ScannedFile*>> by_name_;  ///< by the last part of the path
-    std::unordered_map<const ScannedFile*, std::vector<const ScannedFile*>> includes_;
+    std::unordered_map<std::string_view, Word> by_word_;
+    std::unordered_map<std::string_view, uint32_t> by_path_;     ///< filled when first asked
+    std::vector<std::pair<std::string, uint32_t>> by_path_end_;  ///< by the path from its end, sorted
+    std::unordered_map<uint32_t, Files> includes_;
     std::unordered_map<std::string, Files> seen_;
+    size_t seen_numbers_ = 0;                                                                    ///< that seen_ holds
+    std::unordered_map<std::string, std::unordered_map<std::string_view, std::string>> hashes_;  ///< of path and word
 };
 
 /// The parts of what WordMacros::of() gave: the hash by the word.

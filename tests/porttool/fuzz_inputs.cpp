@@ -274,7 +274,7 @@ const MutationStock& lock_stock() {
                                          "\tstate=verified\tby=",
                                          "\tlater=%",
                                          "\tsource-macros=-",
-                                         "\ttarget-macros=*:0a1b2c3d",
+                                         "\ttarget-macros=*:0a1b2c3d4e5f6071",
                                          "\tsource-macros=SIZE: exp:",
                                          "7f3\n",
                                          "7f3a90c1\n",
