@@ -21,6 +21,7 @@
 #include "porttool/match/match.h"
 #include "porttool/measure/measure.h"
 #include "porttool/normal/unit_state.h"
+#include "porttool/normal/word_macros.h"
 #include "porttool/read/id_patterns.h"
 #include "porttool/read/ignore_rules.h"
 #include "porttool/scan/scan.h"
@@ -51,6 +52,8 @@ class Repository {
 public:
     explicit Repository(const std::string& text)
         : source_(states_of(scan_text("s/a.cu", text))), target_(states_of(scan_text("t/a.cpp", text))) {
+        const std::vector<ScannedFile> left{scan_text("s/a.cu", text)}, right{scan_text("t/a.cpp", text)};
+        WordMacros here(left), there(right);
         for (const auto& [id, unit] : source_) {
             const std::string other = "t/a.cpp" + id.substr(std::string("s/a.cu").size());
             if (!target_.contains(other)) continue;  // another language may read a broken text otherwise
@@ -60,6 +63,7 @@ public:
             pair.target = other;
             pair.source_prints = unit.prints;
             pair.target_prints = target_.at(other).prints;
+            pair.macros = {here.of(unit.file, unit.text), there.of("t/a.cpp", target_.at(other).text)};
             lock_.pairs.push_back(std::move(pair));
             texts_[unit.prints.written] = unit.text;
             texts_[target_.at(other).prints.written] = target_.at(other).text;
@@ -68,16 +72,17 @@ public:
 
     /// As `check` goes through it; returns how many findings there are.
     size_t check(const std::string& source, const std::string& target) const {
-        const ScannedFile left = scan_text("s/a.cu", source), right = scan_text("t/a.cpp", target);
-        const States here = states_of(left), there = states_of(right);
+        const std::vector<ScannedFile> left{scan_text("s/a.cu", source)}, right{scan_text("t/a.cpp", target)};
+        const States here = states_of(left[0]), there = states_of(right[0]);
         const auto text_of = [&](const std::string& print) {
             const auto found = texts_.find(print);
             return found == texts_.end() ? NormalText() : found->second;
         };
         Case facts{map_, lock_, here, there, skipped_, text_of, "2026-01-01"};
-        for (const ScannedFile* file : {&left, &right})
-            for (const Suppression& comment : file->lexed.suppressions)
-                facts.suppressions.push_back({file->path, comment});
+        facts.files = {&left, &right};
+        for (const ScannedFile& file : {std::cref(left[0]), std::cref(right[0])})
+            for (const Suppression& comment : file.lexed.suppressions)
+                facts.suppressions.push_back({file.path, comment});
         return judge(facts).findings.size();
     }
 
