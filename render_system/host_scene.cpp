@@ -112,6 +112,11 @@ uint32_t HostScene::add_node(HostNode node) {
     node_worlds_.emplace_back(1.0);
     flattened_.push_back(false);
     const uint32_t id = static_cast<uint32_t>(nodes_.size() - 1);
+    if (const uint32_t carried = nodes_[id].instance; carried != NONE) {
+        if (carriers_.size() <= carried) carriers_.resize(carried + 1, NONE);
+        carriers_[carried] = id;
+        if (nodes_[id].mesh == NONE) nodes_[id].mesh = instances_[carried].mesh;
+    }
     place(id);
     return id;
 }
@@ -151,9 +156,19 @@ void HostScene::set_mesh(uint32_t id, HostMesh mesh) {
 
 void HostScene::set_instance_mesh(uint32_t id, uint32_t mesh) {
     if (id < removed_.instances.size()) removed_.instances[id] = false;
+    const uint32_t node = carrier(id);
+    if (node != NONE) nodes_[node].mesh = mesh;
+    show(id, node != NONE && flattened_[node] ? NONE : mesh);
+}
+
+void HostScene::show(uint32_t id, uint32_t mesh) {
     const uint32_t before = std::exchange(instances_[id].mesh, mesh);
     changes_.instances[id] = true;
     if ((before != NONE && is_emissive(before)) || (mesh != NONE && is_emissive(mesh))) changes_.lights = true;
+}
+
+uint32_t HostScene::carrier(uint32_t instance) const {
+    return instance < carriers_.size() ? carriers_[instance] : NONE;
 }
 
 void HostScene::set_instance_transform(uint32_t id, const CoreTransform& transform) {
@@ -233,10 +248,10 @@ void HostScene::place(uint32_t id) {
 // What is scaled to nothing has no normals and no way back into the mesh's space: it is hidden for as long.
 void HostScene::place_instance(uint32_t id, const CoreTransform& transform) {
     const HostNode& node = nodes_[id];
-    const bool flat = node.mesh != NONE && is_scaled_to_nothing(transform);
+    const bool flat = is_scaled_to_nothing(transform);
     if (flat != flattened_[id]) {
         flattened_[id] = flat;
-        set_instance_mesh(node.instance, flat ? NONE : node.mesh);
+        show(node.instance, flat ? NONE : node.mesh);
     }
     set_instance_transform(node.instance, transform);
 }

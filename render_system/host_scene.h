@@ -167,7 +167,8 @@ public:
     uint32_t add_instance(uint32_t mesh, const CoreTransform& transform);
     uint32_t add_punctual_light(PunctualLight light);
     uint32_t add_camera(HostCamera camera);
-    /// The node's parent must have been added before. Places what the node carries.
+    /// The node's parent must have been added before. Places what the node carries; no two nodes carry one instance.
+    /// Where it names no mesh, it has its instance's.
     uint32_t add_node(HostNode node);
     /// Deforms the mesh at once.
     uint32_t add_deformer(HostDeformer deformer);
@@ -175,6 +176,7 @@ public:
     void set_texture(uint32_t id, HostTexture texture);
     void set_material(uint32_t id, const CoreMaterial& material);
     void set_mesh(uint32_t id, HostMesh mesh);
+    /// An instance whose node is scaled to nothing shows the mesh once that node is not.
     void set_instance_mesh(uint32_t id, uint32_t mesh);
     void set_instance_transform(uint32_t id, const CoreTransform& transform);
     void set_punctual_light(uint32_t id, PunctualLight light);
@@ -237,6 +239,9 @@ private:
     void place_below(uint32_t first, std::vector<bool> moved);
     void place(uint32_t node);
     void place_instance(uint32_t node, const CoreTransform& transform);
+    void show(uint32_t instance, uint32_t mesh);
+    /// The node that carries an instance, or NONE.
+    uint32_t carrier(uint32_t instance) const;
     void follow_joints(uint32_t first, const std::vector<bool>& moved);
     void deform_mesh(const HostDeformer& deformer);
 
@@ -252,6 +257,7 @@ private:
     std::vector<HostNode> nodes_;
     std::vector<glm::dmat4> node_worlds_;  // to world space
     std::vector<bool> flattened_;          // by node: its instance is hidden, since it is scaled to nothing
+    std::vector<uint32_t> carriers_;       // by instance, no longer than need be: the node that carries it
     struct Removed {
         std::vector<bool> instances, meshes, materials, textures, lights;
     };

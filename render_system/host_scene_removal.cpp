@@ -55,9 +55,9 @@ void HostScene::give_back_textures() {
 Status HostScene::remove_instance(uint32_t id) {
     if (Status status = mark_removed(removed_.instances, id, instances_.size(), "instance"); !status.ok())
         return status;
-    // A node that carries it must not show it again.
-    for (HostNode& node : nodes_) {
-        if (node.instance == id) node.instance = node.mesh = NONE;
+    // The node that carries it must not show it again.
+    if (const uint32_t node = carrier(id); node != NONE) {
+        nodes_[node].instance = nodes_[node].mesh = carriers_[id] = NONE;
     }
     set_instance_mesh(id, NONE);
     removed_.instances[id] = true;

@@ -143,6 +143,35 @@ TEST(LoaderAnimation, HidesWhatIsScaledToNothingForAsLong) {
     }
 }
 
+// What a user gives an instance to show counts whether it can be seen just then or not.
+TEST(LoaderAnimation, AnInstanceKeepsTheMeshThatItWasGivenWhileItIsScaledToNothing) {
+    GltfFile file = one_triangle();
+    file.add_node({{"mesh", 0}});
+    add_channel(file, {0, 1, 2}, {1, 1, 1, 0, 0, 0, 1, 1, 1}, "VEC3", 3, part(1, "scale"));
+    for (const double edited : {0.0, 1.0}) {
+        HostScene scene = loaded(file);
+        HostMesh copy = scene.meshes()[0];
+        const uint32_t other = scene.add_mesh(std::move(copy));
+        const auto shown = [&](double time) {
+            EXPECT_TRUE(scene.play(time).ok());
+            return scene.instances()[1].mesh;
+        };
+        shown(edited);
+        scene.set_instance_mesh(1, other);
+        EXPECT_EQ(scene.instances()[1].mesh, edited == 1.0 ? NONE : other);
+        EXPECT_EQ(shown(1), NONE);
+        EXPECT_EQ(shown(2), other);
+        EXPECT_FALSE(scene.remove_mesh(other).ok());
+        scene.set_instance_mesh(0, other);
+        shown(1);
+        EXPECT_FALSE(scene.remove_mesh(other).ok()) << "its node will show it";
+        scene.set_instance_mesh(0, NONE);
+        scene.set_instance_mesh(1, NONE);
+        EXPECT_EQ(shown(0), NONE);
+        EXPECT_TRUE(scene.remove_mesh(other).ok());
+    }
+}
+
 TEST(LoaderAnimation, ASceneMayBeginWithNothingToSee) {
     GltfFile file = one_triangle();
     add_channel(file, {0, 1}, {0, 0, 0, 1, 1, 1}, "VEC3", 3, part(0, "scale"));
