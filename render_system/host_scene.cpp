@@ -147,6 +147,9 @@ void HostScene::set_material(uint32_t id, const CoreMaterial& material) {
 
 void HostScene::set_mesh(uint32_t id, HostMesh mesh) {
     if (id < removed_.meshes.size()) removed_.meshes[id] = false;
+    for (HostDeformer& deformer : deformers_) {
+        if (deformer.mesh == id) deformer = {};
+    }
     const bool was_emissive = is_emissive(id);
     meshes_[id] = std::move(mesh);
     changes_.meshes[id] = true;
@@ -267,7 +270,7 @@ void HostScene::follow_joints(uint32_t first, const std::vector<bool>& moved) {
 }
 
 void HostScene::deform_mesh(const HostDeformer& deformer) {
-    if (deformer.mesh == NONE) return;  // it has been removed
+    if (deformer.mesh == NONE) return;  // it has been removed, or given another shape
     std::vector<glm::mat4> matrices;
     for (size_t i = 0; deformer.skin && i < deformer.skin->joints.size(); ++i)
         matrices.emplace_back(node_worlds_[deformer.skin->joints[i]] * deformer.skin->inverse_binds[i]);

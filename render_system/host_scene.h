@@ -175,6 +175,7 @@ public:
 
     void set_texture(uint32_t id, HostTexture texture);
     void set_material(uint32_t id, const CoreMaterial& material);
+    /// Nothing deforms the mesh from then on: weights and joints belong to the vertices that it had.
     void set_mesh(uint32_t id, HostMesh mesh);
     /// An instance whose node is scaled to nothing shows the mesh once that node is not.
     void set_instance_mesh(uint32_t id, uint32_t mesh);

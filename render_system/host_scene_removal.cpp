@@ -72,9 +72,6 @@ Status HostScene::remove_mesh(uint32_t id) {
         if (id != NONE && nodes_[i].mesh == id) return still_used("mesh", id, "node", i);
     }
     if (Status status = mark_removed(removed_.meshes, id, meshes_.size(), "mesh"); !status.ok()) return status;
-    for (HostDeformer& deformer : deformers_) {
-        if (deformer.mesh == id) deformer = {};
-    }
     set_mesh(id, {});
     removed_.meshes[id] = true;
     return Status::success();

@@ -74,6 +74,7 @@ void SceneStore::set_sky(const CoreSky& sky) {
 void SceneStore::set_mesh(uint32_t mesh, const CoreMesh& data) {
     if (mesh == meshes_.size()) {
         meshes_.emplace_back();
+        geometry_changed_ = true;  // also without a triangle: it is not there to be moved
     }
     CoreMeshCopy& copy = meshes_[mesh];
     const bool deforms = !geometry_changed_ && same_shape(copy, data);

@@ -120,6 +120,7 @@ void CoreMeshes::set_mesh(uint id, const CoreMesh& data) {
         meshes_.emplace_back();
         meshes_.back().first_triangle = mesh_triangles_.size();
         meshes_.back().first_vertex_row = vertices_.size() - 1;
+        edits_.shape = true;  // also without a triangle: it is not there to be moved
     }
     Mesh& mesh = meshes_[id];
     if (!edits_.shape && has_shape_of(mesh, data)) {

@@ -519,6 +519,25 @@ TYPED_TEST_P(CoreContractSuite, EditsTakeEffectWithTheNextRender) {
     EXPECT_EQ(this->render(), before);
 }
 
+TYPED_TEST_P(CoreContractSuite, AMeshMayBeEmptyAtFirstAndInBetween) {
+    SKIP_WITHOUT_DEVICE();
+    const ContractScene scene;
+    this->send(scene);
+    this->expect_ok(this->core_->SetTarget(this->target()));
+    const std::vector<glm::vec4> before = this->render();
+    this->expect_ok(this->core_->SetGeometry(1, {}));
+    EXPECT_EQ(this->render(), before);
+    this->expect_ok(this->core_->SetInstance(0, 1, CoreTransform()));
+    this->render();
+    EXPECT_EQ(this->core_->GetCoreStats().triangles, 0u);
+    for (const CoreMesh& mesh : {scene.mesh(), CoreMesh(), CoreMesh(), scene.mesh()}) {
+        this->expect_ok(this->core_->SetGeometry(1, mesh));
+        this->render();
+        EXPECT_EQ(this->core_->GetCoreStats().triangles, mesh.triangles.size());
+    }
+    EXPECT_EQ(this->render(), before);
+}
+
 /// A scene that is edited at random, and can be handed to a core as a whole.
 class EditedScene {
 public:
@@ -805,7 +824,7 @@ REGISTER_TYPED_TEST_SUITE_P(CoreContractSuite, NothingWorksBeforeInitOrAfterShut
                             RefusesInstancesOfNothingAndMatricesThatAreNotFinite, RefusesWhatRaysCannotReachOrStartFrom,
                             RefusesTablesOfTheWrongLength, DanglingIdsAreRefusedAtRender,
                             AFailedCallLeavesWhatWasSetBefore, EditsTakeEffectWithTheNextRender,
-                            WhatIsRemovedGivesItsMemoryBack, AStillCoreDrawsTheSameAndKeepsItsGeometry,
-                            AfterManyEditsThePictureIsThatOfTheSceneAsItIs);
+                            AMeshMayBeEmptyAtFirstAndInBetween, WhatIsRemovedGivesItsMemoryBack,
+                            AStillCoreDrawsTheSameAndKeepsItsGeometry, AfterManyEditsThePictureIsThatOfTheSceneAsItIs);
 
 }  // namespace render_system::testing

@@ -245,6 +245,18 @@ TEST(LoaderAnimation, MorphsByTheWeightsOfNodeMeshAndAnimation) {
     EXPECT_EQ(mesh(played(file, 0.75)).positions[1], glm::vec3(1, 0, 1.5f));
 }
 
+TEST(LoaderAnimation, AMeshThatIsGivenAnotherShapeIsDeformedNoMore) {
+    HostScene scene = loaded(skinned(4));
+    const uint32_t mesh = scene.instances()[0].mesh;
+    HostMesh other = scene.meshes()[mesh];
+    other.positions.assign(6, glm::vec3(1, 2, 3));
+    other.normals.assign(6, glm::vec3(0, 0, 1));
+    other.triangles = {{3, 4, 5, 0}};
+    scene.set_mesh(mesh, other);
+    scene.set_node_transform(1, glm::dmat4(1.0));
+    EXPECT_EQ(scene.meshes()[mesh].positions, other.positions);
+}
+
 TEST(LoaderAnimation, FlatTrianglesAreFlatWhereTheyAreThen) {
     GltfFile file = one_triangle();
     json& primitive = file.root["meshes"][0]["primitives"][0];
