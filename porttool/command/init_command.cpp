@@ -13,6 +13,7 @@
 #include "porttool/judge/macro_record.h"
 #include "porttool/match/match_sets.h"
 #include "porttool/read/clock.h"
+#include "porttool/report/map_report.h"
 #include "porttool/snapshot/map_edit.h"
 #include "porttool/snapshot/merge_marks.h"
 #include "porttool/snapshot/snapshot.h"
@@ -118,6 +119,7 @@ std::string summary(const Matching& matching, const Project& project) {
     for (size_t i = 0; i < least.size() && i < kShown && least[i].score < 0.8f; ++i)
         out += fmt::format("  {:.0f} %  {} = {}\n", 100 * least[i].score, terminal_text(least[i].source),
                            terminal_text(least[i].target));
+    out += ports_line(matching);
     return out + "Wrote portmap.toml, portmap.lock and portmap.base/ in " + terminal_text(project.root) +
            "; commit all three.\nThe pairs are recorded, not verified: porttool init --assess says which say the same "
            "today.\nNext: porttool check\n";

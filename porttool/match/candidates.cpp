@@ -75,7 +75,7 @@ std::vector<std::vector<Candidate>> find_candidates(const std::vector<UnitFeatur
                     likeness[posting.unit] += term.weight * posting.weight;
                 });
         std::erase_if(touched, [&](uint32_t t) {
-            // A constructor is no function's port.
+            // A constructor is no function's port, nor a destructor's.
             if (target[t].group == source[s].group && target[t].lifecycle == source[s].lifecycle) return false;
             likeness[t] = 0;
             return true;

@@ -150,7 +150,7 @@ private:
         const std::string_view leaf = leaf_of(name);
         const std::string_view stem = file_stem(file_.path);
         features.whole_file_main = unit.kind == UnitKind::File || (features.kernel && leaf == "main");
-        features.lifecycle = is_lifecycle(name, leaf);
+        features.lifecycle = lifecycle_of(name, leaf);
         const bool entry = !features.whole_file_main && features.group == Group::Code && entries_.contains(name);
         const std::string subject = entry ? entries_.subject(file_.path) : std::string();
         const std::string_view shown = features.whole_file_main ? stem : entry ? std::string_view(subject) : name;
@@ -180,10 +180,11 @@ private:
     }
 
     /// `Ray::Ray`, `Ray::~Ray`
-    static bool is_lifecycle(std::string_view name, std::string_view leaf) {
-        if (leaf.starts_with('~')) return true;
-        if (leaf.size() == name.size()) return false;
-        return leaf_of(name.substr(0, name.size() - leaf.size() - 2)) == leaf;
+    static Lifecycle lifecycle_of(std::string_view name, std::string_view leaf) {
+        if (leaf.starts_with('~')) return Lifecycle::Ends;
+        if (leaf.size() == name.size()) return Lifecycle::Neither;
+        const bool as_its_class = leaf_of(name.substr(0, name.size() - leaf.size() - 2)) == leaf;
+        return as_its_class ? Lifecycle::Begins : Lifecycle::Neither;
     }
 
     void read_place() {

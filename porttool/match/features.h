@@ -33,11 +33,15 @@ inline constexpr uint32_t kAnyType = 0xFFFFFFFFu;
 /// Units are only paired within one group.
 enum class Group : uint8_t { Code, Struct, Constant };
 
+/// Whether a function is a constructor or a destructor.
+enum class Lifecycle : uint8_t { Neither, Begins, Ends };
+
 /// What one unit shows to the matcher.
 struct UnitFeatures {
     uint32_t file = 0;  ///< index into the side's files
     uint32_t unit = 0;  ///< index into the file's units
     Group group = Group::Code;
+    Lifecycle lifecycle = Lifecycle::Neither;
     bool kernel = false;
     bool says_kernels = false;     ///< its language marks kernels
     bool launches = false;         ///< sets arguments of kernels, or enqueues them
@@ -49,7 +53,6 @@ struct UnitFeatures {
     bool whole_file_main = false;  ///< a shader's main: the file's name is its name
     bool converts = false;         ///< its name says from what to what
     bool overloaded = false;       ///< its file has another unit of this name
-    bool lifecycle = false;        ///< a constructor or destructor
     std::string folded_name;       ///< qualified, letters and digits only
     std::string folded_leaf;
     std::array<Bag, kFamilies> bags;

@@ -3,6 +3,8 @@
 #include "porttool/match/match.h"
 
 #include <algorithm>
+#include <iterator>
+#include <map>
 #include <set>
 #include <unordered_map>
 #include <unordered_set>
@@ -10,11 +12,16 @@
 #include "porttool/match/assign.h"
 #include "porttool/match/name_cores.h"
 #include "porttool/match/places.h"
+#include "porttool/match/port_folders.h"
 #include "porttool/read/id_patterns.h"
 #include "porttool/scan/scan.h"
 
 namespace porttool {
 namespace {
+
+bool by_ids(const MatchedPair& a, const MatchedPair& b) {
+    return a.source != b.source ? a.source < b.source : a.target < b.target;
+}
 
 std::string id_of(const std::vector<ScannedFile>& files, const UnitFeatures& unit) {
     return unit_id(files[unit.file], files[unit.file].units[unit.unit]);
@@ -76,10 +83,9 @@ void add_unmapped(std::vector<std::string>& out, const std::vector<UnitFeatures>
 
 constexpr size_t kMostCandidates = 16;
 
-}  // namespace
-
-Matching match_units(const std::vector<ScannedFile>& source, const std::vector<ScannedFile>& target,
-                     const Settled& settled, const Dialect& dialect) {
+/// Pairs the source with a target that is one port of it.
+Matching match_port(const std::vector<ScannedFile>& source, const std::vector<ScannedFile>& target,
+                    const Settled& settled, const Dialect& dialect) {
     Matching out;
     for (const auto& [from, to] : settled.pairs) out.pairs.push_back({from, to, 1.0f, PairState::Confirmed});
     TermNumbers terms;
@@ -106,11 +112,62 @@ Matching match_units(const std::vector<ScannedFile>& source, const std::vector<S
         source_mapped[i] = source_mapped[i] || mapped.contains(id_of(source, open.source[i]));
     for (size_t i = 0; i < open.target.size(); ++i)
         target_mapped[i] = target_mapped[i] || mapped.contains(id_of(target, open.target[i]));
-    std::sort(out.pairs.begin(), out.pairs.end(), [](const MatchedPair& a, const MatchedPair& b) {
-        return a.source != b.source ? a.source < b.source : a.target < b.target;
-    });
+    std::sort(out.pairs.begin(), out.pairs.end(), by_ids);
     add_unmapped(out.unmapped_source, open.source, source, source_mapped);
     add_unmapped(out.unmapped_target, open.target, target, target_mapped);
+    return out;
+}
+
+/// What is settled with units of these files, or with nothing that is here.
+Settled settled_in(const Settled& settled, const std::vector<ScannedFile>& all, const std::vector<ScannedFile>& here) {
+    std::unordered_map<std::string_view, bool> is_here;
+    for (const ScannedFile& file : all) is_here[file.path] = false;
+    for (const ScannedFile& file : here) is_here[file.path] = true;
+    Settled out{{}, settled.ignored, settled.shares};
+    for (const auto& pair : settled.pairs) {
+        const auto found = is_here.find(std::string_view(pair.second).substr(0, pair.second.find(':')));
+        if (found == is_here.end() || found->second) out.pairs.push_back(pair);
+    }
+    return out;
+}
+
+/// Makes one matching of those of several ports. What two ports use in common is told once, with its best score.
+Matching merged(const std::vector<Matching>& ports) {
+    std::map<std::pair<std::string, std::string>, MatchedPair> pairs;
+    std::set<std::string> mapped_source, mapped_target, source, target;
+    for (const Matching& port : ports) {
+        for (const MatchedPair& pair : port.pairs) {
+            MatchedPair& known = pairs.try_emplace({pair.source, pair.target}, pair).first->second;
+            known.score = std::max(known.score, pair.score);
+            mapped_source.insert(pair.source);
+            mapped_target.insert(pair.target);
+        }
+        source.insert(port.unmapped_source.begin(), port.unmapped_source.end());
+        target.insert(port.unmapped_target.begin(), port.unmapped_target.end());
+    }
+    Matching out;
+    for (auto& [ids, pair] : pairs) out.pairs.push_back(std::move(pair));
+    std::set_difference(source.begin(), source.end(), mapped_source.begin(), mapped_source.end(),
+                        std::back_inserter(out.unmapped_source));
+    std::set_difference(target.begin(), target.end(), mapped_target.begin(), mapped_target.end(),
+                        std::back_inserter(out.unmapped_target));
+    return out;
+}
+
+}  // namespace
+
+Matching match_units(const std::vector<ScannedFile>& source, const std::vector<ScannedFile>& target,
+                     const Settled& settled, const Dialect& dialect) {
+    const std::vector<PortFiles> ports = find_ports(source, target);
+    if (ports.empty()) return match_port(source, target, settled, dialect);
+    std::vector<Matching> matchings;
+    for (const PortFiles& port : ports) {
+        std::vector<ScannedFile> files;
+        for (const uint32_t file : port.files) files.push_back(target[file]);
+        matchings.push_back(match_port(source, files, settled_in(settled, target, files), dialect));
+    }
+    Matching out = merged(matchings);
+    for (const PortFiles& port : ports) out.ports.push_back(port.name);
     return out;
 }
 

@@ -177,7 +177,8 @@ std::unordered_set<std::string> texts_of(const std::vector<NameWords>& names, co
                                          const TermNumbers& terms) {
     std::unordered_set<std::string> out;
     for (size_t i = 0; i < names.size(); ++i)
-        if (units[i].group == Group::Code && !units[i].lifecycle) out.insert(joined(names[i], terms));
+        if (units[i].group == Group::Code && units[i].lifecycle == Lifecycle::Neither)
+            out.insert(joined(names[i], terms));
     return out;
 }
 

@@ -24,8 +24,10 @@ std::string map_json(const Matching& matching) {
                          {"target", pair.target},
                          {"score", std::round(static_cast<double>(pair.score) * 1000) / 1000},
                          {"state", state_name(pair.state)}});
-    const nlohmann::ordered_json out = {
-        {"pairs", pairs}, {"unmapped_source", matching.unmapped_source}, {"unmapped_target", matching.unmapped_target}};
+    const nlohmann::ordered_json out = {{"pairs", pairs},
+                                        {"unmapped_source", matching.unmapped_source},
+                                        {"unmapped_target", matching.unmapped_target},
+                                        {"ports", matching.ports}};
     return json_text(out, 1) + "\n";
 }
 
@@ -38,8 +40,19 @@ std::string map_table(const Matching& matching) {
         out += fmt::format("no port          {}\n", terminal_text(id));
     for (const std::string& id : matching.unmapped_target)
         out += fmt::format("no source        {}\n", terminal_text(id));
+    out += ports_line(matching);
     return out + fmt::format("{} pairs, {} source units without a port, {} target units without a source\n",
                              matching.pairs.size(), matching.unmapped_source.size(), matching.unmapped_target.size());
+}
+
+std::string ports_line(const Matching& matching) {
+    if (matching.ports.empty()) return {};
+    std::string names;
+    for (const std::string& name : matching.ports) names += (names.empty() ? "" : ", ") + terminal_text(name);
+    return fmt::format(
+        "{} ports lie side by side, each is paired for itself: {}. Named in [sides.targets], each is asked for new "
+        "units as well\n",
+        matching.ports.size(), names);
 }
 
 }  // namespace porttool

@@ -684,5 +684,119 @@ TEST(Match, IsFastAndGrowsGently) {
     RecordProperty("seconds_for_128000_lines", std::to_string(large));
 }
 
+/// Files of one side: path and text.
+using Texts = std::vector<std::pair<std::string, std::string>>;
+
+/// One solver for an API, with a helper that its class or its file holds; `only` is a function that no other has.
+std::string solver(const std::string& api, const std::string& loop, const std::string& only) {
+    return "class " + api + "Solver {\npublic:\n" + api + "Solver(int n) : n_(n) { prepare(n); }\n~" + api +
+           "Solver() { release(); }\nvoid smooth(float* x, const float* b, int n) { " + loop +
+           " x[i] = 0.5f * (x[i] + b[i]); }\nfloat residual(const float* x, const float* b, int n) { float r = 0; " +
+           loop +
+           " r += (b[i] - x[i]) * (b[i] - x[i]); return r; }\nvoid restrict_grid(const float* fine, float* coarse, int "
+           "n)"
+           " { " +
+           loop +
+           " coarse[i] = 0.25f * fine[2 * i] + 0.75f * fine[2 * i + 1]; }\nprivate:\nint n_;\n};\n"
+           "static float limit(float v, float most) { return v > most ? most : v; }\n"
+           "void " +
+           only + "(int* p, int n) { " + loop + " p[i] = n - i; }\n";
+}
+
+const Texts& ports_of_solver() {
+    static const Texts ports = {
+        {"src/cuda/solver.cu", solver("Cuda", "for (int i = begin(n); i < n; i += step())", "check_error")},
+        {"src/omp/solver.cpp", solver("Omp", "#pragma omp parallel for\nfor (int i = 0; i < n; i++)\n", "set_threads")},
+        {"src/tbb/solver.cpp", solver("Tbb", "for (auto i : range(n))", "pick_partitioner")},
+        {"src/acc/solver.cpp", solver("Acc", "#pragma acc loop\nfor (int i = 0; i < n; ++i)\n", "upload_all")},
+        {"src/kokkos/solver.cpp", solver("Kokkos", "for (int i : policy(n))", "make_view")}};
+    return ports;
+}
+
+const Texts& serial_solver() {
+    static const Texts source = {
+        {"src/serial/solver.cpp", solver("Serial", "for (int i = 0; i < n; ++i)", "tell_host")}};
+    return source;
+}
+
+TEST(Ports, ManyFoldersInOneTargetGiveThePairsThatEachGivesAlone) {
+    Pairs alone;
+    for (const auto& port : ports_of_solver()) {
+        const Pairs found = pairs(match(serial_solver(), {port}));
+        EXPECT_GE(found.size(), 5u) << port.first;
+        alone.insert(alone.end(), found.begin(), found.end());
+    }
+    std::sort(alone.begin(), alone.end());
+    const Matching all = match(serial_solver(), ports_of_solver());
+    EXPECT_EQ(pairs(all), alone);
+    EXPECT_EQ(all.ports, (std::vector<std::string>{"acc", "cuda", "kokkos", "omp", "tbb"}));
+}
+
+TEST(Ports, AWordOfTheFolderTellsThemApart) {
+    Texts source, target;
+    for (const std::string program : {"heat", "sort", "scan", "walk"}) {
+        const std::string text = "void " + program + "_step(float* p, int n) { for (int i = 0; i < n; ++i) p[i] += " +
+                                 std::to_string(program.size() + program[0]) + "; }\nint main() { " + program +
+                                 "_step(data(), 8); return " + program + "_check(); }\nint " + program +
+                                 "_check() { return data()[0] > 1; }\n";
+        source.emplace_back(program + "-cuda/main.cu", text);
+        for (const std::string api : {"hip", "omp", "sycl"})
+            target.emplace_back(program + "-" + api + "/main.cpp", text);
+    }
+    const Matching all = match(source, target);
+    EXPECT_EQ(all.ports, (std::vector<std::string>{"hip", "omp", "sycl"}));
+    EXPECT_EQ(all.pairs.size(), 36u);
+    for (const auto& [from, to] : pairs(all)) EXPECT_EQ(from.substr(0, 4), to.substr(0, 4));
+}
+
+/// The modules of one port, and the programs of a collection: neither has what another has.
+TEST(Ports, ModulesAndProgramsAreOnePort) {
+    Texts source, target;
+    for (const std::string module : {"heat", "sort", "scan"}) {
+        std::string text;
+        for (const std::string part : {"first", "inner", "last"})
+            text +=
+                "void " + module + "_" + part + "(float* p) { p[0] = " + std::to_string(module[0] + part[0]) + "; }\n";
+        for (const std::string shared : {"init", "run", "main"})
+            text += "int " + shared + "() { return " + module + "_" + shared + "_status(); }\n";
+        source.emplace_back("gpu/" + module + "/main.cu", text);
+        target.emplace_back("cpu/" + module + "/main.cpp", text);
+    }
+    EXPECT_TRUE(match(source, target).ports.empty());
+}
+
+TEST(Ports, WhatTheyHaveInCommonIsPairedOnce) {
+    Texts source = serial_solver(), target = ports_of_solver();
+    const std::string text =
+        "float parse_tolerance(const char* text) { return text ? read_number(text) * 0.1f : 1e-6f; }\n";
+    source.emplace_back("src/serial/input.cpp", text);
+    target.emplace_back("src/common/input.cpp", text);
+    const Pairs found = pairs(match(source, target));
+    EXPECT_EQ(std::count_if(found.begin(), found.end(),
+                            [](const auto& pair) { return pair.first.ends_with("parse_tolerance"); }),
+              1);
+}
+
+/// What a person has settled of one port stays, and says nothing of the others.
+TEST(Ports, SettledPairsCountInTheirOwn) {
+    const Settled settled{{{"src/serial/solver.cpp:limit", "src/omp/solver.cpp:set_threads"}}, {}, true};
+    const Pairs found = pairs(match(serial_solver(), ports_of_solver(), settled));
+    const auto has = [&](const std::string& target) {
+        return std::count(found.begin(), found.end(),
+                          std::pair<std::string, std::string>("src/serial/solver.cpp:limit", target));
+    };
+    EXPECT_EQ(has("src/omp/solver.cpp:set_threads"), 1);
+    EXPECT_EQ(has("src/omp/solver.cpp:limit"), 0);
+    EXPECT_EQ(has("src/tbb/solver.cpp:limit"), 1);
+}
+
+TEST(Match, ADestructorIsNoConstructorsPort) {
+    const std::string rest = "int size() { return n_; }\n int n_; };\n";
+    for (const auto& [from, to] :
+         pairs(match({{"s/a.cpp", "class Field { public: ~Field() { drop(p_, n_); }\n" + rest}},
+                     {{"t/a.cpp", "class Field { public: Field() { drop(p_, n_); }\n" + rest}})))
+        EXPECT_FALSE(from.ends_with("~Field")) << to;
+}
+
 }  // namespace
 }  // namespace porttool::match_test
