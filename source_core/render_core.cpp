@@ -13,6 +13,7 @@
 #include "source_core/core_tuning.h"
 #include "source_core/device/kernel_files.h"
 #include "source_core/device/kernel_store.h"
+#include "source_core/sample_adder.h"
 #include "source_core/scene_store.h"
 #include "source_core/wavefront.h"
 
@@ -86,9 +87,10 @@ private:
     Status size_wavefront();
     Status find_kernels();
     Status render_batches(const Settings& settings, uint32_t samples);
-    Status render_batch(const Settings& settings, const BatchPass& batch, WavefrontCounts& counts);
     Status gather_guides(const Settings& settings, uint32_t first_sample, uint32_t samples);
     Status prepare_filter(const Settings& settings, const CoreFilter& filter);
+    Status render_batch(const Settings& frame, const BatchPass& batch, std::span<glm::vec4> pixels,
+                        WavefrontCounts& counts);
     Status sum_batch(const Settings& settings, BatchPass batch, WavefrontCounts& counts);
     Status name_primitives();
     Settings frame_settings(const ViewPyramid& view) const;
@@ -349,8 +351,9 @@ Settings SourceCore::filter_settings(const ViewPyramid& view) const {
     return frame;
 }
 
-// Runs a batch; the mean of what its accumulator holds lies in the pixels that it stands for.
-Status SourceCore::render_batch(const Settings& frame, const BatchPass& batch, WavefrontCounts& counts) {
+// Runs a batch and reads the mean of what its accumulator holds into `pixels`.
+Status SourceCore::render_batch(const Settings& frame, const BatchPass& batch, std::span<glm::vec4> pixels,
+                                WavefrontCounts& counts) {
     const KernelSet& kernels = *gpu_->kernels_in_use;
     gpu_->wavefront->bind(*gpu_->device, kernels, variant_, gpu_->scene, frame, batch);
     Status status = watch() ? gpu_->wavefront->run_watched(*gpu_->device, kernels, batch, *gpu_->staging, primitives_,
@@ -359,25 +362,26 @@ Status SourceCore::render_batch(const Settings& frame, const BatchPass& batch, W
     if (!status.ok()) {
         return status;
     }
-    const std::span<glm::vec4> pixels = target().pixels.subspan(batch.first_pixel, batch.path_count);
     return gpu_->staging->download(*gpu_->device, gpu_->wavefront->target(), std::as_writable_bytes(pixels));
 }
 
-// The same sample by sample, each added to the sums; the pixels hold the last one.
+// The same sample by sample, each added to the sums while the next one is taken.
 Status SourceCore::sum_batch(const Settings& frame, BatchPass batch, WavefrontCounts& counts) {
     const uint32_t samples = std::exchange(batch.samples, 1);
     const uint32_t place = batch.first_pixel - target().first_pixel;
-    const std::span<PixelSum> sums = target().sums.subspan(place, batch.path_count);
-    const std::span<double> all_squares = target().squares;
-    const std::span<double> squares = all_squares.empty() ? all_squares : all_squares.subspan(place, batch.path_count);
+    const std::span<double> squares = target().squares;
+    SampleAdder adder(target().sums.subspan(place, batch.path_count),
+                      squares.empty() ? squares : squares.subspan(place, batch.path_count),
+                      target().pixels.subspan(batch.first_pixel, batch.path_count), options().threads);
     batch.samples_before = 0;
     for (uint32_t i = 0; i < samples; ++i, ++batch.first_sample) {
-        Status status = render_batch(frame, batch, counts);
+        Status status = render_batch(frame, batch, adder.room(), counts);
         if (!status.ok()) {
             return status;
         }
-        add_samples(sums, squares, &target().pixels[batch.first_pixel]);
+        adder.add();
     }
+    adder.wait();
     return Status::success();
 }
 
@@ -393,7 +397,8 @@ Status SourceCore::render_batches(const Settings& frame, uint32_t samples) {
         batch.samples_before = static_cast<uint32_t>(stats().samples);
         batch.first_sample = settings().first_sample + batch.samples_before;
         batch.samples = samples;
-        Status status = sums ? sum_batch(frame, batch, counts) : render_batch(frame, batch, counts);
+        const std::span<glm::vec4> pixels = target().pixels.subspan(batch.first_pixel, batch.path_count);
+        Status status = sums ? sum_batch(frame, batch, counts) : render_batch(frame, batch, pixels, counts);
         if (!status.ok()) {
             return status;
         }

@@ -3,6 +3,7 @@
 #include "source_core/device/instance.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cstring>
 
 namespace source_core {
@@ -15,6 +16,14 @@ VKAPI_ATTR VkBool32 VKAPI_CALL on_message(VkDebugUtilsMessageSeverityFlagBitsEXT
                                           const VkDebugUtilsMessengerCallbackDataEXT* data, void* user) {
     static_cast<ValidationLog*>(user)->add(data->pMessage != nullptr ? data->pMessage : "(no text)");
     return VK_FALSE;
+}
+
+// Whether this was the first instance to end, which then stays: the driver goes with the last instance, and NVIDIA's
+// (580) can't be loaded again after some forty times, so that a process that opens core after core would run dry.
+bool kept_for_its_driver(VkInstance instance) {
+    static std::atomic<VkInstance> kept = VK_NULL_HANDLE;
+    VkInstance none = VK_NULL_HANDLE;
+    return kept.compare_exchange_strong(none, instance);
 }
 
 bool validation_layer_present() {
@@ -112,12 +121,13 @@ Instance::Instance(Instance&& other) noexcept
       log_(std::move(other.log_)) {}
 
 Instance::~Instance() {
-    if (messenger_ != VK_NULL_HANDLE) {
+    const bool watched = messenger_ != VK_NULL_HANDLE;
+    if (watched) {
         const auto destroy = reinterpret_cast<PFN_vkDestroyDebugUtilsMessengerEXT>(
             vkGetInstanceProcAddr(instance_, "vkDestroyDebugUtilsMessengerEXT"));
         destroy(instance_, messenger_, nullptr);
     }
-    if (instance_ != VK_NULL_HANDLE) {
+    if (instance_ != VK_NULL_HANDLE && (watched || !kept_for_its_driver(instance_))) {
         vkDestroyInstance(instance_, nullptr);
     }
 }
