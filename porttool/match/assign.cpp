@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <iterator>
 #include <map>
+#include <set>
 #include <unordered_map>
 #include <unordered_set>
 #include <utility>
@@ -120,10 +121,45 @@ private:
         }
         for (uint32_t t = 0; t < target_.size(); ++t)
             if (!target_[t].works && calls_any(target_[t], launchers)) launches_[t] = true;
+        read_callers();
+    }
+
+    /// What of the target calls launchers that stand beside the source's kernels: the host that both sides have in
+    /// common, or the part of it that is in the target's folders.
+    void read_callers() {
+        std::unordered_set<uint32_t> own;
+        for (const UnitFeatures& unit : target_)
+            if (unit.group == Group::Code) own.insert(unit.called_as);
+        std::unordered_multimap<uint32_t, uint32_t> launchers;  // by the name that they are called by, their files
+        const auto is_one = [&](const UnitFeatures& unit) {
+            return unit.group == Group::Code && !unit.kernel && unit.says_kernels && !own.contains(unit.called_as);
+        };
+        for (const UnitFeatures& unit : source_)
+            if (is_one(unit) && unit.launches) launchers.emplace(unit.called_as, unit.file);
+        std::unordered_multimap<uint32_t, uint32_t> handing_on;
+        for (const UnitFeatures& unit : source_)
+            if (is_one(unit) && !unit.launches)
+                for (const uint32_t name : unit.callees)
+                    if (launchers.contains(name)) handing_on.emplace(unit.called_as, unit.file);
+        launchers.insert(handing_on.begin(), handing_on.end());
+        calls_into_.assign(target_.size(), {});
+        for (uint32_t t = 0; t < target_.size(); ++t)
+            if (!target_[t].works && !launchers.empty())
+                for (const uint32_t name : target_[t].callees) {
+                    const auto [first, last] = launchers.equal_range(name);
+                    for (auto found = first; found != last; ++found) calls_into_[t].insert(found->second);
+                }
     }
 
     /// A kernel, and what launches it there or hands on to what does.
-    bool is_launched_there(uint32_t s, uint32_t t) const { return source_[s].kernel && launches_[t]; }
+    bool is_launched_there(uint32_t s, uint32_t t) const {
+        return is_used_there(s, t) || (source_[s].kernel && launches_[t]);
+    }
+
+    /// A kernel or launcher of a file whose launchers are called there.
+    bool is_used_there(uint32_t s, uint32_t t) const {
+        return calls_into_[t].contains(source_[s].file) && (source_[s].kernel || source_[s].launches);
+    }
 
     /// One of the two launches kernels. Where they share the last part of their names, the other can hold the launcher
     /// and its kernel in one, but is no kernel.
@@ -292,7 +328,7 @@ private:
         constexpr int kFew = 3;
         out.same_subject = chosen.resemblance.core >= 1 && target_cores_.at(target_[chosen.target].core) <= kFew;
         out.shared = shared;
-        out.confidence = confidence(source_[s], target_[chosen.target], out);
+        out.confidence = is_used_there(s, chosen.target) ? 0.0f : confidence(source_[s], target_[chosen.target], out);
         return out;
     }
 
@@ -467,6 +503,7 @@ private:
     std::vector<std::vector<float>> alike_;  ///< the scores before names are weighed
     std::unordered_map<std::string, int> source_names_, target_names_, target_cores_;
     std::vector<bool> launches_;                            ///< of each target
+    std::vector<std::set<uint32_t>> calls_into_;            ///< of each target, files whose launchers it calls
     std::vector<uint32_t> choice_;                          ///< of each source, an index into its candidates
     std::vector<uint32_t> claimed_;                         ///< of each target, the source
     std::vector<std::vector<NameDifference>> differences_;  ///< of the names, as scores_

@@ -790,6 +790,29 @@ TEST(Ports, SettledPairsCountInTheirOwn) {
     EXPECT_EQ(has("src/tbb/solver.cpp:limit"), 1);
 }
 
+/// The host that calls a kernel's launcher is in the target's folder: it is no port of the kernel.
+TEST(Match, WhatCallsTheLauncherBesideAKernelIsNotItsPort) {
+    const std::string loop = "float f = k[0] * (x[i] - x[i + 1]); out[i] += f; e[i] += 0.5f * f * f; ";
+    const std::string kernel =
+        "__global__ void gpu_bond_forces_kernel(float* out, float* e, const float* x, const float* k, int n) {"
+        " int i = blockIdx.x * blockDim.x + threadIdx.x; if (i >= n) return; " +
+        loop +
+        "}\n"
+        "void gpu_bond_forces(float* out, float* e, const float* x, const float* k, int n) {"
+        " gpu_bond_forces_kernel<<<n / 64, 64>>>(out, e, x, k, n); }\n";
+    const std::string host =
+        "void BondForceGPU::bondForces(int n) { Handle out(m_out), e(m_e), x(m_x), k(m_k);"
+        " gpu_bond_forces(out.data, e.data, x.data, k.data, n); }\n";
+    const std::string cpu =
+        "void bond_forces(float* out, float* e, const float* x, const float* k, int n) {"
+        " for (int i = 0; i < n; ++i) { " +
+        loop + "} }\n";
+    for (const auto& [from, to] : pairs(match({{"md/bond_gpu.cu", kernel}}, {{"md/bond_gpu.cc", host}})))
+        ADD_FAILURE() << from << " = " << to;
+    const Pairs expected = {{"md/bond_gpu.cu:gpu_bond_forces_kernel", "md/bond.cc:bond_forces"}};
+    EXPECT_EQ(pairs(match({{"md/bond_gpu.cu", kernel}}, {{"md/bond_gpu.cc", host}, {"md/bond.cc", cpu}})), expected);
+}
+
 TEST(Match, ADestructorIsNoConstructorsPort) {
     const std::string rest = "int size() { return n_; }\n int n_; };\n";
     for (const auto& [from, to] :
