@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "porttool/judge/base_lock.h"
 
+#include <optional>
+
 #include "porttool/judge/first_record.h"
 #include "porttool/judge/macro_record.h"
+#include "porttool/judge/resolve.h"
 #include "porttool/read/lock_lines.h"
 #include "porttool/read/lock_upgrade.h"
 #include "porttool/text/sink/terminal.h"
@@ -47,6 +50,42 @@ void note_macros_as_today(LockFile& then, const LockFile& now, const Snapshot& b
     }
 }
 
+using TextOf = std::function<NormalText(const std::string&)>;
+
+/// What ids of a map that are stale, at the base as well as today, had become at the base.
+class StaleIds {
+public:
+    StaleIds(const Snapshot& base, const LinesByPair& now, const States& today, const TextOf& text_of) {
+        for (const Side side : kBothSides) {
+            std::vector<NamedUnit> named;
+            bool any = false;
+            for (const MapPair& pair : base.project.map.pairs)
+                for (const std::string& target : pair.targets) {
+                    const std::string& id = side == Side::Source ? pair.source : target;
+                    const LockedPair* line = now.find(pair.source, target);
+                    const Fingerprints* prints = line == nullptr        ? nullptr
+                                                 : side == Side::Source ? &line->source_prints
+                                                                        : &line->target_prints;
+                    named.push_back({id, prints});
+                    if (find_in(base.states[side], id) != nullptr || find_in(today[side], id) != nullptr) continue;
+                    stale_[side].insert(id);
+                    any = true;
+                }
+            if (any) found_[side].emplace(base.states[side], named, text_of);
+        }
+    }
+
+    bool contains(Side side, const std::string& id) const { return stale_[side].contains(id); }
+
+    const UnitState* find(Side side, const std::string& id) const {
+        return contains(side, id) ? found_[side]->find(id).unit : nullptr;
+    }
+
+private:
+    BySide<std::set<std::string>> stale_;
+    BySide<std::optional<Resolver>> found_;
+};
+
 }  // namespace
 
 BaseRecord base_record(Snapshot& base, const RecordedLock& now, const States& today, std::ostream& err) {
@@ -79,12 +118,14 @@ BaseRecord base_record(Snapshot& base, const RecordedLock& now, const States& to
     return out;
 }
 
-BaseLock base_lock(const Snapshot& base, const LockFile& then, const LockFile& now, const States& today) {
+BaseLock base_lock(const Snapshot& base, const LockFile& then, const LockFile& now, const States& today,
+                   const TextOf& text_of) {
     BaseLock out;
     for (const States* states : {&base.states, &today})
         for (const Side side : kBothSides)
             for (const auto& [id, state] : (*states)[side]) out.texts.emplace(state.prints.written, state.text);
     const LinesByPair lines_then(then), lines_now(now);
+    const StaleIds stale(base, lines_now, today, text_of);
     for (const MapPair& pair : base.project.map.pairs) {
         for (const std::string& target : pair.targets) {
             if (const LockedPair* line = accepted_since(lines_then, lines_now, today, pair.source, target)) {
@@ -93,6 +134,11 @@ BaseLock base_lock(const Snapshot& base, const LockFile& then, const LockFile& n
             }
             const UnitState* left = find_in(base.states.source, pair.source);
             const UnitState* right = find_in(base.states.target, target);
+            if (left == nullptr) left = stale.find(Side::Source, pair.source);
+            if (right == nullptr) right = stale.find(Side::Target, target);
+            if ((left == nullptr && stale.contains(Side::Source, pair.source)) ||
+                (right == nullptr && stale.contains(Side::Target, target)))
+                out.gone_before.emplace(pair.source, target);
             if (left == nullptr || right == nullptr) {  // the pair is new since the base
                 if (const LockedPair* line = lines_now.find(pair.source, target)) {
                     out.lock.pairs.push_back(*line);

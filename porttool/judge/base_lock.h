@@ -3,9 +3,12 @@
 // What stands in for the lock where a project is held against a merge base.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <ostream>
+#include <set>
 #include <string>
+#include <utility>
 
 #include "porttool/read/lock_file.h"
 #include "porttool/snapshot/lock_store.h"
@@ -29,10 +32,15 @@ BaseRecord base_record(Snapshot& base, const RecordedLock& now, const States& to
 struct BaseLock {
     LockFile lock;
     std::map<std::string, NormalText> texts;  ///< by fingerprint
+    /// Pairs, by their ids, of which one side was gone at the merge base already.
+    std::set<std::pair<std::string, std::string>> gone_before;
 };
 
 /// `now` is the lock in force, `then` what it was at the base: a pair whose line changed since and matches today's
-/// units was accepted meanwhile and counts as in step.
-BaseLock base_lock(const Snapshot& base, const LockFile& then, const LockFile& now, const States& today);
+/// units was accepted meanwhile and counts as in step. An id of the map that was not mended when its unit moved leads
+/// to what the unit had become at the base, so that edits made until then are not told again; `text_of` gives the text
+/// behind a fingerprint of `now`, or an empty one.
+BaseLock base_lock(const Snapshot& base, const LockFile& then, const LockFile& now, const States& today,
+                   const std::function<NormalText(const std::string&)>& text_of);
 
 }  // namespace porttool

@@ -64,7 +64,10 @@ std::vector<BroughtIn> hold_against_base(CheckedProject& checked, const CheckCho
     RecordedLock now = lock_if_readable(checked, place.err);
     const BaseRecord then = base_record(base, now, checked.states, place.err);
     const LockFile& in_force = choice.trusted_map ? then.lock.lock : now.lock;
-    BaseLock in_step = base_lock(base, then.lock.lock, in_force, checked.states);
+    BaseLock in_step = base_lock(base, then.lock.lock, in_force, checked.states, [&](const std::string& print) {
+        const auto found = now.texts.find(print);
+        return found == now.texts.end() ? base_text(checked.project, checked.disk(), print) : found->second;
+    });
     const std::vector<PlacedSuppression> known = placed_suppressions(base.project);
     const GateState before{then.has_map, then.map, then.has_lock, then.lock.lock, known};
     const GateState today{true, map_today, checked.recorded, now.lock, checked.suppressions};
@@ -73,6 +76,7 @@ std::vector<BroughtIn> hold_against_base(CheckedProject& checked, const CheckCho
     checked.lock = std::move(in_step.lock);
     checked.texts = std::move(in_step.texts);
     checked.texts.merge(now.texts);
+    checked.gone_before = std::move(in_step.gone_before);
     if (choice.trusted_map && then.has_lock)
         checked.in_project = then.lock.lock;
     else if (!choice.trusted_map && checked.recorded && !now.written.empty())
@@ -87,6 +91,7 @@ void judge_it(CheckedProject& checked, const std::string& date, const std::vecto
     Case facts{checked.project.map,  checked.lock, checked.states.source, checked.states.target, skipped, text_of, date,
                checked.suppressions, same_code};
     facts.evidence = evidence;
+    facts.gone_before = &checked.gone_before;
     const bool against_base = checked.against_base;
     if (checked.in_project)
         facts.in_project = &*checked.in_project;

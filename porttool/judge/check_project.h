@@ -30,6 +30,8 @@ struct CheckedProject : Snapshot {
     LockFile lock = {};
     std::optional<LockFile> in_project = {};       ///< with a base: the lock that stands in the project, if one does
     std::map<std::string, NormalText> texts = {};  ///< by print: those behind the lock that portmap.base/ does not have
+    /// With a merge base: pairs, by their ids, of which one side was gone there already.
+    std::set<std::pair<std::string, std::string>> gone_before = {};
     std::vector<PlacedSuppression> suppressions = {};
     Judgement judgement = {};
 };

@@ -4,7 +4,9 @@
 
 #include <functional>
 #include <map>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "porttool/judge/judgement.h"
@@ -40,6 +42,8 @@ struct Case {
     /// The lock as it stands in the project, where there is one: a pair without a line in it was never recorded.
     const LockFile* in_project = nullptr;
     const RunEvidence* evidence = nullptr;  ///< where programs ran
+    /// With a merge base: pairs, by their ids, of which one side was gone there already.
+    const std::set<std::pair<std::string, std::string>>* gone_before = nullptr;
 };
 
 /// Holds today's units against the lock. Reads nothing but the case.

@@ -146,7 +146,12 @@ void PairJudge::report_gone(const JudgedPair& pair, bool is_recorded) {
     } else if (is_recorded && facts_.map.reference == Reference::Target) {
         findings_.add(Rule::DeadLink, pair, ChangeKind::Removed, source + " is gone; " + target + " is still there");
     } else if (is_recorded) {
-        findings_.add(Rule::Orphaned, pair, ChangeKind::Removed, source + " is gone; its port is still there");
+        Finding& finding =
+            findings_.add(Rule::Orphaned, pair, ChangeKind::Removed, source + " is gone; its port is still there");
+        if (facts_.gone_before != nullptr && facts_.gone_before->contains({source, target})) {
+            finding.level = std::min(finding.level, Level::Note);  // whoever removed it was told
+            finding.message += ", as at the merge base";
+        }
     } else {
         findings_.add(Rule::DeadLink, pair, {}, "the map names a source unit that is not there: " + source);
     }

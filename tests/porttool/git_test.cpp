@@ -306,6 +306,36 @@ TEST_F(Git, AUnitThatWasMovedSinceTheBaseIsHeldAgainstTheLock) {
     EXPECT_EQ(check({"--base", "base"})["verdict"], "drift");
 }
 
+/// Nobody mended the map when a commit moved a unit and edited it: that commit was told, those after it are not.
+TEST_F(Git, AnEditOlderThanTheBaseIsNotToldAgainUnderAStaleId) {
+    std::filesystem::rename(root / "src/k.cu", root / "src/moved.cu");
+    write("src/moved.cu", replaced(source, "0.5f", "0.25f"));
+    git("add -A && git commit -qm moved");
+    EXPECT_EQ(check({"--base", "base"})["verdict"], "drift") << "the edit itself";
+    write("src/other.cu", "// nothing\n");
+    git("add -A && git commit -qm later");
+    const auto later = check({"--base", "HEAD~1"});
+    EXPECT_EQ(later["verdict"], "in_step") << later.dump(1);
+    for (const auto& finding : later["findings"]) EXPECT_EQ(finding["level"], "note") << finding.dump(1);
+    write("src/moved.cu", replaced(replaced(source, "0.5f", "0.25f"), "a * b", "a + b"));
+    EXPECT_EQ(check({"--base", "HEAD"})["verdict"], "drift") << "a new edit under the stale id";
+    write("port/k.comp", replaced(target, "a * b", "a + b"));
+    EXPECT_EQ(check({"--base", "HEAD"})["verdict"], "in_step") << "the new edit was carried over";
+}
+
+TEST_F(Git, ASourceThatWasGoneAtTheBaseIsANote) {
+    const auto orphaned = [&](const std::string& base) -> std::string {
+        const auto report = check({"--base", base});
+        for (const auto& finding : report["findings"])
+            if (finding["rule"] == "orphaned") return finding["level"];
+        return "none";
+    };
+    write("src/k.cu", "__device__ int other(int n) {\n  return n + 1;\n}\n");
+    git("commit -qam gone");
+    EXPECT_EQ(orphaned("base"), "warning");
+    EXPECT_EQ(orphaned("HEAD"), "note");
+}
+
 TEST_F(Git, TheTwoSidesMayLieInTwoCheckouts) {
     const std::string other = beside("other").string();
     std::filesystem::create_directories(other);
