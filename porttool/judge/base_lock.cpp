@@ -136,9 +136,10 @@ BaseLock base_lock(const Snapshot& base, const LockFile& then, const LockFile& n
             const UnitState* right = find_in(base.states.target, target);
             if (left == nullptr) left = stale.find(Side::Source, pair.source);
             if (right == nullptr) right = stale.find(Side::Target, target);
-            if ((left == nullptr && stale.contains(Side::Source, pair.source)) ||
-                (right == nullptr && stale.contains(Side::Target, target)))
-                out.gone_before.emplace(pair.source, target);
+            const bool is_gone = (left == nullptr && stale.contains(Side::Source, pair.source)) ||
+                                 (right == nullptr && stale.contains(Side::Target, target));
+            const bool was_recorded = then.pairs.empty() || lines_then.find(pair.source, target) != nullptr;
+            if (is_gone && was_recorded) out.gone_before.emplace(pair.source, target);
             if (left == nullptr || right == nullptr) {  // the pair is new since the base
                 if (const LockedPair* line = lines_now.find(pair.source, target)) {
                     out.lock.pairs.push_back(*line);

@@ -32,7 +32,7 @@ BaseRecord base_record(Snapshot& base, const RecordedLock& now, const States& to
 struct BaseLock {
     LockFile lock;
     std::map<std::string, NormalText> texts;  ///< by fingerprint
-    /// Pairs, by their ids, of which one side was gone at the merge base already.
+    /// Pairs, by their ids, recorded at the merge base, of which one side was gone there already.
     std::set<std::pair<std::string, std::string>> gone_before;
 };
 

@@ -120,7 +120,12 @@ std::string PairJudge::unread_reason(const std::string& id) const {
 }
 
 void PairJudge::examine(JudgedPair& pair, const LockedPair* lock) {
-    if (pair.unit.source == nullptr || pair.unit.target == nullptr) return report_gone(pair, lock != nullptr);
+    if (pair.unit.source == nullptr || pair.unit.target == nullptr) {
+        const size_t first = findings_.size();
+        report_gone(pair, lock != nullptr);
+        if (lock != nullptr) weaken_if_gone_before(pair, first);
+        return;
+    }
     if (lock != nullptr) compare(pair, *lock);
 }
 
@@ -146,14 +151,18 @@ void PairJudge::report_gone(const JudgedPair& pair, bool is_recorded) {
     } else if (is_recorded && facts_.map.reference == Reference::Target) {
         findings_.add(Rule::DeadLink, pair, ChangeKind::Removed, source + " is gone; " + target + " is still there");
     } else if (is_recorded) {
-        Finding& finding =
-            findings_.add(Rule::Orphaned, pair, ChangeKind::Removed, source + " is gone; its port is still there");
-        if (facts_.gone_before != nullptr && facts_.gone_before->contains({source, target})) {
-            finding.level = std::min(finding.level, Level::Note);  // whoever removed it was told
-            finding.message += ", as at the merge base";
-        }
+        findings_.add(Rule::Orphaned, pair, ChangeKind::Removed, source + " is gone; its port is still there");
     } else {
         findings_.add(Rule::DeadLink, pair, {}, "the map names a source unit that is not there: " + source);
+    }
+}
+
+/// Whoever removed it was told: to others it is no error, and an original that is gone no more than a note.
+void PairJudge::weaken_if_gone_before(const JudgedPair& pair, size_t first) {
+    if (facts_.gone_before == nullptr || !facts_.gone_before->contains({pair.id.source, pair.id.target})) return;
+    for (Finding& finding : findings_.from(first)) {
+        finding.level = std::min(finding.level, finding.rule == Rule::DeadLink ? Level::Warning : Level::Note);
+        finding.message += ", as at the merge base";
     }
 }
 

@@ -31,6 +31,7 @@ private:
 
     void examine(JudgedPair& pair, const LockedPair* lock);
     void report_gone(const JudgedPair& pair, bool is_recorded);
+    void weaken_if_gone_before(const JudgedPair& pair, size_t first);
     std::string call_in_place_of(const std::string& gone) const;
     void report_moved(const JudgedPair& pair, Side side);
 

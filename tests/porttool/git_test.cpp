@@ -323,6 +323,25 @@ TEST_F(Git, AnEditOlderThanTheBaseIsNotToldAgainUnderAStaleId) {
     EXPECT_EQ(check({"--base", "HEAD"})["verdict"], "in_step") << "the new edit was carried over";
 }
 
+TEST_F(Git, APortThatWasGoneAtTheBaseIsAnErrorOfTheChangeThatRemovedItAlone) {
+    const auto dead_link = [&](const std::string& base) -> std::string {
+        const auto report = check({"--base", base});
+        for (const auto& finding : report["findings"])
+            if (finding["rule"] == "dead-link") return finding["level"];
+        return "none";
+    };
+    write("port/k.comp", "int other(int n) {\n  return n + 1;\n}\n");
+    git("commit -qam gone");
+    EXPECT_EQ(dead_link("base"), "error");
+    EXPECT_EQ(dead_link("HEAD"), "warning");
+    // A pair that the change itself names wrongly is one of its errors.
+    const std::string map = read_text(root / "portmap.toml"), lock = read_text(root / "portmap.lock");
+    write("portmap.toml", replaced(map, "port/k.comp:shade", "port/k.comp:shadow"));
+    EXPECT_EQ(dead_link("HEAD"), "error");
+    write("portmap.lock", replaced(lock, "port/k.comp:shade", "port/k.comp:shadow"));
+    EXPECT_EQ(dead_link("HEAD"), "error");
+}
+
 TEST_F(Git, ASourceThatWasGoneAtTheBaseIsANote) {
     const auto orphaned = [&](const std::string& base) -> std::string {
         const auto report = check({"--base", base});
