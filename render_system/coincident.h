@@ -49,7 +49,7 @@ struct WorldBox {
 /// that are nearer than 2^-18 of their largest coordinate, so that all of these are among them.
 ///
 /// Triangles are found by halving space until a cell holds one instance alone, or few triangles. Where very many lie
-/// in one place the search ends after 64 comparisons for each triangle; what it has not found is left to rounding.
+/// in one place the search ends after 256 comparisons for each triangle; what it has not found is left to rounding.
 class CoincidentSurfaces {
 public:
     /// Looks at the whole scene.

@@ -12,8 +12,9 @@ namespace render_system::coincident {
 namespace {
 
 constexpr double kBinsPerTriangle = 16.0;
-constexpr double kMostBins = 1u << 18;  // of all entries, but for two a triangle
-constexpr double kBinRoom = 0.02;       // of a bin: for the rounding of u and v
+constexpr double kMostBins = 1u << 18;      // of all entries, but for two a triangle
+constexpr double kMostBinTests = 1u << 24;  // of all triangles that lie on others, each in every bin
+constexpr double kBinRoom = 0.02;           // of a bin: for the rounding of u and v
 
 // Where others lie on a triangle, in its u and v.
 class TriangleFrame {
@@ -68,7 +69,8 @@ void add_to_bins(const TriangleName& name, Polygon corners, CoincidentSurfaces::
 double bins_for(size_t count, size_t entries) {
     const auto n = static_cast<double>(count);
     const double allowed = std::max(kMostBins / static_cast<double>(entries), 2.0 * n);
-    return std::max(1.0, std::floor(std::sqrt(std::min(kBinsPerTriangle * n, allowed))));
+    const double affordable = kMostBinTests / (static_cast<double>(entries) * n);
+    return std::max(1.0, std::floor(std::sqrt(std::min({kBinsPerTriangle * n, allowed, affordable}))));
 }
 
 CoincidentSurfaces::Entry entry_of(std::span<const PlacedMesh> scene, const TriangleName& triangle,

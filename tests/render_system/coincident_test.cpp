@@ -169,3 +169,21 @@ TEST(CoincidentSurfaces, OfManyCopiesTheLowestStandsForAll) {
         }
     }
 }
+
+TEST(CoincidentSurfaces, OfVeryManyInOnePlaceTheirBinsAreBounded) {
+    constexpr uint32_t kSheets = 300;
+    std::vector<Sheet> sheets;
+    for (uint32_t i = 0; i < kSheets; ++i) {
+        sheets.emplace_back(glm::vec3(0.001f * static_cast<float>(i), 0, 0), glm::vec3(1, 0, 0), glm::vec3(0, 1, 0), 1,
+                            1);
+    }
+    const CoincidentSurfaces surfaces = found_in(sheets);
+    uint64_t pairs = 0, bin_tests = 0;
+    for (const CoincidentSurfaces::Entry& entry : surfaces.entries()) {
+        pairs += entry.lower.size();
+        bin_tests += entry.lower.size() * entry.side * entry.side;
+    }
+    // Of two such sheets each triangle lies on the other's of its own half and on one of the other half.
+    EXPECT_GE(pairs, uint64_t{kSheets} * (kSheets - 1) / 2 * 3);
+    EXPECT_LE(bin_tests, (uint64_t{1} << 24) + pairs);  // a bin there is always
+}
