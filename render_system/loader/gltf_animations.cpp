@@ -202,7 +202,19 @@ private:
                                        std::to_string(stride * curve.times->size()) + " numbers, but " +
                                        accessor_place(channel.output) + " has " + std::to_string(curve.values->size()) +
                                        EXPORT_AGAIN);
+        if (is_rotation) name_rotations_of_nothing(curve, channel.place);
         return curve;
+    }
+
+    void name_rotations_of_nothing(const Curve& curve, const std::string& place) {
+        const bool is_spline = curve.interpolation == Interpolation::cubic_spline;
+        const size_t parts = is_spline ? 3 : 1;
+        for (size_t key = 0; key < curve.times->size(); ++key) {
+            const auto first = curve.values->begin() + static_cast<ptrdiff_t>((key * parts + (is_spline ? 1 : 0)) * 4);
+            if (std::any_of(first, first + 4, [](float v) { return v != 0.0f; })) continue;
+            document_.mended.add("rotations by 0, 0, 0, 0, which were made to turn nothing", place);
+            return;
+        }
     }
 
     SharedFloats times_of(const GltfChannel& channel) {

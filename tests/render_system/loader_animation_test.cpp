@@ -348,6 +348,35 @@ TEST(LoaderAnimation, RefusesKeysThatAreNone) {
     EXPECT_THAT(refusal(file), HasSubstr("points at /materials/7/alphaCutoff, but there are 0"));
 }
 
+TEST(LoaderAnimation, ARotationByNothingTurnsNothingAndIsNamed) {
+    const auto named = [](const Floats& keys, const char* interpolation) {
+        GltfFile file = one_triangle();
+        add_channel(file, {0, 1}, keys, "VEC4", 4, part(0, "rotation"), interpolation);
+        std::vector<std::string> warnings;
+        const HostScene scene = loaded(file, &warnings);
+        EXPECT_EQ(transform_point(scene.instances()[0].transform, {0, 1, 0}), glm::vec3(0, 1, 0));
+        return warnings;
+    };
+    const Floats turns_nothing = {0, 0, 0, 1}, is_nothing = {0, 0, 0, 0};
+    const auto keys = [](std::initializer_list<Floats> parts) {
+        Floats all;
+        for (const Floats& part : parts) all.insert(all.end(), part.begin(), part.end());
+        return all;
+    };
+    for (const auto& warnings :
+         {named(keys({is_nothing, turns_nothing}), "LINEAR"), named(keys({turns_nothing, is_nothing}), "STEP"),
+          named(keys({turns_nothing, is_nothing, turns_nothing, is_nothing, turns_nothing, is_nothing}),
+                "CUBICSPLINE")}) {
+        ASSERT_EQ(warnings.size(), 1u);
+        EXPECT_THAT(warnings[0], HasSubstr("mended: rotations by 0, 0, 0, 0, which were made to turn nothing"));
+        EXPECT_THAT(warnings[0], HasSubstr("/animations/0/channels/0"));
+    }
+    // The tangents of a spline may well be nothing.
+    EXPECT_THAT(
+        named(keys({is_nothing, turns_nothing, is_nothing, is_nothing, turns_nothing, is_nothing}), "CUBICSPLINE"),
+        ::testing::IsEmpty());
+}
+
 TEST(LoaderAnimation, RefusesSkinsThatCannotHold) {
     const auto refused = [](const std::function<void(GltfFile&)>& damage) {
         GltfFile file = skinned(4);
