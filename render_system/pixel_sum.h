@@ -62,6 +62,11 @@ inline glm::vec3 mean_of(const PixelSum& sum, uint32_t samples) {
     return mean;
 }
 
+/// The sums of squared luminance of `count` pixels from `first` on, where there are any.
+inline std::span<double> part_of_squares(std::span<double> squares, size_t first, size_t count) {
+    return squares.empty() ? squares : squares.subspan(first, count);
+}
+
 /// Adds one sample of each pixel to the sums and, where there are any, to the sums of squared luminance. `Row` is any
 /// vector with x, y and z.
 template <class Row>

@@ -87,10 +87,10 @@ private:
     Status size_wavefront();
     Status find_kernels();
     Status render_batches(const Settings& settings, uint32_t samples);
+    Status render_batch(const Settings& settings, const BatchPass& batch, std::span<glm::vec4> pixels,
+                        WavefrontCounts& counts);
     Status gather_guides(const Settings& settings, uint32_t first_sample, uint32_t samples);
     Status prepare_filter(const Settings& settings, const CoreFilter& filter);
-    Status render_batch(const Settings& frame, const BatchPass& batch, std::span<glm::vec4> pixels,
-                        WavefrontCounts& counts);
     Status sum_batch(const Settings& settings, BatchPass batch, WavefrontCounts& counts);
     Status name_primitives();
     Settings frame_settings(const ViewPyramid& view) const;
@@ -369,9 +369,8 @@ Status SourceCore::render_batch(const Settings& frame, const BatchPass& batch, s
 Status SourceCore::sum_batch(const Settings& frame, BatchPass batch, WavefrontCounts& counts) {
     const uint32_t samples = std::exchange(batch.samples, 1);
     const uint32_t place = batch.first_pixel - target().first_pixel;
-    const std::span<double> squares = target().squares;
     SampleAdder adder(target().sums.subspan(place, batch.path_count),
-                      squares.empty() ? squares : squares.subspan(place, batch.path_count),
+                      part_of_squares(target().squares, place, batch.path_count),
                       target().pixels.subspan(batch.first_pixel, batch.path_count), options().threads);
     batch.samples_before = 0;
     for (uint32_t i = 0; i < samples; ++i, ++batch.first_sample) {
@@ -381,7 +380,6 @@ Status SourceCore::sum_batch(const Settings& frame, BatchPass batch, WavefrontCo
         }
         adder.add();
     }
-    adder.wait();
     return Status::success();
 }
 

@@ -22,7 +22,7 @@ std::span<glm::vec4> SampleAdder::room() {
 }
 
 void SampleAdder::add() {
-    wait();
+    parts_.clear();
     const glm::vec4* picture = rooms_[next_].data();
     next_ = 1 - next_;
     if (sums_.size() <= FEWEST_PIXELS) {
@@ -32,9 +32,9 @@ void SampleAdder::add() {
     const size_t share = std::max(FEWEST_PIXELS, (sums_.size() + threads_ - 1) / threads_);
     for (size_t begin = 0; begin < sums_.size(); begin += share) {
         const size_t count = std::min(share, sums_.size() - begin);
-        const std::span<double> squares = squares_.empty() ? squares_ : squares_.subspan(begin, count);
-        parts_.push_back(std::async(std::launch::async, [=, sums = sums_.subspan(begin, count)] {
-            render_system::add_samples(sums, squares, picture + begin);
+        parts_.push_back(std::async(std::launch::async, [=, this] {
+            render_system::add_samples(sums_.subspan(begin, count),
+                                       render_system::part_of_squares(squares_, begin, count), picture + begin);
         }));
     }
 }

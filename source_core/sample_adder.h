@@ -12,7 +12,7 @@
 namespace source_core {
 
 /// Adds pictures of one sample each to sums, on host threads, while the device takes the next one: on a GPU adding a
-/// picture on one thread takes several times as long as tracing it.
+/// picture on one thread takes several times as long as tracing it. The end of the adder waits for all of them.
 class SampleAdder {
 public:
     /// `squares`: none, or as many as `sums`. `first` has room for a picture of these pixels; from the second picture
@@ -26,9 +26,6 @@ public:
 
     /// Begins to add what was written to the room given last. Waits for the picture before.
     void add();
-
-    /// Returns once all pictures are added; so does the end of the adder.
-    void wait() { parts_.clear(); }
 
 private:
     std::span<render_system::PixelSum> sums_;

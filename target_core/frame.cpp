@@ -136,9 +136,8 @@ void render_tile(const Frame& frame, uint first_pixel, uint path_count, Worker& 
         }
         render_sample(*frame.kernels, worker, log, frame.watch);
         if (!frame.sums.empty()) {
-            std::span<double> squares =
-                frame.squares.empty() ? frame.squares : frame.squares.subspan(place, path_count);
-            render_system::add_samples(frame.sums.subspan(place, path_count), squares, target);
+            render_system::add_samples(frame.sums.subspan(place, path_count),
+                                       render_system::part_of_squares(frame.squares, place, path_count), target);
         }
     }
     if (!frame.sums.empty() || frame.guides) {

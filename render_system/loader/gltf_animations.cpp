@@ -202,7 +202,8 @@ private:
                                        std::to_string(stride * curve.times->size()) + " numbers, but " +
                                        accessor_place(channel.output) + " has " + std::to_string(curve.values->size()) +
                                        EXPORT_AGAIN);
-        if (is_rotation) name_rotations_of_nothing(curve, channel.place);
+        if (is_rotation && checked_rotations_.emplace(channel.output, curve.interpolation).second)
+            name_rotations_of_nothing(curve, channel.place);
         return curve;
     }
 
@@ -246,6 +247,7 @@ private:
     Animation animation_;
     std::set<std::string> taken_;
     std::set<int> checked_;
+    std::set<std::pair<int, Interpolation>> checked_rotations_;
     std::map<std::pair<int, int>, SharedFloats> floats_;
     std::map<int, uint32_t> node_states_, weight_states_, material_states_, light_states_, camera_states_;
 };
