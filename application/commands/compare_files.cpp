@@ -18,20 +18,16 @@ namespace {
 using render_system::Result;
 using render_system::Status;
 
-void note_nan(const PictureFile& file, Console& console) {
-    if (const std::string note = nan_note(file.name, file.nan_pixels); !note.empty()) console.warning(note);
-}
-
 constexpr std::array<const char*, 3> PAIR_NAMES = {"a.png", "b.png", "difference.png"};
 
-/// a.png, b.png and their difference, in which pixels that are NaN in either are magenta.
-Status write_pair(const std::string& folder, const BothForms& a, const BothForms& b,
-                  const std::vector<PixelPlace>& nan_a, const std::vector<PixelPlace>& nan_b) {
+/// a.png, b.png and their difference, in which pixels that are NaN or infinite in either are magenta.
+Status write_pair(const std::string& folder, const BothForms& a, const BothForms& b, const OddPixels& odd_a,
+                  const OddPixels& odd_b) {
     if (folder.empty()) return Status::success();
     const std::filesystem::path path = folder;
     Channels<uint8_t> difference = shown_difference(a.levels, b.levels);
-    mark_pixels(difference, nan_a);
-    mark_pixels(difference, nan_b);
+    mark_pixels(difference, odd_a);
+    mark_pixels(difference, odd_b);
     Status status = write_png(a.levels, path / PAIR_NAMES[0]);
     if (status.ok()) status = write_png(b.levels, path / PAIR_NAMES[1]);
     return status.ok() ? write_png(difference, path / PAIR_NAMES[2]) : status;
@@ -59,7 +55,7 @@ Status check_limit(const Options& options, const Figures& figures) {
 struct PictureSet {
     metrics::TileMeans means;
     BothForms mean;
-    std::vector<PixelPlace> nan_pixels;             ///< of all files
+    OddPixels odd;                                  ///< of all files
     std::map<uint64_t, std::string> name_of_print;  ///< to find copies
 };
 
@@ -85,8 +81,8 @@ Result<PictureSet> read_set(const std::vector<std::string>& names, const Picture
                             "give renders with seeds of their own",
                             before->second, name));
         }
-        note_nan(*file, console);
-        set.nan_pixels.insert(set.nan_pixels.end(), file->nan_pixels.begin(), file->nan_pixels.end());
+        warn_of(name, file->odd, console);
+        set.odd.add(file->odd);
         set.means.add(file->forms.linear.view());
         for (size_t i = 0; i < sum.size(); ++i) sum[i] += static_cast<double>(file->forms.linear.rgb[i]);
     }
@@ -106,16 +102,12 @@ void note_shared(const PictureSet& a, const PictureSet& b, Console& console) {
     }
 }
 
-Json head(const Json& a, const Json& b, const Channels<float>& shape, const std::vector<PixelPlace>& nan_a,
-          const std::vector<PixelPlace>& nan_b, const Figures& figures) {
-    return {{"a", a},
-            {"b", b},
-            {"size", {shape.width, shape.height}},
-            {"nan_pixels_a", nan_a.size()},
-            {"nan_pixels_b", nan_b.size()},
-            {"nan_places_a", nan_places_json(nan_a)},
-            {"nan_places_b", nan_places_json(nan_b)},
-            {"results", figures_json({figures})}};
+Json head(const Json& a, const Json& b, const Channels<float>& shape, const OddPixels& odd_a, const OddPixels& odd_b,
+          const Figures& figures) {
+    Json json = {{"a", a}, {"b", b}, {"size", {shape.width, shape.height}}, {"results", figures_json({figures})}};
+    add_odd_pixels(json, "a", odd_a);
+    add_odd_pixels(json, "b", odd_b);
+    return json;
 }
 
 }  // namespace
@@ -130,12 +122,12 @@ ExitCode compare_images(const Options& options, Console& console) {
 
     const Figures figures = compare_pictures(std::nullopt, a->forms, b->forms);
     if (Status status = check_limit(options, figures); !status.ok()) return fail(console, status);
-    if (Status status = write_pair(options.output, a->forms, b->forms, a->nan_pixels, b->nan_pixels); !status.ok())
+    if (Status status = write_pair(options.output, a->forms, b->forms, a->odd, b->odd); !status.ok())
         return fail(console, status);
-    note_nan(*a, console);
-    note_nan(*b, console);
+    warn_of(a->name, a->odd, console);
+    warn_of(b->name, b->odd, console);
     console.result(options.format == Format::json
-                       ? json_text(head(a->name, b->name, a->forms.linear, a->nan_pixels, b->nan_pixels, figures))
+                       ? json_text(head(a->name, b->name, a->forms.linear, a->odd, b->odd, figures))
                        : figures_text({figures}));
     return passes({figures}, options.limit_ssim) ? DONE : ANSWER_NO;
 }
@@ -157,10 +149,10 @@ ExitCode compare_sets(const Options& options, Console& console) {
     const auto more = static_cast<double>(std::max(a->means.pictures(), b->means.pictures()));
     report.samples_needed =
         std::max<uint64_t>(metrics::kFewestPictures, whole_count(report.test.samples_needed.value_or(0) * more));
-    Status status = write_pair(options.output, a->mean, b->mean, {}, {});
+    Status status = write_pair(options.output, a->mean, b->mean, a->odd, b->odd);
     if (status.ok() && !options.output.empty()) status = write_bias_map(options, report);
     if (!status.ok()) return fail(console, status);
-    Json json = head(options.images_a, options.images_b, first->forms.linear, a->nan_pixels, b->nan_pixels, figures);
+    Json json = head(options.images_a, options.images_b, first->forms.linear, a->odd, b->odd, figures);
     return deliver_bias(options, std::move(json), {figures}, report, console);
 }
 

@@ -12,6 +12,10 @@ namespace application {
 
 using render_system::Status;
 
+void warn_of(const std::string& name, const OddPixels& odd, Console& console) {
+    for (const std::string& note : notes_of(name, odd)) console.warning(note);
+}
+
 BiasReport test_for_bias(const metrics::TileMeans& a, const metrics::TileMeans& b, double alpha, Console& console) {
     if (const size_t left_out = a.pixels_left_out() + b.pixels_left_out(); left_out > 0)
         console.warning(fmt::format("{} pixels of the pictures are NaN or infinite and were left out", left_out));

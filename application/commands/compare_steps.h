@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "application/bias/bias_report.h"
 #include "application/comparison/figures.h"
+#include "application/comparison/picture_file.h"
 #include "application/console.h"
 #include "application/exit_code.h"
 #include "application/options.h"
@@ -13,6 +15,9 @@
 // What the kinds of `compare` share, and those that take image files.
 
 namespace application {
+
+/// Says on stderr which pixels of the picture of that name are NaN or infinite, if any are.
+void warn_of(const std::string& name, const OddPixels& odd, Console& console);
 
 /// Tests two sets of pictures; says on stderr how many pixels were no numbers.
 BiasReport test_for_bias(const metrics::TileMeans& a, const metrics::TileMeans& b, double alpha, Console& console);

@@ -46,23 +46,44 @@ BothForms forms_of(const Image& image) {
     return forms;
 }
 
-std::vector<PixelPlace> nan_pixels_of(const Channels<float>& image) {
-    std::vector<PixelPlace> places;
-    for (size_t i = 0; i < image.rgb.size(); i += metrics::CHANNELS) {
-        if (!std::isnan(image.rgb[i]) && !std::isnan(image.rgb[i + 1]) && !std::isnan(image.rgb[i + 2])) continue;
-        const auto pixel = static_cast<uint32_t>(i / metrics::CHANNELS);
-        places.push_back({pixel % image.width, pixel / image.width});
-    }
-    return places;
+Json places_json(const std::vector<PixelPlace>& places) {
+    Json list = Json::array();
+    for (size_t i = 0; i < std::min(places.size(), kPlacesListed); ++i) list.push_back(places[i]);
+    return list;
+}
+
+std::string note_of(const std::string& name, const std::vector<PixelPlace>& places, const char* what,
+                    const char* levels) {
+    return fmt::format("{}: {} pixel{} {}, the first at {},{}; {}, RMSE linear leaves them out", name, places.size(),
+                       places.size() == 1 ? " is" : "s are", what, places[0][0], places[0][1], levels);
 }
 
 }  // namespace
+
+void OddPixels::add(const OddPixels& more) {
+    nan.insert(nan.end(), more.nan.begin(), more.nan.end());
+    infinite.insert(infinite.end(), more.infinite.begin(), more.infinite.end());
+}
+
+OddPixels odd_pixels_of(const Channels<float>& image) {
+    const auto any = [&](size_t first, bool (*is_so)(float)) {
+        return is_so(image.rgb[first]) || is_so(image.rgb[first + 1]) || is_so(image.rgb[first + 2]);
+    };
+    OddPixels odd;
+    for (size_t i = 0; i < image.rgb.size(); i += metrics::CHANNELS) {
+        const bool is_nan = any(i, [](float value) { return std::isnan(value); });
+        if (!is_nan && !any(i, [](float value) { return std::isinf(value); })) continue;
+        const auto pixel = static_cast<uint32_t>(i / metrics::CHANNELS);
+        (is_nan ? odd.nan : odd.infinite).push_back({pixel % image.width, pixel / image.width});
+    }
+    return odd;
+}
 
 Result<PictureFile> read_picture_file(const std::string& name) {
     const auto image = render_system::load_image(name);
     if (!image.ok()) return image.status;
     PictureFile file{name, forms_of(*image), image->channels, {}};
-    file.nan_pixels = nan_pixels_of(file.forms.linear);
+    file.odd = odd_pixels_of(file.forms.linear);
     return file;
 }
 
@@ -79,23 +100,28 @@ Status check_alike(const PictureFile& a, const PictureFile& b) {
                                        a.channels, b.name, b.channels));
 }
 
-std::string nan_note(const std::string& name, const std::vector<PixelPlace>& places) {
-    if (places.empty()) return "";
-    return fmt::format("{}: {} pixel{} NaN, the first at {},{}; levels take them as 0, RMSE linear leaves them out",
-                       name, places.size(), places.size() == 1 ? " is" : "s are", places[0][0], places[0][1]);
+std::vector<std::string> notes_of(const std::string& name, const OddPixels& odd) {
+    std::vector<std::string> notes;
+    if (!odd.nan.empty()) notes.push_back(note_of(name, odd.nan, "NaN", "levels take them as 0"));
+    if (!odd.infinite.empty())
+        notes.push_back(note_of(name, odd.infinite, "infinite", "levels take them as the brightest or as 0"));
+    return notes;
 }
 
-Json nan_places_json(const std::vector<PixelPlace>& places) {
-    Json list = Json::array();
-    for (size_t i = 0; i < std::min(places.size(), kPlacesListed); ++i) list.push_back(places[i]);
-    return list;
+void add_odd_pixels(Json& json, const std::string& side, const OddPixels& odd) {
+    json["nan_pixels_" + side] = odd.nan.size();
+    json["nan_places_" + side] = places_json(odd.nan);
+    json["infinite_pixels_" + side] = odd.infinite.size();
+    json["infinite_places_" + side] = places_json(odd.infinite);
 }
 
-void mark_pixels(Channels<uint8_t>& image, const std::vector<PixelPlace>& places) {
-    for (const PixelPlace& place : places) {
-        uint8_t* rgb = &image.rgb[(size_t{place[1]} * image.width + place[0]) * metrics::CHANNELS];
-        rgb[0] = rgb[2] = 255;
-        rgb[1] = 0;
+void mark_pixels(Channels<uint8_t>& image, const OddPixels& odd) {
+    for (const auto* places : {&odd.nan, &odd.infinite}) {
+        for (const PixelPlace& place : *places) {
+            uint8_t* rgb = &image.rgb[(size_t{place[1]} * image.width + place[0]) * metrics::CHANNELS];
+            rgb[0] = rgb[2] = 255;
+            rgb[1] = 0;
+        }
     }
 }
 

@@ -100,11 +100,17 @@ TEST_F(CompareFiles, CountsAndPlacesWhatIsNoNumberAndLeavesItOut) {
     std::vector<float> a(20 * 12 * 3, 0.25f), b(a);
     for (size_t i = 0; i < b.size(); i += 3) b[i] += 0.5f;  // red, everywhere
     b[(3 * 20 + 7) * 3 + 1] = std::numeric_limits<float>::quiet_NaN();
+    a[(5 * 20 + 2) * 3] = std::numeric_limits<float>::infinity();
+    a[(9 * 20 + 19) * 3 + 2] = -std::numeric_limits<float>::infinity();
     const std::string name_a = write("a.exr", 20, 12, 3, a), name_b = write("b.exr", 20, 12, 3, b);
     const Answer answer = compare({name_a, name_b, "-o", file("out")});
     ASSERT_EQ(answer.exit_code, 0) << answer.err;
     EXPECT_THAT(answer.err, HasSubstr("1 pixel is NaN, the first at 7,3"));
+    EXPECT_THAT(answer.err, HasSubstr("a.exr: 2 pixels are infinite, the first at 2,5"));
     const json found = answer.parsed();
+    EXPECT_EQ(found["infinite_pixels_a"], 2);
+    EXPECT_EQ(found["infinite_places_a"], json::parse("[[2,5],[19,9]]"));
+    EXPECT_EQ(found["infinite_pixels_b"], 0);
     EXPECT_EQ(found["a"], name_a);
     EXPECT_EQ(found["b"], name_b);
     EXPECT_EQ(found["size"], json::array({20, 12}));
@@ -118,9 +124,12 @@ TEST_F(CompareFiles, CountsAndPlacesWhatIsNoNumberAndLeavesItOut) {
     EXPECT_EQ(row["identical_pixels"], 0.0);
     const auto shown = read_picture_file(file("out/difference.png"));
     ASSERT_TRUE(shown.ok());
-    EXPECT_EQ(shown->forms.levels.rgb[(3 * 20 + 7) * 3], 255);
-    EXPECT_EQ(shown->forms.levels.rgb[(3 * 20 + 7) * 3 + 1], 0);
-    EXPECT_EQ(shown->forms.levels.rgb[(3 * 20 + 7) * 3 + 2], 255);
+    std::set<size_t> magenta;
+    for (size_t pixel = 0; pixel < 20 * 12; ++pixel) {
+        const uint8_t* rgb = &shown->forms.levels.rgb[pixel * 3];
+        if (rgb[0] == 255 && rgb[1] == 0 && rgb[2] == 255) magenta.insert(pixel);
+    }
+    EXPECT_EQ(magenta, (std::set<size_t>{3 * 20 + 7, 5 * 20 + 2, 9 * 20 + 19}));
 }
 
 TEST_F(CompareFiles, ReadsOneChannelAndOtherFormats) {
@@ -186,6 +195,27 @@ TEST_F(CompareFiles, TellsABiasOfSetsOfFilesFromTheirNoise) {
     const json single = compare_sets({a[0]}, {b[0]}).parsed()["bias"];
     EXPECT_EQ(single["samples_needed"], 16);
     EXPECT_TRUE(single["standard_error"].is_null()) << "one picture has no spread";
+}
+
+TEST_F(CompareFiles, SetsLeaveOutWhatIsNoNumberAndPlaceIt) {
+    auto a = noisy("a", 16, 0.5f, 1);
+    const auto b = noisy("b", 16, 0.5f, 2);
+    std::vector<float> odd(32 * 16 * 3, 0.5f);
+    odd[0] = 0.51f;
+    odd[(4 * 32 + 30) * 3] = std::numeric_limits<float>::infinity();
+    odd[(11 * 32 + 6) * 3 + 2] = std::numeric_limits<float>::quiet_NaN();
+    a[7] = write("odd.exr", 32, 16, 3, odd);
+    const Answer answer = compare_sets(a, b, {"-o", file("out")});
+    ASSERT_EQ(answer.exit_code, 0) << answer.err;
+    EXPECT_THAT(answer.err, HasSubstr("odd.exr: 1 pixel is NaN, the first at 6,11"));
+    EXPECT_THAT(answer.err, HasSubstr("odd.exr: 1 pixel is infinite, the first at 30,4"));
+    const json found = answer.parsed();
+    EXPECT_EQ(found["nan_places_a"], json::parse("[[6,11]]"));
+    EXPECT_EQ(found["infinite_places_a"], json::parse("[[30,4]]"));
+    EXPECT_EQ(found["bias"]["verdict"], "agree");
+    const auto shown = read_picture_file(file("out/difference.png"));
+    ASSERT_TRUE(shown.ok());
+    for (const size_t pixel : {11 * 32 + 6, 4 * 32 + 30}) EXPECT_EQ(shown->forms.levels.rgb[pixel * 3], 255) << pixel;
 }
 
 TEST(BatchPlan, CutsSamplesIntoBatchesWithSeedsOfTheirOwn) {
