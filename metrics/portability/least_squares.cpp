@@ -92,6 +92,10 @@ std::optional<LinearFit> fit_least_squares(const std::vector<std::vector<double>
     return fit;
 }
 
+double standard_error(const LinearFit& fit, size_t coefficient) {
+    return fit.residual_deviation * std::sqrt(fit.inverse[coefficient][coefficient]);
+}
+
 Prediction predict(const LinearFit& fit, const std::vector<double>& predictors) {
     double spread = 1;
     for (size_t i = 0; i < predictors.size(); ++i) spread += predictors[i] * product(fit.inverse[i], predictors);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -20,6 +21,9 @@ struct LinearFit {
 /// where a predictor is a combination of the others (as where all observations are alike).
 std::optional<LinearFit> fit_least_squares(const std::vector<std::vector<double>>& rows,
                                            const std::vector<double>& observed);
+
+/// Of a coefficient: s sqrt((X'X)^-1 at its place on the diagonal).
+double standard_error(const LinearFit& fit, size_t coefficient);
 
 /// A prediction with the interval in which a new observation lies with 95 % probability: y0 +- t s sqrt(1 + x0'(X'X)^-1
 /// x0).

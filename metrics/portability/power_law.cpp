@@ -19,6 +19,11 @@ std::vector<double> predictors(const std::array<bool, 3>& told, double lines, co
     return row;
 }
 
+void add_coefficient(const std::string& name, const LinearFit& fit, size_t column, Figure& figure) {
+    figure.inputs.push_back({name, fit.coefficients[column], ""});
+    figure.inputs.push_back({"standard error of " + name, standard_error(fit, column), ""});
+}
+
 }  // namespace
 
 PowerLaw fit_power_law(std::span<const SizedPort> ports) {
@@ -49,8 +54,8 @@ PowerLaw fit_power_law(std::span<const SizedPort> ports) {
 }
 
 Figure predicted_hours(const PowerLaw& law, double lines, const Impediments& impediments) {
-    const Prediction exponent = predict(*law.fit, predictors(law.told, lines, impediments));
-    const std::vector<double>& b = law.fit->coefficients;
+    const LinearFit& fit = *law.fit;
+    const Prediction exponent = predict(fit, predictors(law.told, lines, impediments));
     Figure figure{std::pow(10, exponent.value),
                   std::pow(10, exponent.low),
                   std::pow(10, exponent.high),
@@ -58,12 +63,15 @@ Figure predicted_hours(const PowerLaw& law, double lines, const Impediments& imp
                   {{"lines", lines, "lines"},
                    {"ports recorded", static_cast<double>(law.ports), ""},
                    {"of them mined", static_cast<double>(law.mined), ""},
-                   {"C", std::pow(10, b[0]), "hours"},
-                   {"beta", b[1], ""}}};
+                   {"C", std::pow(10, fit.coefficients[0]), "hours"},
+                   {"standard error of C (factor)", std::pow(10, standard_error(fit, 0)), ""},
+                   {"scatter (factor)", std::pow(10, fit.residual_deviation), ""}}};
+    add_coefficient("beta", fit, 1, figure);
     size_t column = 2;
     for (size_t i = 0; i < law.told.size(); ++i) {
-        figure.inputs.push_back({std::string("alpha_") + kImpediments[i], impediments.all()[i], ""});
-        if (law.told[i]) figure.inputs.push_back({std::string("beta_") + kImpediments[i], b[column++], ""});
+        const std::string name = kImpediments[i];
+        figure.inputs.push_back({"alpha_" + name, impediments.all()[i], ""});
+        if (law.told[i]) add_coefficient("beta_" + name, fit, column++, figure);
     }
     return figure;
 }

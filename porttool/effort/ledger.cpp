@@ -37,11 +37,12 @@ void add_degrees(const Past& past, const std::vector<MapEffort>& ledger, RangeEf
         if (const auto degree = metrics::degree_from_hours(records)) range.ledger_blocks.emplace_back(block, *degree);
 }
 
-/// The hours of this port as the recorded ones predict them, and the degree that follows.
+/// The hours of this port as the project's own recorded ones predict them, and the degree that follows.
 void add_prediction(const std::vector<MapEffort>& ledger, RangeEffort& range) {
     std::vector<metrics::RecordedPort> ports;
     double anew_hours = 0, anew_lines = 0;
     for (const MapEffort& entry : ledger) {
+        if (entry.mined) continue;  // other people's hours, by other means
         if (entry.port && entry.lines && entry.novel)
             ports.push_back({*entry.novel, *entry.lines - *entry.novel, entry.port->total()});
         if (entry.redevelopment && entry.lines) {

@@ -344,6 +344,12 @@ TEST_F(Effort, EightRecordedPortsPredictTheHours) {
     const nlohmann::json report = json({"effort", "--from", "HEAD~1"});
     EXPECT_NEAR(report["predicted_hours"]["value"], 1 + 0.5 * 1 + 0.25 * 2, 1e-6);
     EXPECT_NEAR(report["degrees_of_portability"].back()["value"], 1 - 2.0 / 6, 1e-6);
+
+    // Ports of other projects are no records of this one's lines.
+    write("portmap.toml", map +
+                              "[[effort]]\nwhat = \"other\"\nlines = 50\nnovel = 20\nmined = true\n"
+                              "port = { coding = 400 }\n");
+    EXPECT_NEAR(json({"effort", "--from", "HEAD~1"})["predicted_hours"]["value"], 1 + 0.5 * 1 + 0.25 * 2, 1e-6);
 }
 
 TEST_F(Effort, EightRecordedPortsPredictTheHoursByHakutaAndOhminami) {
@@ -360,6 +366,8 @@ TEST_F(Effort, EightRecordedPortsPredictTheHoursByHakutaAndOhminami) {
     EXPECT_EQ(hours["model"], "Hakuta and Ohminami, equation 8, fitted");
     EXPECT_EQ(hours["inputs"]["of them mined"], 2.0);
     EXPECT_NEAR(hours["value"], 0.1 * std::pow(10, 0.5) * hours["inputs"]["lines"].get<double>(), 1e-4);
+    EXPECT_NEAR(hours["inputs"]["beta_p"], 1, 1e-4);
+    EXPECT_TRUE(hours["inputs"].contains("standard error of beta_p"));
     write("portmap.toml", kMap + std::string("[[effort]]\nwhat = \"x\"\nmined = 1\n"));
     EXPECT_NE(porttool({"effort", "--from", "HEAD~1"}).err.find("'mined': expected true or false"), std::string::npos);
 }

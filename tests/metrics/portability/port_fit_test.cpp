@@ -6,6 +6,8 @@
 
 #include <array>
 #include <cmath>
+#include <map>
+#include <string>
 #include <vector>
 
 #include "metrics/portability/power_law.h"
@@ -26,7 +28,7 @@ TEST(LeastSquares, FitsAnscombesFirstSetAsPublished) {
     EXPECT_NEAR(fit.coefficients[0], 3.0001, 1e-4);
     EXPECT_NEAR(fit.coefficients[1], 0.5001, 1e-4);
     EXPECT_NEAR(fit.residual_deviation, 1.237, 5e-4);
-    EXPECT_NEAR(fit.residual_deviation * std::sqrt(fit.inverse[1][1]), 0.1179, 1e-4);
+    EXPECT_NEAR(standard_error(fit, 1), 0.1179, 1e-4);
     EXPECT_EQ(fit.degrees_of_freedom, 9);
     // At the mean, x = 9, with n = 11: t(9) = 2.262, so 7.501 +- 2.262 x 1.237 x sqrt(1 + 1 / 11).
     const Prediction at_mean = predict(fit, {1, 9});
@@ -108,6 +110,24 @@ TEST(PowerLaw, ScatterMakesAnIntervalOfFactors) {
     EXPECT_GT(hours.low, 0) << "hours are never negative";
     EXPECT_NEAR(hours.value / hours.low, hours.high / hours.value, 1e-9 * hours.high / hours.value);
     EXPECT_GT(hours.high / hours.low, 2.25);
+}
+
+TEST(PowerLaw, TellsHowSureItsCoefficientsAre) {
+    // Hours 10, 100, 1000 ... of 1, 10, 100 ... lines, half of them 10 times and half a tenth of that: a line of slope
+    // 1 through residuals of +-1 in the logarithm, whose errors are known in closed form.
+    std::vector<SizedPort> ports;
+    for (int i = 0; i < 4; ++i)
+        for (const double factor : {10.0, 0.1, 0.1, 10.0})
+            ports.push_back({std::pow(10, i), {}, factor * std::pow(10, i + 1)});
+    const Figure hours = predicted_hours(fit_power_law(ports), 10, {});
+    std::map<std::string, double> inputs;
+    for (const FigureInput& input : hours.inputs) inputs[input.name] = input.value;
+    const double deviation = std::sqrt(16.0 / 14), squares = 4 * (2.25 + 0.25 + 0.25 + 2.25);
+    EXPECT_NEAR(inputs["beta"], 1, 1e-9);
+    EXPECT_NEAR(inputs["standard error of beta"], deviation / std::sqrt(squares), 1e-9);
+    EXPECT_NEAR(inputs["C"], 10, 1e-6);
+    EXPECT_NEAR(inputs["standard error of C (factor)"], std::pow(10, deviation * std::sqrt(1.0 / 16 + 2.25 / squares)), 1e-6);
+    EXPECT_NEAR(inputs["scatter (factor)"], std::pow(10, deviation), 1e-6);
 }
 
 TEST(PowerLaw, RefusesFewPortsAndPortsAllAlike) {
