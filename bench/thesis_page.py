@@ -1,14 +1,16 @@
 # SPDX-FileCopyrightText: 2026 The porttool authors
 # SPDX-License-Identifier: Apache-2.0
-"""A page of sections with text, tables, bars and pictures, as Markdown and as one HTML file. For bench/thesis.py."""
+"""A page of sections with text, tables, charts and pictures, as Markdown and as one HTML file. For bench/thesis.py."""
 import base64
 import html
 import os
 
+from thesis_chart import svg_of
+
 STYLE = """body{font:15px/1.5 sans-serif;max-width:78em;margin:2em auto;padding:0 1em;color:#222}
 table{border-collapse:collapse;margin:1em 0;font-size:13px}th,td{border-bottom:1px solid #ddd;padding:.25em .6em;text-align:right}
 th:first-child,td:first-child{text-align:left}th{vertical-align:bottom}figure{display:inline-block;margin:.5em}
-img{image-rendering:auto;max-width:36em}figcaption{font-size:13px;color:#555}.bar{background:#3b6ea5;height:1em;display:inline-block}"""
+img{image-rendering:auto;max-width:36em}figcaption{font-size:13px;color:#555}"""
 
 
 class Section:
@@ -25,8 +27,9 @@ class Section:
         if file.is_file():
             self.parts.append(("picture", file, caption))
 
-    def bars(self, what, values):
-        self.parts.append(("bars", what, values))
+    def chart(self, file, caption, bars, parts=("",)):
+        """Bars by name, each with a value for every part; the Markdown page has it in `file`."""
+        self.parts.append(("chart", file, caption, {name: tuple(values) for name, values in bars.items()}, tuple(parts)))
 
 
 class Page:
@@ -45,9 +48,7 @@ class Page:
         for lead in self.leads:
             lines += [lead, ""]
         for section in self.sections:
-            lines += [f"## {section.title}", ""]
-            for part in section.parts:
-                lines += markdown_of(part, folder) + [""]
+            lines += markdown_of_section(section, folder)
         lines += [f"<!-- kernel {file} {digest} -->" for file, digest in self.kernels.items()]
         return "\n".join(lines) + "\n"
 
@@ -69,15 +70,35 @@ class Page:
                     lines += [f"  row: {row[0]}" for row in content[1]]
                 elif kind == "picture":
                     lines.append(f"picture: {content[1]}")
-                elif kind == "bars":
-                    lines.append(f"bars: {content[0]}: " + ", ".join(content[1]))
+                elif kind == "chart":
+                    lines.append(f"chart: {content[1]}: " + ", ".join(content[2]))
+                    lines += [f"  part: {part}" for part in content[3] if part]
         return "\n".join(lines) + "\n"
 
+    def section_of(self, title):
+        return next(section for section in self.sections if section.title == title)
+
     def write(self, folder):
+        for section in self.sections:
+            write_charts(section)
         for name, text in (("thesis.md", self.markdown(folder)), ("thesis.html", self.html()), ("outline.txt", self.outline())):
             unfinished = folder / f"{name}.new"
             unfinished.write_text(text)
             unfinished.replace(folder / name)
+
+
+def markdown_of_section(section, folder):
+    lines = [f"## {section.title}", ""]
+    for part in section.parts:
+        lines += markdown_of(part, folder) + [""]
+    return lines
+
+
+def write_charts(section):
+    for kind, *content in section.parts:
+        if kind == "chart":
+            content[0].parent.mkdir(parents=True, exist_ok=True)
+            content[0].write_text(svg_of(content[3], content[2]))
 
 
 def markdown_of(part, folder):
@@ -86,8 +107,8 @@ def markdown_of(part, folder):
         return [content[0]]
     if kind == "picture":
         return [f"![{content[1]}]({os.path.relpath(content[0], folder)})"]
-    if kind == "bars":
-        return []
+    if kind == "chart":
+        return [f"![{content[1]}]({os.path.relpath(content[0], folder)})"]
     columns, rows = content
     return ["| " + " | ".join(columns) + " |", "| --- |" + " ---: |" * (len(columns) - 1),
             *("| " + " | ".join(row) + " |" for row in rows)]
@@ -101,11 +122,8 @@ def html_of(part):
         data = base64.b64encode(content[0].read_bytes()).decode()
         caption = html.escape(content[1])
         return f'<figure><img alt="{caption}" src="data:image/png;base64,{data}"><figcaption>{caption}</figcaption></figure>'
-    if kind == "bars":
-        most = max([*content[1].values(), 1e-9])
-        rows = "".join(f"<tr><td>{html.escape(name)}<td style='text-align:left'><span class=bar style='width:{300 * value / most:.0f}px'>"
-                       f"</span> {value:.2f}" for name, value in content[1].items())
-        return f"<table><caption>{html.escape(content[0])}</caption>{rows}</table>"
+    if kind == "chart":
+        return f"<figure>{svg_of(content[3], content[2])}<figcaption>{html.escape(content[1])}</figcaption></figure>"
     columns, rows = content
     head = "".join(f"<th>{html.escape(column)}" for column in columns)
     return f"<table><tr>{head}" + "".join("<tr>" + "".join(f"<td>{html.escape(cell)}" for cell in row) for row in rows) + "</table>"

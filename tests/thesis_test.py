@@ -4,16 +4,21 @@
 """bench/thesis.py: thesis_test.py PATHTRACER PORTTOOL. Exit code 77 (skipped) where a core cannot run here."""
 import hashlib
 import json
+import os
 import pathlib
 import re
+import shutil
+import signal
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT / "bench"))
 import equal_time  # noqa: E402
+from thesis_measure import Scene  # noqa: E402
 SCRIPT = ROOT / "bench/thesis.py"
 STORED = ROOT / "docs/thesis-numbers.md"
 PATHTRACER, PORTTOOL = (str(pathlib.Path(word).resolve()) for word in sys.argv[1:3])
@@ -57,6 +62,16 @@ class QuickRun(unittest.TestCase):
         page = (self.folder / "thesis.html").read_text()
         self.assertIn("data:image/png;base64,", page)
         self.assertNotRegex(page, r'(src|href)="?(http|pictures)')
+        for picture in re.findall(r"\]\((pictures/[^)]*)\)", text):
+            self.assertTrue((self.folder / picture).is_file(), picture)
+
+    def test_2_draws_what_the_tables_say(self):
+        rays = json.loads((self.folder / "measured/still_life_diffuse_source.json").read_text())["result"]["rays"]
+        chart = (self.folder / "pictures/charts/still_life_figure_13.svg").read_text()
+        bars = chart[chart.index(">source core, diffuse<"):].split("<text")[0]
+        widths = [float(width) for width in re.findall(r'width="([0-9.]+)"', bars)]
+        for width, kind in zip(widths, ("primary", "extension", "shadow"), strict=True):
+            self.assertAlmostEqual(width / sum(widths), rays[kind] / rays["total"], delta=0.001)
 
     def test_3_goes_on_after_an_interruption_and_says_what_is_missing(self):
         before = self.times()
@@ -68,6 +83,25 @@ class QuickRun(unittest.TestCase):
         self.assertEqual({name for name in before if after[name] != before[name]}, {"still_life_bias.json"})
         self.assertRegex((self.folder / "thesis.md").read_text(), r"Left out: town, there is no \S*missing/town.gltf\.")
 
+    def test_3_goes_on_where_it_was_killed(self):
+        (self.folder / "measured/still_life_other_4.json").unlink()
+        (self.folder / "measured/still_life_bias.json").unlink()
+        before = self.times()
+        first = self.folder / "measured/still_life_other_4.json"
+        killed = subprocess.Popen([sys.executable, str(SCRIPT), "--quick", "-o", str(self.folder), "--program", PATHTRACER, "--porttool",
+                                   PORTTOOL], start_new_session=True, stdout=subprocess.DEVNULL)
+        while not first.is_file() and killed.poll() is None:
+            time.sleep(0.01)
+        os.killpg(killed.pid, signal.SIGKILL)
+        killed.wait()
+        self.assertFalse((self.folder / "measured/still_life_bias.json").is_file(), "killed before that was measured")
+        taken = first.stat().st_mtime_ns
+        again = self.quick()
+        self.assertEqual(again.returncode, 0, again.stderr)
+        after = self.times()
+        self.assertEqual(after.pop("still_life_other_4.json"), taken, "not measured twice")
+        self.assertEqual({name for name in after if after[name] != before.get(name)}, {"still_life_bias.json"})
+
     def test_4_scenes_are_told_apart_and_what_is_none_is_left_out(self):
         with tempfile.TemporaryDirectory() as name:
             folder = pathlib.Path(name)
@@ -75,13 +109,16 @@ class QuickRun(unittest.TestCase):
                 (folder / scene).parent.mkdir(exist_ok=True)
                 (folder / scene).write_text("{}")
             (folder / "town.glb").write_bytes(b"glTF\xff")
-            words = [word for file in ("a/town.gltf", "b/town.gltf", "city.gltf", "town.glb") for word in ("--scene", file)]
+            (folder / "odd.gltf").write_text('{"materials": 3}')
+            words = [word for file in ("a/town.gltf", "b/town.gltf", "city.gltf", "town.glb", "odd.gltf")
+                     for word in ("--scene", file)]
             done = subprocess.run([sys.executable, str(SCRIPT), "--quick", "-o", str(self.folder), "--program", PATHTRACER,
                                    "--porttool", PORTTOOL, *words], capture_output=True, text=True, check=False, cwd=folder)
         self.assertEqual(done.returncode, 0, done.stderr)
         text = (self.folder / "thesis.md").read_text()
         self.assertIn("still_life; and town, town_2, city_2.", text)
         self.assertRegex(text, r"Left out: town_3, since \S*town.glb is no .gltf file")
+        self.assertRegex(text, r"Left out: odd, since \S*odd.gltf is no .gltf file")
         self.assertRegex(text, r"Left out: town_2_same: .*b/town.gltf")
 
     def test_5_packs_are_read_back_or_refused(self):
@@ -99,6 +136,24 @@ class QuickRun(unittest.TestCase):
         refused = self.quick("--with", self.folder / "thesis.md")
         self.assertNotEqual(refused.returncode, 0)
         self.assertIn("is no file of --self-test", refused.stderr)
+
+
+class SceneDigest(unittest.TestCase):
+    """What tells that a measurement is of another scene than the one that is there now."""
+
+    def test_it_is_of_the_text_the_camera_and_the_files(self):
+        with tempfile.TemporaryDirectory() as name:
+            scene, camera, data = (pathlib.Path(name) / file for file in ("s.gltf", "camera.json", "s.bin"))
+            seen = set()
+            for gltf, eye, size in (("{}", "1", 4), ('{"buffers": [{"uri": "s.bin"}, {"uri": "data:,"}, {}]}', "1", 4),
+                                    ('{"buffers": [{"uri": "s.bin"}, {"uri": "data:,"}, {}]}', "2", 4),
+                                    ('{"buffers": [{"uri": "s.bin"}, {"uri": "data:,"}, {}]}', "2", 5)):
+                scene.write_text(gltf)
+                camera.write_text(eye)
+                data.write_bytes(bytes(size))
+                seen.add(Scene("s", str(scene), ["--camera", camera]).digest())
+            self.assertEqual(len(seen), 4)
+            self.assertEqual(len(seen | {Scene("s", str(scene), ["--camera", camera]).digest()}), 4)
 
 
 class Age(unittest.TestCase):
@@ -129,6 +184,29 @@ class Age(unittest.TestCase):
             self.assertIn(said.stdout.strip(), page.read_text())
             page.write_text("nothing\n")
             self.assertNotEqual(run("--age", page).returncode, 0)
+
+    def test_code_is_counted_anew_and_the_rest_stays(self):
+        report = json.loads(subprocess.run([PORTTOOL, "report", "--format", "json"], capture_output=True, text=True, check=True,
+                                           cwd=ROOT).stdout)
+        block = next(block for block in report["blocks"] if block["name"] == "Render core")
+        with tempfile.TemporaryDirectory() as folder:
+            page = pathlib.Path(folder) / "page.md"
+            stored = STORED.read_text()
+            page.write_text(re.sub(r"^\| Render core \|.*$", "| Render core | stale |", stored, flags=re.M))
+            said = run("--code", page, "--porttool", PORTTOOL)
+            self.assertEqual(said.returncode, 0, said.stderr)
+            text = page.read_text()
+            row = re.search(r"^\| Render core \|(.*)$", text, re.M)[1].split("|")
+            self.assertEqual([int(cell) for cell in row[:2]], [block["target_lines"], block["shared_target"]])
+            self.assertAlmostEqual(float(row[4]), 100 * block["shared_target"] / block["target_lines"], delta=0.05)
+            for chart in re.findall(r"\]\((page/charts/[^)]*)\)", text):
+                self.assertTrue((page.parent / chart).is_file(), chart)
+
+            def counted(words):
+                return re.sub(r"^## (Table 2|Equations 3 to 8: what).*?(?=^## |^<!-- kernel )", "", words, flags=re.M | re.S)
+            self.assertEqual(counted(text), counted(stored))
+            page.write_text(stored.replace("## Table 2", "## Table"))
+            self.assertIn("has no section 'Table 2", run("--code", page, "--porttool", PORTTOOL).stderr)
 
     def test_nonsense_is_refused_before_anything_is_measured(self):
         with tempfile.TemporaryDirectory() as folder:

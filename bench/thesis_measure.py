@@ -1,0 +1,173 @@
+# SPDX-FileCopyrightText: 2026 The porttool authors
+# SPDX-License-Identifier: Apache-2.0
+"""What bench/thesis.py measures, kept in a folder from one run to the next."""
+import hashlib
+import json
+import os
+import pathlib
+import resource
+import subprocess
+import time
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+CORES = ("source", "target")
+OTHER_SEED = 1
+
+
+def kernel_digests():
+    files = [p for core in CORES for p in sorted((ROOT / f"{core}_core/kernels").iterdir())]
+    return {p.relative_to(ROOT).as_posix(): hashlib.sha256(p.read_bytes()).hexdigest()[:12] for p in files}
+
+
+def digest_of(parts):
+    return hashlib.sha256(json.dumps(parts).encode()).hexdigest()[:12]
+
+
+def code_digest():
+    """Of the map and of all texts of both cores."""
+    files = sorted(p for core in CORES for p in (ROOT / f"{core}_core").rglob("*") if p.is_file())
+    return digest_of([hashlib.sha256(p.read_bytes()).hexdigest() for p in [ROOT / "portmap.toml", *files]])
+
+
+def processor_seconds():
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime
+
+
+class Measurements:
+    """Answers of commands, kept in a folder."""
+
+    def __init__(self, folder, program, porttool):
+        self.folder, self.program, self.porttool = folder, program, porttool
+        self.digest = digest_of(kernel_digests())
+        self.failures = []
+        self.seconds, self.processor_seconds = 0.0, 0.0
+        (folder / "measured").mkdir(parents=True, exist_ok=True)
+
+    def take(self, name, command, kept=None, inputs=""):
+        """The JSON that the command prints ({} where it prints none), from the folder if it is there. `kept`: a file
+        that the command writes and that must still be there; `inputs`: a digest of what else the answer depends on.
+        None where it fails, which the page then says."""
+        file = self.folder / "measured" / f"{name}.json"
+        said = [str(word) for word in command]
+        if file.is_file() and (kept is None or kept.is_file()):
+            before = json.loads(file.read_text())
+            if before["command"] == said and before["kernels"] == self.digest and before.get("inputs") == inputs:
+                self.add_cost(before["cost"])
+                return before["result"]
+        start, busy = time.monotonic(), processor_seconds()
+        done = subprocess.run(said, capture_output=True, text=True, check=False, cwd=ROOT)
+        cost = [time.monotonic() - start, processor_seconds() - busy]
+        self.add_cost(cost)
+        if done.returncode not in (0, 1) or (done.returncode == 1 and not done.stdout):
+            self.failures.append(f"{name}: {' '.join(done.stderr.split())}")
+            return None
+        result = json.loads(done.stdout) if done.stdout.startswith("{") else {}
+        unfinished = file.with_suffix(".new")
+        unfinished.write_text(json.dumps({"command": said, "kernels": self.digest, "inputs": inputs, "cost": cost, "result": result},
+                                         indent=1))
+        unfinished.replace(file)
+        return result
+
+    def add_cost(self, cost):
+        self.seconds += cost[0]
+        self.processor_seconds += cost[1]
+
+    def pathtracer(self, name, *words, kept=None, scene=None):
+        command = [self.program, *words, "--quiet", "--format", "json"]
+        return self.take(name, command, kept, scene.digest() if scene is not None else "")
+
+    def report(self):
+        """What both cores share, of the texts and the map as they are; None without porttool."""
+        return self.porttool and self.take("report", [self.porttool, "report", "--format", "json"], inputs=code_digest())
+
+    def effort(self, first, last):
+        return self.porttool and self.take("effort", [self.porttool, "effort", "--from", first, "--to", last, "--format", "json"],
+                                           inputs=code_digest())
+
+
+class Scene:
+    """A scene as the command line takes it. `ours`: it is of this project's own making."""
+
+    def __init__(self, name, file, options=(), ours=False):
+        self.name, self.file, self.options, self.ours = name, file, [str(option) for option in options], ours
+
+    def words(self, settings):
+        return [self.file, "--size", settings["size"], *self.options]
+
+    def path(self):
+        """Of its .gltf, also of a scene that goes by its name alone."""
+        file = pathlib.Path(self.file)
+        return file if file.is_file() else ROOT / "scenes" / self.file / f"{self.file}.gltf"
+
+    def digest(self):
+        """Of its texts and its camera's, and of the sizes of what they name."""
+        texts = [self.path(), *(pathlib.Path(option) for option in self.options if option.endswith(".json"))]
+        named = [self.path().parent / item["uri"] for item in named_files(json.loads(self.path().read_text()))]
+        return digest_of([[p.read_text() for p in texts if p.is_file()], [p.stat().st_size for p in named if p.is_file()]])
+
+
+def named_files(gltf):
+    """Its buffers and images that are files of their own."""
+    return [item for item in gltf.get("buffers", []) + gltf.get("images", [])
+            if isinstance(item.get("uri"), str) and not item["uri"].startswith("data:")]
+
+
+def diffuse_copy(scene, folder):
+    """The scene with every material Lambert's: no metal, no reflection, no transmission, same colours and lights."""
+    file = scene.path()
+    gltf = json.loads(file.read_text())
+    for material in gltf.get("materials", []):
+        pbr = material.setdefault("pbrMetallicRoughness", {})
+        pbr.update(metallicFactor=0.0, roughnessFactor=1.0)
+        pbr.pop("metallicRoughnessTexture", None)
+        kept = {k: v for k, v in material.get("extensions", {}).items() if k == "KHR_materials_emissive_strength"}
+        material["extensions"] = {**kept, "KHR_materials_specular": {"specularFactor": 0.0}}
+    gltf["extensionsUsed"] = sorted({*gltf.get("extensionsUsed", []), "KHR_materials_specular"})
+    folder.mkdir(parents=True, exist_ok=True)
+    for item in named_files(gltf):
+        item["uri"] = os.path.relpath(file.parent / item["uri"], folder)
+    copy = folder / f"{scene.name}_diffuse.gltf"
+    text = json.dumps(gltf)
+    if not copy.is_file() or copy.read_text() != text:
+        copy.write_text(text)
+    return Scene(f"{scene.name}, diffuse", str(copy), [*scene.options, "--allow-outside"])
+
+
+def measure_pictures(take, scene, settings, pictures):
+    """Table 1 of one scene: the cores with one seed, with a seed for each, and the target core against itself."""
+    counts = settings["counts"]
+    folder = pictures / scene.name
+    last = folder / f"difference_{counts[-1]}spp.png"
+    same = take.pathtracer(f"{scene.name}_same", "compare", *scene.words(settings), "--spp", ",".join(map(str, counts)),
+                           "-o", folder, kept=last, scene=scene)
+    if same is None:
+        return None
+    rows = {}
+    for row in same["results"]:
+        spp = row["spp"]
+        other = folder / f"other_{spp}spp.png"
+        drawn = take.pathtracer(f"{scene.name}_other_{spp}", "render", *scene.words(settings), "--core", "target",
+                                "--seed", OTHER_SEED, "--spp", spp, "-o", other, kept=other, scene=scene)
+        found = [take.pathtracer(f"{scene.name}_{core}_and_other_{spp}", "compare", folder / f"{core}_{spp}spp.png", other,
+                                 scene=scene)
+                 for core in CORES]
+        if drawn is None or None in found:
+            return None
+        rows[spp] = {"same": row, "own": found[0]["results"][0], "itself": found[1]["results"][0]}
+    bias = take.pathtracer(f"{scene.name}_bias", "compare", *scene.words(settings), "--bias", "--spp", settings["bias"],
+                           "-o", pictures / f"{scene.name}_bias", kept=pictures / f"{scene.name}_bias/bias.png",
+                           scene=scene)
+    return {"rows": rows, "bias": bias and bias["bias"]}
+
+
+def measure_speed(take, scene, settings, folder):
+    """Four series: each core, with all materials and with diffuse ones."""
+    series = {}
+    for kind, variant in (("all materials", scene), ("diffuse", diffuse_copy(scene, folder / "scenes"))):
+        for core in CORES:
+            bench = take.pathtracer(f"{scene.name}_{kind.split()[0]}_{core}", "bench", *variant.words(settings), "--core",
+                                    core, "--spp", settings["frames"], scene=variant)
+            if bench is not None:
+                series[f"{core} core, {kind}"] = bench
+    return series
