@@ -56,7 +56,7 @@ def update_age(page):
     try:
         text = page.read_text()
     except (OSError, UnicodeDecodeError) as error:
-        fail(f"--age {page}: {getattr(error, 'strerror', None) or 'is no text'}; name a page that --keep wrote")
+        fail(f"{page}: {getattr(error, 'strerror', None) or 'is no text'}; name a page that --keep wrote")
     then = dict(re.findall(r"^<!-- kernel (\S+) ([0-9a-f]{12}) -->$", text, re.M))
     if not then or not AGE.search(text):
         fail(f"{page} was not made by this program")
@@ -253,6 +253,9 @@ def main():
     if arguments.samples is not None:
         settings = {**settings, "counts": [count for count in settings["counts"] if count <= arguments.samples] or [1],
                     "bias": max(16, min(settings["bias"], arguments.samples))}
+    for file in filter(None, (arguments.self_test, arguments.keep)):
+        if not os.access(file.resolve().parent, os.W_OK):
+            fail(f"{file}: nothing can be written to that folder; make it, or name another")
     folder = arguments.output.resolve()
     take = Measurements(folder, os.path.abspath(arguments.program), porttool)
     page, found = make_page(arguments, settings, take, folder)
@@ -265,4 +268,7 @@ def main():
 
 
 if __name__ == "__main__":
-    main()
+    try:
+        main()
+    except OSError as problem:
+        fail(f"{problem.filename}: {problem.strerror}; name another place, or make room")

@@ -34,6 +34,15 @@ def processor_seconds():
     return used.ru_utime + used.ru_stime
 
 
+def answer_in(file):
+    """What an earlier run kept; nothing of a file that is not there or was damaged, so that it is measured anew."""
+    try:
+        answer = json.loads(file.read_text())
+    except (OSError, ValueError):
+        return {}
+    return answer if isinstance(answer, dict) and {"cost", "result"} <= answer.keys() else {}
+
+
 class Measurements:
     """Answers of commands, kept in a folder."""
 
@@ -50,11 +59,10 @@ class Measurements:
         None where it fails, which the page then says."""
         file = self.folder / "measured" / f"{name}.json"
         said = [str(word) for word in command]
-        if file.is_file() and (kept is None or kept.is_file()):
-            before = json.loads(file.read_text())
-            if before["command"] == said and before["kernels"] == self.digest and before.get("inputs") == inputs:
-                self.add_cost(before["cost"])
-                return before["result"]
+        before = answer_in(file) if kept is None or kept.is_file() else {}
+        if all(before.get(key) == value for key, value in (("command", said), ("kernels", self.digest), ("inputs", inputs))):
+            self.add_cost(before["cost"])
+            return before["result"]
         start, busy = time.monotonic(), processor_seconds()
         done = subprocess.run(said, capture_output=True, text=True, check=False, cwd=ROOT)
         cost = [time.monotonic() - start, processor_seconds() - busy]

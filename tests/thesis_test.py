@@ -75,7 +75,7 @@ class QuickRun(unittest.TestCase):
 
     def test_3_goes_on_after_an_interruption_and_says_what_is_missing(self):
         before = self.times()
-        (self.folder / "measured/still_life_bias.json").unlink()
+        (self.folder / "measured/still_life_bias.json").write_text("")  # a machine that lost its power
         (self.folder / "measured/still_life_other_1.new").write_text("{")
         again = self.quick("--scene", "missing/town.gltf")
         self.assertEqual(again.returncode, 0, again.stderr)
@@ -212,7 +212,9 @@ class Age(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             out = pathlib.Path(folder) / "out"
             for *words, said in (("--size", "abc", "'abc' is no size"), ("--samples", "0", "'0' is no number of samples"),
-                                 ("--age", "nosuch", "nosuch: No such file")):
+                                 ("--age", "nosuch", "nosuch: No such file"), ("--code", "nosuch", "nosuch: No such file"),
+                                 ("-o", "/dev/null/out", "/dev/null/out"), ("--keep", "/nosuch/p.md", "/nosuch/p.md: nothing can be"),
+                                 ("--self-test", "/nosuch/t.zip", "/nosuch/t.zip: nothing can be")):
                 refused = run("--quick", "-o", out, "--program", PATHTRACER, *words)
                 self.assertEqual(refused.returncode, 2, words)
                 self.assertIn(said, refused.stderr)
