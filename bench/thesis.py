@@ -140,7 +140,7 @@ def find_scenes(arguments, folder):
     return found, left_out
 
 
-def make_page(arguments, settings, take, folder):
+def make_page(arguments, settings, take, folder, machines):
     scenes, left_out = find_scenes(arguments, folder)
     page = Page("The thesis's tables and figures, measured anew")
     asked = [f"--{name} {getattr(arguments, name)}" for name in ("size", "samples") if getattr(arguments, name) is not None]
@@ -165,10 +165,7 @@ def make_page(arguments, settings, take, folder):
     sections.add_picture_equations(page, scenes[0], found[0][1])
     sections.add_table2(page, report, charts)
     sections.add_cost_equations(page, report, take)
-    try:
-        sections.add_other_machines(page, arguments.others)
-    except sections.NoSelfTest as problem:
-        fail(problem)
+    sections.add_other_machines(page, machines)
     page.kernels = now
     return page, found
 
@@ -256,9 +253,13 @@ def main():
     for file in filter(None, (arguments.self_test, arguments.keep)):
         if not os.access(file.resolve().parent, os.W_OK):
             fail(f"{file}: nothing can be written to that folder; make it, or name another")
+    try:
+        machines = [sections.machine_of(file) for file in arguments.others]
+    except sections.NoSelfTest as problem:
+        fail(problem)
     folder = arguments.output.resolve()
     take = Measurements(folder, os.path.abspath(arguments.program), porttool)
-    page, found = make_page(arguments, settings, take, folder)
+    page, found = make_page(arguments, settings, take, folder, machines)
     page.write(folder)
     print(folder / "thesis.html")
     if arguments.keep is not None:

@@ -211,16 +211,26 @@ def add_law_of_ports(section, take):
                 f"{law['value']:.2g} hours ({law['low']:.2g} to {law['high']:.2g}, 95 %); it took {sum(own[-1]['port'].values()):.2g}.")
 
 
-def add_other_machines(page, files):
-    for file in files:
-        try:
-            with zipfile.ZipFile(file) as pack:
-                found = json.loads(pack.read("self-test.json"))
-        except (OSError, KeyError, ValueError, zipfile.BadZipFile) as problem:
-            raise NoSelfTest(f"{file}: is no file of --self-test ({problem})") from problem
-        section = page.section(f"Another machine: {found['devices'].get('source', '-')}")
-        section.table(["series", "ms a frame", "million rays a second"],
-                      [[name, number(bench["ms_per_frame"]["total"], 2), number(bench["mrays_per_s"]["total"], 2)]
-                       for name, bench in found["series"].items()])
-        section.say(f"Size {found['size']}; SSIM of the two cores there: " +
-                    ", ".join(f"{spp}: {number(ssim, 6)}" for spp, ssim in found["ssim"].items()) + ".")
+def machine_of(file):
+    """The title, the rows and the words of a section about the machine that wrote the pack."""
+    try:
+        with zipfile.ZipFile(file) as pack:
+            found = json.loads(pack.read("self-test.json"))
+        rows = [[name, number(1000 / bench["ms_per_frame"]["total"], 2), number(bench["ms_per_frame"]["total"], 2),
+                 number(bench["mrays_per_s"]["total"], 2), number(bench["mrays_per_s"]["trace"], 2), number(time_shares(bench)[-1], 1)]
+                for name, bench in found["series"].items()]
+        bias = found["bias"]
+        words = (f"Size {found['size']}; the target core on {found['devices'].get('target', '-')}. SSIM of the two cores there, samples and "
+                 "figure: " + ", ".join(f"{spp}: {number(ssim, 6)}" for spp, ssim in found["ssim"].items()) + "." +
+                 (f" With seeds of their own: {bias['verdict']}, p = {bias['p_value']:.2g}." if bias else ""))
+        return f"Another machine: {found['devices'].get('source', '-')}", rows, words
+    except (OSError, KeyError, ValueError, TypeError, AttributeError, ZeroDivisionError, zipfile.BadZipFile) as problem:
+        raise NoSelfTest(f"{file}: is no file of --self-test ({problem})") from problem
+
+
+def add_other_machines(page, machines):
+    for title, rows, words in machines:
+        section = page.section(title)
+        section.table(["series", "frames a second", "ms a frame", "million rays a second", "tracing alone", "tracing, % of a frame"],
+                      rows + [[*speed, share[-1]] for speed, share in zip(thesis.SPEED, thesis.TIME)])
+        section.say(words)

@@ -14,6 +14,7 @@ import sys
 import tempfile
 import time
 import unittest
+import zipfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT / "bench"))
@@ -59,6 +60,9 @@ class QuickRun(unittest.TestCase):
         for ours, itself, apart in zip(row[2:4], row[4:6], (0.002, 0.2)):
             self.assertAlmostEqual(float(ours), float(itself), delta=apart,
                                    msg="with a seed each the cores differ as the target core does from itself")
+        device = next(core["device"] for core in json.loads((self.folder / "measured/info.json").read_text())["result"]["cores"]
+                      if core["id"] == "source")
+        self.assertEqual("This machine has no GPU" in text, "llvmpipe" in device)
         page = (self.folder / "thesis.html").read_text()
         self.assertIn("data:image/png;base64,", page)
         self.assertNotRegex(page, r'(src|href)="?(http|pictures)')
@@ -132,10 +136,14 @@ class QuickRun(unittest.TestCase):
         speed = json.loads((self.folder / "measured/still_life_diffuse_target.json").read_text())["result"]["ms_per_frame"]["total"]
         text = (self.folder / "thesis.md").read_text()
         self.assertIn("## Another machine: ", text)
-        self.assertIn(f"| target core, diffuse | {speed:.2f} |", text)
-        refused = self.quick("--with", self.folder / "thesis.md")
-        self.assertNotEqual(refused.returncode, 0)
-        self.assertIn("is no file of --self-test", refused.stderr)
+        self.assertIn(f"| target core, diffuse | {1000 / speed:.2f} | {speed:.2f} |", text[text.index("## Another machine: "):])
+        with zipfile.ZipFile(self.folder / "odd.zip", "w") as odd:
+            odd.writestr("self-test.json", '{"devices": {}, "series": {"a": 3}, "ssim": {}}')
+        for file in ("thesis.md", "odd.zip", "none.zip"):
+            refused = self.quick("--with", self.folder / file)
+            self.assertEqual(refused.returncode, 2)
+            self.assertIn(f"{file}: is no file of --self-test", refused.stderr)
+            self.assertNotIn("Traceback", refused.stderr)
 
 
 class SceneDigest(unittest.TestCase):
