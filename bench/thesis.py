@@ -230,18 +230,8 @@ def read_options():
     return parser.parse_args()
 
 
-def main():
-    arguments = read_options()
-    if arguments.age is not None:
-        update_age(arguments.age)
-        return
-    porttool = arguments.porttool if os.access(arguments.porttool, os.X_OK) else None
-    if arguments.code is not None:
-        update_code(arguments.code, porttool)
-        return
-    if not os.access(arguments.program, os.X_OK):
-        fail(f"there is no program {arguments.program}; build it, or name it with --program")
-    arguments.quick = arguments.quick or arguments.self_test is not None
+def settings_of(arguments):
+    """Size, counts of samples and frames of the run that is asked for."""
     settings = QUICK if arguments.quick else FULL
     if arguments.self_test is not None:
         settings = {**settings, "size": "640x360"}
@@ -250,6 +240,22 @@ def main():
     if arguments.samples is not None:
         settings = {**settings, "counts": [count for count in settings["counts"] if count <= arguments.samples] or [1],
                     "bias": max(16, min(settings["bias"], arguments.samples))}
+    return settings
+
+
+def main():
+    arguments = read_options()
+    if arguments.age is not None:
+        update_age(arguments.age)
+        return
+    porttool = os.path.abspath(arguments.porttool) if os.access(arguments.porttool, os.X_OK) else None
+    if arguments.code is not None:
+        update_code(arguments.code, porttool)
+        return
+    if not os.access(arguments.program, os.X_OK):
+        fail(f"there is no program {arguments.program}; build it, or name it with --program")
+    arguments.quick = arguments.quick or arguments.self_test is not None
+    settings = settings_of(arguments)
     for file in filter(None, (arguments.self_test, arguments.keep)):
         if not os.access(file.resolve().parent, os.W_OK):
             fail(f"{file}: nothing can be written to that folder; make it, or name another")
