@@ -202,10 +202,10 @@ def flags_of(build, name):
     return [w for w in words[:words.index("-o")] if not w.startswith("-I")]
 
 
-def compiled(folder, way, text, flags):
+def compiled(folder, way, text, flags, kind="-c"):
     file = folder / f"{way}.cpp"
     file.write_text(text)
-    done = subprocess.run([*flags, "-g", "-w", f"-I{folder}", f"-I{ROOT}", "-c", str(file), "-o", str(folder / f"{way}.o")],
+    done = subprocess.run([*flags, "-g", "-w", f"-I{folder}", f"-I{ROOT}", kind, str(file), "-o", str(folder / f"{way}.o")],
                           capture_output=True, text=True, check=False)
     if done.returncode:
         sys.exit(f"cross_compiled.py: {way} does not compile:\n{done.stderr[:4000]}")
@@ -228,37 +228,53 @@ def widest(build):
     return None
 
 
+def ways_through_glsl_h(build):
+    """Names, texts and flags of the port and of the one text: for one lane, and for as many as this machine has."""
+    texts = {"two_texts": '#include "target_core/kernels/bsdf.h"\n',
+             "one_text": one_text.WRAPPER % (ROOT / "source_core/kernels/bsdf.glsl")}
+    scalar, wide = flags_of(build, "kernels/shade.cpp"), widest(build)
+    narrow = [(way, through_glsl_h(way, includes, None), scalar) for way, includes in texts.items()]
+    if wide is None:
+        return narrow, []
+    header, flags, lanes = wide
+    return narrow, [(f"{way}_{lanes}", through_glsl_h(f"{way}_{lanes}", includes, header), flags) for way, includes in texts.items()]
+
+
+def measured(folder, ways, arguments):
+    """The objects by way, how many results of the first are finite, and for each way its time and results of equal bits."""
+    objects = {way: compiled(folder, way, text, flags) for way, text, flags in ways}
+    declared = "\n".join(f'extern "C" void {way}(const float*, float*, unsigned);' for way in objects)
+    (folder / "main.cpp").write_text(DRIVER % (declared, arguments.probes, ", ".join(objects), arguments.rounds))
+    subprocess.run(["c++", "-std=c++20", "-O2", str(folder / "main.cpp"), *map(str, objects.values()), "-o", str(folder / "main")],
+                   check=True)
+    finite, *found = [line.split() for line in one_text.run([str(folder / "main")]).splitlines()]
+    return objects, finite[0], found
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build/release")
     parser.add_argument("--rounds", type=int, default=7)
     parser.add_argument("--probes", type=int, default=1 << 16, help="a multiple of 16")
+    parser.add_argument("--compiles", action="store_true", help="only whether the probe compiles for one lane, without spirv-cross")
     arguments = parser.parse_args()
-    for program in ("glslangValidator", "spirv-cross", "objdump"):
-        if not shutil.which(program):
-            sys.exit(f"cross_compiled.py: {program} is not installed")
-    scalar, wide = flags_of(arguments.build, "kernels/shade.cpp"), widest(arguments.build)
-    two = '#include "target_core/kernels/bsdf.h"\n'
-    one = one_text.WRAPPER % (ROOT / "source_core/kernels/bsdf.glsl")
+    narrow, wide = ways_through_glsl_h(arguments.build)
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
-        lines, mended, cross = by_spirv_cross(folder)
-        ways = [("two_texts", through_glsl_h("two_texts", two, None), scalar), ("one_text", through_glsl_h("one_text", one, None), scalar),
-                ("cross", cross, scalar)]
-        if wide is not None:
-            header, flags, lanes = wide
-            ways += [(f"two_texts_{lanes}", through_glsl_h(f"two_texts_{lanes}", two, header), flags),
-                     (f"one_text_{lanes}", through_glsl_h(f"one_text_{lanes}", one, header), flags)]
-        objects = {way: compiled(folder, way, text, flags) for way, text, flags in ways}
-        declared = "\n".join(f'extern "C" void {way}(const float*, float*, unsigned);' for way in objects)
-        (folder / "main.cpp").write_text(DRIVER % (declared, arguments.probes, ", ".join(objects), arguments.rounds))
-        subprocess.run(["c++", "-std=c++20", "-O2", str(folder / "main.cpp"), *map(str, objects.values()), "-o", str(folder / "main")],
-                       check=True)
-        finite, *found = [line.split() for line in one_text.run([str(folder / "main")]).splitlines()]
-        source = (ROOT / "source_core/kernels/bsdf.glsl").read_text()
-        functions = set(re.findall(r"^\w+ (\w+)\(.*\{", source, re.M))
-        print(f"spirv-cross wrote {lines} lines of C++, of which {mended} did not compile and were left out; of {arguments.probes} "
-              f"results {finite[0]} are finite")
+        if arguments.compiles:
+            for way, text, flags in narrow:
+                compiled(folder, way, text, flags, "-fsyntax-only")
+            print("the probe compiles")
+            return
+        for program in ("glslangValidator", "spirv-cross", "objdump"):
+            if not shutil.which(program):
+                sys.exit(f"cross_compiled.py: {program} is not installed")
+        lines, left_out, cross = by_spirv_cross(folder)
+        ways = [*narrow, ("cross", cross, narrow[0][2]), *wide]
+        objects, finite, found = measured(folder, ways, arguments)
+        functions = set(re.findall(r"^\w+ (\w+)\(.*\{", (ROOT / "source_core/kernels/bsdf.glsl").read_text(), re.M))
+        print(f"spirv-cross wrote {lines} lines of C++, of which {left_out} did not compile and were left out; of {arguments.probes} "
+              f"results {finite} are finite")
         for (way, obj), (time, same) in zip(objects.items(), found):
             kept, numbered = known_to_debugger(obj, functions)
             print(f"{way}: {time} ns a probe, {same} of {arguments.probes} results have the bits of two_texts, "

@@ -69,7 +69,8 @@ def add_table1(page, scene, found):
                 "agree, all that differs is noise. The thesis's own figures stop falling at 28.1 and 31.9: what noise cannot do.")
     bias = found["bias"]
     if bias is not None:
-        section.table(["batches with seeds of their own", "verdict", "p", "tiles that differ", "mean difference", "standard error", "would be found from"],
+        section.table(["batches with seeds of their own", "verdict", "p", "tiles that differ", "mean difference", "standard error",
+                       "would be found from"],
                       [["bias", bias["verdict"], f"{bias['p_value']:.2g}", f"{bias['tiles_different']} of {bias['tiles']}",
                         f"{bias['mean_difference']:+.2e}", f"{bias['standard_error']:.1e}",
                         "-" if bias["detectable"] is None else f"{100 * bias['detectable']:.2g} %"]])
@@ -196,7 +197,9 @@ def add_law_of_ports(section, take):
     own = [record for record in timed if not record.get("mined")]
     law, reason = law_of_ports(own, timed, take)
     inputs = law["inputs"] if law else {}
-    rows = [["C, hours", f"{inputs['C']:.3g}", f"times or by {inputs['standard error of C (factor)']:.2g}"] if law else ["C, hours", "-", "-"]]
+    rows = [["C, hours", "-", "-"]]
+    if law:
+        rows = [["C, hours", f"{inputs['C']:.3g}", f"times or by {inputs['standard error of C (factor)']:.2g}"]]
     rows += [[name, f"{inputs[name]:.2f}", f"{inputs['standard error of ' + name]:.2f}"] if name in inputs else [name, "-", "-"]
              for name in ("beta", "beta_p", "beta_H", "beta_E")]
     section.table(["equation 8: Y = C 10^(beta_p alpha_p) 10^(beta_H alpha_H) 10^(beta_E alpha_E) X^beta", "fitted", "standard error"],

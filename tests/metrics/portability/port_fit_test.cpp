@@ -126,7 +126,8 @@ TEST(PowerLaw, TellsHowSureItsCoefficientsAre) {
     EXPECT_NEAR(inputs["beta"], 1, 1e-9);
     EXPECT_NEAR(inputs["standard error of beta"], deviation / std::sqrt(squares), 1e-9);
     EXPECT_NEAR(inputs["C"], 10, 1e-6);
-    EXPECT_NEAR(inputs["standard error of C (factor)"], std::pow(10, deviation * std::sqrt(1.0 / 16 + 2.25 / squares)), 1e-6);
+    EXPECT_NEAR(inputs["standard error of C (factor)"], std::pow(10, deviation * std::sqrt(1.0 / 16 + 2.25 / squares)),
+                1e-6);
     EXPECT_NEAR(inputs["scatter (factor)"], std::pow(10, deviation), 1e-6);
 }
 
