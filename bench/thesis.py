@@ -120,7 +120,7 @@ def find_scenes(arguments, folder):
     scenes, left_out = [Scene("still_life", "still_life", ours=True)], []
     taken = {"still_life", "interior", "city", "pica", "kitchen"}
     for file in arguments.scene:
-        name = unlike(pathlib.Path(file).stem, taken)
+        name = unlike(re.sub(r"[^\w.-]", "_", pathlib.Path(file).stem), taken)  # it becomes part of links
         taken.add(name)
         scenes.append(Scene(name, os.path.abspath(file)))
     if not arguments.quick:
@@ -155,7 +155,10 @@ def make_page(arguments, settings, take, folder, machines):
     for scene, pictures, series in found:
         if pictures is None or not series:
             left_out.append(f"parts of {scene.name}, which could not be rendered")
-    sections.add_machine(page, take, settings, left_out + take.failures, scenes)
+    left_out += take.failures
+    for reason in left_out:
+        print(f"thesis.py: left out: {reason}", file=sys.stderr)
+    sections.add_machine(page, take, settings, left_out, scenes)
     for scene, pictures, series in found:
         if pictures is not None:
             sections.add_table1(page, scene, pictures)
@@ -270,6 +273,9 @@ def main():
     print(folder / "thesis.html")
     if arguments.keep is not None:
         keep(folder, arguments.keep, found)
+    if not any(pictures or series for _, pictures, series in found):
+        print("thesis.py: nothing could be measured", file=sys.stderr)
+        sys.exit(1)
     if arguments.self_test is not None:
         pack_self_test(arguments, settings, take, found, arguments.self_test.resolve())
 
@@ -277,5 +283,8 @@ def main():
 if __name__ == "__main__":
     try:
         main()
+    except KeyboardInterrupt:
+        print("thesis.py: stopped; the same command goes on from here", file=sys.stderr)
+        sys.exit(130)
     except OSError as problem:
         fail(f"{problem.filename}: {problem.strerror}; name another place, or make room")

@@ -109,21 +109,29 @@ class QuickRun(unittest.TestCase):
     def test_4_scenes_are_told_apart_and_what_is_none_is_left_out(self):
         with tempfile.TemporaryDirectory() as name:
             folder = pathlib.Path(name)
-            for scene in ("a/town.gltf", "b/town.gltf", "city.gltf"):
+            for scene in ("a/town.gltf", "b/town.gltf", "city.gltf", "a b|c.gltf"):
                 (folder / scene).parent.mkdir(exist_ok=True)
                 (folder / scene).write_text("{}")
             (folder / "town.glb").write_bytes(b"glTF\xff")
             (folder / "odd.gltf").write_text('{"materials": 3}')
-            words = [word for file in ("a/town.gltf", "b/town.gltf", "city.gltf", "town.glb", "odd.gltf")
+            words = [word for file in ("a/town.gltf", "b/town.gltf", "city.gltf", "town.glb", "odd.gltf", "a b|c.gltf")
                      for word in ("--scene", file)]
             done = subprocess.run([sys.executable, str(SCRIPT), "--quick", "-o", str(self.folder), "--program", PATHTRACER,
                                    "--porttool", PORTTOOL, *words], capture_output=True, text=True, check=False, cwd=folder)
         self.assertEqual(done.returncode, 0, done.stderr)
         text = (self.folder / "thesis.md").read_text()
-        self.assertIn("still_life; and town, town_2, city_2.", text)
+        self.assertIn("still_life; and town, town_2, city_2, a_b_c.", text)
+        self.assertIn("left out: town_2_same: ", done.stderr)
         self.assertRegex(text, r"Left out: town_3, since \S*town.glb is no .gltf file")
         self.assertRegex(text, r"Left out: odd, since \S*odd.gltf is no .gltf file")
         self.assertRegex(text, r"Left out: town_2_same: .*b/town.gltf")
+
+    def test_4_a_machine_that_renders_nothing_is_said(self):
+        with tempfile.TemporaryDirectory() as folder:
+            done = run("--quick", "-o", folder, "--program", "/bin/false", "--porttool", PORTTOOL)
+            self.assertEqual(done.returncode, 1)
+            self.assertIn("nothing could be measured", done.stderr)
+            self.assertIn("Left out: parts of still_life", (pathlib.Path(folder) / "thesis.md").read_text())
 
     def test_5_packs_are_read_back_or_refused(self):
         before = self.times()
