@@ -1,5 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The porttool authors
 // SPDX-License-Identifier: Apache-2.0
+//
+// An edit of asides alone is a note, so nobody may hide anything else in one: what is called an aside must not write
+// what the rest of the function uses, nor end it. `printf("%f", y *= 2)` is none, and neither is `y += elapsed * x`,
+// unless `y` is used in asides alone.
 #include "porttool/compare/asides.h"
 
 #include <algorithm>
@@ -7,46 +11,89 @@
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 #include "porttool/normal/statements.h"
+#include "porttool/text/letters.h"
 
 namespace porttool {
 namespace {
 
+using Names = std::unordered_set<std::string_view>;
+
 constexpr std::array<std::string_view, 8> kClocks = {"gettimeofday", "tvsec",   "tvusec", "clockgettime",
                                                      "steadyclock",  "elapsed", "chrono", "profil"};
-constexpr std::array<std::string_view, 7> kSayings = {"print", "log", "assert", "cout", "cerr", "warn", "debug"};
 constexpr std::array<std::string_view, 6> kMacros = {"timing", "timer", "debug", "verbose", "profil", "bench"};
+/// Words of names: those that may go on (`println`, `assertion`), and those that may not (`logic`).
+constexpr std::array<std::string_view, 4> kSayings = {"print", "assert", "warn", "debug"};
+constexpr std::array<std::string_view, 5> kWholeSayings = {"log", "logger", "logging", "cout", "cerr"};
+/// What leaves a function, or a program, and what nobody sees through.
+constexpr std::array<std::string_view, 14> kLeaves = {"return", "goto",  "throw",      "discard", "co_return",
+                                                      "exit",   "_Exit", "abort",      "longjmp", "terminate",
+                                                      "asm",    "_exit", "quick_exit", "__trap"};
 
 template <size_t N>
 bool names_one_of(const std::array<std::string_view, N>& parts, std::string_view word) {
     const std::string name = folded(word);
-    return std::any_of(parts.begin(), parts.end(), [&](std::string_view part) {
-        constexpr size_t kLongestLogarithm = 5;  // `log2f` is no message
-        return name.find(part) != std::string::npos && !(part == "log" && name.size() <= kLongestLogarithm);
+    return std::any_of(parts.begin(), parts.end(),
+                       [&](std::string_view part) { return name.find(part) != std::string::npos; });
+}
+
+/// The words of a name, in small letters: `vfprintf`, `log` and `error` of `log_Error`.
+std::vector<std::string> words_of_name(std::string_view name) {
+    std::vector<std::string> out(1);
+    for (size_t i = 0; i < name.size(); ++i) {
+        const char small = small_letter(name[i]);
+        const bool starts = small != name[i] && i > 0 && small_letter(name[i - 1]) == name[i - 1];
+        if ((name[i] == '_' || starts) && !out.back().empty()) out.emplace_back();
+        if (name[i] != '_') out.back() += small;
+    }
+    return out;
+}
+
+/// True for a name that says that something is told to people. A short one with `log` in it is a logarithm.
+bool speaks_by_name(std::string_view name) {
+    constexpr size_t kLongestLogarithm = 5;
+    const std::vector<std::string> words = words_of_name(name);
+    return std::any_of(words.begin(), words.end(), [&](std::string_view word) {
+        if (name.size() > kLongestLogarithm || word.find("log") == std::string_view::npos)
+            if (std::find(kWholeSayings.begin(), kWholeSayings.end(), word) != kWholeSayings.end()) return true;
+        word.remove_prefix(std::min(word.find_first_not_of("vf"), word.size()));  // vfprintf
+        return std::any_of(kSayings.begin(), kSayings.end(),
+                           [&](std::string_view saying) { return word.starts_with(saying); });
     });
 }
 
+bool is_one_of_leaves(std::string_view word) {
+    return std::find(kLeaves.begin(), kLeaves.end(), word) != kLeaves.end();
+}
+
+/// Tokens that stand side by side.
+struct Stretch {
+    enum class Kind : uint8_t { Plain, Saying, Timing, Guarded };
+    size_t first = 0, end = 0;
+    Kind kind = Kind::Plain;
+};
+
 class AsideReader {
 public:
-    explicit AsideReader(const Words& tokens) : tokens_(tokens) { find_guards(); }
+    explicit AsideReader(const Words& tokens) : tokens_(tokens) {
+        find_guards();
+        cut();
+    }
 
     Words run() {
+        settle();
         Words out;
-        for (size_t i = 0; i < tokens_.size();) {
-            if (const size_t end = end_of_guarded(i); end > i) {
-                i = end;
-                continue;
-            }
-            const size_t stop = end_of_statement(i), end = std::max(stop, i + 1);
-            if (tokens_[end - 1] != ";" || !is_aside(i, end)) out.insert(out.end(), at(i), at(end));
-            i = end;
-        }
+        for (const Stretch& one : stretches_)
+            if (one.kind == Stretch::Kind::Plain) out.insert(out.end(), at(one.first), at(one.end));
         return out;
     }
 
 private:
+    using Kind = Stretch::Kind;
+
     Words::const_iterator at(size_t i) const { return tokens_.begin() + static_cast<std::ptrdiff_t>(i); }
     std::string_view word(size_t i) const { return i < tokens_.size() ? tokens_[i] : std::string_view(); }
 
@@ -71,10 +118,18 @@ private:
         }
     }
 
-    /// Behind the `# endif` of such lines that begin at `i`, or `i`.
-    size_t end_of_guarded(size_t i) const {
-        const auto guard = guards_.find(i);
-        return guard == guards_.end() ? i : guard->second;
+    void cut() {
+        for (size_t i = 0; i < tokens_.size();) {
+            Stretch next{i, i, Kind::Guarded};
+            if (const auto guard = guards_.find(i); guard != guards_.end()) {
+                next.end = guard->second;
+            } else {
+                next.end = std::max(end_of_statement(i), i + 1);
+                next.kind = tokens_[next.end - 1] == ";" ? kind_of_statement(i, next.end) : Kind::Plain;
+            }
+            stretches_.push_back(next);
+            i = next.end;
+        }
     }
 
     /// Behind the semicolon of the statement without a block that begins at `i`, or where something else comes first.
@@ -88,18 +143,104 @@ private:
         return tokens_.size();
     }
 
-    bool is_aside(size_t first, size_t end) const {
-        if (word(first) == "return") return false;
-        for (size_t i = first; i < end; ++i)
-            if (is_word_token(tokens_[i]) && names_one_of(kClocks, tokens_[i])) return true;
+    Kind kind_of_statement(size_t first, size_t end) const {
+        if (says(first, end)) return Kind::Saying;
+        const bool reads_clock = std::any_of(
+            at(first), at(end), [](std::string_view one) { return is_word_token(one) && names_one_of(kClocks, one); });
+        return reads_clock ? Kind::Timing : Kind::Plain;
+    }
+
+    /// True for a statement that is one call which tells something, or hands something to a stream.
+    bool says(size_t first, size_t end) const {
         size_t name = first;
         while (word(name + 1) == "::" && name + 2 < end) name += 2;
-        const bool speaks = word(name + 1) == "(" || word(name + 1) == "<<";
-        return speaks && is_word_token(word(name)) && names_one_of(kSayings, word(name));
+        if (!is_word_token(word(name)) || !speaks_by_name(word(name))) return false;
+        size_t next = name + 1;
+        if (word(next) == "(") next = behind_parentheses(next, end);
+        return next > name + 1 ? word(next) == ";" || is_shift(next) : is_shift(next);
+    }
+
+    bool is_shift(size_t i) const { return word(i) == "<" && word(i + 1) == "<"; }
+
+    size_t behind_parentheses(size_t i, size_t end) const {
+        int depth = 0;
+        for (; i < end; ++i) {
+            depth += tokens_[i] == "(" ? 1 : tokens_[i] == ")" ? -1 : 0;
+            if (depth == 0) return i + 1;
+        }
+        return end;
+    }
+
+    /// Calls plain what touches more than asides do, until that makes nothing else plain.
+    void settle() {
+        for (const Stretch& one : stretches_)
+            if (one.kind == Kind::Plain) note_names(one);
+        constexpr int kMostRounds = 8;
+        for (int round = 0;; ++round) {
+            bool is_settled = true;
+            for (Stretch& one : stretches_) {
+                if (one.kind == Kind::Plain || (round < kMostRounds && is_harmless(one))) continue;
+                one.kind = Kind::Plain;
+                note_names(one);
+                is_settled = false;
+            }
+            if (is_settled) return;
+        }
+    }
+
+    void note_names(const Stretch& stretch) {
+        for (size_t i = stretch.first; i < stretch.end; ++i)
+            if (is_word_token(tokens_[i])) rest_.insert(tokens_[i]);
+    }
+
+    bool is_harmless(const Stretch& one) const {
+        for (size_t i = one.first; i < one.end; ++i) {
+            if (is_one_of_leaves(tokens_[i])) return false;
+            if (one.kind == Kind::Timing && takes_part(i)) return false;
+            if (writes(i, one.end) && (one.kind == Kind::Saying || !writes_own(i))) return false;
+        }
+        return true;
+    }
+
+    /// True for a name of the rest that stands for a value here; one may be the type of what is declared, or is called.
+    bool takes_part(size_t i) const {
+        if (!is_word_token(tokens_[i]) || !rest_.contains(tokens_[i])) return false;
+        const std::string_view after = word(i + 1);
+        return !(is_word_token(after) || after == "::" || after == "(" || after == ">");
+    }
+
+    bool is_assignment(size_t i) const {
+        const std::string_view sign = tokens_[i];
+        if (sign == "=" || sign == "++" || sign == "--") return true;
+        if (sign == "<=" || sign == ">=") return i > 0 && tokens_[i - 1].substr(0, 1) == sign.substr(0, 1);  // `<<=`
+        return sign.size() == 2 && sign[1] == '=' && sign != "==" && sign != "!=";
+    }
+
+    /// True where something is written, or where its address or a reference to it is taken.
+    bool writes(size_t i, size_t end) const {
+        return i < end && (is_assignment(i) || (tokens_[i] == "&" && !is_binary(i)));
+    }
+    /// `a & b` of two values. `T & a` is a reference, which has a type and no value before it.
+    bool is_binary(size_t i) const {
+        return i > 0 && (tokens_[i - 1] == ")" || tokens_[i - 1] == "]") && !is_word_token(word(i + 1));
+    }
+
+    /// True for a place that only asides use: a name, or a member of one, that the rest does not have.
+    bool writes_own(size_t i) const {
+        const bool is_before = i > 0 && is_word_token(tokens_[i - 1]) && tokens_[i] != "&";
+        if (tokens_[i] == "&" && !(i > 0 && (tokens_[i - 1] == "(" || tokens_[i - 1] == ","))) return false;
+        size_t name = is_before ? i - 1 : i + 1;
+        if (!is_before && tokens_[i] != "&" && tokens_[i] != "++" && tokens_[i] != "--") return false;
+        while (is_before && name >= 2 && tokens_[name - 1] == "." && is_word_token(tokens_[name - 2])) name -= 2;
+        const std::string_view before = is_before && name > 0 ? tokens_[name - 1] : std::string_view();
+        return is_word_token(word(name)) && !rest_.contains(word(name)) && before != "*" && before != "->" &&
+               before != "." && before != "&";
     }
 
     const Words& tokens_;
     std::unordered_map<size_t, size_t> guards_;
+    std::vector<Stretch> stretches_;
+    Names rest_;  ///< of what is no aside
 };
 
 }  // namespace

@@ -20,24 +20,36 @@ std::string letters_of(std::string_view name) {
 
 constexpr size_t kLeast = 3;  // letters: `n(x)` and `N(x)` are two
 
-std::vector<std::string> with_plain_calls(const Words& tokens) {
-    std::vector<std::string> out;
+/// Tokens without `std ::`.
+Words without_std(const Words& tokens) {
+    Words out;
     for (size_t i = 0; i < tokens.size(); ++i) {
-        if (tokens[i] == "std" && i + 1 < tokens.size() && tokens[i + 1] == "::") {
+        if (tokens[i] == "std" && i + 1 < tokens.size() && tokens[i + 1] == "::")
             ++i;
-            continue;
-        }
-        const bool called = is_word_token(tokens[i]) && i + 1 < tokens.size() && tokens[i + 1] == "(";
-        std::string letters = called ? letters_of(tokens[i]) : std::string();
-        out.push_back(letters.size() >= kLeast ? std::move(letters) : std::string(tokens[i]));
+        else
+            out.push_back(tokens[i]);
     }
     return out;
 }
 
+bool is_called(const Words& tokens, size_t i) {
+    return is_word_token(tokens[i]) && i + 1 < tokens.size() && tokens[i + 1] == "(";
+}
+
 }  // namespace
 
-bool only_respells_calls(const Words& before, const Words& now) {
-    return with_plain_calls(before) == with_plain_calls(now);
+std::optional<std::vector<RespelledCall>> only_respelled_calls(const Words& before, const Words& now) {
+    const Words then = without_std(before), today = without_std(now);
+    if (then.size() != today.size()) return std::nullopt;
+    std::vector<RespelledCall> out;
+    for (size_t i = 0; i < then.size(); ++i) {
+        if (then[i] == today[i]) continue;
+        const std::string letters = letters_of(then[i]);
+        if (!is_called(then, i) || !is_called(today, i) || letters.size() < kLeast || letters != letters_of(today[i]))
+            return std::nullopt;
+        out.push_back({then[i], today[i]});
+    }
+    return out;
 }
 
 std::string_view respelled_call(const NormalText& text, std::string_view name) {

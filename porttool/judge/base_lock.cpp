@@ -9,6 +9,7 @@
 #include "porttool/judge/resolve.h"
 #include "porttool/read/lock_lines.h"
 #include "porttool/read/lock_upgrade.h"
+#include "porttool/scan/scan.h"
 #include "porttool/text/sink/terminal.h"
 
 namespace porttool {
@@ -52,6 +53,23 @@ void note_macros_as_today(LockFile& then, const LockFile& now, const Snapshot& b
 
 using TextOf = std::function<NormalText(const std::string&)>;
 
+/// True for an id of which nobody knows what it was at the base: its file, or a folder around it, cannot be read there.
+bool is_unknown(const Snapshot& base, Side side, const std::string& id) {
+    const std::string file = split_id(id).first;
+    const std::set<std::string>& unknown = base.unknown[side];
+    for (size_t end = file.find('/'); !unknown.empty() && end != std::string::npos; end = file.find('/', end + 1))
+        if (unknown.contains(file.substr(0, end))) return true;
+    return unknown.contains(file);
+}
+
+/// A unit that cannot be read at the base, and that no lock knows, cannot be held against anything.
+CannotDo nothing_to_hold(const Snapshot& base, const std::string& id) {
+    return CannotDo("--base " + terminal_text(base.at.revision) + ": what " + terminal_text(id) +
+                    " was there cannot be read, and portmap.lock does not have its pair: a submodule that is not "
+                    "checked out, a link that leads elsewhere, or a file that is no text\nFetch it (git submodule "
+                    "update --init), or record the pair with: porttool accept --all");
+}
+
 /// What ids of a map that are stale, at the base as well as today, had become at the base.
 class StaleIds {
 public:
@@ -68,6 +86,7 @@ public:
                                                                         : &line->target_prints;
                     named.push_back({id, prints});
                     if (find_in(base.states[side], id) != nullptr || find_in(today[side], id) != nullptr) continue;
+                    if (is_unknown(base, side, id)) continue;
                     stale_[side].insert(id);
                     any = true;
                 }
@@ -145,6 +164,9 @@ BaseLock base_lock(const Snapshot& base, const LockFile& then, const LockFile& n
                     out.lock.pairs.push_back(*line);
                     continue;
                 }
+                if (left == nullptr && is_unknown(base, Side::Source, pair.source))
+                    throw nothing_to_hold(base, pair.source);
+                if (right == nullptr && is_unknown(base, Side::Target, target)) throw nothing_to_hold(base, target);
                 left = find_in(today.source, pair.source);  // nothing to hold it against
                 right = find_in(today.target, target);
             }

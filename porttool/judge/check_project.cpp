@@ -77,6 +77,7 @@ std::vector<BroughtIn> hold_against_base(CheckedProject& checked, const CheckCho
     checked.texts = std::move(in_step.texts);
     checked.texts.merge(now.texts);
     checked.gone_before = std::move(in_step.gone_before);
+    checked.base_states = std::move(base.states);
     if (choice.trusted_map && then.has_lock)
         checked.in_project = then.lock.lock;
     else if (!choice.trusted_map && checked.recorded && !now.written.empty())
@@ -93,6 +94,7 @@ void judge_it(CheckedProject& checked, const std::string& date, const std::vecto
     facts.evidence = evidence;
     facts.gone_before = &checked.gone_before;
     const bool against_base = checked.against_base;
+    if (against_base) facts.at_base = {&checked.base_states.source, &checked.base_states.target};
     if (checked.in_project)
         facts.in_project = &*checked.in_project;
     else if (checked.recorded && !against_base)

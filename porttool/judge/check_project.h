@@ -32,6 +32,7 @@ struct CheckedProject : Snapshot {
     std::map<std::string, NormalText> texts = {};  ///< by print: those behind the lock that portmap.base/ does not have
     /// With a merge base: pairs, by their ids, of which one side was gone there already.
     std::set<std::pair<std::string, std::string>> gone_before = {};
+    States base_states = {};  ///< with a merge base: the units there
     std::vector<PlacedSuppression> suppressions = {};
     Judgement judgement = {};
 };

@@ -44,6 +44,7 @@ struct Case {
     const RunEvidence* evidence = nullptr;  ///< where programs ran
     /// With a merge base: pairs, by their ids, of which one side was gone there already.
     const std::set<std::pair<std::string, std::string>>* gone_before = nullptr;
+    BySide<const std::map<std::string, UnitState>*> at_base = {};  ///< with a merge base: the units there
 };
 
 /// Holds today's units against the lock. Reads nothing but the case.

@@ -31,7 +31,8 @@ public:
         climb();
         follow();
         find_new_files();
-        std::erase_if(told_, [](const auto& one) { return redefines_word(leaf(*one.first)); });
+        std::erase_if(
+            told_, [&](const auto& one) { return redefines_word(leaf(*one.first)) || shadows_.contains(one.first); });
         return std::move(told_);
     }
 
@@ -101,7 +102,7 @@ private:
         const auto add = [&](const Names& names, size_t i) {
             const auto [first, last] = names.equal_range(user.text[i]);
             for (auto used = first; used != last; ++used)
-                if (used->second != &user && is_use(*used->second, user.text, i)) add_use(*used->second, user, kind);
+                if (used->second != &user && is_use(*used->second, user.text, i)) add_use(*used->second, user, kind, i);
         };
         for (size_t i = 0; i < user.text.size(); ++i) {
             const std::string_view word = user.text[i];
@@ -111,12 +112,23 @@ private:
         }
     }
 
-    void add_use(const UnitState& used, const UnitState& user, UserKind kind) {
+    void add_use(const UnitState& used, const UnitState& user, UserKind kind, size_t i) {
         constexpr size_t kMost = 8;
+        if (kind == UserKind::Watched && !tells_of(user, leaf(used))) {
+            const std::string_view before = i > 0 ? user.text[i - 1] : std::string_view();
+            if (before != "." && before != "->") shadows_.insert(&used);
+            return;
+        }
         if (kind == UserKind::Unported) uses_[&user].insert(&used);
         if (used.kind == UnitKind::Kernel) return;  // news whoever uses it
         auto& users = users_[&used][static_cast<size_t>(kind)];
         if (users.size() < kMost && (users.empty() || users.back() != &user)) users.push_back(&user);
+    }
+
+    bool tells_of(const UnitState& user, std::string_view word) {
+        const auto [known, is_new] = tells_.try_emplace({&user, word});
+        if (is_new) known->second = units_.tells_of(user, word);
+        return known->second;
     }
 
     UserKind kind_of(const UnitState& user) {
@@ -305,6 +317,8 @@ private:
 
     const SideUnits& units_;
     std::set<const UnitState*> open_, launchers_;
+    std::set<const UnitState*> shadows_;  ///< that give a name of a watched unit another meaning
+    std::map<std::pair<const UnitState*, std::string_view>, bool> tells_;
     std::unordered_map<std::string_view, const UnitState*> functions_;  ///< all, where one alone bears the name
     Names names_;
     std::unordered_map<std::string_view, Names> names_in_files_;  ///< by file: what is new there and has namesakes

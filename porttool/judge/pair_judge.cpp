@@ -8,7 +8,6 @@
 #include "porttool/compare/lone_edit.h"
 #include "porttool/compare/own_words.h"
 #include "porttool/compare/paired_names.h"
-#include "porttool/compare/respelled_calls.h"
 #include "porttool/language/hazards.h"
 #include "porttool/normal/diff.h"
 #include "porttool/normal/prelude.h"
@@ -282,13 +281,32 @@ void PairJudge::report_one(JudgedPair& pair, const PairComparison& found, const 
     weigh_edit(pair, side, before[side], finding);
 }
 
+/// True if both names of each call are most likely one function's: of a library, and as exact, or of the side itself,
+/// where it bore the name from before. A function under a new name that only looks like the old one is another.
+bool PairJudge::call_the_same(const std::vector<RespelledCall>& calls, Side side) const {
+    std::map<std::string_view, const UnitState*> own;
+    for (const auto& [id, unit] : side == Side::Source ? facts_.source : facts_.target)
+        if (unit.kind != UnitKind::File) own.emplace(bare_leaf_of(unit.name), &unit);
+    const auto was_called = [&](std::string_view name, const UnitState& unit) {
+        return std::any_of(facts_.lock.baseline.begin(), facts_.lock.baseline.end(), [&](const LockedUnit& line) {
+            return line.prints.renamed == unit.prints.renamed && bare_leaf_of(split_id(line.id).second) == name;
+        });
+    };
+    return std::all_of(calls.begin(), calls.end(), [&](const RespelledCall& call) {
+        if (own.contains(call.before)) return false;
+        if (const auto unit = own.find(call.now); unit != own.end()) return was_called(call.before, *unit->second);
+        const std::string before = std::string(call.before) + "()", now = std::string(call.now) + "()";
+        return precision_hazards({before}, {now}).empty();
+    });
+}
+
 /// An edit that most likely needs no port is a note, one of a word or two a warning.
 void PairJudge::weigh_edit(const JudgedPair& pair, Side side, const NormalText& before, Finding& finding) const {
     const UnitState &now = *pair.unit[side], &there = *pair.unit[other(side)];
     if (finding.level <= Level::Note || (now.kind != UnitKind::Function && now.kind != UnitKind::Kernel)) return;
     const LoneTexts texts{without_prelude(before.words()), without_prelude(now.text.words()),
                           without_prelude(there.text.words())};
-    if (only_respells_calls(texts.before, texts.now))
+    if (const auto calls = only_respelled_calls(texts.before, texts.now); calls && call_the_same(*calls, side))
         return weaken(pair, finding, Level::Note, "it only calls the same by another spelling");
     if (without_asides(texts.before) == without_asides(texts.now))
         return weaken(pair, finding, is_of_few_words(texts.before, texts.now) ? Level::Warning : Level::Note,

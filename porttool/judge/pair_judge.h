@@ -6,6 +6,7 @@
 #include <string>
 
 #include "porttool/compare/compare_pair.h"
+#include "porttool/compare/respelled_calls.h"
 #include "porttool/judge/finding_list.h"
 #include "porttool/judge/judge.h"
 #include "porttool/judge/lock_index.h"
@@ -44,6 +45,7 @@ private:
     void report_one(JudgedPair& pair, const PairComparison& found, const BySide<NormalText>& before);
     void report_both(const JudgedPair& pair, const PairComparison& found, const BySide<NormalText>& before);
     bool in_own_words(const JudgedPair& pair, const BySide<NormalText>& before) const;
+    bool call_the_same(const std::vector<RespelledCall>& calls, Side side) const;
     void weigh_edit(const JudgedPair& pair, Side side, const NormalText& before, Finding& finding) const;
 
     const Case& facts_;

@@ -72,7 +72,10 @@ private:
     void find_units(const std::vector<JudgedPair>& pairs) {
         std::set<const UnitState*> paired;
         for (const JudgedPair& pair : pairs)
-            if (side_ == Side::Target || sets_.of_id(pair.id.target) == set_) paired.insert(pair.unit[side_]);
+            if (side_ == Side::Target || sets_.of_id(pair.id.target) == set_) {
+                paired.insert(pair.unit[side_]);
+                pairs_of_.emplace(pair.unit[side_], &pair);
+            }
         for (const auto& [id, unit] : units_of(facts_, side_)) {
             const bool of_set = side_ == Side::Source || sets_.of_path(unit.file) == set_;
             if (unit.kind != UnitKind::File && of_set && !paired.contains(&unit)) units_.push_back(&unit);
@@ -85,7 +88,22 @@ private:
         for (const UnitState* unit : fresh)
             if (!counterparts.contains(unit)) unported.push_back(unit);
         const std::set<const UnitState*> lone(units_.begin(), units_.end()), is_fresh(fresh.begin(), fresh.end());
-        told_ = told_with_others({units_of(facts_, side_), lone, is_fresh, unported, facts_.files[side_]});
+        const auto tells_of = [&](const UnitState& user, std::string_view word) { return this->tells_of(user, word); };
+        told_ = told_with_others({units_of(facts_, side_), lone, is_fresh, unported, facts_.files[side_], tells_of});
+    }
+
+    /// False for a watched unit whose edit is only a note, or that said the word at the merge base already.
+    bool tells_of(const UnitState& user, std::string_view word) const {
+        const auto [first, last] = pairs_of_.equal_range(&user);
+        const bool is_note = std::any_of(first, last, [](const auto& one) {
+            const JudgedPair& pair = *one.second;
+            return pair.changed && !pair.equivalent && pair.standing == PairStanding::InStep;
+        });
+        if (is_note || facts_.at_base[side_] == nullptr) return !is_note;
+        const auto then = facts_.at_base[side_]->find(user.id);
+        if (then == facts_.at_base[side_]->end()) return true;
+        const Words words = then->second.text.words();
+        return std::find(words.begin(), words.end(), word) == words.end();
     }
 
     /// What a person said of the unit, if anybody said something.
@@ -152,6 +170,7 @@ private:
     std::string set_;
     FindingList& findings_;
     Verdicts& verdicts_;
+    std::multimap<const UnitState*, const JudgedPair*> pairs_of_;
     std::vector<const UnitState*> units_;           ///< that no pair leads to
     std::map<const UnitState*, std::string> told_;  ///< new ones whose lack is told with others, and how
 };

@@ -9,6 +9,7 @@
 #include <filesystem>
 
 #include "porttool/read/disk.h"
+#include "porttool/read/git_links.h"
 #include "porttool/read/git_open.h"
 #include "porttool/read/source_files.h"
 #include "porttool/text/sink/shell.h"
@@ -21,7 +22,6 @@ using Object = GitOwned<git_object, git_object_free>;
 using Commit = GitOwned<git_commit, git_commit_free>;
 using Tree = GitOwned<git_tree, git_tree_free>;
 using Index = GitOwned<git_index, git_index_free>;
-using TreeEntry = GitOwned<git_tree_entry, git_tree_entry_free>;
 using Submodule = GitOwned<git_repository, git_repository_free>;
 
 const std::string kMergeBase = "the merge base";  // as messages call it
@@ -35,11 +35,18 @@ struct Walk {
     const WantsFile& wants;
     const std::vector<std::string>& folders;  ///< with all that is wanted, as paths in `out`; none for anywhere
     EntryCount& entries;
-    uint64_t& bytes;                 ///< that were read in all
-    const git_tree* tree = nullptr;  ///< while one is read
+    uint64_t& bytes;                    ///< that were read in all
+    GitEntryAt at = {};                 ///< what stands at a path
+    std::string alias = {}, real = {};  ///< a folder that is read under the path of a link to it, and its own path
 
     /// The path that a file has in `out`.
     std::string name_of(const std::string& path) const { return before + path.substr(prefix.size()); }
+
+    /// Where a path leads to.
+    GitPlace follow(const std::string& path) const {
+        const std::string own = alias.empty() ? path : real + path.substr(alias.size());
+        return follow_git_links(repository, at, entries, own);
+    }
 
     /// True if a folder ("a/b/") holds something wanted, or leads to the root.
     bool leads_to_wanted(const std::string& folder) const {
@@ -76,31 +83,24 @@ bool add_blob(const Walk& walk, const git_oid& id, const std::string& path) {
     return true;
 }
 
-/// The path within the repository that a symbolic link leads to: its blob holds it.
-std::string link_target(git_repository* repository, const git_oid& id, const std::string& path) {
-    const auto blob = read_git_blob(repository, id);
-    if (!blob || blob->bytes.size() > kLongestGitPath) return {};
-    return clean_path(join_path(path.substr(0, path.find_last_of('/') + 1), blob->bytes));
-}
-
 /// Reads the file behind a link, as the work tree shows it; a link that leads nowhere here is no file.
-bool add_linked(const Walk& walk, const git_oid& link, const std::string& path) {
-    git_tree_entry* entry = nullptr;
-    const std::string target = link_target(walk.repository, link, path);
-    if (target.empty() || git_tree_entry_bypath(&entry, walk.tree, target.c_str()) != 0) return true;
-    const TreeEntry owner(entry);
-    if (git_tree_entry_type(entry) != GIT_OBJECT_BLOB) return true;
-    return add_blob(walk, *git_tree_entry_id(entry), walk.name_of(path));
+bool add_linked(const Walk& walk, const std::string& path) {
+    const GitPlace place = walk.follow(path);
+    if (place.is_elsewhere) walk.out.unknown.insert(walk.name_of(path));
+    return place.entry.kind != GitEntry::Kind::File || add_blob(walk, place.entry.id, walk.name_of(path));
 }
 
 bool read_tree(const Walk& walk, const git_oid& commit_id);
 
-/// Reads a submodule at the commit that its parent names. One that is not checked out has no files on either side of a
-/// comparison. False if a commit that is needed is not here.
+/// Reads a submodule at the commit that its parent names. False if a commit that is needed is not here.
 bool read_submodule(const Walk& walk, const git_oid& commit, const std::string& path) {
+    if (!walk.leads_to_wanted(path + "/")) return true;
     const char* workdir = git_repository_workdir(walk.repository);
     git_repository* repository = workdir == nullptr ? nullptr : open_work_tree(workdir + path + "/.git");
-    if (repository == nullptr) return true;
+    if (repository == nullptr) {
+        walk.out.unknown.insert(walk.name_of(path));
+        return true;
+    }
     const Submodule owner(repository);
     const Walk inside{walk.out,   repository,   "",           walk.name_of(path) + "/",
                       walk.wants, walk.folders, walk.entries, walk.bytes};
@@ -112,7 +112,8 @@ bool read_submodule(const Walk& walk, const git_oid& commit, const std::string& 
     for (size_t i = 0; i < git_index_entrycount(index) && !wanted; ++i)
         wanted = walk.wants(inside.name_of(git_index_get_byindex(index, i)->path));
     if (wanted) return false;
-    walk.out.error.clear();  // a submodule that the map does not name
+    walk.out.error.clear();  // of today's submodule the map names nothing; what it held then is not known
+    walk.out.unknown.insert(walk.name_of(path));
     return true;
 }
 
@@ -132,7 +133,7 @@ bool read_entry(const Walk& walk, const git_tree_entry* entry, const std::string
     if (git_tree_entry_type(entry) == GIT_OBJECT_COMMIT) return read_submodule(walk, id, path);
     if (git_tree_entry_type(entry) != GIT_OBJECT_BLOB || !walk.wants(walk.name_of(path))) return true;
     const bool link = git_tree_entry_filemode(entry) == GIT_FILEMODE_LINK;
-    return link ? add_linked(walk, id, path) : add_blob(walk, id, walk.name_of(path));
+    return link ? add_linked(walk, path) : add_blob(walk, id, walk.name_of(path));
 }
 
 bool read_folder(const Walk& walk, const git_tree* tree, const std::string& folder) {
@@ -143,6 +144,30 @@ bool read_folder(const Walk& walk, const git_tree* tree, const std::string& fold
         if (!read_entry(walk, entry, folder + git_tree_entry_name(entry))) return false;
     }
     return true;
+}
+
+/// Calls `read` with the walk under the path of a link, for each wanted folder that lies behind one: a work tree shows
+/// its files there. False where that is.
+bool for_linked_folders(const Walk& walk, const std::function<bool(const Walk&, const GitPlace&)>& read) {
+    for (const std::string& name : walk.folders) {
+        if (!name.starts_with(walk.before)) continue;
+        const std::string path = walk.prefix + (name == "." ? "" : name.substr(walk.before.size()));
+        const GitPlace place = walk.follow(path);
+        if (!place.by_link) continue;
+        if (place.is_elsewhere) walk.out.unknown.insert(name);
+        if (place.entry.kind != GitEntry::Kind::Folder) continue;
+        Walk aliased = walk;
+        aliased.alias = path;
+        aliased.real = place.path;
+        if (!read(aliased, place)) return false;
+    }
+    return true;
+}
+
+bool read_linked_folder(const Walk& walk, const GitPlace& place) {
+    git_tree* tree = nullptr;
+    if (git_tree_lookup(&tree, walk.repository, &place.entry.id) != 0) return false;
+    return read_folder(walk, Tree(tree).get(), walk.alias + "/");
 }
 
 bool read_tree(const Walk& walk, const git_oid& commit_id) {
@@ -163,8 +188,8 @@ bool read_tree(const Walk& walk, const git_oid& commit_id) {
     }
     const Tree tree_owner(tree);
     Walk payload = walk;
-    payload.tree = tree;
-    if (!read_folder(payload, tree, "") && walk.out.error.empty())
+    payload.at = entries_of_tree(tree);
+    if (!(read_folder(payload, tree, "") && for_linked_folders(payload, read_linked_folder)) && walk.out.error.empty())
         walk.out.error = kMergeBase + " cannot be read: " + git_last_error() + "\nLook into it with: git fsck";
     return walk.out.error.empty();
 }
@@ -183,21 +208,23 @@ std::string fetch_command(const std::string& revision, bool is_shallow) {
 
 GitFiles GitRepository::files_at_base(const std::string& revision, const WantsFile& wants,
                                       const std::vector<std::string>& folders) const {
-    if (!error_.empty()) return {{}, {}, error_};
+    if (!error_.empty()) return {{}, {}, {}, error_};
     GitFiles out;
     git_repository* repository = handle_->repository();
     git_oid head{}, merge_base{};
     if (git_reference_name_to_id(&head, repository, "HEAD") != 0)
-        return {{}, {}, "HEAD names no commit yet; commit once, or check without --base"};
+        return {{}, {}, {}, "HEAD names no commit yet; commit once, or check without --base"};
     git_object* found = nullptr;
     if (git_revparse_single(&found, repository, (revision + "^{commit}").c_str()) != 0)
         return {{},
+                {},
                 {},
                 "--base " + terminal_text(revision) + ": no such revision here\nFetch it first: " +
                     terminal_text(fetch_command(revision, git_repository_is_shallow(repository) != 0))};
     const Object base(found);
     if (git_merge_base(&merge_base, repository, git_object_id(base.get()), &head) != 0)
         return {{},
+                {},
                 {},
                 "--base " + terminal_text(revision) +
                     ": no common ancestor with HEAD is here, as in a shallow clone\nFetch the history: git fetch "
@@ -228,51 +255,74 @@ std::string index_of_hook(git_repository* repository) {
 
 }  // namespace
 
-std::set<std::string> GitRepository::tracked_files(const WantsFile& wants) const {
-    std::set<std::string> out;
+TrackedFiles GitRepository::tracked_files(const WantsFile& wants) const {
+    TrackedFiles out;
     git_index* index = nullptr;
-    if (!error_.empty() || git_repository_index(&index, handle_->repository()) != 0) return out;
+    if (!error_.empty()) return {{}, handle_->opened.is_there ? error_.substr(0, error_.find('\n')) : ""};
+    if (git_repository_index(&index, handle_->repository()) != 0)
+        return {{}, "the index cannot be read: " + git_last_error()};
     const Index owner(index);
     for (size_t i = 0; i < git_index_entrycount(index); ++i) {
         const std::string_view path = git_index_get_byindex(index, i)->path;
         if (!path.starts_with(folder())) continue;
         std::string below(path.substr(folder().size()));
-        if (wants(below)) out.insert(std::move(below));
+        if (wants(below)) out.files.insert(std::move(below));
     }
     return out;
 }
 
-GitFiles GitRepository::files_in_index(const WantsFile& wants) const {
-    if (!error_.empty()) return {{}, {}, error_};
+namespace {
+
+/// Reads one entry of an index, under the path that it is shown with.
+void add_index_entry(const Walk& walk, const git_index_entry& entry, const std::string& path) {
+    if (entry.mode == GIT_FILEMODE_COMMIT) {
+        read_submodule(walk, entry.id, path);
+        return;
+    }
+    const std::string name = walk.name_of(path);
+    if (!walk.wants(name)) return;
+    if (git_index_entry_stage(&entry) != 0)
+        walk.out.error = terminal_text(name) + ": a merge conflict is not resolved\nResolve it and run: git add " +
+                         terminal_text(shell_quoted(name)) + "; or check without --staged";
+    else if (entry.mode == GIT_FILEMODE_LINK)
+        add_linked(walk, path);
+    else
+        add_blob(walk, entry.id, name);
+}
+
+/// Reads what an index has below a folder, "" for all of it.
+void add_index_folder(const Walk& walk, git_index* index, const std::string& folder) {
+    size_t i = 0;
+    if (!folder.empty() && git_index_find_prefix(&i, index, folder.c_str()) != 0) return;
+    for (; i < git_index_entrycount(index) && walk.out.error.empty(); ++i) {
+        const git_index_entry* entry = git_index_get_byindex(index, i);
+        const std::string path = entry->path;
+        if (!path.starts_with(folder)) return;
+        const std::string shown = walk.alias.empty() ? path : walk.alias + "/" + path.substr(folder.size());
+        if (shown.starts_with(walk.prefix)) add_index_entry(walk, *entry, shown);
+    }
+}
+
+}  // namespace
+
+GitFiles GitRepository::files_in_index(const WantsFile& wants, const std::vector<std::string>& folders) const {
+    if (!error_.empty()) return {{}, {}, {}, error_};
     GitFiles out;
     git_index* index = nullptr;
     const std::string of_hook = index_of_hook(handle_->repository());
     if ((of_hook.empty() ? git_repository_index(&index, handle_->repository())
                          : git_index_open(&index, of_hook.c_str())) != 0)
-        return {{}, {}, "the index cannot be read: " + git_last_error() + "\nLook into it with: git status"};
+        return {{}, {}, {}, "the index cannot be read: " + git_last_error() + "\nLook into it with: git status"};
     const Index owner(index);
-    EntryCount entries("a submodule");
+    EntryCount entries("the index");
     uint64_t bytes = 0;
-    const std::vector<std::string> anywhere;
-    const Walk walk{out, handle_->repository(), folder(), "", wants, anywhere, entries, bytes};
-    for (size_t i = 0; i < git_index_entrycount(index) && out.error.empty(); ++i) {
-        const git_index_entry* entry = git_index_get_byindex(index, i);
-        const std::string path = entry->path;
-        if (!path.starts_with(folder())) continue;
-        if (entry->mode == GIT_FILEMODE_COMMIT) {
-            read_submodule(walk, entry->id, path);
-        } else if (walk.wants(walk.name_of(path))) {
-            if (git_index_entry_stage(entry) != 0)
-                return {{},
-                        {},
-                        terminal_text(walk.name_of(path)) +
-                            ": a merge conflict is not resolved\nResolve it and run: git add " +
-                            terminal_text(shell_quoted(walk.name_of(path))) + "; or check without --staged"};
-            if (entry->mode == GIT_FILEMODE_LINK)
-                entry = git_index_get_bypath(index, link_target(walk.repository, entry->id, path).c_str(), 0);
-            if (entry != nullptr) add_blob(walk, entry->id, walk.name_of(path));
-        }
-    }
+    Walk walk{out, handle_->repository(), folder(), "", wants, folders, entries, bytes, entries_of_index(index)};
+    add_index_folder(walk, index, "");
+    for_linked_folders(walk, [&](const Walk& aliased, const GitPlace&) {
+        add_index_folder(aliased, index, aliased.real.empty() ? "" : aliased.real + "/");
+        return true;
+    });
+    if (!out.error.empty()) out.files.clear();
     return out;
 }
 

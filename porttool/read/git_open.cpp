@@ -83,6 +83,7 @@ OpenedGit open_git(const std::string& root, const std::string& remedy) {
     git_libgit2_opts(GIT_OPT_SET_EXTENSIONS, extensions, std::size(extensions));
     OpenedGit out;
     const std::string entry = git_entry_above(root);
+    out.is_there = !entry.empty();
     git_repository* repository = entry.empty() ? nullptr : open_work_tree(entry);
     if (git_repository* bare = entry.empty() ? open_work_tree(root) : nullptr) {
         git_repository_free(bare);
@@ -105,6 +106,11 @@ OpenedGit open_git(const std::string& root, const std::string& remedy) {
     const auto below = std::filesystem::relative(std::filesystem::canonical(root, error),
                                                  std::filesystem::canonical(workdir, error), error);
     const std::string path = below.generic_string();
+    if (path == ".." || path.starts_with("../")) {
+        out.error = terminal_text(root) + " is not in the work tree of its repository, which is " +
+                    terminal_text(workdir) + "\nSee what sets it with: git config --show-origin core.worktree";
+        return out;
+    }
     out.prefix = path == "." || path.empty() ? "" : path + "/";
     return out;
 }

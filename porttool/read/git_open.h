@@ -28,8 +28,9 @@ std::string git_last_error();
 /// A repository with its work tree's path to the root in question.
 struct OpenedGit {
     GitOwned<git_repository, git_repository_free> repository;
-    std::string prefix;  ///< "sub/folder/" or ""
-    std::string error;   ///< empty, or why not, with `remedy` and the git command that helps
+    std::string prefix;     ///< "sub/folder/" or ""
+    std::string error;      ///< empty, or why not, with `remedy` and the git command that helps
+    bool is_there = false;  ///< one lies there, whether it can be read or not
 };
 
 struct GitRepository::Handle {

@@ -11,12 +11,16 @@
 #include <string>
 #include <vector>
 
+#include "porttool/read/source_files.h"
+
 namespace porttool {
 
 /// Files as git has them, by their path relative to the root that was asked for; or why there are none, with a remedy.
 struct GitFiles {
     std::map<std::string, std::string> files;
     std::map<std::string, std::string> unreadable = {};  ///< those too large to be read, and why
+    /// Paths of which nobody here knows what they hold: submodules that are not checked out, links that lead elsewhere.
+    std::set<std::string> unknown = {};
     std::string error = {};
 };
 
@@ -99,13 +103,14 @@ public:
     /// submodules are no files. Sorted by path.
     std::vector<GitChange> changes(const std::string& older, const std::string& newer, const WantsFile& wants) const;
     /// The files at merge-base(revision, HEAD); links are followed within it, and submodules that are checked out.
-    /// `folders`: those that hold all that is wanted, others are not looked into; none for anywhere.
+    /// `folders`: those that hold all that is wanted, others are not looked into; none for anywhere. One that lies
+    /// behind a link is found there.
     GitFiles files_at_base(const std::string& revision, const WantsFile& wants,
                            const std::vector<std::string>& folders = {}) const;
     /// The files of the index, or of the one that git gave the hook that we run in.
-    GitFiles files_in_index(const WantsFile& wants) const;
-    /// The wanted files that the index names; none outside of any repository.
-    std::set<std::string> tracked_files(const WantsFile& wants) const;
+    GitFiles files_in_index(const WantsFile& wants, const std::vector<std::string>& folders = {}) const;
+    /// The wanted files that the index names; none, and no error, outside of any repository.
+    TrackedFiles tracked_files(const WantsFile& wants) const;
     /// The content of a blob; none if it is not here, as in a partial clone. In place of one that is larger than any
     /// file that is read stand so many NUL bytes that it is refused as a source for its size.
     std::optional<std::string> find_blob(const std::string& id) const;

@@ -212,12 +212,15 @@ public:
     SourceSet read() {
         const bool some_ignored = std::any_of(walkers_.begin(), walkers_.end(),
                                               [](const auto& walker) { return walker.second.ignored_some(); });
-        if (some_ignored && scope_.tracked)
-            for (const std::string& file : scope_.tracked())
-                for (const SourceGlob& asked : asked_) take_hidden(asked, file);
+        const TrackedFiles tracked = some_ignored && scope_.tracked ? scope_.tracked() : TrackedFiles();
+        for (const std::string& file : tracked.files)
+            for (const SourceGlob& asked : asked_) take_hidden(asked, file);
         const bool bounded = scope_.reach == Reach::Beneath;
         SourceSet out = read_all(disk_, found_, root_, bounded ? scope_.most_bytes : kUnbounded);
         for (const auto& [own, walker] : walkers_) add_refused(out, walker);
+        if (!tracked.error.empty())
+            out.skipped.push_back(
+                {".gitignore", "hides files here, and whether git tracks them cannot be told: " + tracked.error});
         return out;
     }
 

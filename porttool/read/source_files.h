@@ -47,6 +47,12 @@ inline constexpr uint64_t kMostSourceBytes = 1ull << 30;
 /// Where globs may lead: those of a map beneath the root, those that the user gave on the command line anywhere.
 enum class Reach : uint8_t { Beneath, Anywhere };
 
+/// Files that git tracks, or why that cannot be told.
+struct TrackedFiles {
+    std::set<std::string> files = {};
+    std::string error = {};
+};
+
 /// What globs stand for.
 struct GlobScope {
     Reach reach = Reach::Beneath;
@@ -54,7 +60,7 @@ struct GlobScope {
     /// Files that are read where a glob matches them, whatever .gitignore says, which hides only what git does not
     /// track: those that the map names, and, asked for only where something was ignored, those that git tracks.
     std::set<std::string> named = {};
-    std::function<std::set<std::string>()> tracked = {};
+    std::function<TrackedFiles()> tracked = {};
     /// Beyond these is an error; where globs may lead anywhere, the user has chosen.
     size_t most_entries = kMostEntries;
     uint64_t most_bytes = kMostSourceBytes;

@@ -44,10 +44,11 @@ std::string tracked_text(const std::string& root, const std::vector<std::string>
     const auto wants = [&](const std::string& path) {
         return std::any_of(compiled.begin(), compiled.end(), [&](const Glob& glob) { return glob.matches(path); });
     };
-    std::string text;
-    for (const std::string& path : GitRepository(root).tracked_files(wants)) {
-        text += path;
+    const TrackedFiles tracked = GitRepository(root).tracked_files(wants);
+    std::string text = tracked.error;
+    for (const std::string& path : tracked.files) {
         text.push_back('\0');
+        text += path;
     }
     return text;
 }

@@ -132,10 +132,16 @@ BySide<std::set<std::string>> read_work_tree(Snapshot& snapshot, Project& last) 
     SourceSet source = read_side(project, *snapshot.on_disk, Side::Source),
               target = read_side(project, *snapshot.on_disk, Side::Target);
     project.skipped = source.skipped;
+    const auto is_known = [&](const SkippedFile& file) {
+        return std::any_of(source.skipped.begin(), source.skipped.end(), [&](const SkippedFile& known) {
+            return known.file == file.file && known.reason == file.reason;
+        });
+    };
     for (const SkippedFile& file : target.skipped)
-        project.skipped.push_back(
-            {project.map.target_root.empty() ? file.file : clean_path(join_path(project.map.target_root, file.file)),
-             file.reason});
+        if (!project.map.target_root.empty())
+            project.skipped.push_back({clean_path(join_path(project.map.target_root, file.file)), file.reason});
+        else if (!is_known(file))
+            project.skipped.push_back(file);
     BySide<std::set<std::string>> same;
     project.source = scan_again(std::move(source), last.source, same.source, snapshot.written.source);
     project.target = scan_again(std::move(target), last.target, same.target, snapshot.written.target);
@@ -160,7 +166,7 @@ struct RecordPaths {
 GitFiles ask_git(const std::string& root, const Moment& at, const WantsFile& wants,
                  const std::vector<std::string>& folders) {
     const GitRepository git(root, kChecksWithGit);
-    if (at.kind == Moment::Kind::Index) return git.files_in_index(wants);
+    if (at.kind == Moment::Kind::Index) return git.files_in_index(wants, folders);
     return git.files_at_base(at.revision, wants, folders);
 }
 
@@ -191,6 +197,7 @@ void add_other_checkout(Snapshot& snapshot) {
         }
         if (!files.error.empty()) throw CannotDo("target_root: " + files.error);
     }
+    snapshot.unknown.target = files.unknown;
     add_files(snapshot.git, root, std::move(files));
 }
 
@@ -210,7 +217,9 @@ void fetch(Snapshot& snapshot) {
     std::vector<std::string> folders = sides.folders();
     // Of the folder with the map only these two are wanted, not what lies below: its files are looked at in any case.
     if (record.in_commits) folders.push_back(record.map);
-    add_files(snapshot.git, project.root, ask_git(project.root, snapshot.at, wants, folders));
+    GitFiles files = ask_git(project.root, snapshot.at, wants, folders);
+    snapshot.unknown = {files.unknown, files.unknown};
+    add_files(snapshot.git, project.root, std::move(files));
     if (!project.map.target_root.empty()) add_other_checkout(snapshot);
 }
 
@@ -229,6 +238,7 @@ BySide<std::set<std::string>> read_from_git(Snapshot& snapshot, const Snapshot* 
                                      : by_path(side == Side::Source ? known->project.source : known->project.target);
         (side == Side::Source ? project.source : project.target) = scan_all(files, there, same[side]);
         project.skipped.insert(project.skipped.end(), files.skipped.begin(), files.skipped.end());
+        for (const SkippedFile& file : files.skipped) snapshot.unknown[side].insert(file.file);
         if (snapshot.at.kind == Moment::Kind::Index && files.files.empty() && told_files(project, side).empty())
             throw CannotDo(std::string("--staged: the index holds no file of the ") + name_of(side) +
                            " side\nStage them with: git add; or check without --staged");
@@ -291,7 +301,8 @@ Snapshot read_snapshot(Project project, const Moment& at, const Disk& on_disk, D
 }
 
 Snapshot read_snapshot_again(Project project, Snapshot last, const Disk& on_disk) {
-    Snapshot out{std::move(project), {}, {Moment::Kind::WorkTree}, "", {}, &on_disk, std::move(last.written)};
+    Snapshot out{std::move(project), {}, {Moment::Kind::WorkTree}, "", {}, &on_disk};
+    out.written = std::move(last.written);
     const BySide<std::set<std::string>> same = read_work_tree(out, last.project);
     require_finished_merges(out.project);
     const bool same_pairs = last.project.map_text == out.project.map_text;  // which whole files are units

@@ -27,6 +27,9 @@ struct Snapshot {
     std::string note;               ///< what a user should know of it, or ""
     MemoryDisk git;                 ///< what git gave of it; empty for a work tree
     const Disk* on_disk = nullptr;  ///< of the work tree; not ours
+    /// Of a commit or an index, by side: files and folders that cannot be read there, so that what they hold is
+    /// unknown.
+    BySide<std::set<std::string>> unknown = {};
     /// Of a work tree: the bytes of files whose scanned text is not all of them, for who reads it again.
     BySide<std::map<std::string, std::string>> written = {};
 

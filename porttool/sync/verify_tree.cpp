@@ -61,7 +61,7 @@ using Originals = std::map<std::string, std::string>;
 void list_tracked(const std::string& work_tree, const std::string& before, Originals& out) {
     const GitRepository repository(work_tree);
     if (!repository.error().empty()) return;
-    for (const std::string& path : repository.tracked_files([](const std::string&) { return true; })) {
+    for (const std::string& path : repository.tracked_files([](const std::string&) { return true; }).files) {
         const std::string here = join_path(work_tree, path);
         struct stat status {};
         if (::lstat(here.c_str(), &status) != 0) continue;

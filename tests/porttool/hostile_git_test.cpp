@@ -1,0 +1,268 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+// What git can be made to say: links and submodules in commits, files that no reader has, an index or a repository that
+// cannot be read. What is not known of the merge base must never pass for what was not there.
+#include <functional>
+
+#include "porttool/read/git_repository.h"
+#include "tests/porttool/temporary_repository.h"
+
+namespace porttool::testing::hostile_git_test {
+namespace {
+namespace fs = std::filesystem;
+
+const std::string kSource =
+    "__device__ float f(float x) {\n    return x * 2.0f;\n}\n__device__ float g(float x) {\n    float y = sqrt(x) + "
+    "1.0f;\n    return y * 3.0f;\n}\n";
+const std::string kTarget = replaced(replaced(kSource, "__device__ ", ""), "__device__ ", "");
+
+class HostileGit : public TemporaryRepository {
+protected:
+    void SetUp() override {
+        TemporaryRepository::SetUp();
+        if (IsSkipped()) return;
+        write("src/k.cu", kSource);
+        write("port/k.cpp", kTarget);
+    }
+    void TearDown() override {
+        fs::remove_all(beside());
+        TemporaryRepository::TearDown();
+    }
+    fs::path beside() const { return root.string() + "_beside"; }
+
+    /// Records both sides, on main, and goes on in a branch.
+    void start() {
+        ASSERT_EQ(porttool({"init", "--source", "src/*", "--target", "port/*"}).exit_code, 0);
+        commit("start");
+        git("checkout -q -b feature");
+    }
+    /// The same without a lock: then the merge base is all there is.
+    void start_without_lock() {
+        start();
+        fs::remove(root / "portmap.lock");
+        fs::remove_all(root / "portmap.base");
+        commit("no lock", 2);
+        git("branch -f main");
+    }
+    /// Puts a side into a submodule.
+    void make_submodule(const std::string& side) {
+        fs::remove_all(beside());
+        fs::rename(root / side, beside());
+        const std::string there = "cd '" + beside().string() + "' && ";
+        ASSERT_EQ(std::system((there + "git init -q -b main . && git config user.email a@b && git config user.name a "
+                                       "&& git add -A && git commit -qm one")
+                                  .c_str()),
+                  0);
+        git("-c protocol.file.allow=always submodule -q add '" + beside().string() + "' " + side);
+    }
+    std::vector<int> exit_codes(const std::vector<std::vector<std::string>>& commands) {
+        std::vector<int> out;
+        for (const auto& command : commands) out.push_back(porttool(command).exit_code);
+        return out;
+    }
+};
+
+const std::vector<std::vector<std::string>> kGates = {
+    {"check"}, {"check", "--base", "main"}, {"check", "--base", "main", "--trusted-map"}};
+const std::vector<int> kDrift = {1, 1, 1};
+
+TEST_F(HostileGit, ASubmoduleThatTheChangeRemovesWasThereBefore) {
+    make_submodule("port");
+    start();
+    git("rm -qf port");
+    commit("gone", 2);
+    EXPECT_EQ(exit_codes(kGates), kDrift);
+    write("port/other.cpp", "float other(float x) { return x; }\n");
+    commit("something else in its place", 3);
+    EXPECT_EQ(exit_codes(kGates), kDrift);
+    write("port/k.cpp", replaced(kTarget, "3.0f", "9.0f"));
+    write("src/k.cu", replaced(kSource, "3.0f", "7.0f"));
+    commit("edited files in its place", 4);
+    EXPECT_EQ(exit_codes(kGates), kDrift);
+}
+
+TEST_F(HostileGit, ASubmoduleOfAnotherRepositoryWasThereBefore) {
+    make_submodule("port");
+    start();
+    git("rm -qf port");
+    fs::remove_all(root / ".git/modules");
+    write("port/note.txt", "nothing\n");
+    make_submodule("port");
+    commit("swapped", 2);
+    EXPECT_EQ(exit_codes(kGates), kDrift);
+}
+
+TEST_F(HostileGit, WithoutALockWhatIsNotKnownOfTheBaseIsAnError) {
+    make_submodule("src");
+    start_without_lock();
+    git("rm -qf src");
+    fs::remove_all(root / ".git/modules");
+    write("src/k.cu", replaced(kSource, "3.0f", "7.0f"));
+    commit("files in its place", 3);
+    const CommandRun got = porttool({"check", "--base", "main"});
+    EXPECT_EQ(got.exit_code, 2) << got.out;
+    EXPECT_NE(got.err.find("src/k.cu:f was there cannot be read"), std::string::npos) << got.err;
+    EXPECT_NE(got.err.find("git submodule update --init"), std::string::npos) << got.err;
+}
+
+TEST_F(HostileGit, AFileThatCouldNotBeReadAtTheBaseWasThere) {
+    for (const std::string& bytes :
+         {std::string("version https://git-lfs.github.com/spec/v1\noid sha256:") + std::string(64, '0') + "\nsize 1\n",
+          std::string("float a;\0", 9), std::string("\xFF\xFE a")}) {
+        start();
+        git("checkout -q main");
+        std::ofstream(root / "port/k.cpp") << bytes;
+        commit("as git keeps it", 2);
+        git("checkout -q -B feature");
+        git("rm -q port/k.cpp");
+        commit("gone", 3);
+        EXPECT_EQ(exit_codes(kGates), kDrift) << bytes;
+        fs::remove_all(root / ".git");
+        git("init -q -b main . && git config user.email a@b && git config user.name a");
+        for (const char* name : {"portmap.toml", "portmap.lock", "portmap.base"}) fs::remove_all(root / name);
+        write("port/k.cpp", kTarget);
+    }
+}
+
+/// Files reached through links are those of the merge base and of the index as they are those of the work tree.
+TEST_F(HostileGit, LinksInACommitLeadWhereThoseOfAWorkTreeLead) {
+    struct Row {
+        const char* what;
+        std::function<void()> arrange;
+        const char* edited;
+        bool staged = true;
+    };
+    const std::vector<Row> rows = {
+        {"a folder that is a link",
+         [&] {
+             fs::rename(root / "src", root / "real");
+             fs::create_symlink("real", root / "src");
+         },
+         "real/k.cu"},
+        {"a link to a link",
+         [&] {
+             fs::rename(root / "src/k.cu", root / "src/real.txt");
+             fs::create_symlink("real.txt", root / "src/mid.txt");
+             fs::create_symlink("mid.txt", root / "src/k.cu");
+         },
+         "src/real.txt"},
+        {"a link through a link of a folder",
+         [&] {
+             fs::create_directories(root / "deep/est");
+             fs::rename(root / "src/k.cu", root / "deep/est/k.cu");
+             fs::create_symlink("deep/est", root / "via");
+             fs::create_symlink("../via/../est/k.cu", root / "src/k.cu");
+         },
+         "deep/est/k.cu"},
+        {"a folder through two links, one of them absolute",
+         [&] {
+             fs::create_directories(root / "a");
+             fs::rename(root / "src", root / "a/real");
+             fs::create_directory_symlink(fs::canonical(root) / "a", root / "b");
+             fs::create_symlink("b/real", root / "src");
+         },
+         "a/real/k.cu"},
+        {"a link beside the file, in a folder that is one",
+         [&] {
+             fs::rename(root / "src", root / "real");
+             fs::rename(root / "real/k.cu", root / "k.txt");
+             fs::create_symlink("../k.txt", root / "real/k.cu");
+             fs::create_symlink("real", root / "src");
+         },
+         "k.txt"},
+    };
+    for (const Row& row : rows) {
+        row.arrange();
+        start_without_lock();
+        EXPECT_EQ(porttool({"check", "--base", "main"}).exit_code, 0) << row.what;
+        write(row.edited, replaced(kSource, "3.0f", "7.0f"));
+        EXPECT_EQ(porttool({"check", "--base", "main"}).exit_code, 1) << row.what;
+        EXPECT_EQ(porttool({"check", "--base", "main", "--trusted-map"}).exit_code, 1) << row.what;
+        git("checkout -q main~1 && git checkout -q -B locked");
+        write(row.edited, replaced(kSource, "3.0f", "7.0f"));
+        EXPECT_EQ(porttool({"check", "--staged"}).exit_code, 0) << row.what;
+        git("add -A");
+        EXPECT_EQ(porttool({"check", "--staged"}).exit_code, 1) << row.what;
+        TearDown();
+        SetUp();
+    }
+}
+
+TEST_F(HostileGit, LinksThatHaveNoEndAreNoFiles) {
+    fs::create_symlink("loop.cu", root / "src/loop.cu");
+    fs::create_symlink("../../../../../../etc/hostname", root / "src/out.cu");
+    std::string far = "../src/k.cu";
+    while (far.size() < 4000) far = "../src/" + far;
+    for (int i = 0; i < 400; ++i) fs::create_symlink(far, root / ("src/far" + std::to_string(i) + ".cu"));
+    commit("links");
+    const GitRepository repository(root.string());
+    const auto wants = [](const std::string& path) { return path.starts_with("src/"); };
+    const GitFiles got = repository.files_at_base("HEAD", wants, {"src"});
+    ASSERT_EQ(got.error, "");
+    EXPECT_EQ(got.files.size(), 401u);
+    EXPECT_EQ(got.files.at("src/far7.cu"), kSource);
+    EXPECT_EQ(got.unknown, std::set<std::string>({"src/out.cu"}));
+    for (int i = 400; i < 2000; ++i) fs::create_symlink(far, root / ("src/far" + std::to_string(i) + ".cu"));
+    commit("more links", 2);
+    EXPECT_THROW((void)repository.files_at_base("HEAD", wants, {"src"}), std::exception) << "more steps than are gone";
+}
+
+TEST_F(HostileGit, WhereGitCannotSayWhatItTracksNothingIsHiddenSilently) {
+    start();
+    write(".gitignore", "new.cu\n");
+    write("src/new.cu", "__device__ float fresh(float x) { return x; }\n");
+    git("add -f -A && git commit -qm new");
+    ASSERT_EQ(porttool({"check"}).exit_code, 1) << "unported";
+    const auto expect_named = [&](const std::string& what) {
+        const CommandRun got = porttool({"check", "--strict"});
+        EXPECT_EQ(got.exit_code, 1) << what << got.out;
+        EXPECT_NE(got.out.find("[unreadable]"), std::string::npos) << what << got.out;
+        EXPECT_NE(got.out.find("whether git tracks them cannot be told"), std::string::npos) << what << got.out;
+    };
+    git("update-index --split-index");
+    expect_named("a split index");
+    git("update-index --no-split-index");
+    EXPECT_EQ(porttool({"check"}).exit_code, 1);
+    const std::string config = read_text(root / ".git/config");
+    std::ofstream(root / ".git/config") << replaced(config, "repositoryformatversion = 0",
+                                                    "repositoryformatversion = 7");
+    expect_named("a repository of a later version");
+    std::ofstream(root / ".git/config") << config;
+    std::ofstream(root / ".git/index") << "garbage";
+    expect_named("a broken index");
+}
+
+TEST_F(HostileGit, AWorkTreeElsewhereIsNotThatOfTheRoot) {
+    start_without_lock();
+    fs::create_directories(beside());
+    git("config core.worktree '" + beside().string() + "'");
+    write("src/k.cu", replaced(kSource, "3.0f", "7.0f"));
+    for (const std::vector<std::string>& command :
+         std::vector<std::vector<std::string>>{{"check", "--base", "main"}, {"check", "--staged"}}) {
+        const CommandRun got = porttool(command);
+        EXPECT_EQ(got.exit_code, 2);
+        EXPECT_NE(got.err.find("core.worktree"), std::string::npos) << got.err;
+    }
+}
+
+/// A watched unit that nobody edited says something else once its words are a new function's.
+TEST_F(HostileGit, ANewUnitUnderANameThatAWatchedUnitUsedBeforeIsNews) {
+    start();
+    const auto finding_of = [&](const std::string& fresh, const std::string& kernels) -> std::string {
+        write("src/k.cu", fresh + kernels);
+        const auto got = nlohmann::json::parse(porttool({"check", "--base", "main", "--format", "json"}).out);
+        for (const auto& finding : got["findings"])
+            if (finding["rule"] == "unported") return finding["level"];
+        return "none";
+    };
+    EXPECT_EQ(finding_of("__device__ float sqrt(float x) { return x * 0.5f; }\n", kSource), "error");
+    EXPECT_EQ(finding_of("template <class T> T sqrt(T x) { return x * 3; }\n", kSource), "error");
+    EXPECT_EQ(finding_of("constexpr auto sqrt = evil;\n", kSource), "error");
+    const std::string helper = "__device__ float twice(float x) { return x + x; }\n";
+    EXPECT_EQ(finding_of(helper, replaced(kSource, "y * 3.0f", "twice(y)")), "note") << "told with its user's edit";
+    EXPECT_EQ(finding_of(helper, replaced(kSource, "return y", "assert(twice(y) > 1.0f + x); return y")), "error")
+        << "whose edit is a note alone";
+}
+
+}  // namespace
+}  // namespace porttool::testing::hostile_git_test
