@@ -66,6 +66,7 @@ public:
         settle();
         share_targets();
         share_sources();
+        add_handing_on();
         add_inlined();
         return std::move(settled_);
     }
@@ -82,6 +83,7 @@ private:
 
     /// One name for several units of a file, and the two share it. In several files they are copies.
     static bool is_overloaded(const UnitFeatures& a, const UnitFeatures& b) {
+        if (a.whole_file_main || b.whole_file_main) return false;  // what they take stands outside
         return a.folded_leaf == b.folded_leaf && (a.overloaded || b.overloaded);
     }
 
@@ -105,10 +107,10 @@ private:
     /// What each target does with the kernels of the source: launches them, calls what does, or neither.
     void read_launchers() {
         std::unordered_set<uint32_t> kernels, launchers;
-        for (const UnitFeatures& unit : source_)
-            if (unit.kernel) kernels.insert(unit.called_as);
         for (const UnitFeatures& unit : target_)
-            if (unit.group == Group::Code) kernels.erase(unit.called_as);  // calls of that name are calls of this
+            if (unit.group == Group::Code) own_.insert(unit.called_as);
+        for (const UnitFeatures& unit : source_)
+            if (unit.kernel && !own_.contains(unit.called_as)) kernels.insert(unit.called_as);
         launches_.assign(target_.size(), false);
         const auto calls_any = [](const UnitFeatures& unit, const std::unordered_set<uint32_t>& names) {
             return std::any_of(unit.callees.begin(), unit.callees.end(),
@@ -116,7 +118,9 @@ private:
         };
         for (uint32_t t = 0; t < target_.size(); ++t) {
             const UnitFeatures& unit = target_[t];
-            launches_[t] = !unit.kernel && unit.launches && (unit.launcher || calls_any(unit, kernels));
+            // Who sets arguments where there are no kernels sets those of the source's, whatever he stores for that.
+            const bool for_others = unit.sets_arguments && !unit.beside_kernels;
+            launches_[t] = !unit.kernel && unit.launches && (unit.launcher || for_others || calls_any(unit, kernels));
             if (launches_[t]) launchers.insert(target_[t].called_as);
         }
         for (uint32_t t = 0; t < target_.size(); ++t)
@@ -127,12 +131,9 @@ private:
     /// What of the target calls launchers that stand beside the source's kernels: the host that both sides have in
     /// common, or the part of it that is in the target's folders.
     void read_callers() {
-        std::unordered_set<uint32_t> own;
-        for (const UnitFeatures& unit : target_)
-            if (unit.group == Group::Code) own.insert(unit.called_as);
         std::unordered_multimap<uint32_t, uint32_t> launchers;  // by the name that they are called by, their files
         const auto is_one = [&](const UnitFeatures& unit) {
-            return unit.group == Group::Code && !unit.kernel && unit.says_kernels && !own.contains(unit.called_as);
+            return unit.group == Group::Code && !unit.kernel && unit.says_kernels && !own_.contains(unit.called_as);
         };
         for (const UnitFeatures& unit : source_)
             if (is_one(unit) && unit.launches) launchers.emplace(unit.called_as, unit.file);
@@ -153,7 +154,14 @@ private:
 
     /// A kernel, and what launches it there or hands on to what does.
     bool is_launched_there(uint32_t s, uint32_t t) const {
-        return is_used_there(s, t) || (source_[s].kernel && launches_[t]);
+        return is_used_there(s, t) || (source_[s].kernel && (launches_[t] || calls_by_name(s, t)));
+    }
+
+    /// A call of a name that the target itself does not have is one of the source's.
+    bool calls_by_name(uint32_t s, uint32_t t) const {
+        const uint32_t name = source_[s].called_as;
+        const std::vector<uint32_t>& callees = target_[t].callees;
+        return !own_.contains(name) && std::binary_search(callees.begin(), callees.end(), name);
     }
 
     /// A kernel or launcher of a file whose launchers are called there.
@@ -161,10 +169,22 @@ private:
         return calls_into_[t].contains(source_[s].file) && (source_[s].kernel || source_[s].launches);
     }
 
-    /// One of the two launches kernels. Where they share the last part of their names, the other can hold the launcher
-    /// and its kernel in one, but is no kernel.
+    /// One of the two launches kernels. Where they share the last part of their names, or differ there in the platform
+    /// that each names, the other can hold the launcher and its kernel in one, but is no kernel.
     static bool other_role(const UnitFeatures& a, const UnitFeatures& b) {
-        return a.launcher != b.launcher && (a.kernel || b.kernel || a.called_as != b.called_as);
+        const bool one_name =
+            a.called_as == b.called_as || (a.folded_leaf == b.folded_leaf && a.names_platform && b.names_platform);
+        return a.launcher != b.launcher && (a.kernel || b.kernel || !one_name);
+    }
+
+    /// One is a kernel, and the other's name says that it makes ready for what a kernel does.
+    bool prepares(const UnitFeatures& a, const UnitFeatures& b) const {
+        if (a.kernel == b.kernel || a.group != Group::Code) return false;
+        const UnitFeatures &kernel = a.kernel ? a : b, &other = a.kernel ? b : a;
+        return std::any_of(other.all_words.begin(), other.all_words.end(), [&](uint32_t word) {
+            return marks_preparation(terms_.text(word)) &&
+                   !std::binary_search(kernel.all_words.begin(), kernel.all_words.end(), word);
+        });
     }
 
     /// How far a candidate's body is ahead of those of all others.
@@ -178,7 +198,7 @@ private:
     /// What the two do: a launcher is no kernel's port, and what computes is ported by what computes.
     float role_bonus(const Candidate& candidate) const {
         constexpr float kCore = 0.05f, kNoKernel = -0.4f, kLauncher = -0.2f, kSameName = -0.05f, kIdle = -0.06f,
-                        kOperands = 0.15f;
+                        kOperands = 0.15f, kPrepares = -0.15f, kBranch = 0.02f;
         const UnitFeatures &a = source_[candidate.source], &b = target_[candidate.target];
         float bonus = kCore * candidate.resemblance.core;
         if (is_launched_there(candidate.source, candidate.target))
@@ -186,7 +206,9 @@ private:
         else if (a.launcher != b.launcher)
             bonus += a.kernel || b.kernel ? kNoKernel : other_role(a, b) ? kLauncher : kSameName;
         else if ((a.works && !b.computes) || (a.kernel && a.acts && !b.acts) || (b.works && !a.computes))
-            bonus += kIdle;
+            bonus += a.kernel && !b.computes ? 2 * kIdle : kIdle;
+        if (prepares(a, b)) bonus += kPrepares;
+        if (a.folded_name == b.folded_name && a.branch == b.branch && !is_overloaded(a, b)) bonus += kBranch;
         if (is_overloaded(a, b)) bonus -= kOperands * (1 - candidate.resemblance.operands);
         return bonus;
     }
@@ -319,6 +341,7 @@ private:
         out.margin = margin(s, c);
         out.names = differences_[s][c];
         out.other_role = other_role(source_[s], target_[chosen.target]) || is_launched_there(s, chosen.target);
+        out.prepares = prepares(source_[s], target_[chosen.target]);
         out.body_margin = body_margin(s, c);
         constexpr float kOperands = 0.67f;
         out.wrong_operands =
@@ -396,6 +419,10 @@ private:
     bool may_port_too(uint32_t s, const Candidate& candidate) const {
         const UnitFeatures &unit = target_[candidate.target], &own = target_[candidates_[s][choice_[s]].target];
         if (&unit == &own || !may_share(unit, source_[s], own, candidate)) return false;
+        // Branches of an `#if` on both sides are one each.
+        const bool branch = unit.file == own.file && unit.folded_name == own.folded_name;
+        if (branch && source_names_.at(source_[s].folded_name) > 1) return false;
+        if (branch && source_[s].whole_file_main && unit.overloaded) return false;  // overloads are no copies
         return is_second_form(unit, own) || is_known_copy(s, candidate.target, candidates_[s][choice_[s]].target);
     }
 
@@ -446,11 +473,22 @@ private:
         return true;
     }
 
-    /// How likely one is ported by what ports the other, as they are the same but for words that tell how.
-    static float as_variant(const UnitFeatures& unit, const UnitFeatures& owner) {
+    /// How likely one is ported by what ports the other, as they are the same but for words that tell how, or for the
+    /// number of a version.
+    float as_variant(const UnitFeatures& unit, const UnitFeatures& owner) const {
         constexpr float kAlike = 0.5f, kMost = 0.85f;
-        const float alike = unit.core == owner.core ? body_likeness(compare_units(unit, owner)) : 0.0f;
+        const bool one = unit.core == owner.core || is_version_of(unit.core_words, owner.core_words);
+        const float alike = one ? body_likeness(compare_units(unit, owner)) : 0.0f;
         return alike < kAlike ? 0.0f : std::min(kMost, 0.2f + 0.7f * alike);
+    }
+
+    /// `solver_2` of `solver`: the same words, and numbers.
+    bool is_version_of(const std::vector<uint32_t>& longer, const std::vector<uint32_t>& shorter) const {
+        if (!std::includes(longer.begin(), longer.end(), shorter.begin(), shorter.end())) return false;
+        std::vector<uint32_t> more;
+        std::set_difference(longer.begin(), longer.end(), shorter.begin(), shorter.end(), std::back_inserter(more));
+        return std::all_of(more.begin(), more.end(),
+                           [&](uint32_t word) { return numbers_a_version(terms_.text(word)); });
     }
 
     /// What a project computes on the host to compare its kernels with is not what ports them.
@@ -459,6 +497,46 @@ private:
             return marks_reference(terms_.text(word)) &&
                    !std::binary_search(target.all_words.begin(), target.all_words.end(), word);
         });
+    }
+
+    /// A kernel that is left and does no more than call one function is ported by what ports that.
+    void add_handing_on() {
+        constexpr float kMost = 0.85f, kPerStep = 0.95f;
+        std::unordered_map<uint32_t, const Assignment*> best;  // by source
+        std::unordered_multimap<uint32_t, uint32_t> ported;    // sources by the name that they are called by
+        for (const Assignment& pair : settled_) {
+            const auto [found, is_new] = best.try_emplace(pair.source, &pair);
+            if (is_new) ported.emplace(source_[pair.source].called_as, pair.source);
+            if (pair.confidence > found->second->confidence) found->second = &pair;
+        }
+        std::vector<Assignment> handed_on;
+        for (uint32_t s = 0; s < source_.size(); ++s) {
+            const uint32_t callee = only_callee(s, ported);
+            if (callee == kNobody || source_[callee].size < source_[s].size) continue;
+            handed_on.push_back(*best.at(callee));
+            handed_on.back().source = s;
+            handed_on.back().fixed = false;
+            handed_on.back().shared = true;
+            handed_on.back().confidence = std::min(kMost, kPerStep * best.at(callee)->confidence);
+        }
+        settled_.insert(settled_.end(), handed_on.begin(), handed_on.end());
+    }
+
+    /// The one function that a kernel without a port calls, of those that have one; else kNobody.
+    uint32_t only_callee(uint32_t s, const std::unordered_multimap<uint32_t, uint32_t>& ported) const {
+        const UnitFeatures& kernel = source_[s];
+        uint32_t only = kNobody;
+        if (!kernel.kernel || kernel.acts || choice_[s] != kNobody) return kNobody;
+        for (const uint32_t name : kernel.callees) {
+            const auto [first, last] = ported.equal_range(name);
+            for (auto callee = first; callee != last; ++callee) {
+                const bool known = std::next(first) == last || source_[callee->second].file == kernel.file;
+                if (!known || callee->second == s) continue;
+                if (only != kNobody) return kNobody;
+                only = callee->second;
+            }
+        }
+        return only;
     }
 
     /// Kernels that are left stand in a function that ports what launches them.
@@ -489,7 +567,9 @@ private:
         const bool more_of_it = within(other.core_words, unit.core_words) && body_likeness(resemblance) >= kAlike;
         if (!one_subject && !more_of_it) return false;
         if (unit.entry && unit.called_as != other.called_as) return false;
-        if (owner.folded_name == other.folded_name && !within(other.all_words, unit.all_words)) return false;
+        const bool its_kernel = unit.kernel && owner.launcher && resemblance.core >= 1;
+        if (owner.folded_name == other.folded_name && !its_kernel && !within(other.all_words, unit.all_words))
+            return false;
         if (is_reference_of(unit, other) || resemblance.kind <= 0) return false;
         return !is_overloaded(unit, other) || resemblance.operands >= kOperands;
     }
@@ -502,6 +582,7 @@ private:
     std::vector<std::vector<float>> scores_;
     std::vector<std::vector<float>> alike_;  ///< the scores before names are weighed
     std::unordered_map<std::string, int> source_names_, target_names_, target_cores_;
+    std::unordered_set<uint32_t> own_;                      ///< the names that the target's functions are called by
     std::vector<bool> launches_;                            ///< of each target
     std::vector<std::set<uint32_t>> calls_into_;            ///< of each target, files whose launchers it calls
     std::vector<uint32_t> choice_;                          ///< of each source, an index into its candidates

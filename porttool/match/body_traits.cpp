@@ -17,16 +17,21 @@ bool has_any(std::string_view name, const std::array<std::string_view, N>& words
                        [&](std::string_view word) { return holds_in_any_case(name, word); });
 }
 
+/// The name of a call that hands a kernel an argument.
+bool is_argument_name(std::string_view name) {
+    constexpr std::array<std::string_view, 2> kWhat = {"arg", "param"};
+    constexpr std::array<std::string_view, 5> kHow = {"set", "add", "assign", "bind", "pass"};
+    return holds_in_any_case(name, "kernel") && has_any(name, kWhat) && has_any(name, kHow);
+}
+
 /// The name of a call that enqueues a kernel or hands it an argument: what all APIs, and the wrappers that projects
 /// write around them, have in common are the words.
 bool is_launch_name(std::string_view name) {
     constexpr std::array<std::string_view, 6> kStart = {"enqueue", "launch", "dispatch", "invoke", "execute", "run"};
     constexpr std::array<std::string_view, 4> kWork = {"kernel", "ndrange", "nd_range", "task"};
     constexpr std::array<std::string_view, 4> kGrid = {"compute", "cmd", "thread", "group"};
-    if (holds_in_any_case(name, "kernel")) {
-        if (holds_in_any_case(name, "arg")) return holds_in_any_case(name, "set") || holds_in_any_case(name, "add");
-        return has_any(name, kStart);
-    }
+    if (is_argument_name(name)) return true;
+    if (holds_in_any_case(name, "kernel")) return !holds_in_any_case(name, "arg") && has_any(name, kStart);
     if (holds_in_any_case(name, "enqueue")) return has_any(name, kWork);
     if (holds_in_any_case(name, "dispatch")) return has_any(name, kGrid);
     return name == "parallel_for" || name == "single_task" || name == "optixLaunch" ||
@@ -53,7 +58,8 @@ public:
             else if (token.kind == TokenKind::Punctuator && token.length == 1)
                 read_sign(lexed_.text[token.offset], i, unit);
         }
-        traits_.launches = traits_.launches || (takes_arguments_ && speaks_of_kernels(unit));
+        traits_.sets_arguments = traits_.sets_arguments || (takes_arguments_ && speaks_of_kernels(unit));
+        traits_.launches = traits_.launches || traits_.sets_arguments;
         traits_.computes = traits_.stores || loops_ || operators_ > 0 || stars_ > 1;  // a star also makes a pointer
         traits_.acts = traits_.stores || loops_;
         traits_.works = traits_.stores || loops_ || operators_ + stars_ >= kMuch;
@@ -68,6 +74,7 @@ private:
         if (text == "for" || text == "while") loops_ = true;
         if (i + 1 >= end || lexed_.view(i + 1) != "(") return;
         if (is_launch_name(text)) traits_.launches = true;
+        if (is_argument_name(text)) traits_.sets_arguments = true;
         const std::string_view before = i > 0 ? lexed_.view(i - 1) : std::string_view();
         if ((before == "." || before == "->") && is_argument_method(text)) takes_arguments_ = true;
     }
@@ -88,6 +95,8 @@ private:
         if (sign == ']' && writes_after(i + 1, unit.body.end) && i > 0 &&
             lexed_.tokens[i - 1].kind != TokenKind::Number)
             traits_.stores = true;
+        if (sign == ')' && i + 1 < unit.body.end && lexed_.view(i + 1) == "=" && stores_at_call(i, unit))
+            traits_.stores = true;
     }
 
     /// No cast (`(Image *) p`), no pointer to a pointer, and no declaration (`; Image *p`).
@@ -96,6 +105,19 @@ private:
         const std::string_view after = lexed_.view(i + 1), before = lexed_.view(i - 2);
         if (after == ")" || after == "*" || after == "," || after == ">") return false;
         return before != ";" && before != "{" && before != "}" && before != "const";
+    }
+
+    /// `PIXEL(x, y) = v`, `image.at(i) = v`: an index as a macro or a call has it.
+    bool stores_at_call(uint32_t close, const Unit& unit) const {
+        int depth = 0;
+        for (uint32_t at = close; at > unit.body.first; --at) {
+            const std::string_view text = lexed_.view(at);
+            if (text == ")") ++depth;
+            if (text == "(" && --depth == 0)
+                return at + 1 < close && lexed_.tokens[at - 1].kind == TokenKind::Identifier;
+            if (text == ";" || text == "{" || text == "}") return false;
+        }
+        return false;
     }
 
     bool touches(uint32_t a, uint32_t b) const {

@@ -17,11 +17,19 @@ float constant_confidence(const UnitFeatures& source, const UnitFeatures& target
     return same_value || pair.margin > kClear ? 0.8f : 0.55f;
 }
 
+/// How much of a doubt about names is left where a body is written like this one, and no other is.
+float left_by_bodies(const Assignment& pair) {
+    constexpr float kAlike = 0.6f, kFrom = 0.4f, kAhead = 0.25f, kPerShare = 2.0f;
+    const float alike = body_likeness(pair.resemblance);
+    if (pair.shared || alike < kAlike || pair.body_margin < kAhead) return 1;
+    return std::max(0.0f, 1 - kPerShare * (alike - kFrom));
+}
+
 }  // namespace
 
 float confidence(const UnitFeatures& source, const UnitFeatures& target, const Assignment& pair) {
     if (source.group == Group::Constant) return constant_confidence(source, target, pair);
-    if (pair.other_role && (source.kernel || target.kernel)) return 0;  // what launches a kernel is not its port
+    if (pair.other_role) return 0;  // what launches a kernel is not its port, nor that of what launches none
     const Resemblance& resemblance = pair.resemblance;
     // An equal name counts as much as what stands under it: two bodies with nothing in common are two functions.
     const bool unlike = resemblance.families[kBody] < 0.08f && resemblance.families[kShape] < 0.02f;
@@ -37,20 +45,20 @@ float confidence(const UnitFeatures& source, const UnitFeatures& target, const A
     // with 40 % of the counterparts deleted, rounded. One set of weights for all: the margin and what the names of a
     // project's own certain pairs do carry what differs from project to project.
     const bool variant = pair.shared && resemblance.core >= 1;  // only words that tell how set it apart
-    const float doubtful = variant ? 0.2f : 1.0f;
+    const float doubtful = variant ? 0.2f : left_by_bodies(pair);
     float z = -4.1f + 3.3f * place + 2.6f * std::max(words, pair.same_subject ? kSameCore : 0.0f) + 0.8f * kind +
               3.8f * std::clamp(pair.margin, -0.1f, 0.4f) + (exact ? 4.2f : 0.0f) - doubtful * doubt(pair.names);
     if (!code) return 1 / (1 + std::exp(-z));
     // Near-identical code outweighs a doubt about names, unless all of a family is written alike.
     z += 4.0f * std::max(0.0f, std::min(body_likeness(resemblance) - 0.4f, 2 * pair.body_margin));
     if (unlike) z -= 0.7f;
-    if (pair.other_role) z -= 3.0f;
-    if (!pair.other_role && source.launcher != target.launcher) z -= 1.5f;  // under one name: perhaps both in one
+    if (source.launcher != target.launcher) z -= 1.5f;  // under one name: perhaps both in one
     // A file's entry point is named after the file, which holds other functions as well.
     constexpr float kHeld = 0.3f;
     if (target.entry && !source.entry) z -= 5.0f * std::max(0.0f, kHeld - contained_in(source, target));
     if (resemblance.reversed) z -= 2.5f;
     if (pair.wrong_operands) z -= 2.5f;
+    if (pair.prepares) z -= 2.0f;
     const bool idle = source.kernel && source.acts && !target.kernel ? !target.acts : !target.computes;
     if (source.works && idle) z -= 1.5f;
     if (pair.shared && !variant) z -= 1.0f;

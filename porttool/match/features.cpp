@@ -12,6 +12,7 @@
 #include "porttool/language/words.h"
 #include "porttool/match/body_traits.h"
 #include "porttool/match/entry_names.h"
+#include "porttool/match/identifier_terms.h"
 #include "porttool/match/words.h"
 #include "porttool/normal/normal_form.h"
 #include "porttool/scan/scan.h"
@@ -88,9 +89,15 @@ private:
 
 class FeatureReader {
 public:
-    FeatureReader(const ScannedFile& file, const EntryNames& entries, const Dialect& dialect, TermNumbers& terms,
-                  Counts& counts)
-        : file_(file), entries_(entries), dialect_(dialect), terms_(terms), counts_(counts) {
+    FeatureReader(const ScannedFile& file, const EntryNames& entries, const Compounds& compounds,
+                  const Dialect& dialect, TermNumbers& terms, IdentifierTable& identifiers, Counts& counts)
+        : file_(file),
+          entries_(entries),
+          compounds_(compounds),
+          dialect_(dialect),
+          terms_(terms),
+          identifiers_(identifiers),
+          counts_(counts) {
         std::vector<uint32_t> words = name_ids({file_.path.substr(0, file_.path.rfind('.')), stage_word(file_.path)});
         std::sort(words.begin(), words.end());
         path_words_ = std::make_shared<const std::vector<uint32_t>>(std::move(words));
@@ -119,9 +126,13 @@ private:
         for (const std::string& word : split_words(name)) count(family, word, amount);
     }
 
+    void count_ids(Family family, const std::vector<uint32_t>& ids) {
+        for (const uint32_t id : ids) counts_.add(family, id, 1);
+    }
+
     /// Names speak a dialect, too: `__uchar4_to_float4` and `uintToVec4`.
     void count_name_words(Family family, std::string_view name, float amount) {
-        for (const std::string& word : split_words(name)) count(family, common_word(word), amount);
+        for (const std::string& word : compounds_.split(name)) count(family, common_word(word), amount);
     }
 
     std::string_view common_word(std::string_view word) const {
@@ -132,13 +143,14 @@ private:
     std::vector<uint32_t> name_ids(std::initializer_list<std::string_view> names) {
         std::vector<uint32_t> ids;
         for (const std::string_view name : names)
-            for (const std::string& word : split_words(name)) ids.push_back(terms_.id(kName, common_word(word)));
+            for (const std::string& word : compounds_.split(name)) ids.push_back(terms_.id(kName, common_word(word)));
         return ids;
     }
 
     void read_traits(const Unit& unit, UnitFeatures& features) {
         const BodyTraits traits = read_body_traits(file_, unit);
         features.launches = traits.launches;
+        features.sets_arguments = traits.sets_arguments;
         features.launcher = traits.launches && !traits.stores && !features.kernel;
         features.computes = traits.computes;
         features.acts = traits.acts;
@@ -157,11 +169,14 @@ private:
         features.entry = entry;
         features.converts = converts(shown);
         features.called_as = terms_.id(kCalls, fold(leaf));
-        features.folded_name = fold(shown);
-        features.folded_leaf = fold(leaf_of(shown));
+        const std::string_view scope = shown.substr(0, shown.size() - leaf_of(shown).size());
+        const std::string_view plain_leaf = without_platform(leaf_of(shown));
+        features.names_platform = plain_leaf.size() < leaf_of(shown).size();
+        features.folded_leaf = fold(plain_leaf);
+        features.folded_name = fold(scope) + features.folded_leaf;
         constexpr float kScopeWeight = 0.7f;
         count_name_words(kName, leaf_of(shown), 1);
-        count_name_words(kName, shown.substr(0, shown.size() - leaf_of(shown).size()), kScopeWeight);
+        count_name_words(kName, scope, kScopeWeight);
         const std::string_view stage = features.whole_file_main ? stage_word(file_.path) : std::string_view();
         if (!stage.empty()) {
             count_words(kName, stage, 1);
@@ -210,13 +225,13 @@ private:
                 parameter = {};
             }
             if (token.kind != TokenKind::Identifier) continue;
-            const std::string* common = dialect_.find(text);
-            if (common == nullptr)
-                count_words(kBody, text, 1);
-            else if (!common->empty())
-                features.parameter_types.push_back(terms_.id(kBody, *common));
-            if ((common == nullptr || !common->empty()) && !word_is(text, kRecord))
-                parameter.add(common != nullptr ? *common : text);
+            const IdentifierTerms& known = identifiers_.find(text);
+            if (known.kind == IdentifierTerms::Kind::Silent) continue;
+            if (known.common == nullptr)
+                count_ids(kBody, known.words);
+            else
+                features.parameter_types.push_back(known.words.front());
+            if (!word_is(text, kRecord)) parameter.add(known.common != nullptr ? *known.common : text);
         }
         features.operands.push_back(parameter.type(terms_));
         std::sort(features.parameter_types.begin(), features.parameter_types.end());
@@ -264,24 +279,16 @@ private:
     }
 
     void read_identifier(uint32_t i, std::string_view text) {
-        const std::string* common = dialect_.find(text);
-        if (common != nullptr && common->empty()) return;
-        const bool call = i + 1 < file_.lexed.tokens.size() && file_.lexed.view(i + 1) == "(";
-        if (common != nullptr) {
-            count(kBody, *common);
-            shape_.push_back(hash_text(*common));
-            return;
-        }
-        if (word_is(text, kShapeWord)) {
-            shape_.push_back(hash_text(text));
-            return;
-        }
-        if (call) count_words(kCalls, text, 1);
-        if (call || is_launched(i)) {
-            callees_.push_back(terms_.id(kCalls, fold(text)));
-        }
-        count_words(kBody, text, 1);
-        shape_.push_back(call ? 3 : 2);
+        const IdentifierTerms& known = identifiers_.find(text);
+        const bool name = known.kind == IdentifierTerms::Kind::Name;
+        if (known.kind == IdentifierTerms::Kind::Common) count_ids(kBody, known.words);
+        if (known.kind == IdentifierTerms::Kind::Silent) return;
+        const bool call = name && i + 1 < file_.lexed.tokens.size() && file_.lexed.view(i + 1) == "(";
+        shape_.push_back(!name ? known.shape : call ? 3 : 2);
+        if (!name) return;
+        count_ids(kBody, known.words);
+        if (call) count_ids(kCalls, identifiers_.called_words(text));
+        if (call || is_launched(i)) callees_.push_back(identifiers_.called_as(text));
     }
 
     /// A string with quotes that holds a name.
@@ -328,27 +335,32 @@ private:
 
     const ScannedFile& file_;
     const EntryNames& entries_;
+    const Compounds& compounds_;
     const Dialect& dialect_;
     TermNumbers& terms_;
+    IdentifierTable& identifiers_;
     Counts& counts_;
     std::shared_ptr<const std::vector<uint32_t>> path_words_;
     std::vector<uint64_t> shape_;
     std::vector<uint32_t> callees_;
 };
 
-/// Words such as a project's prefix, in more than a fifth of the names of a side, tell nothing apart.
-void drop_common_words(std::vector<UnitFeatures>& units) {
-    std::unordered_map<uint32_t, size_t> frequency;
-    for (const UnitFeatures& unit : units)
-        for (const uint32_t word : unit.name_words) ++frequency[word];
-    constexpr size_t kShare = 5, kFewest = 20;
-    if (units.size() < kFewest) return;
-    for (UnitFeatures& unit : units) {
-        std::vector<uint32_t> kept;
-        for (const uint32_t word : unit.name_words)
-            if (frequency[word] * kShare <= units.size()) kept.push_back(word);
-        if (!kept.empty()) unit.name_words = std::move(kept);
+/// Marks the units of a file, the last of all, that have a name in common and take different types. Those that take the
+/// same stand in branches of an `#if`.
+void mark_overloads(const ScannedFile& file, std::vector<UnitFeatures>& all) {
+    const bool any = std::any_of(file.units.begin(), file.units.end(),
+                                 [](const Unit& unit) { return unit.name.find('#') != std::string::npos; });
+    if (!any) return;
+    const size_t first = all.size() - file.units.size();
+    std::unordered_map<std::string_view, std::pair<const UnitFeatures*, uint32_t>> firsts;
+    std::unordered_set<std::string_view> overloaded;
+    for (size_t u = 0; u < file.units.size(); ++u) {
+        auto& [unit, count] = firsts.try_emplace(plain_name(file.units[u]), &all[first + u], 0).first->second;
+        all[first + u].branch = count++;
+        if (unit->operands != all[first + u].operands) overloaded.insert(plain_name(file.units[u]));
     }
+    for (size_t u = 0; u < file.units.size(); ++u)
+        all[first + u].overloaded = overloaded.contains(plain_name(file.units[u]));
 }
 
 }  // namespace
@@ -369,28 +381,25 @@ uint32_t TermNumbers::shape_id(uint64_t hash) {
     return id;
 }
 
-std::vector<UnitFeatures> read_features(const std::vector<ScannedFile>& files, const Dialect& dialect,
-                                        TermNumbers& terms) {
+std::vector<UnitFeatures> read_features(const std::vector<ScannedFile>& files, const Compounds& compounds,
+                                        const Dialect& dialect, TermNumbers& terms) {
     std::vector<UnitFeatures> all;
     all.reserve(std::accumulate(files.begin(), files.end(), size_t{0},
                                 [](size_t count, const ScannedFile& file) { return count + file.units.size(); }));
     Counts counts;
+    IdentifierTable identifiers(dialect, terms);
     const EntryNames entries(files);
     for (size_t f = 0; f < files.size(); ++f) {
-        std::unordered_set<std::string_view> overloaded;
-        for (const Unit& unit : files[f].units)
-            if (unit.name.find('#') != std::string::npos) overloaded.insert(plain_name(unit));
-        FeatureReader reader(files[f], entries, dialect, terms, counts);
+        FeatureReader reader(files[f], entries, compounds, dialect, terms, identifiers, counts);
         for (size_t u = 0; u < files[f].units.size(); ++u) {
             all.push_back(reader.read(files[f].units[u]));
-            all.back().overloaded = overloaded.contains(plain_name(files[f].units[u]));
             all.back().file = static_cast<uint32_t>(f);
             all.back().unit = static_cast<uint32_t>(u);
         }
+        mark_overloads(files[f], all);
     }
     const bool kernels = std::any_of(all.begin(), all.end(), [](const UnitFeatures& unit) { return unit.kernel; });
     for (UnitFeatures& unit : all) unit.beside_kernels = kernels;
-    drop_common_words(all);
     return all;
 }
 

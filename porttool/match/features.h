@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "porttool/language/dialect.h"
+#include "porttool/match/compounds.h"
 #include "porttool/scan/unit.h"
 #include "porttool/text/key_numbers.h"
 #include "porttool/text/text_numbers.h"
@@ -45,15 +46,18 @@ struct UnitFeatures {
     bool kernel = false;
     bool says_kernels = false;     ///< its language marks kernels
     bool launches = false;         ///< sets arguments of kernels, or enqueues them
+    bool sets_arguments = false;   ///< sets arguments of kernels
     bool launcher = false;         ///< sets arguments and enqueues a kernel, without computing by itself
     bool computes = false;         ///< has a loop, arithmetic or a store at an index
     bool acts = false;             ///< has a loop or a store at an index
     bool works = false;            ///< the same, and more of it than a wrapper has
     bool beside_kernels = false;   ///< its side has kernels
     bool whole_file_main = false;  ///< a shader's main: the file's name is its name
+    bool names_platform = false;   ///< its name says for which platform it is
     bool converts = false;         ///< its name says from what to what
-    bool overloaded = false;       ///< its file has another unit of this name
-    std::string folded_name;       ///< qualified, letters and digits only
+    bool overloaded = false;       ///< its file has another unit of this name that takes other types
+    uint32_t branch = 0;           ///< how many units of its name its file has before it
+    std::string folded_name;       ///< qualified, letters and digits only, without the platform
     std::string folded_leaf;
     std::array<Bag, kFamilies> bags;
     std::vector<uint32_t> name_words;     ///< sorted term ids, without words that stand in most names of the side
@@ -94,8 +98,8 @@ private:
 };
 
 /// Reads the features of all units of one side. Weights are raw counts; weigh() makes them comparable.
-std::vector<UnitFeatures> read_features(const std::vector<ScannedFile>& files, const Dialect& dialect,
-                                        TermNumbers& terms);
+std::vector<UnitFeatures> read_features(const std::vector<ScannedFile>& files, const Compounds& compounds,
+                                        const Dialect& dialect, TermNumbers& terms);
 
 /// Turns counts into tf-idf unit vectors, with document frequencies over both sides.
 void weigh(std::vector<UnitFeatures>& source, std::vector<UnitFeatures>& target, size_t terms);

@@ -51,7 +51,9 @@ struct OpenUnits {
 
 OpenUnits read_open_units(const std::vector<ScannedFile>& source, const std::vector<ScannedFile>& target,
                           const Settled& settled, const Dialect& dialect, TermNumbers& terms) {
-    OpenUnits open{read_features(source, dialect, terms), read_features(target, dialect, terms), {}};
+    const Compounds compounds(source, target);
+    OpenUnits open{
+        read_features(source, compounds, dialect, terms), read_features(target, compounds, dialect, terms), {}};
     std::unordered_set<std::string> hidden_source, hidden_target;
     if (!settled.pairs.empty()) {
         const auto sources = numbers_of(open.source, source), targets = numbers_of(open.target, target);

@@ -38,17 +38,29 @@ public:
 
     /// In more than a fifth of the names.
     bool is_everywhere(uint32_t word) const {
-        constexpr size_t kShare = 5, kFewest = 20;
-        return names_ >= kFewest && count(word) * kShare > static_cast<float>(names_);
+        constexpr float kShare = 0.2f;
+        constexpr size_t kFewest = 20;
+        return names_ >= kFewest && share(word) > kShare;
     }
 
+    /// Next to nowhere.
+    bool is_rare(uint32_t word) const { return share(word) < 0.02f; }
+
 private:
+    float share(uint32_t word) const { return names_ == 0 ? 0 : count(word) / static_cast<float>(names_); }
+
     std::unordered_map<uint32_t, uint32_t> counts_;
     size_t names_ = 0;
 };
 
+/// Words such as a project's prefix tell nothing apart. One that the other side has in some of its names does.
+bool tells_nothing(uint32_t word, const SideWords& own, const SideWords& other) {
+    return own.is_everywhere(word) && (other.is_everywhere(word) || other.is_rare(word));
+}
+
 /// The words of a name that tell what it is about; all of them if none is left.
-NameWords without_how(const UnitFeatures& unit, const SideWords& side, const TermNumbers& terms) {
+NameWords without_how(const UnitFeatures& unit, const SideWords& side, const SideWords& other,
+                      const TermNumbers& terms) {
     const NameWords& all = unit.ordered_words;
     NameWords core;
     bool type_before = false;
@@ -58,7 +70,7 @@ NameWords without_how(const UnitFeatures& unit, const SideWords& side, const Ter
         const bool width = type_before && is_digits(text);  // f32_4
         const bool letter = text.size() == 1 && text[0] >= 'a' && text[0] <= 'z' && (i == 0 || i + 1 == all.size());
         type_before = how;
-        if (!how && !width && !letter && !side.is_everywhere(all[i])) core.push_back(all[i]);
+        if (!how && !width && !letter && !tells_nothing(all[i], side, other)) core.push_back(all[i]);
     }
     return core.empty() ? all : core;
 }
@@ -182,6 +194,16 @@ std::unordered_set<std::string> texts_of(const std::vector<NameWords>& names, co
     return out;
 }
 
+/// Leaves words that tell nothing apart out of UnitFeatures::name_words, unless there are no others.
+void drop_common_words(std::vector<UnitFeatures>& units, const SideWords& own, const SideWords& other) {
+    for (UnitFeatures& unit : units) {
+        NameWords kept;
+        for (const uint32_t word : unit.name_words)
+            if (!tells_nothing(word, own, other)) kept.push_back(word);
+        if (!kept.empty()) unit.name_words = std::move(kept);
+    }
+}
+
 void store(const std::vector<NameWords>& names, const TermNumbers& terms, std::vector<UnitFeatures>& units) {
     for (size_t i = 0; i < units.size(); ++i) {
         units[i].core = joined(names[i], terms);
@@ -197,8 +219,8 @@ void store(const std::vector<NameWords>& names, const TermNumbers& terms, std::v
 void read_cores(std::vector<UnitFeatures>& source, std::vector<UnitFeatures>& target, const TermNumbers& terms) {
     const SideWords source_words(source), target_words(target);
     std::vector<NameWords> left, right;
-    for (const UnitFeatures& unit : source) left.push_back(without_how(unit, source_words, terms));
-    for (const UnitFeatures& unit : target) right.push_back(without_how(unit, target_words, terms));
+    for (const UnitFeatures& unit : source) left.push_back(without_how(unit, source_words, target_words, terms));
+    for (const UnitFeatures& unit : target) right.push_back(without_how(unit, target_words, source_words, terms));
     // Both at once: what is left out of one side's names is no reason to leave a word out of the other's.
     const auto of_left = words_of_one_side(left, source_words, target_words, texts_of(right, target, terms), terms);
     const auto of_right = words_of_one_side(right, target_words, source_words, texts_of(left, source, terms), terms);
@@ -210,6 +232,8 @@ void read_cores(std::vector<UnitFeatures>& source, std::vector<UnitFeatures>& ta
     leave_heads_out(right, target, right_heads, left_heads, terms);
     store(left, terms, source);
     store(right, terms, target);
+    drop_common_words(source, source_words, target_words);
+    drop_common_words(target, target_words, source_words);
 }
 
 }  // namespace porttool

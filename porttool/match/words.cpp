@@ -60,17 +60,16 @@ bool ends_with_joint(std::string_view word) {
            is_small_letter(word[word.size() - 3]);
 }
 
-void add_word(std::string word, std::vector<std::string>& words) {
+void add_piece(std::string word, std::vector<std::string>& pieces) {
     if (const size_t joint = joint_in(word); joint != std::string_view::npos) {
-        add_word(word.substr(0, joint), words);
+        add_piece(word.substr(0, joint), pieces);
         word.erase(0, joint + 1);
     }
     if (const size_t dimension = dimension_in(word); dimension != std::string_view::npos) {
-        add_word(word.substr(0, dimension), words);
+        add_piece(word.substr(0, dimension), pieces);
         word.erase(0, dimension);
     }
-    stem(word);
-    words.push_back(std::move(word));
+    pieces.push_back(std::move(word));
 }
 
 /// What joins two words tells nothing: `rgb_to_lab`, `rgb_2_lab` and `rgb2lab` are one.
@@ -80,21 +79,28 @@ void drop_joints(std::vector<std::string>& words) {
     words.erase(std::remove_if(words.begin() + 1, words.end() - 1, joint), words.end() - 1);
 }
 
+/// True if a name cannot end there: `copy_to` of `copy_to_gpu`.
+bool leads_on(std::string_view name) {
+    constexpr std::array<std::string_view, 8> kJoints = {"to", "from", "on", "for", "in", "is", "2", "has"};
+    const std::vector<std::string> pieces = split_pieces(name);
+    return pieces.empty() || std::find(kJoints.begin(), kJoints.end(), pieces.back()) != kJoints.end();
+}
+
 /// Words that tell how, beside types and vectors.
 constexpr std::array kHow = {
-    "kernel", "kern",       "krnl",    "gpu",       "cuda",    "cl",         "ocl",     "opencl",
-    "sycl",   "hip",        "rocm",    "metal",     "vulkan",  "vk",         "glsl",    "hlsl",
-    "ispc",   "omp",        "openmp",  "cpu",       "host",    "device",     "dev",     "native",
-    "simd",   "simt",       "sse",     "sse2",      "sse3",    "ssse3",      "sse4",    "sse41",
-    "sse42",  "avx",        "avx2",    "avx512",    "neon",    "sve",        "sve2",    "rvv",
-    "vsx",    "altivec",    "lsx",     "lasx",      "msa",     "wasm",       "dsp",     "scalar",
-    "vec",    "vectorized", "generic", "plain",     "naive",   "basic",      "opt",     "optimized",
-    "fast",   "slow",       "impl",    "func",      "fn",      "function",   "op",      "ops",
-    "helper", "inner",      "body",    "do",        "run",     "process",    "apply",   "compute",
-    "calc",   "calculate",  "perform", "execute",   "exec",    "shared",     "local",   "global",
-    "tiled",  "lds",        "smem",    "img",       "buf",     "contiguous", "cont",    "noncontiguous",
-    "nc",     "strided",    "aligned", "unaligned", "inplace", "internal",   "private", "method",
-    "fp16",   "fp32",       "fp64",    "bf16",
+    "kernel", "kern",       "krnl",    "gpu",       "cuda",    "cl",         "ocl",      "opencl",
+    "sycl",   "hip",        "rocm",    "metal",     "vulkan",  "vk",         "glsl",     "hlsl",
+    "ispc",   "omp",        "openmp",  "cpu",       "host",    "device",     "dev",      "native",
+    "simd",   "simt",       "sse",     "sse2",      "sse3",    "ssse3",      "sse4",     "sse41",
+    "sse42",  "avx",        "avx2",    "avx512",    "neon",    "sve",        "sve2",     "rvv",
+    "vsx",    "altivec",    "lsx",     "lasx",      "msa",     "wasm",       "dsp",      "scalar",
+    "vec",    "vectorized", "generic", "plain",     "naive",   "basic",      "opt",      "optimized",
+    "fast",   "slow",       "impl",    "func",      "fn",      "function",   "op",       "ops",
+    "helper", "inner",      "body",    "do",        "run",     "process",    "apply",    "compute",
+    "calc",   "calculate",  "perform", "execute",   "exec",    "shared",     "local",    "global",
+    "tiled",  "lds",        "smem",    "img",       "buf",     "contiguous", "cont",     "noncontiguous",
+    "nc",     "strided",    "aligned", "unaligned", "inplace", "internal",   "private",  "method",
+    "fp16",   "fp32",       "fp64",    "bf16",      "task",    "parallel",   "threaded",
 };
 
 /// `f32`, `u8`, `i64`
@@ -171,11 +177,23 @@ bool marks_reference(std::string_view word) {
     return std::find(kWords.begin(), kWords.end(), word) != kWords.end();
 }
 
-std::vector<std::string> split_words(std::string_view name) {
-    std::vector<std::string> words;
+bool numbers_a_version(std::string_view word) {
+    if (word.size() > 1 && word[0] == 'v') word.remove_prefix(1);
+    return std::all_of(word.begin(), word.end(), is_digit);
+}
+
+bool marks_preparation(std::string_view word) {
+    constexpr std::array<std::string_view, 21> kWords = {
+        "load", "save",  "init", "initial", "setup", "creat",  "destroy", "param",  "parameter", "config", "configur",
+        "pars", "alloc", "free", "releas",  "type",  "regist", "usag",    "option", "print",     "dump"};
+    return std::find(kWords.begin(), kWords.end(), word) != kWords.end();
+}
+
+std::vector<std::string> split_pieces(std::string_view name) {
+    std::vector<std::string> pieces;
     std::string word;
     auto finish = [&] {
-        if (!word.empty()) add_word(word, words);
+        if (!word.empty()) add_piece(word, pieces);
         word.clear();
     };
     for (size_t i = 0; i < name.size(); ++i) {
@@ -186,8 +204,9 @@ std::vector<std::string> split_words(std::string_view name) {
         }
         const char before = i > 0 ? name[i - 1] : '\0';
         const char after = i + 1 < name.size() ? name[i + 1] : '\0';
-        // camelCase, and the last capital of BSDFValue
-        if (is_capital_letter(c) &&
+        // camelCase, and the last capital of BSDFValue, but Conv2D
+        const bool dimension = c == 'D' && is_digit(before) && !is_small_letter(after);
+        if (is_capital_letter(c) && !dimension &&
             (is_small_letter(before) || is_digit(before) || (is_capital_letter(before) && is_small_letter(after)))) {
             if (is_small_letter(after) && ends_with_joint(word)) word.pop_back();  // RGB2Lab
             finish();
@@ -195,9 +214,37 @@ std::vector<std::string> split_words(std::string_view name) {
         word += small_letter(c);
     }
     finish();
-    drop_joints(words);
-    if (const auto sign = operator_sign(name); !sign.empty()) words.emplace_back(sign);
-    return words;
+    return pieces;
+}
+
+std::vector<std::string> words_of(std::vector<std::string> pieces, std::string_view name) {
+    for (std::string& piece : pieces) stem(piece);
+    drop_joints(pieces);
+    if (const auto sign = operator_sign(name); !sign.empty()) pieces.emplace_back(sign);
+    return pieces;
+}
+
+std::vector<std::string> split_words(std::string_view name) { return words_of(split_pieces(name), name); }
+
+std::string_view without_platform(std::string_view name) {
+    constexpr std::array<std::string_view, 12> kPlatforms = {"opencl", "openmp", "vulkan", "metal", "cuda", "sycl",
+                                                             "ispc",   "gpu",    "cpu",    "ocl",   "hip",  "omp"};
+    for (const std::string_view platform : kPlatforms) {
+        const size_t size = platform.size();
+        if (name.size() < size + 2) continue;
+        const auto same = [](char a, char b) { return small_letter(a) == b; };
+        const size_t at = name.size() - size;
+        const bool camel = is_capital_letter(name[at]) && is_small_letter(name[at - 1]);
+        if (std::equal(name.begin() + static_cast<std::ptrdiff_t>(at), name.end(), platform.begin(), same) &&
+            (name[at - 1] == '_' || camel)) {
+            const std::string_view rest = name.substr(0, name[at - 1] == '_' ? at - 1 : at);
+            if (!leads_on(rest)) return without_platform(rest);
+        }
+        if (name[size] == '_' && std::equal(platform.begin(), platform.end(), name.begin(),
+                                            [](char a, char b) { return a == small_letter(b); }))
+            return without_platform(name.substr(size + 1));
+    }
+    return name;
 }
 
 std::string fold(std::string_view name) {

@@ -12,6 +12,10 @@ namespace porttool {
 /// Digits stay with the letters before them; the endings of verbs and plurals go (`dequantize` and `dequant` are one).
 std::vector<std::string> split_words(std::string_view name);
 
+/// The same in two steps: the parts as they are written, in small letters, and the words that they are.
+std::vector<std::string> split_pieces(std::string_view name);
+std::vector<std::string> words_of(std::vector<std::string> pieces, std::string_view name);
+
 /// True if a name converts one into another (`hex_to_u8`, `rgb2lab`), so that the order of its words counts.
 bool converts(std::string_view name);
 
@@ -27,6 +31,16 @@ bool names_instruction_set(std::string_view word);
 
 /// True for a word, as split_words() gives it, that marks what is computed on the host for comparison (`ref`, `gold`).
 bool marks_reference(std::string_view word);
+
+/// The name without words before or behind it that tell for which platform it is: `Forward_gpu`, `cuda_forward` and
+/// `forwardCPU` are names of one thing, `copy_to_gpu` and `copy_to_cpu` are not.
+std::string_view without_platform(std::string_view name);
+
+/// True for `2`, `v3`.
+bool numbers_a_version(std::string_view word);
+
+/// True for a word, as split_words() gives it, of what makes ready, checks or tells and does not do (`load_param`).
+bool marks_preparation(std::string_view word);
 
 /// Letters and digits only, small; a leading `k` of a constant's name goes: `kMaxDepth` and `MAX_DEPTH` are one.
 std::string fold(std::string_view name);
