@@ -38,6 +38,8 @@ public:
         for (const UnitFeatures& unit : target_) ++target_names_[unit.folded_name];
         for (const UnitFeatures& unit : target_) ++target_cores_[unit.core];
         read_launchers();
+        read_workers();
+        read_homes();
         for (const auto& list : candidates_) {
             scores_.emplace_back();
             for (const Candidate& candidate : list)
@@ -102,6 +104,46 @@ private:
             if (about_it(candidate) && candidate.resemblance.same_name < 1)
                 scores_[s][c] -= kPerShare * (most - body_likeness(candidate.resemblance));
         }
+    }
+
+    /// Which shaders' mains have a candidate that works in the other side's file of their own file's name.
+    void read_homes() {
+        has_home_.assign(source_.size(), false);
+        for (uint32_t s = 0; s < source_.size(); ++s)
+            has_home_[s] = source_[s].whole_file_main &&
+                           std::any_of(candidates_[s].begin(), candidates_[s].end(), [&](const Candidate& candidate) {
+                               const UnitFeatures& unit = target_[candidate.target];
+                               return unit.stem == source_[s].stem && unit.works && !prepares(source_[s], unit);
+                           });
+    }
+
+    /// A shader's main is the subject of its file: a helper of another file is not it, even under the very name.
+    bool is_elsewhere(uint32_t s, uint32_t t) const { return has_home_[s] && target_[t].stem != source_[s].stem; }
+
+    /// What of the source leads to a kernel without launching it, and what of the target works, itself or in a function
+    /// of its file that it calls.
+    void read_workers() {
+        leads_on_ = units_that_call(source_, [](const UnitFeatures& unit) { return unit.launches && !unit.kernel; });
+        delegates_ = units_that_call(target_, [](const UnitFeatures& unit) { return unit.works; });
+    }
+
+    /// Who calls a function of its own file that is such a one.
+    template <class Is>
+    static std::vector<bool> units_that_call(const std::vector<UnitFeatures>& units, const Is& is) {
+        std::unordered_set<uint64_t> such;
+        for (const UnitFeatures& unit : units)
+            if (unit.group == Group::Code && is(unit)) such.insert(file_pair(unit.file, unit.called_as));
+        std::vector<bool> out(units.size());
+        for (size_t i = 0; i < units.size(); ++i)
+            out[i] = !such.empty() && std::any_of(units[i].callees.begin(), units[i].callees.end(), [&](uint32_t name) {
+                return such.contains(file_pair(units[i].file, name));
+            });
+        return out;
+    }
+
+    /// What leads to a kernel is not ported by what neither works nor calls what does, as what only notes what to do.
+    bool is_idle_for(uint32_t s, uint32_t t) const {
+        return leads_on_[s] && !source_[s].works && !target_[t].works && !delegates_[t];
     }
 
     /// What each target does with the kernels of the source: launches them, calls what does, or neither.
@@ -198,7 +240,7 @@ private:
     /// What the two do: a launcher is no kernel's port, and what computes is ported by what computes.
     float role_bonus(const Candidate& candidate) const {
         constexpr float kCore = 0.05f, kNoKernel = -0.4f, kLauncher = -0.2f, kSameName = -0.05f, kIdle = -0.06f,
-                        kOperands = 0.15f, kPrepares = -0.15f, kBranch = 0.02f;
+                        kOperands = 0.15f, kPrepares = -0.15f, kElsewhere = -0.4f, kBranch = 0.02f;
         const UnitFeatures &a = source_[candidate.source], &b = target_[candidate.target];
         float bonus = kCore * candidate.resemblance.core;
         if (is_launched_there(candidate.source, candidate.target))
@@ -207,7 +249,8 @@ private:
             bonus += a.kernel || b.kernel ? kNoKernel : other_role(a, b) ? kLauncher : kSameName;
         else if ((a.works && !b.computes) || (a.kernel && a.acts && !b.acts) || (b.works && !a.computes))
             bonus += a.kernel && !b.computes ? 2 * kIdle : kIdle;
-        if (prepares(a, b)) bonus += kPrepares;
+        if (prepares(a, b) || is_idle_for(candidate.source, candidate.target)) bonus += kPrepares;
+        if (is_elsewhere(candidate.source, candidate.target)) bonus += kElsewhere;
         if (a.folded_name == b.folded_name && a.branch == b.branch && !is_overloaded(a, b)) bonus += kBranch;
         if (is_overloaded(a, b)) bonus -= kOperands * (1 - candidate.resemblance.operands);
         return bonus;
@@ -341,7 +384,8 @@ private:
         out.margin = margin(s, c);
         out.names = differences_[s][c];
         out.other_role = other_role(source_[s], target_[chosen.target]) || is_launched_there(s, chosen.target);
-        out.prepares = prepares(source_[s], target_[chosen.target]);
+        out.unfit = prepares(source_[s], target_[chosen.target]) || is_idle_for(s, chosen.target) ||
+                    is_elsewhere(s, chosen.target);
         out.body_margin = body_margin(s, c);
         constexpr float kOperands = 0.67f;
         out.wrong_operands =
@@ -584,6 +628,9 @@ private:
     std::unordered_map<std::string, int> source_names_, target_names_, target_cores_;
     std::unordered_set<uint32_t> own_;                      ///< the names that the target's functions are called by
     std::vector<bool> launches_;                            ///< of each target
+    std::vector<bool> has_home_;                            ///< of each source, see read_homes()
+    std::vector<bool> leads_on_;                            ///< of each source: it calls what launches
+    std::vector<bool> delegates_;                           ///< of each target: it calls what works
     std::vector<std::set<uint32_t>> calls_into_;            ///< of each target, files whose launchers it calls
     std::vector<uint32_t> choice_;                          ///< of each source, an index into its candidates
     std::vector<uint32_t> claimed_;                         ///< of each target, the source

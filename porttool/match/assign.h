@@ -19,7 +19,7 @@ struct Assignment {
     float body_margin = 0;        ///< the same of the bodies alone
     bool only_one = false;        ///< no other unit of either side has this name
     bool other_role = false;      ///< one of the two launches kernels, the other does something else
-    bool prepares = false;        ///< a kernel, and what makes ready for one by its name
+    bool unfit = false;           ///< its name, file or calls say that it does something else
     bool wrong_operands = false;  ///< overloads for other types
     bool same_subject = false;    ///< the names are about one thing, which few others are about
     bool fixed = false;           ///< a person paired them

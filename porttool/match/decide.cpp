@@ -33,7 +33,8 @@ float confidence(const UnitFeatures& source, const UnitFeatures& target, const A
     const Resemblance& resemblance = pair.resemblance;
     // An equal name counts as much as what stands under it: two bodies with nothing in common are two functions.
     const bool unlike = resemblance.families[kBody] < 0.08f && resemblance.families[kShape] < 0.02f;
-    const bool exact = resemblance.same_name > 0.999f && pair.only_one && !(unlike && resemblance.signature < 0.5f);
+    const bool exact =
+        resemblance.same_name > 0.999f && pair.only_one && !pair.unfit && !(unlike && resemblance.signature < 0.5f);
     // The longer name is forgiven what ports leave out, not what they keep.
     const float words = resemblance.words + (resemblance.subject - resemblance.words) * (1 - pair.names.lost);
     // What both are about in as many words is as good as a place, also where few names make a word look common.
@@ -58,7 +59,7 @@ float confidence(const UnitFeatures& source, const UnitFeatures& target, const A
     if (target.entry && !source.entry) z -= 5.0f * std::max(0.0f, kHeld - contained_in(source, target));
     if (resemblance.reversed) z -= 2.5f;
     if (pair.wrong_operands) z -= 2.5f;
-    if (pair.prepares) z -= 2.0f;
+    if (pair.unfit) z -= 2.0f;
     const bool idle = source.kernel && source.acts && !target.kernel ? !target.acts : !target.computes;
     if (source.works && idle) z -= 1.5f;
     if (pair.shared && !variant) z -= 1.0f;

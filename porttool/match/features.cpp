@@ -101,6 +101,7 @@ public:
         std::vector<uint32_t> words = name_ids({file_.path.substr(0, file_.path.rfind('.')), stage_word(file_.path)});
         std::sort(words.begin(), words.end());
         path_words_ = std::make_shared<const std::vector<uint32_t>>(std::move(words));
+        stem_ = terms_.id(kPlace, fold(file_stem(file_.path)));
     }
 
     UnitFeatures read(const Unit& unit) {
@@ -190,6 +191,7 @@ private:
         features.all_words = features.ordered_words;
         std::sort(features.all_words.begin(), features.all_words.end());
         features.path_words = path_words_;
+        features.stem = stem_;
         // The place also carries the name: a class here is a file there.
         count_name_words(kPlace, shown, 1);
     }
@@ -341,6 +343,7 @@ private:
     IdentifierTable& identifiers_;
     Counts& counts_;
     std::shared_ptr<const std::vector<uint32_t>> path_words_;
+    uint32_t stem_ = 0;
     std::vector<uint64_t> shape_;
     std::vector<uint32_t> callees_;
 };

@@ -41,6 +41,7 @@ enum class Lifecycle : uint8_t { Neither, Begins, Ends };
 struct UnitFeatures {
     uint32_t file = 0;  ///< index into the side's files
     uint32_t unit = 0;  ///< index into the file's units
+    uint32_t stem = 0;  ///< the term id (of places) of the file's name without its suffixes
     Group group = Group::Code;
     Lifecycle lifecycle = Lifecycle::Neither;
     bool kernel = false;

@@ -146,6 +146,45 @@ TEST(Unlike, WhatMakesReadyIsNoKernelsPort) {
     EXPECT_EQ(paired(shaders, layers), expected);
 }
 
+TEST(Unlike, AShadersMainIsPortedInTheFileOfItsName) {
+    Texts shaders, layers;
+    Ids expected;
+    for (const std::string name : {"sigmoid", "clip", "mish", "swish", "erf", "gelu"}) {
+        const std::string value = "1.f / (" + std::to_string(static_cast<int>(name[0])) + ".5f + exp(-data[i]))";
+        shaders.emplace_back(
+            "shader/" + name + ".comp",
+            "void main() { uint i = gl_GlobalInvocationID.x; if (i >= n) return; data[i] = " + value + "; }\n");
+        layers.emplace_back("layer/" + name + ".cpp", "int " + name + "::forward_inplace(Mat& data) const {\n" +
+                                                          "  for (int i = 0; i < n; i++) data[i] = " + value +
+                                                          ";\n  return 0;\n}\n");
+        expected.emplace_back("shader/" + name + ".comp:main", "layer/" + name + ".cpp:" + name + "::forward_inplace");
+    }
+    layers.emplace_back("layer/detect.cpp",
+                        "static inline float sigmoid(float x) { return 1.f / (1.f + expf(-x)); }\n"
+                        "int Detect::forward(const Mat& in, Mat& out) const {\n"
+                        "  for (int i = 0; i < n; i++) out[i] = sigmoid(in[i]) * scale;\n  return 0;\n}\n");
+    std::sort(expected.begin(), expected.end());
+    EXPECT_EQ(paired(shaders, layers), expected);
+}
+
+TEST(Unlike, WhatNotesAnOperationIsNotThePortOfWhatLaunchesIt) {
+    const std::string cuda =
+        "static __global__ void scale_f32(const float* x, float* y, float s, int n) {\n"
+        "  int i = threadIdx.x; if (i < n) y[i] = s * x[i]; }\n"
+        "static void scale_f32_cuda(const float* x, float* y, float s, int n) { scale_f32<<<1, n>>>(x, y, s, n); }\n"
+        "void lib_cuda_op_scale(context& ctx, tensor* dst) {\n  const tensor* src = dst->src[0];\n"
+        "  check(src->type == F32);\n  scale_f32_cuda(src->data, dst->data, dst->params[0], src->count);\n}\n";
+    const std::string builder =
+        "tensor* lib_scale(context* ctx, tensor* a, float s) {\n  tensor* result = lib_dup_tensor(ctx, a);\n"
+        "  set_params(result, &s, sizeof(s));\n  result->op = OP_SCALE;\n  result->src[0] = a;\n  return result;\n}\n";
+    const std::string cpu =
+        "static void lib_compute_scale_f32(const params* p, tensor* dst) {\n  const tensor* src = dst->src[0];\n"
+        "  for (int i = 0; i < src->count; i++) dst->data[i] = dst->params[0] * src->data[i];\n}\n";
+    const Ids ids = paired({{"cuda/scale.cu", cuda}}, {{"lib.c", builder}, {"cpu/ops.cpp", cpu}});
+    EXPECT_TRUE(has(ids, "cuda/scale.cu:scale_f32", "cpu/ops.cpp:lib_compute_scale_f32"));
+    EXPECT_FALSE(has(ids, "cuda/scale.cu:lib_cuda_op_scale", "lib.c:lib_scale"));
+}
+
 TEST(Unlike, WhatSetsAKernelsArgumentsIsNotItsPortWhateverItStores) {
     const std::string kernel =
         "kernel void Blur(__global float4* in, __global float4* out, int width, float radius) {\n"
