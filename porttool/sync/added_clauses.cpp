@@ -3,6 +3,7 @@
 #include "porttool/sync/added_clauses.h"
 
 #include <algorithm>
+#include <map>
 #include <optional>
 
 #include "porttool/language/words.h"
@@ -65,6 +66,10 @@ private:
         std::optional<size_t> place = place_among(left, right, own, clauses, was_before, was_after);
         if (!place) return give_up("the port has statements of its own there, and which comes first matters");
         if (!is_in_counterpart(block, *place)) return give_up("the block around it has no counterpart in the port");
+        if (parts_neighbours(left, right, *place))
+            return give_up(
+                "the port has one of its neighbours in a block of its own, and whether it belongs there is not "
+                "told");
         if (leaves_loop(first, end, *place))
             return give_up("the port has a loop of its own around it, which it would leave");
         std::vector<std::string> unknown;
@@ -115,6 +120,18 @@ private:
         return block == Clause::kNone ? there == Clause::kNone : counterpart(block) == there && there != Clause::kNone;
     }
 
+    /// True for a place in a block that the port alone has, as a lambda around a kernel, where one of the two
+    /// statements that the new ones stand between is outside of it.
+    bool parts_neighbours(size_t left, size_t right, size_t place) const {
+        const auto is_outside = [&](size_t c, size_t head) {
+            const bool is_statement = c != kNothing && !target(c).opens && !target(c).closes;
+            return is_statement && (c < head || target(head).partner == Clause::kNone || c > target(head).partner);
+        };
+        for (size_t c = block_at(place); c != Clause::kNone && !stands_for_something(c); c = target(c).inside)
+            if (is_outside(left, c) || is_outside(right, c)) return true;
+        return false;
+    }
+
     /// The head of the block of the target that a place is in.
     size_t block_at(size_t place) const {
         size_t c = 0;
@@ -162,19 +179,22 @@ private:
         return any;
     }
 
-    /// True if a neighbour without a counterpart, which the port may have within another statement, shares names.
+    /// True if a neighbour without a counterpart, which the port may have within another statement, shares names that
+    /// one of the two may write.
     bool depends_on_merged(size_t first, size_t end, size_t was_before, size_t was_after) const {
-        std::set<std::string> names;
+        std::map<std::string, bool> names;  // and whether the new clauses may write it
         for (size_t i = now(first).first; i < now(end - 1).end; ++i)
-            if (is_name(texts_.now.words[i])) names.insert(texts_.now.words[i]);
+            if (is_name(texts_.now.words[i])) names[texts_.now.words[i]] |= uses_.may_write_now(i);
         const auto shares = [&](size_t c) {
             const Clause& clause = before(c);
             if (counterpart(c) != kNothing || clause.closes || clause.opens || texts_.edit.clause_of[c] == kNothing)
                 return false;
             // What the source gives back the port may hand back through a reference.
             if (texts_.before.words[clause.first] == "return" && !only_result(texts_.target)) return false;
-            for (size_t i = clause.first; i < clause.end; ++i)
-                if (names.contains(texts_.before.words[i])) return true;
+            for (size_t i = clause.first; i < clause.end; ++i) {
+                const auto name = names.find(texts_.before.words[i]);
+                if (name != names.end() && (name->second || uses_.may_write_before(i))) return true;
+            }
             return false;
         };
         return shares(was_before) || shares(was_after);
@@ -248,6 +268,10 @@ private:
         return clauses.size() < all;
     }
 
+    bool starts_paragraph(size_t is) const {
+        return is < texts_.now.clauses.size() && texts_.paragraphs.contains(now(is).first);
+    }
+
     /// Before which word of the target new clauses go, between the counterparts of their neighbours; none if the order
     /// among the port's own clauses there matters.
     std::optional<size_t> place_among(size_t left, size_t right, const std::vector<size_t>& own,
@@ -267,11 +291,15 @@ private:
         for (const size_t c : own)
             for (size_t i = target(c).first; i < target(c).end; ++i)
                 if (names.contains(texts_.target.words[i])) return std::nullopt;
-        // What a new block goes around begins with its right neighbour, and not with what the port has before that.
+        // An empty line before them sets them apart from their left neighbour: they go with the right one, as does what
+        // a new block goes around: that begins with its right neighbour, and not with what the port has before that.
         const bool goes_around =
             now(clauses.back().source).opens &&
             std::none_of(own.begin(), own.end(), [&](size_t c) { return target(c).opens || target(c).closes; });
-        return beside_left && !(goes_around && beside_right) ? target(left).end : target(right).first;
+        const bool begins_paragraph =
+            starts_paragraph(clauses.front().source) && !starts_paragraph(clauses.back().source + 1);
+        return beside_left && !((goes_around || begins_paragraph) && beside_right) ? target(left).end
+                                                                                   : target(right).first;
     }
 
     const InsertedUses& uses_;

@@ -9,6 +9,7 @@
 #include "porttool/normal/normal_form.h"
 #include "porttool/normal/normal_text.h"
 #include "porttool/sync/operands.h"
+#include "porttool/sync/renamings.h"
 
 namespace porttool {
 namespace {
@@ -24,18 +25,36 @@ struct Hunk {
 class ClauseChanger : EditReading {
 public:
     ClauseChanger(const EditReading& reading, const InsertedUses& uses, Transplant& out)
-        : EditReading(reading), uses_(uses), out_(out) {}
+        : EditReading(reading), uses_(uses), out_(out), renamings_(reading, uses) {}
 
     std::vector<WordsReplaced> run() {
+        find_renamed();
         for (size_t c = 0; c < origin_.size(); ++c)
             if (origin_[c] != kNothing) change(origin_[c], c);
+        renamings_.add_to(out_.replaced);
         return std::move(respelled_);
     }
 
 private:
+    static bool is_word_for_word(const Hunk& hunk) {
+        return hunk.end == hunk.first + 1 && hunk.now_end == hunk.now_first + 1;
+    }
+
+    void find_renamed() {
+        for (size_t c = 0; c < origin_.size(); ++c) {
+            if (origin_[c] == kNothing) continue;
+            for (const Hunk& hunk : hunks_of(before(origin_[c]), now(c)))
+                if (is_word_for_word(hunk)) renamings_.note(hunk.first, hunk.now_first);
+        }
+    }
+
+    bool is_renaming(const Hunk& hunk) const {
+        return is_word_for_word(hunk) && renamings_.has(hunk.first, hunk.now_first);
+    }
+
     void change(size_t was, size_t is) {
         const std::vector<Hunk> hunks = hunks_of(before(was), now(is));
-        if (hunks.empty()) return;
+        if (std::all_of(hunks.begin(), hunks.end(), [&](const Hunk& hunk) { return is_renaming(hunk); })) return;
         const size_t there = counterpart(was);
         if (there != kNothing && is_said_more_often(was, there))
             return leave("the source has `" + shown(texts_.now.words, now(is).first, now(is).end) + "` for `" +
@@ -285,7 +304,7 @@ private:
         if (was == 0 && loses_way_out(hunk))
             return leave_run(hunk, target(there).first, "nothing tells how the port hands a value back so");
         if (is_neutral(hunk)) return respell(hunk);
-        if (hunk.first == hunk.end ? insert_run(hunk, was, there) : replace_run(hunk)) return;
+        if (hunk.first == hunk.end ? insert_run(hunk, was, there) : replace_run(hunk) || drop_elements(hunk)) return;
         const Clause &here = before(was), &other = target(there);
         // Out to words that stand for words of the target.
         while (hunk.first > here.first && word_of(hunk.first - 1) == kNothing) --hunk.first, --hunk.now_first;
@@ -346,6 +365,7 @@ private:
         if (hunk.end != hunk.first + 1 || hunk.now_end != hunk.now_first + 1 || end != first + 1) return false;
         const std::string &was = texts_.before.words[hunk.first], &is = texts_.now.words[hunk.now_first];
         if (texts_.target.words[first] != was || !translator_.is_from_elsewhere(was, is)) return false;
+        if (uses_.is_local_there(first)) return false;  // the other side may have it as a field, the port has its own
         const auto is_called = [](const std::vector<std::string>& words, size_t i) {
             return i + 3 < words.size() && (words[i + 1] == "(" || (words[i + 1] == "<" && words[i + 2] == "<"));
         };
@@ -371,6 +391,34 @@ private:
             ++out_.already;
         else
             put(hunk, first, end, now);
+        return true;
+    }
+
+    /// Arguments or parameters that go, with a comma on one side, go from wherever the target has just these: what
+    /// follows them there may be its own.
+    bool drop_elements(const Hunk& hunk) {
+        if (hunk.now_first != hunk.now_end) return false;
+        size_t first = hunk.first, end = hunk.end;
+        if (texts_.before.words[end - 1] == ",")
+            --end;
+        else if (texts_.before.words[first] == ",")
+            ++first;
+        else
+            return false;
+        if (first == end || word_of(first) == kNothing) return false;
+        size_t there = word_of(first), there_end = there + (end - first);
+        for (size_t i = first; i < end; ++i)
+            if (word_of(i) != there + (i - first)) return false;
+        const std::vector<std::string>& words = texts_.target.words;
+        if (there == 0 || there_end >= words.size() || !says(there, there_end, carry_old(first, end).words, true))
+            return false;
+        const bool opens = words[there - 1] == "(", closes = words[there_end] == ")";
+        if ((!opens && words[there - 1] != ",") || (!closes && words[there_end] != ",")) return false;
+        if (!closes)
+            ++there_end;
+        else if (!opens)
+            --there;
+        out_.replaced.push_back({there, there_end, {}, hunk.now_first, hunk.now_end});
         return true;
     }
 
@@ -512,6 +560,7 @@ private:
 
     const InsertedUses& uses_;
     Transplant& out_;
+    Renamings renamings_;
     std::vector<WordsReplaced> respelled_;
 };
 

@@ -54,6 +54,16 @@ void InsertedUses::run_threads_apart() {
         if (now_.is_loop(c) && origin_[c] != kNothing && counterpart(origin_[c]) == kNothing) now_.run_apart(c);
 }
 
+bool InsertedUses::may_write(const LocalWrites& writes, const AlignedText& text, size_t word) {
+    if (writes.local(word) == 0) return true;  // a function may do anything, as may what has a member
+    const size_t clause = writes.clause_at(word);
+    if (!writes.writes(clause, text.words[word], {}).empty()) return true;
+    const std::string last = word > 0 ? text.words[word - 1] : std::string(),
+                      next = word + 1 < text.words.size() ? text.words[word + 1] : std::string();
+    const bool is_argument = is_one_of(last, {"(", ",", "&"}) && is_one_of(next, {")", ","});
+    return is_argument || is_accessor(next) || next == "[";
+}
+
 std::string InsertedUses::doubt_within(const std::vector<CarriedWord>& words, size_t source_end,
                                        size_t target_word) const {
     return doubt({words, target_word, there_.place_of(target_word)}, source_end);

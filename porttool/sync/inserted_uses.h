@@ -27,6 +27,11 @@ public:
 
     /// True for a word of the source's new text that names a local of it.
     bool is_local(size_t now_word) const { return now_.local(now_word) != 0; }
+    /// True for a word of the source's old or new text that its clause may write, in place or as an argument.
+    bool may_write_before(size_t word) const { return may_write(before_, texts_.before, word); }
+    bool may_write_now(size_t word) const { return may_write(now_, texts_.now, word); }
+    /// True for a word of the target that names a local or a parameter of it.
+    bool is_local_there(size_t word) const { return there_.local(word) != 0; }
 
     /// Why a step of a variable in a clause of the source's old text, `n ++` or `n += 2`, leads elsewhere in the port
     /// whatever it says: it counts from another number there. "" if nothing shows that.
@@ -52,6 +57,7 @@ private:
     using Clauses = std::set<size_t>;
 
     void run_threads_apart();
+    static bool may_write(const LocalWrites& writes, const AlignedText& text, size_t word);
     std::string doubt(const Insertion& in, size_t source_end) const;
     std::string doubt_of(const Saying& saying, const Insertion& in) const;
     bool is_plain_name(const Insertion& in, size_t i) const;

@@ -7,10 +7,12 @@
 #include <set>
 
 #include "porttool/language/words.h"
+#include "porttool/normal/declaration_words.h"
 #include "porttool/normal/normal_text.h"
 #include "porttool/normal/statements.h"
 #include "porttool/normal/unit_state.h"
 #include "porttool/scan/scan.h"
+#include "porttool/sync/call_sites.h"
 
 namespace porttool {
 namespace {
@@ -183,7 +185,18 @@ KnownWords::KnownWords(const WordsOfSide& from, const WordsOfSide& to, const Dia
     for (uint32_t i = 0; i + 1 < lexed.tokens.size(); ++i)
         if (lexed.view(i + 1) == "(") called_.insert(lexed.view(i));
     SideWords::note(to.edited, dialect, by_meaning_);
-    for (const Unit& unit : from.edited.units) add_identifiers(from.edited.lexed, unit.parameters, parameters_);
+    for (const Unit& unit : from.edited.units)
+        for (const TokenRange& parameter : parameters_of_head(from.edited, unit)) add_name(parameter);
+}
+
+/// What a parameter is called: its last name. Its type may be from elsewhere.
+void KnownWords::add_name(TokenRange parameter) {
+    const LexedText& lexed = from_.edited.lexed;
+    for (uint32_t i = parameter.end; i-- > parameter.first;)
+        if (lexed.tokens[i].kind == TokenKind::Identifier) {
+            parameters_.insert(lexed.view(i));
+            return;
+        }
 }
 
 std::string KnownWords::usual(const Uses* words) {
@@ -227,14 +240,17 @@ bool KnownWords::is_of_source(std::string_view word) const {
     return !is_type_word(word) && (parameters_.contains(word) || from_.all.declared().contains(word));
 }
 
+bool KnownWords::is_declared_nowhere(std::string_view word) const {
+    return !is_of_source(word) && !is_declared_there(word) && dialect_.meaning(word) == nullptr && !is_standard(word);
+}
+
 bool KnownWords::is_from_elsewhere(std::string_view word) const {
     constexpr std::array<std::string_view, 8> kOfOneRuntime = {"cuda",   "hip",  "sycl", "gpu",
                                                                "opencl", "dpct", "nv",   "stream"};
     const std::string name = folded(word);
     for (const std::string_view part : kOfOneRuntime)
         if (name.find(part) != std::string::npos) return false;
-    return !is_of_source(word) && !is_declared_there(word) && runtime_of(word).empty() &&
-           dialect_.meaning(word) == nullptr && !is_standard(word);
+    return is_declared_nowhere(word) && runtime_of(word).empty();
 }
 
 /// True if the target's file has words of that run time.
@@ -293,6 +309,30 @@ bool KnownWords::uses_std() const {
         const std::string_view word = lexed.view(i), last = lexed.view(i - 1);
         if (word == "std" && last == "namespace" && lexed.view(i - 2) == "using") return true;
         if ((word == "min" || word == "max") && lexed.view(i + 1) == "(" && last != "::" && last != ".") return true;
+    }
+    return false;
+}
+
+bool KnownWords::is_of_shared_family(std::string_view word) const {
+    if (!is_shouted(word) || !is_from_elsewhere(word)) return false;
+    if (!shouted_read_) {
+        shouted_read_ = true;
+        SideWords::Words here;
+        for (const Token& token : from_.edited.lexed.tokens)
+            if (token.kind == TokenKind::Identifier) here.insert(from_.edited.lexed.view(token));
+        for (const Token& token : to_.edited.lexed.tokens) {
+            if (token.kind != TokenKind::Identifier) continue;
+            const std::string_view name = to_.edited.lexed.view(token);
+            if (is_shouted(name) && here.contains(name) && is_from_elsewhere(name)) shouted_.insert(name);
+        }
+    }
+    for (size_t cut = word.rfind('_'); cut != std::string_view::npos && cut > 0; cut = word.rfind('_', cut - 1)) {
+        const std::string_view family = word.substr(0, cut + 1);
+        size_t others = 0;
+        for (auto name = shouted_.lower_bound(family); name != shouted_.end() && name->starts_with(family); ++name)
+            others += *name != word;
+        const bool is_first_part = word.find('_') == cut;
+        if (others >= (is_first_part ? 3u : 2u)) return true;
     }
     return false;
 }

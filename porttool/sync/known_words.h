@@ -3,6 +3,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <string>
 #include <string_view>
 #include <unordered_set>
@@ -116,14 +117,21 @@ public:
     /// True for what the target's side has within functions or as a field, and nowhere else.
     bool is_only_local(std::string_view word) const;
     bool is_declared_there(std::string_view word) const { return to_.all.declared().contains(word); }
-    /// True for a name that no file of either side declares, and that is none of a language's run time.
+    /// True for a name that no file of either side declares, and no language has of itself.
+    bool is_declared_nowhere(std::string_view word) const;
+    /// The same of one that is none of a language's run time.
     bool is_from_elsewhere(std::string_view word) const;
+    /// True for a constant that neither side declares, of a family whose others both files have under one name: with
+    /// `GGML_OP_NORM` and `GGML_OP_ADD` in both, `GGML_OP_SUB` is from where these are.
+    bool is_of_shared_family(std::string_view word) const;
     /// True if any file of the side has it, or both sides have it from elsewhere.
     bool anywhere(std::string_view word) const;
+    bool are_of_one_language() const { return from_.edited.language == to_.edited.language; }
 
 private:
     using Uses = SideWords::Uses;
 
+    void add_name(TokenRange parameter);
     bool speaks(std::string_view runtime) const;
     bool scopes_builtins() const;
     bool uses_std() const;
@@ -133,7 +141,9 @@ private:
     WordsOfSide from_, to_;
     const Dialect& dialect_;
     SideWords::Words file_words_, called_, parameters_;
-    SideWords::ByMeaning by_meaning_;  ///< of the edited file
+    SideWords::ByMeaning by_meaning_;             ///< of the edited file
+    mutable std::set<std::string_view> shouted_;  ///< constants that both files have and neither side declares
+    mutable bool shouted_read_ = false;
 };
 
 }  // namespace porttool

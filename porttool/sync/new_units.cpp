@@ -229,6 +229,7 @@ std::string NewUnits::port_one(const std::string& name, const JudgedPair& user, 
             return {};
         }
     if (excluded_.contains(name)) return "nothing that is certain uses it";
+    if (const UnitState* twin = twin_of(name, user, from)) return take_twin(name, *twin, from);
     const auto& units = fresh_units(from).at(name);
     if (units.size() > 1) return "there are several of that name";
     const UnitState& state = *units.front();
@@ -259,6 +260,63 @@ std::string NewUnits::port_one(const std::string& name, const JudgedPair& user, 
     return why;
 }
 
+/// What the port has under the same name and alike, in its user's file or one that this includes, though no pair of the
+/// map says so; nullptr for none.
+const UnitState* NewUnits::twin_of(const std::string& name, const JudgedPair& user, Side from) {
+    const Side to = other_side(from);
+    const auto& units = fresh_units(from).at(name);
+    const ScannedFile* file = user.unit[to] == nullptr ? nullptr : knowledge_.file_of(to, user.unit[to]->file);
+    if (units.size() != 1 || file == nullptr) return nullptr;
+    read_names(to);
+    const auto found = by_name_[to].find(name);
+    if (found == by_name_[to].end()) return nullptr;
+    const auto twin = std::find_if(found->second.begin(), found->second.end(), [&](const UnitState* there) {
+        const ScannedFile* other = knowledge_.file_of(to, there->file);
+        if (other == nullptr || (other != file && !includes(knowledge_.files(to), *file, *other))) return false;
+        const BySide<const UnitState*> pair{from == Side::Source ? units.front() : there,
+                                            from == Side::Source ? there : units.front()};
+        CompareBudget budget;
+        return says_the_same(assess(*pair.source, *pair.target, knowledge_.dialect(), budget));
+    });
+    return twin == found->second.end() ? nullptr : *twin;
+}
+
+/// Pairs a new unit with its twin, but for one that is another's port: nothing is to be written.
+std::string NewUnits::take_twin(const std::string& name, const UnitState& twin, Side from) {
+    const Side to = other_side(from);
+    const UnitState& unit = *fresh_units(from).at(name).front();
+    const bool forward = from == Side::Source;
+    const bool is_taken = std::any_of(checked_.judgement.pairs.begin(), checked_.judgement.pairs.end(),
+                                      [&](const JudgedPair& pair) { return pair.id[to] == twin.id; });
+    if (!is_taken) {
+        Made made{from,
+                  {forward ? unit : twin, forward ? twin : unit},
+                  name,
+                  plain_name(twin.name),
+                  forward ? sets_.of_path(twin.file) : std::string(),
+                  {}};
+        made.is_twin = true;
+        made_.push_back(std::move(made));
+        tell_knowledge();
+        if (std::string why = record_made(); !why.empty()) return why;
+    }
+    usable_.insert(name);
+    return {};
+}
+
+/// Records all pairs so far; the last is forgotten where that cannot be. Why not, or "".
+std::string NewUnits::record_made() {
+    std::vector<FreshPair> all;
+    for (const Made& one : made_) all.push_back(one.pair);
+    try {
+        record_.set_made(std::move(all));
+    } catch (const CannotDo& error) {
+        take_back(made_.size() - 1);
+        return error.what();
+    }
+    return {};
+}
+
 /// The files that the port may go to: where the ports of its neighbours are, that of its user first.
 std::vector<const ScannedFile*> NewUnits::places(const UnitState& unit, const JudgedPair& user, Side from) const {
     const Side to = other_side(from);
@@ -283,14 +341,18 @@ std::vector<const ScannedFile*> NewUnits::places(const UnitState& unit, const Ju
     return out;
 }
 
+void NewUnits::read_names(Side side) {
+    if (!by_name_[side].empty()) return;
+    for (const auto& [id, state] : checked_.states[side]) {
+        by_name_[side][plain_name(state.name)].push_back(&state);
+        by_file_[side][state.file].push_back(&state);
+    }
+}
+
 /// The id of a unit that has the name already, or in its file the same in another manner; "" if none has.
 std::string NewUnits::possible_counterpart(const Wanted& wanted, const std::string& port_name) {
     const Side to = other_side(wanted.from);
-    if (by_name_[to].empty())
-        for (const auto& [id, state] : checked_.states[to]) {
-            by_name_[to][plain_name(state.name)].push_back(&state);
-            by_file_[to][state.file].push_back(&state);
-        }
+    read_names(to);
     if (const auto found = by_name_[to].find(port_name); found != by_name_[to].end()) return found->second.front()->id;
     for (const UnitState* state : by_file_[to][wanted.other.path])
         if (folded(plain_name(state->name)) == folded(wanted.name)) return state->id;
@@ -380,14 +442,7 @@ std::string NewUnits::settle(const Wanted& wanted, Draft& draft, const std::stri
         take_back(made_.size() - 1);
         return "check would not take what was made of it for the same";
     }
-    std::vector<FreshPair> all;
-    for (const Made& one : made_) all.push_back(one.pair);
-    try {
-        record_.set_made(std::move(all));
-    } catch (const CannotDo& error) {
-        take_back(made_.size() - 1);
-        return error.what();
-    }
+    if (std::string why = record_made(); !why.empty()) return why;
     drafts_.write(draft, now, std::move(scanned));
     return {};
 }
@@ -421,7 +476,8 @@ std::set<std::string> NewUnits::unused(size_t first, const std::vector<std::stri
 std::vector<std::string> NewUnits::told(size_t first) const {
     std::vector<std::string> out;
     for (size_t i = first; i < made_.size(); ++i)
-        out.push_back("`" + made_[i].unit().id + "` came without a port, and gets `" + made_[i].port().id + "`");
+        out.push_back("`" + made_[i].unit().id + "` came without a port, and " +
+                      (made_[i].is_twin ? "is what the port has as `" : "gets `") + made_[i].port().id + "`");
     return out;
 }
 

@@ -59,6 +59,7 @@ private:
         std::string name, port_name, target_set;
         std::set<std::string> uses;                      ///< other new units, by their names
         std::set<std::string, std::less<>> fields = {};  ///< of a struct
+        bool is_twin = false;                            ///< the port had it already
         const UnitState& unit() const { return from == Side::Source ? pair.source : pair.target; }
         const UnitState& port() const { return from == Side::Source ? pair.target : pair.source; }
     };
@@ -72,6 +73,10 @@ private:
     std::string settle(const Wanted& wanted, Draft& draft, const std::string& now, const std::string& port_name,
                        const std::set<std::string>& uses);
     std::vector<const ScannedFile*> places(const UnitState& unit, const JudgedPair& user, Side from) const;
+    void read_names(Side side);
+    const UnitState* twin_of(const std::string& name, const JudgedPair& user, Side from);
+    std::string take_twin(const std::string& name, const UnitState& twin, Side from);
+    std::string record_made();
     std::string possible_counterpart(const Wanted& wanted, const std::string& port_name);
     bool can_be_used(const Made& made, const JudgedPair& user);
     void tell_knowledge();

@@ -307,19 +307,25 @@ private:
         const auto written = [&](size_t i) {
             return is.words[i] == "@" || is.is_added(i) ? is.words[i] : std::string(file->lexed.view(is.tokens[i]));
         };
+        const std::set<size_t> paragraphs = paragraphs_of(*file, is);
         const EditTexts texts{
-            old_text, new_text, port_text, edit, across, knowledge_.hands_back(from), knowledge_.hands_back(to)};
+            old_text,  new_text, port_text, edit, across, knowledge_.hands_back(from), knowledge_.hands_back(to),
+            paragraphs};
         Transplant found;
         // What uses a new name can only be carried with what declares it.
-        do
+        std::map<size_t, std::string> first_reasons;  // later ones may only be that a name is not declared any more
+        do {
+            for (const LeftOver& left : found.left) first_reasons.try_emplace(left.source_word, left.message);
             found = transplant(texts, EditTranslator(examples, beside, names, lone, known, brought, on_host), written,
                                is_method);
-        while (lose_undeclared(is.words, found, from_elsewhere, brought, lone));
+        } while (lose_undeclared(is.words, found, from_elsewhere, brought, lone));
         for (const LeftOver& left : found.left) {
             const uint32_t here = line_at(*file, is, left.source_word),
                            else_where = line_at(draft.scanned, there, left.target_word);
+            const auto reason = first_reasons.find(left.source_word);
+            const std::string& message = reason == first_reasons.end() ? left.message : reason->second;
             out.left.push_back(
-                {left.message, from == Side::Source ? here : else_where, from == Side::Source ? else_where : here});
+                {message, from == Side::Source ? here : else_where, from == Side::Source ? else_where : here});
         }
         for (const auto& [name, why] : unported)
             if (const auto call = std::find(is.words.begin(), is.words.end(), name);
@@ -430,6 +436,24 @@ private:
             name = is_lost ? brought.erase(name) : std::next(name);
         }
         return any;
+    }
+
+    /// The words of a unit that an empty line stands before.
+    static std::set<size_t> paragraphs_of(const ScannedFile& file, const UnitWords& words) {
+        std::set<size_t> out;
+        const LexedText& lexed = file.lexed;
+        for (size_t i = 1; i < words.size(); ++i) {
+            if (words.is_added(i) || words.is_added(i - 1)) continue;
+            const Token &last = lexed.tokens[words.tokens[i - 1]], &token = lexed.tokens[words.tokens[i]];
+            for (uint32_t line = last.line + 1; line < token.line; ++line)
+                if (is_blank_line(lexed, line)) out.insert(i);
+        }
+        return out;
+    }
+
+    static bool is_blank_line(const LexedText& lexed, uint32_t line) {
+        const size_t first = lexed.line_starts[line - 1];
+        return lexed.text.find_first_not_of(" \t\r", first) == lexed.line_starts[line] - 1;
     }
 
     static uint32_t line_at(const ScannedFile& file, const UnitWords& words, size_t word) {

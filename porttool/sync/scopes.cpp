@@ -59,33 +59,37 @@ bool is_member(const std::vector<std::string>& words, size_t i) {
     return i > 0 && is_one_of(words[i - 1], {".", "->", "::"});
 }
 
-std::set<std::string> declared_names(const std::vector<std::string>& words) {
+/// The parameters of a function's head, however they are handed over: the last name of each.
+std::set<std::string> parameter_names(const std::vector<std::string>& words) {
     std::set<std::string> out;
+    auto at = static_cast<size_t>(std::find(words.begin(), words.end(), "@") - words.begin());
+    if (at + 1 >= words.size() || words[at + 1] != "(") return out;
+    int depth = 1;
+    for (at += 2; at < words.size(); ++at) {
+        const std::string& word = words[at];
+        depth += is_one_of(word, {"(", "[", "<"}) ? 1 : is_one_of(word, {")", "]", ">"}) ? -1 : 0;
+        if (word == ">>" && depth > 2) depth -= 2;
+        const bool ends = (depth == 1 && is_one_of(word, {",", "="})) || (depth == 2 && word == "[") || depth == 0;
+        const std::string &name = words[at - 1], &last = words[at - 2];
+        const bool typed = is_word_token(last) || is_one_of(last, {"*", "&", ">"});
+        if (ends && is_plain_name(name) && typed) out.insert(name);
+        if (depth == 0) break;
+    }
+    return out;
+}
+
+std::set<std::string> declared_names(const std::vector<std::string>& words) {
+    std::set<std::string> out = parameter_names(words);
     for (size_t i = 0; i < words.size(); ++i)
         if (declares(words, i) && !is_member(words, i)) out.insert(words[i]);
     return out;
 }
 
-}  // namespace
-
-std::set<std::string> lost_names(const std::vector<std::string>& before, const std::vector<std::string>& now) {
-    std::set<std::string> out, brought;
-    const std::set<std::string> declared = declared_names(before);
-    for (size_t i = 0; i < now.size(); ++i) {
-        if (may_bring(now, i) || declares(now, i)) brought.insert(now[i]);
-        if (declared.contains(now[i]) && !is_member(now, i)) out.insert(now[i]);
-    }
-    std::erase_if(out, [&](const std::string& name) { return brought.contains(name); });
-    const std::set<std::string> known = names_out_of_scope(before);
-    for (const std::string& name : names_out_of_scope(now))
-        if (!known.contains(name)) out.insert(name);
-    return out;
-}
-
-std::set<std::string> names_out_of_scope(const std::vector<std::string>& words) {
-    const std::set<std::string> declared = declared_names(words);
+/// Those of `declared` that are used where no block around declares them.
+std::set<std::string> used_out_of_scope(const std::vector<std::string>& words, const std::set<std::string>& declared) {
     std::set<std::string> out;
-    std::vector<std::set<std::string_view>> blocks(1);
+    const std::set<std::string> parameters = parameter_names(words);
+    std::vector<std::set<std::string_view>> blocks{{parameters.begin(), parameters.end()}};
     for (size_t i = 0; i < words.size(); ++i) {
         if (words[i] == "{") blocks.emplace_back();
         if (words[i] == "}" && blocks.size() > 1) blocks.pop_back();
@@ -99,6 +103,29 @@ std::set<std::string> names_out_of_scope(const std::vector<std::string>& words) 
         if (!reached) out.insert(words[i]);
     }
     return out;
+}
+
+}  // namespace
+
+std::set<std::string> lost_names(const std::vector<std::string>& before, const std::vector<std::string>& now) {
+    std::set<std::string> out, brought = parameter_names(now);
+    const std::set<std::string> declared = declared_names(before);
+    for (size_t i = 0; i < now.size(); ++i) {
+        if (may_bring(now, i) || declares(now, i)) brought.insert(now[i]);
+        if (declared.contains(now[i]) && !is_member(now, i)) out.insert(now[i]);
+    }
+    std::erase_if(out, [&](const std::string& name) { return brought.contains(name); });
+    // What was used without a declaration before is a parameter of a macro, or comes from elsewhere.
+    std::set<std::string> all = declared_names(now);
+    all.insert(declared.begin(), declared.end());
+    const std::set<std::string> known = used_out_of_scope(before, all);
+    for (const std::string& name : used_out_of_scope(now, all))
+        if (!known.contains(name)) out.insert(name);
+    return out;
+}
+
+std::set<std::string> names_out_of_scope(const std::vector<std::string>& words) {
+    return used_out_of_scope(words, declared_names(words));
 }
 
 }  // namespace porttool

@@ -241,6 +241,7 @@ std::string EditTranslator::word(std::string_view text, Use use) const {
     if (std::string said = said_in_folder(text, use); !said.empty()) return said;
     if (known_.anywhere(text)) return std::string(text);
     if (std::string said = known_.in_other_manner(text); !said.empty()) return said;
+    if (use != Use::Call && known_.is_of_shared_family(text)) return std::string(text);
     const bool both_have = use == Use::Call && on_host_ && known_.are_both_cpp() && is_from_elsewhere(text, text);
     return both_have ? std::string(text) : std::string();
 }

@@ -75,6 +75,13 @@ public:
         return !units_.names.contains(name) && !units_.names.contains(other) && !lone_.contains(other) &&
                known_.is_from_elsewhere(name) && known_.is_from_elsewhere(other);
     }
+    /// True if what both sides call `was`, and have from elsewhere, may be called `is` on both.
+    bool may_be_renamed(std::string_view was, std::string_view is) const {
+        const auto is_theirs = [&](std::string_view name) {
+            return !units_.names.contains(name) && !lone_.contains(name) && known_.is_declared_nowhere(name);
+        };
+        return is_theirs(was) && is_theirs(is) && (known_.are_of_one_language() || known_.is_from_elsewhere(is));
+    }
     bool lacks_references() const { return known_.lacks_casts(); }
     /// True where the target declares `name`, and nobody `other`, not even the edit.
     bool declares_alone(std::string_view name, std::string_view other) const {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -56,6 +57,7 @@ struct EditTexts {
     const Alignment& edit;                            ///< before -> now
     const Alignment& across;                          ///< before -> target
     const HandsBack &hands_back, &target_hands_back;  ///< of the functions of each side
+    const std::set<size_t>& paragraphs;               ///< words of now that an empty line stands before
 };
 
 /// Carries the source's edit before -> now into the target: each changed word to the words that stand for it there,

@@ -1074,6 +1074,118 @@ TEST(SyncEdit, WhatCppHasInStdAloneIsNotCalledWithoutIt) {
                    other + text("", made)});
 }
 
+TEST(SyncEdit, WhatComesBetweenALambdaOfThePortsAndWhatFollowsItIsLeft) {
+    const std::string source =
+        "void run(float* a, int n) {\n  for (int k = 0; k < 4; k++) {\n    step(a, n, k);\n    check(a, n);\n  }\n}\n";
+    const std::string port =
+        "void run(sycl::queue& q, float* a, int n) {\n  for (int k = 0; k < 4; k++) {\n"
+        "    q.submit([&](sycl::handler& h) {\n      h.single_task([=]() {\n        step(a, n, k);\n      });\n    "
+        "});\n"
+        "    check(a, n);\n  }\n}\n";
+    expect_left({"k.c", "k.cpp", source, replaced(source, "    check", "    note(a, n);\n    check"), port, ""});
+    expect_ported({"k.c", "k.cpp", source, replaced(source, "    check(a, n);", "    check(a, n);\n    note(a, n);"),
+                   port, replaced(port, "    check(a, n);", "    check(a, n);\n    note(a, n);")});
+}
+
+TEST(SyncEdit, AParameterDoesNotGoWhereThePortStillUsesIt) {
+    const std::string source = "float sum(const float* v, const unsigned* flags, int n) {\n  return total(v, n);\n}\n";
+    const std::string uses =
+        "float sum(const float* v, const unsigned* flags, int n) {\n  mark(flags);\n  return total(v, n);\n}\n";
+    const std::string without = "float sum(const float* v, int n) {\n  return total(v, n);\n}\n";
+    expect_left({"k.cu", "k.cpp", source, without, uses, ""});
+    expect_ported({"k.cu", "k.cpp", source, without, source, without});
+}
+
+TEST(SyncEdit, AnArgumentGoesWhateverThePortHasBehindIt) {
+    expect_ported(
+        {"k.cpp", "k.cu",
+         "void pack(int* a, int* unused, const sycl::nd_item<1>& item) {\n  int i = item.get_global_id(0);\n"
+         "  a[i] = i;\n}\n",
+         "void pack(int* a, const sycl::nd_item<1>& item) {\n  int i = item.get_global_id(0);\n  a[i] = i;\n}\n",
+         "__global__ void pack(int* a, int* unused) {\n  int i = blockIdx.x * blockDim.x + threadIdx.x;\n"
+         "  a[i] = i;\n}\n",
+         "__global__ void pack(int* a) {\n  int i = blockIdx.x * blockDim.x + threadIdx.x;\n  a[i] = i;\n}\n"});
+}
+
+TEST(SyncEdit, WhatBothHaveFromElsewhereIsRenamedWhereverThePortHasIt) {
+    const std::string source =
+        "void load(const gpu_rule_t* r, int n, float* d) {\n  if (n > 4) {\n    d[0] = TO_HALF(r[0].x);\n  }\n}\n";
+    const std::string port =
+        "void load(const gpu_rule_t* r, int n, float* d) {\n  if (n > 8) {\n    d[0] = TO_HALF(r[0].x);\n"
+        "    d[1] = TO_HALF(r[1].x);\n  }\n}\n";
+    const auto renamed = [](const std::string& text) {
+        std::string out = text;
+        for (size_t at = 0; (at = out.find("TO_HALF", at)) != std::string::npos; at += 11)
+            out.replace(at, 7, "CPU_TO_HALF");
+        return replaced(out, "gpu_rule_t", "kernel_rule_t");
+    };
+    expect_ported({"k.c", "l.c", source, renamed(source), port, renamed(port)});
+    // Where the source keeps the old one as well, it is no other name for it.
+    const std::string twice = replaced(source, "  }\n}", "  }\n  d[2] = TO_HALF(r[2].x);\n}");
+    expect_left({"k.c", "l.c", twice, replaced(twice, "d[0] = TO_HALF", "d[0] = CPU_TO_HALF"),
+                 replaced(port, "  }\n}", "  }\n  d[2] = TO_HALF(r[2].x);\n}"), ""});
+}
+
+TEST(SyncEdit, AConstantIsKnownByTheFamilyThatBothFilesHave) {
+    const auto text = [](const std::string& head, const std::string& more) {
+        return head + "(int op) {\n  switch (op) {\n    case OP_KIND_NORM:\n    case OP_KIND_ADD:\n" + more +
+               "      return true;\n    default:\n      return false;\n  }\n}\n";
+    };
+    expect_ported({"k.cu", "k.cpp", text("bool takes", ""), text("bool takes", "    case OP_KIND_SUB:\n"),
+                   text("bool takes", ""), text("bool takes", "    case OP_KIND_SUB:\n")});
+    expect_left({"k.cu", "k.cpp", text("bool takes", ""), text("bool takes", "    case MODE_SUB:\n"),
+                 text("bool takes", ""), ""});
+}
+
+TEST(SyncEdit, AnEmptyLineTellsWhichNeighbourANewStatementGoesWith) {
+    const std::string source =
+        "int count(const float* v, int n) {\n  prepare(v);\n\n  for (int i = 0; i < n; i++)\n    visit(v, i);\n  "
+        "return n;\n}\n";
+    const std::string port =
+        "int count(const float* v, int n) {\n  prepare(v);\n  Device device;\n  open(device);\n\n"
+        "  for (int i = 0; i < n; i++)\n    visit(v, i);\n  return n;\n}\n";
+    expect_ported({"k.c", "k.cpp", source, replaced(source, "  for", "  long spent = 0;\n  for"), port,
+                   replaced(port, "  for", "  long spent = 0;\n  for")});
+    expect_ported({"k.c", "k.cpp", source, replaced(source, "prepare(v);\n", "prepare(v);\n  long spent = 0;\n"), port,
+                   replaced(port, "prepare(v);\n", "prepare(v);\n  long spent = 0;\n")});
+}
+
+TEST(SyncEdit, AFieldOfTheSourceIsNoParameterOfThePort) {
+    expect_left({"k.cpp", "k.cl",
+                 "void Lens::Apply(float* out) {\n  float x = 1.0f + out[0] * amount;\n  out[0] = x;\n}\n",
+                 "void Lens::Apply(float* out) {\n  float x = 1.0f + out[0] * amountX;\n  out[0] = x;\n}\n",
+                 "void Lens_Apply(__global float* out, const float amount) {\n  float x = 1.0f + out[0] * amount;\n"
+                 "  out[0] = x;\n}\n",
+                 ""});
+}
+
+TEST(SyncEdit, ANewCounterMayHaveTheNameThatAMacrosParameterHas) {
+    const std::string text =
+        "void mix(int* w) {\n  int t = w[0];\n#define STEP(i) t += w[i] + (i);\n  STEP(0);\n  STEP(1);\n  w[0] = t;\n"
+        "#undef STEP\n}\n";
+    const std::string looped = replaced(text, "  STEP(1);\n", "  for (int i = 1; i < 8; i++) {\n    STEP(i);\n  }\n");
+    expect_ported({"k.c", "l.c", text, looped, text, looped});
+}
+
+TEST(SyncEdit, AHelperThatThePortHasAlreadyIsUsedThere) {
+    const std::string use = "void run(float* a) {\n  a[0] = a[1];\n}\n";
+    const std::string helper = "#define MAX_STEP 4\n";
+    const std::string other = "#define MAX_STEP 5\n";
+    const std::string now = replaced(use, "a[1]", "a[MAX_STEP]");
+    expect_ported({"k.c", "l.c", use, helper + now, helper + use, helper + now});
+    expect_left({"k.c", "l.c", use, helper + now, other + use, ""});
+}
+
+TEST(SyncEdit, AStatementOnlyReadsWhatItsNeighbourReads) {
+    const std::string source =
+        "void make(int nx, int ny) {\n  char* a = (char*)malloc(nx * ny);\n  float* d = device_array(nx * ny / 2);\n"
+        "  fill(a);\n}\n";
+    const std::string port = "void make(int nx, int ny) {\n  char* a = (char*)malloc(nx * ny);\n  fill(a);\n}\n";
+    const std::string extra = "  char* b = (char*)malloc(nx * ny * 2);\n";
+    expect_ported({"k.cpp", "l.cpp", source, replaced(source, "  float* d", extra + "  float* d"), port,
+                   replaced(port, "  fill", extra + "  fill")});
+}
+
 TEST(SyncLayout, AnOperatorThatTookThePlaceOfACloseOneStandsApart) {
     const auto text = [](const std::string& head, const std::string& step) {
         return head + "int f(int n) {\n    for (int i = 0; i < n; " + step + ") n -= 2;\n    return n;\n}\n";

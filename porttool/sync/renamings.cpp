@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/sync/renamings.h"
+
+#include <algorithm>
+
+#include "porttool/normal/normal_text.h"
+#include "porttool/sync/operands.h"
+
+namespace porttool {
+namespace {
+
+bool has_word(const AlignedText& text, const std::string& word) {
+    return std::find(text.words.begin(), text.words.end(), word) != text.words.end();
+}
+
+/// True for a field or what a scope has: of what, its name alone does not tell.
+bool is_picked(const AlignedText& text, size_t i) { return i > 0 && is_accessor(text.words[i - 1]); }
+
+}  // namespace
+
+void Renamings::note(size_t was, size_t is) {
+    const std::string &old = texts_.before.words[was], &name = texts_.now.words[is];
+    if (several_.contains(old) || !is_throughout(old, name)) return;
+    const auto [known, is_new] = renamed_.try_emplace(old, name);
+    if (is_new || known->second == name) return;
+    renamed_.erase(known);
+    several_.insert(old);
+}
+
+bool Renamings::is_throughout(const std::string& was, const std::string& is) const {
+    if (!is_name(was) || !is_name(is) || !translator_.may_be_renamed(was, is)) return false;
+    if (has_word(texts_.now, was) || has_word(texts_.before, is) || !has_word(texts_.target, was) ||
+        has_word(texts_.target, is))
+        return false;
+    for (size_t i = 0; i < texts_.target.words.size(); ++i)
+        if (texts_.target.words[i] == was && (uses_.is_local_there(i) || is_picked(texts_.target, i))) return false;
+    for (size_t i = 0; i < texts_.now.words.size(); ++i)
+        if (texts_.now.words[i] == is && (uses_.is_local(i) || is_picked(texts_.now, i))) return false;
+    return true;
+}
+
+bool Renamings::has(size_t was, size_t is) const {
+    const auto known = renamed_.find(texts_.before.words[was]);
+    return known != renamed_.end() && known->second == texts_.now.words[is];
+}
+
+void Renamings::add_to(std::vector<WordsReplaced>& replaced) const {
+    std::vector<WordsReplaced> more;
+    for (size_t i = 0; i < texts_.target.words.size(); ++i) {
+        const auto known = renamed_.find(texts_.target.words[i]);
+        if (known == renamed_.end()) continue;
+        const bool is_done = std::any_of(replaced.begin(), replaced.end(),
+                                         [&](const WordsReplaced& one) { return one.first <= i && i < one.end; });
+        if (is_done) continue;
+        const auto name = std::find(texts_.now.words.begin(), texts_.now.words.end(), known->second);
+        const auto from = static_cast<size_t>(name - texts_.now.words.begin());
+        more.push_back({i, i + 1, {{known->second, from}}, from, from + 1});
+    }
+    replaced.insert(replaced.end(), more.begin(), more.end());
+}
+
+}  // namespace porttool
