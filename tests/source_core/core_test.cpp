@@ -43,10 +43,10 @@ TEST(SourceCore, SaysWhyThereIsNoDevice) {
     setenv("VK_DRIVER_FILES", "/nonexistent/driver.json", 1);
     setenv("VK_ICD_FILENAMES", "/nonexistent/driver.json", 1);
     auto core = source_core::create_tuned_core({});
-    testing::internal::CaptureStdout();
-    testing::internal::CaptureStderr();
+    ::testing::internal::CaptureStdout();
+    ::testing::internal::CaptureStderr();
     const Status status = core->Init({});
-    const std::string printed = testing::internal::GetCapturedStdout() + testing::internal::GetCapturedStderr();
+    const std::string printed = ::testing::internal::GetCapturedStdout() + ::testing::internal::GetCapturedStderr();
     unsetenv("VK_DRIVER_FILES");
     unsetenv("VK_ICD_FILENAMES");
     EXPECT_EQ(status.code, StatusCode::no_device);

@@ -190,7 +190,7 @@ std::vector<TestRay> random_rays(uint32_t count, float reach, std::mt19937& rand
     return rays;
 }
 
-class Trace : public testing::Test {
+class Trace : public ::testing::Test {
 protected:
     void SetUp() override {
         folder_.write_kernels();

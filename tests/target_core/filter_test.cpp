@@ -20,7 +20,7 @@ using namespace render_system;
 constexpr uint32_t WIDTH = 128, HEIGHT = 96;
 constexpr float HUGE_VARIANCE = 1.0e6f;
 
-class Filter : public testing::Test {
+class Filter : public ::testing::Test {
 protected:
     void SetUp() override {
         CoreOptions options;
