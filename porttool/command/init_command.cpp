@@ -12,6 +12,7 @@
 #include "porttool/judge/first_record.h"
 #include "porttool/judge/macro_record.h"
 #include "porttool/match/match_sets.h"
+#include "porttool/match/port_sets.h"
 #include "porttool/read/clock.h"
 #include "porttool/report/map_report.h"
 #include "porttool/snapshot/map_edit.h"
@@ -106,7 +107,19 @@ void tell_differences(const std::vector<std::string>& differences, Workplace& pl
                      "should agree\n";
 }
 
-std::string summary(const Matching& matching, const Project& project) {
+std::string named_ports_line(const std::vector<TargetSet>& sets) {
+    std::string names;
+    for (const TargetSet& set : sets) names += (names.empty() ? "" : ", ") + terminal_text(set.name);
+    return fmt::format("{} ports lie side by side and are named in [sides.targets]: {}\n", sets.size(), names);
+}
+
+/// Names the ports that lie side by side in a flat list of targets, where globs tell them apart. True if it did.
+bool name_ports(Project& project) {
+    project.map.target_sets = port_sets(project.source, project.target, project.map.target);
+    return !project.map.target_sets.empty();
+}
+
+std::string summary(const Matching& matching, const Project& project, bool named) {
     const auto sure =
         std::count_if(matching.pairs.begin(), matching.pairs.end(), [](const auto& p) { return p.score >= 0.8f; });
     std::string out = fmt::format(
@@ -120,6 +133,7 @@ std::string summary(const Matching& matching, const Project& project) {
         out += fmt::format("  {:.0f} %  {} = {}\n", 100 * least[i].score, terminal_text(least[i].source),
                            terminal_text(least[i].target));
     out += ports_line(matching);
+    if (named) out += named_ports_line(project.map.target_sets);
     return out + "Wrote portmap.toml, portmap.lock and portmap.base/ in " + terminal_text(project.root) +
            "; commit all three.\nThe pairs are recorded, not verified: porttool init --assess says which say the same "
            "today.\nNext: porttool check\n";
@@ -222,6 +236,7 @@ Outcome run_init(const Options& options, Workplace& place) {
     Snapshot now = read_snapshot(std::move(project), {}, place.disk, Depth::Scanned);
     for (const SkippedFile& file : now.project.skipped)
         place.err << "skipped " << terminal_text(file.file) << ": " << terminal_text(file.reason) << "\n";
+    const bool named = now.project.map.target_sets.empty() && name_ports(now.project);
     const TargetSets sets(now.project.map);
     const SetMatching matching = match_sets(now.project.source, now.project.target, {}, Dialect(), sets);
     require_finished_merges_of(matching, now.project);
@@ -234,7 +249,7 @@ Outcome run_init(const Options& options, Workplace& place) {
     take_as_verified(lock, assessed);
     const std::string map = map_text(now.project, matching);
     store_lock(now.project, {lock, now.states, {}, &map, true}, place.disk);
-    return {options.assess ? assessed_text(assessed, options) : summary(matching, now.project), 0, false,
+    return {options.assess ? assessed_text(assessed, options) : summary(matching, now.project, named), 0, false,
             "portmap.toml and portmap.lock are written"};
 }
 

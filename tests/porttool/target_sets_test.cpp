@@ -183,6 +183,48 @@ TEST(TargetSets, ACopyInAnotherFolderIsWatchedWithoutNamesToo) {
         EXPECT_FALSE(pair["source"] == "cuda/k.cu:squares" && pair["target"] == "old/k.cpp:squares");
 }
 
+/// A solver's steps, each with a body of its own.
+std::string steps(const std::string& before) {
+    return before + "void scale_field(float* u, int n) { for (int i = 0; i < n; ++i) u[i] = 2.0f * u[i]; }\n" + before +
+           "void smooth_field(float* u, int n) { for (int i = 1; i + 1 < n; ++i) u[i] = 0.5f * (u[i - 1] + u[i + 1]); "
+           "}\n" +
+           before +
+           "float sum_field(const float* u, int n) { float s = 0; for (int i = 0; i < n; ++i) s += u[i]; return s; "
+           "}\n" +
+           before + "void copy_field(const float* u, float* v, int n) { for (int i = 0; i < n; ++i) v[i] = u[i]; }\n";
+}
+
+TEST(TargetSets, InitNamesThePortsOfAFlatList) {
+    MemoryDisk disk;
+    disk.files = {
+        {"/r/cuda/k.cu", steps("__device__ ")}, {"/r/src/omp/k.cpp", steps("")}, {"/r/src/acc/k.cpp", steps("")}};
+    const CommandRun got = run(disk, {"-C", "/r", "init", "--source", "cuda/*", "--target", "src/**/*.cpp"});
+    EXPECT_EQ(got.exit_code, 0) << got.err;
+    EXPECT_NE(got.out.find("named in [sides.targets]: acc, omp"), std::string::npos) << got.out;
+    EXPECT_NE(disk.files["/r/portmap.toml"].find(
+                  "[sides.targets]\nacc = [\"src/acc/**/*.cpp\"]\nomp = [\"src/omp/**/*.cpp\"]\n"),
+              std::string::npos)
+        << disk.files["/r/portmap.toml"];
+    EXPECT_TRUE(check(disk)["findings"].empty());
+    // a new unit that one of them has is asked of the other
+    disk.files["/r/cuda/k.cu"] += kTwist;
+    disk.files["/r/src/omp/k.cpp"] += port_of(kTwist);
+    EXPECT_EQ(told(check(disk)), (Told{"unpaired omp error", "unported acc error"}));
+}
+
+TEST(TargetSets, InitLeavesAListFlatWhosePortsHaveFilesInCommon) {
+    MemoryDisk disk;
+    disk.files = {{"/r/cuda/k.cu", steps("__device__ ") + kTwist},
+                  {"/r/src/omp/k.cpp", steps("")},
+                  {"/r/src/acc/k.cpp", steps("")},
+                  {"/r/src/common/twist.cpp", port_of(kTwist)}};
+    const CommandRun got = run(disk, {"-C", "/r", "init", "--source", "cuda/*", "--target", "src/**"});
+    EXPECT_NE(got.out.find("each is paired for itself: acc, omp"), std::string::npos) << got.out;
+    EXPECT_NE(disk.files["/r/portmap.toml"].find("target = [\"src/**\"]\n"), std::string::npos);
+    EXPECT_EQ(check(disk)["summary"]["pairs"], 9);
+    EXPECT_TRUE(check(disk)["findings"].empty());
+}
+
 TEST(TargetSets, WhatCannotBeIsRefused) {
     for (const auto& [sides, says] : std::vector<std::pair<std::string, std::string>>{
              {"target = [\"cpu/*\"]\n[sides.targets]\ncpu = [\"cpu/*\"]\n", "exclude each other"},
