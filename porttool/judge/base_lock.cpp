@@ -59,7 +59,7 @@ bool is_unknown(const Snapshot& base, Side side, const std::string& id) {
     const std::set<std::string>& unknown = base.unknown[side];
     for (size_t end = file.find('/'); !unknown.empty() && end != std::string::npos; end = file.find('/', end + 1))
         if (unknown.contains(file.substr(0, end))) return true;
-    return unknown.contains(file);
+    return unknown.contains(file) || unknown.contains("");
 }
 
 /// A unit that cannot be read at the base, and that no lock knows, cannot be held against anything.

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "porttool/report/figures.h"
+#include "porttool/text/shortened.h"
 #include "porttool/text/sink/json.h"
 #include "porttool/text/sink/terminal.h"
 
@@ -28,17 +29,22 @@ std::string brought_in_table(const std::vector<BroughtIn>& brought_in) {
     for (size_t i = 0; i < std::min(brought_in.size(), kShown); ++i) {
         const BroughtIn& one = brought_in[i];
         out += fmt::format("    {}:{}: {}: {}\n", terminal_line(one.file), one.line, gate_part_name(one.kind),
-                           terminal_text(one.text));
+                           terminal_text(shortened(one.text, kLongestBroughtIn)));
     }
-    if (brought_in.size() <= kShown) return out;
-    std::map<std::string_view, size_t> kinds;  // so that many rows of one kind hide none of another
-    for (size_t i = kShown; i < brought_in.size(); ++i) ++kinds[gate_part_name(brought_in[i].kind)];
-    std::string counts;
-    for (const auto& [kind, count] : kinds) counts += fmt::format("{}{} {}", counts.empty() ? "" : ", ", count, kind);
-    return out + fmt::format("    and {} more ({}); --format json lists all\n", brought_in.size() - kShown, counts);
+    const std::string more = more_brought_in(brought_in, kShown);
+    return more.empty() ? out : out + "    " + more + "\n";
 }
 
 }  // namespace
+
+std::string more_brought_in(const std::vector<BroughtIn>& brought_in, size_t shown) {
+    if (brought_in.size() <= shown) return {};
+    std::map<std::string_view, size_t> kinds;  // so that many rows of one kind hide none of another
+    for (size_t i = shown; i < brought_in.size(); ++i) ++kinds[gate_part_name(brought_in[i].kind)];
+    std::string counts;
+    for (const auto& [kind, count] : kinds) counts += fmt::format("{}{} {}", counts.empty() ? "" : ", ", count, kind);
+    return fmt::format("and {} more ({}); --format json lists all", brought_in.size() - shown, counts);
+}
 
 std::string unwatched_text(const Summary& summary, Reference reference) {
     const std::string side = reference == Reference::Both ? "" : std::string(reference_name(reference)) + " ";

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <vector>
 
 #include "porttool/judge/judge.h"
 
@@ -24,6 +25,12 @@ std::string unwatched_text(const Summary& summary, Reference reference);
 
 /// What follows in that sentence: that nobody has compared the texts of any pair; "" where somebody has.
 std::string verified_text(const Summary& summary);
+
+/// Of a row of what a change does to the gate, so much is shown to people; JSON has it whole.
+inline constexpr size_t kLongestBroughtIn = 1000;
+
+/// What is said in place of the rows after the first so many; "" where there are no more.
+std::string more_brought_in(const std::vector<BroughtIn>& brought_in, size_t shown);
 
 /// One finding with its remedy: lines.
 std::string finding_text(const Finding& finding, bool color);

@@ -10,6 +10,7 @@
 
 #include "porttool/judge/rules.h"
 #include "porttool/report/check_report.h"
+#include "porttool/text/shortened.h"
 #include "porttool/text/sink/json.h"
 #include "porttool/text/sink/markdown.h"
 #include "porttool/text/sink/sarif.h"
@@ -139,7 +140,7 @@ std::string check_github(const Judgement& judgement, const std::string& folder) 
     for (const BroughtIn& one : judgement.brought_in)
         out += fmt::format("::notice file={},line={},title={}::{}\n", workflow_property(folder + one.file), one.line,
                            workflow_property(fmt::format("porttool brought in: {}", gate_part_name(one.kind))),
-                           workflow_data(one.text));
+                           workflow_data(shortened(one.text, kLongestBroughtIn)));
     return out;
 }
 
@@ -159,29 +160,73 @@ std::string check_gitlab(const Judgement& judgement, const std::string& folder) 
     return dumped(out);
 }
 
+namespace {
+
+/// Forges refuse a comment of more than 65,536 characters: what a change does to the gate shall not go unseen because
+/// there are ten thousand findings as well, nor these for its sake.
+constexpr size_t kMostOfFindings = 40'000, kMostOfGate = 20'000;
+
+std::string markdown_row(const Finding& f) {
+    const auto cell = [](const std::optional<Place>& place) {
+        return place ? markdown_text(place->file + ":" + std::to_string(place->line)) : std::string();
+    };
+    return fmt::format("| {} | {} | {} | {} ({}) |\n", level_name(f.level), cell(f.source), cell(f.target),
+                       markdown_cell(shortened(f.message, kLongestBroughtIn)), rule_name(f.rule));
+}
+
+/// The open findings as a table; those that are too many to be shown are the least of them.
+std::string markdown_findings(const Judgement& judgement) {
+    std::vector<const Finding*> open;
+    for (const Finding& f : judgement.findings)
+        if (is_open(f)) open.push_back(&f);
+    if (open.empty()) return {};
+    std::vector<std::string> rows;
+    size_t size = 0;
+    for (const Finding* f : open) size += rows.emplace_back(markdown_row(*f)).size();
+    if (size > kMostOfFindings) {
+        std::stable_sort(open.begin(), open.end(),
+                         [](const Finding* a, const Finding* b) { return a->level > b->level; });
+        rows.clear();
+        size = 0;
+        for (const Finding* f : open) {
+            std::string row = markdown_row(*f);
+            size += row.size();
+            if (size > kMostOfFindings) break;
+            rows.push_back(std::move(row));
+        }
+    }
+    std::string out = "\n| | source | port | finding |\n| --- | --- | --- | --- |\n";
+    for (const std::string& row : rows) out += row;
+    if (rows.size() < open.size())
+        out += fmt::format("\nand {} more; --format json lists all\n", open.size() - rows.size());
+    return out;
+}
+
+std::string markdown_brought_in(const std::vector<BroughtIn>& brought_in) {
+    if (brought_in.empty()) return {};
+    std::string out = "\nWhat this change does to the gate itself:\n\n| | where | what |\n| --- | --- | --- |\n";
+    size_t shown = 0;
+    for (; shown < brought_in.size(); ++shown) {
+        const BroughtIn& one = brought_in[shown];
+        const std::string row = fmt::format("| {} | {} | {} |\n", gate_part_name(one.kind),
+                                            markdown_text(one.file + ":" + std::to_string(one.line)),
+                                            markdown_text(shortened(one.text, kLongestBroughtIn)));
+        if (out.size() + row.size() > kMostOfGate) break;
+        out += row;
+    }
+    const std::string more = more_brought_in(brought_in, shown);
+    return more.empty() ? out : out + "\n" + more + "\n";
+}
+
+}  // namespace
+
 std::string check_markdown(const Judgement& judgement) {
     const Summary& s = judgement.summary;
-    std::string out = fmt::format(
-        "### porttool: {}\n\n{} pairs: {} in step, {} drifted, {} to review, {} deferred, {} ignored; {}.\n",
-        gate_result_name(judgement.result()), s.pairs, s.in_step, s.drifted, s.review, s.deferred, s.ignored,
-        unwatched_text(s, judgement.reference) + verified_text(s));
-    bool any = false;
-    for (const Finding& f : judgement.findings) {
-        if (!is_open(f)) continue;
-        if (!any) out += "\n| | source | port | finding |\n| --- | --- | --- | --- |\n";
-        any = true;
-        auto cell = [](const std::optional<Place>& place) {
-            return place ? markdown_text(place->file + ":" + std::to_string(place->line)) : std::string();
-        };
-        out += fmt::format("| {} | {} | {} | {} ({}) |\n", level_name(f.level), cell(f.source), cell(f.target),
-                           markdown_cell(f.message), rule_name(f.rule));
-    }
-    if (!judgement.brought_in.empty())
-        out += "\nWhat this change does to the gate itself:\n\n| | where | what |\n| --- | --- | --- |\n";
-    for (const BroughtIn& one : judgement.brought_in)
-        out += fmt::format("| {} | {} | {} |\n", gate_part_name(one.kind),
-                           markdown_text(one.file + ":" + std::to_string(one.line)), markdown_text(one.text));
-    return out;
+    return fmt::format(
+               "### porttool: {}\n\n{} pairs: {} in step, {} drifted, {} to review, {} deferred, {} ignored; {}.\n",
+               gate_result_name(judgement.result()), s.pairs, s.in_step, s.drifted, s.review, s.deferred, s.ignored,
+               unwatched_text(s, judgement.reference) + verified_text(s)) +
+           markdown_findings(judgement) + markdown_brought_in(judgement.brought_in);
 }
 
 }  // namespace porttool

@@ -3,7 +3,9 @@
 #include "porttool/snapshot/snapshot.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <map>
+#include <optional>
 #include <set>
 #include <unordered_map>
 
@@ -182,14 +184,47 @@ void add_files(MemoryDisk& disk, const std::string& root, GitFiles files) {
     for (auto& [path, reason] : files.unreadable) disk.errors[join_path(root, path)] = std::move(reason);
 }
 
+/// What the repository of the source had at the merge base in the place where the target's root is: a folder, or the
+/// commit that it named of a submodule. None if it had nothing there.
+std::optional<GitFiles> target_of_own_repository(const Snapshot& snapshot, const std::string& root,
+                                                 const SideGlobs& target) {
+    const GitRepository own(snapshot.project.root, kChecksWithGit);
+    if (!own.error().empty()) return std::nullopt;
+    std::error_code error;
+    const std::string place =
+        std::filesystem::relative(std::filesystem::weakly_canonical(root, error), own.work_tree(), error)
+            .generic_string();
+    if (place.empty() || place == "." || place == ".." || place.starts_with("../")) return std::nullopt;
+    const std::string before = place + "/";
+    std::vector<std::string> folders;
+    for (const std::string& folder : target.folders()) folders.push_back(clean_path(before + folder));
+    const auto wants = [&](const std::string& path) {
+        return path.starts_with(before) && target.takes(path.substr(before.size()));
+    };
+    GitFiles all = GitRepository(own.work_tree()).files_at_base(snapshot.at.revision, wants, folders);
+    if (all.error.empty() && all.files.empty() && all.unreadable.empty() && all.unknown.empty()) return std::nullopt;
+    GitFiles out;
+    out.error = std::move(all.error);
+    for (auto& [path, bytes] : all.files) out.files[path.substr(before.size())] = std::move(bytes);
+    for (auto& [path, reason] : all.unreadable) out.unreadable[path.substr(before.size())] = std::move(reason);
+    for (const std::string& path : all.unknown)
+        out.unknown.insert(path.starts_with(before) ? path.substr(before.size()) : "");
+    return out;
+}
+
 /// The target side of another checkout: its HEAD where it knows no such revision.
 void add_other_checkout(Snapshot& snapshot) {
     const std::string root = target_root(snapshot.project);
     SideGlobs target;
     target.add(snapshot.project.map.target);
+    const bool at_base = snapshot.at.kind == Moment::Kind::MergeBase;
+    if (std::optional<GitFiles> own = at_base ? target_of_own_repository(snapshot, root, target) : std::nullopt) {
+        snapshot.unknown.target = own->unknown;
+        return add_files(snapshot.git, root, std::move(*own));
+    }
     const WantsFile wants = [&](const std::string& path) { return target.takes(path); };
     GitFiles files = ask_git(root, snapshot.at, wants, target.folders());
-    if (snapshot.at.kind == Moment::Kind::MergeBase) {
+    if (at_base) {
         if (!files.error.empty()) {
             files = ask_git(root, {Moment::Kind::MergeBase, "HEAD"}, wants, target.folders());
             snapshot.note = "--base " + terminal_text(snapshot.at.revision) + " names nothing in " +

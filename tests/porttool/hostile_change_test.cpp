@@ -447,6 +447,42 @@ TEST_F(HostileChange, WhatTheTextLeavesOutIsCountedByKind) {
     EXPECT_NE(text.find("and 21 more (21 suppression); --format json lists all"), std::string::npos) << text;
 }
 
+/// A forge refuses a comment of more than 65,536 characters, and nobody reads a line of a megabyte.
+TEST_F(HostileChange, NothingIsTooLongToBeSeen) {
+    const std::string map = read_text(root / "portmap.toml"), deep = "\u202e<b>";
+    std::string rows = map + "[dialect]\n", sources;
+    for (int i = 0; i < 3000; ++i) rows += "\"" + deep + "w" + std::to_string(i) + "\" = \"x\"\n";
+    for (int i = 0; i < 3000; ++i)
+        sources += "float fresh_" + std::to_string(i) + "(float x) { return x + " + std::to_string(i) + "; }\n";
+    git("checkout -qb other");
+    write("portmap.toml", rows + "long = \"" + std::string(1'000'000, 'v') + "\"\n");
+    write("src/k.cu", kSource + sources);
+    const auto size_of = [&](const std::string& format) {
+        return porttool({"check", "--base", "main", "--format", format}).out.size();
+    };
+    EXPECT_LT(size_of("markdown"), 65'536u);
+    const std::string comment = porttool({"check", "--base", "main", "--format", "markdown"}).out;
+    for (const char* part : {"What this change does to the gate itself:", "| dialect |", "| error |",
+                             "dialect); --format", "more; --format json lists all"})
+        EXPECT_NE(comment.find(part), std::string::npos) << part;
+    write("src/k.cu", kSource);
+    EXPECT_LT(size_of("text"), 30'000u);
+    const auto whole = nlohmann::json::parse(porttool({"check", "--base", "main", "--format", "json"}).out);
+    EXPECT_EQ(whole["brought_in"].size(), 3001u);
+    const std::string github = porttool({"check", "--base", "main", "--format", "github"}).out;
+    for (size_t at = 0; at < github.size();) {
+        const size_t end = std::min(github.find('\n', at), github.size());
+        EXPECT_LT(end - at, 4096u);
+        at = end + 1;
+    }
+    write("portmap.toml", map + "[" + std::string(1'000'000, 'k') + "]\nx = 1\n");
+    const CommandRun got = porttool({"check"});
+    EXPECT_EQ(got.exit_code, 2);
+    EXPECT_LT(got.err.size(), 5000u);
+    EXPECT_NE(got.err.find("portmap.toml:"), std::string::npos);
+    EXPECT_NE(got.err.find("kkk ... kkk"), std::string::npos) << got.err.substr(0, 100);
+}
+
 TEST_F(HostileChange, ALockLineThatGoesIsListed) {
     git("checkout -q -b feature");
     LockFile lock = read_lock(read_text(root / "portmap.lock")).lock;

@@ -124,6 +124,39 @@ TEST_F(HostileGit, AFileThatCouldNotBeReadAtTheBaseWasThere) {
     }
 }
 
+/// What the commit of the source's repository named of the submodule counts, and not what the submodule's own branches
+/// do.
+TEST_F(HostileGit, ASubmoduleThatIsTheTargetsRootIsHeldAgainstWhatTheBaseNamed) {
+    fs::create_directories(root / "cpu");
+    fs::rename(root / "port", root / "cpu/port");
+    make_submodule("cpu");
+    write("portmap.toml",
+          "version = 1\n[sides]\nsource = [\"src/*\"]\ntarget = [\"port/*\"]\ntarget_root = \"cpu\"\n"
+          "reference = \"both\"\n");
+    ASSERT_EQ(porttool({"init"}).exit_code, 0);
+    commit("start");
+    git("branch base && git -C cpu branch base");
+    git("checkout -q -b feature");
+    EXPECT_EQ(porttool({"check", "--base", "base"}).exit_code, 0);
+    write("cpu/port/k.cpp", replaced(kTarget, "3.0f", "9.0f"));
+    git("-C cpu -c user.email=a@b -c user.name=a commit -qam edit && git -C cpu branch -f base");
+    commit("another commit of the submodule", 2);
+    EXPECT_EQ(porttool({"check", "--base", "base"}).exit_code, 1);
+    EXPECT_EQ(porttool({"check", "--base", "base", "--trusted-map"}).exit_code, 1);
+    // Files, and then another repository, in its place.
+    git("rm -qf cpu");
+    write("cpu/port/k.cpp", replaced(kTarget, "3.0f", "8.0f"));
+    commit("files", 3);
+    EXPECT_EQ(porttool({"check", "--base", "base"}).exit_code, 1);
+    fs::remove_all(root / ".git/modules");
+    git("rm -qrf --cached cpu");
+    make_submodule("cpu");
+    commit("another repository", 4);
+    const CommandRun got = porttool({"check", "--base", "base"});
+    EXPECT_EQ(got.exit_code, 2) << "what the base named is in no repository that is here";
+    EXPECT_NE(got.err.find("the submodule cpu/ cannot be read"), std::string::npos) << got.err;
+}
+
 /// Files reached through links are those of the merge base and of the index as they are those of the work tree.
 TEST_F(HostileGit, LinksInACommitLeadWhereThoseOfAWorkTreeLead) {
     struct Row {

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "porttool/text/shortened.h"
 #include "porttool/text/visible.h"
 
 namespace porttool {
@@ -56,8 +57,16 @@ std::string terminal_lines(std::string_view message) {
 
 TerminalBuffer::~TerminalBuffer() { pass_on(); }
 
+/// A key or a glob of a map, which a message quotes, may be a megabyte long.
 void TerminalBuffer::pass_on() {
-    const std::string text = terminal_lines(line_);
+    constexpr size_t kLongestLine = 4096;
+    std::string text;
+    for (std::string_view rest = line_; !rest.empty();) {
+        const size_t end = std::min(rest.find('\n'), rest.size());
+        text += terminal_lines(shortened(rest.substr(0, end), kLongestLine));
+        if (end < rest.size()) text += '\n';
+        rest.remove_prefix(std::min(end + 1, rest.size()));
+    }
     line_.clear();
     out_->sputn(text.data(), static_cast<std::streamsize>(text.size()));
 }

@@ -25,7 +25,8 @@ std::string terminal_code_line(std::string_view indent, std::string_view line);
 /// stay. What values it holds that did not can forge a line, but nothing acts.
 std::string terminal_lines(std::string_view message);
 
-/// A stream buffer that passes on what is written to it, line by line, as `terminal_lines`. What has no line break yet
+/// A stream buffer that passes on what is written to it, line by line, as `terminal_lines`; of lines beyond 4 KiB the
+/// middle is left out. What has no line break yet
 /// waits for it, or for the end of the buffer.
 class TerminalBuffer : public std::streambuf {
 public:
