@@ -124,7 +124,8 @@ private:
     /// of its file that it calls.
     void read_workers() {
         leads_on_ = units_that_call(source_, [](const UnitFeatures& unit) { return unit.launches && !unit.kernel; });
-        delegates_ = units_that_call(target_, [](const UnitFeatures& unit) { return unit.works; });
+        delegates_ = units_that_call(
+            target_, [](const UnitFeatures& unit) { return unit.works || unit.launches || unit.kernel; });
     }
 
     /// Who calls a function of its own file that is such a one.
@@ -143,7 +144,8 @@ private:
 
     /// What leads to a kernel is not ported by what neither works nor calls what does, as what only notes what to do.
     bool is_idle_for(uint32_t s, uint32_t t) const {
-        return leads_on_[s] && !source_[s].works && !target_[t].works && !delegates_[t];
+        const UnitFeatures& unit = target_[t];
+        return leads_on_[s] && !source_[s].works && !unit.works && !unit.launches && !delegates_[t];
     }
 
     /// What each target does with the kernels of the source: launches them, calls what does, or neither.
@@ -630,7 +632,7 @@ private:
     std::vector<bool> launches_;                            ///< of each target
     std::vector<bool> has_home_;                            ///< of each source, see read_homes()
     std::vector<bool> leads_on_;                            ///< of each source: it calls what launches
-    std::vector<bool> delegates_;                           ///< of each target: it calls what works
+    std::vector<bool> delegates_;                           ///< of each target: it calls what works, or launches
     std::vector<std::set<uint32_t>> calls_into_;            ///< of each target, files whose launchers it calls
     std::vector<uint32_t> choice_;                          ///< of each source, an index into its candidates
     std::vector<uint32_t> claimed_;                         ///< of each target, the source

@@ -29,7 +29,9 @@ float left_by_bodies(const Assignment& pair) {
 
 float confidence(const UnitFeatures& source, const UnitFeatures& target, const Assignment& pair) {
     if (source.group == Group::Constant) return constant_confidence(source, target, pair);
-    if (pair.other_role) return 0;  // what launches a kernel is not its port, nor that of what launches none
+    // What launches a kernel is not its port, nor that of what launches none; where both sides have kernels it can be
+    // one that hands on.
+    if (pair.other_role && (source.kernel || target.kernel || !source.on_device || !target.on_device)) return 0;
     const Resemblance& resemblance = pair.resemblance;
     // An equal name counts as much as what stands under it: two bodies with nothing in common are two functions.
     const bool unlike = resemblance.families[kBody] < 0.08f && resemblance.families[kShape] < 0.02f;
@@ -53,7 +55,8 @@ float confidence(const UnitFeatures& source, const UnitFeatures& target, const A
     // Near-identical code outweighs a doubt about names, unless all of a family is written alike.
     z += 4.0f * std::max(0.0f, std::min(body_likeness(resemblance) - 0.4f, 2 * pair.body_margin));
     if (unlike) z -= 0.7f;
-    if (source.launcher != target.launcher) z -= 1.5f;  // under one name: perhaps both in one
+    if (pair.other_role) z -= 3.0f;
+    if (!pair.other_role && source.launcher != target.launcher) z -= 1.5f;  // under one name: perhaps both in one
     // A file's entry point is named after the file, which holds other functions as well.
     constexpr float kHeld = 0.3f;
     if (target.entry && !source.entry) z -= 5.0f * std::max(0.0f, kHeld - contained_in(source, target));

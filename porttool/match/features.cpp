@@ -348,6 +348,15 @@ private:
     std::vector<uint32_t> callees_;
 };
 
+/// True if two units of a file take the same, word by word.
+bool take_the_same(const ScannedFile& file, const Unit& a, const Unit& b) {
+    const uint32_t count = a.parameters.end - a.parameters.first;
+    if (count != b.parameters.end - b.parameters.first) return false;
+    for (uint32_t i = 0; i < count; ++i)
+        if (file.lexed.view(a.parameters.first + i) != file.lexed.view(b.parameters.first + i)) return false;
+    return true;
+}
+
 /// Marks the units of a file, the last of all, that have a name in common and take different types. Those that take the
 /// same stand in branches of an `#if`.
 void mark_overloads(const ScannedFile& file, std::vector<UnitFeatures>& all) {
@@ -355,12 +364,12 @@ void mark_overloads(const ScannedFile& file, std::vector<UnitFeatures>& all) {
                                  [](const Unit& unit) { return unit.name.find('#') != std::string::npos; });
     if (!any) return;
     const size_t first = all.size() - file.units.size();
-    std::unordered_map<std::string_view, std::pair<const UnitFeatures*, uint32_t>> firsts;
+    std::unordered_map<std::string_view, std::pair<const Unit*, uint32_t>> firsts;
     std::unordered_set<std::string_view> overloaded;
     for (size_t u = 0; u < file.units.size(); ++u) {
-        auto& [unit, count] = firsts.try_emplace(plain_name(file.units[u]), &all[first + u], 0).first->second;
+        auto& [unit, count] = firsts.try_emplace(plain_name(file.units[u]), &file.units[u], 0).first->second;
         all[first + u].branch = count++;
-        if (unit->operands != all[first + u].operands) overloaded.insert(plain_name(file.units[u]));
+        if (!take_the_same(file, *unit, file.units[u])) overloaded.insert(plain_name(file.units[u]));
     }
     for (size_t u = 0; u < file.units.size(); ++u)
         all[first + u].overloaded = overloaded.contains(plain_name(file.units[u]));
@@ -402,7 +411,13 @@ std::vector<UnitFeatures> read_features(const std::vector<ScannedFile>& files, c
         mark_overloads(files[f], all);
     }
     const bool kernels = std::any_of(all.begin(), all.end(), [](const UnitFeatures& unit) { return unit.kernel; });
-    for (UnitFeatures& unit : all) unit.beside_kernels = kernels;
+    const bool lambdas = std::any_of(all.begin(), all.end(), [&](const UnitFeatures& unit) {
+        return unit.launches && files[unit.file].language == Language::Sycl;
+    });
+    for (UnitFeatures& unit : all) {
+        unit.beside_kernels = kernels;
+        unit.on_device = kernels || lambdas;
+    }
     return all;
 }
 

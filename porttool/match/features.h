@@ -53,6 +53,7 @@ struct UnitFeatures {
     bool acts = false;             ///< has a loop or a store at an index
     bool works = false;            ///< the same, and more of it than a wrapper has
     bool beside_kernels = false;   ///< its side has kernels
+    bool on_device = false;        ///< its side has kernels, or hands lambdas on as such
     bool whole_file_main = false;  ///< a shader's main: the file's name is its name
     bool names_platform = false;   ///< its name says for which platform it is
     bool converts = false;         ///< its name says from what to what

@@ -239,6 +239,45 @@ TEST(Unlike, BranchesOfAnIfAreNoOverloads) {
                    {"kernels.cl:clamp_to_quantum#2", "quantum.h:clamp_to_quantum"}}));
 }
 
+TEST(Unlike, OverloadsThatDifferInTemplateArgumentsAreNoBranches) {
+    const std::string left =
+        "__device__ void mma(tile<16, 8, int>& d, const tile<16, 4, int>& a) { d.x[0] = a.x[0] * 2; d.x[1] = a.x[1]; "
+        "}\n"
+        "__device__ void mma(tile<16, 8, float>& d, const tile<16, 8, half>& a) { d.x[0] = a.x[0]; d.x[1] = 0.5f; }\n"
+        "__device__ void mma(tile<8, 8, half>& d, const tile<8, 4, half>& a) { d.x[0] = a.x[1]; d.x[2] = a.x[3]; }\n";
+    const std::string right =
+        "void mma(volatile float* d[4], const unsigned a[4]) { for (int i = 0; i < 4; i++) *d[i] = a[i]; }\n";
+    EXPECT_LT(paired({{"cuda/mma.cuh", left}}, {{"sycl/helper.hpp", right}}).size(), 2u);
+}
+
+TEST(Unlike, WhatLaunchesIsPortedByWhatHandsOnToALambda) {
+    const auto cuda = [](const std::string& name, const std::string& sum) {
+        return "__global__ void " + name +
+               "_f32(const float* x, float* y, int n) {\n  int i = threadIdx.x; if (i < n) y[i] = " + sum +
+               "; }\nvoid lib_cuda_op_" + name + "(context& ctx, tensor* dst) {\n  const tensor* src = dst->src[0];\n" +
+               "  check(src->type == F32);\n  const int blocks = (src->count + 255) / 256;\n  " + name +
+               "_f32<<<blocks, 256>>>(src->data, dst->data, src->count);\n}\n";
+    };
+    const auto sycl = [](const std::string& name, const std::string& sum) {
+        return "static void " + name + "_f32_sycl(const float* x, float* y, int n, sycl::queue* stream) {\n" +
+               "  stream->parallel_for(sycl::range<1>(n), [=](sycl::id<1> i) { if (i < n) y[i] = " + sum +
+               "; });\n}\n" + "void lib_sycl_op_" + name +
+               "(context& ctx, tensor* dst) {\n  const tensor* src = dst->src[0];\n" +
+               "  check(src->type == F32);\n  " + name +
+               "_f32_sycl(src->data, dst->data, src->count, ctx.stream());\n}\n";
+    };
+    Texts source, target;
+    for (const auto& [name, sum] :
+         Texts{{"square", "x[i] * x[i]"}, {"halve", "0.5f * x[i]"}, {"shift", "x[i] + 3.0f"}}) {
+        source.emplace_back("cuda/" + name + ".cu", cuda(name, sum));
+        target.emplace_back("sycl/" + name + ".cpp", "#include <sycl/sycl.hpp>\n" + sycl(name, sum));
+    }
+    const Ids ids = paired(source, target);
+    for (const std::string name : {"square", "halve", "shift"})
+        EXPECT_TRUE(has(ids, "cuda/" + name + ".cu:lib_cuda_op_" + name, "sycl/" + name + ".cpp:lib_sycl_op_" + name))
+            << name;
+}
+
 TEST(Unlike, AVersionOfAFunctionHasItsPort) {
     const auto solver = [](const std::string& name, const std::string& step) {
         return "__global__ void " + name + "(float* y, const float* k, int n) {\n  float error = 0, scale = 1;\n" +
