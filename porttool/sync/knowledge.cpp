@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "porttool/sync/knowledge.h"
 
+#include <algorithm>
+#include <iterator>
+
 #include "porttool/compare/paired_names.h"
 #include "porttool/match/words.h"
 #include "porttool/scan/scan.h"
@@ -133,13 +136,26 @@ const UnitNames& Knowledge::unit_names(Side from) {
     return *out;
 }
 
-void Knowledge::learn(Side from, size_t most_words, const std::function<bool(const JudgedPair&)>& takes,
-                      Examples& out) const {
+/// Where the pairs are that did not change, in their order.
+const Knowledge::PairPlaces& Knowledge::pair_places() {
+    if (places_) return *places_;
+    places_.emplace();
+    const std::vector<JudgedPair>& pairs = checked_.judgement.pairs;
+    for (size_t i = 0; i < pairs.size(); ++i) {
+        if (pairs[i].changed || pairs[i].unit.source == nullptr || pairs[i].unit.target == nullptr) continue;
+        for (const Side side : kBothSides) places_->in_file[side][pairs[i].unit[side]->file].push_back(i);
+        places_->in_folders[{folder_of(pairs[i].unit.source->file), folder_of(pairs[i].unit.target->file)}].push_back(
+            i);
+    }
+    return *places_;
+}
+
+void Knowledge::learn(Side from, size_t most_words, const std::vector<size_t>& pairs, Examples& out) const {
     const Side to = other_side(from);
-    WordKeys keys(dialect_);
+    WordKeys keys(base_);
     size_t words = 0;
-    for (const JudgedPair& other : checked_.judgement.pairs) {
-        if (other.changed || other.unit.source == nullptr || other.unit.target == nullptr || !takes(other)) continue;
+    for (const size_t place : pairs) {
+        const JudgedPair& other = checked_.judgement.pairs[place];
         words += other.unit.source->text.size() + other.unit.target->text.size();
         if (words > most_words) break;
         const bool record = other.unit.source->kind == UnitKind::Struct;
@@ -154,26 +170,24 @@ void Knowledge::learn(Side from, size_t most_words, const std::function<bool(con
 
 const Examples& Knowledge::beside(const std::string& source_file, const std::string& target_file, Side from) {
     const auto [found, is_new] = beside_[from].try_emplace({source_file, target_file});
-    if (is_new)
-        learn(
-            from, kMostWordsOfFile,
-            [&](const JudgedPair& pair) {
-                return pair.unit.source->file == source_file || pair.unit.target->file == target_file;
-            },
-            found->second);
+    if (!is_new) return found->second;
+    const auto pairs_of = [&](Side side, const std::string& file) {
+        const auto pairs = pair_places().in_file[side].find(file);
+        return pairs == pair_places().in_file[side].end() ? std::vector<size_t>() : pairs->second;
+    };
+    const std::vector<size_t> here = pairs_of(Side::Source, source_file), there = pairs_of(Side::Target, target_file);
+    std::vector<size_t> either;
+    std::set_union(here.begin(), here.end(), there.begin(), there.end(), std::back_inserter(either));
+    learn(from, kMostWordsOfFile, either, found->second);
     return found->second;
 }
 
 const Examples& Knowledge::in_folders(const std::string& source_file, const std::string& target_file, Side from) {
     const std::string source(folder_of(source_file)), target(folder_of(target_file));
     const auto [found, is_new] = in_folders_[from].try_emplace({source, target});
-    if (is_new)
-        learn(
-            from, kMostWordsOfFolder,
-            [&](const JudgedPair& pair) {
-                return folder_of(pair.unit.source->file) == source && folder_of(pair.unit.target->file) == target;
-            },
-            found->second);
+    if (!is_new) return found->second;
+    const auto pairs = pair_places().in_folders.find({source, target});
+    if (pairs != pair_places().in_folders.end()) learn(from, kMostWordsOfFolder, pairs->second, found->second);
     return found->second;
 }
 

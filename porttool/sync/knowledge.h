@@ -85,9 +85,16 @@ private:
     std::map<std::pair<const ScannedFile*, const ScannedFile*>, std::unique_ptr<KnownWords>> known_;
     std::map<std::pair<const ScannedFile*, const ScannedFile*>, bool> makes_constants_;
     using ExamplesOf = BySide<std::map<std::pair<std::string, std::string>, Examples>>;
-    /// Learns from the pairs that `takes` takes, up to so many words.
-    void learn(Side from, size_t most_words, const std::function<bool(const JudgedPair&)>& takes, Examples& out) const;
+    /// Pairs that did not change, by their files and by the folders of these.
+    struct PairPlaces {
+        BySide<std::unordered_map<std::string_view, std::vector<size_t>>> in_file;
+        std::map<std::pair<std::string_view, std::string_view>, std::vector<size_t>> in_folders;
+    };
+    const PairPlaces& pair_places();
+    /// Learns from pairs, up to so many words.
+    void learn(Side from, size_t most_words, const std::vector<size_t>& pairs, Examples& out) const;
 
+    std::optional<PairPlaces> places_;
     ExamplesOf beside_;      ///< by the files of source and target
     ExamplesOf in_folders_;  ///< by their folders
     std::map<std::pair<const ScannedFile*, const ScannedFile*>, HeadManners> heads_beside_;

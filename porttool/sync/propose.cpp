@@ -37,12 +37,13 @@ bool is_gone(const JudgedPair& pair) { return pair.unit.source == nullptr || pai
 
 class Proposer {
 public:
-    Proposer(const CheckedProject& checked, WriteSide write, const Disk& disk, const std::string& commit)
+    Proposer(const CheckedProject& checked, WriteSide write, const Disk& disk, const EarlierFiles& earlier,
+             Knowledge& knowledge)
         : checked_(checked),
           write_(write),
           lines_(checked.lock),
-          earlier_(checked, commit),
-          knowledge_(checked),
+          earlier_(earlier),
+          knowledge_(knowledge),
           drafts_(checked, disk),
           record_(checked, disk, drafts_),
           new_units_(checked, earlier_, knowledge_, drafts_, record_, brought_),
@@ -54,6 +55,7 @@ public:
           calls_(checked, knowledge_, drafts_) {
         for (const JudgedPair& pair : checked.judgement.pairs)
             for (const Side side : kBothSides) ++counterparts_[side][pair.id[side]];
+        knowledge_.set_fresh({});
     }
 
     /// `keeps_back`: pairs of structs whose new fields nothing else may use.
@@ -553,8 +555,8 @@ private:
     WriteSide write_;
     LinesByPair lines_;
     std::set<std::string, std::less<>> brought_;
-    EarlierFiles earlier_;
-    Knowledge knowledge_;
+    const EarlierFiles& earlier_;
+    Knowledge& knowledge_;
     Drafts drafts_;
     RecordDraft record_;
     NewUnits new_units_;
@@ -588,11 +590,11 @@ namespace {
 
 /// Proposes, and again where a struct turns out to get no port: what uses its new fields then has none either.
 SyncResult propose_all(const CheckedProject& checked, const std::vector<size_t>& pairs, WriteSide write,
-                       const Disk& disk, const std::string& commit) {
+                       const Disk& disk, const EarlierFiles& earlier, Knowledge& knowledge) {
     std::set<size_t> kept_back;
     constexpr int kMostRounds = 4;  // then no struct is counted on
     for (int round = 0;; ++round) {
-        SyncResult out = Proposer(checked, write, disk, commit).run(pairs, kept_back);
+        SyncResult out = Proposer(checked, write, disk, earlier, knowledge).run(pairs, kept_back);
         const size_t known = kept_back.size();
         for (size_t i = 0; i < pairs.size(); ++i) {
             const JudgedPair& pair = checked.judgement.pairs[pairs[i]];
@@ -613,7 +615,9 @@ SyncResult propose(const CheckedProject& checked, const std::vector<size_t>& pai
     std::vector<size_t> whole = pairs;
     // Whether anything still uses what is to go shows once all else is done.
     std::stable_partition(whole.begin(), whole.end(), [&](size_t i) { return !is_gone(checked.judgement.pairs[i]); });
-    SyncResult out = propose_all(checked, whole, write, disk, commit);
+    const EarlierFiles earlier(checked, commit);
+    Knowledge knowledge(checked);  // what the texts tell is the same in each round
+    SyncResult out = propose_all(checked, whole, write, disk, earlier, knowledge);
     SyncResult last = out;
     // What leans on a partial proposal may be none without it.
     for (;;) {
@@ -622,7 +626,7 @@ SyncResult propose(const CheckedProject& checked, const std::vector<size_t>& pai
             if (last.proposals[i].state != ProposalState::Partial) next.push_back(whole[i]);
         if (next.size() == whole.size()) break;
         whole = std::move(next);
-        last = propose_all(checked, whole, write, disk, commit);
+        last = propose_all(checked, whole, write, disk, earlier, knowledge);
     }
     out.files = std::move(last.files_with_partial);
     return out;
