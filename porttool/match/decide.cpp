@@ -51,7 +51,12 @@ float confidence(const UnitFeatures& source, const UnitFeatures& target, const A
     const float doubtful = variant ? 0.2f : left_by_bodies(pair);
     float z = -4.1f + 3.3f * place + 2.6f * std::max(words, pair.same_subject ? kSameCore : 0.0f) + 0.8f * kind +
               3.8f * std::clamp(pair.margin, -0.1f, 0.4f) + (exact ? 4.2f : 0.0f) - doubtful * doubt(pair.names);
-    if (!code) return 1 / (1 + std::exp(-z));
+    if (!code) {
+        // Of two structs by different names the fields have to say that they are one.
+        constexpr float kMostOfNames = 0.85f;
+        const float of_names = 1 / (1 + std::exp(-z));
+        return unlike && resemblance.same_name < 0.999f ? std::min(of_names, kMostOfNames) : of_names;
+    }
     // Near-identical code outweighs a doubt about names, unless all of a family is written alike.
     z += 4.0f * std::max(0.0f, std::min(body_likeness(resemblance) - 0.4f, 2 * pair.body_margin));
     if (unlike) z -= 0.7f;
