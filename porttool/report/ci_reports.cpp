@@ -164,7 +164,7 @@ namespace {
 
 /// Forges refuse a comment of more than 65,536 characters: what a change does to the gate shall not go unseen because
 /// there are ten thousand findings as well, nor these for its sake.
-constexpr size_t kMostOfFindings = 40'000, kMostOfGate = 20'000;
+constexpr size_t kMostOfBoth = 60'000, kMostOfGate = 20'000;
 
 std::string markdown_row(const Finding& f) {
     const auto cell = [](const std::optional<Place>& place) {
@@ -175,7 +175,7 @@ std::string markdown_row(const Finding& f) {
 }
 
 /// The open findings as a table; those that are too many to be shown are the least of them.
-std::string markdown_findings(const Judgement& judgement) {
+std::string markdown_findings(const Judgement& judgement, size_t most) {
     std::vector<const Finding*> open;
     for (const Finding& f : judgement.findings)
         if (is_open(f)) open.push_back(&f);
@@ -183,7 +183,7 @@ std::string markdown_findings(const Judgement& judgement) {
     std::vector<std::string> rows;
     size_t size = 0;
     for (const Finding* f : open) size += rows.emplace_back(markdown_row(*f)).size();
-    if (size > kMostOfFindings) {
+    if (size > most) {
         std::stable_sort(open.begin(), open.end(),
                          [](const Finding* a, const Finding* b) { return a->level > b->level; });
         rows.clear();
@@ -191,7 +191,7 @@ std::string markdown_findings(const Judgement& judgement) {
         for (const Finding* f : open) {
             std::string row = markdown_row(*f);
             size += row.size();
-            if (size > kMostOfFindings) break;
+            if (size > most) break;
             rows.push_back(std::move(row));
         }
     }
@@ -222,11 +222,12 @@ std::string markdown_brought_in(const std::vector<BroughtIn>& brought_in) {
 
 std::string check_markdown(const Judgement& judgement) {
     const Summary& s = judgement.summary;
+    const std::string gate = markdown_brought_in(judgement.brought_in);
     return fmt::format(
                "### porttool: {}\n\n{} pairs: {} in step, {} drifted, {} to review, {} deferred, {} ignored; {}.\n",
                gate_result_name(judgement.result()), s.pairs, s.in_step, s.drifted, s.review, s.deferred, s.ignored,
                unwatched_text(s, judgement.reference) + verified_text(s)) +
-           markdown_findings(judgement) + markdown_brought_in(judgement.brought_in);
+           markdown_findings(judgement, kMostOfBoth - gate.size()) + gate;
 }
 
 }  // namespace porttool
