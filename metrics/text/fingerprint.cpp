@@ -65,9 +65,12 @@ std::string plain_text(std::string_view file, std::vector<uint32_t>* splices) {
     if (file.starts_with("\xEF\xBB\xBF")) file.remove_prefix(3);
     std::string text;
     text.reserve(file.size() + 1);
+    size_t backslash = 0, carriage_return = 0;  // the next ones from `i`
     for (size_t i = 0; i < file.size(); ++i) {
         const size_t first = i;
-        while (i < file.size() && file[i] != '\\' && file[i] != '\r') ++i;
+        if (backslash <= i) backslash = std::min(file.find('\\', i), file.size());
+        if (carriage_return <= i) carriage_return = std::min(file.find('\r', i), file.size());
+        i = std::min(backslash, carriage_return);
         text.append(file, first, i - first);
         if (i == file.size()) break;
         char c = file[i];

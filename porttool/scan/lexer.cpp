@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <optional>
 
 #include "metrics/text/fingerprint.h"
@@ -41,6 +42,7 @@ class Lexer {
 public:
     explicit Lexer(std::string_view file) {
         out_.text = metrics::plain_text(file, &splices_);
+        splices_.push_back(std::numeric_limits<uint32_t>::max());  // behind all text
         text_ = out_.text;
         out_.line_starts = {0};
     }
@@ -58,15 +60,11 @@ private:
 
     /// Moves to `to`, counting the lines on the way.
     void advance(size_t to) {
-        if (next_splice_ == splices_.size()) return advance_without_splices(to);
-        for (; at_ < to; ++at_) {
+        while (splices_[next_splice_] <= to) {
+            advance_without_splices(splices_[next_splice_]);
             count_splices();
-            if (text_[at_] == '\n') {
-                begin_line(at_ + 1);
-                line_is_fresh_ = true;
-            }
         }
-        count_splices();
+        advance_without_splices(to);
     }
 
     void advance_without_splices(size_t to) {
@@ -78,7 +76,7 @@ private:
     }
 
     void count_splices() {
-        while (next_splice_ < splices_.size() && splices_[next_splice_] <= at_) {
+        while (splices_[next_splice_] <= at_) {
             begin_line(at_);
             ++next_splice_;
         }
@@ -262,7 +260,7 @@ private:
 
     LexedText out_;
     std::string_view text_;
-    std::vector<uint32_t> splices_;
+    std::vector<uint32_t> splices_;  ///< sorted, the last one behind all text
     std::vector<std::string> unclosed_;
     size_t at_ = 0;
     size_t line_start_ = 0;
