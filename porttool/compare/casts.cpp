@@ -12,7 +12,10 @@ namespace {
 
 using Text = std::vector<std::string>;
 
-bool is_value(const std::string& word) { return is_word_token(word) || is_number_token(word) || word == "("; }
+/// A name, a number, a bracket, or a local as NumberedText writes it: `%1`.
+bool is_value(const std::string& word) {
+    return is_word_token(word) || is_number_token(word) || word == "(" || (word.size() > 1 && word[0] == '%');
+}
 
 bool is_sign(const std::string& word) { return word == "-" || word == "!" || word == "~" || word == "+"; }
 

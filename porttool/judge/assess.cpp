@@ -7,11 +7,13 @@
 #include <string>
 #include <vector>
 
+#include "porttool/compare/computed_values.h"
 #include "porttool/compare/edits.h"
 #include "porttool/compare/guarded_words.h"
+#include "porttool/compare/numbered_text.h"
+#include "porttool/compare/plain_references.h"
 #include "porttool/compare/values.h"
 #include "porttool/language/language.h"
-#include "porttool/normal/locals.h"
 #include "porttool/normal/statements.h"
 
 namespace porttool {
@@ -20,23 +22,6 @@ namespace {
 BySide<Language> languages_of_units(const UnitState& source, const UnitState& target) {
     return {language_of_path(source.file), language_of_path(target.file)};
 }
-
-/// A text with its locals numbered; the words live in `numbers`.
-class Numbered {
-public:
-    explicit Numbered(const Words& text) : words_(text) {
-        const std::vector<size_t> locals = local_numbers(text);
-        if (locals.empty()) return;
-        numbers_.reserve(text.size());  // no word moves
-        for (size_t i = 0; i < text.size(); ++i)
-            if (locals[i] != 0) words_[i] = numbers_.emplace_back("%" + std::to_string(locals[i]));
-    }
-    const Words& words() const { return words_; }
-
-private:
-    Words words_;
-    std::vector<std::string> numbers_;
-};
 
 std::vector<std::string> statement_keys(const Words& words, Side side, const Meaning& meaning) {
     const Translator translator = [&](const Words& statement, bool in_body) {
@@ -50,10 +35,11 @@ std::vector<std::string> statement_keys(const Words& words, Side side, const Mea
 bool are_twins(const UnitState& source, const UnitState& target, const Dialect& dialect,
                const BySide<Language>& languages) {
     const Words left = source.text.words(), right = target.text.words(), none;
-    const Numbered a(left), b(right);
+    const NumberedText a(left), b(right);
     if (!guarded_difference({none, left, none, right}).empty()) return false;
-    const Meaning meaning({none, a.words(), none, b.words()}, dialect, languages);
-    return statement_keys(a.words(), Side::Source, meaning) == statement_keys(b.words(), Side::Target, meaning);
+    const BySide<Words> plain = with_plain_references({a.words(), b.words()});
+    const Meaning meaning({none, plain.source, none, plain.target}, dialect, languages);
+    return statement_keys(plain.source, Side::Source, meaning) == statement_keys(plain.target, Side::Target, meaning);
 }
 
 /// How much of the words both have, each as often as it stands there: twice the common ones by all.
@@ -87,7 +73,11 @@ Assessment assess(const UnitState& source, const UnitState& target, const Dialec
         const ComparedValues values = compare_values(source.kind, left, right, dialect);
         return values.same ? Assessment::Equivalent : Assessment::Differs;
     }
-    if (compare_edits({none, left, none, right}, dialect, languages).equivalent) return Assessment::Equivalent;
+    const NumberedText a(left), b(right);
+    const bool alike = are_handed_alike(with_plain_references({a.words(), b.words()}));
+    if (alike && compare_edits({none, left, none, right}, dialect, languages).equivalent) return Assessment::Equivalent;
+    if (guarded_difference({none, left, none, right}).empty() && compute_alike({left, right}, dialect, languages))
+        return Assessment::Equivalent;
     return shared_words_of(source, target, dialect) < kAlike ? Assessment::Unlike : Assessment::Differs;
 }
 

@@ -90,6 +90,71 @@ TEST(Assess, SaysOfEachPairWhatAReaderSaysAndWritesNothingWhereAMapIs) {
     EXPECT_EQ(disk.files, before);
 }
 
+/// Two functions `f`, each in a language that its suffix tells, and what a reader says of them.
+struct LabelledTexts {
+    const char* source_suffix;
+    std::string source;
+    const char* target_suffix;
+    std::string target;
+    const char* label;
+};
+
+TEST(Assess, WhatComputesTheSameIsEquivalentInTheMannerOfEachLanguage) {
+    const std::vector<LabelledTexts> kTexts = {
+        {"glsl", "float f(vec3 c) { return 0.2 * c.x; }", "cpp", "inline float f(const vec3& c) { return 0.2f * c.x; }",
+         "equivalent"},
+        {"glsl", "float f(vec3 c) { return 0.2 * c.x; }", "cpp", "inline float f(const vec3& c) { return 0.2f * c.y; }",
+         "differs"},
+        {"glsl", "void f(inout vec3 a, in float b) { a += vec3(b); }", "cpp",
+         "void f(float3 &a, const float b) { a += float3(b); }", "equivalent"},
+        {"glsl", "void f(inout vec3 a, in float b) { a += vec3(b); }", "cpp",
+         "void f(float3 a, const float b) { a += float3(b); }", "differs"},
+        {"cu", "__device__ void f(float* o, float v) { *o = v; }", "cpp", "void f(float& o, float v) { o = v; }",
+         "equivalent"},
+        {"cl", "float3 f(__global const Hit *hit, const float3 a) { return make_float3(hit->p.x, a.y, hit->p.z); }",
+         "cpp", "Spectrum f(const Hit &hit, const Spectrum &a) { return Spectrum(hit.p.x, a.y, hit.p.z); }",
+         "equivalent"},
+        {"cl", "float3 f(__global const Hit *hit, const float3 a) { return make_float3(hit->p.x, a.y, hit->p.z); }",
+         "cpp", "Spectrum f(const Hit &hit, const Spectrum &a) { return Spectrum(hit.p.x, a.y, hit.p.y); }", "differs"},
+        {"cu",
+         "__device__ float f(const float* a, int n) { float s = 0.f; for (int i = 0; i < n; ++i) s += a[i]; return s; "
+         "}",
+         "cpp",
+         "float f(const float* a, int n) { float s = 0.0f; int i = 0; while (i < n) { s = s + a[i]; i++; } return s; }",
+         "equivalent"},
+        {"cu",
+         "__device__ float f(const float* a, int n) { float s = 0.f; for (int i = 0; i < n; ++i) s += a[i]; return s; "
+         "}",
+         "cpp",
+         "float f(const float* a, int n) { float s = 0.0f; int i = 0; while (i <= n) { s = s + a[i]; i++; } return s; "
+         "}",
+         "differs"},
+        {"cu", "__device__ void f(float* o, int i, float v) { if (i < 0) return; o[i] = v; }", "cpp",
+         "void f(float* o, int i, float v) { if (i >= 0) { o[i] = v; } }", "equivalent"},
+        {"glsl", "float f(float a) { return a > 0.0 ? a : 0.0; }", "cpp",
+         "float f(float a) { if (a > 0.0f) return a; return 0.0f; }", "equivalent"},
+        {"cu", "__device__ float f(float a) { return a * 0.5f; }", "cpp", "double f(double a) { return a * 0.5f; }",
+         "differs"},
+        {"glsl", "float f(Ray r) { r.t = 1.0; return r.t; }", "cpp", "float f(const Ray* r) { return 1.0f; }",
+         "differs"},
+    };
+    for (const LabelledTexts& pair : kTexts) {
+        MemoryDisk disk;
+        const std::string source = std::string("src/k.") + pair.source_suffix,
+                          target = std::string("port/k.") + pair.target_suffix;
+        disk.files = {{"/r/" + source, pair.source + "\n"},
+                      {"/r/" + target, pair.target + "\n"},
+                      {"/r/portmap.toml",
+                       "version = 1\n[sides]\nsource = [\"src/*\"]\ntarget = [\"port/*\"]\n[[pair]]\nsource = \"" +
+                           source + ":f\"\ntarget = \"" + target + ":f\"\n"}};
+        const CommandRun got = porttool_in_r(disk, {"init", "--assess", "--format", "json"});
+        ASSERT_EQ(got.exit_code, 0) << got.err;
+        const std::string said = json::parse(got.out)["pairs"][0]["assessment"];
+        const bool same = said == "twin" || said == "equivalent";
+        EXPECT_EQ(same, std::string(pair.label) == "equivalent") << pair.source << pair.target << said;
+    }
+}
+
 TEST(Assess, WithoutAMapItIsInitAndWhatSaysTheSameIsVerified) {
     MemoryDisk disk = labelled_project();
     disk.files.erase("/r/portmap.toml");

@@ -11,9 +11,10 @@
 namespace rooms_test {
 namespace {
 
-const std::vector<std::string> kRooms = {"text",  "language", "scan",  "normal",  "read",    "snapshot", "compare",
-                                         "match", "judge",    "live",  "measure", "history", "effort",   "spirv",
-                                         "sync",  "difftest", "audit", "report",  "lsp",     "command"};
+const std::vector<std::string> kRooms = {"text",     "language", "scan",   "normal", "value_graph", "read",
+                                         "snapshot", "compare",  "match",  "judge",  "live",        "measure",
+                                         "history",  "effort",   "spirv",  "sync",   "difftest",    "audit",
+                                         "report",   "lsp",      "command"};
 
 /// The place of a room in the order, or kRooms.size() for none.
 size_t place_of(const std::string& room) {
