@@ -95,9 +95,16 @@ private:
             if (changed_both()) out_.standing = Standing::Equivalent;
             return changed_both();
         }
-        out_.standing = Standing::ValuesDiffer;
+        out_.standing = list_has_caught_up() ? Standing::CaughtUp : Standing::ValuesDiffer;
         out_.values = std::move(values.says);
         return true;
+    }
+
+    /// True if the lists differed before, and an edit of one side alone made them differ less.
+    bool list_has_caught_up() const {
+        if (pair_.source.kind != UnitKind::Constant || changed_both()) return false;
+        const Side side = changed(Side::Source) ? Side::Source : Side::Target;
+        return list_draws_nearer(before_[side], now_[side], now_[other(side)]);
     }
 
     /// True if both had the same fields when they were last in step.

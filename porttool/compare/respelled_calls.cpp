@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <cctype>
+#include <map>
+#include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace porttool {
@@ -36,6 +39,25 @@ bool is_called(const Words& tokens, size_t i) {
     return is_word_token(tokens[i]) && i + 1 < tokens.size() && tokens[i + 1] == "(";
 }
 
+/// A text without scopes, and the scope of each word that is left.
+struct Unscoped {
+    Words words;
+    std::vector<std::string> scopes;
+
+    explicit Unscoped(const Words& text) {
+        std::string scope;
+        for (size_t i = 0; i < text.size(); ++i) {
+            if (is_word_token(text[i]) && i + 2 < text.size() && text[i + 1] == "::" && is_word_token(text[i + 2])) {
+                scope.append(text[i]) += "::";
+                ++i;
+                continue;
+            }
+            words.push_back(text[i]);
+            scopes.push_back(std::exchange(scope, {}));
+        }
+    }
+};
+
 }  // namespace
 
 std::optional<std::vector<RespelledCall>> only_respelled_calls(const Words& before, const Words& now) {
@@ -50,6 +72,22 @@ std::optional<std::vector<RespelledCall>> only_respelled_calls(const Words& befo
         out.push_back({then[i], today[i]});
     }
     return out;
+}
+
+bool only_qualifies_names(const Words& before, const Words& now) {
+    const Unscoped then(before), today(now);
+    if (then.words != today.words) return false;
+    std::map<std::string_view, std::string_view> scopes;  // today's, by name
+    std::set<std::string_view> rescoped, mixed;
+    for (size_t i = 0; i < then.words.size(); ++i) {
+        const std::pair<std::string_view, std::string_view> both{then.scopes[i], today.scopes[i]};
+        if (both.first != both.second && !both.first.empty() && !both.second.empty()) return false;
+        const std::string_view name = today.words[i];
+        if (both.first != both.second) rescoped.insert(name);
+        if (is_word_token(name) && scopes.emplace(name, both.second).first->second != both.second) mixed.insert(name);
+    }
+    return !rescoped.empty() &&
+           std::none_of(rescoped.begin(), rescoped.end(), [&](std::string_view name) { return mixed.contains(name); });
 }
 
 std::string_view respelled_call(const NormalText& text, std::string_view name) {

@@ -43,6 +43,9 @@ public:
     /// The same of the other text.
     std::map<std::string_view, size_t> alone_there() const;
 
+    /// True if a word here has its like in the other text.
+    bool has_like(size_t i) const { return alike_[i]; }
+
     /// The words of the other text that have their like here.
     std::set<size_t> covered() const;
 

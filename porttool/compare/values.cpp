@@ -3,6 +3,9 @@
 #include "porttool/compare/values.h"
 
 #include <algorithm>
+#include <set>
+#include <string>
+#include <utility>
 
 #include "porttool/compare/constant_expression.h"
 #include "porttool/compare/struct_fields.h"
@@ -118,7 +121,32 @@ ComparedValues compare_structs(const Words& left, const Words& right, const Dial
     return out;
 }
 
+/// The names between the braces of a list, without the values that some are given; empty if it is none of names.
+std::set<std::string> listed_names(const Words& tokens) {
+    std::set<std::string> out;
+    auto at = std::find(tokens.begin(), tokens.end(), "{");
+    for (bool begins = true; at != tokens.end() && *at != "}"; ++at) {
+        if (*at == "{" || *at == ",") {
+            begins = true;
+        } else if (std::exchange(begins, false)) {
+            if (!is_word_token(*at)) return {};
+            out.emplace(*at);
+        }
+    }
+    return out;
+}
+
 }  // namespace
+
+bool list_draws_nearer(const Words& before, const Words& now, const Words& other) {
+    const std::set<std::string> then = listed_names(before), today = listed_names(now), there = listed_names(other);
+    if (then.empty() || there.empty() || then == there || then == today) return false;
+    const bool adds = std::includes(today.begin(), today.end(), then.begin(), then.end());
+    if (!adds && !std::includes(then.begin(), then.end(), today.begin(), today.end())) return false;
+    const std::set<std::string>&more = adds ? today : then, &less = adds ? then : today;
+    return std::all_of(more.begin(), more.end(),
+                       [&](const std::string& name) { return less.contains(name) || there.contains(name) == adds; });
+}
 
 ComparedValues compare_values(UnitKind kind, const Words& left, const Words& right, const Dialect& dialect) {
     if (kind == UnitKind::Struct) return compare_structs(left, right, dialect);

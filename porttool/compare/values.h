@@ -25,4 +25,10 @@ struct ComparedValues {
 ///     struct @ { float3 o , d ; } ;        struct @ { vec3 o ; vec3 d ; } ;     the same
 ComparedValues compare_values(UnitKind kind, const Words& source, const Words& target, const Dialect& dialect);
 
+/// True if `before` and `other` list names, not the same ones, and all that the edit did was to list more of the
+/// other's, or to drop some that are not the other's.
+///
+///     before { A , B }      now { A , B , D }      other { A , B , C , D }
+bool list_draws_nearer(const Words& before, const Words& now, const Words& other);
+
 }  // namespace porttool

@@ -18,6 +18,7 @@
 
 #include <algorithm>
 
+#include "porttool/judge/folded.h"
 #include "porttool/judge/lock_index.h"
 #include "porttool/judge/macro_edits.h"
 #include "porttool/judge/pair_judge.h"
@@ -69,6 +70,8 @@ public:
         verdicts_.report_idle();
         report_unreadable();
         report_unexplained_kernels();
+        ease_orphans(findings_, out_.pairs);
+        fold_findings(findings_, facts_.map);
         out_.findings = findings_.finish();
         out_.renamed = renamed_;
         return std::move(out_);

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "porttool/scan/scan.h"
 
 namespace porttool {
@@ -27,6 +29,29 @@ std::string difference(std::string_view then, std::string_view now) {
 std::string shown(const WordMacro& macro) {
     constexpr size_t kMost = 80;
     return "`" + (macro.text.size() <= kMost ? macro.text : macro.text.substr(0, kMost) + " ...") + "`";
+}
+
+/// `#define cudaStreamWait hipStreamWait`: a call of one runtime, told apart from that of another by what it begins
+/// with alone.
+bool is_alias_of_runtime(std::string_view text) {
+    constexpr std::string_view kDefine = "#define ";
+    if (!text.starts_with(kDefine)) return false;
+    text.remove_prefix(kDefine.size());
+    const size_t gap = text.find(' ');
+    if (gap == std::string_view::npos) return false;
+    const std::string_view name = text.substr(0, gap), means = text.substr(gap + 1);
+    size_t same = 0;
+    while (same < std::min(name.size(), means.size()) && name[name.size() - 1 - same] == means[means.size() - 1 - same])
+        ++same;
+    const auto is_lower = [](char c) { return c >= 'a' && c <= 'z'; };
+    const auto is_prefix = [&](std::string_view word) {
+        return word.size() > same &&
+               std::all_of(word.begin(), word.end() - static_cast<std::ptrdiff_t>(same), is_lower);
+    };
+    const std::string_view rest = name.substr(name.size() - same);
+    const auto starts_word = [](char c) { return (c >= 'A' && c <= 'Z') || c == '_'; };
+    const auto words = std::count_if(rest.begin(), rest.end(), starts_word);
+    return words >= 2 && starts_word(rest[0]) && is_prefix(name) && is_prefix(means);
 }
 
 }  // namespace
@@ -83,6 +108,11 @@ void MacroEdits::tell(JudgedPair& pair, Side side, const std::string& edit) {
                 fmt::format("{} says something else, unedited: ", side == Side::Source ? "the source" : "the port") +
                 (word == "*" ? "macros changed of more of its words than are kept apart"
                              : fmt::format("its word {} is {}", word, says));
+    }
+    if (std::all_of(finding.details.begin(), finding.details.end(),
+                    [](const std::string& line) { return is_alias_of_runtime(std::string_view(line).substr(2)); })) {
+        finding.level = std::min(finding.level, Level::Note);
+        finding.message += ", the same call of another runtime";
     }
     if (finding.details.size() > 1) finding.message += fmt::format(" (and {} more)", finding.details.size() - 1);
     told_.emplace(key, Told{finding.fingerprint});

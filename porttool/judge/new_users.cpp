@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "porttool/judge/new_users.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <unordered_map>
@@ -28,6 +30,7 @@ public:
         for (auto& [unit, users] : users_) tell(unit, users);
         find_relatives();
         find_rows();
+        find_barren_places();
         climb();
         follow();
         find_new_files();
@@ -190,6 +193,36 @@ private:
             // One more overload of a function is another function.
             if (!is_code(*unit) && !same.is_watched && same.is_known && same.files == unit->file)
                 told_.emplace(unit, "other variants of it have no port");
+        }
+    }
+
+    /// Where most of what stood beside it has no port, one more without is no news: in its file, or for what came with
+    /// a file of its own, in the folder.
+    void find_barren_places() {
+        struct Place {
+            size_t watched = 0, known = 0;
+        };
+        std::map<std::string_view, Place> files, folders;
+        const auto folder = [](const UnitState& unit) {
+            const size_t end = unit.file.rfind('/');
+            return end == std::string::npos ? std::string_view() : std::string_view(unit.file).substr(0, end);
+        };
+        for (const auto& [id, unit] : units_.all) {
+            if (unit.kind == UnitKind::File || units_.fresh.contains(&unit)) continue;
+            for (Place* place : {&files[unit.file], &folders[folder(unit)]}) {
+                ++place->known;
+                place->watched += units_.lone.contains(&unit) ? 0 : 1;
+            }
+        }
+        constexpr size_t kLeast = 4;  // units that tell a manner
+        for (const UnitState* unit : units_.unported) {
+            if (unit->kind == UnitKind::Kernel) continue;
+            const Place& in_file = files[unit->file];
+            const Place& place = in_file.known > 0 ? in_file : folders[folder(*unit)];
+            if (place.known >= kLeast && 2 * place.watched < place.known)
+                told_.emplace(
+                    unit, fmt::format("{} of the {} units that its {} had before have none either",
+                                      place.known - place.watched, place.known, in_file.known > 0 ? "file" : "folder"));
         }
     }
 

@@ -27,9 +27,10 @@ struct SideUnits {
 };
 
 /// New units without a counterpart whose lack is no news of its own, with the clause that says why: what uses them is
-/// watched, and tells of the edit that brought them; or has no port itself; or they launch kernels, which is nobody's
-/// port. A kernel is always news, and so are what nothing uses by name, a macro that redefines a word of the language,
-/// and what gives another meaning to a name that a watched unit used before: what uses it was not edited.
+/// watched, and tells of the edit that brought them; or has no port itself; or most of what stands beside them
+/// has none; or they launch kernels, which is nobody's port. A kernel is always news, and so are what nothing uses by
+/// name, a macro that redefines a word of the language, and what gives another meaning to a name that a watched unit
+/// used before: what uses it was not edited.
 ///
 ///     float fresnel(float c) {...}        new, used by shade() alone: "shade.cu:shade uses it, which is watched"
 std::map<const UnitState*, std::string> told_with_others(const SideUnits& units);

@@ -5,9 +5,12 @@
 #include <algorithm>
 
 #include "porttool/compare/asides.h"
+#include "porttool/compare/common_ground.h"
 #include "porttool/compare/lone_edit.h"
+#include "porttool/compare/own_fields.h"
 #include "porttool/compare/own_words.h"
 #include "porttool/compare/paired_names.h"
+#include "porttool/compare/unused_names.h"
 #include "porttool/language/hazards.h"
 #include "porttool/normal/diff.h"
 #include "porttool/normal/prelude.h"
@@ -303,17 +306,29 @@ bool PairJudge::call_the_same(const std::vector<RespelledCall>& calls, Side side
 /// An edit that most likely needs no port is a note, one of a word or two a warning.
 void PairJudge::weigh_edit(const JudgedPair& pair, Side side, const NormalText& before, Finding& finding) const {
     const UnitState &now = *pair.unit[side], &there = *pair.unit[other(side)];
-    if (finding.level <= Level::Note || (now.kind != UnitKind::Function && now.kind != UnitKind::Kernel)) return;
+    const bool is_code = now.kind == UnitKind::Function || now.kind == UnitKind::Kernel;
+    const bool structs = now.kind == UnitKind::Struct && there.kind == UnitKind::Struct;
+    if (finding.level <= Level::Note || (!is_code && !structs)) return;
     const LoneTexts texts{without_prelude(before.words()), without_prelude(now.text.words()),
                           without_prelude(there.text.words())};
+    if (only_qualifies_names(texts.before, texts.now))
+        return weaken(pair, finding, Level::Note, "it only writes names with their scope, or without it");
+    if (structs) {
+        if (only_changes_fields_of_its_own(texts))
+            weaken(pair, finding, Level::Note, "the two structs never had most of their fields in common");
+        return;
+    }
     if (const auto calls = only_respelled_calls(texts.before, texts.now); calls && call_the_same(*calls, side))
         return weaken(pair, finding, Level::Note, "it only calls the same by another spelling");
     if (without_asides(texts.before) == without_asides(texts.now))
         return weaken(pair, finding, is_of_few_words(texts.before, texts.now) ? Level::Warning : Level::Note,
                       "it only changes what is printed, checked or timed");
-    if (draws_nearer(texts, dialect_))
-        weaken(pair, finding, Level::Note,
-               side == Side::Source ? "the port has most of it" : "the source has most of it");
+    if (!is_of_few_words(texts.before, texts.now) && only_changes_unused_names(texts.before, texts.now))
+        return weaken(pair, finding, Level::Note, "it only adds or takes away names that nothing uses");
+    const std::string there_is = side == Side::Source ? "the port" : "the source";
+    if (draws_nearer(texts, dialect_)) return weaken(pair, finding, Level::Note, there_is + " has most of it");
+    if (is_off_common_ground(texts, dialect_))
+        weaken(pair, finding, Level::Note, there_is + " has nothing like what it changes");
 }
 
 void PairJudge::report_both(const JudgedPair& pair, const PairComparison& found, const BySide<NormalText>& before) {

@@ -1,0 +1,128 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/compare/common_ground.h"
+
+#include <algorithm>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "porttool/compare/phrases.h"
+#include "porttool/compare/side_by_side.h"
+#include "porttool/compare/side_edit.h"
+#include "porttool/normal/diff.h"
+#include "porttool/normal/directive_end.h"
+#include "porttool/normal/statements.h"
+
+namespace porttool {
+namespace {
+
+constexpr size_t kMostToLay = 24'000;  // words of all texts
+constexpr size_t kLeastEdited = 6;     // words of an edit that is nobody's slip
+
+/// True if the other side's text has less than half of the names that came and went, of which there are some.
+bool names_are_foreign(const SideEdit& edit, const SideEdit& other) {
+    size_t names = 0, known = 0;
+    const auto count = [&](const std::string& word) {
+        if (!is_word_token(word)) return;
+        ++names;
+        known += other.has.contains(word) ? 1 : 0;
+    };
+    for (const std::string& word : edit.gained) count(word);
+    for (const std::string& word : edit.lost)
+        if (!edit.gained.contains(word)) count(word);
+    return names > 0 && 2 * known < names;
+}
+
+/// What a text tells the compiler to do with its lines, which is never silent: its pragmas, up to where they end or,
+/// where that does not show, as far as they may reach.
+std::vector<std::string> pragmas_of(const Words& text) {
+    constexpr size_t kReach = 24;
+    std::vector<std::string> out;
+    for (size_t i = 0; i + 1 < text.size(); ++i) {
+        if (text[i] != "#" || text[i + 1] != "pragma") continue;
+        const size_t found = directive_end(text, i), end = found > i ? found : std::min(text.size(), i + kReach);
+        for (size_t k = i; k < end; ++k) out.emplace_back(text[k]);
+    }
+    return out;
+}
+
+/// How a text launches kernels, and with what; that is never silent either.
+std::vector<std::string> launches_of(const Words& text) {
+    const std::vector<std::string> plain = with_plain_launches({text.begin(), text.end()});
+    std::vector<std::string> out;
+    bool inside = false;
+    for (const std::string& word : plain) {
+        inside = word == "hipLaunchKernelGGL" || (inside && word != ";");
+        if (inside) out.push_back(word);
+    }
+    return out;
+}
+
+/// True if the edit only put the same words into another order, or one number in the place of another: a value that
+/// somebody chose for this side.
+bool reorders_or_retunes(const SideEdit& edit) {
+    const auto any_number = [](const std::set<std::string>& words) {
+        return std::any_of(words.begin(), words.end(), [](const std::string& word) { return is_number_token(word); });
+    };
+    return edit.gained == edit.lost || (any_number(edit.gained) && any_number(edit.lost));
+}
+
+/// Goes through the edit, word by word, beside the other side's text.
+class GroundReader {
+public:
+    GroundReader(const SideEdit& edit, const SideBySide& laid)
+        : edit_(edit), laid_(laid), heads_{end_of_head(edit.before), end_of_head(edit.now)} {}
+
+    /// True if a word went that had its like, or words came beside one that has.
+    bool touches() {
+        for (const DiffStep& step : diff(edit_.before, edit_.now)) {
+            if (step.kind == DiffStep::Add) {
+                gained_ = gained_ || counts(edit_.now, step.now, heads_.target);
+            } else if (counts(edit_.before, step.before, heads_.source)) {
+                const bool alike = laid_.has_like(step.before);
+                if (step.kind == DiffStep::Remove && alike) return true;
+                if (step.kind == DiffStep::Keep && ends_beside(alike)) return true;
+            }
+        }
+        return ends_beside(false);
+    }
+
+private:
+    static bool counts(const std::vector<std::string>& text, size_t i, size_t end_of_head) {
+        return is_name_or_number(text[i]) || is_operator(text, i, end_of_head);
+    }
+
+    /// At a word that stayed, behind all that came since the last one that did.
+    bool ends_beside(bool alike_behind) {
+        const bool out = gained_ && (alike_before_ || alike_behind);
+        gained_ = false;
+        alike_before_ = alike_behind;
+        return out;
+    }
+
+    const SideEdit& edit_;
+    const SideBySide& laid_;
+    BySide<size_t> heads_;  ///< of the text before, and now
+    bool alike_before_ = false, gained_ = false;
+};
+
+}  // namespace
+
+bool is_off_common_ground(const LoneTexts& texts, const Dialect& dialect) {
+    if (texts.before.size() + texts.now.size() + texts.other.size() > kMostToLay) return false;
+    const SideEdit edit(texts.before, texts.now, dialect);
+    if (edit.size < kLeastEdited || !edit.guarded.empty() || reorders_or_retunes(edit)) return false;
+    if (pragmas_of(texts.before) != pragmas_of(texts.now) || launches_of(texts.before) != launches_of(texts.now))
+        return false;
+    const SideEdit other(texts.other, texts.other, dialect);
+    if (!names_are_foreign(edit, other)) return false;
+    WordKeys keys(dialect);
+    const AlignedText a = keys.text(edit.before, false), b = keys.text(other.now, false);
+    const SideBySide laid(edit.before, other.now, a, b);
+    constexpr size_t kShort = 200;  // longer texts have some words in common, if they could be laid side by side
+    if (laid.covered().empty() && edit.before.size() > kShort) return false;
+    return !GroundReader(edit, laid).touches();
+}
+
+}  // namespace porttool

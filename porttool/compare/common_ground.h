@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "porttool/compare/edits.h"
+#include "porttool/language/dialect.h"
+
+namespace porttool {
+
+/// True if an edit of one side alone, of more than a word or two, touches nothing that the two sides have in common:
+/// of what it took away nothing has its like on the other side, what it brought in stands beside no word that has, and
+/// of its names the other side's text knows less than half. What is the other side's as well is not behind then. False
+/// where that is not sure: texts too long to lay side by side, and edits of words that are never silent.
+///
+///     before      q.wait(); y[i] = k * x[i];                                                      port
+///     now         if (is_shared) { advise(y, q.get_device()); } q.wait(); y[i] = k * x[i];        off it
+///     or now      q.wait(); y[i] = k * x[i]; if (y[i] > lim) { y[i] = lim; }                      on it
+///     other       y[i] = k * x[i]; z[i] = y[i] + lim;                                             source
+bool is_off_common_ground(const LoneTexts& texts, const Dialect& dialect);
+
+}  // namespace porttool

@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/judge/folded.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "porttool/scan/scan.h"
+
+namespace porttool {
+namespace {
+
+/// The id that a finding is about: of the side that changed or lacks something.
+const std::string& subject_of(const Finding& finding) {
+    const bool of_target = finding.rule == Rule::TargetChanged || finding.rule == Rule::DeadLink ||
+                           (finding.map_target.empty() && finding.side == Side::Target);
+    if (!finding.map_target.empty()) return of_target ? finding.map_target : finding.map_source;
+    return finding.map_source;
+}
+
+bool is_edit_of_a_side(const Finding& finding) {
+    return (finding.rule == Rule::SourceChanged || finding.rule == Rule::TargetChanged) && finding.change &&
+           (*finding.change == ChangeKind::Semantic || *finding.change == ChangeKind::Constant);
+}
+
+/// True of more than a word or two: few words may be edited alike by chance. One statement that took the place of
+/// another is told by what is left between their common begin and end.
+bool is_long_edit(const std::vector<std::string>& lines) {
+    if (lines.size() != 2 || lines[0][0] == lines[1][0]) return lines.size() > 1;
+    const std::string_view a = lines[0], b = lines[1];
+    const size_t most = std::min(a.size(), b.size());
+    size_t front = 1, back = 0;  // behind the sign
+    while (front < most && a[front] == b[front]) ++front;
+    while (front + back < most && a[a.size() - 1 - back] == b[b.size() - 1 - back]) ++back;
+    const auto words = [&](std::string_view text) {
+        const std::string_view middle = text.substr(front, text.size() - back - front);
+        return std::count(middle.begin(), middle.end(), ' ');
+    };
+    constexpr std::ptrdiff_t kLeast = 3;
+    return words(a) + words(b) >= kLeast;
+}
+
+/// What findings of one cause have in common; "" for one that stands for itself.
+std::string cause_of(const Finding& finding) {
+    const std::string rule = std::string(rule_name(finding.rule)) + "\n" + finding.target_set + "\n";
+    if (is_edit_of_a_side(finding)) {
+        std::string edit;
+        for (const std::string& line : finding.details) edit += "\n" + line;
+        if (edit.empty()) return {};
+        return rule + (is_long_edit(finding.details) ? "" : subject_of(finding)) + edit;
+    }
+    const bool is_gone = (finding.rule == Rule::Orphaned || finding.rule == Rule::DeadLink) && finding.change &&
+                         *finding.change == ChangeKind::Removed;
+    return finding.rule == Rule::Unpaired || is_gone ? rule + split_id(subject_of(finding)).first : std::string();
+}
+
+/// What the others are, seen from the first.
+std::string what_others_are(const Finding& first) {
+    switch (first.rule) {
+        case Rule::Unpaired:
+            return "more new units of that file look like one of the other side";
+        case Rule::Orphaned:
+        case Rule::DeadLink:
+            return "more units of that file are gone";
+        default:
+            return "more pairs have the same edit";
+    }
+}
+
+}  // namespace
+
+void fold_findings(FindingList& findings, const MapFile& map) {
+    std::map<std::string, std::vector<Finding*>> causes;
+    for (Finding& finding : findings.from(0)) {
+        if (!is_open(finding) || finding.level <= Level::Note || map.rules.contains(finding.rule)) continue;
+        if (const std::string cause = cause_of(finding); !cause.empty()) causes[cause].push_back(&finding);
+    }
+    for (auto& [cause, group] : causes) {
+        if (group.size() < 2) continue;
+        std::stable_sort(group.begin(), group.end(),
+                         [](const Finding* a, const Finding* b) { return a->level > b->level; });
+        Finding& first = *group.front();
+        first.message += fmt::format("; {} {}:", group.size() - 1, what_others_are(first));
+        constexpr size_t kShown = 3;
+        for (size_t i = 1; i < group.size(); ++i) {
+            Finding& other = *group[i];
+            const bool other_port = subject_of(other) == subject_of(first) && !other.map_target.empty();
+            const std::string& id = other_port ? other.map_target : subject_of(other);
+            if (i <= kShown) first.message += (i > 1 ? ", " : " ") + id;
+            first.details.push_back("also: " + id);
+            other.level = Level::Note;
+            other.message += "; told with " + subject_of(first);
+        }
+        if (group.size() > kShown + 1) first.message += " ...";
+    }
+}
+
+void ease_orphans(FindingList& findings, const std::vector<JudgedPair>& pairs) {
+    std::map<std::string, std::string> heirs;  // ports that something else is the source of
+    const auto all = findings.from(0);
+    if (std::none_of(all.begin(), all.end(), [](const Finding& finding) { return finding.rule == Rule::Orphaned; }))
+        return;
+    for (const Finding& finding : all)
+        if (finding.rule == Rule::Unpaired && finding.side == Side::Source && finding.target)
+            heirs.emplace(finding.target->id, finding.map_source + " is new and looks like it");
+    for (const JudgedPair& pair : pairs)
+        if (pair.unit.source != nullptr && pair.unit.target != nullptr)
+            heirs.emplace(pair.id.target, pair.id.source + " is its source as well");
+    for (Finding& finding : all) {
+        const auto heir = heirs.find(finding.map_target);
+        if (finding.rule != Rule::Orphaned || finding.source || heir == heirs.end()) continue;
+        finding.level = std::min(finding.level, Level::Note);
+        finding.message += "; " + heir->second;
+        finding.remedy = "Remove this [[pair]] from portmap.toml";
+    }
+}
+
+}  // namespace porttool
