@@ -59,6 +59,13 @@ std::string cause_of(const Finding& finding) {
     return finding.rule == Rule::Unpaired || is_gone ? rule + split_id(subject_of(finding)).first : std::string();
 }
 
+/// An id as it stands in the message of another finding: one that is no longer than a reader takes in, else its
+/// finding's fingerprint.
+const std::string& named_briefly(const std::string& id, const Finding& finding) {
+    constexpr size_t kMost = 120;
+    return id.size() <= kMost ? id : finding.fingerprint;
+}
+
 /// What the others are, seen from the first.
 std::string what_others_are(const Finding& first) {
     switch (first.rule) {
@@ -91,10 +98,10 @@ void fold_findings(FindingList& findings, const MapFile& map) {
             Finding& other = *group[i];
             const bool other_port = subject_of(other) == subject_of(first) && !other.map_target.empty();
             const std::string& id = other_port ? other.map_target : subject_of(other);
-            if (i <= kShown) first.message += (i > 1 ? ", " : " ") + id;
-            first.details.push_back("also: " + id);
+            if (i <= kShown) first.message += (i > 1 ? ", " : " ") + named_briefly(id, other);
+            first.details.push_back("also: " + named_briefly(id, other));
             other.level = Level::Note;
-            other.message += "; told with " + subject_of(first);
+            other.message += "; told with " + named_briefly(subject_of(first), first);
         }
         if (group.size() > kShown + 1) first.message += " ...";
     }
