@@ -52,7 +52,7 @@ public:
     /// Declares the parameters that stand between `first` and `end`, and returns their types in their order.
     std::vector<std::string> declare_parameters(const Text& words, size_t first, size_t end, MachineState& state);
 
-    /// A type by its common name, without what only promises something.
+    /// A type by its common name; a star for each pointer.
     std::string type_name(const Text& words, size_t first, size_t end) const;
 
     const LocalKind& kind(size_t local) const { return kinds_.at(local); }
@@ -121,6 +121,9 @@ private:
     std::map<size_t, LocalKind> kinds_;
     int depth_ = 0;
 };
+
+/// True for words that begin what a machine does not read, or stand for it: `new`, `throw`, `switch`.
+bool is_beyond(std::string_view word);
 
 /// The number of a local that a word names, or 0.
 size_t local_of(std::string_view word);

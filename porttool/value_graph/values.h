@@ -73,4 +73,12 @@ bool is_plain_type(std::string_view type);
 /// True for types of one number each.
 bool is_scalar_type(std::string_view type);
 
+/// True for "float*".
+inline bool is_pointer(std::string_view type) { return type.ends_with('*'); }
+
+/// What a pointer points at; "" for what is none.
+inline std::string pointed_at(std::string_view type) {
+    return std::string(type.substr(0, is_pointer(type) ? type.size() - 1 : 0));
+}
+
 }  // namespace porttool
