@@ -259,16 +259,17 @@ void EvidenceJoin::join(Judgement& judgement) const {
         const SeenPair* pair = pair_of(finding, marks, judgement);
         const size_t kernel = kernel_of(finding, marks);
         if (pair == nullptr && kernel == kUnmarked) continue;
-        FindingEvidence& evidence = finding.evidence.emplace();
+        const auto evidence = std::make_shared<FindingEvidence>();
+        finding.evidence = evidence;
         if (pair != nullptr) {
-            evidence.example_json = pair->example_json;
+            evidence->example_json = pair->example_json;
             const bool is_own = pair->id == BySide<std::string>{finding.map_source, finding.map_target};
             finding.message += "; " + pair_text(*pair, is_own);
         }
         if (kernel == kUnmarked) continue;
-        evidence.kernel = *kernels_[kernel].first;
-        evidence.folder = kernels_[kernel].second;
-        finding.message += "; " + kernel_text(*evidence.kernel);
+        evidence->kernel = *kernels_[kernel].first;
+        evidence->folder = kernels_[kernel].second;
+        finding.message += "; " + kernel_text(*evidence->kernel);
     }
 }
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -54,10 +55,10 @@ struct Finding {
     std::string fingerprint;  ///< stable: of the rule, the ids, and the subject where a rule finds several on one pair
     std::optional<Verdict> verdict;  ///< Defer or Ignore where a person settled it
     std::string verdict_reason;
-    bool settled_in_source = false;    ///< by a comment, not by the ledger
-    uint32_t map_line = 1;             ///< of its pair in portmap.toml
-    std::vector<std::string> details;  ///< what is missing on which side
-    std::optional<FindingEvidence> evidence;
+    bool settled_in_source = false;                   ///< by a comment, not by the ledger
+    uint32_t map_line = 1;                            ///< of its pair in portmap.toml
+    std::vector<std::string> details;                 ///< what is missing on which side
+    std::shared_ptr<const FindingEvidence> evidence;  ///< mostly none, and larger than the rest of a finding
 };
 
 /// True for a finding that is to be acted on: its rule is not off, and nobody has settled it.
