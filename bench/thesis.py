@@ -13,8 +13,8 @@
     bench/thesis.py --code PAGE       also counts Table 2, Figure 16 and the equations of costs anew, of the code as it is
 
 DIR/thesis.html is one file, DIR/thesis.md has its pictures in DIR/pictures. Every number of theirs is in DIR/measured,
-with the command that gave it; a measurement is taken again only where its command, its scene or a kernel changed, and what is
-read from the code where any text of a core did.
+with the command that gave it; a measurement is taken again only where its command, its scene, a kernel or one of the pictures
+that it read and wrote changed, and what is read from the code where any text of a core did.
 """
 import argparse
 import json
@@ -29,7 +29,8 @@ import zipfile
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 import thesis_sections as sections  # noqa: E402
-from thesis_measure import ROOT, Measurements, Scene, kernel_digests, measure_pictures, measure_speed  # noqa: E402
+from thesis_measure import (  # noqa: E402
+    ROOT, Measurements, Scene, file_digest, kernel_digests, measure_pictures, measure_speed)
 from thesis_page import Page, markdown_of_section, write_charts  # noqa: E402
 
 QUICK = {"size": "64x36", "counts": [1, 4], "bias": 16, "frames": 2}
@@ -90,12 +91,34 @@ def update_code(page_file, porttool):
 # --- The page ---
 
 
+MAKER = ROOT / "scenes/make_scenes.py"
+
+
+def contents(folder):
+    return {file.relative_to(folder).as_posix(): file_digest(file) for file in sorted(folder.rglob("*")) if file.is_file()}
+
+
 def generated(name, folder):
-    """A scene that scenes/make_scenes.py writes."""
-    file = folder / "scenes" / name / f"{name}.gltf"
-    if not file.is_file():
-        subprocess.run([sys.executable, str(ROOT / "scenes/make_scenes.py"), name, str(file.parent)], check=True)
-    return Scene(name, str(file), ours=True)
+    """A scene that scenes/make_scenes.py writes, and why there is none, if so. It lies beside a list of its files and of
+    their digests, and is made anew where these do not agree."""
+    scenes, maker = folder / "scenes", file_digest(MAKER)
+    made, listed = scenes / name, scenes / f"{name}.json"
+    scene = Scene(name, str(made / f"{name}.gltf"), ours=True)
+    try:
+        if json.loads(listed.read_text()) == {"maker": maker, "files": contents(made)}:
+            return scene, ""
+    except (OSError, ValueError, RecursionError):
+        pass  # not made yet, or not to the end
+    scenes.mkdir(parents=True, exist_ok=True)
+    with tempfile.TemporaryDirectory(dir=scenes) as unfinished:
+        new = pathlib.Path(unfinished) / name
+        done = subprocess.run([sys.executable, str(MAKER), name, str(new)], capture_output=True, text=True, check=False)
+        if done.returncode:
+            return scene, f"{MAKER.name}: {' '.join(done.stderr.split()[-40:])}"
+        shutil.rmtree(made, ignore_errors=True)
+        new.replace(made)
+    listed.write_text(json.dumps({"maker": maker, "files": contents(made)}))
+    return scene, ""
 
 
 def unlike(name, taken):
@@ -104,15 +127,32 @@ def unlike(name, taken):
     return next(name for name in names if name not in taken)
 
 
+DEEPEST = 200  # objects and arrays within each other, far below where Python's own reader and writer give up
+
+
+def depth(value):
+    levels, level = 0, [value]
+    while level and levels <= DEEPEST:
+        level = [child for item in level if isinstance(item, (dict, list))
+                 for child in (item.values() if isinstance(item, dict) else item)]
+        levels += 1
+    return levels
+
+
+def all_of(kind, items):
+    return isinstance(items, list) and all(isinstance(item, kind) for item in items)
+
+
 def is_gltf(file):
     """Whether it is JSON in the shape that is read here; whether it is a scene, the program says."""
     try:
         gltf = json.loads(pathlib.Path(file).read_text())
-    except (OSError, ValueError):
+    except (OSError, ValueError, RecursionError):
         return False
-    return isinstance(gltf, dict) and all(
-        isinstance(gltf.get(key, []), list) and all(isinstance(item, dict) for item in gltf.get(key, []))
-        for key in ("buffers", "images", "materials"))
+    return (isinstance(gltf, dict) and depth(gltf) <= DEEPEST and all_of(str, gltf.get("extensionsUsed", [])) and
+            all(all_of(dict, gltf.get(key, [])) for key in ("buffers", "images", "materials")) and
+            all(isinstance(material.get(key, {}), dict) for material in gltf.get("materials", [])
+                for key in ("pbrMetallicRoughness", "extensions")))
 
 
 def find_scenes(arguments, folder):
@@ -124,7 +164,12 @@ def find_scenes(arguments, folder):
         taken.add(name)
         scenes.append(Scene(name, os.path.abspath(file)))
     if not arguments.quick:
-        scenes += [generated(name, folder) for name in ("interior", "city")]
+        for name in ("interior", "city"):
+            scene, problem = generated(name, folder)
+            if problem:
+                left_out.append(f"{name}, {problem}")
+            else:
+                scenes.append(scene)
         for name in ("pica", "kitchen"):
             file = pathlib.Path(arguments.scenes) / name / "scene.gltf"
             scenes.append(Scene(name, str(file), ["--camera", file.with_name("camera.json")]))

@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The porttool authors
 # SPDX-License-Identifier: Apache-2.0
 """What bench/thesis.py measures, kept in a folder from one run to the next."""
+import functools
 import hashlib
 import json
 import os
@@ -8,6 +9,7 @@ import pathlib
 import resource
 import subprocess
 import time
+import urllib.parse
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 CORES = ("source", "target")
@@ -17,6 +19,27 @@ OTHER_SEED = 1
 def kernel_digests():
     files = [p for core in CORES for p in sorted((ROOT / f"{core}_core/kernels").iterdir())]
     return {p.relative_to(ROOT).as_posix(): hashlib.sha256(p.read_bytes()).hexdigest()[:12] for p in files}
+
+
+@functools.lru_cache(maxsize=None)
+def digest_of_version(path, _changed, _size):
+    with open(path, "rb") as file:
+        return hashlib.file_digest(file, "sha256").hexdigest()
+
+
+def file_digest(path):
+    """Of its contents, read once as long as nobody changes it; None where there is no such file."""
+    try:
+        if not path.is_file():
+            return None
+        about = path.stat()
+        return digest_of_version(str(path), about.st_mtime_ns, about.st_size)
+    except (OSError, ValueError):
+        return None
+
+
+def digests_of(files):
+    return {str(file): file_digest(file) for file in files}
 
 
 def digest_of(parts):
@@ -38,7 +61,7 @@ def answer_in(file):
     """What an earlier run kept; nothing of a file that is not there or was damaged, so that it is measured anew."""
     try:
         answer = json.loads(file.read_text())
-    except (OSError, ValueError):
+    except (OSError, ValueError, RecursionError):
         return {}
     return answer if isinstance(answer, dict) and {"cost", "result"} <= answer.keys() else {}
 
@@ -53,16 +76,18 @@ class Measurements:
         self.seconds, self.processor_seconds = 0.0, 0.0
         (folder / "measured").mkdir(parents=True, exist_ok=True)
 
-    def take(self, name, command, kept=None, inputs=""):
-        """The JSON that the command prints ({} where it prints none), from the folder if it is there. `kept`: a file
-        that the command writes and that must still be there; `inputs`: a digest of what else the answer depends on.
-        None where it fails, which the page then says."""
+    def take(self, name, command, reads=(), writes=(), inputs=""):
+        """The JSON that the command prints ({} where it prints none), from the folder if it is there and the files that
+        the command reads and writes have the contents that they had then. `inputs`: a digest of what else the answer
+        depends on. None where it fails, which the page then says."""
         file = self.folder / "measured" / f"{name}.json"
         said = [str(word) for word in command]
-        before = answer_in(file) if kept is None or kept.is_file() else {}
-        if all(before.get(key) == value for key, value in (("command", said), ("kernels", self.digest), ("inputs", inputs))):
+        asked = {"command": said, "kernels": self.digest, "inputs": inputs, "read": self.inside(reads)}
+        before = answer_in(file)
+        if all(before.get(key) == value for key, value in {**asked, "written": self.inside(writes)}.items()):
             self.add_cost(before["cost"])
             return before["result"]
+        self.withdraw(writes)
         start, busy = time.monotonic(), processor_seconds()
         done = subprocess.run(said, capture_output=True, text=True, check=False, cwd=ROOT)
         cost = [time.monotonic() - start, processor_seconds() - busy]
@@ -72,18 +97,29 @@ class Measurements:
             return None
         result = json.loads(done.stdout) if done.stdout.startswith("{") else {}
         unfinished = file.with_suffix(".new")
-        unfinished.write_text(json.dumps({"command": said, "kernels": self.digest, "inputs": inputs, "cost": cost, "result": result},
-                                         indent=1))
+        unfinished.write_text(json.dumps({**asked, "written": self.inside(writes), "cost": cost, "result": result}, indent=1))
         unfinished.replace(file)
         return result
+
+    def inside(self, files):
+        """Their digests by the paths in the folder."""
+        return {os.path.relpath(file, self.folder): digest for file, digest in digests_of(files).items()}
+
+    def withdraw(self, files):
+        """Removes files that are to be written anew, and before them the page of an earlier run that shows them, so that a
+        killed run leaves no page with pictures that are not its own. The HTML page has its pictures in itself and stays."""
+        if any(file.is_file() for file in files):
+            (self.folder / "thesis.md").unlink(missing_ok=True)
+        for file in files:
+            file.unlink(missing_ok=True)
 
     def add_cost(self, cost):
         self.seconds += cost[0]
         self.processor_seconds += cost[1]
 
-    def pathtracer(self, name, *words, kept=None, scene=None):
+    def pathtracer(self, name, *words, reads=(), writes=(), scene=None):
         command = [self.program, *words, "--quiet", "--format", "json"]
-        return self.take(name, command, kept, scene.digest() if scene is not None else "")
+        return self.take(name, command, reads, writes, scene.digest() if scene is not None else "")
 
     def report(self):
         """What both cores share, of the texts and the map as they are; None without porttool."""
@@ -109,10 +145,10 @@ class Scene:
         return file if file.is_file() else ROOT / "scenes" / self.file / f"{self.file}.gltf"
 
     def digest(self):
-        """Of its texts and its camera's, and of the sizes of what they name."""
+        """Of the contents of its text, its camera's, and all files that it names."""
         texts = [self.path(), *(pathlib.Path(option) for option in self.options if option.endswith(".json"))]
-        named = [self.path().parent / item["uri"] for item in named_files(json.loads(self.path().read_text()))]
-        return digest_of([[p.read_text() for p in texts if p.is_file()], [p.stat().st_size for p in named if p.is_file()]])
+        named = [self.path().parent / urllib.parse.unquote(item["uri"]) for item in named_files(json.loads(self.path().read_text()))]
+        return digest_of([file_digest(p) for p in [*texts, *named]])
 
 
 def named_files(gltf):
@@ -137,7 +173,7 @@ def diffuse_copy(scene, folder):
         item["uri"] = os.path.relpath(file.parent / item["uri"], folder)
     copy = folder / f"{scene.name}_diffuse.gltf"
     text = json.dumps(gltf)
-    if not copy.is_file() or copy.read_text() != text:
+    if not copy.is_file() or copy.read_bytes() != text.encode():
         copy.write_text(text)
     return Scene(f"{scene.name}, diffuse", str(copy), [*scene.options, "--allow-outside"])
 
@@ -146,9 +182,9 @@ def measure_pictures(take, scene, settings, pictures):
     """Table 1 of one scene: the cores with one seed, with a seed for each, and the target core against itself."""
     counts = settings["counts"]
     folder = pictures / scene.name
-    last = folder / f"difference_{counts[-1]}spp.png"
+    shown = [folder / f"{what}_{spp}spp.png" for spp in counts for what in (*CORES, "difference")]
     same = take.pathtracer(f"{scene.name}_same", "compare", *scene.words(settings), "--spp", ",".join(map(str, counts)),
-                           "-o", folder, kept=last, scene=scene)
+                           "-o", folder, writes=shown, scene=scene)
     if same is None:
         return None
     rows = {}
@@ -156,15 +192,15 @@ def measure_pictures(take, scene, settings, pictures):
         spp = row["spp"]
         other = folder / f"other_{spp}spp.png"
         drawn = take.pathtracer(f"{scene.name}_other_{spp}", "render", *scene.words(settings), "--core", "target",
-                                "--seed", OTHER_SEED, "--spp", spp, "-o", other, kept=other, scene=scene)
-        found = [take.pathtracer(f"{scene.name}_{core}_and_other_{spp}", "compare", folder / f"{core}_{spp}spp.png", other,
-                                 scene=scene)
-                 for core in CORES]
+                                "--seed", OTHER_SEED, "--spp", spp, "-o", other, writes=[other], scene=scene)
+        pairs = {core: (folder / f"{core}_{spp}spp.png", other) for core in CORES}
+        found = [take.pathtracer(f"{scene.name}_{core}_and_other_{spp}", "compare", *pair, reads=pair, scene=scene)
+                 for core, pair in pairs.items()]
         if drawn is None or None in found:
             return None
         rows[spp] = {"same": row, "own": found[0]["results"][0], "itself": found[1]["results"][0]}
     bias = take.pathtracer(f"{scene.name}_bias", "compare", *scene.words(settings), "--bias", "--spp", settings["bias"],
-                           "-o", pictures / f"{scene.name}_bias", kept=pictures / f"{scene.name}_bias/bias.png",
+                           "-o", pictures / f"{scene.name}_bias", writes=[pictures / f"{scene.name}_bias/bias.png"],
                            scene=scene)
     return {"rows": rows, "bias": bias and bias["bias"]}
 

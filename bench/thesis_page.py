@@ -79,6 +79,7 @@ class Page:
         return next(section for section in self.sections if section.title == title)
 
     def write(self, folder):
+        (folder / "thesis.md").unlink(missing_ok=True)  # whose charts are replaced first
         for section in self.sections:
             write_charts(section)
         for name, text in (("thesis.md", self.markdown(folder)), ("thesis.html", self.html()), ("outline.txt", self.outline())):

@@ -5,6 +5,7 @@ import json
 import os
 import tomllib
 import zipfile
+import zlib
 
 import thesis_numbers as thesis
 from thesis_measure import CORES, ROOT
@@ -13,6 +14,7 @@ RAY_KINDS = ("primary", "extension", "shadow")
 BLOCKS = ("generate", "extend", "shade", "connect", "finalize")
 TABLE2 = "Table 2 and Figure 16: what the port shares"
 COSTS = "Equations 3 to 8: what a port costs"
+LARGEST_PACK = 1 << 24  # bytes of a self-test.json; one that --self-test wrote has thousands
 FEWEST_PORTS = 8  # that porttool fits equation 8 to
 
 
@@ -218,6 +220,8 @@ def machine_of(file):
     """The title, the rows and the words of a section about the machine that wrote the pack."""
     try:
         with zipfile.ZipFile(file) as pack:
+            if pack.getinfo("self-test.json").file_size > LARGEST_PACK:
+                raise ValueError("its self-test.json is too large")
             found = json.loads(pack.read("self-test.json"))
         rows = [[name, number(1000 / bench["ms_per_frame"]["total"], 2), number(bench["ms_per_frame"]["total"], 2),
                  number(bench["mrays_per_s"]["total"], 2), number(bench["mrays_per_s"]["trace"], 2), number(time_shares(bench)[-1], 1)]
@@ -227,7 +231,8 @@ def machine_of(file):
                  "figure: " + ", ".join(f"{spp}: {number(ssim, 6)}" for spp, ssim in found["ssim"].items()) + "." +
                  (f" With seeds of their own: {bias['verdict']}, p = {bias['p_value']:.2g}." if bias else ""))
         return f"Another machine: {found['devices'].get('source', '-')}", rows, words
-    except (OSError, KeyError, ValueError, TypeError, AttributeError, ZeroDivisionError, zipfile.BadZipFile) as problem:
+    except (OSError, LookupError, ValueError, TypeError, AttributeError, ArithmeticError, EOFError, RuntimeError, zlib.error,
+            zipfile.BadZipFile) as problem:  # a RuntimeError: JSON too deep, or a pack with a password
         raise NoSelfTest(f"{file}: is no file of --self-test ({problem})") from problem
 
 

@@ -19,7 +19,8 @@ import zipfile
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT / "bench"))
 import equal_time  # noqa: E402
-from thesis_measure import Scene  # noqa: E402
+import thesis  # noqa: E402
+from thesis_measure import Measurements, Scene, measure_pictures  # noqa: E402
 SCRIPT = ROOT / "bench/thesis.py"
 STORED = ROOT / "docs/thesis-numbers.md"
 PATHTRACER, PORTTOOL = (str(pathlib.Path(word).resolve()) for word in sys.argv[1:3])
@@ -113,9 +114,12 @@ class QuickRun(unittest.TestCase):
                 (folder / scene).parent.mkdir(exist_ok=True)
                 (folder / scene).write_text("{}")
             (folder / "town.glb").write_bytes(b"glTF\xff")
-            (folder / "odd.gltf").write_text('{"materials": 3}')
-            words = [word for file in ("a/town.gltf", "b/town.gltf", "city.gltf", "town.glb", "odd.gltf", "a b|c.gltf")
-                     for word in ("--scene", file)]
+            odd = ('{"materials": 3}', '{"materials": [{"pbrMetallicRoughness": null}]}', '{"materials": [{"extensions": []}]}',
+                   '{"extensionsUsed": 3}', '{"extensionsUsed": [{}]}', "[" * 200000, '{"extras": ' + "[" * 900 + "]" * 900 + "}")
+            for number, text in enumerate(odd):
+                (folder / f"odd{number}.gltf").write_text(text)
+            words = [word for file in ("a/town.gltf", "b/town.gltf", "city.gltf", "town.glb", "a b|c.gltf",
+                                       *(f"odd{number}.gltf" for number in range(len(odd)))) for word in ("--scene", file)]
             done = subprocess.run([sys.executable, str(SCRIPT), "--quick", "-o", str(self.folder), "--program", PATHTRACER,
                                    "--porttool", PORTTOOL, *words], capture_output=True, text=True, check=False, cwd=folder)
         self.assertEqual(done.returncode, 0, done.stderr)
@@ -123,7 +127,8 @@ class QuickRun(unittest.TestCase):
         self.assertIn("still_life; and town, town_2, city_2, a_b_c.", text)
         self.assertIn("left out: town_2_same: ", done.stderr)
         self.assertRegex(text, r"Left out: town_3, since \S*town.glb is no .gltf file")
-        self.assertRegex(text, r"Left out: odd, since \S*odd.gltf is no .gltf file")
+        for number in range(len(odd)):
+            self.assertRegex(text, rf"Left out: odd{number}, since \S*odd{number}.gltf is no .gltf file")
         self.assertRegex(text, r"Left out: town_2_same: .*b/town.gltf")
 
     def test_4_a_machine_that_renders_nothing_is_said(self):
@@ -147,11 +152,123 @@ class QuickRun(unittest.TestCase):
         self.assertIn(f"| target core, diffuse | {1000 / speed:.2f} | {speed:.2f} |", text[text.index("## Another machine: "):])
         with zipfile.ZipFile(self.folder / "odd.zip", "w") as odd:
             odd.writestr("self-test.json", '{"devices": {}, "series": {"a": 3}, "ssim": {}}')
-        for file in ("thesis.md", "odd.zip", "none.zip"):
+        with zipfile.ZipFile(self.folder / "deep.zip", "w") as deep:
+            deep.writestr("self-test.json", "[" * 200000)
+        with zipfile.ZipFile(self.folder / "large.zip", "w", zipfile.ZIP_DEFLATED) as large:
+            large.writestr("self-test.json", " " * (1 << 25))
+        for file in ("thesis.md", "odd.zip", "none.zip", "deep.zip", "large.zip"):
             refused = self.quick("--with", self.folder / file)
             self.assertEqual(refused.returncode, 2)
             self.assertIn(f"{file}: is no file of --self-test", refused.stderr)
             self.assertNotIn("Traceback", refused.stderr)
+
+
+def stand_in(folder):
+    """A program in the place of pathtracer whose pictures are texts that tell how they were asked for. It fails on a picture
+    that it did not write whole; each start is a line of `asked`."""
+    file = folder / "program"
+    file.write_text(f"""#!{sys.executable}
+import json, pathlib, sys
+words = sys.argv[1:]
+with open({str(folder / 'asked')!r}, "a") as log:
+    log.write(words[0] + "\\n")
+value = lambda name: words[words.index(name) + 1]
+row = {{"ssim": 1.0, "rmse": 0.5}}
+if words[0] == "compare" and "--size" not in words:
+    first, second = (pathlib.Path(word).read_text() for word in words[1:3])
+    if not (first.endswith("end") and second.endswith("end")):
+        sys.exit(2)
+    print(json.dumps({{"results": [{{"ssim": 1.0, "rmse": float(first.split()[0].split("x")[0])}}]}}))
+elif words[0] == "render":
+    pathlib.Path(value("-o")).write_text(value("--size") + " end")
+elif words[0] == "compare":
+    folder = pathlib.Path(value("-o"))
+    folder.mkdir(parents=True, exist_ok=True)
+    if "--bias" in words:
+        (folder / "bias.png").write_text(value("--size") + " end")
+        print(json.dumps({{"bias": None}}))
+    else:
+        for spp in value("--spp").split(","):
+            for core in ("source", "target", "difference"):
+                (folder / f"{{core}}_{{spp}}spp.png").write_text(value("--size") + " end")
+        print(json.dumps({{"results": [dict(row, spp=int(spp)) for spp in value("--spp").split(",")]}}))
+else:
+    sys.exit(2)
+""")
+    file.chmod(0o755)
+    return file
+
+
+class Kept(unittest.TestCase):
+    """What one run leaves to the next: only answers about the files that are there."""
+
+    def setUp(self):
+        temporary = tempfile.TemporaryDirectory()
+        self.addCleanup(temporary.cleanup)
+        self.folder = pathlib.Path(temporary.name)
+        self.program = stand_in(self.folder)
+        self.scene = Scene("still_life", "still_life", ours=True)
+
+    def measured(self, size="64x36"):
+        """The digits of Table 1, and how often the program was started."""
+        (self.folder / "asked").write_text("")
+        take = Measurements(self.folder, str(self.program), None)
+        found = measure_pictures(take, self.scene, {"size": size, "counts": [1, 4], "bias": 16}, self.folder / "pictures")
+        self.assertEqual(take.failures, [])
+        return {row["own"]["rmse"] for row in found["rows"].values()}, len((self.folder / "asked").read_text().split())
+
+    def test_answers_about_pictures_of_another_size_are_not_taken(self):
+        self.assertEqual(self.measured(), ({64.0}, 8))
+        self.assertEqual(self.measured(), ({64.0}, 0))
+        self.assertEqual(self.measured("96x54"), ({96.0}, 8))
+        self.assertEqual(self.measured(), ({64.0}, 8))
+
+    def test_a_lost_or_damaged_picture_is_made_anew(self):
+        self.measured()
+        pictures = [file for file in sorted((self.folder / "pictures").rglob("*.png"))]
+        self.assertEqual(len(pictures), 9)
+        for number, picture in enumerate(pictures):
+            whole = picture.read_text()
+            picture.unlink() if number % 2 else picture.write_text(whole[:4])
+            self.assertEqual(self.measured(), ({64.0}, 1), picture)
+            self.assertEqual(picture.read_text(), whole)
+
+    def test_no_page_outlives_its_pictures(self):
+        self.measured()
+        page = self.folder / "thesis.md"
+        page.write_text("shows pictures of 64x36\n")
+        self.measured()
+        self.assertTrue(page.is_file())
+        self.measured("96x54")
+        self.assertFalse(page.is_file())
+
+    def test_a_picture_that_cannot_be_made_anew_is_not_an_older_one(self):
+        self.measured()
+        self.program.write_text("#!/bin/false\n")
+        take = Measurements(self.folder, str(self.program), None)
+        measure_pictures(take, self.scene, {"size": "96x54", "counts": [1, 4], "bias": 16}, self.folder / "pictures")
+        self.assertFalse((self.folder / "pictures/still_life/source_1spp.png").is_file())
+
+    def test_a_generated_scene_that_is_not_whole_is_made_anew(self):
+        maker = self.folder / "make_scenes.py"
+        maker.write_text("import pathlib, sys\nfolder = pathlib.Path(sys.argv[2])\nfolder.mkdir()\n"
+                         "(folder / 'city.gltf').write_text('{}')\n(folder / 'city.bin').write_text('data')\n")
+        made, buffer = thesis.MAKER, self.folder / "scenes/city/city.bin"
+        self.addCleanup(setattr, thesis, "MAKER", made)
+        thesis.MAKER = maker
+        (self.folder / "scenes/city").mkdir(parents=True)
+        (self.folder / "scenes/city/city.gltf").write_text("{}")  # made by halves, and killed
+        for damage in (lambda: None, buffer.unlink, lambda: buffer.write_text("da")):
+            damage()
+            scene, problem = thesis.generated("city", self.folder)
+            self.assertEqual((problem, buffer.read_text()), ("", "data"))
+            self.assertTrue(os.path.isfile(scene.file))
+        before = buffer.stat().st_ino
+        thesis.generated("city", self.folder)
+        self.assertEqual(buffer.stat().st_ino, before, "what is whole is not made twice")
+        maker.write_text("import sys\nsys.exit('no room')\n")
+        self.assertIn("no room", thesis.generated("city", self.folder)[1])
+        self.assertEqual(sorted(file.name for file in (self.folder / "scenes").iterdir()), ["city", "city.json"])
 
 
 class SceneDigest(unittest.TestCase):
@@ -159,17 +276,17 @@ class SceneDigest(unittest.TestCase):
 
     def test_it_is_of_the_text_the_camera_and_the_files(self):
         with tempfile.TemporaryDirectory() as name:
-            scene, camera, data = (pathlib.Path(name) / file for file in ("s.gltf", "camera.json", "s.bin"))
+            scene, camera, data = (pathlib.Path(name) / file for file in ("s.gltf", "camera.json", "a s.bin"))
             seen = set()
-            for gltf, eye, size in (("{}", "1", 4), ('{"buffers": [{"uri": "s.bin"}, {"uri": "data:,"}, {}]}', "1", 4),
-                                    ('{"buffers": [{"uri": "s.bin"}, {"uri": "data:,"}, {}]}', "2", 4),
-                                    ('{"buffers": [{"uri": "s.bin"}, {"uri": "data:,"}, {}]}', "2", 5)):
+            named = '{"buffers": [{"uri": "a%20s.bin"}, {"uri": "data:,"}, {}]}'
+            for gltf, eye, buffer in (("{}", "1", b"1234"), (named, "1", b"1234"), (named, "2", b"1234"), (named, "2", b"12345"),
+                                      (named, "2", b"12346")):
                 scene.write_text(gltf)
                 camera.write_text(eye)
-                data.write_bytes(bytes(size))
+                data.write_bytes(buffer)
                 seen.add(Scene("s", str(scene), ["--camera", camera]).digest())
-            self.assertEqual(len(seen), 4)
-            self.assertEqual(len(seen | {Scene("s", str(scene), ["--camera", camera]).digest()}), 4)
+            self.assertEqual(len(seen), 5)
+            self.assertEqual(len(seen | {Scene("s", str(scene), ["--camera", camera]).digest()}), 5)
 
 
 class Age(unittest.TestCase):
