@@ -33,8 +33,9 @@ from thesis_measure import (  # noqa: E402
     ROOT, Measurements, Scene, file_digest, kernel_digests, measure_pictures, measure_speed)
 from thesis_page import Page, markdown_of_section, write_charts  # noqa: E402
 
-QUICK = {"size": "64x36", "counts": [1, 4], "bias": 16, "frames": 2}
-FULL = {"size": "320x180", "counts": [1, 4, 16, 64, 256, 1024], "bias": 256, "frames": 9}
+# `most`: samples a pixel; Table 1 has the powers of four up to it.
+QUICK = {"size": "64x36", "most": 4, "bias": 16, "frames": 2}
+FULL = {"size": "320x180", "most": 1024, "bias": 256, "frames": 9}
 
 
 def fail(message):
@@ -267,7 +268,8 @@ def read_options():
     parser.add_argument("--scene", action="append", default=[], help="one more scene, a .gltf file")
     parser.add_argument("--scenes", default=str(ROOT.parent / "shared/scenes"), help="folder of pica and kitchen")
     parser.add_argument("--size", type=picture_size, metavar="WxH", help="of the pictures (320x180; 64x36 with --quick)")
-    parser.add_argument("--samples", type=sample_count, metavar="N", help="the most samples of a whole run (1024; 4 with --quick)")
+    parser.add_argument("--samples", type=sample_count, metavar="N",
+                        help="the most samples a pixel, taken in powers of four (1024; 4 with --quick)")
     parser.add_argument("--program", default=str(ROOT / "build/release/bin/pathtracer"))
     parser.add_argument("--porttool", default=str(ROOT / "build/release/bin/porttool"))
     parser.add_argument("--self-test", type=pathlib.Path, metavar="FILE")
@@ -285,10 +287,11 @@ def settings_of(arguments):
         settings = {**settings, "size": "640x360"}
     if arguments.size is not None:
         settings = {**settings, "size": arguments.size}
+    most = settings["most"]
     if arguments.samples is not None:
-        settings = {**settings, "counts": [count for count in settings["counts"] if count <= arguments.samples] or [1],
-                    "bias": max(16, min(settings["bias"], arguments.samples))}
-    return settings
+        most = arguments.samples
+        settings = {**settings, "bias": max(16, min(settings["bias"], most))}
+    return {**settings, "counts": [4 ** i for i in range(most.bit_length()) if 4 ** i <= most]}
 
 
 def main():

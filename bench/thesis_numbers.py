@@ -16,7 +16,8 @@ TABLE2 = {
     "Extend": (43, 0, 0, 109, 0, 0, 0.0),
 }
 
-# Rows of the tables of speed: its GPU, and one thread of a 2.2 GHz i7.
+# Rows of the tables of speed: its GPU, and its CPU.
+CPU = "one thread of a 2.2 GHz i7"
 SPEED = [["thesis: GPU core", "38.46", "26", "103", "-"], ["thesis: CPU core", "0.91", "1100", "2.1", "-"]]
 RAYS = [["thesis", "-", "-", "-", 2670000, "61.0 (extension)"]]
 TIME = [["thesis: GPU core", "-", "-", "-", "-", "-", "-", "53"], ["thesis: CPU core", "-", "-", "-", "-", "-", "-", "36"]]

@@ -4,6 +4,7 @@
 import base64
 import html
 import os
+import re
 
 from thesis_chart import svg_of
 
@@ -44,9 +45,9 @@ class Page:
         return self.sections[-1]
 
     def markdown(self, folder):
-        lines = [f"# {self.title}", ""]
+        lines = [f"# {plain(self.title)}", ""]
         for lead in self.leads:
-            lines += [lead, ""]
+            lines += [plain(lead), ""]
         for section in self.sections:
             lines += markdown_of_section(section, folder)
         lines += [f"<!-- kernel {file} {digest} -->" for file, digest in self.kernels.items()]
@@ -84,12 +85,17 @@ class Page:
             write_charts(section)
         for name, text in (("thesis.md", self.markdown(folder)), ("thesis.html", self.html()), ("outline.txt", self.outline())):
             unfinished = folder / f"{name}.new"
-            unfinished.write_text(text)
+            unfinished.write_text(text, errors="replace")  # a pack may name what no file can hold
             unfinished.replace(folder / name)
 
 
+def plain(text):
+    """Text as Markdown that shows it: one line, no tags, comments, links, pictures or cells of its own."""
+    return re.sub(r"[\\\[\]|]", r"\\\g<0>", html.escape(" ".join(text.split()), quote=False))
+
+
 def markdown_of_section(section, folder):
-    lines = [f"## {section.title}", ""]
+    lines = [f"## {plain(section.title)}", ""]
     for part in section.parts:
         lines += markdown_of(part, folder) + [""]
     return lines
@@ -105,14 +111,12 @@ def write_charts(section):
 def markdown_of(part, folder):
     kind, *content = part
     if kind == "text":
-        return [content[0]]
-    if kind == "picture":
-        return [f"![{content[1]}]({os.path.relpath(content[0], folder)})"]
-    if kind == "chart":
-        return [f"![{content[1]}]({os.path.relpath(content[0], folder)})"]
+        return [plain(content[0])]
+    if kind in ("picture", "chart"):
+        return [f"![{plain(content[1])}]({os.path.relpath(content[0], folder)})"]
     columns, rows = content
-    return ["| " + " | ".join(columns) + " |", "| --- |" + " ---: |" * (len(columns) - 1),
-            *("| " + " | ".join(row) + " |" for row in rows)]
+    return ["| " + " | ".join(map(plain, columns)) + " |", "| --- |" + " ---: |" * (len(columns) - 1),
+            *("| " + " | ".join(map(plain, row)) + " |" for row in rows)]
 
 
 def html_of(part):

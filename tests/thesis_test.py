@@ -14,6 +14,7 @@ import sys
 import tempfile
 import time
 import unittest
+import unittest.mock
 import zipfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
@@ -150,6 +151,7 @@ class QuickRun(unittest.TestCase):
         text = (self.folder / "thesis.md").read_text()
         self.assertIn("## Another machine: ", text)
         self.assertIn(f"| target core, diffuse | {1000 / speed:.2f} | {speed:.2f} |", text[text.index("## Another machine: "):])
+        self.shows_what_a_pack_says_and_no_more(pack)
         with zipfile.ZipFile(self.folder / "odd.zip", "w") as odd:
             odd.writestr("self-test.json", '{"devices": {}, "series": {"a": 3}, "ssim": {}}')
         with zipfile.ZipFile(self.folder / "deep.zip", "w") as deep:
@@ -161,6 +163,28 @@ class QuickRun(unittest.TestCase):
             self.assertEqual(refused.returncode, 2)
             self.assertIn(f"{file}: is no file of --self-test", refused.stderr)
             self.assertNotIn("Traceback", refused.stderr)
+
+    def shows_what_a_pack_says_and_no_more(self, pack):
+        """Words of a stranger's in both pages: no tag, comment, line, row, cell, link or picture comes of them."""
+        with zipfile.ZipFile(pack) as whole:
+            said = json.loads(whole.read("self-test.json"))
+        evil = "GPU|x\n\n## More\n<script>s()</script><!-- ![p](http://nowhere/p.png) [l](http://nowhere) \\| \ud800"
+        said["devices"] = {"source": evil, "target": evil}
+        said["series"] = {evil: next(iter(said["series"].values()))}
+        with zipfile.ZipFile(self.folder / "evil.zip", "w") as evil_pack:
+            evil_pack.writestr("self-test.json", json.dumps(said))
+        done = self.quick("--with", self.folder / "evil.zip")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        text = (self.folder / "thesis.md").read_text()
+        text = text[text.index("## Another machine"):text.index("<!-- kernel ")]
+        lines = [line for line in text.splitlines() if line]
+        self.assertEqual([line[:4] for line in lines], ["## A", "| se", "| --", "| GP", "| th", "| th", "Size"])
+        self.assertEqual({len(re.findall(r"(?<!\\)(?:\\\\)*\|", line)) for line in lines[1:6]}, {7})
+        self.assertNotIn("<", text)
+        self.assertNotRegex(text, r"(?<!\\)[][]")
+        page = (self.folder / "thesis.html").read_text()
+        for mark in ("<script", "<!--"):
+            self.assertNotIn(mark, page)
 
 
 def stand_in(folder):
@@ -269,6 +293,15 @@ class Kept(unittest.TestCase):
         maker.write_text("import sys\nsys.exit('no room')\n")
         self.assertIn("no room", thesis.generated("city", self.folder)[1])
         self.assertEqual(sorted(file.name for file in (self.folder / "scenes").iterdir()), ["city", "city.json"])
+
+
+class Samples(unittest.TestCase):
+    def test_the_counts_go_up_to_what_is_asked_for(self):
+        for words, counts in ((["--quick"], [1, 4]), (["--quick", "--samples", "64"], [1, 4, 16, 64]), (["--samples", "3"], [1]),
+                              (["--samples", "17"], [1, 4, 16]), ([], [1, 4, 16, 64, 256, 1024]),
+                              (["--samples", "4096"], [1, 4, 16, 64, 256, 1024, 4096])):
+            with unittest.mock.patch.object(sys, "argv", ["thesis.py", *words]):
+                self.assertEqual(thesis.settings_of(thesis.read_options())["counts"], counts)
 
 
 class SceneDigest(unittest.TestCase):
