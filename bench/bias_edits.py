@@ -11,11 +11,15 @@ Exit code 1 where one of these does not hold.
 import argparse
 import concurrent.futures
 import json
+import os
 import pathlib
 import shutil
 import subprocess
 import sys
 import tempfile
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
+from compare_renderers import at_least, fail  # noqa: E402
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 MOST_ALARMS = 5 / 1000
@@ -56,8 +60,9 @@ def ask(program, scene, more):
     """The object `bias`; fails with what the program says."""
     done = subprocess.run([program, "compare", *scene, "--bias", "--format", "json", "--quiet", *more],
                           capture_output=True, text=True, check=False)
-    if done.returncode == 2:
-        sys.exit(f"bias_edits.py: {done.stderr.strip()}")
+    if done.returncode not in (0, 1) or not done.stdout.startswith("{"):
+        said = done.stderr.strip().splitlines()
+        fail(said[0] if said else f"{program} compare ended with exit code {done.returncode} and no answer")
     return json.loads(done.stdout)["bias"]
 
 
@@ -78,7 +83,7 @@ def try_edits(arguments, scenes):
             shutil.copytree(kernels, edited)
             text = (edited / file).read_text()
             if text.count(old) != 1:
-                sys.exit(f"bias_edits.py: {file} has {text.count(old)} times: {old}; adapt the list to the kernels")
+                fail(f"{file} has {text.count(old)} times: {old}; adapt the list to the kernels")
             (edited / file).write_text(text.replace(old, new))
             found = []
             for name, scene in scenes.items():
@@ -113,19 +118,33 @@ def compare_equal(arguments):
     return alarms
 
 
-def main():
+def read_options():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.error = fail
     parser.add_argument("--program", default=str(ROOT / "build/release/bin/pathtracer"))
     parser.add_argument("--parity", default=str(ROOT / "build/release/tests/application/parity"),
                         help="folder of the parity scene (scenes/make_scenes.py parity DIR)")
-    parser.add_argument("--spp", type=int, default=512)
+    parser.add_argument("--spp", type=at_least(1), default=512)
     parser.add_argument("--only", metavar="FILE", help="the edits of one kernel file")
-    parser.add_argument("--equal", type=int, default=0, metavar="N", help="compare equal cores N times instead")
+    parser.add_argument("--equal", type=at_least(0), default=0, metavar="N", help="compare equal cores N times instead")
     parser.add_argument("--equal-size", default="64x36")
-    parser.add_argument("--jobs", type=int, default=2)
+    parser.add_argument("--jobs", type=at_least(1), default=2)
     arguments = parser.parse_args()
+    edited = sorted({edit[0] for edit in BIASED + HARMLESS})
+    if arguments.only not in (None, *edited):
+        fail(f"--only {arguments.only}: no edit is of that file; name one of {', '.join(edited)}")
+    if not os.access(arguments.program, os.X_OK) or os.path.isdir(arguments.program):
+        fail(f"there is no program {arguments.program}; build it, or name it with --program")
+    return arguments
+
+
+def main():
+    arguments = read_options()
     if arguments.equal > 0:
         return int(compare_equal(arguments) > max(1, MOST_ALARMS * arguments.equal))
+    for file in ("parity.gltf", "sky.hdr"):
+        if not os.path.isfile(f"{arguments.parity}/{file}"):
+            fail(f"there is no {arguments.parity}/{file}; make it with scenes/make_scenes.py parity, or name its folder with --parity")
     return int(try_edits(arguments, scenes_of(arguments.parity)) > 0)
 
 

@@ -10,11 +10,8 @@ turn), how many results have the same bits, machine code, and what a debugger kn
 and locals that are called param_N. Needs a configured build/release, glslangValidator and spirv-cross.
 """
 import argparse
-import json
 import pathlib
 import re
-import shlex
-import shutil
 import subprocess
 import sys
 import tempfile
@@ -22,6 +19,7 @@ import tomllib
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 import one_text  # noqa: E402
+from compare_renderers import at_least, fail  # noqa: E402
 
 ROOT = one_text.ROOT
 DRAWN = (("metallic", "u"), ("roughness", "u"), ("specular", "u"), ("transmission", "u"), ("ior", "1.1f + u"),
@@ -196,9 +194,7 @@ int main() {
 
 def flags_of(build, name):
     """The compiler and the flags of a file of the target core, without output and input."""
-    entry = next(c for c in json.loads((build / "compile_commands.json").read_text()) if c["file"].endswith(f"target_core/{name}"))
-    words = shlex.split(entry["command"])
-    words = words[words.index(next(w for w in words if w.endswith("c++"))):]
+    words = one_text.compile_command(build, name)
     return [w for w in words[:words.index("-o")] if not w.startswith("-I")]
 
 
@@ -251,13 +247,26 @@ def measured(folder, ways, arguments):
     return objects, finite[0], found
 
 
+MOST_PROBES = 1 << 24  # a GiB of results by four ways
+
+
+def whole_rows(text):
+    number = at_least(16)(text)
+    if number % 16 or number > MOST_PROBES:
+        raise argparse.ArgumentTypeError(f"{text}: expected a multiple of 16 up to {MOST_PROBES}")
+    return number
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.error = fail
     parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build/release")
-    parser.add_argument("--rounds", type=int, default=7)
-    parser.add_argument("--probes", type=int, default=1 << 16, help="a multiple of 16")
+    parser.add_argument("--rounds", type=at_least(1), default=7)
+    parser.add_argument("--probes", type=whole_rows, default=1 << 16, help="a multiple of 16")
     parser.add_argument("--compiles", action="store_true", help="only whether the probe compiles for one lane, without spirv-cross")
     arguments = parser.parse_args()
+    if not arguments.compiles:
+        one_text.need_programs("glslangValidator", "spirv-cross", "objdump")
     narrow, wide = ways_through_glsl_h(arguments.build)
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
@@ -266,9 +275,6 @@ def main():
                 compiled(folder, way, text, flags, "-fsyntax-only")
             print("the probe compiles")
             return
-        for program in ("glslangValidator", "spirv-cross", "objdump"):
-            if not shutil.which(program):
-                sys.exit(f"cross_compiled.py: {program} is not installed")
         lines, left_out, cross = by_spirv_cross(folder)
         ways = [*narrow, ("cross", cross, narrow[0][2]), *wide]
         objects, finite, found = measured(folder, ways, arguments)
@@ -283,4 +289,7 @@ def main():
 
 
 if __name__ == "__main__":
-    main()
+    try:
+        main()
+    except subprocess.CalledProcessError as error:
+        one_text.fail_of_command(error)

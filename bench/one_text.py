@@ -20,6 +20,9 @@ import sys
 import tempfile
 import tomllib
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
+from compare_renderers import at_least, fail  # noqa: E402
+
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 MODULE = "lib/porttool/pathtracer-core-target.so"
 WRAPPER = """// SPDX-License-Identifier: Apache-2.0
@@ -42,6 +45,32 @@ def run(command, **more):
     return subprocess.run(command, capture_output=True, text=True, check=True, **more).stdout
 
 
+def compile_command(build, name):
+    """The words of the build's own command for that file of the target core, from the compiler on."""
+    file = build / "compile_commands.json"
+    try:
+        entry = next(c for c in json.loads(file.read_text()) if c["file"].endswith(f"target_core/{name}"))
+        words = shlex.split(entry["command"])
+        return words[words.index(next(w for w in words if w.endswith("c++"))):]
+    except OSError as problem:
+        fail(f"{file}: {problem.strerror}; configure that build, or name another with --build")
+    except (ValueError, LookupError, TypeError, AttributeError, StopIteration):
+        fail(f"{file} has no command that compiles target_core/{name}; configure that build anew")
+
+
+def need_programs(*programs):
+    for program in programs:
+        if not shutil.which(program):
+            fail(f"there is no program {program}; install or build it")
+
+
+def fail_of_command(problem):
+    """One line about a command that failed: the last that it said."""
+    said = ((problem.stderr or "") + (problem.stdout or "")).strip().splitlines()
+    command = problem.cmd if isinstance(problem.cmd, str) else shlex.join(map(str, problem.cmd))
+    fail(f"{command[:200]}: {said[-1] if said else f'exit code {problem.returncode}'}")
+
+
 def code_lines(text):
     return sum(1 for line in text.splitlines() if line.strip() and not line.strip().startswith("//"))
 
@@ -55,10 +84,7 @@ def compile_shade(arguments, folder, one_text, *options):
     shutil.copytree(ROOT / "target_core", tree / "target_core")
     if one_text:
         (tree / "target_core/kernels/bsdf.h").write_text(WRAPPER % (ROOT / "source_core/kernels/bsdf.glsl"))
-    commands = json.loads((arguments.build / "compile_commands.json").read_text())
-    entry = next(c for c in commands if c["file"].endswith("target_core/kernels/shade.cpp"))
-    words = [w for w in shlex.split(entry["command"]) if not w.endswith("ccache") and w != f"-I{ROOT}"]
-    words = words[words.index(next(w for w in words if w.endswith("c++"))):]
+    words = [w for w in compile_command(arguments.build, "kernels/shade.cpp") if w != f"-I{ROOT}"]
     words[words.index("-o") + 1] = str(tree / "shade.o")
     words[-1] = str(tree / "target_core/kernels/shade.cpp")
     # The wrapper's unnamed namespace, once a file, is no danger where one file is compiled.
@@ -136,10 +162,13 @@ def cross_compiled(folder):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.error = fail
     parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build/release")
-    parser.add_argument("--rounds", type=int, default=3)
+    parser.add_argument("--rounds", type=at_least(1), default=3)
     parser.add_argument("--compiles", action="store_true", help="only whether one text compiles: no picture and no times")
     arguments = parser.parse_args()
+    if not arguments.compiles:
+        need_programs(arguments.build / "bin/pathtracer", "ninja", "objdump")
     twin = (ROOT / "target_core/kernels/bsdf.h").read_text()
     source = (ROOT / "source_core/kernels/bsdf.glsl").read_text()
     with tempfile.TemporaryDirectory() as name:
@@ -168,4 +197,7 @@ def main():
 
 
 if __name__ == "__main__":
-    main()
+    try:
+        main()
+    except subprocess.CalledProcessError as error:
+        fail_of_command(error)

@@ -304,6 +304,35 @@ class Samples(unittest.TestCase):
                 self.assertEqual(thesis.settings_of(thesis.read_options())["counts"], counts)
 
 
+class OtherPrograms(unittest.TestCase):
+    def test_bad_input_is_one_line(self):
+        with tempfile.TemporaryDirectory() as name:
+            odd = pathlib.Path(name) / "odd"
+            odd.mkdir()
+            (odd / "compile_commands.json").write_text('[{"file": "a.cpp"}]')
+            parity = ["--parity", name]
+            for script, words, said in (
+                    ("bias_edits", ["--only", "nosuch"], "--only nosuch: no edit is of that file; name one of bsdf.glsl, "),
+                    ("bias_edits", ["--spp", "x"], "x: expected a whole number of at least 1"),
+                    ("bias_edits", ["--equal", "-3"], "--equal"), ("bias_edits", ["--jobs", "0"], "0: expected a whole number"),
+                    ("bias_edits", ["--program", "nosuch"], "there is no program nosuch"),
+                    ("bias_edits", ["--program", PATHTRACER, *parity], f"there is no {name}/parity.gltf"),
+                    ("bias_edits", ["--program", "/bin/true", "--equal", "1"], "/bin/true compare ended with exit code 0"),
+                    ("bias_edits", ["--program", PATHTRACER, "--equal", "1", "--equal-size", "abc"], "'abc' is no size"),
+                    ("one_text", ["--compiles", "--build", "nosuch"], "nosuch/compile_commands.json: No such file"),
+                    ("one_text", ["--compiles", "--build", odd], "compile_commands.json has no command that compiles"),
+                    ("one_text", ["--build", odd], "odd/bin/pathtracer; "), ("one_text", ["--rounds", "0"], "0: expected a whole"),
+                    ("cross_compiled", ["--compiles", "--build", "nosuch"], "nosuch/compile_commands.json: No such file"),
+                    ("cross_compiled", ["--probes", "24"], "24: expected a multiple of 16"),
+                    ("cross_compiled", ["--rounds", "0"], "0: expected a whole number of at least 1")):
+                done = subprocess.run([sys.executable, str(ROOT / f"bench/{script}.py"), *map(str, words)], capture_output=True,
+                                      text=True, check=False)
+                self.assertEqual(done.returncode, 2, (script, words, done.stderr))
+                lines = [line for line in done.stderr.splitlines() if line]
+                self.assertEqual((len(lines), lines[0].split(":")[0]), (1, f"{script}.py"), done.stderr)
+                self.assertIn(said, lines[0])
+
+
 class SceneDigest(unittest.TestCase):
     """What tells that a measurement is of another scene than the one that is there now."""
 
