@@ -10,7 +10,6 @@
 #include "porttool/compare/own_fields.h"
 #include "porttool/compare/own_words.h"
 #include "porttool/compare/paired_names.h"
-#include "porttool/compare/unused_names.h"
 #include "porttool/language/hazards.h"
 #include "porttool/normal/diff.h"
 #include "porttool/normal/prelude.h"
@@ -323,8 +322,6 @@ void PairJudge::weigh_edit(const JudgedPair& pair, Side side, const NormalText& 
     if (without_asides(texts.before) == without_asides(texts.now))
         return weaken(pair, finding, is_of_few_words(texts.before, texts.now) ? Level::Warning : Level::Note,
                       "it only changes what is printed, checked or timed");
-    if (!is_of_few_words(texts.before, texts.now) && only_changes_unused_names(texts.before, texts.now))
-        return weaken(pair, finding, Level::Note, "it only adds or takes away names that nothing uses");
     const std::string there_is = side == Side::Source ? "the port" : "the source";
     if (draws_nearer(texts, dialect_)) return weaken(pair, finding, Level::Note, there_is + " has most of it");
     if (is_off_common_ground(texts, dialect_))

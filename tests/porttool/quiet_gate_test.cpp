@@ -89,18 +89,6 @@ TEST(QuietGate, ScopesOfNames) {
     EXPECT_EQ(after("std::max(y[0], y[1])", "std::max(max(y[0], 0), y[1])"), Loud{"target-changed s/k.cu:f"});
 }
 
-TEST(QuietGate, NamesThatNothingUses) {
-    const std::string port =
-        "void f(float* y, Item& item, int n) {\n  const int rows = item.range(2) + n;\n  y[0] = 1;\n}";
-    const auto after = [&](const std::string& now) {
-        return loud({{"s/k.cu", "void f(float* y) { y[0] = 1; }"}, {"t/k.cpp", port}}, {{"t/k.cpp", now}},
-                    {"s/k.cu:f=t/k.cpp:f"});
-    };
-    EXPECT_EQ(after("void f(float* y, Item& item, int n) {\n  y[0] = 1;\n}"), Loud{});
-    EXPECT_EQ(after("void f(float* y, Item& item, int n) {\n  y[0] = 2;\n}"), Loud{"target-changed s/k.cu:f"});
-    EXPECT_EQ(after(replaced(port, "+ n", "- n")), Loud{"target-changed s/k.cu:f"}) << "a word stays loud";
-}
-
 TEST(QuietGate, FieldsOfStructsThatWereNeverOne) {
     const std::string own = "struct S { int device; Queue queue; void* room; };";
     const auto after = [&](const std::string& source, const std::string& from, const std::string& to) {
