@@ -17,6 +17,7 @@ with the command that gave it; a measurement is taken again only where its comma
 that it read and wrote changed, and what is read from the code where any text of a core did.
 """
 import argparse
+import fcntl
 import json
 import os
 import pathlib
@@ -172,7 +173,7 @@ def find_scenes(arguments, folder):
             else:
                 scenes.append(scene)
         for name in ("pica", "kitchen"):
-            file = pathlib.Path(arguments.scenes) / name / "scene.gltf"
+            file = pathlib.Path(os.path.abspath(arguments.scenes)) / name / "scene.gltf"
             scenes.append(Scene(name, str(file), ["--camera", file.with_name("camera.json")]))
     found = scenes[:1]
     for scene in scenes[1:]:
@@ -294,6 +295,16 @@ def settings_of(arguments):
     return {**settings, "counts": [4 ** i for i in range(most.bit_length()) if 4 ** i <= most]}
 
 
+def lock_of(folder):
+    """A lock on the folder, as a descriptor: of one run, and of what it started as long as that goes on without it."""
+    lock = os.open(folder / "busy", os.O_CREAT | os.O_RDWR, 0o644)
+    try:
+        fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except BlockingIOError:
+        fail(f"{folder}: another run works there, or what it started; wait for its end, or name another folder with -o")
+    return lock
+
+
 def main():
     arguments = read_options()
     if arguments.age is not None:
@@ -316,6 +327,7 @@ def main():
         fail(problem)
     folder = arguments.output.resolve()
     take = Measurements(folder, os.path.abspath(arguments.program), porttool)
+    take.inherited = (lock_of(folder),)
     page, found = make_page(arguments, settings, take, folder, machines)
     page.write(folder)
     print(folder / "thesis.html")

@@ -63,7 +63,13 @@ def answer_in(file):
         answer = json.loads(file.read_text())
     except (OSError, ValueError, RecursionError):
         return {}
-    return answer if isinstance(answer, dict) and {"cost", "result"} <= answer.keys() else {}
+    whole = isinstance(answer, dict) and answer.pop("whole", None) == whole_digest(answer)
+    return answer if whole else {}
+
+
+def whole_digest(answer):
+    """By which an answer that was damaged after it was kept is known."""
+    return digest_of([json.dumps(answer, sort_keys=True)])
 
 
 class Measurements:
@@ -73,6 +79,7 @@ class Measurements:
         self.folder, self.program, self.porttool = folder, program, porttool
         self.digest = digest_of(kernel_digests())
         self.failures = []
+        self.inherited = ()  # descriptors that what is started keeps open, as that of a lock
         self.seconds, self.processor_seconds = 0.0, 0.0
         (folder / "measured").mkdir(parents=True, exist_ok=True)
 
@@ -89,7 +96,8 @@ class Measurements:
             return before["result"]
         self.withdraw(writes)
         start, busy = time.monotonic(), processor_seconds()
-        done = subprocess.run(said, capture_output=True, text=True, check=False, cwd=ROOT)
+        done = subprocess.run(said, capture_output=True, text=True, check=False, cwd=ROOT,
+                              pass_fds=self.inherited)
         cost = [time.monotonic() - start, processor_seconds() - busy]
         self.add_cost(cost)
         if done.returncode not in (0, 1) or (done.returncode == 1 and not done.stdout):
@@ -97,7 +105,8 @@ class Measurements:
             return None
         result = json.loads(done.stdout) if done.stdout.startswith("{") else {}
         unfinished = file.with_suffix(".new")
-        unfinished.write_text(json.dumps({**asked, "written": self.inside(writes), "cost": cost, "result": result}, indent=1))
+        kept = {**asked, "written": self.inside(writes), "cost": cost, "result": result}
+        unfinished.write_text(json.dumps({**kept, "whole": whole_digest(kept)}, indent=1))
         unfinished.replace(file)
         return result
 
@@ -140,9 +149,9 @@ class Scene:
         return [self.file, "--size", settings["size"], *self.options]
 
     def path(self):
-        """Of its .gltf, also of a scene that goes by its name alone."""
+        """Of its .gltf, also of a scene of the project's own that goes by its name alone, wherever this was started."""
         file = pathlib.Path(self.file)
-        return file if file.is_file() else ROOT / "scenes" / self.file / f"{self.file}.gltf"
+        return file if file.is_absolute() else ROOT / "scenes" / self.file / f"{self.file}.gltf"
 
     def digest(self):
         """Of the contents of its text, its camera's, and all files that it names."""

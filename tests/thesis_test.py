@@ -247,6 +247,36 @@ class Kept(unittest.TestCase):
         self.assertEqual(self.measured("96x54"), ({96.0}, 8))
         self.assertEqual(self.measured(), ({64.0}, 8))
 
+    def test_a_damaged_answer_is_asked_for_again(self):
+        self.measured()
+        for damaged in ('"result": {}', '"result": []', '"result": null'):
+            kept = self.folder / "measured" / "still_life_same.json"
+            answer = json.loads(kept.read_text())
+            kept.write_text(json.dumps({**answer, **json.loads("{" + damaged + "}")}))
+            self.assertEqual(self.measured(), ({64.0}, 1), damaged)
+
+    def test_a_scene_of_our_own_is_never_a_file_of_its_name_where_one_stands(self):
+        (self.folder / "still_life").write_text("{}")
+        before = os.getcwd()
+        self.addCleanup(os.chdir, before)
+        os.chdir(self.folder)
+        self.assertEqual(self.scene.path().name, "still_life.gltf")
+
+    def test_a_folder_has_one_run_at_a_time_and_what_a_killed_one_started_counts(self):
+        command = [sys.executable, "-c", f"import sys; sys.path.insert(0, {str(ROOT / 'bench')!r}); import pathlib, subprocess, "
+                   "thesis; lock = thesis.lock_of(pathlib.Path(sys.argv[1])); print(subprocess.Popen(['sleep', sys.argv[2]], "
+                   "pass_fds=(lock,), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL).pid)", str(self.folder)]
+        first = subprocess.run([*command, "300"], check=True, capture_output=True, text=True)
+        refused = subprocess.run([*command, "0"], check=False, capture_output=True, text=True)
+        os.kill(int(first.stdout), signal.SIGKILL)
+        self.assertEqual(refused.returncode, 2)
+        self.assertIn("another run works there", refused.stderr)
+        for _ in range(100):  # until it is gone
+            if subprocess.run([*command, "0"], check=False, capture_output=True).returncode == 0:
+                return
+            time.sleep(0.05)
+        self.fail("the folder stayed locked")
+
     def test_a_lost_or_damaged_picture_is_made_anew(self):
         self.measured()
         pictures = [file for file in sorted((self.folder / "pictures").rglob("*.png"))]
