@@ -26,9 +26,9 @@ import shutil
 import subprocess
 import sys
 import tempfile
-import zipfile
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
+import thesis_pack  # noqa: E402
 import thesis_sections as sections  # noqa: E402
 from thesis_measure import (  # noqa: E402
     ROOT, Measurements, Scene, file_digest, kernel_digests, measure_pictures, measure_speed)
@@ -42,6 +42,14 @@ FULL = {"size": "320x180", "most": 1024, "bias": 256, "frames": 9}
 def fail(message):
     print(f"thesis.py: {message}", file=sys.stderr)
     sys.exit(2)
+
+
+def replace_text(file, text):
+    """The file is the old one or the new one, whatever happens meanwhile."""
+    file = file.resolve()
+    unfinished = file.with_name(file.name + ".new")
+    unfinished.write_text(text)
+    unfinished.replace(file)
 
 
 # --- The age of a page ---
@@ -64,7 +72,7 @@ def update_age(page):
     if not then or not AGE.search(text):
         fail(f"{page} was not made by this program")
     line = age_line(then, kernel_digests())
-    page.write_text(AGE.sub(line, text))
+    replace_text(page, AGE.sub(line, text))
     print(line)
 
 
@@ -87,7 +95,7 @@ def update_code(page_file, porttool):
             fail(f"{page_file} has no section '{section.title}'; make it anew with --keep")
         write_charts(section)
         text = text[:found.start()] + "\n".join(markdown_of_section(section, page_file.parent)) + "\n" + text[found.end():]
-    page_file.write_text(text)
+    replace_text(page_file, text)
 
 
 # --- The page ---
@@ -202,6 +210,8 @@ def make_page(arguments, settings, take, folder, machines):
     for scene, pictures, series in found:
         if pictures is None or not series:
             left_out.append(f"parts of {scene.name}, which could not be rendered")
+    if take.porttool is None:
+        left_out.append("what is read from the code, as there is no porttool; build it, or name it with --porttool")
     left_out += take.failures
     for reason in left_out:
         print(f"thesis.py: left out: {reason}", file=sys.stderr)
@@ -226,12 +236,7 @@ def pack_self_test(arguments, settings, take, found, file):
     content = {"devices": {core["id"]: core.get("device") for core in info["cores"]}, "size": settings["size"],
                "series": series, "bias": pictures and pictures["bias"],
                "ssim": {spp: row["same"]["ssim"] for spp, row in (pictures or {"rows": {}})["rows"].items()}}
-    unfinished = file.with_name(file.name + ".new")
-    with zipfile.ZipFile(unfinished, "w", zipfile.ZIP_DEFLATED) as pack:
-        pack.writestr("self-test.json", json.dumps(content, indent=1))
-        for path in sorted((take.folder / "measured").iterdir()) + [take.folder / "thesis.md"]:
-            pack.write(path, path.relative_to(take.folder).as_posix())
-    unfinished.replace(file)
+    thesis_pack.write_pack(file, content, take.folder, [*sorted((take.folder / "measured").iterdir()), take.folder / "thesis.md"])
     print(f"send back: {file}")
 
 
@@ -247,7 +252,7 @@ def keep(folder, page, found):
         copy = page.parent / page.stem / link
         copy.parent.mkdir(parents=True, exist_ok=True)
         shutil.copyfile(folder / "pictures" / link, copy)
-    page.write_text(text.replace("](pictures/", f"]({page.stem}/"))
+    replace_text(page, text.replace("](pictures/", f"]({page.stem}/"))
 
 
 def picture_size(text):
@@ -262,22 +267,36 @@ def sample_count(text):
     return int(text)
 
 
+def name_of_file(text):
+    if not text:
+        raise argparse.ArgumentTypeError("the name is empty; give one")
+    return pathlib.Path(text)
+
+
+def name_of_page(text):
+    file = name_of_file(text)
+    if file.suffix != ".md":
+        raise argparse.ArgumentTypeError(f"{text}: a page ends in .md, and its pictures go into a folder of that name without it")
+    return file
+
+
 def read_options():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("-o", "--output", type=pathlib.Path, default=pathlib.Path("out/thesis"))
+    parser.error = fail
+    parser.add_argument("-o", "--output", type=name_of_file, default=pathlib.Path("out/thesis"))
     parser.add_argument("--quick", action="store_true")
-    parser.add_argument("--scene", action="append", default=[], help="one more scene, a .gltf file")
+    parser.add_argument("--scene", action="append", type=name_of_file, default=[], help="one more scene, a .gltf file")
     parser.add_argument("--scenes", default=str(ROOT.parent / "shared/scenes"), help="folder of pica and kitchen")
     parser.add_argument("--size", type=picture_size, metavar="WxH", help="of the pictures (320x180; 64x36 with --quick)")
     parser.add_argument("--samples", type=sample_count, metavar="N",
                         help="the most samples a pixel, taken in powers of four (1024; 4 with --quick)")
-    parser.add_argument("--program", default=str(ROOT / "build/release/bin/pathtracer"))
-    parser.add_argument("--porttool", default=str(ROOT / "build/release/bin/porttool"))
-    parser.add_argument("--self-test", type=pathlib.Path, metavar="FILE")
-    parser.add_argument("--with", dest="others", nargs="+", type=pathlib.Path, default=[], metavar="FILE")
-    parser.add_argument("--keep", type=pathlib.Path, metavar="PAGE")
-    parser.add_argument("--age", type=pathlib.Path, metavar="PAGE")
-    parser.add_argument("--code", type=pathlib.Path, metavar="PAGE")
+    parser.add_argument("--program", type=name_of_file, default=ROOT / "build/release/bin/pathtracer")
+    parser.add_argument("--porttool", type=name_of_file, help="left out where there is none (build/release/bin/porttool)")
+    parser.add_argument("--self-test", type=name_of_file, metavar="FILE")
+    parser.add_argument("--with", dest="others", nargs="+", type=name_of_file, default=[], metavar="FILE")
+    parser.add_argument("--keep", type=name_of_page, metavar="PAGE")
+    parser.add_argument("--age", type=name_of_file, metavar="PAGE")
+    parser.add_argument("--code", type=name_of_file, metavar="PAGE")
     return parser.parse_args()
 
 
@@ -305,25 +324,39 @@ def lock_of(folder):
     return lock
 
 
+def is_program(file):
+    return file.is_file() and os.access(file, os.X_OK)
+
+
+def porttool_of(arguments):
+    """The program; None where nobody named one and it is not built."""
+    if arguments.porttool is not None and not is_program(arguments.porttool):
+        fail(f"there is no program {arguments.porttool}; build it, or leave --porttool out")
+    file = arguments.porttool or ROOT / "build/release/bin/porttool"
+    return os.path.abspath(file) if is_program(file) else None
+
+
 def main():
     arguments = read_options()
     if arguments.age is not None:
         update_age(arguments.age)
         return
-    porttool = os.path.abspath(arguments.porttool) if os.access(arguments.porttool, os.X_OK) else None
+    porttool = porttool_of(arguments)
     if arguments.code is not None:
         update_code(arguments.code, porttool)
         return
-    if not os.access(arguments.program, os.X_OK):
+    if not is_program(arguments.program):
         fail(f"there is no program {arguments.program}; build it, or name it with --program")
     arguments.quick = arguments.quick or arguments.self_test is not None
     settings = settings_of(arguments)
     for file in filter(None, (arguments.self_test, arguments.keep)):
+        if file.is_dir():
+            fail(f"{file}: is a folder; name a file")
         if not os.access(file.resolve().parent, os.W_OK):
             fail(f"{file}: nothing can be written to that folder; make it, or name another")
     try:
-        machines = [sections.machine_of(file) for file in arguments.others]
-    except sections.NoSelfTest as problem:
+        machines = [thesis_pack.machine_of(thesis_pack.read_pack(file)) for file in arguments.others]
+    except thesis_pack.NoSelfTest as problem:
         fail(problem)
     folder = arguments.output.resolve()
     take = Measurements(folder, os.path.abspath(arguments.program), porttool)

@@ -15,11 +15,17 @@ img{image-rendering:auto;max-width:36em}figcaption{font-size:13px;color:#555}"""
 
 
 class Section:
-    def __init__(self, title):
-        self.title, self.parts = title, []
+    """`quoted`: its words are others', in which nothing is a mark of Markdown; in ours backticks are."""
+
+    def __init__(self, title, quoted=False):
+        self.title, self.quoted, self.parts = title, quoted, []
 
     def say(self, text):
-        self.parts.append(("text", text))
+        self.parts.append(("quote" if self.quoted else "text", text))
+
+    def quote(self, text):
+        """A paragraph of others' words, such as a program's."""
+        self.parts.append(("quote", text))
 
     def table(self, columns, rows):
         self.parts.append(("table", columns, [[str(cell) for cell in row] for row in rows]))
@@ -40,8 +46,8 @@ class Page:
     def lead(self, text):
         self.leads.append(text)
 
-    def section(self, title):
-        self.sections.append(Section(title))
+    def section(self, title, quoted=False):
+        self.sections.append(Section(title, quoted))
         return self.sections[-1]
 
     def markdown(self, folder):
@@ -90,14 +96,22 @@ class Page:
 
 
 def plain(text):
-    """Text as Markdown that shows it: one line, no tags, comments, links, pictures or cells of its own."""
-    return re.sub(r"[\\\[\]|]", r"\\\g<0>", html.escape(" ".join(text.split()), quote=False))
+    """Text of ours as Markdown that shows it, with code between backticks: one line, no tags, comments, links, pictures,
+    emphasis or cells of its own."""
+    escaped = re.sub(r"[\\\[\]|*~]|(?<!\w)_|_(?!\w)", r"\\\g<0>", html.escape(" ".join(text.split()), quote=False))
+    return re.sub(r"(?<=:)(?=//)|(?<=www)(?=\.)", r"\\", escaped)
+
+
+def literal(text):
+    """The same of others' text, in which backticks are none of ours."""
+    return plain(text).replace("`", r"\`")
 
 
 def markdown_of_section(section, folder):
-    lines = [f"## {plain(section.title)}", ""]
+    shown = literal if section.quoted else plain
+    lines = [f"## {shown(section.title)}", ""]
     for part in section.parts:
-        lines += markdown_of(part, folder) + [""]
+        lines += markdown_of(part, folder, shown) + [""]
     return lines
 
 
@@ -108,20 +122,22 @@ def write_charts(section):
             content[0].write_text(svg_of(content[3], content[2]))
 
 
-def markdown_of(part, folder):
+def markdown_of(part, folder, shown):
     kind, *content = part
     if kind == "text":
-        return [plain(content[0])]
+        return [shown(content[0])]
+    if kind == "quote":
+        return [literal(content[0])]
     if kind in ("picture", "chart"):
-        return [f"![{plain(content[1])}]({os.path.relpath(content[0], folder)})"]
+        return [f"![{shown(content[1])}]({os.path.relpath(content[0], folder)})"]
     columns, rows = content
-    return ["| " + " | ".join(map(plain, columns)) + " |", "| --- |" + " ---: |" * (len(columns) - 1),
-            *("| " + " | ".join(map(plain, row)) + " |" for row in rows)]
+    return ["| " + " | ".join(map(shown, columns)) + " |", "| --- |" + " ---: |" * (len(columns) - 1),
+            *("| " + " | ".join(map(shown, row)) + " |" for row in rows)]
 
 
 def html_of(part):
     kind, *content = part
-    if kind == "text":
+    if kind in ("text", "quote"):
         return f"<p>{html.escape(content[0])}</p>"
     if kind == "picture":
         data = base64.b64encode(content[0].read_bytes()).decode()

@@ -1,11 +1,8 @@
 # SPDX-FileCopyrightText: 2026 The porttool authors
 # SPDX-License-Identifier: Apache-2.0
 """The sections of the page that bench/thesis.py makes: tables, charts and pictures of what was measured."""
-import json
 import os
 import tomllib
-import zipfile
-import zlib
 
 import thesis_numbers as thesis
 from thesis_measure import CORES, ROOT
@@ -14,12 +11,7 @@ RAY_KINDS = ("primary", "extension", "shadow")
 BLOCKS = ("generate", "extend", "shade", "connect", "finalize")
 TABLE2 = "Table 2 and Figure 16: what the port shares"
 COSTS = "Equations 3 to 8: what a port costs"
-LARGEST_PACK = 1 << 24  # bytes of a self-test.json; one that --self-test wrote has thousands
 FEWEST_PORTS = 8  # that porttool fits equation 8 to
-
-
-class NoSelfTest(Exception):
-    """A file that --self-test did not write."""
 
 
 def number(value, digits=3):
@@ -50,7 +42,7 @@ def add_machine(page, take, settings, left_out, scenes):
     ours, others = ([scene.name for scene in scenes if scene.ours == own] for own in (True, False))
     section.say("Scenes of our own, by rising size: " + ", ".join(ours) + ("; and " + ", ".join(others) if others else "") + ".")
     for reason in left_out:
-        section.say(f"Left out: {reason}.")
+        section.quote(f"Left out: {reason}.")
 
 
 def add_table1(page, scene, found):
@@ -129,7 +121,7 @@ def percent_of(lines, whole):
 def add_table2(page, report, charts):
     section = page.section(TABLE2)
     if report is None:
-        section.say("Left out: porttool is not there; build it, or name it with --porttool.")
+        section.say("Left out: there is no report of porttool; why, the first section says.")
         return
     whole, rows, shares = whole_core(report), [], {}
     for block in report["blocks"]:
@@ -214,33 +206,14 @@ def add_law_of_ports(section, take):
     section.say(f"Hours Y of a port of X lines, fitted in logarithms to {inputs['ports recorded']:.0f} ports, of them "
                 f"{inputs['of them mined']:.0f} mined from another project's public history by bench/mined_ports.py, with the hours between "
                 "their authors' commits for want of better; an impediment that is the same in all is a part of C. The ports scatter around "
-                f"it by a factor of {inputs['scatter (factor)']:.2g}. Of \"{own[-1]['what']}\", {inputs['lines']:.0f} lines, it foretells "
-                f"{law['value']:.2g} hours ({law['low']:.2g} to {law['high']:.2g}, 95 %); it took {sum(own[-1]['port'].values()):.2g}.")
-
-
-def machine_of(file):
-    """The title, the rows and the words of a section about the machine that wrote the pack."""
-    try:
-        with zipfile.ZipFile(file) as pack:
-            if pack.getinfo("self-test.json").file_size > LARGEST_PACK:
-                raise ValueError("its self-test.json is too large")
-            found = json.loads(pack.read("self-test.json"))
-        rows = [[name, number(1000 / bench["ms_per_frame"]["total"], 2), number(bench["ms_per_frame"]["total"], 2),
-                 number(bench["mrays_per_s"]["total"], 2), number(bench["mrays_per_s"]["trace"], 2), number(time_shares(bench)[-1], 1)]
-                for name, bench in found["series"].items()]
-        bias = found["bias"]
-        words = (f"Size {found['size']}; the target core on {found['devices'].get('target', '-')}. SSIM of the two cores there, samples and "
-                 "figure: " + ", ".join(f"{spp}: {number(ssim, 6)}" for spp, ssim in found["ssim"].items()) + "." +
-                 (f" With seeds of their own: {bias['verdict']}, p = {bias['p_value']:.2g}." if bias else ""))
-        return f"Another machine: {found['devices'].get('source', '-')}", rows, words
-    except (OSError, LookupError, ValueError, TypeError, AttributeError, ArithmeticError, EOFError, RuntimeError, zlib.error,
-            zipfile.BadZipFile) as problem:  # a RuntimeError: JSON too deep, or a pack with a password
-        raise NoSelfTest(f"{file}: is no file of --self-test ({problem})") from problem
+                f"it by a factor of {inputs['scatter (factor)']:.2g}. It makes "
+                f"\"{own[-1]['what']}\" ({inputs['lines']:.0f} lines, itself one of these ports) {law['value']:.2g} hours ({law['low']:.2g} to "
+                f"{law['high']:.2g}, 95 %); it took {sum(own[-1]['port'].values()):.2g}.")
 
 
 def add_other_machines(page, machines):
     for title, rows, words in machines:
-        section = page.section(title)
+        section = page.section(title, quoted=True)
         section.table(["series", "frames a second", "ms a frame", "million rays a second", "tracing alone", "tracing, % of a frame"],
                       rows + [[*speed, share[-1]] for speed, share in zip(thesis.SPEED, thesis.TIME)])
         section.say(words)

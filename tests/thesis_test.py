@@ -2,7 +2,9 @@
 # SPDX-FileCopyrightText: 2026 The porttool authors
 # SPDX-License-Identifier: Apache-2.0
 """bench/thesis.py: thesis_test.py PATHTRACER PORTTOOL. Exit code 77 (skipped) where a core cannot run here."""
+import copy
 import hashlib
+import html
 import json
 import os
 import pathlib
@@ -21,6 +23,9 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT / "bench"))
 import equal_time  # noqa: E402
 import thesis  # noqa: E402
+import thesis_pack  # noqa: E402
+import thesis_page  # noqa: E402
+import thesis_sections  # noqa: E402
 from thesis_measure import Measurements, Scene, measure_pictures  # noqa: E402
 SCRIPT = ROOT / "bench/thesis.py"
 STORED = ROOT / "docs/thesis-numbers.md"
@@ -29,6 +34,18 @@ PATHTRACER, PORTTOOL = (str(pathlib.Path(word).resolve()) for word in sys.argv[1
 
 def run(*words):
     return subprocess.run([sys.executable, str(SCRIPT), *map(str, words)], capture_output=True, text=True, check=False)
+
+
+def structure(page):
+    """Titles, heads of tables, names of rows and captions of a Markdown page, in their order, without those of scenes other
+    than the still life and without how many samples there are."""
+    lines = []
+    for section in re.split(r"^(?=## )", page, flags=re.M)[1:]:
+        if re.match(r"## (Table 1|Figures).*[ ](?!still_life$)\w+$", section, re.M):
+            continue
+        for title, table, row, caption in re.findall(r"^(## .*)|^(\| .*)\n\| --- |^\| (?!\d+ \||---)(.*?) \||^!\[(.*?)\]\(", section, re.M):
+            lines.append(re.sub(r"\d+ samples", "samples", title or table or row or caption))
+    return lines
 
 
 class QuickRun(unittest.TestCase):
@@ -53,6 +70,11 @@ class QuickRun(unittest.TestCase):
         self.assertEqual(self.first.returncode, 0, self.first.stderr)
         self.assertEqual((self.folder / "outline.txt").read_text(), (ROOT / "bench/thesis_outline.txt").read_text(),
                          "bench/thesis_outline.txt is the outline.txt of a quick run")
+
+    def test_1_has_the_structure_of_the_page_that_is_kept(self):
+        quick = structure((self.folder / "thesis.md").read_text())
+        self.assertGreater(len(quick), 70)
+        self.assertEqual(quick, structure(STORED.read_text()), "make the page anew: bench/thesis.py --keep docs/thesis-numbers.md")
 
     def test_2_shows_what_was_measured(self):
         text = (self.folder / "thesis.md").read_text()
@@ -325,6 +347,85 @@ class Kept(unittest.TestCase):
         self.assertEqual(sorted(file.name for file in (self.folder / "scenes").iterdir()), ["city", "city.json"])
 
 
+class Packs(unittest.TestCase):
+    """What a stranger sends back as a self-test."""
+    SERIES = "source core, diffuse"
+    GOOD = {"devices": {"source": "A GPU", "target": None}, "size": "640x360", "ssim": {"1": 0.99, "4": None},
+            "bias": {"verdict": "agree", "p_value": 0.5},
+            "series": {SERIES: {"ms_per_frame": {"total": 10.0, "generate": 1, "extend": 3.0, "shade": 2.5, "connect": 2.0, "finalize": 0},
+                                "mrays_per_s": {"total": 100.0, "trace": None}, "threads": 2}}}
+
+    def setUp(self):
+        temporary = tempfile.TemporaryDirectory()
+        self.addCleanup(temporary.cleanup)
+        self.file = pathlib.Path(temporary.name) / "pack.zip"
+
+    def read(self, content):
+        thesis_pack.write_pack(self.file, content, self.file.parent, [])
+        return thesis_pack.read_pack(self.file)
+
+    def changed(self, path, value):
+        content = copy.deepcopy(self.GOOD)
+        place = content
+        for name in path[:-1]:
+            place = place[name]
+        place[path[-1]] = value
+        return content
+
+    def test_what_can_be_true_is_shown(self):
+        title, rows, words = thesis_pack.machine_of(self.read(self.GOOD))
+        self.assertEqual(title, "Another machine: A GPU")
+        self.assertEqual(rows, [[self.SERIES, "100.00", "10.00", "100.00", "-", "50.0"]])
+        self.assertIn("the target core on -. SSIM of the two cores there, samples and figure: 1: 0.990000, 4: -.", words)
+        self.assertEqual(self.read(self.changed(["bias"], None))["bias"], None)
+        self.assertEqual(self.read({**self.GOOD, "more": [1]})["size"], "640x360")
+
+    def test_what_cannot_be_true_is_refused(self):
+        total = ["series", self.SERIES, "ms_per_frame", "total"]
+        rays = ["series", self.SERIES, "mrays_per_s", "trace"]
+        no_number = (-1, float("nan"), float("inf"), 1e300, 10 ** 400, True, "5", [], {})
+        odd = [(path, value, path[-1]) for path in (total, total[:-1] + ["extend"], rays) for value in no_number]
+        odd += [(total, 0, "no frame takes no time"), (total, None, "total is None"), (total, 1.0, "longer than the frame"),
+                (["ssim", "1"], 1.5, "ssim of 1 samples is 1.5"), (["ssim", "1"], float("nan"), "ssim of 1 samples is nan"),
+                (["ssim", "x"], 1, "'x' where a number of samples"), (["ssim"], [1], "ssim is list"),
+                (["bias", "p_value"], 2, "p_value is 2"), (["bias", "p_value"], None, "p_value is None"),
+                (["bias", "verdict"], "fine", "verdict is 'fine'"), (["bias"], False, "bias is False"), (["bias"], [1], "bias is list"),
+                (["size"], "640 x 360", "size is '640 x 360'"), (["size"], 5, "size is 5"), (["devices"], [1], "devices is list"),
+                (["devices", "source"], 5, "a device is 5"), (["devices", "source"], "x" * 1000, "a text of at most"),
+                (["series"], {str(i): self.GOOD["series"][self.SERIES] for i in range(100)}, "series has 100 names"),
+                (["series", self.SERIES], 3, "diffuse' is 3")]
+        for path, value, said in odd:
+            with self.assertRaises(thesis_pack.NoSelfTest, msg=(path, value)) as refused:
+                self.read(self.changed(path, value))
+            self.assertIn("pack.zip: is no file of --self-test", str(refused.exception))
+            self.assertIn(said, str(refused.exception))
+            self.assertNotIn("\n", str(refused.exception))
+            self.assertLess(len(str(refused.exception)), 300)
+        for name in self.GOOD:
+            content = {key: value for key, value in self.GOOD.items() if key != name}
+            with self.assertRaisesRegex(thesis_pack.NoSelfTest, f"it has no '{name}'"):
+                self.read(content)
+
+    @unittest.skipUnless(shutil.which("cmark-gfm"), "needs cmark-gfm")
+    def test_others_words_are_shown_as_they_are(self):
+        odd = "**a** `b` _c_ ~~d~~ <i>e</i> &amp; | [f](g) ![h](i) http://j.example www.k.example snake_case 2 * 3 \\* l"
+        content = self.changed(["devices", "source"], odd)
+        content["series"] = {odd: content["series"][self.SERIES]}
+        page = thesis_page.Page("Page")
+        page.section("First").quote(f"Left out: {odd}")
+        page.lead("Made by `bench/thesis.py`")
+        thesis_sections.add_other_machines(page, [thesis_pack.machine_of(self.read(content))])
+        shown = subprocess.run(["cmark-gfm", "-e", "table", "-e", "autolink", "-e", "strikethrough"], input=page.markdown(self.file.parent),
+                               capture_output=True, text=True, check=True).stdout
+        for before, after in (("<h2>Another machine: ", "</h2>"), ("<p>Left out: ", "</p>"), ("<td>", "</td>")):
+            self.assertIn(before + html.escape(odd, quote=False) + after, shown)
+        self.assertIn("<code>bench/thesis.py</code>", shown)
+
+    def test_what_no_screen_shows_is_marked(self):
+        device = self.read(self.changed(["devices", "source"], "a\x1b[31m\x00\u202eb\n\nc"))["devices"]["source"]
+        self.assertEqual(device, "a\ufffd[31m\ufffd\ufffdb c")
+
+
 class Samples(unittest.TestCase):
     def test_the_counts_go_up_to_what_is_asked_for(self):
         for words, counts in ((["--quick"], [1, 4]), (["--quick", "--samples", "64"], [1, 4, 16, 64]), (["--samples", "3"], [1]),
@@ -439,11 +540,14 @@ class Age(unittest.TestCase):
             for *words, said in (("--size", "abc", "'abc' is no size"), ("--samples", "0", "'0' is no number of samples"),
                                  ("--age", "nosuch", "nosuch: No such file"), ("--code", "nosuch", "nosuch: No such file"),
                                  ("-o", "/dev/null/out", "/dev/null/out"), ("--keep", "/nosuch/p.md", "/nosuch/p.md: nothing can be"),
-                                 ("--self-test", "/nosuch/t.zip", "/nosuch/t.zip: nothing can be")):
+                                 ("--self-test", "/nosuch/t.zip", "/nosuch/t.zip: nothing can be"),
+                                 ("--self-test", folder, f"{folder}: is a folder"), ("--keep", out, "a page ends in .md"),
+                                 ("-o", "", "the name is empty"), ("--program", folder, f"there is no program {folder}"),
+                                 ("--porttool", "nosuch", "there is no program nosuch"), ("--nosuch", "unrecognized")):
                 refused = run("--quick", "-o", out, "--program", PATHTRACER, *words)
                 self.assertEqual(refused.returncode, 2, words)
                 self.assertIn(said, refused.stderr)
-                self.assertNotIn("Traceback", refused.stderr)
+                self.assertEqual(refused.stderr.count("\n"), 1, refused.stderr)
                 self.assertFalse(out.exists())
 
 
