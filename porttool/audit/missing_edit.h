@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "porttool/audit/lineage.h"
+#include "porttool/scan/side.h"
+
+namespace porttool {
+
+/// A place in which the other side does not have what an edit did.
+struct MissingPlace {
+    enum class Kind : uint8_t { Replaced, Added, Removed };
+    Kind kind = Kind::Replaced;
+    WrittenStatement before, now;  ///< before the edit, and today; one is "" where a statement came or went
+    WrittenStatement there;        ///< the statement of the other side that says what was before; "" for none
+    float strength = 0;            ///< how sure it is that the other side lacks it and should not, 0 to 1
+    bool constants_only = false;   ///< nothing but numbers changed
+};
+
+/// What one commit did to one side of a pair and the other side lacks.
+struct MissingEdit {
+    Side side = Side::Source;  ///< that was edited
+    uint32_t commit = 0;       ///< by its place in the walk
+    std::vector<MissingPlace> places;
+    bool both = false;   ///< the commit edited the other side, too
+    bool since = false;  ///< the other side was edited later
+    size_t size = 0;     ///< places of the unit that the commit edited, here or not
+};
+
+}  // namespace porttool

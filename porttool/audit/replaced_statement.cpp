@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/audit/replaced_statement.h"
+
+#include <algorithm>
+
+#include "porttool/language/words.h"
+#include "porttool/normal/diff.h"
+#include "porttool/normal/statements.h"
+
+namespace porttool {
+namespace {
+
+std::string head_of(const std::vector<std::string>& words) { return words.empty() ? "" : words[0]; }
+
+}  // namespace
+
+bool ReplacedStatement::tells(Side side, const std::string& word) const {
+    constexpr size_t kLeast = 4;
+    return is_word_token(word) && word.size() >= kLeast && !is_type_word(word) && !word_is(word, kKeyword) &&
+           !texts_.own_names[side].contains(word);
+}
+
+bool ReplacedStatement::says_what_is_gained(Side side, const std::vector<std::string>& before,
+                                            const std::vector<std::string>& now) const {
+    bool any = false;
+    for (const std::string& word : now) {
+        if (!tells(side, word) || std::find(before.begin(), before.end(), word) != before.end()) continue;
+        any = true;
+        if (!texts_.unit_words[other(side)].contains(word)) return false;
+        for (const auto& words : texts_.sides[side].words)
+            if (&words != &now && words != now && std::find(words.begin(), words.end(), word) != words.end())
+                return false;
+    }
+    return any;
+}
+
+bool ReplacedStatement::same_head(Side side, const MissingPlace& place) const {
+    return head_of(texts_.translated(place.before, side, true)) == head_of(texts_.translated(place.now, side, true));
+}
+
+bool ReplacedStatement::turns_round(Side side, const MissingPlace& place, uint32_t commit) const {
+    return pair_[side].lineage->places_edited(commit) > 1 &&
+           is_turned_round(words_of_statement(place.before), words_of_statement(place.now));
+}
+
+bool ReplacedStatement::brings_call(Side side, const MissingPlace& place) const {
+    const std::vector<std::string> before = texts_.translated(place.before, side, true),
+                                   now = texts_.translated(place.now, side, true);
+    for (size_t i = 0; i + 1 < now.size(); ++i)
+        if (now[i + 1] == "(" && is_word_token(now[i]) && !is_type_word(now[i]) &&
+            !pair_[other(side)].uses->contains(now[i]) &&
+            std::find(before.begin(), before.end(), now[i]) == before.end())
+            return true;
+    return false;
+}
+
+bool numbers_alone(const WrittenStatement& before, const WrittenStatement& now) {
+    const std::vector<std::string> a = words_of_statement(before), b = words_of_statement(now);
+    if (a.size() != b.size()) return false;
+    for (size_t i = 0; i < a.size(); ++i)
+        if (a[i] != b[i] && !(is_number_token(a[i]) && is_number_token(b[i]))) return false;
+    return true;
+}
+
+bool ReplacedStatement::counts_threads_otherwise(const MissingPlace& place) {
+    const auto has = [](const WrittenStatement& statement, std::string_view name) {
+        const std::vector<std::string> words = words_of_statement(statement);
+        return std::find(words.begin(), words.end(), name) != words.end();
+    };
+    return has(place.now, "dim3") != has(place.there, "dim3") && has(place.now, "range") != has(place.there, "range");
+}
+
+float anchored(const std::vector<std::string>& before, const std::vector<std::string>& now,
+               const std::vector<std::string>& there) {
+    std::vector<bool> stands(before.size(), false);
+    for (const DiffStep& step : diff(before, there))
+        if (step.kind == DiffStep::Keep) stands[step.before] = true;
+    size_t asked = 0, known = 0;
+    const auto ask = [&](size_t i) {
+        ++asked;
+        known += stands[i] ? 1 : 0;
+    };
+    const auto is_telling = [&](size_t i) { return is_word_token(before[i]) || is_number_token(before[i]); };
+    const std::vector<DiffStep> steps = diff(before, now);
+    for (size_t k = 0; k < steps.size(); ++k) {
+        if (steps[k].kind == DiffStep::Keep) continue;
+        if (steps[k].kind == DiffStep::Remove) ask(steps[k].before);
+        const bool first = k == 0 || steps[k - 1].kind == DiffStep::Keep;
+        const bool last = k + 1 == steps.size() || steps[k + 1].kind == DiffStep::Keep;
+        const size_t at = steps[k].before + (steps[k].kind == DiffStep::Remove ? 1 : 0);
+        size_t left = std::min(steps[k].before, before.size()), right = std::min(at, before.size());
+        while (left > 0 && !is_telling(left - 1)) --left;
+        while (right < before.size() && !is_telling(right)) ++right;
+        if (first && left > 0) ask(left - 1);
+        if (last && right < before.size()) ask(right);
+    }
+    return asked == 0 ? 1 : 0.3f + 0.7f * static_cast<float>(known) / static_cast<float>(asked);
+}
+
+}  // namespace porttool

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "porttool/audit/common_texts.h"
+#include "porttool/audit/missing_edit.h"
+
+namespace porttool {
+
+/// How sure it is that an edit of a statement is missing where the other side still says what was before.
+class ReplacedStatement {
+public:
+    /// What it is given has to stay.
+    ReplacedStatement(const CommonTexts& texts, const BySide<SideOfPair>& pair) : texts_(texts), pair_(pair) {}
+
+    /// By the manner of the edit, 0 to 1. `was` and `now` are the statement in the vocabulary of both sides.
+    float missing(Side side, const MissingPlace& place, const std::vector<std::string>& was,
+                  const std::vector<std::string>& now, uint32_t commit) const {
+        return (same_head(side, place) ? 1.0f : 0.4f) * (brings_call(side, place) ? 0.5f : 1.0f) *
+               (counts_threads_otherwise(place) ? 0.2f : 1.0f) * (turns_round(side, place, commit) ? 0.1f : 1.0f) *
+               (says_what_is_gained(side, was, now) ? 0.3f : 1.0f);
+    }
+
+private:
+    /// Names that tell what a statement is about: no types, no words of a letter or two, nothing of the side's own.
+    bool tells(Side side, const std::string& word) const;
+
+    /// True if the names that an edit brought are in use on the other side's unit, and on this side in such edits
+    /// alone: then the other side has it in another statement.
+    bool says_what_is_gained(Side side, const std::vector<std::string>& before,
+                             const std::vector<std::string>& now) const;
+
+    /// True if both begin alike, without a declaration: with the variable that is set, or the word that rules it.
+    bool same_head(Side side, const MissingPlace& place) const;
+
+    /// True where a condition became its opposite among other edits: then the branches changed places.
+    bool turns_round(Side side, const MissingPlace& place, uint32_t commit) const;
+
+    /// True where the edit calls a function of which the other side has never heard.
+    bool brings_call(Side side, const MissingPlace& place) const;
+
+    /// True where one side says how many groups of threads run, and the other how many threads.
+    static bool counts_threads_otherwise(const MissingPlace& place);
+
+    const CommonTexts& texts_;
+    const BySide<SideOfPair>& pair_;
+};
+
+/// How well the places of a change are known in the other side's statement: what went, and the words beside it,
+/// have to stand there. 1 for all, 0.3 for none.
+float anchored(const std::vector<std::string>& before, const std::vector<std::string>& now,
+               const std::vector<std::string>& there);
+
+/// True for an edit of nothing but numbers.
+bool numbers_alone(const WrittenStatement& before, const WrittenStatement& now);
+
+/// What became something else altogether was not edited, but written anew, and what stands elsewhere may say the same:
+/// the less `alike` (0 to 1) before and after are, the less an edit of one counts.
+inline float still_itself(float alike) { return std::clamp((alike - 0.2f) / 0.4f, 0.2f, 1.0f); }
+
+}  // namespace porttool

@@ -1,0 +1,205 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/audit/said_otherwise.h"
+
+#include <algorithm>
+#include <map>
+
+#include "porttool/language/words.h"
+#include "porttool/normal/statements.h"
+
+namespace porttool {
+namespace {
+
+/// A statement with all names alike, and what leads to a member left out: `if ( lid != best [ bid ] )` and
+/// `if ( threadIdx . x != best [ blockIdx . x ] )` have one shape.
+std::string shape_of(const std::vector<std::string>& words) {
+    std::string out;
+    for (size_t i = 0; i < words.size(); ++i) {
+        if (words[i] == ".") {
+            ++i;
+            continue;
+        }
+        const bool name = is_word_token(words[i]) && !word_is(words[i], kKeyword) && !is_type_word(words[i]);
+        out += name ? "a" : words[i];
+        out += ' ';
+    }
+    return out;
+}
+
+}  // namespace
+
+float SaidOtherwise::lacking(Side side, size_t index) const {
+    return said_in_one(side, index) * known_names(side, index) * (0.35f + 0.65f * neighbours(side, index)) *
+           (is_label(side, index) ? 1.0f : told_by(texts_.sides[side].weighed[index].sum)) * lacks_words(side, index) *
+           in_common_calls(side, index) * sets_new(side, index) * (names_value(side, index) ? 0.5f : 1.0f);
+}
+
+bool SaidOtherwise::names_value(Side side, size_t index) const {
+    const std::vector<std::string>& words = texts_.sides[side].words[index];
+    return words.size() > 2 && words[1] == "=" && texts_.held[side].contains(words[0]) &&
+           !texts_.unit_words[other(side)].contains(words[0]);
+}
+
+bool SaidOtherwise::has_in_shape(Side side, size_t index) const {
+    const std::vector<std::string>& own = texts_.sides[side].words[index];
+    if (is_label(side, index) || own.size() < 6) return false;
+    const std::string shape = shape_of(own);
+    const ReadSide &here = texts_.sides[side], &there = texts_.sides[other(side)];
+    for (size_t i = 1; i < there.words.size(); ++i) {
+        const auto& words = there.words[i];
+        if (words[0] != own[0] && !(is_word_token(words[0]) && is_word_token(own[0]))) continue;
+        if (shape_of(words) != shape) continue;
+        const bool shares = std::any_of(own.begin(), own.end(), [&](const std::string& word) {
+            return word.size() >= 3 && is_word_token(word) && !word_is(word, kKeyword) && !is_type_word(word) &&
+                   std::find(words.begin(), words.end(), word) != words.end();
+        });
+        if (!shares) continue;
+        const float far = distance(there.weighed[i], here.weighed[index]);
+        bool nearest_one = true;
+        for (size_t k = 0; k < here.words.size() && nearest_one; ++k)
+            nearest_one = here.words[k] == own || distance(there.weighed[i], here.weighed[k]) >= far ||
+                          shape_of(here.words[k]) != shape;
+        if (nearest_one) return true;
+    }
+    return false;
+}
+
+bool SaidOtherwise::stands_alike_in_file(Side side, size_t index) const {
+    constexpr float kAlike = 0.85f;
+    const auto* there = pair_[other(side)].file_statements;
+    const std::vector<std::string>& own = texts_.sides[side].words[index];
+    if (there == nullptr || is_label(side, index) || texts_.sides[side].weighed[index].sum < 3) return false;
+    return std::any_of(there->begin(), there->end(), [&](const std::vector<std::string>& words) {
+        if (words.empty() || words[0] != own[0] || words.size() > 2 * own.size() || own.size() > 2 * words.size())
+            return false;
+        return likeness_by_endings(own, words) >= kAlike;
+    });
+}
+
+bool SaidOtherwise::only_guards(Side side, size_t index) const {
+    const std::vector<std::string>& words = texts_.sides[side].words[index];
+    if (words.size() < 4 || words[0] != "if") return false;
+    return std::all_of(words.begin() + 1, words.end(), [&](const std::string& word) {
+        return word == "(" || word == ")" || word == "!" || texts_.own_names[side].contains(word);
+    });
+}
+
+float SaidOtherwise::sets_new(Side side, size_t index) const {
+    constexpr float kSetThere = 0.3f;
+    const auto is_set = [](const std::vector<std::string>& words) {
+        return words.size() > 2 && is_word_token(words[0]) && words[1] == "=";
+    };
+    const std::vector<std::string>& own = texts_.sides[side].words[index];
+    if (!is_set(own)) return 1;
+    const auto times = [&](Side where) {
+        return std::count_if(texts_.sides[where].words.begin(), texts_.sides[where].words.end(),
+                             [&](const auto& words) { return is_set(words) && words[0] == own[0]; });
+    };
+    return times(other(side)) >= times(side) ? kSetThere : 1;
+}
+
+bool SaidOtherwise::is_label(Side side, size_t index) const {
+    const std::vector<std::string>& words = texts_.sides[side].words[index];
+    return words.size() > 2 && words[0] == "case";
+}
+
+float SaidOtherwise::in_common_calls(Side side, size_t index) const {
+    constexpr float kOwnManner = 0.5f;
+    const KnownThere there = texts_.known_there(side);
+    const std::vector<std::string>& words = texts_.sides[side].words[index];
+    for (size_t i = 0; i + 1 < words.size(); ++i)
+        if (words[i + 1] == "(" && is_word_token(words[i]) && there.degree(words[i]) <= 0) return kOwnManner;
+    return 1;
+}
+
+float SaidOtherwise::known_names(Side side, size_t index) const {
+    const KnownThere there = texts_.known_there(side);
+    float names = 0, known = 0;
+    for (const std::string& word : texts_.sides[side].words[index]) {
+        if (!is_word_token(word)) continue;
+        ++names;
+        known += there.degree(word);
+    }
+    return names == 0 ? 0.5f : known / names;
+}
+
+bool SaidOtherwise::only_brings(Side side, size_t index) const {
+    const KnownThere there = texts_.known_there(side);
+    size_t calls = 0;
+    const std::vector<std::string> value = value_of(texts_.sides[side].words[index]);
+    int depth = 0;  // of brackets: what stands there says which one
+    for (size_t i = 0; i < value.size(); ++i) {
+        depth += value[i] == "[" ? 1 : value[i] == "]" ? -1 : 0;
+        if (depth > 0) continue;
+        const bool called = i + 1 < value.size() && value[i + 1] == "(";
+        if (called && (!is_word_token(value[i]) || there.degree(value[i]) > 0)) return false;
+        calls += called ? 1 : 0;
+        const bool slight =
+            value[i].size() == 1 && std::string_view("()[].,").find(value[i][0]) != std::string_view::npos;
+        if (!slight && !is_word_token(value[i]) && !is_number_token(value[i])) return false;
+    }
+    return calls <= 1 && value.size() < texts_.sides[side].words[index].size();
+}
+
+float SaidOtherwise::said_in_one(Side side, size_t index) const {
+    constexpr float kSaid = 0.35f;
+    constexpr size_t kShort = 3;
+    const KnownThere there = texts_.known_there(side);
+    std::vector<std::string> names;
+    for (const std::string& word : texts_.sides[side].words[index])
+        if (is_word_token(word) && word.size() > kShort && !is_type_word(word) &&
+            !texts_.own_names[side].contains(word) && there.degree(word) > 0)
+            names.push_back(word);
+    if (names.size() < 2) return 1;  // one alone stands anywhere
+    for (const auto& words : texts_.sides[other(side)].words)
+        if (std::all_of(names.begin(), names.end(), [&](const std::string& name) {
+                return std::find(words.begin(), words.end(), name) != words.end();
+            }))
+            return kSaid;
+    return 1;
+}
+
+float SaidOtherwise::lacks_words(Side side, size_t index) const {
+    constexpr float kSaidOtherwise = 0.4f, kNoWords = 0.7f;
+    constexpr size_t kLeast = 3;
+    constexpr size_t kTelling = 4;  // letters of a name that another ends with: `clamp`, `spectrumclamp`
+    const auto is_in = [](const std::string& one, const std::string& word) {
+        return one == word || (word.size() >= kTelling && one.ends_with(word)) ||
+               (one.size() >= kTelling && word.ends_with(one));
+    };
+    const auto count = [&](Side where, const std::string& word) {
+        ptrdiff_t out = 0;
+        for (const auto& words : texts_.sides[where].words)
+            out += std::count_if(words.begin(), words.end(), [&](const auto& one) { return is_in(one, word); });
+        return out;
+    };
+    const KnownThere there = texts_.known_there(side);
+    bool any = false;
+    for (const std::string& word : texts_.sides[side].words[index]) {
+        const bool tells = is_number_token(word) || (is_word_token(word) && word.size() >= kLeast &&
+                                                     !texts_.own_names[side].contains(word) && there.degree(word) > 0);
+        if (!tells || is_type_word(word)) continue;
+        any = true;
+        if (count(other(side), word) < count(side, word)) return 1;
+    }
+    return any ? kSaidOtherwise : kNoWords;
+}
+
+float SaidOtherwise::neighbours(Side side, size_t index) const {
+    const auto& here = texts_.sides[side].weighed;
+    const auto& others = texts_.sides[other(side)].weighed;
+    float sum = 0;
+    int count = 0;
+    for (const int step : {-2, -1, 1, 2}) {
+        const auto at = static_cast<ptrdiff_t>(index) + step;
+        if (at < 0 || at >= static_cast<ptrdiff_t>(here.size())) continue;
+        const WeighedWords& one = here[static_cast<size_t>(at)];
+        const Nearest near = nearest(one, others);
+        ++count;
+        if (near.any) sum += std::max(0.0f, 1 - near.distance / (one.sum + others[near.index].sum));
+    }
+    return count == 0 ? 0 : sum / static_cast<float>(count);
+}
+
+}  // namespace porttool
