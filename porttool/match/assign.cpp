@@ -5,14 +5,14 @@
 #include <algorithm>
 #include <iterator>
 #include <map>
-#include <set>
 #include <unordered_map>
 #include <unordered_set>
 #include <utility>
 
 #include "porttool/match/decide.h"
 #include "porttool/match/inlined_kernels.h"
-#include "porttool/match/words.h"
+#include "porttool/match/unit_forms.h"
+#include "porttool/match/unit_roles.h"
 
 namespace porttool {
 namespace {
@@ -33,13 +33,12 @@ public:
           target_(target),
           terms_(terms),
           candidates_(std::move(candidates)),
+          roles_(source, target, terms, candidates_),
+          forms_(terms),
           fixed_(source.size(), false) {
         for (const UnitFeatures& unit : source_) ++source_names_[unit.folded_name];
         for (const UnitFeatures& unit : target_) ++target_names_[unit.folded_name];
         for (const UnitFeatures& unit : target_) ++target_cores_[unit.core];
-        read_launchers();
-        read_workers();
-        read_homes();
         for (const auto& list : candidates_) {
             scores_.emplace_back();
             for (const Candidate& candidate : list)
@@ -83,12 +82,6 @@ private:
                target_names_.at(name) == 1;
     }
 
-    /// One name for several units of a file, and the two share it. In several files they are copies.
-    static bool is_overloaded(const UnitFeatures& a, const UnitFeatures& b) {
-        if (a.whole_file_main || b.whole_file_main) return false;  // what they take stands outside
-        return a.folded_leaf == b.folded_leaf && (a.overloaded || b.overloaded);
-    }
-
     /// Of several functions about a kernel's subject, as one that hands on, one that checks and one that works it out,
     /// the port is the one that is written most alike, however long its name is.
     void prefer_alike_bodies(uint32_t s) {
@@ -106,131 +99,6 @@ private:
         }
     }
 
-    /// Which shaders' mains have a candidate that works in the other side's file of their own file's name.
-    void read_homes() {
-        has_home_.assign(source_.size(), false);
-        for (uint32_t s = 0; s < source_.size(); ++s)
-            has_home_[s] = source_[s].whole_file_main &&
-                           std::any_of(candidates_[s].begin(), candidates_[s].end(), [&](const Candidate& candidate) {
-                               const UnitFeatures& unit = target_[candidate.target];
-                               return unit.stem == source_[s].stem && unit.works && !prepares(source_[s], unit);
-                           });
-    }
-
-    /// A shader's main is the subject of its file: a helper of another file is not it, even under the very name.
-    bool is_elsewhere(uint32_t s, uint32_t t) const { return has_home_[s] && target_[t].stem != source_[s].stem; }
-
-    /// What of the source leads to a kernel without launching it, and what of the target works, itself or in a function
-    /// of its file that it calls.
-    void read_workers() {
-        leads_on_ = units_that_call(source_, [](const UnitFeatures& unit) { return unit.launches && !unit.kernel; });
-        delegates_ = units_that_call(
-            target_, [](const UnitFeatures& unit) { return unit.works || unit.launches || unit.kernel; });
-    }
-
-    /// Who calls a function of its own file that is such a one.
-    template <class Is>
-    static std::vector<bool> units_that_call(const std::vector<UnitFeatures>& units, const Is& is) {
-        std::unordered_set<uint64_t> such;
-        for (const UnitFeatures& unit : units)
-            if (unit.group == Group::Code && is(unit)) such.insert(file_pair(unit.file, unit.called_as));
-        std::vector<bool> out(units.size());
-        for (size_t i = 0; i < units.size(); ++i)
-            out[i] = !such.empty() && std::any_of(units[i].callees.begin(), units[i].callees.end(), [&](uint32_t name) {
-                return such.contains(file_pair(units[i].file, name));
-            });
-        return out;
-    }
-
-    /// What leads to a kernel is not ported by what neither works nor calls what does, as what only notes what to do.
-    bool is_idle_for(uint32_t s, uint32_t t) const {
-        const UnitFeatures& unit = target_[t];
-        return leads_on_[s] && !source_[s].works && !unit.works && !unit.launches && !delegates_[t];
-    }
-
-    /// What each target does with the kernels of the source: launches them, calls what does, or neither.
-    void read_launchers() {
-        std::unordered_set<uint32_t> kernels, launchers;
-        for (const UnitFeatures& unit : target_)
-            if (unit.group == Group::Code) own_.insert(unit.called_as);
-        for (const UnitFeatures& unit : source_)
-            if (unit.kernel && !own_.contains(unit.called_as)) kernels.insert(unit.called_as);
-        launches_.assign(target_.size(), false);
-        const auto calls_any = [](const UnitFeatures& unit, const std::unordered_set<uint32_t>& names) {
-            return std::any_of(unit.callees.begin(), unit.callees.end(),
-                               [&](uint32_t name) { return names.contains(name); });
-        };
-        for (uint32_t t = 0; t < target_.size(); ++t) {
-            const UnitFeatures& unit = target_[t];
-            // Who sets arguments where there are no kernels sets those of the source's, whatever he stores for that.
-            const bool for_others = unit.sets_arguments && !unit.beside_kernels;
-            launches_[t] = !unit.kernel && unit.launches && (unit.launcher || for_others || calls_any(unit, kernels));
-            if (launches_[t]) launchers.insert(target_[t].called_as);
-        }
-        for (uint32_t t = 0; t < target_.size(); ++t)
-            if (!target_[t].works && calls_any(target_[t], launchers)) launches_[t] = true;
-        read_callers();
-    }
-
-    /// What of the target calls launchers that stand beside the source's kernels: the host that both sides have in
-    /// common, or the part of it that is in the target's folders.
-    void read_callers() {
-        std::unordered_multimap<uint32_t, uint32_t> launchers;  // by the name that they are called by, their files
-        const auto is_one = [&](const UnitFeatures& unit) {
-            return unit.group == Group::Code && !unit.kernel && unit.says_kernels && !own_.contains(unit.called_as);
-        };
-        for (const UnitFeatures& unit : source_)
-            if (is_one(unit) && unit.launches) launchers.emplace(unit.called_as, unit.file);
-        std::unordered_multimap<uint32_t, uint32_t> handing_on;
-        for (const UnitFeatures& unit : source_)
-            if (is_one(unit) && !unit.launches)
-                for (const uint32_t name : unit.callees)
-                    if (launchers.contains(name)) handing_on.emplace(unit.called_as, unit.file);
-        launchers.insert(handing_on.begin(), handing_on.end());
-        calls_into_.assign(target_.size(), {});
-        for (uint32_t t = 0; t < target_.size(); ++t)
-            if (!target_[t].works && !launchers.empty())
-                for (const uint32_t name : target_[t].callees) {
-                    const auto [first, last] = launchers.equal_range(name);
-                    for (auto found = first; found != last; ++found) calls_into_[t].insert(found->second);
-                }
-    }
-
-    /// A kernel, and what launches it there or hands on to what does.
-    bool is_launched_there(uint32_t s, uint32_t t) const {
-        return is_used_there(s, t) || (source_[s].kernel && (launches_[t] || calls_by_name(s, t)));
-    }
-
-    /// A call of a name that the target itself does not have is one of the source's.
-    bool calls_by_name(uint32_t s, uint32_t t) const {
-        const uint32_t name = source_[s].called_as;
-        const std::vector<uint32_t>& callees = target_[t].callees;
-        return !own_.contains(name) && std::binary_search(callees.begin(), callees.end(), name);
-    }
-
-    /// A kernel or launcher of a file whose launchers are called there.
-    bool is_used_there(uint32_t s, uint32_t t) const {
-        return calls_into_[t].contains(source_[s].file) && (source_[s].kernel || source_[s].launches);
-    }
-
-    /// One of the two launches kernels. Where they share the last part of their names, or differ there in the platform
-    /// that each names, the other can hold the launcher and its kernel in one, but is no kernel.
-    static bool other_role(const UnitFeatures& a, const UnitFeatures& b) {
-        const bool one_name =
-            a.called_as == b.called_as || (a.folded_leaf == b.folded_leaf && a.names_platform && b.names_platform);
-        return a.launcher != b.launcher && (a.kernel || b.kernel || !one_name);
-    }
-
-    /// One is a kernel, and the other's name says that it makes ready for what a kernel does.
-    bool prepares(const UnitFeatures& a, const UnitFeatures& b) const {
-        if (a.kernel == b.kernel || a.group != Group::Code) return false;
-        const UnitFeatures &kernel = a.kernel ? a : b, &other = a.kernel ? b : a;
-        return std::any_of(other.all_words.begin(), other.all_words.end(), [&](uint32_t word) {
-            return marks_preparation(terms_.text(word)) &&
-                   !std::binary_search(kernel.all_words.begin(), kernel.all_words.end(), word);
-        });
-    }
-
     /// How far a candidate's body is ahead of those of all others.
     float body_margin(uint32_t s, uint32_t chosen) const {
         float rival = 0;
@@ -245,14 +113,14 @@ private:
                         kOperands = 0.15f, kPrepares = -0.15f, kElsewhere = -0.4f, kBranch = 0.02f;
         const UnitFeatures &a = source_[candidate.source], &b = target_[candidate.target];
         float bonus = kCore * candidate.resemblance.core;
-        if (is_launched_there(candidate.source, candidate.target))
+        if (roles_.is_launched_there(candidate.source, candidate.target))
             bonus += kNoKernel;
         else if (a.launcher != b.launcher)
-            bonus += a.kernel || b.kernel ? kNoKernel : other_role(a, b) ? kLauncher : kSameName;
+            bonus += a.kernel || b.kernel ? kNoKernel : UnitRoles::other_role(a, b) ? kLauncher : kSameName;
         else if ((a.works && !b.computes) || (a.kernel && a.acts && !b.acts) || (b.works && !a.computes))
             bonus += a.kernel && !b.computes ? 2 * kIdle : kIdle;
-        if (prepares(a, b) || is_idle_for(candidate.source, candidate.target)) bonus += kPrepares;
-        if (is_elsewhere(candidate.source, candidate.target)) bonus += kElsewhere;
+        if (roles_.prepares(a, b) || roles_.is_idle_for(candidate.source, candidate.target)) bonus += kPrepares;
+        if (roles_.is_elsewhere(candidate.source, candidate.target)) bonus += kElsewhere;
         if (a.folded_name == b.folded_name && a.branch == b.branch && !is_overloaded(a, b)) bonus += kBranch;
         if (is_overloaded(a, b)) bonus -= kOperands * (1 - candidate.resemblance.operands);
         return bonus;
@@ -385,9 +253,10 @@ private:
         out.resemblance = chosen.resemblance;
         out.margin = margin(s, c);
         out.names = differences_[s][c];
-        out.other_role = other_role(source_[s], target_[chosen.target]) || is_launched_there(s, chosen.target);
-        out.unfit = prepares(source_[s], target_[chosen.target]) || is_idle_for(s, chosen.target) ||
-                    is_elsewhere(s, chosen.target);
+        out.other_role =
+            UnitRoles::other_role(source_[s], target_[chosen.target]) || roles_.is_launched_there(s, chosen.target);
+        out.unfit = roles_.prepares(source_[s], target_[chosen.target]) || roles_.is_idle_for(s, chosen.target) ||
+                    roles_.is_elsewhere(s, chosen.target);
         out.body_margin = body_margin(s, c);
         constexpr float kOperands = 0.67f;
         out.wrong_operands =
@@ -397,7 +266,8 @@ private:
         constexpr int kFew = 3;
         out.same_subject = chosen.resemblance.core >= 1 && target_cores_.at(target_[chosen.target].core) <= kFew;
         out.shared = shared;
-        out.confidence = is_used_there(s, chosen.target) ? 0.0f : confidence(source_[s], target_[chosen.target], out);
+        out.confidence =
+            roles_.is_used_there(s, chosen.target) ? 0.0f : confidence(source_[s], target_[chosen.target], out);
         return out;
     }
 
@@ -427,7 +297,8 @@ private:
                 if (best == kNobody || scores_[s][c] > scores_[s][best]) best = c;
             if (best == kNobody || claimed_[candidates_[s][best].target] == kNobody) continue;
             const Candidate& candidate = candidates_[s][best];
-            if (!may_share(source_[s], target_[candidate.target], source_[claimed_[candidate.target]], candidate))
+            if (!forms_.may_share(source_[s], target_[candidate.target], source_[claimed_[candidate.target]],
+                                  candidate))
                 continue;
             if (add_shared(s, best, source_[s], source_[claimed_[candidate.target]])) choice_[s] = best;
         }
@@ -464,24 +335,18 @@ private:
     /// True if a target may be one more port of a source that has one.
     bool may_port_too(uint32_t s, const Candidate& candidate) const {
         const UnitFeatures &unit = target_[candidate.target], &own = target_[candidates_[s][choice_[s]].target];
-        if (&unit == &own || !may_share(unit, source_[s], own, candidate)) return false;
+        if (&unit == &own || !forms_.may_share(unit, source_[s], own, candidate)) return false;
         // Branches of an `#if` on both sides are one each.
         const bool branch = unit.file == own.file && unit.folded_name == own.folded_name;
         if (branch && source_names_.at(source_[s].folded_name) > 1) return false;
         if (branch && source_[s].whole_file_main && unit.overloaded) return false;  // overloads are no copies
-        return is_second_form(unit, own) || is_known_copy(s, candidate.target, candidates_[s][choice_[s]].target);
+        return UnitForms::is_second_form(unit, own) ||
+               is_known_copy(s, candidate.target, candidates_[s][choice_[s]].target);
     }
 
     bool is_known_copy(uint32_t s, uint32_t t, uint32_t own) const {
         const bool kernels = target_[t].kernel && target_[own].kernel && !source_[s].kernel;
-        return kernels || is_copy(target_[t], target_[own]);
-    }
-
-    /// Of one subject in another file, under a longer name: of a project that has its functions in two forms, where a
-    /// whole family of a file has the same words more.
-    static bool is_second_form(const UnitFeatures& a, const UnitFeatures& b) {
-        return a.file != b.file && a.core == b.core && !a.core.empty() && a.all_words.size() > b.all_words.size() &&
-               std::includes(a.all_words.begin(), a.all_words.end(), b.all_words.begin(), b.all_words.end());
+        return kernels || forms_.is_copy(target_[t], target_[own]);
     }
 
     /// A file, and the words that a name there has more than that of the port that its source has already.
@@ -496,53 +361,13 @@ private:
         return form;
     }
 
-    /// The same function once more, or for another instruction set: but for such a word the names are equal, and the
-    /// bodies at least as alike as two ports are.
-    bool is_copy(const UnitFeatures& a, const UnitFeatures& b) const {
-        constexpr float kAlike = 0.4f;
-        if (a.folded_name != b.folded_name && without_instruction_set(a) != without_instruction_set(b)) return false;
-        return a.folded_name != b.folded_name || body_likeness(compare_units(a, b)) >= kAlike;
-    }
-
-    std::vector<uint32_t> without_instruction_set(const UnitFeatures& unit) const {
-        std::vector<uint32_t> words = unit.ordered_words;
-        std::erase_if(words, [&](uint32_t word) { return names_instruction_set(terms_.text(word)); });
-        return words;
-    }
-
     /// `unit` is new to the pair, `owner` of the same side has it.
     bool add_shared(uint32_t s, uint32_t c, const UnitFeatures& unit, const UnitFeatures& owner) {
         Assignment pair = describe(s, c, true);
-        pair.confidence = std::max(pair.confidence, as_variant(unit, owner));
+        pair.confidence = std::max(pair.confidence, forms_.as_variant(unit, owner));
         if (pair.confidence < kLeastConfidence) return false;
         settled_.push_back(pair);
         return true;
-    }
-
-    /// How likely one is ported by what ports the other, as they are the same but for words that tell how, or for the
-    /// number of a version.
-    float as_variant(const UnitFeatures& unit, const UnitFeatures& owner) const {
-        constexpr float kAlike = 0.5f, kMost = 0.85f;
-        const bool one = unit.core == owner.core || is_version_of(unit.core_words, owner.core_words);
-        const float alike = one ? body_likeness(compare_units(unit, owner)) : 0.0f;
-        return alike < kAlike ? 0.0f : std::min(kMost, 0.2f + 0.7f * alike);
-    }
-
-    /// `solver_2` of `solver`: the same words, and numbers.
-    bool is_version_of(const std::vector<uint32_t>& longer, const std::vector<uint32_t>& shorter) const {
-        if (!std::includes(longer.begin(), longer.end(), shorter.begin(), shorter.end())) return false;
-        std::vector<uint32_t> more;
-        std::set_difference(longer.begin(), longer.end(), shorter.begin(), shorter.end(), std::back_inserter(more));
-        return std::all_of(more.begin(), more.end(),
-                           [&](uint32_t word) { return numbers_a_version(terms_.text(word)); });
-    }
-
-    /// What a project computes on the host to compare its kernels with is not what ports them.
-    bool is_reference_of(const UnitFeatures& unit, const UnitFeatures& target) const {
-        return std::any_of(unit.all_words.begin(), unit.all_words.end(), [&](uint32_t word) {
-            return marks_reference(terms_.text(word)) &&
-                   !std::binary_search(target.all_words.begin(), target.all_words.end(), word);
-        });
     }
 
     /// A kernel that is left and does no more than call one function is ported by what ports that.
@@ -600,40 +425,16 @@ private:
         }
     }
 
-    /// Variants of one unit, or of one name, share a counterpart; what else resembles one that is taken is a sibling of
-    /// its owner. `unit` and `owner` are of one side.
-    bool may_share(const UnitFeatures& unit, const UnitFeatures& other, const UnitFeatures& owner,
-                   const Candidate& candidate) const {
-        constexpr float kOperands = 0.75f, kAlike = 0.4f;
-        const Resemblance& resemblance = candidate.resemblance;
-        const auto within = [](const std::vector<uint32_t>& few, const std::vector<uint32_t>& many) {
-            return std::includes(many.begin(), many.end(), few.begin(), few.end());
-        };
-        const bool one_subject = unit.core == owner.core || resemblance.core >= 1;
-        const bool more_of_it = within(other.core_words, unit.core_words) && body_likeness(resemblance) >= kAlike;
-        if (!one_subject && !more_of_it) return false;
-        if (unit.entry && unit.called_as != other.called_as) return false;
-        const bool its_kernel = unit.kernel && owner.launcher && resemblance.core >= 1;
-        if (owner.folded_name == other.folded_name && !its_kernel && !within(other.all_words, unit.all_words))
-            return false;
-        if (is_reference_of(unit, other) || resemblance.kind <= 0) return false;
-        return !is_overloaded(unit, other) || resemblance.operands >= kOperands;
-    }
-
     const std::vector<UnitFeatures>& source_;
     const std::vector<UnitFeatures>& target_;
     const TermNumbers& terms_;
     std::vector<std::vector<Candidate>> candidates_;
+    UnitRoles roles_;
+    UnitForms forms_;
     std::vector<bool> fixed_;  ///< sources that a person has paired
     std::vector<std::vector<float>> scores_;
     std::vector<std::vector<float>> alike_;  ///< the scores before names are weighed
     std::unordered_map<std::string, int> source_names_, target_names_, target_cores_;
-    std::unordered_set<uint32_t> own_;                      ///< the names that the target's functions are called by
-    std::vector<bool> launches_;                            ///< of each target
-    std::vector<bool> has_home_;                            ///< of each source, see read_homes()
-    std::vector<bool> leads_on_;                            ///< of each source: it calls what launches
-    std::vector<bool> delegates_;                           ///< of each target: it calls what works, or launches
-    std::vector<std::set<uint32_t>> calls_into_;            ///< of each target, files whose launchers it calls
     std::vector<uint32_t> choice_;                          ///< of each source, an index into its candidates
     std::vector<uint32_t> claimed_;                         ///< of each target, the source
     std::vector<std::vector<NameDifference>> differences_;  ///< of the names, as scores_
