@@ -4,6 +4,8 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <filesystem>
+#include <system_error>
 #include <vector>
 
 #include "application/command_table.h"
@@ -60,6 +62,15 @@ std::vector<std::string> take_second_set(std::vector<std::string>& words) {
     return second;
 }
 
+/// The first of the words behind `--` that was meant as an option: no file has that name.
+std::string option_behind_mark(const std::vector<std::string>& words) {
+    std::error_code error;
+    const auto option = std::find_if(words.begin(), words.end(), [&error](const std::string& word) {
+        return word.starts_with("-") && !std::filesystem::exists(word, error);
+    });
+    return option == words.end() ? "" : *option;
+}
+
 std::vector<std::string> option_names(const CLI::App& app) {
     std::vector<std::string> names;
     for (const CLI::Option* option : app.get_options()) {
@@ -71,6 +82,8 @@ std::vector<std::string> option_names(const CLI::App& app) {
 /// Names the first argument nobody asked for.
 std::string describe_extras(const CLI::App& app) {
     const std::vector<std::string> extras = app.remaining(true);
+    if (extras.empty() && app.get_name() == "compare")  // what a -- parts is no argument to CLI11
+        return "--: two sets of image files are for --bias; give it too";
     if (extras.empty()) return "unexpected arguments";
     const std::string& word = extras.front();
     if (!word.starts_with("-")) return "unexpected argument '" + word + "'";
@@ -119,6 +132,10 @@ Invocation parse_command_line(std::span<const std::string> arguments) {
     if (command != nullptr && command->name == "compare") invocation.options.images_b = take_second_set(words);
     if (words.size() < words_before && invocation.options.images_b.empty())
         return usage_error("pathtracer compare", "--: no image files behind it; give --bias A... -- B...");
+    if (const std::string option = option_behind_mark(invocation.options.images_b); !option.empty()) {
+        return usage_error("pathtracer compare",
+                           option + ": stands behind --, where only image files do; give it before them");
+    }
     const std::string where = command != nullptr ? "pathtracer " + command->name : "pathtracer";
 
     try {

@@ -208,6 +208,7 @@ const std::set<std::string> FOR_IMAGES = {"--output", "--limit-ssim", "--bias", 
 
 /// What `compare` was given: a scene, two image files, or two sets of them (the words after `--` are in images_b).
 void settle_comparison(const CLI::App& app, Options& options) {
+    if (app.remaining_size() > 0) return;  // what nobody asked for is named first
     std::vector<std::string>& a = options.images_a;
     std::vector<std::string>& b = options.images_b;
     for (const auto* names : {&a, &b}) {
@@ -222,8 +223,6 @@ void settle_comparison(const CLI::App& app, Options& options) {
     }
     if (options.bias && b.empty())
         throw CLI::ValidationError("--bias", "needs a scene, or two sets of image files: --bias A... -- B...");
-    if (!options.bias && !b.empty())
-        throw CLI::ValidationError("--", "two sets of image files are for --bias; give it too");
     if (!options.bias && a.size() != 2)
         throw CLI::ValidationError(
             "SCENE|A", "a scene, two image files, or --bias A... -- B...; not " + std::to_string(a.size()) + " files");

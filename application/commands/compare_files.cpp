@@ -7,6 +7,8 @@
 #include <filesystem>
 #include <map>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "application/commands/command_steps.h"
 #include "application/commands/compare_steps.h"
@@ -92,6 +94,49 @@ Result<PictureSet> read_set(const std::vector<std::string>& names, const Picture
     return set;
 }
 
+/// Pixels that are NaN or infinite in any file of either set; empty where there are none.
+std::vector<bool> odd_in_any(const PictureSet& a, const PictureSet& b, uint32_t width) {
+    std::vector<bool> odd;
+    for (const auto* places : {&a.odd.nan, &a.odd.infinite, &b.odd.nan, &b.odd.infinite}) {
+        if (!places->empty()) odd.resize(a.mean.linear.rgb.size() / metrics::CHANNELS);
+        for (const PixelPlace& place : *places) odd[size_t{place[1]} * width + place[0]] = true;
+    }
+    return odd;
+}
+
+/// How many tiles of the grid have no other pixel than these.
+size_t tiles_lost(const metrics::TileGrid& grid, const std::vector<bool>& pixels) {
+    std::vector<bool> lost(grid.tiles(), true);
+    for (size_t i = 0; i < pixels.size(); ++i)
+        if (!pixels[i]) lost[grid.tile_of(i % grid.width, i / grid.width)] = false;
+    return static_cast<size_t>(std::count(lost.begin(), lost.end(), true));
+}
+
+/// Takes the means of both sets once more, over the pixels that are numbers in all files: a pixel that one side alone
+/// lacks would make its tile darker or brighter, which is no bias.
+Status leave_out_odd(const Options& options, const PictureFile& first, PictureSet& a, PictureSet& b, Console& console) {
+    const std::vector<bool> odd = odd_in_any(a, b, first.forms.linear.width);
+    if (odd.empty()) return Status::success();
+    const metrics::TileGrid grid = a.means.grid();
+    const size_t lost = tiles_lost(grid, odd);
+    if (lost == grid.tiles())
+        return Status::invalid("--bias: no pixel is a number in all files; leave out the files that are named above");
+    console.warning(
+        fmt::format("left out of all files of both sets, as NaN or infinite in one: {} of the pixels{}",
+                    std::count(odd.begin(), odd.end(), true),
+                    lost > 0 ? fmt::format("; {} of {} tiles are compared in none", lost, grid.tiles()) : ""));
+    for (const auto& [set, names] : {std::pair{&a, &options.images_a}, std::pair{&b, &options.images_b}}) {
+        set->means = metrics::TileMeans(grid, odd);
+        for (const std::string& name : *names) {
+            const auto file = read_picture_file(name);
+            if (!file.ok()) return file.status;
+            if (Status status = check_alike(first, *file); !status.ok()) return status;  // it may have been replaced
+            set->means.add(file->forms.linear.view());
+        }
+    }
+    return Status::success();
+}
+
 void note_shared(const PictureSet& a, const PictureSet& b, Console& console) {
     for (const auto& [print, name] : a.name_of_print) {
         const auto other = b.name_of_print.find(print);
@@ -136,11 +181,12 @@ ExitCode compare_sets(const Options& options, Console& console) {
     if (Status status = check_output(options); !status.ok()) return fail(console, status);
     const auto first = read_picture_file(options.images_a.front());
     if (!first.ok()) return fail(console, first.status);
-    const auto a = read_set(options.images_a, *first, console);
+    auto a = read_set(options.images_a, *first, console);
     if (!a.ok()) return fail(console, a.status);
-    const auto b = read_set(options.images_b, *first, console);
+    auto b = read_set(options.images_b, *first, console);
     if (!b.ok()) return fail(console, b.status);
     note_shared(*a, *b, console);
+    if (Status status = leave_out_odd(options, *first, *a, *b, console); !status.ok()) return fail(console, status);
 
     const Figures figures = compare_pictures(std::nullopt, a->mean, b->mean);
     if (Status status = check_limit(options, figures); !status.ok()) return fail(console, status);

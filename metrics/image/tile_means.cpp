@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace metrics {
 namespace {
@@ -27,11 +28,13 @@ TileGrid sixteen_along(size_t width, size_t height) {
     return {width, height, std::max(kLeastSide, (std::max(width, height) + kAlong - 1) / kAlong)};
 }
 
-TileMeans::TileMeans(const TileGrid& grid) : grid_(grid), values_((grid.tiles() + 1) * CHANNELS) {}
+TileMeans::TileMeans(const TileGrid& grid, std::vector<bool> left_out)
+    : grid_(grid), masked_(std::move(left_out)), values_((grid.tiles() + 1) * CHANNELS) {}
 
 void TileMeans::add(const ImageViewFloat& picture) {
     std::vector<TileSum> sums(grid_.tiles() + 1);
     for (size_t pixel = 0; pixel < picture.pixels(); ++pixel) {
+        if (!masked_.empty() && masked_[pixel]) continue;
         const float* rgb = &picture.rgb[pixel * CHANNELS];
         if (!std::isfinite(rgb[0]) || !std::isfinite(rgb[1]) || !std::isfinite(rgb[2])) {
             ++left_out_;

@@ -29,7 +29,9 @@ TileGrid sixteen_along(size_t width, size_t height);
 /// each channel of each picture. Pixels with a channel that is no finite number are left out and counted.
 class TileMeans {
 public:
-    explicit TileMeans(const TileGrid& grid);
+    /// `left_out`: pixels that are left out of all pictures, uncounted, so that those of two sets are means of the same
+    /// pixels; none: of no picture.
+    explicit TileMeans(const TileGrid& grid, std::vector<bool> left_out = {});
 
     /// One more picture, of the grid's size.
     void add(const ImageViewFloat& picture);
@@ -43,6 +45,7 @@ public:
 
 private:
     TileGrid grid_;
+    std::vector<bool> masked_;
     std::vector<std::vector<double>> values_;  ///< [tile * CHANNELS + channel][picture], the whole picture last
     size_t left_out_ = 0;
 };

@@ -117,9 +117,18 @@ void fill_shorts(Image& image, const std::vector<uint16_t>& pixels, size_t count
     }
 }
 
-void fill_floats(Image& image, const std::vector<float>& pixels, size_t count, int channels) {
+// Whether both channels of an EXR are data of their own (motion, coordinates) and the second is no alpha: red and
+// green.
+bool are_red_and_green(const OIIO::ImageSpec& spec) {
+    const std::vector<std::string>& names = spec.channelnames;
+    return names.size() == 2 && names[1] != "A" && !names[1].ends_with(".A");
+}
+
+void fill_floats(Image& image, const std::vector<float>& pixels, size_t count, int channels, bool red_and_green) {
     for (size_t i = 0; i < count; ++i) {
-        image.floats.push_back(rgba_of<float>(&pixels[i * static_cast<size_t>(channels)], channels, 1.0f));
+        const float* texel = &pixels[i * static_cast<size_t>(channels)];
+        image.floats.push_back(red_and_green ? glm::vec4(texel[0], texel[1], 0.0f, 1.0f)
+                                             : rgba_of<float>(texel, channels, 1.0f));
     }
 }
 
@@ -160,8 +169,10 @@ Image decode_image(std::span<const std::byte> bytes, const std::string& name) {
         const bool as_stored = spec.format == OIIO::TypeDesc::FLOAT && spec.nchannels == channels;
         const OIIO::TypeDesc type = as_stored ? OIIO::TypeUnknown : OIIO::TypeDesc(OIIO::TypeDesc::FLOAT);
         image.floats.reserve(texels);
-        read_strips<float>(*input, spec, channels, type,
-                           [&](const auto& pixels, size_t count) { fill_floats(image, pixels, count, channels); });
+        const bool red_and_green = are_red_and_green(spec);
+        read_strips<float>(*input, spec, channels, type, [&](const auto& pixels, size_t count) {
+            fill_floats(image, pixels, count, channels, red_and_green);
+        });
     }
     return image;
 }

@@ -153,6 +153,9 @@ TEST_F(CompareFiles, RefusesWhatCannotBeCompared) {
     expect_refused({rgb, CMAKE_LISTS}, "convert it");
     expect_refused({rgb, rgb, rgb}, "not 3 files");
     expect_refused({rgb, rgb, "--size", "4x4"}, "--size: is for rendering a scene");
+    expect_refused({"--bias", rgb, "--", rgb, "-o", "out"}, "-o: stands behind --");
+    expect_refused({rgb, "--", rgb}, "are for --bias");
+    expect_refused({"s.gltf", "--bias", "--frames", "0:3"}, "unknown option '--frames'");
     expect_refused({rgb, rgb, "--bias"}, "--bias A... -- B...");
     expect_refused({rgb, rgb, "--alpha", "0.1"}, "is for --bias");
     expect_refused({rgb, "--alpha", "0", "--bias"}, "0.001");
@@ -216,6 +219,67 @@ TEST_F(CompareFiles, SetsLeaveOutWhatIsNoNumberAndPlaceIt) {
     const auto shown = read_picture_file(file("out/difference.png"));
     ASSERT_TRUE(shown.ok());
     for (const size_t pixel : {11 * 32 + 6, 4 * 32 + 30}) EXPECT_EQ(shown->forms.levels.rgb[pixel * 3], 255) << pixel;
+}
+
+TEST_F(CompareFiles, APixelThatOneSetLacksIsNoBias) {
+    constexpr size_t kLamp = (4 * 32 + 20) * 3;
+    const auto with_lamp = [&](const std::string& stem, unsigned seed, float lamp) {
+        std::mt19937 random(seed);
+        std::vector<std::string> names;
+        for (int n = 0; n < 16; ++n) {
+            std::vector<float> values(32 * 16 * 3);
+            for (float& value : values) value = 0.45f + 0.1f * static_cast<float>(random() % 1001) / 1000.0f;
+            for (size_t i = 0; i < 3; ++i) values[kLamp + i] = lamp;
+            names.push_back(write(stem + std::to_string(n) + ".exr", 32, 16, 3, values));
+        }
+        return names;
+    };
+    const auto lit = with_lamp("lit", 1, 1000.0f);
+    auto lost = with_lamp("nan", 2, std::numeric_limits<float>::quiet_NaN());
+    lost[3] = with_lamp("inf", 3, std::numeric_limits<float>::infinity())[3];
+    for (const auto& [a, b] : {std::pair(lit, lost), std::pair(lost, lit)}) {
+        const Answer answer = compare_sets(a, b);
+        ASSERT_EQ(answer.exit_code, 0) << answer.out;
+        const json bias = answer.parsed()["bias"];
+        EXPECT_EQ(bias["verdict"], "agree");
+        EXPECT_NEAR(bias["mean"], 0.5, 0.001) << "the lamp is in neither";
+        EXPECT_THAT(answer.err, HasSubstr("as NaN or infinite in one: 1 of the pixels"));
+    }
+}
+
+TEST_F(CompareFiles, WhatIsComparedInNoFileIsSaid) {
+    auto a = noisy("a", 16, 0.5f, 1);
+    const auto b = noisy("b", 16, 0.5f, 2);
+    std::vector<float> values(32 * 16 * 3, 0.5f);
+    const auto spoil = [&](size_t rows) {
+        std::fill_n(values.begin(), rows * 32 * 3, std::numeric_limits<float>::quiet_NaN());
+        a[5] = write("broken.exr", 32, 16, 3, values);
+        return compare_sets(a, b);
+    };
+    const Answer half = spoil(8);  // a row of four tiles
+    EXPECT_EQ(half.exit_code, 0);
+    EXPECT_THAT(half.err, HasSubstr("256 of the pixels; 4 of 8 tiles are compared in none"));
+    const Answer all = spoil(16);
+    EXPECT_EQ(all.exit_code, 2) << "nothing is no agreement";
+    EXPECT_THAT(all.err, HasSubstr("no pixel is a number in all files"));
+    EXPECT_THAT(all.out, IsEmpty());
+}
+
+TEST_F(CompareFiles, ReadsTwoChannelsThatAreNoGreyAndAlpha) {
+    OIIO::ImageSpec spec(16, 12, 2, OIIO::TypeDesc::FLOAT);
+    const auto motion = [&](const std::string& name, float second, std::vector<std::string> channels) {
+        spec.channelnames = std::move(channels);
+        std::vector<float> values(16 * 12 * 2, 0.5f);
+        for (size_t i = 1; i < values.size(); i += 2) values[i] = second;
+        auto output = OIIO::ImageOutput::create(file(name));
+        EXPECT_TRUE(output && output->open(file(name), spec) && output->write_image(spec.format, values.data()) &&
+                    output->close());
+        return file(name);
+    };
+    const std::string a = motion("a.exr", 0.1f, {"R", "G"}), b = motion("b.exr", 0.4f, {"R", "G"});
+    EXPECT_NEAR(compare({a, b}).parsed()["results"][0]["rmse_linear"], 0.3 / std::sqrt(3.0), 1e-7);
+    const std::string c = motion("c.exr", 0.1f, {"Y", "A"}), d = motion("d.exr", 0.4f, {"Y", "A"});
+    EXPECT_EQ(compare({c, d}).parsed()["results"][0]["rmse_linear"], 0.0) << "alpha is not compared";
 }
 
 TEST(BatchPlan, CutsSamplesIntoBatchesWithSeedsOfTheirOwn) {
