@@ -124,7 +124,7 @@ def read_options():
     parser.add_argument("--program", default=str(ROOT / "build/release/bin/pathtracer"))
     parser.add_argument("--parity", default=str(ROOT / "build/release/tests/application/parity"),
                         help="folder of the parity scene (scenes/make_scenes.py parity DIR)")
-    parser.add_argument("--spp", type=at_least(1), default=512)
+    parser.add_argument("--spp", type=at_least(16), default=512, help="16 batches or more make a verdict (512)")
     parser.add_argument("--only", metavar="FILE", help="the edits of one kernel file")
     parser.add_argument("--equal", type=at_least(0), default=0, metavar="N", help="compare equal cores N times instead")
     parser.add_argument("--equal-size", default="64x36")

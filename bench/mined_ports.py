@@ -16,6 +16,8 @@ kind --each are taken, in the order of their commits' names: a choice that nobod
 import argparse
 import datetime
 import json
+import math
+import os
 import pathlib
 import re
 import subprocess
@@ -95,20 +97,47 @@ def counted(porttool, clone, port):
 def record(port, collection, lines, novel):
     folder = port["folder"]
     day = datetime.datetime.fromtimestamp(port["time"], datetime.timezone.utc).date()
-    return (f'[[effort]]\nwhat = "{folder["name"]} from CUDA to {folder["kind"].upper()}, {collection}, {day}"\n'
+    what = json.dumps(f"{folder['name']} from CUDA to {folder['kind'].upper()}, {collection}, {day}", ensure_ascii=False)
+    return (f'[[effort]]\nwhat = {what}\n'
             f'from = "{port["parent"]}"\nto = "{port["commit"]}"\nlines = {lines}\nnovel = {novel}\n'
             f'port = {{ coding = {port["hours"]:.3f} }}\nimpediments = {{ H = 0, E = {ENVIRONMENT[folder["kind"]]:g} }}\nmined = true\n')
 
 
-def main():
+def whole_number(text):
+    if not re.fullmatch(r"[0-9]{1,6}", text):
+        raise argparse.ArgumentTypeError(f"{text}: expected a whole number")
+    return int(text)
+
+
+def hours_in(text):
+    try:
+        number = float(text)
+    except ValueError:
+        number = math.nan
+    if not 0 <= number < math.inf:
+        raise argparse.ArgumentTypeError(f"{text}: expected hours, e.g. 0.5")
+    return number
+
+
+def read_options():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.error = fail
     parser.add_argument("clone", type=pathlib.Path)
     parser.add_argument("--name", help="of the collection (the folder's)")
-    parser.add_argument("--each", type=int, default=8, help="ports of each kind (8)")
-    parser.add_argument("--least", type=float, default=0.05, help="hours (0.05)")
-    parser.add_argument("--most", type=float, default=2.0, help="hours (2)")
+    parser.add_argument("--each", type=whole_number, default=8, help="ports of each kind (8)")
+    parser.add_argument("--least", type=hours_in, default=0.05, help="hours (0.05)")
+    parser.add_argument("--most", type=hours_in, default=2.0, help="hours (2)")
     parser.add_argument("--porttool", default=str(ROOT / "build/release/bin/porttool"))
     arguments = parser.parse_args()
+    if arguments.least > arguments.most:
+        fail(f"--least {arguments.least:g} is above --most {arguments.most:g}; no port takes such hours")
+    if not os.path.isfile(arguments.porttool) or not os.access(arguments.porttool, os.X_OK):
+        fail(f"there is no program {arguments.porttool}; build it, or name it with --porttool")
+    return arguments
+
+
+def main():
+    arguments = read_options()
     taken = dict.fromkeys(ENVIRONMENT, 0)
     for port in candidates(arguments.clone, arguments.least, arguments.most):
         kind = port["folder"]["kind"]
@@ -118,6 +147,9 @@ def main():
         if lines is not None:
             taken[kind] += 1
             print(record(port, arguments.name or arguments.clone.resolve().name, *lines))
+    if arguments.each > 0 and not any(taken.values()):
+        print(f"mined_ports.py: {arguments.clone} has no commit that adds one NAME-hip, NAME-sycl or NAME-omp beside a NAME-cuda within "
+              f"{arguments.least:g} to {arguments.most:g} hours of its author's commit before", file=sys.stderr)
 
 
 if __name__ == "__main__":

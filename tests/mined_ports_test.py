@@ -83,6 +83,27 @@ class MinedPorts(unittest.TestCase):
             self.assertIn("none: git log", done.stderr)
             self.assertNotIn("Traceback", done.stderr)
 
+    def test_nonsense_is_one_line(self):
+        with tempfile.TemporaryDirectory() as name:
+            History(pathlib.Path(name)).commit(0, {"README": "no port"})
+            for words, said in ((["--each", "-1"], "-1: expected a whole number"), (["--least", "nan"], "nan: expected hours"),
+                                (["--least", "2", "--most", "1"], "--least 2 is above --most 1"), (["--porttool", name], "no program"),
+                                (["--nosuch"], "unrecognized")):
+                done = mined(name, *words)
+                self.assertEqual((done.returncode, done.stdout, done.stderr.count("\n")), (2, "", 1), done.stderr)
+                self.assertIn(said, done.stderr)
+            empty = mined(name)
+            self.assertEqual((empty.returncode, empty.stdout), (0, ""))
+            self.assertIn("has no commit that adds", empty.stderr)
+
+    def test_odd_names_stay_toml(self):
+        with tempfile.TemporaryDirectory() as name:
+            history = History(pathlib.Path(name))
+            history.commit(0, {"src/a-cuda/main.cu": KERNEL})
+            history.commit(30, {"src/a-hip/main.hip": KERNEL})
+            record, = tomllib.loads(mined(name, "--name", 'T"o\\wn').stdout)["effort"]
+            self.assertEqual(record["what"], 'a from CUDA to HIP, T"o\\wn, 2020-09-13')
+
 
 if __name__ == "__main__":
     unittest.main(argv=sys.argv[:1], verbosity=2)
