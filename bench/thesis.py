@@ -48,8 +48,12 @@ def replace_text(file, text):
     """The file is the old one or the new one, whatever happens meanwhile."""
     file = file.resolve()
     unfinished = file.with_name(file.name + ".new")
-    unfinished.write_text(text)
-    unfinished.replace(file)
+    try:
+        unfinished.write_text(text)
+        unfinished.replace(file)
+    except OSError as problem:
+        unfinished.unlink(missing_ok=True)
+        fail(f"{file}: {problem.strerror}; name another place, or make room")
 
 
 # --- The age of a page ---
@@ -380,4 +384,5 @@ if __name__ == "__main__":
         print("thesis.py: stopped; the same command goes on from here", file=sys.stderr)
         sys.exit(130)
     except OSError as problem:
-        fail(f"{problem.filename}: {problem.strerror}; name another place, or make room")
+        place = f"{problem.filename}: " if problem.filename else ""  # a full disk has no name
+        fail(f"{place}{problem.strerror}; name another place, or make room")

@@ -492,7 +492,7 @@ def joined(shapes):
 
 
 def interior(folder):
-    """A furnished room of some 170,000 triangles: shelves with books and knots, and the lamp of the still life."""
+    """A furnished room of some 155,000 triangles: shelves with books and knots, and the lamp of the still life."""
     scene = Scene("interior")
     write_png(folder / "floor.png", 256, 256, lambda x, y: parquet(x, y, 256))
     plaster = room(scene)

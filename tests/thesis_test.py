@@ -9,6 +9,7 @@ import json
 import os
 import pathlib
 import re
+import resource
 import shutil
 import signal
 import subprocess
@@ -510,6 +511,16 @@ class Age(unittest.TestCase):
             self.assertIn(said.stdout.strip(), page.read_text())
             page.write_text("nothing\n")
             self.assertNotEqual(run("--age", page).returncode, 0)
+
+    def test_a_page_that_cannot_be_written_stays(self):
+        with tempfile.TemporaryDirectory() as folder:
+            page = pathlib.Path(folder) / "page.md"
+            text = re.sub(r"(kernel \S+) \w+ -->", r"\1 000000000000 -->", STORED.read_text())
+            page.write_text(text)
+            done = subprocess.run([sys.executable, str(SCRIPT), "--age", str(page)], capture_output=True, text=True, check=False,
+                                  preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (1000, 1000)))
+            self.assertEqual((done.returncode, done.stderr), (2, f"thesis.py: {page}: File too large; name another place, or make room\n"))
+            self.assertEqual((page.read_text(), os.listdir(folder)), (text, ["page.md"]))
 
     def test_code_is_counted_anew_and_the_rest_stays(self):
         report = json.loads(subprocess.run([PORTTOOL, "report", "--format", "json"], capture_output=True, text=True, check=True,
