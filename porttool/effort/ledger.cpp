@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "porttool/effort/ledger.h"
 
+#include <cmath>
 #include <map>
+#include <utility>
 
 #include "metrics/portability/port_fit.h"
 #include "metrics/portability/power_law.h"
@@ -62,6 +64,16 @@ void add_prediction(const std::vector<MapEffort>& ledger, RangeEffort& range) {
         range.degrees.push_back(*degree);
 }
 
+/// Ports whose hours lie a hundred powers of ten apart have a law that gives no number.
+void add_hours_by_law(metrics::Figure hours, RangeEffort& range) {
+    if (std::isfinite(hours.value) && std::isfinite(hours.high))
+        range.hours_by_law = std::move(hours);
+    else
+        range.missing.emplace_back(
+            "Hakuta and Ohminami, equation 8: the recorded ports give no number of hours here; "
+            "look at their hours and impediments");
+}
+
 /// The same by Hakuta and Ohminami's equation, from lines and impediments.
 void add_power_law(const MapFile& map, RangeEffort& range) {
     std::vector<metrics::SizedPort> ports;
@@ -73,7 +85,7 @@ void add_power_law(const MapFile& map, RangeEffort& range) {
     if (!law.fit)
         range.missing.push_back("Hakuta and Ohminami, equation 8: " + law.refusal);
     else if (lines > 0)
-        range.hours_by_law = metrics::predicted_hours(law, lines, map.impediments);
+        add_hours_by_law(metrics::predicted_hours(law, lines, map.impediments), range);
 }
 
 }  // namespace

@@ -6,8 +6,6 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <set>
 #include <stdexcept>
 
@@ -269,8 +267,9 @@ private:
         if (node == nullptr) return std::nullopt;
         const auto value = node->value<double>();
         if (!value || !(*value >= 0 && *value <= most))
-            fail(node->source(), std::isfinite(most) ? fmt::format("'{}': expected a number from 0 to {:g}", key, most)
-                                                     : fmt::format("'{}': expected a number of at least 0", key));
+            fail(node->source(),
+                 most < kMostAmount ? fmt::format("'{}': expected a number from 0 to {:g}", key, most)
+                                    : fmt::format("'{}': expected a number of at least 0 and at most {:g}", key, most));
         return value;
     }
     bool flag(const toml::table& table, std::string_view key) const {
@@ -280,7 +279,7 @@ private:
         return node != nullptr && node->value_or(false);
     }
     double amount(const toml::table& table, std::string_view key, double otherwise = 0) const {
-        return number(table, key, kUnbounded).value_or(otherwise);
+        return number(table, key, kMostAmount).value_or(otherwise);
     }
 
     /// `impediments = { p = .., H = .., E = .. }`: alpha of program, hardware and environment.
@@ -332,8 +331,8 @@ private:
         entry.what = text(effort, "what");
         for (const auto& [key, field] : {std::pair{"block", &entry.block}, {"from", &entry.from}, {"to", &entry.to}})
             if (effort.get(key) != nullptr) *field = text(effort, key);
-        entry.lines = number(effort, "lines", kUnbounded);
-        entry.novel = number(effort, "novel", kUnbounded);
+        entry.lines = number(effort, "lines", kMostAmount);
+        entry.novel = number(effort, "novel", kMostAmount);
         if (entry.novel && (!entry.lines || *entry.novel > *entry.lines))
             fail(effort.get("novel")->source(), "'novel': expected at most 'lines', which counts them too");
         entry.uncertainty = number(effort, "uncertainty", kMostUncertain).value_or(0);
@@ -355,7 +354,7 @@ private:
     }
 
     static constexpr double kMostUncertain = 0.9;
-    static constexpr double kUnbounded = std::numeric_limits<double>::infinity();
+    static constexpr double kMostAmount = 1e9;  // of lines, hours or weights: what is added up stays a number
 
     std::string path_;
     const std::string& text_;

@@ -368,6 +368,12 @@ TEST_F(Effort, EightRecordedPortsPredictTheHoursByHakutaAndOhminami) {
     EXPECT_NEAR(hours["value"], 0.1 * std::pow(10, 0.5) * hours["inputs"]["lines"].get<double>(), 1e-4);
     EXPECT_NEAR(hours["inputs"]["beta_p"], 1, 1e-4);
     EXPECT_TRUE(hours["inputs"].contains("standard error of beta_p"));
+    map.replace(map.find("p = 0.5"), 7, "p = 1e9");
+    write("portmap.toml", map);
+    EXPECT_TRUE(json({"effort", "--from", "HEAD~1"})["predicted_hours_by_law"].is_null());
+    EXPECT_NE(
+        porttool({"effort", "--from", "HEAD~1"}).out.find("equation 8: the recorded ports give no number of hours"),
+        std::string::npos);
     write("portmap.toml", kMap + std::string("[[effort]]\nwhat = \"x\"\nmined = 1\n"));
     EXPECT_NE(porttool({"effort", "--from", "HEAD~1"}).err.find("'mined': expected true or false"), std::string::npos);
 }
@@ -437,7 +443,13 @@ TEST(EffortLedger, AMapNamesWhatItCannotRead) {
     EXPECT_NE(error_of("[[effort]]\nlines = 3\n").find("'what' is missing"), std::string::npos);
     EXPECT_NE(error_of("[[effort]]\nwhat = \"x\"\nport = { design = 1 }\n").find("unknown key 'design'"),
               std::string::npos);
-    EXPECT_NE(error_of("[[effort]]\nwhat = \"x\"\nport = { coding = -1 }\n").find("at least 0"), std::string::npos);
+    for (const char* hours : {"-1", "nan", "inf", "1e300", "true", "\"2\""}) {
+        const std::string error =
+            error_of("[[effort]]\nwhat = \"x\"\nport = { coding = " + std::string(hours) + " }\n");
+        EXPECT_NE(error.find("'coding': expected a number of at least 0 and at most 1e+09"), std::string::npos)
+            << error;
+    }
+    EXPECT_NE(error_of("[cost]\nimpediments = { p = inf }\n").find("'p': expected a number"), std::string::npos);
     EXPECT_NE(error_of("[[effort]]\nwhat = \"x\"\nlines = 3\nnovel = 4\n").find("at most 'lines'"), std::string::npos);
     EXPECT_NE(error_of("[[effort]]\nwhat = \"x\"\nredevelopment = { coding = 0 }\n").find("no hours"),
               std::string::npos);
