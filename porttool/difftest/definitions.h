@@ -11,29 +11,11 @@
 #include <vector>
 
 #include "porttool/difftest/build_defines.h"
+#include "porttool/difftest/defined_pieces.h"
 #include "porttool/read/disk.h"
 #include "porttool/scan/unit.h"
 
 namespace porttool {
-
-/// What a file defines under a name: a piece of its text that can be cut out.
-struct Definition {
-    enum class Kind : uint8_t { Macro, Type, Struct, Constant, Function, Variable };
-    Kind kind = Kind::Function;
-    const ScannedFile* file = nullptr;
-    const Unit* unit = nullptr;  ///< none of a typedef or a variable
-    TokenRange tokens;
-    std::string name;                  ///< without scopes
-    std::string owner;                 ///< the class that it is a member of, without namespaces; "" for none
-    std::vector<uint32_t> conditions;  ///< the directives, by their places in the file, that decide whether it counts
-    uint32_t open_conditions = 0;      ///< how many `#endif` close them
-};
-
-/// The one word that a variable's type is; "" where it is more, as an array or a pointer.
-std::string_view type_of_variable(const Definition& variable);
-
-/// Where a function ends: after the brace that closes its body.
-uint32_t end_of_function(const LexedText& lexed, const Unit& unit);
 
 /// Where the parts of files between their includes come in what a compiler reads.
 class ReadingOrder {
@@ -98,13 +80,11 @@ public:
 private:
     using ByName = std::map<std::string, std::vector<const Definition*>, std::less<>>;
     void add_file(const ScannedFile& file);
-    const Definition* add(Definition definition);
-    /// Further names of what was added: `param_t` of `typedef struct param {...} *param_t;`, the values of an enum.
-    void add_names(const Definition& one);
-    /// The file and what it includes, the nearest first.
+    void add_namespaces(const Unit& unit);
     /// What a file includes, and behind which byte.
     using Includes = std::vector<std::pair<size_t, const ScannedFile*>>;
     const Includes& includes(const ScannedFile& file) const;
+    /// The file and what it includes, the nearest first.
     const std::vector<const ScannedFile*>& reached(const ScannedFile& from) const;
     /// What the build defines for a file, as a text of its own, or nullptr.
     const ScannedFile* build_text(const ScannedFile& from) const;
