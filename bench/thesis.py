@@ -50,6 +50,8 @@ def replace_text(file, text):
     unfinished = file.with_name(file.name + ".new")
     try:
         unfinished.write_text(text)
+        if file.exists():
+            shutil.copymode(file, unfinished)
         unfinished.replace(file)
     except OSError as problem:
         unfinished.unlink(missing_ok=True)
@@ -354,8 +356,8 @@ def main():
     arguments.quick = arguments.quick or arguments.self_test is not None
     settings = settings_of(arguments)
     for file in filter(None, (arguments.self_test, arguments.keep)):
-        if file.is_dir():
-            fail(f"{file}: is a folder; name a file")
+        if file.exists() and not file.is_file():  # it would be replaced, be it a device
+            fail(f"{file}: is a folder, a pipe or a device; name a file")
         if not os.access(file.resolve().parent, os.W_OK):
             fail(f"{file}: nothing can be written to that folder; make it, or name another")
     try:

@@ -517,10 +517,14 @@ class Age(unittest.TestCase):
             page = pathlib.Path(folder) / "page.md"
             text = re.sub(r"(kernel \S+) \w+ -->", r"\1 000000000000 -->", STORED.read_text())
             page.write_text(text)
+            page.chmod(0o640)
             done = subprocess.run([sys.executable, str(SCRIPT), "--age", str(page)], capture_output=True, text=True, check=False,
                                   preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (1000, 1000)))
             self.assertEqual((done.returncode, done.stderr), (2, f"thesis.py: {page}: File too large; name another place, or make room\n"))
             self.assertEqual((page.read_text(), os.listdir(folder)), (text, ["page.md"]))
+            self.assertEqual(run("--age", page).returncode, 0)
+            self.assertNotEqual(page.read_text(), text)
+            self.assertEqual(page.stat().st_mode & 0o777, 0o640)
 
     def test_code_is_counted_anew_and_the_rest_stays(self):
         report = json.loads(subprocess.run([PORTTOOL, "report", "--format", "json"], capture_output=True, text=True, check=True,
@@ -547,12 +551,15 @@ class Age(unittest.TestCase):
 
     def test_nonsense_is_refused_before_anything_is_measured(self):
         with tempfile.TemporaryDirectory() as folder:
-            out = pathlib.Path(folder) / "out"
+            out, pipe = pathlib.Path(folder) / "out", pathlib.Path(folder) / "pipe.md"
+            os.mkfifo(pipe)
             for *words, said in (("--size", "abc", "'abc' is no size"), ("--samples", "0", "'0' is no number of samples"),
                                  ("--age", "nosuch", "nosuch: No such file"), ("--code", "nosuch", "nosuch: No such file"),
                                  ("-o", "/dev/null/out", "/dev/null/out"), ("--keep", "/nosuch/p.md", "/nosuch/p.md: nothing can be"),
                                  ("--self-test", "/nosuch/t.zip", "/nosuch/t.zip: nothing can be"),
-                                 ("--self-test", folder, f"{folder}: is a folder"), ("--keep", out, "a page ends in .md"),
+                                 ("--self-test", folder, f"{folder}: is a folder"), ("--self-test", pipe, f"{pipe}: is a folder, a pipe"),
+                                 ("--keep", pipe, f"{pipe}: is a folder, a pipe"),
+                                 ("--keep", out, "a page ends in .md"),
                                  ("-o", "", "the name is empty"), ("--program", folder, f"there is no program {folder}"),
                                  ("--porttool", "nosuch", "there is no program nosuch"), ("--nosuch", "unrecognized")):
                 refused = run("--quick", "-o", out, "--program", PATHTRACER, *words)
@@ -560,6 +567,7 @@ class Age(unittest.TestCase):
                 self.assertIn(said, refused.stderr)
                 self.assertEqual(refused.stderr.count("\n"), 1, refused.stderr)
                 self.assertFalse(out.exists())
+            self.assertTrue(pipe.is_fifo())
 
 
 class EqualTime(unittest.TestCase):
