@@ -204,10 +204,10 @@ def add_law_of_ports(section, take):
         section.say(f"Equation 8 is not fitted: {reason}.")
         return
     section.say(f"Hours Y of a port of X lines, fitted in logarithms to {inputs['ports recorded']:.0f} ports, of them "
-                f"{inputs['of them mined']:.0f} mined from another project's public history by bench/mined_ports.py, with the hours between "
-                "their authors' commits for want of better; an impediment that is the same in all is a part of C. The ports scatter around "
-                f"it by a factor of {inputs['scatter (factor)']:.2g}. It makes "
-                f"\"{own[-1]['what']}\" ({inputs['lines']:.0f} lines, itself one of these ports) {law['value']:.2g} hours ({law['low']:.2g} to "
+                f"{inputs['of them mined']:.0f} mined from another project's public history by bench/mined_ports.py, with the hours "
+                "between their authors' commits for want of better; an impediment that is the same in all is a part of C. The ports "
+                f"scatter around it by a factor of {inputs['scatter (factor)']:.2g}. It makes \"{own[-1]['what']}\" "
+                f"({inputs['lines']:.0f} lines, itself one of these ports) {law['value']:.2g} hours ({law['low']:.2g} to "
                 f"{law['high']:.2g}, 95 %); it took {sum(own[-1]['port'].values()):.2g}.")
 
 
