@@ -109,12 +109,32 @@ struct Stretched {
     }
 };
 
-// As energy() of reflection alone, in floats and over fewer points: it is asked for 40,000 times.
-glm::dvec2 stretched_energy(float cosine, float turn, float roughness, float strength) {
-    constexpr uint32_t kFewPoints = 144, kGenerator = 89;
-    static const std::vector<glm::vec3> points = lattice_of<glm::vec3>(kFewPoints, kGenerator);
+// As leaving(), of a stretched lobe in floats; `h` is of any length.
+glm::vec2 leaving(const Interface& face, const Stretched& lobe, const glm::vec3& wo, float root_o, const glm::vec3& h) {
+    const float squared = glm::dot(h, h), wo_h = glm::dot(wo, h), cosine = wo_h / std::sqrt(squared);
+    const auto eta = static_cast<float>(face.eta), f0 = static_cast<float>(face.f0);
+    const float sine2 = eta > 0.0f ? (1.0f - cosine * cosine) / (eta * eta) : 1.0f;
+    const float larger = eta > 0.0f && eta < 1.0f ? std::sqrt(std::max(1.0f - sine2, 0.0f)) : cosine;
+    const float m = std::max(1.0f - larger, 0.0f), weight = (m * m) * (m * m) * m;
+    const float reflected = f0 + (static_cast<float>(face.f90) - f0) * weight;
+    glm::vec2 sum(0.0f);
+    const glm::vec3 up = h * (2.0f * wo_h / squared) - wo;
+    if (up.z > 0.0f) {
+        const float unmasked = up.z * (wo.z + root_o) / (wo.z * lobe.root(up) + up.z * root_o);
+        sum = unmasked * glm::vec2(reflected, weight);
+    }
+    if (sine2 >= 1.0f) return sum;
+    const glm::vec3 down = h * ((cosine / eta - std::sqrt(1.0f - sine2)) / std::sqrt(squared)) - wo / eta;
+    if (down.z < 0.0f) sum.x += (1.0f - reflected) * 2.0f * down.z / (down.z - lobe.root(down));
+    return sum;
+}
+
+// As energy(), in floats: it is asked for 40,000 times. Reflection alone is smooth enough for fewer points.
+glm::dvec2 stretched_energy(const Interface& face, float cosine, float turn, float roughness, float strength) {
+    static const std::vector<glm::vec3> few = lattice_of<glm::vec3>(144, 89), many = lattice_of<glm::vec3>(610, 377);
+    const std::vector<glm::vec3>& points = face.eta > 0.0 ? many : few;
     const Stretched lobe(roughness, strength);
-    if (lobe.along < kSmoothAlpha) return energy({0.0, 1.0, 1.0}, static_cast<double>(cosine), 0.0);
+    if (lobe.along < kSmoothAlpha) return energy(face, static_cast<double>(cosine), 0.0);
     const glm::vec3 wo = lobe.view(cosine, turn), scale(lobe.along, lobe.across, 1.0f);
     const glm::vec3 seen = glm::normalize(wo * scale);
     const float root_o = lobe.root(wo);
@@ -122,15 +142,9 @@ glm::dvec2 stretched_energy(float cosine, float turn, float roughness, float str
     for (const glm::vec3& point : points) {
         const float z = (1.0f - point.z) * (1.0f + seen.z) - seen.z;
         const float sine = std::sqrt(std::max(1.0f - z * z, 0.0f));
-        const glm::vec3 h = (glm::vec3(sine * point.x, sine * point.y, z) + seen) * scale;
-        const float squared = glm::dot(h, h), wo_h = glm::dot(wo, h);
-        const glm::vec3 wi = h * (2.0f * wo_h / squared) - wo;
-        if (wi.z <= 0.0f) continue;
-        const float m = std::max(1.0f - wo_h / std::sqrt(squared), 0.0f);
-        const float unmasked = wi.z * (wo.z + root_o) / (wo.z * lobe.root(wi) + wi.z * root_o);
-        sum += unmasked * glm::vec2(1.0f, (m * m) * (m * m) * m);
+        sum += leaving(face, lobe, wo, root_o, (glm::vec3(sine * point.x, sine * point.y, z) + seen) * scale);
     }
-    return glm::min(1.001 * glm::dvec2(sum) / static_cast<double>(kFewPoints), 1.0);
+    return glm::min(1.001 * glm::dvec2(sum) / static_cast<double>(points.size()), 1.0);
 }
 
 // Charlie's sheen: Estevez and Kulla 2017, "Production Friendly Microfacet Sheen BRDF", with its fitted shadowing.
@@ -194,22 +208,19 @@ const std::vector<glm::vec4>& reflection_slice() {
     return slice;
 }
 
-// All slices of a stretched lobe; those of strength 0 are one.
-const std::vector<glm::vec4>& stretched_slices() {
-    static const std::vector<glm::vec4> slices = [] {
-        std::vector<glm::vec4> made;
-        for (uint32_t i = 0; i < (kEnergyStrengths + 1) * (kEnergyTurns + 1); ++i) {
-            const float turn = static_cast<float>(i % (kEnergyTurns + 1)) / kEnergyTurns;
-            const float strength = static_cast<float>(i / (kEnergyTurns + 1)) / kEnergyStrengths;
-            const std::vector<glm::vec4> slice =
-                strength == 0.0f ? reflection_slice() : slice_with([&](double cosine, double roughness) {
-                    return stretched_energy(static_cast<float>(cosine), turn, static_cast<float>(roughness), strength);
-                });
-            made.insert(made.end(), slice.begin(), slice.end());
-        }
-        return made;
-    }();
-    return slices;
+// All slices of a stretched lobe; those of strength 0 are one, `round`.
+std::vector<glm::vec4> stretched_slices(const Interface& face, const std::vector<glm::vec4>& round) {
+    std::vector<glm::vec4> made;
+    for (uint32_t i = 0; i < (kEnergyStrengths + 1) * (kEnergyTurns + 1); ++i) {
+        const float turn = static_cast<float>(i % (kEnergyTurns + 1)) / kEnergyTurns;
+        const float strength = static_cast<float>(i / (kEnergyTurns + 1)) / kEnergyStrengths;
+        const auto value_at = [&](double cosine, double roughness) {
+            return stretched_energy(face, static_cast<float>(cosine), turn, static_cast<float>(roughness), strength);
+        };
+        const std::vector<glm::vec4> slice = strength == 0.0f ? round : slice_with(value_at);
+        made.insert(made.end(), slice.begin(), slice.end());
+    }
+    return made;
 }
 
 }  // namespace
@@ -233,7 +244,8 @@ uint32_t LobeEnergy::stretched_row() {
     if (rows_.empty()) rows_ = reflection_slice();
     if (stretched_row_ != NONE) return stretched_row_;
     stretched_row_ = static_cast<uint32_t>(rows_.size());
-    rows_.insert(rows_.end(), stretched_slices().begin(), stretched_slices().end());
+    static const std::vector<glm::vec4> slices = stretched_slices({0.0, 1.0, 1.0}, reflection_slice());
+    rows_.insert(rows_.end(), slices.begin(), slices.end());
     return stretched_row_;
 }
 
@@ -244,14 +256,21 @@ uint32_t LobeEnergy::row_of(const CoreMaterial& material) {
     const float root = (ior - 1.0f) / (ior + 1.0f);
     const glm::vec3 tinted = glm::min(material.specular_color * (root * root), glm::vec3(1.0f)) * material.specular;
     const float f0 = std::max(tinted.x, std::max(tinted.y, tinted.z));
-    const auto [place, is_new] = known_.try_emplace({ior, f0, material.specular}, static_cast<uint32_t>(rows_.size()));
+    const bool stretched = material.anisotropy > 0.0f;
+    const auto [place, is_new] =
+        known_.try_emplace({ior, f0, material.specular, stretched}, static_cast<uint32_t>(rows_.size()));
     if (!is_new) return place->second;
+    std::vector<glm::vec4> stretched_rows;
     for (const double eta : {static_cast<double>(ior), 1.0 / static_cast<double>(ior)}) {
         // Inside, past the critical angle, all is reflected.
-        const double f90 = eta < 1.0 ? 1.0 : static_cast<double>(material.specular);
-        const std::vector<glm::vec4> slice = slice_of({eta, static_cast<double>(f0), f90});
+        const Interface face{eta, static_cast<double>(f0), eta < 1.0 ? 1.0 : static_cast<double>(material.specular)};
+        const std::vector<glm::vec4> slice = slice_of(face);
         rows_.insert(rows_.end(), slice.begin(), slice.end());
+        if (!stretched) continue;
+        const std::vector<glm::vec4> slices = stretched_slices(face, slice);
+        stretched_rows.insert(stretched_rows.end(), slices.begin(), slices.end());
     }
+    rows_.insert(rows_.end(), stretched_rows.begin(), stretched_rows.end());
     return place->second;
 }
 

@@ -31,8 +31,9 @@ float bending_ior(const CoreMaterial& material);
 /// same for all cores.
 class LobeEnergy {
 public:
-    /// Row of the slices for that material: the first for light that comes from its front, the second from behind. 0
-    /// for what does not refract: the slice of reflection alone, which is all that lets itself be mirrored.
+    /// Row of the slices for that material: the first for light that comes from its front, the second from behind;
+    /// after these, where its lobe is stretched, those of stretched_row() for the front, then from behind. 0 for what
+    /// does not refract: the slice of reflection alone, which is all that lets itself be mirrored.
     uint32_t row_of(const CoreMaterial& material);
 
     /// Row of sheen's slice, made when it is first asked for: of KHR_materials_sheen's lobe at colour 1, in the low
@@ -53,7 +54,7 @@ private:
     std::vector<glm::vec4> rows_;
     uint32_t sheen_row_ = NONE;
     uint32_t stretched_row_ = NONE;
-    std::map<std::tuple<float, float, float>, uint32_t> known_;  // by index, F0 and F90
+    std::map<std::tuple<float, float, float, bool>, uint32_t> known_;  // by index, F0, F90, and whether stretched
 };
 
 }  // namespace render_system

@@ -53,6 +53,7 @@ constexpr uint kSlotFeatures[] = {
 };
 static_assert(ENERGY_CELLS == kEnergyCells);
 static_assert(ENERGY_STRENGTHS == kEnergyStrengths && ENERGY_TURNS == kEnergyTurns);
+static_assert(STRETCHED_ROWS == (ENERGY_STRENGTHS + 1u) * (ENERGY_TURNS + 1u) * ENERGY_ROWS);
 static_assert(std::size(kSlotFeatures) == std::size(kTextureSlots));
 
 bool has_sheen(const CoreMaterial& material) { return material.sheen_color != glm::vec3(0.0f); }

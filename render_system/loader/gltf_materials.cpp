@@ -266,8 +266,6 @@ private:
         if (material_.anisotropy == 0.0f && !changes_) return;
         material_.anisotropy_rotation = number(*extension, "anisotropyRotation", 0.0f);
         material_.anisotropy_texture = slot(info_in(*extension, "anisotropyTexture"), TextureRole::data);
-        if (material_.transmission > 0.0f && !material_.thin_walled)
-            document_.omissions.add("anisotropy of what bends light", place_);
     }
 
     // With a `glossiness` the texture's roughness is 1 minus that times its alpha. The slot's set of coordinates is the

@@ -139,7 +139,8 @@ inline vec2 stretched_energy(Bsdf bsdf, Uint first_row, Float roughness, Float s
     Float cosine_squared = square(bsdf.wo.x) / max(square(bsdf.wo.x) + square(bsdf.wo.y), SMALLEST);
     Float alpha = sqrt(blend(square(bsdf.alpha), square(bsdf.along), cosine_squared));
     Float least = sqrt(max(bsdf.alpha, 0.0f));
-    Float turn = saturate((sqrt(alpha) - least) / max(sqrt(max(bsdf.along, 0.0f)) - least, 1.0e-6f)) * float(ENERGY_TURNS);
+    Float turn =
+        saturate((sqrt(alpha) - least) / max(sqrt(max(bsdf.along, 0.0f)) - least, 1.0e-6f)) * float(ENERGY_TURNS);
     Float step = saturate(strength) * float(ENERGY_STRENGTHS);
     Float column = min(floor(turn), float(ENERGY_TURNS - 1u));
     Float line = min(floor(step), float(ENERGY_STRENGTHS - 1u));
@@ -319,7 +320,7 @@ inline Bsdf make_bsdf(Material material, vec3 wo, vec3 side, Mask front) {
     bsdf.along = bsdf.alpha;
     Float strength = 0.0f;
     if (has_feature(FEATURE_ANISOTROPY)) {
-        strength = select(bsdf.refracts, Float(0.0f), material.anisotropy);
+        strength = material.anisotropy;
         bsdf.along = blend(bsdf.alpha, Float(1.0f), square(strength));
         bsdf.alpha = select(strength > 0.0f, min(max(bsdf.alpha, SMOOTH_ALPHA), bsdf.along), bsdf.alpha);
     }
@@ -337,6 +338,16 @@ inline Bsdf make_bsdf(Material material, vec3 wo, vec3 side, Mask front) {
     if (has_feature(FEATURE_TRANSMISSION)) {
         Uint energy_row = material.energy_row + select(front, Uint(0u), Uint(ENERGY_ROWS));
         inside = select(bsdf.refracts, lobe_energy(energy_row, wo.z, material.roughness), energy);
+        if (has_feature(FEATURE_ANISOTROPY)) {
+            Mask stretched = bsdf.refracts && strength > 0.0f;
+            if (any_lane(stretched)) {
+                // Of the material's energies: both sides round, then each stretched.
+                Uint sides = select(front, Uint(2u * ENERGY_ROWS), Uint(2u * ENERGY_ROWS + STRETCHED_ROWS));
+                Uint first_row = select(stretched, material.energy_row + sides, material.stretched_row);
+                vec2 through = stretched_energy(bsdf, first_row, material.roughness, strength);
+                inside = select(stretched, through, inside);
+            }
+        }
     }
     Float returned = select(bsdf.is_smooth, Float(1.0f), energy.x);
     Float weight = select(bsdf.is_smooth, fresnel_weight(bsdf, wo.z), min(inside.y / max(returned, SMALLEST), 1.0f));
@@ -460,10 +471,10 @@ inline BsdfValue evaluate_refraction(Bsdf bsdf, vec3 wi, vec3 h, Float weight) {
     Float wi_h = dot(wi, h);
     Float cosine = abs(wi.z);
     Float masking_o = 2.0f * bsdf.wo.z / max(bsdf.wo.z + bsdf.root_o, SMALLEST);
-    Float masking_i = 2.0f * cosine / max(cosine + smith_root(cosine, bsdf.alpha), SMALLEST);
+    Float masking_i = 2.0f * cosine / max(cosine + lobe_root(bsdf, wi), SMALLEST);
     Float denominator = wo_h + bsdf.eta * wi_h;
     Float jacobian = bsdf.eta * bsdf.eta * abs(wi_h) / max(denominator * denominator, SMALLEST);
-    Float visible_density = masking_o * ggx_density(h, bsdf.alpha) * max(wo_h, 0.0f) / max(bsdf.wo.z, SMALLEST);
+    Float visible_density = masking_o * lobe_density(bsdf, h) * max(wo_h, 0.0f) / max(bsdf.wo.z, SMALLEST);
     Mask crosses = wo_h > 0.0f && wi_h < 0.0f;
     Float lobe = select(crosses, visible_density * jacobian * masking_i, Float(0.0f));
     BsdfValue result;

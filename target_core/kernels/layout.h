@@ -66,14 +66,16 @@ const uint MATERIAL_THIN_WALLED = 4u;
 // lobe_energy: what one scattering returns of the light, by the root of the cosine (columns) and the roughness (lines).
 // A row is a cell: values at its corners, both of the lower roughness first. A value is two of 16 bits: of all light,
 // and above it of what is reflected, times Schlick's weight. Slice 0 is of reflection alone; a material that refracts
-// has one for light from the front and one from behind. Sheen has its own: what it returns, and above it what it is
-// scaled by to return no more than there is.
+// has one for light from the front and one from behind; after these, if it is stretched, all slices of its lobe from
+// the front, then from behind. Sheen has its own: what it returns, and above it what it is scaled by to return no more
+// than there is.
 const uint ENERGY_CELLS = 23u;  // columns, and lines
 const uint ENERGY_ROWS = 529u;  // of a slice
-// Stretched reflection has a slice for each of so many steps of strength and, fastest, of wo's turn, and one more
+// A stretched lobe has a slice for each of so many steps of strength and, fastest, of wo's turn, and one more
 // at the end of each.
 const uint ENERGY_STRENGTHS = 12u;
 const uint ENERGY_TURNS = 5u;
+const uint STRETCHED_ROWS = 78u * ENERGY_ROWS;  // of all of them
 const uint ENERGY_MASK = 65535u;
 const uint ENERGY_SHIFT = 16u;
 

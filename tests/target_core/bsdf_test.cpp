@@ -51,6 +51,7 @@ Bsdf bsdf_of(const Case& c, vec3 base_color = vec3(1.0f)) {
     core.thin_walled = c.thin;
     core.ior = c.ior;
     core.specular = c.specular;
+    core.anisotropy = c.anisotropy;
     material.energy_row = energies.row_of(core);
     material.ior = render_system::bending_ior(core);
     material.sheen_color = vec3(c.sheen);
@@ -226,6 +227,8 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"film on solid glass", 0, 0.5f, 1, 1, 1.5f, false, true, 0.6f, 0, 0, 0, 0, 380},
         Case{"brushed metal", 1, 0.3f, 1, 0, 1.5f, true, true, 0.6f, 0, 0, 0, 0, 0, 0.7f},
         Case{"brushed thin glass under a coat, grazing", 0, 0.5f, 1, 0.5f, 1.5f, true, true, 0.2f, 0, 0, 1, 0.3f, 0, 1},
+        Case{"brushed solid glass, entering", 0, 0.3f, 1, 1, 1.5f, false, true, 0.6f, 0, 0, 0, 0, 0, 0.7f},
+        Case{"brushed solid glass, leaving", 0, 0.4f, 1, 1, 1.5f, false, false, 0.8f, 0, 0, 0, 0, 0, 0.5f},
         Case{"rough solid glass, leaving past the critical angle", 0, 0.4f, 1, 1, 1.5f, false, false, 0.4f}));
 
 // GGX stretched along x in double precision, from the papers and not from the kernels: Burley 2012 for its density,
@@ -281,6 +284,36 @@ TEST(StretchedBsdf, IsTheLobeOfTheExtension) {
             ASSERT_NEAR(static_cast<double>(evaluate_bsdf(bsdf, wi).value.x), once + again, 2e-5 * (once + 1.0))
                 << turn;
         }
+    }
+}
+
+TEST(StretchedBsdf, RefractsThroughTheSameMicrofacets) {
+    for (bool front : {true, false}) {
+        Case c{"brushed glass", 0, 0.4f, 1, 1, 1.5f, false, front, 0.8f};
+        c.anisotropy = 0.6f;
+        c.turn = 0.7f;
+        const Bsdf bsdf = bsdf_of(c);
+        const StretchedGgx model(0.4, 0.6);
+        const double eta = front ? 1.5 : 1.0 / 1.5;
+        const glm::dvec3 wo(bsdf.wo.x, bsdf.wo.y, bsdf.wo.z);
+        int met = 0;
+        for (uint i = 0; i < 200; ++i) {
+            const vec3 wi = direction_at(-0.02 - 0.0049 * i, 2.4 * i);
+            // Walter et al. 2007, equations 16 and 21, with Heitz's separate masking on either side.
+            const glm::dvec3 to(wi.x, wi.y, wi.z), h = -glm::normalize((wo + eta * to) * (eta > 1.0 ? 1.0 : -1.0));
+            const double wo_h = glm::dot(wo, h), to_h = glm::dot(to, h);
+            if (wo_h <= 0.0 || to_h >= 0.0 || h.z <= 0.0) continue;
+            const double masking =
+                1.0 / ((1.0 + model.lambda(wo.x, wo.y, wo.z)) * (1.0 + model.lambda(to.x, to.y, to.z)));
+            const double larger = eta > 1.0 ? wo_h : -to_h;
+            const double passed = 0.96 * (1.0 - std::pow(1.0 - larger, 5.0));
+            const double once = passed * model.density(h.x, h.y, h.z) * masking * eta * eta * -to_h * wo_h /
+                                (wo.z * std::pow(wo_h + eta * to_h, 2.0));
+            const double again = static_cast<double>(bsdf.again_transmitted.x * -wi.z) / std::numbers::pi;
+            ASSERT_NEAR(static_cast<double>(evaluate_bsdf(bsdf, wi).value.x), once + again, 1e-4 * (once + 1.0));
+            ++met;
+        }
+        EXPECT_GT(met, 20);
     }
 }
 
