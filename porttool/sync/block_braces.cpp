@@ -27,7 +27,7 @@ class BracePlanner {
 public:
     BracePlanner(const std::vector<ResultClause>& result, const Transplant& transplant, const PlacedUnit& source,
                  const PlacedUnit& target)
-        : result_(result), source_(source), target_(target) {
+        : result_(result), source_(source), target_(target), edited_(transplant.braces) {
         // Of two manners that both sides keep to, the target's; else what the source has.
         style_ = brace_style(source) * brace_style(target) < 0 ? brace_style(target) : 0;
         origin_.assign(target.clauses.size(), kNoClause);
@@ -84,6 +84,10 @@ private:
         const bool remade = there != kNoClause && result_[end].is_new;
         const bool written = remade ? has_brace_in_source(there) : has_brace(head);
         const bool is_new = result_[head].is_new || remade;
+        if (!is_new && there != kNoClause && edited_.came.contains(there)) return true;
+        if (!is_new && there != kNoClause && edited_.went.contains(there) && content.statements == 1 &&
+            content.blocks == 0 && !would_take_else(head, end))
+            return false;
         if (!is_new &&
             (written || !(content.any_new || result_[end].is_new || changed_.contains(result_[head].clause))))
             return written;
@@ -110,6 +114,7 @@ private:
 
     const std::vector<ResultClause>& result_;
     const PlacedUnit &source_, &target_;
+    const BraceEdits& edited_;
     int style_ = 0;
     std::vector<size_t> origin_;  ///< of each clause of the target the one of the source's new text
     std::set<size_t> changed_;    ///< heads of the target that lose a clause of their block

@@ -29,7 +29,8 @@ std::vector<ResultClause> result_clauses(const Transplant& transplant, const Pla
                                          const PlacedUnit& target);
 
 /// Which braces are written otherwise than where they come from. In normal form every block has its braces; in a file
-/// a block of one statement may do without.
+/// a block of one statement may do without. Where the edit gives a block of the source its braces, or takes them, so
+/// does the port.
 ///
 ///     if ( a ) {      target: no brace; gets one, since a second statement comes in
 ///     x = 1 ;

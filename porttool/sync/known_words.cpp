@@ -26,19 +26,29 @@ std::string_view runtime_of(std::string_view word) {
     return {};
 }
 
-/// What every C and C++ has without a word of the project: the headers of their standard libraries.
+/// What every C and C++ has without a word of the project: the headers of their standard libraries, and of POSIX.
 bool is_standard(std::string_view word) {
     static constexpr std::string_view kWords =
-        " std chrono size_t ptrdiff_t int8_t int16_t int32_t int64_t uint8_t uint16_t uint32_t uint64_t uintptr_t NULL "
-        "nullptr printf fprintf snprintf sprintf stderr stdout malloc calloc realloc free exit abort assert memcpy "
-        "memset memmove memcmp strcmp strncmp strlen atoi atof strtol rand srand abs fabs fabsf sqrt sqrtf pow powf "
-        "exp "
-        "expf log logf log2 log2f log10 log10f sin sinf cos cosf tan tanf asin asinf acos acosf atan atanf atan2 "
-        "atan2f "
-        "sinh sinhf cosh coshf tanh tanhf floor floorf ceil ceilf round roundf trunc truncf fmod fmodf fmin fminf fmax "
-        "fmaxf hypot hypotf cbrt cbrtf isnan isinf FLT_MAX FLT_MIN FLT_EPSILON DBL_MAX DBL_EPSILON INT_MAX INT_MIN "
-        "UINT_MAX M_PI true false bool steady_clock high_resolution_clock duration duration_cast nanoseconds "
-        "microseconds milliseconds now count vector array string move max min swap cout cerr endl begin end data size ";
+        " std chrono size_t ssize_t ptrdiff_t int8_t int16_t int32_t int64_t uint8_t uint16_t uint32_t uint64_t "
+        "intptr_t uintptr_t NULL nullptr nullptr_t static_cast reinterpret_cast const_cast decltype printf "
+        "fprintf snprintf sprintf sscanf puts putchar fputs fputc fopen fclose fread fwrite fgets fseek ftell "
+        "fflush perror FILE stderr stdout stdin EOF malloc calloc realloc free exit abort assert getenv "
+        "EXIT_SUCCESS EXIT_FAILURE errno memcpy memset memmove memcmp strcmp strncmp strlen strcpy strncpy "
+        "strcat strchr strrchr strstr strtok strdup strerror atoi atol atoll atof strtol strtoul strtod strtof "
+        "isdigit isspace isalpha isalnum toupper tolower offsetof rand srand RAND_MAX abs labs fabs fabsf sqrt "
+        "sqrtf pow powf exp expf exp2 exp2f expm1 log1p log logf log2 log2f log10 log10f sin sinf cos cosf tan "
+        "tanf asin asinf acos acosf atan atanf atan2 atan2f sinh sinhf cosh coshf tanh tanhf floor floorf ceil "
+        "ceilf round roundf lround rint trunc truncf fmod fmodf fmin fminf fmax fmaxf hypot hypotf cbrt cbrtf "
+        "erf erff erfc erfcf tgamma lgamma copysign copysignf isnan isinf isfinite NAN INFINITY HUGE_VAL "
+        "FLT_MAX FLT_MIN FLT_EPSILON DBL_MAX DBL_MIN DBL_EPSILON CHAR_BIT INT_MAX INT_MIN UINT_MAX LONG_MAX "
+        "LLONG_MAX ULLONG_MAX SIZE_MAX INT32_MAX INT64_MAX UINT8_MAX UINT32_MAX UINT64_MAX M_PI M_E M_SQRT2 "
+        "true false bool va_list va_start va_end time time_t clock clock_t CLOCKS_PER_SEC timeval timespec "
+        "gettimeofday clock_gettime CLOCK_MONOTONIC tv_sec tv_usec tv_nsec steady_clock system_clock "
+        "high_resolution_clock time_point duration duration_cast milliseconds microseconds nanoseconds now "
+        "time_since_epoch count vector array string pair tuple make_pair make_tuple unique_ptr shared_ptr "
+        "make_unique make_shared numeric_limits initializer_list move forward max min swap accumulate to_string "
+        "cout cerr endl setw setprecision ifstream ofstream stringstream getline begin end data size push_back "
+        "emplace_back c_str ";
     return kWords.find(" " + std::string(word) + " ") != std::string_view::npos;
 }
 
@@ -240,6 +250,10 @@ bool KnownWords::is_of_source(std::string_view word) const {
     return !is_type_word(word) && (parameters_.contains(word) || from_.all.declared().contains(word));
 }
 
+bool KnownWords::is_standard_method(std::string_view word) const {
+    return are_both_cpp() && has_std() && is_standard(word) && !from_.all.declared().contains(word);
+}
+
 bool KnownWords::is_declared_nowhere(std::string_view word) const {
     return !is_of_source(word) && !is_declared_there(word) && dialect_.meaning(word) == nullptr && !is_standard(word);
 }
@@ -251,6 +265,25 @@ bool KnownWords::is_from_elsewhere(std::string_view word) const {
     for (const std::string_view part : kOfOneRuntime)
         if (name.find(part) != std::string::npos) return false;
     return is_declared_nowhere(word) && runtime_of(word).empty();
+}
+
+/// Any file may ask for a macro that no file of either side defines: it comes from the build, or the compiler.
+bool KnownWords::is_macro_of_build(std::string_view word) const { return is_from_elsewhere(word) && is_capital(word); }
+
+/// `cudaFree` is `hipFree`: HIP has CUDA's run time under names of its own, but for few.
+std::string KnownWords::in_sister_runtime(std::string_view word) const {
+    const auto is_of = [](std::string_view name, std::string_view begin) {
+        return name.size() > begin.size() && name.starts_with(begin) && name[begin.size()] >= 'A' &&
+               name[begin.size()] <= 'Z';
+    };
+    const std::string_view here = is_of(word, "cuda") ? "cuda" : is_of(word, "hip") ? "hip" : "";
+    const std::string_view there = here == "cuda" ? "hip" : "cuda";
+    if (here.empty() || is_one_of(word, {"cudaDeviceProp", "hipDeviceProp_t", "cudaThreadSynchronize"})) return {};
+    const auto has = [&](std::string_view begin) {
+        return std::any_of(file_words_.begin(), file_words_.end(),
+                           [&](std::string_view name) { return is_of(name, begin); });
+    };
+    return has(there) && !has(here) ? std::string(there) + std::string(word.substr(here.size())) : std::string();
 }
 
 /// True if the target's file has words of that run time.

@@ -121,6 +121,12 @@ public:
     bool is_declared_nowhere(std::string_view word) const;
     /// The same of one that is none of a language's run time.
     bool is_from_elsewhere(std::string_view word) const;
+    /// True for what an `#ifdef` may ask for on either side.
+    bool is_macro_of_build(std::string_view word) const;
+    /// A word of CUDA's run time in HIP's manner, or the other way round, where the target's file has that alone.
+    std::string in_sister_runtime(std::string_view word) const;
+    /// True for a method of the standard library of C++, where both have that and no type of the source has one so.
+    bool is_standard_method(std::string_view word) const;
     /// True for a constant that neither side declares, of a family whose others both files have under one name: with
     /// `GGML_OP_NORM` and `GGML_OP_ADD` in both, `GGML_OP_SUB` is from where these are.
     bool is_of_shared_family(std::string_view word) const;

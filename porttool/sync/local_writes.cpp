@@ -75,16 +75,17 @@ size_t LocalWrites::local_at(size_t place, const std::string& name) const {
 bool LocalWrites::is_constant(size_t local, bool parts) const {
     const size_t name = declared_.at(local);
     int depth = 0;
-    bool constant = false, points = false;
+    bool constant = false, parts_constant = false, points = false;
     for (size_t i = name; i-- > 0;) {
         if (word(i) == ">") ++depth;
         if (word(i) == "<" && --depth < 0) break;
         if (depth > 0) continue;
         if (is_one_of(word(i), {";", "{", "}", "(", ",", ")"})) break;
-        constant |= word(i) == "const" || word(i) == "constexpr";
-        points |= word(i) == "*";
+        if (word(i) == "*") points = true;
+        // Behind the last `*` it is the pointer's own: `float * const v` may be written through.
+        if (word(i) == "const" || word(i) == "constexpr") (points ? parts_constant : constant) = true;
     }
-    return constant && (!points || parts);
+    return points && parts ? parts_constant : constant;
 }
 
 size_t LocalWrites::clause_at(size_t at) const {

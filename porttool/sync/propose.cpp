@@ -291,7 +291,9 @@ private:
         std::set<std::string, std::less<>> brought = from_elsewhere, lone;
         const std::map<std::string, std::string, std::less<>> unported = new_units_.unported(from);
         for (const auto& [name, why] : unported) lone.insert(name);
-        for (const std::string& name : local_names(*file, *unit))
+        std::set<std::string> locals = declared_behind_macro(is.words);
+        for (std::string& name : local_names(*file, *unit)) locals.insert(std::move(name));
+        for (const std::string& name : locals)
             if (std::find(was.words.begin(), was.words.end(), name) == was.words.end()) {
                 // A name that the port has for something else cannot be taken.
                 if (std::find(there.words.begin(), there.words.end(), name) == there.words.end())
@@ -353,7 +355,7 @@ private:
             return;
         }
         std::set<std::string> used = words_brought(found);
-        for (const std::string& name : local_names(*file, *unit)) used.erase(name);
+        for (const std::string& name : locals) used.erase(name);
         for (const std::string& word : there.words) used.erase(word);
         const UnitRaiser::Raised raised = raiser_.raise(to, draft, pair.unit[to]->id, used);
         if (!raised.failure.empty()) return refuse(raised.failure);
@@ -362,9 +364,41 @@ private:
             return carry(pair, line, before, from, out);  // in the text as it is now
         }
         declare_constants(new_text, is, constants_of(*file, *unit, *other), found);
+        if (has_other_braces(found, is, new_text, there, port_text))
+            found.braces = edit_of_braces(pair, from, was, old_text, is, new_text, edit);
         const std::vector<TextEdit> edits = rewrite_unit(found, {*file, is, new_text.clauses},
                                                          {draft.scanned, there, port_text.clauses}, draft.indent());
         finish(pair, line, before, to, draft, edits, out);
+    }
+
+    /// True if one side has a block in braces whose counterpart has none.
+    static bool has_other_braces(const Transplant& found, const UnitWords& is, const AlignedText& now,
+                                 const UnitWords& there, const AlignedText& port) {
+        for (size_t c = 0; c < found.stands_for.size(); ++c) {
+            const size_t other = found.stands_for[c];
+            if (other != Alignment::kNone && now.clauses[c].opens && port.clauses[other].opens &&
+                is.is_added(now.clauses[c].end - 1) != there.is_added(port.clauses[other].end - 1))
+                return true;
+        }
+        return false;
+    }
+
+    /// Which blocks the edit gave braces, or took them from; none where the text before, as a file, is not known.
+    BraceEdits edit_of_braces(const JudgedPair& pair, Side from, const UnitWords& was, const AlignedText& before,
+                              const UnitWords& is, const AlignedText& now, const Alignment& edit) {
+        const std::string* text = earlier_texts_.of(from, pair.unit[from]->file);
+        if (text == nullptr) return {};
+        const ScannedFile file = scan_text(pair.unit[from]->file, *text);
+        const Unit* unit = unit_named(file, pair.unit[from]->id);
+        if (unit == nullptr) return {};
+        const UnitWords earlier = words_of_unit(file, *unit);
+        // A record has no blanks in strings.
+        const auto same = [](const std::string& a, const std::string& b) {
+            return a == b || (a.starts_with('"') && b.starts_with('"'));
+        };
+        const bool is_before =
+            std::equal(earlier.words.begin(), earlier.words.end(), was.words.begin(), was.words.end(), same);
+        return is_before ? brace_edits(earlier, before, is, now, edit) : BraceEdits();
     }
 
     /// The words that come into the port, but for members.

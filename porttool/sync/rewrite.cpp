@@ -269,7 +269,8 @@ private:
             if (is_bracketed(last, one.words.front().text))
                 return stands_apart_there(last, one.words.front().text) ? " " : "";
             const std::string there = source_gap(one.source_first);
-            if (!there.empty()) return " ";
+            const std::string& first = one.words.front().text;
+            if (!there.empty()) return first == "." || first == "->" || first == "::" || first == "[" ? "" : " ";
             return must_part(target_.words.words[before], one.words.front().text) ? " " : "";
         }
         return stand_apart(target_.words.words[before], one.words.front().text) ? " " : "";

@@ -124,6 +124,19 @@ std::set<std::string> lost_names(const std::vector<std::string>& before, const s
     return out;
 }
 
+std::set<std::string> declared_behind_macro(const std::vector<std::string>& words) {
+    std::set<std::string> out;
+    for (size_t i = 3; i + 1 < words.size(); ++i) {
+        const std::string &macro = words[i - 2], &type = words[i - 1], &before = words[i - 3];
+        const bool begins = is_one_of(before, {";", "{", "}"}) || (before == "(" && i > 3 && words[i - 4] == "for");
+        const bool is_type = is_type_word(type) || is_plain_name(type);
+        if (begins && is_word_token(macro) && is_shouted(macro) && is_type && is_plain_name(words[i]) &&
+            is_one_of(words[i + 1], {"=", ";", "["}))
+            out.insert(words[i]);
+    }
+    return out;
+}
+
 std::set<std::string> names_out_of_scope(const std::vector<std::string>& words) {
     return used_out_of_scope(words, declared_names(words));
 }

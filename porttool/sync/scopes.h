@@ -18,4 +18,8 @@ std::set<std::string> names_out_of_scope(const std::vector<std::string>& words);
 /// still, and declared no more.
 std::set<std::string> lost_names(const std::vector<std::string>& before, const std::vector<std::string>& now);
 
+/// Names that are declared behind a macro and a type, which nothing else tells from two names side by side:
+/// `LOCAL_AS float tile [ 64 ] ;`, `for ( MAYBE_VOLATILE int i = 0 ; ...`.
+std::set<std::string> declared_behind_macro(const std::vector<std::string>& words);
+
 }  // namespace porttool

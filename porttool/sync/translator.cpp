@@ -44,6 +44,12 @@ bool is_vector_literal(const std::vector<std::string>& words, size_t i, size_t e
     return false;
 }
 
+/// True for the name that `# ifdef NAME`, `# ifndef NAME` or `defined ( NAME )` asks for.
+bool asks_for_macro(const std::vector<std::string>& words, size_t i) {
+    if (i > 1 && words[i - 2] == "#" && (words[i - 1] == "ifdef" || words[i - 1] == "ifndef")) return true;
+    return i > 0 && (words[i - 1] == "defined" || (i > 1 && words[i - 1] == "(" && words[i - 2] == "defined"));
+}
+
 /// Where the bracket that opens at `open` closes, if there is a comma directly within; else `end`.
 size_t end_of_parts(const std::vector<std::string>& words, size_t open, size_t end) {
     int depth = 0;
@@ -169,10 +175,11 @@ CarriedWords EditTranslator::carry(const std::vector<std::string>& words, size_t
         const bool declares = i + 1 < words.size() && (is_word_token(words[i + 1]) || words[i + 1] == "*");
         const Use use = called && !scoped ? Use::Call : declares ? Use::Type : Use::Value;
         const bool is_std = i > 1 && words[i - 1] == "::" && words[i - 2] == "std" && known_.has_std();
-        const std::string said = method   ? std::string()
-                                 : is_std ? words[i]
-                                 : member ? this->member(words[i])
-                                          : word(words[i], use);
+        std::string said = method                                                                ? std::string()
+                           : is_std || (member && called && known_.is_standard_method(words[i])) ? words[i]
+                           : member ? this->member(words[i])
+                                    : word(words[i], use);
+        if (said.empty() && asks_for_macro(words, i) && known_.is_macro_of_build(words[i])) said = words[i];
         if (said.empty()) out.unknown.push_back(words[i]);
         out.words.push_back({said.empty() ? words[i] : said, i});
         ++i;
@@ -239,6 +246,7 @@ std::string EditTranslator::word(std::string_view text, Use use) const {
     if (std::string said = pair_.renamed(text); !said.empty()) return said;
     if (std::string said = beside_.file().renamed(text); !said.empty()) return said;
     if (std::string said = said_in_folder(text, use); !said.empty()) return said;
+    if (std::string said = known_.in_sister_runtime(text); !said.empty()) return said;
     if (known_.anywhere(text)) return std::string(text);
     if (std::string said = known_.in_other_manner(text); !said.empty()) return said;
     if (use != Use::Call && known_.is_of_shared_family(text)) return std::string(text);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "porttool/compare/alignment.h"
+#include "porttool/sync/brace_edits.h"
 #include "porttool/sync/local_writes.h"
 #include "porttool/sync/translator.h"
 
@@ -46,6 +47,7 @@ struct Transplant {
     std::vector<LeftOver> left;
     /// For each clause of the source's new text the clause of the target that stands for it, or Alignment::kNone.
     std::vector<size_t> stands_for;
+    BraceEdits braces;
     size_t already = 0;  ///< edits that the target has
     size_t size() const { return replaced.size() + added.size() + removed.size(); }
     bool empty() const { return size() == 0; }

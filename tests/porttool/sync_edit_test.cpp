@@ -126,6 +126,80 @@ TEST(SyncEdit, AConstantChanges) {
     expect_ported(weighed("sum > 1.0f", "sum > 2.0f", "total > 1.0", "total > 2.0"));
 }
 
+/// Host code of two of C's family, of which nobody else has said a word.
+EditCase hosted(const std::string& target, const std::string& gained) {
+    const std::string kernel = "int run(int repeat) {\n  int done = step(repeat);\n  return done;\n}\n";
+    const std::string after = "int run(int repeat) {\n  int done = step(repeat);\n" + gained + "  return done;\n}\n";
+    return {"k.cu", target, kernel, after, kernel, after};
+}
+
+TEST(SyncEdit, WhatALibraryOfCOrCppHasIsKnown) {
+    expect_ported(hosted("k.cpp", "  struct timeval now;\n  gettimeofday(&now, NULL);\n"));
+    expect_ported(hosted("k.cpp", "  if (done > RAND_MAX) exit(EXIT_FAILURE);\n"));
+    expect_ported(hosted("k.cpp", "  const char* bytes = reinterpret_cast<const char*>(&done);\n  puts(bytes);\n"));
+    // Of a language without that library nothing is said.
+    EditCase device = hosted("k.cl", "  struct timeval now;\n  gettimeofday(&now, NULL);\n");
+    expect_left(device);
+}
+
+TEST(SyncEdit, AMethodOfTheStandardLibraryIsNoVariableOfItsName) {
+    const std::string other = "void other(int count) { use(count); }\n\n";
+    const std::string kernel =
+        "int run(int repeat) {\n  auto start = std::chrono::steady_clock::now();\n  step(repeat);\n  return 0;\n}\n";
+    const std::string after = replaced(kernel, "  return 0;",
+                                       "  auto end = std::chrono::steady_clock::now();\n"
+                                       "  auto spent = (end - start).count();\n  return 0;");
+    expect_ported({"k.cu", "k.cpp", other + kernel, other + after, kernel, after});
+}
+
+TEST(SyncEdit, AnIfdefMayAskForAMacroThatNoFileDefines) {
+    const std::string shown = "#ifdef DEBUG\n  printf(\"%d\\n\", done);\n#endif\n";
+    expect_ported(hosted("k.cpp", shown));
+    // What only the source's file defines is not there, nor is what tells one platform.
+    EditCase defined = hosted("k.cpp", shown);
+    defined.before = "#define DEBUG 1\n" + defined.before;
+    defined.after = "#define DEBUG 1\n" + defined.after;
+    expect_left(defined);
+    expect_left(hosted("k.cpp", replaced(shown, "DEBUG", "USE_CUDA")));
+}
+
+TEST(SyncEdit, HipHasTheRunTimeOfCudaUnderItsOwnNames) {
+    const std::string kernel = "void run(float* d) {\n  cudaFree(d);\n}\n";
+    const std::string port = "#include <hip/hip_runtime.h>\nvoid run(float* d) {\n  hipFree(d);\n}\n";
+    const auto waits = [](const std::string& text, const std::string& name) {
+        return replaced(text, "Free(d);", "Free(d);\n  " + name + "();");
+    };
+    expect_ported(
+        {"k.cu", "k.cpp", kernel, waits(kernel, "cudaDeviceSynchronize"), port, waits(port, "hipDeviceSynchronize")});
+    // A file that has both, or a name that is not the other's, tells nothing.
+    expect_left({"k.cu", "k.cpp", kernel, waits(kernel, "cudaThreadSynchronize"), port, port});
+    const std::string both = port + "void other(float* d) {\n  cudaFree(d);\n  hipFree(d);\n}\n";
+    expect_not_wrong(
+        {"k.cu", "k.cpp", kernel, waits(kernel, "cudaDeviceSynchronize"), both, waits(both, "cudaDeviceSynchronize")});
+}
+
+TEST(SyncEdit, AConstantPointerMayBeWrittenThrough) {
+    const auto fold = [](const std::string& type, const std::string& body) {
+        return "__device__ void fold(" + type + " v, int i) {\n" + body + "}\n";
+    };
+    const std::string was = "  v[i] = v[i] + v[i + 1];\n", is = was + "  v[i] += v[i + 2];\n";
+    expect_ported({"k.cu", "k.hip", fold("float* const", was), fold("float* const", is), fold("float* const", was),
+                   fold("float* const", is)});
+    const std::string reads = "  use(v[i]);\n";
+    expect_left({"k.cu", "k.hip", fold("float*", reads), fold("float*", reads + "  v[i] += 1.0f;\n"),
+                 fold("const float*", reads), fold("const float*", reads)});
+}
+
+TEST(SyncEdit, AVariableBehindAMacroAndATypeIsTheEditsOwn) {
+    const auto kernel = [](const std::string& body) {
+        return "DECLSPEC u32 other(u32 S) { return S; }\n"
+               "KERNEL_FQ void mix(GLOBAL_AS u32* out, u32 lid) {\n  u32 a = out[lid];\n" +
+               body + "  out[lid] = a;\n}\n";
+    };
+    const std::string now = "  LOCAL_VK u32 S[64];\n  S[lid] = a;\n";
+    expect_ported({"k.cl", "k_2.cl", kernel(""), kernel(now), kernel(""), kernel(now)});
+}
+
 TEST(SyncEdit, AnOperatorChanges) {
     expect_ported(weighed("i < count", "i <= count", "i < count", "i <= count"));
     expect_ported(weighed("gain * 0.5f", "gain / 0.5f", "gain * 0.5", "gain / 0.5"));

@@ -616,5 +616,27 @@ TEST_F(SyncNewUnit, AStatementThatDiffersFromOthersByAFunctionIsSaidAsTheyAre) {
     EXPECT_EQ(target().find("fourth(job)"), std::string::npos) << target();
 }
 
+TEST_F(SyncNewUnit, BlocksGetAndLoseTheirBracesAsTheSourcesDo) {
+    const std::string bare =
+        "int clip(int v, int top) {\n  if (v > top)\n    v = top;\n  if (v < 0) v = 0;\n  return v;\n}\n";
+    start("clip.cpp", bare, "clip.cu", bare);
+    const std::string braced =
+        "int clip(int v, int top) {\n  if (v > top + 1) {\n    v = top;\n  }\n  if (v < 0) v = 0;\n  return v;\n}\n";
+    write(source_path, braced);
+    expect_ported(braced);
+    ASSERT_EQ(porttool({"accept", "--all"}).exit_code, 0);
+    commit("braced");
+    write(source_path, replaced(bare, "v < 0", "v < 1"));
+    expect_ported(replaced(bare, "v < 0", "v < 1"));
+}
+
+TEST_F(SyncNewUnit, BracesThatThePortAloneHasOrLacksStay) {
+    const std::string bare = "int clip(int v, int top) {\n  if (v > top)\n    v = top;\n  return v;\n}\n";
+    const std::string braced = "int clip(int v, int top) {\n  if (v > top) {\n    v = top;\n  }\n  return v;\n}\n";
+    start("clip.cpp", braced, "clip.cu", bare);
+    write(source_path, replaced(braced, "v > top", "v >= top"));
+    expect_ported(replaced(bare, "v > top", "v >= top"));
+}
+
 }  // namespace sync_new_unit_test
 }  // namespace porttool::testing
