@@ -394,16 +394,21 @@ bool is_bare_return(const Text& written) { return !written.empty() && written[0]
 
 bool is_bare_declaration(const Text& written) {
     if (written.empty() || written[0] == "return" || word_is(written[0], kGoesOn)) return false;
-    size_t names = 0, end = 0;  // of the words before the value
+    size_t names = 0, end = 0;  // of the words before the value, without those of an index or a size
+    int depth = 0;
+    std::string name;
     for (; end < written.size(); ++end) {
         const std::string& word = written[end];
+        depth += word == "[" ? 1 : word == "]" ? -1 : 0;
+        if (depth > 0 || word == "]") continue;
         if (word == "=" || word == "(") break;
         if (word == "." || word == "->" || word == "++" || word == "--" || word.ends_with("=")) return false;
-        names += is_word_token(word) ? 1 : 0;
+        if (!is_word_token(word)) continue;
+        name = word;
+        ++names;
     }
     if (names < 2) return false;
     if (end == written.size()) return true;
-    const std::string& name = written[end - 1];
     if (written[end] == "=" && is_path(written, end + 1)) return true;
     bool numbers = true;
     for (size_t i = end + 1; i < written.size(); ++i) {

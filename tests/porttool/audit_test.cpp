@@ -359,6 +359,8 @@ TEST_F(Audit, HandMadeEdits) {
          "CASES(A_ADD, B_ADD) CASES(A_MUL, B_MUL) CASES(A_DIV, B_DIV) CASES(A_SUB, B_SUB) sum += level * w[n];", true},
         {"named", "sum += level * w[k]; level = v[k] * wide;",
          "const float least = w[n] * wide - v[n]; sum += fmax(level, least) * w[k]; level = v[k] * wide;", true},
+        {"stored", "out[k] = v[k] + level * w[k]; sum += level;", "out[k] = v[k] - level * w[k]; sum += level;", true},
+        {"cleared", "out[k] = 0.0f; sum += level;", "out[k] = 1.0f; sum += level;", true},
         {"null", "level = w[k] * 2.0f; *out = level + 1.0f; sum += level;",
          "level = w[k] * 2.0f; if (out) *out = level + 1.0f; sum += level;", false},
     };
