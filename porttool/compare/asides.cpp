@@ -193,11 +193,40 @@ private:
             if (is_word_token(tokens_[i])) rest_.insert(tokens_[i]);
     }
 
+    /// True at a loop's own counter (`for (int i = 0; ...)`) that begins at `head`, up to the end of the loop.
+    bool is_counter(const Stretch& stretch, size_t i) const {
+        const auto is_loop_of = [&](size_t head, std::string_view name) {
+            return word(head) == "for" && word(head + 1) == "(" && is_word_token(word(head + 2)) &&
+                   word(head + 3) == name && word(head + 4) == "=";
+        };
+        const size_t name = tokens_[i] == "=" ? i - 1 : is_word_token(word(i + 1)) ? i + 1 : i - 1;
+        if (i == 0 || tokens_[i] == "&" || (name > 0 && is_one_of_members(word(name - 1)))) return false;
+        constexpr size_t kReach = 256;  // words
+        for (size_t head = std::max(stretch.first, i - std::min(i, kReach)); head < i; ++head)
+            if (is_loop_of(head, word(name)) && i < end_of_loop(head, stretch.end)) return true;
+        return false;
+    }
+
+    static bool is_one_of_members(std::string_view sign) { return sign == "." || sign == "->" || sign == "*"; }
+
+    /// Behind the body of the loop that begins at `head`.
+    size_t end_of_loop(size_t head, size_t end) const {
+        size_t body = head;
+        while (word(body) == "for") body = behind_parentheses(body + 1, end);
+        int depth = 0;
+        for (size_t i = body; i < end; ++i) {
+            depth += tokens_[i] == "{" ? 1 : tokens_[i] == "}" ? -1 : 0;
+            if (depth == 0 && (tokens_[i] == "}" || tokens_[i] == ";")) return i + 1;
+        }
+        return end;
+    }
+
     bool is_harmless(const Stretch& one) const {
         for (size_t i = one.first; i < one.end; ++i) {
             if (is_one_of_leaves(tokens_[i])) return false;
             if (one.kind == Kind::Timing && takes_part(i)) return false;
-            if (writes(i, one.end) && (one.kind == Kind::Saying || !writes_own(i))) return false;
+            if (!writes(i, one.end) || (one.kind == Kind::Guarded && is_counter(one, i))) continue;
+            if (one.kind == Kind::Saying || !writes_own(i)) return false;
         }
         return true;
     }

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "porttool/compare/hints.h"
 #include "porttool/compare/phrases.h"
 #include "porttool/compare/side_by_side.h"
 #include "porttool/compare/side_edit.h"
@@ -60,19 +62,57 @@ std::vector<std::string> launches_of(const Words& text) {
 }
 
 /// True if the edit only put the same words into another order, or one number in the place of another: a value that
-/// somebody chose for this side.
-bool reorders_or_retunes(const SideEdit& edit) {
+/// somebody chose for this side. In a long edit of a text apart numbers come and go with what they stand in.
+bool reorders_or_retunes(const SideEdit& edit, bool is_apart) {
+    constexpr size_t kLong = 24;
+    if (is_apart && edit.size >= kLong) return edit.gained == edit.lost;
     const auto any_number = [](const std::set<std::string>& words) {
         return std::any_of(words.begin(), words.end(), [](const std::string& word) { return is_number_token(word); });
     };
     return edit.gained == edit.lost || (any_number(edit.gained) && any_number(edit.lost));
 }
 
-/// Goes through the edit, word by word, beside the other side's text.
+/// True for words that are never silent. Branches for the compiler are told by what stands in them.
+bool touches_guarded_words(const SideEdit& edit, const LoneTexts& texts) {
+    const auto directives = [](const Words& text, std::string_view kind) {
+        size_t out = 0;
+        for (size_t i = 0; i + 1 < text.size(); ++i) out += text[i] == "#" && text[i + 1].starts_with(kind) ? 1 : 0;
+        return out;
+    };
+    for (const std::string_view kind : {"def", "undef", "err", "inc", "line"})
+        if (directives(texts.before, kind) != directives(texts.now, kind)) return true;
+    return std::any_of(edit.guarded.begin(), edit.guarded.end(), [](const auto& each) { return each.first != "#"; });
+}
+
+/// True of what a person would change by mistake: one word in the place of another, wherever it stands, or a word that
+/// came or went. Told by the texts as they are, since the arms of a switch change places with their labels.
+bool is_of_few_words(const LoneTexts& texts) {
+    constexpr size_t kFew = 3;
+    std::set<std::string_view> edited;
+    size_t tokens = 0;
+    for (const DiffStep& step : diff(texts.before, texts.now)) {
+        if (step.kind == DiffStep::Keep) continue;
+        edited.insert(step.kind == DiffStep::Add ? texts.now[step.now] : texts.before[step.before]);
+        ++tokens;
+    }
+    return tokens <= kFew || edited.size() < kFew;
+}
+
+/// True if hardly a third of both texts' words have their like in the other: a port that does it in another way.
+bool are_apart(const SideEdit& edit, const SideEdit& other, const SideBySide& laid) {
+    size_t words = 0;
+    for (const auto* counts : {&edit.had, &other.has})
+        for (const auto& [word, times] : *counts) words += times;
+    constexpr size_t kMostAlike = 35, kAll = 100;
+    return kAll * laid.unlike() > (kAll - kMostAlike) * words;
+}
+
+/// Goes through the edit, word by word, beside the other side's text. In texts that are apart single words have their
+/// like by chance: there only clauses that are mostly the same count.
 class GroundReader {
 public:
-    GroundReader(const SideEdit& edit, const SideBySide& laid)
-        : edit_(edit), laid_(laid), heads_{end_of_head(edit.before), end_of_head(edit.now)} {}
+    GroundReader(const SideEdit& edit, const SideBySide& laid, bool are_apart)
+        : edit_(edit), laid_(laid), heads_{end_of_head(edit.before), end_of_head(edit.now)}, are_apart_(are_apart) {}
 
     /// True if a word went that had its like, or words came beside one that has.
     bool touches() {
@@ -80,7 +120,7 @@ public:
             if (step.kind == DiffStep::Add) {
                 gained_ = gained_ || counts(edit_.now, step.now, heads_.target);
             } else if (counts(edit_.before, step.before, heads_.source)) {
-                const bool alike = laid_.has_like(step.before);
+                const bool alike = are_apart_ ? laid_.has_like_clause(step.before) : laid_.has_like(step.before);
                 if (step.kind == DiffStep::Remove && alike) return true;
                 if (step.kind == DiffStep::Keep && ends_beside(alike)) return true;
             }
@@ -104,6 +144,7 @@ private:
     const SideEdit& edit_;
     const SideBySide& laid_;
     BySide<size_t> heads_;  ///< of the text before, and now
+    bool are_apart_;
     bool alike_before_ = false, gained_ = false;
 };
 
@@ -112,9 +153,9 @@ private:
 bool is_off_common_ground(const LoneTexts& texts, const Dialect& dialect) {
     if (texts.before.size() + texts.now.size() + texts.other.size() > kMostToLay) return false;
     const SideEdit edit(texts.before, texts.now, dialect);
-    if (edit.size < kLeastEdited || !edit.guarded.empty() || reorders_or_retunes(edit)) return false;
-    if (pragmas_of(texts.before) != pragmas_of(texts.now) || launches_of(texts.before) != launches_of(texts.now))
-        return false;
+    if (edit.size < kLeastEdited || is_of_few_words(texts) || touches_guarded_words(edit, texts)) return false;
+    const Words then = without_hints(texts.before), today = without_hints(texts.now);
+    if (pragmas_of(then) != pragmas_of(today) || launches_of(then) != launches_of(today)) return false;
     const SideEdit other(texts.other, texts.other, dialect);
     if (!names_are_foreign(edit, other)) return false;
     WordKeys keys(dialect);
@@ -122,7 +163,10 @@ bool is_off_common_ground(const LoneTexts& texts, const Dialect& dialect) {
     const SideBySide laid(edit.before, other.now, a, b);
     constexpr size_t kShort = 200;  // longer texts have some words in common, if they could be laid side by side
     if (laid.covered().empty() && edit.before.size() > kShort) return false;
-    return !GroundReader(edit, laid).touches();
+    const bool is_apart = are_apart(edit, other, laid);
+    if (reorders_or_retunes(edit, is_apart)) return false;
+    if (!is_apart && edit.guarded.contains("#")) return false;
+    return !GroundReader(edit, laid, is_apart).touches();
 }
 
 }  // namespace porttool

@@ -11,6 +11,8 @@ namespace porttool {
 /// of what it took away nothing has its like on the other side, what it brought in stands beside no word that has, and
 /// of its names the other side's text knows less than half. What is the other side's as well is not behind then. False
 /// where that is not sure: texts too long to lay side by side, and edits of words that are never silent.
+/// Where hardly a third of the two texts is alike, only clauses that are mostly the same are common ground: words have
+/// their like there by chance.
 ///
 ///     before      q.wait(); y[i] = k * x[i];                                                      port
 ///     now         if (is_shared) { advise(y, q.get_device()); } q.wait(); y[i] = k * x[i];        off it

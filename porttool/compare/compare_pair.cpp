@@ -9,6 +9,7 @@
 #include "porttool/compare/caught_up.h"
 #include "porttool/compare/learned_words.h"
 #include "porttool/compare/lone_edit.h"
+#include "porttool/compare/own_fields.h"
 #include "porttool/compare/struct_fields.h"
 #include "porttool/compare/switch_cases.h"
 #include "porttool/compare/values.h"
@@ -125,6 +126,7 @@ private:
         const PairTexts texts{source_before, source_now, target_before, target_now};
         const BySide<Language> languages{pair_.source.language, pair_.target.language};
         EditComparison edits = compare_edits(texts, dialect_, languages);
+        if (!edits.equivalent && structs) edits.equivalent = gain_the_same_fields(texts);
         if (!edits.equivalent)
             edits.equivalent =
                 alike_in_words_of_pair(texts, languages) || alike_without_order_of_cases(texts, languages);

@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "porttool/compare/own_fields.h"
 
+#include <algorithm>
 #include <map>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "porttool/compare/struct_fields.h"
 #include "porttool/normal/statements.h"
@@ -30,7 +33,56 @@ Fields fields_of(const Words& text) {
     return out;
 }
 
+/// Names and types of a struct's fields, in their order.
+std::vector<std::pair<std::string, std::string>> typed_fields(const Words& text) {
+    std::vector<std::pair<std::string, std::string>> out;
+    const auto as_written = [](const Words& words, bool) {
+        return std::vector<std::string>(words.begin(), words.end());
+    };
+    for (const Statement& field : split_statements(data_fields(text), as_written)) {
+        if (field.is_brace() || field.head == Statement::kNoHead) continue;
+        size_t name = field.common.size();
+        for (size_t i = 0; i < field.common.size() && field.common[i] != "[" && field.common[i] != "="; ++i)
+            if (is_word_token(field.common[i])) name = i;
+        std::string type;
+        for (size_t i = 0; i < field.common.size(); ++i) type += i == name ? "@ " : field.common[i] + " ";
+        out.emplace_back(name < field.common.size() ? field.common[name] : std::string(), std::move(type));
+    }
+    return out;
+}
+
+using TypedFields = std::vector<std::pair<std::string, std::string>>;
+
+/// The fields that came, each as "the one before it, its name", with its type; nothing if others changed or went.
+std::map<std::string, std::string> only_gained(const TypedFields& before, const TypedFields& now) {
+    std::map<std::string, std::string> out;
+    size_t k = 0;
+    for (size_t i = 0; i < now.size(); ++i) {
+        if (k < before.size() && before[k] == now[i])
+            ++k;
+        else
+            out.emplace((i > 0 ? now[i - 1].first : std::string()) + " " + now[i].first, now[i].second);
+    }
+    return k == before.size() ? out : std::map<std::string, std::string>();
+}
+
 }  // namespace
+
+bool gain_the_same_fields(const PairTexts& texts) {
+    const TypedFields source = typed_fields(texts.source_before), target = typed_fields(texts.target_before);
+    const auto here = only_gained(source, typed_fields(texts.source_now)),
+               there = only_gained(target, typed_fields(texts.target_now));
+    if (here.empty() || here.size() != there.size()) return false;
+    const std::map<std::string, std::string> types(target.begin(), target.end());
+    std::map<std::pair<std::string, std::string>, size_t> known;
+    for (const auto& [name, type] : source)
+        if (const auto found = types.find(name); found != types.end()) ++known[{type, found->second}];
+    constexpr size_t kLeast = 2;
+    return std::equal(here.begin(), here.end(), there.begin(), [&](const auto& a, const auto& b) {
+        const auto found = known.find({a.second, b.second});
+        return a.first == b.first && (a.second == b.second || (found != known.end() && found->second >= kLeast));
+    });
+}
 
 bool only_changes_fields_of_its_own(const LoneTexts& texts) {
     const Fields before = fields_of(texts.before), now = fields_of(texts.now), there = fields_of(texts.other);

@@ -13,4 +13,11 @@ namespace porttool {
 ///     struct @ { int device ; stream s ; void * data ; } ;
 bool only_changes_fields_of_its_own(const LoneTexts& texts);
 
+/// True if all that both sides of a pair of structs did was to add the same fields behind the same field, each of the
+/// types that at least two fields have which both had before.
+///
+///     source    cl_int shadows; cl_int fog;      now also    cl_int glow;
+///     port      bool shadows; bool fog;          now also    bool glow;
+bool gain_the_same_fields(const PairTexts& texts);
+
 }  // namespace porttool

@@ -306,22 +306,78 @@ size_t end_of_idle(const Text& words, size_t open) {
     return may_be_type && is_one_of(next, {"*", "&", "-", "+", "!", "~", "++", "--"}) ? 0 : end;
 }
 
+/// Behind the operand at `at`: a name or number with members, elements and calls of it, or something in parentheses.
+/// `at` if none is there.
+size_t after_operand(const Text& words, size_t at) {
+    constexpr size_t kLongest = 256;
+    const std::string_view first = word(words, at);
+    if (first == "(") {
+        const size_t closed = after_brackets(words, at);
+        return closed == 0 ? at : closed;
+    }
+    if ((!is_word_token(first) && !is_number_token(first)) || first == "return") return at;
+    size_t end = at + 1;
+    for (const size_t most = at + kLongest; end < most;) {
+        const std::string_view next = word(words, end);
+        if (is_one_of(next, {".", "->", "::"}) && is_word_token(word(words, end + 1))) {
+            end += 2;
+        } else if ((next == "(" || next == "[") && is_word_token(first)) {
+            const size_t closed = after_brackets(words, end);
+            if (closed == 0) return at;
+            end = closed;
+        } else {
+            return end;
+        }
+    }
+    return at;
+}
+
+/// The parenthesis that closes the one at `open`, where what stands in it would be taken together without it: a
+/// product in a sum, or what comes first of its like. Of a few operands; 0 if that is not so.
+///
+///     ( a * b ) + c        ( a + b ) - c        not a - ( b - c )
+size_t end_of_closer_operation(const Text& words, size_t open) {
+    constexpr size_t kMostOperands = 8;
+    const std::string_view before = open > 0 ? std::string_view(words[open - 1]) : std::string_view();
+    const bool is_binary = open > 1 && ends_operand(words, open - 1);
+    bool sum = false;
+    size_t at = open + 1;
+    for (size_t operands = 0; operands < kMostOperands; ++operands) {
+        const size_t end = after_operand(words, at);
+        if (end == at) return 0;
+        at = end;
+        const std::string_view sign = word(words, at);
+        if (sign == ")") {
+            const std::string_view next = word(words, at + 1);
+            const bool ends = next.empty() || is_one_of(next, {")", ",", ";", "]", "?", ":", "==", "!=", "&&", "||"});
+            const bool goes_on = is_one_of(next, {"+", "-"}) || (!sum && is_one_of(next, {"*", "/", "%"}));
+            const bool starts = before.empty() || is_one_of(before, {"return", "=", "(", ",", "?", "[",
+                                                                     "+=", "-=", "==", "!=", "&&", "||"});
+            const bool of_sum = !sum && is_binary && is_one_of(before, {"+", "-"}) && !is_one_of(next, {"*", "/", "%"});
+            return operands > 0 && (ends || goes_on) && (starts || of_sum) ? at : 0;
+        }
+        if (!is_one_of(sign, {"*", "/", "%", "+", "-"})) return 0;
+        sum = sum || sign == "+" || sign == "-";
+        ++at;
+    }
+    return 0;
+}
+
 }  // namespace
 
 Text with_common_phrases(const Text& words) { return with_plain_constructors(with_global_ids(with_named_axes(words))); }
 
 Text without_idle_parentheses(const Text& words) {
-    Text out;
-    size_t until = 0;
+    std::vector<bool> idle(words.size());
     for (size_t i = 0; i < words.size(); ++i) {
-        if (i > 0 && i == until) continue;
-        if (words[i] == "(" && !ends_operand(words, i))
-            if (const size_t end = end_of_idle(words, i); end != 0) {
-                until = end;
-                continue;
-            }
-        out.push_back(words[i]);
+        if (words[i] != "(" || ends_operand(words, i)) continue;
+        size_t end = end_of_idle(words, i);
+        if (end == 0) end = end_of_closer_operation(words, i);
+        if (end != 0) idle[i] = idle[end] = true;
     }
+    Text out;
+    for (size_t i = 0; i < words.size(); ++i)
+        if (!idle[i]) out.push_back(words[i]);
     return out;
 }
 

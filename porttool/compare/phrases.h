@@ -21,7 +21,7 @@ namespace porttool {
 std::vector<std::string> with_common_phrases(const std::vector<std::string>& words);
 
 /// `( ray . t ) * 2` is `ray . t * 2`: parentheses around one value that is picked, or a name or number by itself,
-/// where they cannot be a cast or a call.
+/// where they cannot be a cast or a call. So is `( a * b ) + c` of `a * b + c`, which is taken together anyway.
 std::vector<std::string> without_idle_parentheses(const std::vector<std::string>& words);
 
 /// `( float4 ) { a , b }` and `( float4 ) ( a , b )`, values of several parts, are `float4 ( a , b )`.

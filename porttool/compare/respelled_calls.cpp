@@ -3,6 +3,7 @@
 #include "porttool/compare/respelled_calls.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <map>
 #include <set>
@@ -39,21 +40,31 @@ bool is_called(const Words& tokens, size_t i) {
     return is_word_token(tokens[i]) && i + 1 < tokens.size() && tokens[i + 1] == "(";
 }
 
+/// True for a scope that only says where a runtime keeps a name until it is settled: `sycl::ext::oneapi::plus` is
+/// `sycl::plus`.
+bool is_storey_of_runtime(std::string_view scope) {
+    constexpr std::array<std::string_view, 6> kStoreys = {"cl", "sycl", "ext", "oneapi", "intel", "experimental"};
+    return std::find(kStoreys.begin(), kStoreys.end(), scope) != kStoreys.end();
+}
+
 /// A text without scopes, and the scope of each word that is left.
 struct Unscoped {
     Words words;
     std::vector<std::string> scopes;
+    std::vector<std::string> settled;  ///< the scopes without storeys of a runtime
 
     explicit Unscoped(const Words& text) {
-        std::string scope;
+        std::string scope, without_storeys;
         for (size_t i = 0; i < text.size(); ++i) {
             if (is_word_token(text[i]) && i + 2 < text.size() && text[i + 1] == "::" && is_word_token(text[i + 2])) {
                 scope.append(text[i]) += "::";
+                if (!is_storey_of_runtime(text[i])) without_storeys.append(text[i]) += "::";
                 ++i;
                 continue;
             }
             words.push_back(text[i]);
             scopes.push_back(std::exchange(scope, {}));
+            settled.push_back(std::exchange(without_storeys, {}));
         }
     }
 };
@@ -81,13 +92,26 @@ bool only_qualifies_names(const Words& before, const Words& now) {
     std::set<std::string_view> rescoped, mixed;
     for (size_t i = 0; i < then.words.size(); ++i) {
         const std::pair<std::string_view, std::string_view> both{then.scopes[i], today.scopes[i]};
-        if (both.first != both.second && !both.first.empty() && !both.second.empty()) return false;
+        const bool is_other_scope = both.first != both.second && !both.first.empty() && !both.second.empty();
+        if (is_other_scope && then.settled[i] != today.settled[i]) return false;
         const std::string_view name = today.words[i];
         if (both.first != both.second) rescoped.insert(name);
         if (is_word_token(name) && scopes.emplace(name, both.second).first->second != both.second) mixed.insert(name);
     }
     return !rescoped.empty() &&
            std::none_of(rescoped.begin(), rescoped.end(), [&](std::string_view name) { return mixed.contains(name); });
+}
+
+bool only_respells_members(const Words& before, const Words& now) {
+    if (before.size() != now.size()) return false;
+    const auto picks = [](std::string_view word) { return word == "." || word == "->"; };
+    bool any = false;
+    for (size_t i = 0; i < now.size(); ++i) {
+        if (before[i] == now[i]) continue;
+        if (!picks(before[i]) || !picks(now[i]) || i + 1 >= now.size() || is_called(now, i + 1)) return false;
+        any = true;
+    }
+    return any;
 }
 
 std::string_view respelled_call(const NormalText& text, std::string_view name) {

@@ -46,10 +46,16 @@ SideBySide::SideBySide(const Text& here, const Text& there, const AlignedText& a
       b_(b),
       laid_(align(a, b, {})),
       alike_(here.size()),
+      in_like_clause_(here.size()),
       head_(end_of_head(here)),
       other_head_(end_of_head(there)) {
     learn();
     for (size_t i = 0; i < here.size(); ++i) alike_[i] = is_alike(i);
+    constexpr double kMostlySame = 0.6;
+    for (size_t c = 0; c < a.clauses.size(); ++c)
+        if (laid_.clause_of[c] != Alignment::kNone && laid_.likeness[c] >= kMostlySame)
+            std::fill(in_like_clause_.begin() + static_cast<std::ptrdiff_t>(a.clauses[c].first),
+                      in_like_clause_.begin() + static_cast<std::ptrdiff_t>(a.clauses[c].end), true);
 }
 
 size_t SideBySide::unlike() const {

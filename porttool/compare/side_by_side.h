@@ -46,6 +46,9 @@ public:
     /// True if a word here has its like in the other text.
     bool has_like(size_t i) const { return alike_[i]; }
 
+    /// True if its whole clause has one there that is mostly the same: words that many statements have say little.
+    bool has_like_clause(size_t i) const { return alike_[i] && in_like_clause_[i]; }
+
     /// The words of the other text that have their like here.
     std::set<size_t> covered() const;
 
@@ -59,7 +62,7 @@ private:
     Alignment laid_;
     std::map<std::string_view, std::string_view> names_;     ///< that stand for each other wherever they stand
     std::set<std::pair<std::string, std::string>> manners_;  ///< in which many names differ
-    std::vector<bool> alike_;
+    std::vector<bool> alike_, in_like_clause_;
     size_t head_, other_head_;  ///< where they end
 };
 

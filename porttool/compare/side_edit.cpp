@@ -51,6 +51,20 @@ bool is_declared(const Text& text, size_t i) {
     return has_type && i + 1 < text.size() && (text[i + 1] == "=" || text[i + 1] == ";" || text[i + 1] == "[");
 }
 
+/// `x != 0` where a truth is asked for is `x`.
+Words without_unequal_zero(const Words& words) {
+    Words out;
+    for (size_t i = 0; i < words.size(); ++i) {
+        const bool is_zero = words[i] == "!=" && i + 2 < words.size() && words[i + 1] == "0" &&
+                             (words[i + 2] == ")" || words[i + 2] == "&&" || words[i + 2] == "||");
+        if (is_zero)
+            ++i;
+        else
+            out.push_back(words[i]);
+    }
+    return out;
+}
+
 }  // namespace
 
 bool are_like(std::string_view a, std::string_view b) {
@@ -69,7 +83,7 @@ bool are_like(std::string_view a, std::string_view b) {
 
 SideEdit::SideEdit(const Words& before_words, const Words& now_words, const Dialect& dialect) {
     const auto text = [](const Words& words) {
-        const Words out = with_sorted_cases(without_asides(without_hints(words)));
+        const Words out = with_sorted_cases(without_unequal_zero(without_asides(without_hints(words))));
         return Text(out.begin(), out.end());
     };
     before = text(before_words);

@@ -14,8 +14,8 @@
 namespace porttool {
 
 /// What an edit did to the names, numbers and operators of a text, whatever their order. Common words; hints to the
-/// compiler, words that only promise something, types and asides are left out; the arms of a switch are
-/// in the order of their labels.
+/// compiler, words that only promise something, types, asides and `!= 0` of a truth are left out; the arms of a switch
+/// are in the order of their labels.
 struct SideEdit {
     SideEdit(const Words& before_words, const Words& now_words, const Dialect& dialect);
 

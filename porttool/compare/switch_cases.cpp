@@ -3,6 +3,8 @@
 #include "porttool/compare/switch_cases.h"
 
 #include <algorithm>
+#include <map>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -153,7 +155,69 @@ private:
     const Words& tokens_;
 };
 
+/// The arms of all switches of a text: for each label where its arm begins, told by how many words stand before it that
+/// belong to no label. One that stands in several arms has none.
+class LabelReader {
+public:
+    explicit LabelReader(const Words& tokens) {
+        for (size_t i = 0; i < tokens.size();) {
+            const size_t end = tokens[i] == "case" ? end_of(tokens, i) : i;
+            if (end == i) {
+                rest_.push_back(tokens[i++]);
+                continue;
+            }
+            std::string label;
+            for (size_t k = i; k < end; ++k) label.append(tokens[k]) += ' ';
+            if (const auto known = arm_of_.emplace(label, rest_.size()); !known.second) known.first->second = 0;
+            written_.push_back(std::move(label));
+            i = end;
+        }
+    }
+
+    /// What stands beside the labels.
+    const Words& rest() const { return rest_; }
+    size_t count() const { return written_.size(); }
+    const std::map<std::string, size_t>& arms() const { return arm_of_; }
+
+    bool share_arm(const std::string& a, const std::string& b) const {
+        const auto one = arm_of_.find(a), two = arm_of_.find(b);
+        return one != arm_of_.end() && two != arm_of_.end() && one->second != 0 && one->second == two->second;
+    }
+
+private:
+    static size_t end_of(const Words& tokens, size_t i) {
+        constexpr size_t kLongest = 16;
+        for (size_t k = i; k < tokens.size() && k < i + kLongest; ++k)
+            if (tokens[k] == ":") return k + 1;
+        return i;
+    }
+
+    Words rest_;
+    std::vector<std::string> written_;
+    std::map<std::string, size_t> arm_of_;
+};
+
 }  // namespace
+
+bool only_adds_labels_of_other(const Words& before, const Words& now, const Words& other) {
+    const LabelReader then(before), today(now);
+    if (today.count() <= then.count() || today.rest() != then.rest()) return false;
+    const LabelReader there(other);
+    size_t added = 0;
+    for (const auto& [label, arm] : today.arms()) {
+        if (then.arms().contains(label)) continue;
+        const bool has_neighbour = std::any_of(then.arms().begin(), then.arms().end(), [&](const auto& known) {
+            return today.share_arm(label, known.first) && there.share_arm(label, known.first);
+        });
+        if (!has_neighbour) return false;
+        ++added;
+    }
+    const bool stayed = std::all_of(then.arms().begin(), then.arms().end(), [&](const auto& one) {
+        const auto found = today.arms().find(one.first);
+        return found != today.arms().end() && found->second == one.second;
+    });
+    return stayed && added == today.count() - then.count();
+}
 
 Words with_sorted_cases(const Words& tokens) {
     if (std::find(tokens.begin(), tokens.end(), "case") == tokens.end()) return tokens;

@@ -5,7 +5,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
+#include "porttool/compare/asides.h"
 #include "porttool/scan/scan.h"
 
 namespace porttool {
@@ -23,6 +25,26 @@ std::string difference(std::string_view then, std::string_view now) {
     for (const auto& [word, hash] : after)
         if (const auto known = before.find(word); known == before.end() || known->second != hash) add(word, hash);
     return out;
+}
+
+/// Of a difference what is about words of a text; of a text that lost the word its own edit tells.
+std::string of_words_in(const NormalText& text, const std::string& difference) {
+    std::set<std::string_view> words;
+    for (size_t i = 0; i < text.size(); ++i) words.insert(text[i]);
+    std::string out;
+    for (const auto& [word, hash] : words_with_macros(difference))
+        if (word == "*" || words.contains(word))
+            out += (out.empty() ? "" : " ") + std::string(word) + ":" + std::string(hash);
+    return out;
+}
+
+/// True if nothing but what is printed, checked or timed has the words of an edit.
+bool are_words_of_asides(const UnitState& unit, std::string_view edit) {
+    const Words rest = without_asides(unit.text.words());
+    const auto edited = words_with_macros(edit);
+    return std::none_of(edited.begin(), edited.end(), [&](const auto& one) {
+        return one.first == "*" || std::find(rest.begin(), rest.end(), one.first) != rest.end();
+    });
 }
 
 /// A definition as a message has it.
@@ -76,16 +98,20 @@ std::string MacroEdits::edit_of(const JudgedPair& pair, const LockedPair& line, 
     const UnitState* unit = pair.unit[side];
     if (then.empty() || unit == nullptr) return {};
     const std::string& print = (side == Side::Source ? line.source_prints : line.target_prints).written;
-    const std::string now = print == unit->prints.written ? macros(side).of(unit->file, unit->text)
-                                                          : macros(side).of(unit->file, facts_.base_text(print));
-    return now == then ? std::string() : difference(then, now);
+    const bool is_edited = print != unit->prints.written;
+    const std::string now =
+        is_edited ? macros(side).of(unit->file, facts_.base_text(print)) : macros(side).of(unit->file, unit->text);
+    if (now == then) return {};
+    return is_edited ? of_words_in(unit->text, difference(then, now)) : difference(then, now);
 }
 
 void MacroEdits::tell(JudgedPair& pair, Side side, const std::string& edit) {
     const std::string key = (side == Side::Source ? "source " : "target ") + edit;
     pair.macro_edit += (pair.macro_edit.empty() ? "" : ", ") + key;
     const bool was_changed = std::exchange(pair.changed, true);
-    if (const auto known = told_.find(key); known != told_.end()) {
+    const bool is_aside = are_words_of_asides(*pair.unit[side], edit);
+    const std::string told_as = key + (is_aside ? " in asides" : "");
+    if (const auto known = told_.find(told_as); known != told_.end()) {
         ++known->second.more;
         if (!was_changed) pair.equivalent = true;  // accept --all takes it along
         return;
@@ -93,7 +119,7 @@ void MacroEdits::tell(JudgedPair& pair, Side side, const std::string& edit) {
     pair.equivalent = false;
     const UnitState& unit = *pair.unit[side];
     Finding& finding = findings_.add(side == Side::Source ? Rule::SourceChanged : Rule::TargetChanged, pair, {}, "",
-                                     "macros of " + key);
+                                     "macros of " + told_as);
     for (const auto& [word, hash] : words_with_macros(edit)) {
         std::string says;
         if (const auto seen = macros(side).first_seen(unit.file, word)) {
@@ -114,8 +140,12 @@ void MacroEdits::tell(JudgedPair& pair, Side side, const std::string& edit) {
         finding.level = std::min(finding.level, Level::Note);
         finding.message += ", the same call of another runtime";
     }
+    if (is_aside) {
+        finding.level = std::min(finding.level, Level::Note);
+        finding.message += "; but it only decides on what is printed, checked or timed";
+    }
     if (finding.details.size() > 1) finding.message += fmt::format(" (and {} more)", finding.details.size() - 1);
-    told_.emplace(key, Told{finding.fingerprint});
+    told_.emplace(told_as, Told{finding.fingerprint});
 }
 
 void MacroEdits::tell_how_many() {

@@ -10,6 +10,8 @@
 #include "porttool/compare/own_fields.h"
 #include "porttool/compare/own_words.h"
 #include "porttool/compare/paired_names.h"
+#include "porttool/compare/settled_edits.h"
+#include "porttool/compare/switch_cases.h"
 #include "porttool/language/hazards.h"
 #include "porttool/normal/diff.h"
 #include "porttool/normal/prelude.h"
@@ -312,6 +314,8 @@ void PairJudge::weigh_edit(const JudgedPair& pair, Side side, const NormalText& 
                           without_prelude(there.text.words())};
     if (only_qualifies_names(texts.before, texts.now))
         return weaken(pair, finding, Level::Note, "it only writes names with their scope, or without it");
+    if (only_respells_members(texts.before, texts.now))
+        return weaken(pair, finding, Level::Note, "it only reaches members through a pointer, or no longer does");
     if (structs) {
         if (only_changes_fields_of_its_own(texts))
             weaken(pair, finding, Level::Note, "the two structs never had most of their fields in common");
@@ -323,6 +327,8 @@ void PairJudge::weigh_edit(const JudgedPair& pair, Side side, const NormalText& 
         return weaken(pair, finding, is_of_few_words(texts.before, texts.now) ? Level::Warning : Level::Note,
                       "it only changes what is printed, checked or timed");
     const std::string there_is = side == Side::Source ? "the port" : "the source";
+    if (only_adds_labels_of_other(texts.before, texts.now, texts.other))
+        return weaken(pair, finding, Level::Note, there_is + " has the label in that arm already");
     if (draws_nearer(texts, dialect_)) return weaken(pair, finding, Level::Note, there_is + " has most of it");
     if (is_off_common_ground(texts, dialect_))
         weaken(pair, finding, Level::Note, there_is + " has nothing like what it changes");
@@ -339,21 +345,32 @@ void PairJudge::report_both(const JudgedPair& pair, const PairComparison& found,
     Finding& finding = findings_.add(Rule::PortDiffers, pair, change, found.missing.front());
     finding.details = found.missing;
     if (finding.details.size() > 1) finding.message += " (and " + std::to_string(finding.details.size() - 1) + " more)";
-    if (finding.level > Level::Note && in_own_words(pair, before))
-        weaken(pair, finding, Level::Note, "each side says for the most part what the other does");
+    if (finding.level > Level::Note) weigh_edits(pair, before, finding);
 }
 
-/// True if the edits of both sides of a function seem to be one. Beside the text, how the files declare what it uses
-/// may have changed.
-bool PairJudge::in_own_words(const JudgedPair& pair, const BySide<NormalText>& before) const {
+/// Edits of both sides of a function that seem to be one are a note. Beside the text, how the files declare what it
+/// uses may have changed.
+void PairJudge::weigh_edits(const JudgedPair& pair, const BySide<NormalText>& before, Finding& finding) const {
     BySide<Words> then, now;
+    bool is_declared_alike = true;
     for (const Side side : kBothSides) {
         const UnitState& unit = *pair.unit[side];
-        if (unit.kind != UnitKind::Function && unit.kind != UnitKind::Kernel) return false;
-        then[side] = without_prelude(before[side].words());
-        now[side] = without_prelude(unit.text.words());
+        if (unit.kind != UnitKind::Function && unit.kind != UnitKind::Kernel) return;
+        const Words old_text = before[side].words(), new_text = unit.text.words();
+        if (prelude_of(old_text) != prelude_of(new_text)) is_declared_alike = false;
+        then[side] = without_prelude(old_text);
+        now[side] = without_prelude(new_text);
     }
-    return edits_in_own_words({then.source, now.source, then.target, now.target}, dialect_);
+    const PairTexts texts{then.source, now.source, then.target, now.target};
+    const auto language = [&](Side side) { return language_of_path(pair.unit[side]->file); };
+    if (only_adds_labels_of_other(then.source, now.source, now.target) &&
+        only_adds_labels_of_other(then.target, now.target, now.source))
+        weaken(pair, finding, Level::Note, "the same labels joined an arm on both sides");
+    else if (edits_in_own_words(texts, dialect_))
+        weaken(pair, finding, Level::Note, "each side says for the most part what the other does");
+    else if (is_declared_alike &&
+             edits_leave_no_difference(texts, dialect_, {language(Side::Source), language(Side::Target)}))
+        weaken(pair, finding, Level::Note, "what came is the same, and what each had in its own words is gone");
 }
 
 }  // namespace porttool

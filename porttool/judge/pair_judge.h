@@ -44,7 +44,7 @@ private:
     void report_values(const JudgedPair& pair, const PairComparison& found);
     void report_one(JudgedPair& pair, const PairComparison& found, const BySide<NormalText>& before);
     void report_both(const JudgedPair& pair, const PairComparison& found, const BySide<NormalText>& before);
-    bool in_own_words(const JudgedPair& pair, const BySide<NormalText>& before) const;
+    void weigh_edits(const JudgedPair& pair, const BySide<NormalText>& before, Finding& finding) const;
     bool call_the_same(const std::vector<RespelledCall>& calls, Side side) const;
     void weigh_edit(const JudgedPair& pair, Side side, const NormalText& before, Finding& finding) const;
 

@@ -77,6 +77,107 @@ TEST(QuietGate, WhatTouchesNothingInCommonIsANote) {
     EXPECT_EQ(after_port(open, "device.open();\n  if (n > 0 && lim > 0) { y[0] = lim; x = y + n; }"), told);
 }
 
+TEST(QuietGate, WhereTextsAreApartOnlyWholeClausesAreCommonGround) {
+    const std::string source =
+        "__kernel void f(__global float* y, __global const float* x, const int n) {\n"
+        "  const int id = get_global_id(0);\n  if (id >= n) { return; }\n"
+        "  const float drop = exp(-x[id] * 0.5f);\n  y[id] = drop;\n}\n";
+    const std::string port =
+        "void Film::Fade(const Tile& tile) {\n  Job job(pool, tile.Rows());\n  Guard guard(job.Lock());\n"
+        "  for (Row& row : tile.Each()) { if (row.IsMasked()) { continue; } row.Touch(job.Id()); }\n"
+        "  const float drop = exp(-x[id] * 0.5f);\n  job.Finish();\n  log.Add(guard.Waited());\n}\n";
+    const auto after = [&](const std::string& from, const std::string& to) {
+        return loud({{"s/k.cl", source}, {"t/k.cpp", port}}, {{"t/k.cpp", replaced(port, from, to)}},
+                    {"s/k.cl:f=t/k.cpp:Film::Fade"});
+    };
+    const Loud told = {"target-changed s/k.cl:f"};
+    EXPECT_EQ(after("Guard guard(job.Lock());", "if (job.IsWide()) { job.Split(tile); }\n  Guard guard(job.Lock());"),
+              Loud{});
+    EXPECT_EQ(after("job.Finish();", "job.Finish();\n#ifdef TRACE_JOBS\n  job.Trace(Level::All, Sink::Own);\n#endif"),
+              Loud{});
+    // A word or two, the same word twice; a number for a number; what the compiler is told; beside what both say, and
+    // in it.
+    EXPECT_EQ(after("row.IsMasked()", "row.IsHidden()"), told);
+    EXPECT_EQ(after("if (row.IsMasked()) {", "if (!row.IsMasked()) {"), told);
+    EXPECT_EQ(after("Guard guard(job.Lock());", "Lease guard(job.Take());"), told);
+    EXPECT_EQ(after("job.Finish();", "#pragma omp barrier\n  job.Finish(); job.Drain(pool, Level::All, Sink::Own);"),
+              told);
+    EXPECT_EQ(after("job.Finish();", "job.Finish();\n#define DROP_ALL job.Drain(pool, tile, Level::All, Sink::Own)\n"),
+              told);
+    EXPECT_EQ(after("  job.Finish();", "  Meter::Weigh(drop, tile.Rows(), Level::All);\n  job.Finish();"), told);
+    EXPECT_EQ(after("exp(-x[id] * 0.5f)", "exp(-x[id] * 0.5f) * job.Gain(tile, Level::All, guard)"), told);
+}
+
+TEST(QuietGate, AnotherLabelInASwitchIsAWord) {
+    const auto text = [](const std::string& label) {
+        return "void f(int kind, Scene& scene) { Pool pool(scene); pool.Open(); switch (kind) { case " + label +
+               ": pool.Wide(scene); break; case THIN: pool.Thin(scene); break; } pool.Shut(); }";
+    };
+    EXPECT_EQ(loud({{"s/k.cl", "__kernel void f(__global float* y) { y[get_global_id(0)] = sqrt(y[0]) * 0.5f; }"},
+                    {"t/k.cpp", text("WIDE")}},
+                   {{"t/k.cpp", text("VAST")}}, {"s/k.cl:f=t/k.cpp:f"}),
+              Loud{"target-changed s/k.cl:f"});
+}
+
+TEST(QuietGate, ALabelThatTheOtherSideHasInThatArm) {
+    const auto text = [](const std::string& plain, const std::string& other) {
+        return "int f(int op) { switch (op) { " + plain + " return 1; " + other + " return 2; default: return 0; } }";
+    };
+    const std::string before = text("case ADD: case SUB:", "case MUL:");
+    const std::string port = text("case ADD: case SUB: case NEG:", "case MUL: case DIV:");
+    const auto after = [&](const std::string& source, const std::string& there) {
+        return loud({{"s/k.cu", before}, {"t/k.cpp", port}}, {{"s/k.cu", source}, {"t/k.cpp", there}},
+                    {"s/k.cu:f=t/k.cpp:f"});
+    };
+    EXPECT_EQ(after(text("case ADD: case SUB: case NEG:", "case MUL:"), port), Loud{});
+    EXPECT_EQ(after(text("case ADD: case SUB:", "case MUL: case NEG:"), port), Loud{"source-changed s/k.cu:f"});
+    EXPECT_EQ(after(text("case ADD: case SUB: case MOD:", "case MUL:"), port), Loud{"source-changed s/k.cu:f"});
+    EXPECT_EQ(after(text("case MUL: case SUB: case NEG:", "case ADD:"), port), Loud{"source-changed s/k.cu:f"});
+    EXPECT_EQ(after(text("case ADD: case SUB: case NEG: case NEG:", "case MUL:"), port),
+              Loud{"source-changed s/k.cu:f"});
+    // On both sides, each beside labels of its own.
+    const std::string own = text("case ADD: case SUB: case NEG: case ABS:", "case MUL: case DIV:");
+    EXPECT_EQ(after(text("case ADD: case SUB: case ABS:", "case MUL:"), own), Loud{});
+    EXPECT_EQ(after(text("case ADD: case SUB:", "case MUL: case ABS:"), own), Loud{"port-differs s/k.cu:f"});
+}
+
+TEST(QuietGate, MembersOfWhatIsAPointerNow) {
+    const std::string before = "float f(Aux aux, float x) { float c = aux.color; aux.keep(c); return c * x; }";
+    const auto after = [&](const std::string& from, const std::string& to) {
+        return loud({{"s/k.cl", before}, {"t/k.cpp", before}}, {{"s/k.cl", replaced(before, from, to)}},
+                    {"s/k.cl:f=t/k.cpp:f"});
+    };
+    EXPECT_EQ(after("aux.color", "aux->color"), Loud{});
+    EXPECT_EQ(after("aux.keep", "aux->keep"), Loud{"source-changed s/k.cl:f"});
+    EXPECT_EQ(after("aux.color", "aux->alpha"), Loud{"source-changed s/k.cl:f"});
+}
+
+TEST(QuietGate, AMacroThatOnlyDecidesOnPrints) {
+    const auto text = [](const std::string& guarded) {
+        return "void f(float* y, int n) {\n  for (int i = 0; i < n; ++i) { y[i] *= 2.0f; }\n#ifdef BENCH_PRINT\n" +
+               guarded + "\n#endif\n}\n";
+    };
+    const auto after = [&](const std::string& guarded) {
+        return loud({{"s/k.cu", "#define BENCH_PRINT\n" + text(guarded)}, {"t/k.cpp", text(guarded)}},
+                    {{"s/k.cu", text(guarded)}}, {"s/k.cu:f=t/k.cpp:f"});
+    };
+    EXPECT_EQ(after("  for (int i = 0; i < n; ++i) { printf(\"%f\", y[i]); }"), Loud{});
+    EXPECT_EQ(after("  for (int i = 0; i < n; ++i) { printf(\"%f\", y[i]); y[i] = 0.0f; }"),
+              Loud{"source-changed s/k.cu:f"});
+    EXPECT_EQ(after("  for (n = 0; n < 4; ++n) { printf(\"%f\", y[n]); }"), Loud{"source-changed s/k.cu:f"});
+    EXPECT_EQ(after("  for (int i = 0; i < n; ++i) { printf(\"%f\", y[i]); } n++;"), Loud{"source-changed s/k.cu:f"});
+}
+
+TEST(QuietGate, AMacroThatATextUsesNoLonger) {
+    const std::string head = "#define MOST 8\n", text = "int f(int n, int k) { return n > MOST ? k : n; }\n",
+                      port = "int f(int n, int k) { return n > 8 ? k : n; }\n";
+    const auto after = [&](const std::string& now) {
+        return loud({{"s/k.cu", head + text}, {"t/k.cpp", port}}, {{"s/k.cu", now}}, {"s/k.cu:f=t/k.cpp:f"});
+    };
+    EXPECT_EQ(after(replaced(text, "MOST", "most_of(k)")), Loud{"source-changed s/k.cu:f"}) << "the edit, and once";
+    EXPECT_EQ(after("#define K_MOST 8\n" + text), Loud{"source-changed s/k.cu:f"}) << "text and macro apart";
+}
+
 TEST(QuietGate, ScopesOfNames) {
     const std::string port = "void f(float* y, nd_item<3>& item) { y[item.get(2)] = std::max(y[0], y[1]); }";
     const auto after = [&](const std::string& from, const std::string& to) {
@@ -85,6 +186,14 @@ TEST(QuietGate, ScopesOfNames) {
             {{"t/k.cpp", replaced(port, from, to)}}, {"s/k.cu:f=t/k.cpp:f"});
     };
     EXPECT_EQ(after("nd_item<3>", "sycl::nd_item<3>"), Loud{});
+    const auto rescoped = [&](const std::string& from, const std::string& to) {
+        const std::string text = "void f(int* y) { auto last = " + from + "plus<int>(); y[0] = last(y[0], y[1]); }";
+        return loud({{"s/k.cu", "__global__ void f(int* y) { y[0] += y[1]; }"}, {"t/k.cpp", text}},
+                    {{"t/k.cpp", replaced(text, from, to)}}, {"s/k.cu:f=t/k.cpp:f"});
+    };
+    EXPECT_EQ(rescoped("ext::oneapi::", "sycl::"), Loud{});
+    EXPECT_EQ(rescoped("ext::oneapi::", "own::"), Loud{"target-changed s/k.cu:f"});
+    EXPECT_EQ(rescoped("own::", "sycl::"), Loud{"target-changed s/k.cu:f"});
     EXPECT_EQ(after("std::max", "own::max"), Loud{"target-changed s/k.cu:f"});
     EXPECT_EQ(after("std::max(y[0], y[1])", "std::max(max(y[0], 0), y[1])"), Loud{"target-changed s/k.cu:f"});
 }

@@ -527,6 +527,29 @@ TEST(TwoSidedEdit, StructsAreComparedByTheirData) {
         EXPECT_EQ(rules_of(report_on(row)), row.rules) << row.what << report_on(row).dump(1);
 }
 
+TEST(TwoSidedEdit, FieldsGetTheTypesThatTheirSiblingsHave) {
+    const auto says = [](const std::string& source, const std::string& target) {
+        const auto text = [](const std::string& type, const std::string& more) {
+            return "struct S { float3 at; " + type + " shadows; " + type + " fog; " + more + " float far; };\n";
+        };
+        MemoryDisk disk;
+        disk.files = {{"/r/s/k.h", text("cl_int", "")},
+                      {"/r/t/k.h", text("bool", "")},
+                      {"/r/portmap.toml",
+                       "version = 1\n[sides]\nsource = [\"s/*\"]\ntarget = [\"t/*\"]\n"
+                       "[[pair]]\nsource = \"s/k.h:S\"\ntarget = \"t/k.h:S\"\n"}};
+        EXPECT_EQ(run(disk, {"-C", "/r", "init", "--force"}).exit_code, 0);
+        disk.files["/r/s/k.h"] = text("cl_int", source);
+        disk.files["/r/t/k.h"] = text("bool", target);
+        return rules_of(check(disk));
+    };
+    EXPECT_EQ(says("cl_int glow;", "bool glow;"), Names{});
+    EXPECT_NE(says("cl_int glow;", "float glow;"), Names{});
+    EXPECT_NE(says("cl_int glow;", "bool haze;"), Names{});
+    EXPECT_NE(says("cl_int glow; cl_int haze;", "bool haze; bool glow;"), Names{});
+    EXPECT_NE(says("cl_int glow; cl_int haze;", "bool glow;"), Names{});
+}
+
 TEST(TwoSidedEdit, LongValuesAreQuotedWhereTheyDiffer) {
     std::string list = "const int f[] = {";
     for (int i = 0; i < 40; ++i) list += std::to_string(100 + i) + ", ";
@@ -655,6 +678,15 @@ TEST(TwoSidedEdit, ParenthesesAroundOneValueChangeNothing) {
     EXPECT_EQ(says("ray.t * 3.0f", "(ray.t) * 3.0f"), Names{});
     EXPECT_EQ(says("a + 3.0f / a", "a + (3.0f) / (a)"), Names{});
     EXPECT_EQ(says("a * (ray.t + 3.0f)", "a * ray.t + 3.0f"), Names{"port-differs"});
+    // What is taken together anyway.
+    EXPECT_EQ(says("a * ray.t / g(a) - 3.0f", "(a * ray.t / g(a)) - 3.0f"), Names{});
+    EXPECT_EQ(says("3.0f - a * (ray.t + a)", "3.0f - (a * (ray.t + a))"), Names{});
+    EXPECT_EQ(says("ray.t + a - 3.0f", "(ray.t + a) - 3.0f"), Names{});
+    EXPECT_EQ(says("ray.t - (a + 3.0f)", "ray.t - a + 3.0f"), Names{"port-differs"});
+    EXPECT_EQ(says("ray.t / (a * 3.0f)", "ray.t / a * 3.0f"), Names{"port-differs"});
+    EXPECT_EQ(says("ray.t * (a / 3.0f)", "ray.t * a / 3.0f"), Names{"port-differs"});
+    EXPECT_EQ(says("-(a + ray.t) + 3.0f", "-a + ray.t + 3.0f"), Names{"port-differs"});
+    EXPECT_EQ(says("(a + ray.t) * 3.0f", "a + ray.t * 3.0f"), Names{"port-differs"});
     EXPECT_EQ(says("a * (Real)-ray.t", "a * Real - ray.t"), Names{"port-differs"}) << "a cast is none";
     EXPECT_EQ(says("a * g(ray.t)", "a * g * ray.t"), Names{"port-differs"});
 }

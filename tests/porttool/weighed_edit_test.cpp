@@ -86,6 +86,45 @@ TEST(WeighedEdit, BothSidesInTheirOwnWords) {
     });
 }
 
+TEST(WeighedEdit, WhatCameIsTheSameAndOwnWordsWentTogether) {
+    const BySide<std::string> before = {
+        "void f(float* p, int k, float a) {\n  float r;\n"
+        "  if (k > 2) { p[0] = a; p[1] = a * 3.0f; } else { r = 0.25f; p[0] = r; }\n}\n",
+        "void f(float* p, int k, float a) {\n  float out[1];\n"
+        "  if (k > 2) { p[0] = a; p[1] = a * 3.0f; } else { * out = 0.25f; p[0] = out[0]; }\n}\n"};
+    const std::string old_source = "r = 0.25f; p[0] = r;", old_target = "* out = 0.25f; p[0] = out[0];";
+    const auto now = [&](const std::string& source, const std::string& target) {
+        return BySide<std::string>{replaced(before.source, old_source, source),
+                                   replaced(before.target, old_target, target)};
+    };
+    expect_all({
+        {"gone on both sides", before, now("p[0] = -a;", "p[0] = -a;"), {}},
+        {"gone on one side", before, now("p[0] = -a;", "* out = 0.25f; p[0] = -a;"), {"port-differs"}},
+        {"something else came", before, now("p[0] = -a;", "p[0] = a;"), {"port-differs"}},
+        {"more came", before, now("p[0] = -a;", "p[0] = -a; p[1] = a;"), {"port-differs"}},
+        {"what both had went on one side",
+         before,
+         {replaced(now("p[0] = -a;", "").source, "p[1] = a * 3.0f;", ""), now("", "p[0] = -a;").target},
+         {"port-differs"}},
+    });
+}
+
+TEST(WeighedEdit, ATruthAndANumberThatIsNotZero) {
+    const std::string from = "y[out] = x[at];", there = "y.store(out, x.load(at));";
+    expect_all({
+        {"not zero",
+         kCopy,
+         copy_with(from, "if (is_wide) { y[out] = x[at] * lim + shift(at); }", there,
+                   "if (is_wide != 0) { y.store(out, x.load(at) * lim + shift(at)); }"),
+         {}},
+        {"zero",
+         kCopy,
+         copy_with(from, "if (is_wide) { y[out] = x[at] * lim + shift(at); }", there,
+                   "if (is_wide == 0) { y.store(out, x.load(at) * lim + shift(at)); }"),
+         {"port-differs"}},
+    });
+}
+
 TEST(WeighedEdit, OneSideComesNearerInItsOwnWords) {
     const BySide<std::string> apart = {
         "void f(float* y, const float* x, float lim, int n) {\n  y[0] = x[0];\n}\n",

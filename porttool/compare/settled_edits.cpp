@@ -1,0 +1,109 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/compare/settled_edits.h"
+
+#include <algorithm>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "porttool/compare/guarded_words.h"
+#include "porttool/compare/side_by_side.h"
+#include "porttool/compare/statement_edit.h"
+#include "porttool/normal/diff.h"
+
+namespace porttool {
+namespace {
+
+constexpr size_t kMostWords = 100'000;
+
+Words keys_of(const std::vector<Statement>& statements) {
+    Words out;
+    for (const Statement& statement : statements) out.push_back(statement.key);
+    return out;
+}
+
+/// Which statements of both texts have their like in the other, in the same order.
+BySide<std::vector<bool>> alike(const std::vector<Statement>& source, const std::vector<Statement>& target) {
+    BySide<std::vector<bool>> out{std::vector<bool>(source.size()), std::vector<bool>(target.size())};
+    for (const DiffStep& step : diff(keys_of(source), keys_of(target)))
+        if (step.kind == DiffStep::Keep) out.source[step.before] = out.target[step.now] = true;
+    return out;
+}
+
+/// True if the two say something about the same things.
+bool are_akin(const Statement& a, const Statement& b) {
+    std::multiset<std::string> numbers, other_numbers;
+    std::set<std::string> names, other_names;
+    const auto read = [](const Statement& from, auto& of_numbers, auto& of_names) {
+        for (const std::string& word : from.common) {
+            if (is_number_token(word)) of_numbers.insert(word);
+            if (is_word_token(word)) of_names.insert(word);
+        }
+    };
+    read(a, numbers, names);
+    read(b, other_numbers, other_names);
+    const auto shared = static_cast<size_t>(
+        std::count_if(names.begin(), names.end(), [&](const std::string& name) { return other_names.contains(name); }));
+    if (2 * shared >= std::max<size_t>(1, std::max(names.size(), other_names.size()))) return true;
+    return !numbers.empty() && numbers == other_numbers && names.size() == other_names.size();
+}
+
+class SettledReader {
+public:
+    SettledReader(const PairTexts& texts, const Dialect& dialect, const BySide<Language>& languages)
+        : meaning_(texts, dialect, languages),
+          edits_{statement_edit(texts.source_before, texts.source_now, translator(Side::Source)),
+                 statement_edit(texts.target_before, texts.target_now, translator(Side::Target))},
+          then_(alike(edits_.source.before, edits_.target.before)),
+          today_(alike(edits_.source.now, edits_.target.now)) {}
+
+    bool run() const { return is_settled(Side::Source) && is_settled(Side::Target) && own_words_went_together(); }
+
+private:
+    Translator translator(Side side) const {
+        return
+            [this, side](const Words& statement, bool in_body) { return meaning_.translate(statement, side, in_body); };
+    }
+
+    /// All that came has its like, and what stayed has it still if it had it.
+    bool is_settled(Side side) const {
+        const StatementEdit& edit = edits_[side];
+        if (edit.gained.empty() && edit.lost.empty()) return false;
+        if (!std::all_of(edit.gained.begin(), edit.gained.end(), [&](size_t i) { return today_[side][i]; }))
+            return false;
+        const std::vector<size_t> kept = edit.kept();
+        for (size_t i = 0; i < kept.size(); ++i)
+            if (kept[i] != StatementEdit::kGone && then_[side][i] && !today_[side][kept[i]]) return false;
+        return true;
+    }
+
+    /// What went and had no like.
+    std::vector<const Statement*> own_words(Side side) const {
+        std::vector<const Statement*> out;
+        for (const size_t i : edits_[side].lost)
+            if (!then_[side][i] && !edits_[side].before[i].is_brace()) out.push_back(&edits_[side].before[i]);
+        return out;
+    }
+
+    bool own_words_went_together() const {
+        const auto source = own_words(Side::Source), target = own_words(Side::Target);
+        return std::equal(source.begin(), source.end(), target.begin(), target.end(),
+                          [](const Statement* a, const Statement* b) { return are_akin(*a, *b); });
+    }
+
+    Meaning meaning_;
+    BySide<StatementEdit> edits_;
+    BySide<std::vector<bool>> then_, today_;
+};
+
+}  // namespace
+
+bool edits_leave_no_difference(const PairTexts& texts, const Dialect& dialect, const BySide<Language>& languages) {
+    const size_t words =
+        texts.source_before.size() + texts.source_now.size() + texts.target_before.size() + texts.target_now.size();
+    if (words > kMostWords || !guarded_difference(texts).empty()) return false;
+    return SettledReader(texts, dialect, languages).run();
+}
+
+}  // namespace porttool
