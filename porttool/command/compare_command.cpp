@@ -6,6 +6,7 @@
 #include "porttool/measure/measure.h"
 #include "porttool/report/compare_report.h"
 #include "porttool/snapshot/named_text.h"
+#include "porttool/text/parallel.h"
 
 namespace porttool {
 namespace {
@@ -27,7 +28,7 @@ Outcome run_compare(const Options& options, Workplace& place) {
     const auto read = [&](size_t side) {
         return read_named_text(place.disk, options.directory, project.root, options.paths.at(side));
     };
-    std::future<NamedText> other = std::async(std::launch::async, read, 1);
+    std::future<NamedText> other = std::async(in_a_thread_if(true), read, 1);
     const NamedText a = read(0), b = other.get();
     CompareReport report{a.id(), b.id(), a.file.path, b.file.path, {}, {}};
     report.similarity = measure({excerpt_of(a)}, {excerpt_of(b)}, dialect, report.parameters);

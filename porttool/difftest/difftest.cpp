@@ -6,7 +6,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <atomic>
 #include <bit>
 #include <cmath>
 #include <cstdlib>
@@ -14,7 +13,6 @@
 #include <functional>
 #include <map>
 #include <set>
-#include <thread>
 #include <utility>
 
 #include "porttool/difftest/bounded_process.h"
@@ -26,6 +24,7 @@
 #include "porttool/difftest/trial.h"
 #include "porttool/scan/scan.h"
 #include "porttool/text/fingerprint.h"
+#include "porttool/text/parallel.h"
 
 namespace porttool {
 namespace {
@@ -59,21 +58,6 @@ private:
     bool is_kept_;
     std::string path_;
 };
-
-/// Does pieces of work by as many threads as there are cores. `work` gets the piece's number, and what its thread has
-/// for its trials.
-void in_parallel(size_t count, const std::function<void(size_t, TrialMemory&)>& work) {
-    constexpr unsigned kMostThreads = 16;
-    std::atomic<size_t> next = 0;
-    std::vector<std::thread> threads;
-    const unsigned cores = std::clamp(std::thread::hardware_concurrency(), 1u, kMostThreads);
-    for (unsigned i = 0; i < std::min<size_t>(cores, count); ++i)
-        threads.emplace_back([&] {
-            TrialMemory memory;
-            for (size_t at = next++; at < count; at = next++) work(at, memory);
-        });
-    for (std::thread& thread : threads) thread.join();
-}
 
 /// The units of one side by id.
 class SideUnits {
@@ -240,7 +224,7 @@ public:
     void run() {
         for (size_t i = 0; i < pairs.size(); ++i) look_at(i);
         build();
-        in_parallel(pairs.size(), [&](size_t i, TrialMemory& memory) {
+        in_parallel_with<TrialMemory>(pairs.size(), true, [&](size_t i, TrialMemory& memory) {
             if (pairs[i].reason.empty()) compare(i, memory);
         });
         if (settings_.ulps > 0) compare_with_wide();
@@ -358,7 +342,7 @@ private:
                          definitions(side).standard_headers(*work_[i].unit[side]->file,
                                                             work_[i].subject[side].closure.pieces)});
         BySide<BuiltParts> built;
-        in_parallel(2, [&](size_t which, TrialMemory&) {
+        in_parallel(2, true, [&](size_t which) {
             const Side side = kBothSides.at(which);
             built[side] = build_parts(parts[side], workshop_, side == Side::Source ? "source" : "target");
         });
@@ -389,8 +373,8 @@ private:
         for (size_t i = 0; i < pairs.size(); ++i)
             if (pairs[i].state == DifftestState::Differs) again.push_back(i);
         if (again.empty()) return;
-        in_parallel(2, [&](size_t which, TrialMemory&) { build_wide(kBothSides.at(which), again); });
-        in_parallel(again.size(), [&](size_t at, TrialMemory& memory) {
+        in_parallel(2, true, [&](size_t which) { build_wide(kBothSides.at(which), again); });
+        in_parallel_with<TrialMemory>(again.size(), true, [&](size_t at, TrialMemory& memory) {
             DifftestPair& pair = pairs[again[at]];
             const DifftestPair before = std::exchange(pair, DifftestPair());
             pair.source = before.source;

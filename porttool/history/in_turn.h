@@ -8,9 +8,12 @@
 #include <functional>
 #include <future>
 #include <mutex>
+#include <optional>
 #include <system_error>
 #include <thread>
 #include <utility>
+
+#include "porttool/text/parallel.h"
 
 namespace porttool {
 
@@ -20,6 +23,7 @@ template <class Result>
 class InTurn {
 public:
     InTurn() {
+        if (!threads_have_room()) return;
         try {
             thread_ = std::thread([this] { run(); });
         } catch (const std::system_error&) {
@@ -75,18 +79,21 @@ private:
     };
 
     void run() {
-        for (;;) {
-            Waiting one;
-            {
-                std::unique_lock lock(mutex_);
-                changed_.wait(lock, [this] { return ends_ || !waiting_.empty(); });
-                if (ends_) return;
-                one = std::move(waiting_.front());
-                waiting_.pop_front();
-            }
+        while (std::optional<Waiting> one = next()) {
             changed_.notify_all();
-            one.done();
+            one->done();
         }
+    }
+
+    /// The next task, once there is one; nothing when this object goes. Only moves, so that nothing can be thrown where
+    /// nobody would catch it.
+    std::optional<Waiting> next() {
+        std::unique_lock lock(mutex_);
+        changed_.wait(lock, [this] { return ends_ || !waiting_.empty(); });
+        if (ends_) return std::nullopt;
+        std::optional<Waiting> one(std::move(waiting_.front()));
+        waiting_.pop_front();
+        return one;
     }
 
     std::mutex mutex_;

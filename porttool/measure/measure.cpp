@@ -11,6 +11,7 @@
 #include "porttool/measure/line_shares.h"
 #include "porttool/measure/structure_tree.h"
 #include "porttool/measure/symbols.h"
+#include "porttool/text/parallel.h"
 
 namespace porttool {
 namespace {
@@ -189,7 +190,7 @@ Similarity measure_linear(const Passage& a, const Passage& b, const Dialect& dia
     constexpr size_t kWorthAThread = 100'000, kTooLargeTogether = 4'000'000;
     const size_t tokens = sides.a.size() + sides.b.size();
     const bool at_once = tokens > kWorthAThread && tokens < kTooLargeTogether;
-    const std::launch when = at_once ? std::launch::async : std::launch::deferred;
+    const std::launch when = in_a_thread_if(at_once);
     const auto find = [&](Vocabulary vocabulary) { return find_shares(table, sides, vocabulary, parameters); };
     std::future<Shares> blind = std::async(when, find, Vocabulary::Blind);
     std::future<Shares> raw = std::async(when, find, Vocabulary::Raw);

@@ -6,6 +6,7 @@
 #include <future>
 
 #include "porttool/measure/line_shares.h"
+#include "porttool/text/parallel.h"
 
 namespace porttool {
 namespace {
@@ -141,7 +142,7 @@ std::optional<BySide<PassageSide>> PassageTracker::measure(const BySide<const Pa
     constexpr size_t kMostSymbols = 4'000'000, kWorthAThread = 100'000;  // the tables stay in memory
     if (!usable || symbols > kMostSymbols) return std::nullopt;
     // The three vocabularies have nothing to do with each other; the last to be waited for is done here.
-    const std::launch when = symbols > kWorthAThread ? std::launch::async : std::launch::deferred;
+    const std::launch when = in_a_thread_if(symbols > kWorthAThread);
     std::array<std::future<std::array<Covered, 2>>, 3> covered;
     for (size_t vocabulary = 0; vocabulary < covered.size(); ++vocabulary)
         covered[vocabulary] = std::async(vocabulary == kDialect ? std::launch::deferred : when,

@@ -4,8 +4,12 @@
 
 #include <fmt/format.h>
 
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
 #include <iterator>
+#include <new>
+#include <string_view>
 
 #include "porttool/read/cannot_do.h"
 #include "porttool/text/sink/shell.h"
@@ -13,7 +17,22 @@
 
 namespace porttool {
 
+namespace {
+
+/// What libgit2 could not do for lack of memory is no fault of the repository: throws std::bad_alloc, as our own code
+/// does.
+void tell_lack_of_memory() {
+    const git_error* error = git_error_last();
+    if (error == nullptr) return;
+    const std::string_view message = error->message != nullptr ? error->message : "";
+    if (error->klass == GIT_ERROR_NOMEMORY || message.find(std::strerror(ENOMEM)) != std::string_view::npos)
+        throw std::bad_alloc();
+}
+
+}  // namespace
+
 std::string git_last_error() {
+    tell_lack_of_memory();
     const git_error* error = git_error_last();
     return error != nullptr && error->message != nullptr ? terminal_text(error->message) : "no reason given";
 }
@@ -33,11 +52,15 @@ std::optional<GitBlob> read_git_blob(git_repository* repository, const git_oid& 
     GitBlob out;
     size_t size = 0;
     git_object_t type = GIT_OBJECT_INVALID;
-    if (git_odb_read_header(&size, &type, objects, &id) != 0) return std::nullopt;
-    out.size = size;
-    if (size > kLargestFile) return out;
     git_blob* blob = nullptr;
-    if (git_blob_lookup(&blob, repository, &id) != 0) return std::nullopt;
+    git_error_clear();  // one of before is not this one's
+    const bool has_size = git_odb_read_header(&size, &type, objects, &id) == 0;
+    out.size = size;
+    if (has_size && size > kLargestFile) return out;
+    if (!has_size || git_blob_lookup(&blob, repository, &id) != 0) {
+        tell_lack_of_memory();
+        return std::nullopt;
+    }
     const Blob owner(blob);
     out.bytes.assign(static_cast<const char*>(git_blob_rawcontent(blob)), static_cast<size_t>(git_blob_rawsize(blob)));
     return out;

@@ -22,7 +22,7 @@ struct GitFreed {
 template <class T, void (*Free)(T*)>
 using GitOwned = std::unique_ptr<T, GitFreed<T, Free>>;
 
-/// What libgit2 says of its last failure.
+/// What libgit2 says of its last failure. Throws std::bad_alloc where that was a lack of memory.
 std::string git_last_error();
 
 /// A repository with its work tree's path to the root in question.

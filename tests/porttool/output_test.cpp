@@ -54,6 +54,34 @@ TEST_F(Output, ALimitOnTheSizeOfFilesIsAnErrorThatLeavesNothing) {
     EXPECT_EQ(init(""), 0);
 }
 
+TEST_F(Output, LittleMemoryIsAnErrorWithALineWhereverItEnds) {
+#ifdef __SANITIZE_ADDRESS__
+    GTEST_SKIP() << "a sanitizer needs more room for addresses than any limit leaves";
+#endif
+    write("t/k.cpp", "inline float f(float a) { return a; }\n");
+    for (int i = 1; i < 5; ++i) {
+        write("s/k.cu", "__device__ float f(float a) { return a * " + std::to_string(i) + ".0f; }\n");
+        if (i == 1) {
+            ASSERT_EQ(porttool({"init", "--source", "s/*", "--target", "t/*"}).exit_code, 0);
+        }
+        commit("state " + std::to_string(i), i);
+    }
+    // From what the program needs to be loaded, to what its threads need.
+    for (int kibibytes = 42'000; kibibytes < 72'000; kibibytes += 500) {
+        const std::string limit = "ulimit -v " + std::to_string(kibibytes) + "; '" + program_folder() + "/porttool' ";
+        const auto run = [&](const std::string& command) {
+            return std::system(("cd '" + root.string() + "' && (" + limit + command + ") > /dev/null 2> .err").c_str());
+        };
+        if (run("--version") != 0) continue;
+        const int status = run("history");
+        ASSERT_TRUE(WIFEXITED(status)) << kibibytes;
+        const std::string said = text_of(root / ".err");
+        if (WEXITSTATUS(status) == 0) continue;
+        EXPECT_EQ(WEXITSTATUS(status), 2) << kibibytes << ": " << said;
+        EXPECT_NE(said.find("not enough memory"), std::string::npos) << kibibytes << ": " << said;
+    }
+}
+
 TEST_F(Output, WhatIsRecordedIsSaidWhereTheAnswerCannotBe) {
     if (!std::filesystem::is_character_file("/dev/full")) GTEST_SKIP() << "there is no /dev/full";
     write("s/k.cu", "__device__ float f(float a) { return a; }\n");
