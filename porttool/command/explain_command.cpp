@@ -11,6 +11,7 @@
 #include "porttool/judge/rules.h"
 #include "porttool/read/lock_lines.h"
 #include "porttool/report/sync_report.h"
+#include "porttool/text/shortened.h"
 #include "porttool/text/sink/terminal.h"
 
 namespace porttool {
@@ -48,8 +49,12 @@ void explain_edits(const CheckedProject& checked, const JudgedPair& pair, std::s
         std::vector<std::string> lines;
         const NormalText before = text_behind(checked, print);
         const Edit edit = edit_of(before.words(), unit.text.words());
-        for (const std::string& statement : edit.lost) lines.push_back("- " + terminal_text(statement));
-        for (const std::string& statement : edit.gained) lines.push_back("+ " + terminal_text(statement));
+        const auto add = [&](const char* sign, const std::vector<std::string>& statements) {
+            for (const std::string& statement : statements)
+                lines.push_back(sign + terminal_text(shortened(statement, kLongestStatement)));
+        };
+        add("- ", edit.lost);
+        add("+ ", edit.gained);
         return lines;
     };
     const auto left = rows(*pair.unit.source, lock->source_prints.written),

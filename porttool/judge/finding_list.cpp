@@ -3,8 +3,8 @@
 #include "porttool/judge/finding_list.h"
 
 #include <algorithm>
-#include <map>
 #include <tuple>
+#include <unordered_map>
 
 #include "porttool/judge/rules.h"
 #include "porttool/text/sink/shell.h"
@@ -88,7 +88,7 @@ Place FindingList::place_of(const UnitState& unit, Side side) const {
 std::vector<Finding> FindingList::finish() {
     std::sort(findings_.begin(), findings_.end(),
               [](const Finding& a, const Finding& b) { return sort_key(a) < sort_key(b); });
-    std::map<std::string, int> seen;
+    std::unordered_map<std::string_view, int> seen;  // views of those that come first, which stay as they are
     for (Finding& finding : findings_) {
         const int number = ++seen[finding.fingerprint];
         if (number > 1) finding.fingerprint = print_of({finding.fingerprint, std::to_string(number)});

@@ -186,6 +186,13 @@ bool DiskTrace::holds(const Disk& disk) const {
 }
 
 void TracedDisk::note(DiskQuestion question, std::string answer) const {
+    if (too_many_) return;
+    if (trace_.questions.size() == kMostQuestions) {
+        too_many_ = true;
+        trace_.questions = {};
+        waiting_ = {};
+        return;
+    }
     bytes_answered_ += answer.size();
     if (bytes_answered_ < least_bytes_) {
         waiting_.push_back(std::move(answer));

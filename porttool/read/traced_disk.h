@@ -51,8 +51,14 @@ public:
     TracedDisk(Disk& disk, uint64_t least_bytes)
         : disk_(disk), least_bytes_(least_bytes), trace_{random_trace_key(), {}} {}
 
-    /// The trace, where there was enough to be worth it, and nothing was written or guarded: that is more than answers.
-    const DiskTrace* trace() const { return only_read_ && bytes_answered_ >= least_bytes_ ? &trace_ : nullptr; }
+    /// The most questions that are kept: to ask so many again takes as long as to work.
+    static constexpr size_t kMostQuestions = size_t{1} << 17;
+
+    /// The trace, where there was enough to be worth it, not too much to be kept, and nothing was written or guarded:
+    /// that is more than answers.
+    const DiskTrace* trace() const {
+        return only_read_ && !too_many_ && bytes_answered_ >= least_bytes_ ? &trace_ : nullptr;
+    }
 
     /// Notes that git was asked which files of its index in `root` the globs match.
     void asked_git(const std::string& root, const std::vector<std::string>& globs) const;
@@ -78,6 +84,7 @@ private:
     mutable DiskTrace trace_;
     mutable std::vector<std::string> waiting_;  // the answers so far, while there are few
     mutable uint64_t bytes_answered_ = 0;
+    mutable bool too_many_ = false;  // questions
     bool only_read_ = true;
 };
 

@@ -9,8 +9,9 @@
 #include <nlohmann/json.hpp>
 
 #include "porttool/report/figures.h"
+#include "porttool/text/row_room.h"
 #include "porttool/text/shortened.h"
-#include "porttool/text/sink/json.h"
+#include "porttool/text/sink/json_rows.h"
 #include "porttool/text/sink/terminal.h"
 
 namespace porttool {
@@ -112,18 +113,20 @@ ordered_json finding_json(const Finding& f) {
 }
 
 std::string check_json(const Judgement& judgement) {
-    ordered_json findings = ordered_json::array();
-    for (const Finding& f : judgement.findings)
-        if (is_open(f)) findings.push_back(finding_json(f));
     ordered_json brought_in = ordered_json::array();
     for (const BroughtIn& one : judgement.brought_in)
         brought_in.push_back(
             {{"kind", gate_part_name(one.kind)}, {"file", one.file}, {"line", one.line}, {"text", one.text}});
     const ordered_json out = {{"verdict", gate_result_name(judgement.result())},
                               {"summary", summary_json(judgement.summary)},
-                              {"brought_in", brought_in},
-                              {"findings", findings}};
-    return json_text(out, 1) + "\n";
+                              {"brought_in", std::move(brought_in)},
+                              {"findings", ordered_json::array()}};
+    return json_with_rows(out, judgement.findings.size(),
+                          [&](size_t i) {
+                              const Finding& f = judgement.findings[i];
+                              return is_open(f) ? finding_json(f) : ordered_json(nullptr);
+                          }) +
+           "\n";
 }
 
 std::string finding_text(const Finding& f, bool color) {
@@ -134,7 +137,8 @@ std::string finding_text(const Finding& f, bool color) {
                                   terminal_text(f.message), rule_name(f.rule));
     if (f.source && f.target) out += fmt::format("    port: {}:{}\n", terminal_text(f.target->file), f.target->line);
     if (f.details.size() > 1)
-        for (const std::string& detail : f.details) out += "    " + terminal_line(detail) + "\n";
+        for (const std::string& detail : f.details)
+            out += "    " + terminal_line(shortened(detail, kLongestStatement)) + "\n";
     return out + "    " + terminal_line(f.remedy) + "\n";
 }
 
@@ -147,10 +151,15 @@ std::string summary_text(const Judgement& judgement) {
 
 std::string check_table(const Judgement& judgement, bool color) {
     std::string out;
-    for (const Finding& f : judgement.findings)
-        if (is_open(f)) out += finding_text(f, color);
+    size_t added = 0;
+    for (const Finding& f : judgement.findings) {
+        if (!is_open(f)) continue;
+        out += finding_text(f, color);
+        make_room_for_rows(out, ++added, judgement.findings.size());
+    }
     if (!judgement.brought_in.empty()) out += brought_in_table(judgement.brought_in);
-    return out + summary_text(judgement);
+    out += summary_text(judgement);
+    return out;
 }
 
 }  // namespace porttool

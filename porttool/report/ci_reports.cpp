@@ -11,7 +11,7 @@
 #include "porttool/judge/rules.h"
 #include "porttool/report/check_report.h"
 #include "porttool/text/shortened.h"
-#include "porttool/text/sink/json.h"
+#include "porttool/text/sink/json_rows.h"
 #include "porttool/text/sink/markdown.h"
 #include "porttool/text/sink/sarif.h"
 #include "porttool/text/sink/workflow_command.h"
@@ -21,8 +21,6 @@ namespace porttool {
 namespace {
 
 using nlohmann::ordered_json;
-
-std::string dumped(const ordered_json& json) { return json_text(json, 1) + "\n"; }
 
 /// A place by its path from the root of the repository. The other checkout of a target may lead out of it.
 Place below(const std::string& folder, Place place) {
@@ -57,46 +55,55 @@ ordered_json sarif_rule(Rule rule) {
 
 }  // namespace
 
+namespace {
+
+/// A finding as a result (3.27); null for one whose rule is off.
+ordered_json sarif_result(const Finding& f, const std::string& folder, const std::vector<ProposedFix>& fixes) {
+    if (f.level == Level::Off) return nullptr;
+    ordered_json result = {{"ruleId", rule_name(f.rule)},
+                           {"ruleIndex", static_cast<size_t>(f.rule)},
+                           {"level", level_name(f.level)},
+                           {"message", {{"text", sarif_message(f.message) + "\n" + sarif_message(f.remedy)}}},
+                           {"locations", ordered_json::array({sarif_location(shown_at(f, folder))})},
+                           {"partialFingerprints", {{"porttool/v1", f.fingerprint}}}};
+    if (f.source && f.target) {
+        ordered_json related = sarif_location(below(folder, *f.target));
+        related["id"] = 1;
+        related["message"] = {{"text", "the port"}};
+        result["relatedLocations"] = ordered_json::array({related});
+    }
+    if (f.evidence) result["properties"] = {{"evidence", evidence_json(f)}};
+    if (f.verdict)
+        result["suppressions"] = ordered_json::array({{{"kind", f.settled_in_source ? "inSource" : "external"},
+                                                       {"status", "accepted"},
+                                                       {"justification", sarif_message(f.verdict_reason)}}});
+    const auto fix = std::find_if(fixes.begin(), fixes.end(), [&](const ProposedFix& one) {
+        return one.source == f.map_source && one.target == f.map_target;
+    });
+    if (fix != fixes.end() && is_open(f) && f.level != Level::Note)
+        if (ordered_json one = sarif_fix(*fix, folder); !one.is_null())
+            result["fixes"] = ordered_json::array({std::move(one)});
+    return result;
+}
+
+}  // namespace
+
 std::string check_sarif(const Judgement& judgement, const std::string& folder, const std::vector<ProposedFix>& fixes) {
-    ordered_json results = ordered_json::array(), rules = ordered_json::array();
+    ordered_json rules = ordered_json::array();
     for (size_t i = 0; i < kRuleNames.size(); ++i)  // all of them: a viewer shows what was looked for
         rules.push_back(sarif_rule(static_cast<Rule>(i)));
-    for (const Finding& f : judgement.findings) {
-        if (f.level == Level::Off) continue;
-        ordered_json result = {{"ruleId", rule_name(f.rule)},
-                               {"ruleIndex", static_cast<size_t>(f.rule)},
-                               {"level", level_name(f.level)},
-                               {"message", {{"text", sarif_message(f.message) + "\n" + sarif_message(f.remedy)}}},
-                               {"locations", ordered_json::array({sarif_location(shown_at(f, folder))})},
-                               {"partialFingerprints", {{"porttool/v1", f.fingerprint}}}};
-        if (f.source && f.target) {
-            ordered_json related = sarif_location(below(folder, *f.target));
-            related["id"] = 1;
-            related["message"] = {{"text", "the port"}};
-            result["relatedLocations"] = ordered_json::array({related});
-        }
-        if (f.evidence) result["properties"] = {{"evidence", evidence_json(f)}};
-        if (f.verdict)
-            result["suppressions"] = ordered_json::array({{{"kind", f.settled_in_source ? "inSource" : "external"},
-                                                           {"status", "accepted"},
-                                                           {"justification", sarif_message(f.verdict_reason)}}});
-        const auto fix = std::find_if(fixes.begin(), fixes.end(), [&](const ProposedFix& one) {
-            return one.source == f.map_source && one.target == f.map_target;
-        });
-        if (fix != fixes.end() && is_open(f) && f.level != Level::Note)
-            if (ordered_json one = sarif_fix(*fix, folder); !one.is_null())
-                result["fixes"] = ordered_json::array({std::move(one)});
-        results.push_back(std::move(result));
-    }
-    return dumped(
-        {{"$schema", "https://json.schemastore.org/sarif-2.1.0.json"},
-         {"version", "2.1.0"},
-         {"runs",
-          ordered_json::array(
-              {{{"tool", {{"driver", {{"name", "porttool"}, {"version", "0.1.0"}, {"rules", rules}}}}},
-                {"originalUriBaseIds", {{"%SRCROOT%", {{"description", {{"text", "The root of the repository"}}}}}}},
-                {"columnKind", "utf16CodeUnits"},
-                {"results", results}}})}});
+    const ordered_json out = {
+        {"$schema", "https://json.schemastore.org/sarif-2.1.0.json"},
+        {"version", "2.1.0"},
+        {"runs",
+         ordered_json::array(
+             {{{"tool", {{"driver", {{"name", "porttool"}, {"version", "0.1.0"}, {"rules", rules}}}}},
+               {"originalUriBaseIds", {{"%SRCROOT%", {{"description", {{"text", "The root of the repository"}}}}}}},
+               {"columnKind", "utf16CodeUnits"},
+               {"results", ordered_json::array()}}})}};
+    return json_with_rows(out, judgement.findings.size(),
+                          [&](size_t i) { return sarif_result(judgement.findings[i], folder, fixes); }) +
+           "\n";
 }
 
 std::string check_junit(const Judgement& judgement) {
@@ -145,19 +152,19 @@ std::string check_github(const Judgement& judgement, const std::string& folder) 
 }
 
 std::string check_gitlab(const Judgement& judgement, const std::string& folder) {
-    ordered_json out = ordered_json::array();
-    for (const Finding& f : judgement.findings) {
-        if (!is_open(f)) continue;
+    const auto row = [&](size_t i) -> ordered_json {
+        const Finding& f = judgement.findings[i];
+        if (!is_open(f)) return nullptr;
         const Place place = shown_at(f, folder);
-        out.push_back({{"description", markdown_sentence(f.message + ". " + f.remedy)},
-                       {"check_name", rule_name(f.rule)},
-                       {"fingerprint", f.fingerprint},
-                       {"severity", f.level == Level::Error     ? "major"
-                                    : f.level == Level::Warning ? "minor"
-                                                                : "info"},
-                       {"location", {{"path", place.file}, {"lines", {{"begin", std::max(1u, place.line)}}}}}});
-    }
-    return dumped(out);
+        return {{"description", markdown_sentence(f.message + ". " + f.remedy)},
+                {"check_name", rule_name(f.rule)},
+                {"fingerprint", f.fingerprint},
+                {"severity", f.level == Level::Error     ? "major"
+                             : f.level == Level::Warning ? "minor"
+                                                         : "info"},
+                {"location", {{"path", place.file}, {"lines", {{"begin", std::max(1u, place.line)}}}}}};
+    };
+    return json_with_rows(ordered_json::array(), judgement.findings.size(), row) + "\n";
 }
 
 namespace {

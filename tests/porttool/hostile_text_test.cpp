@@ -7,6 +7,8 @@
 #include <functional>
 #include <random>
 
+#include "porttool/text/sink/json.h"
+#include "porttool/text/sink/json_rows.h"
 #include "porttool/text/sink/markdown.h"
 #include "porttool/text/sink/shell.h"
 #include "porttool/text/toml_string.h"
@@ -494,6 +496,40 @@ Strings random_texts(size_t count, uint32_t seed) {
         out.push_back(text + "t" + std::to_string(i));  // told apart by its end
     }
     return out;
+}
+
+TEST(Terminal, AStatementAsLongAsItsFileIsShownInPart) {
+    const std::string name(50'000, 'x'), wide = "float " + name + " = a * 2.0; return " + name + "; }";
+    MemoryDisk disk = started("__device__ float f(float a) { return a; }\n", "float f(float a) { return a; }\n");
+    disk.files["/r/src/k.cu"] = "__device__ float f(float a) { " + wide + "\n";
+    for (const Strings& arguments : std::vector<Strings>{{"check"}, {"explain", "src/k.cu:f"}}) {
+        Strings all = {"-C", "/r"};
+        all.insert(all.end(), arguments.begin(), arguments.end());
+        const std::string out = run(disk, all).out;
+        EXPECT_NE(out.find("xxx ... xxx"), std::string::npos) << arguments.front();
+        if (arguments.front() == "check") {
+            EXPECT_LT(out.size(), 20'000u);
+        }
+    }
+    EXPECT_NE(check(disk).dump().find(name + " = a"), std::string::npos);
+}
+
+TEST(Json, RowsOneByOneAreTheSameDocument) {
+    using nlohmann::ordered_json;
+    const ordered_json row = {{"a", "[]\n[ ]"}, {"b", ordered_json::array({1, ordered_json::array()})}};
+    for (const size_t count : {0, 1, 3}) {
+        const ordered_json rows(std::vector<ordered_json>(count, row));
+        const auto with = [&](ordered_json list) {
+            return std::vector<ordered_json>{list,
+                                             {{"empty", ordered_json::array()}, {"says", "[]"}, {"rows", list}},
+                                             {{"runs", ordered_json::array({{{"name", "[]"}, {"results", list}}})}}};
+        };
+        const auto whole = with(count == 0 ? ordered_json::array() : rows), empty = with(ordered_json::array());
+        for (size_t i = 0; i < whole.size(); ++i)
+            EXPECT_EQ(
+                json_with_rows(empty[i], 2 * count, [&](size_t k) { return k % 2 == 0 ? row : ordered_json(nullptr); }),
+                json_text(whole[i], 1));
+    }
 }
 
 TEST(Markdown, RandomTextsStayText) {
