@@ -135,6 +135,16 @@ void add_refused(SourceSet& set, const Walker& walker) {
             set.skipped.push_back(folder);
 }
 
+/// As git-lfs reads one: under the name of today's form or one of before, whatever the ends of its lines.
+bool is_lfs_pointer(std::string_view bytes) {
+    constexpr std::string_view kKey = "version ", kBlank = " \t\r\n";
+    bytes.remove_prefix(std::min(bytes.find_first_not_of(kBlank), bytes.size()));
+    if (!bytes.starts_with(kKey)) return false;
+    const std::string_view rest = bytes.substr(kKey.size()), form = rest.substr(0, rest.find_first_of("\r\n"));
+    return form == "https://git-lfs.github.com/spec/v1" || form == "https://hawser.github.com/spec/v1" ||
+           form == "http://git-media.io/v/2";
+}
+
 bool is_outside(const std::string& path) { return path.starts_with('/') || path == ".." || path.starts_with("../"); }
 
 }  // namespace
@@ -149,8 +159,7 @@ std::string unreadable_reason(const std::string& bytes) {
         return "is more than the " + std::to_string(kLargestSource / kMebibyte) + " MiB that are read of one source";
     if (bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF"))
         return "is UTF-16; save it as UTF-8 to have it scanned";
-    if (bytes.starts_with("version https://git-lfs.github.com/spec/v1\n"))
-        return "is a pointer of Git LFS, not the file itself; fetch it: git lfs pull";
+    if (is_lfs_pointer(bytes)) return "is a pointer of Git LFS, not the file itself; fetch it: git lfs pull";
     const size_t nul = bytes.find('\0');
     if (nul != std::string::npos) return "is binary: byte " + std::to_string(nul) + " is NUL";
     return {};

@@ -574,6 +574,9 @@ TEST_F(HostileChange, FilesThatCannotBeReadDoNotPassAsGone) {
         {std::string("// \0\n", 5) + replaced(kSource, "3.0f", "4.0f"), "binary"},
         {"\xFF\xFE" + kSource, "UTF-16"},
         {"version https://git-lfs.github.com/spec/v1\noid sha256:0\nsize 1\n", "git lfs pull"},
+        {"version https://git-lfs.github.com/spec/v1\r\noid sha256:0\r\nsize 1\r\n", "git lfs pull"},
+        {"\nversion https://hawser.github.com/spec/v1\noid sha256:0\nsize 1\n", "git lfs pull"},
+        {"version http://git-media.io/v/2\noid sha256:0\nsize 1\n", "git lfs pull"},
     };
     for (const auto& [text, reason] : rows) {
         write("port/k.cpp", text);
