@@ -9,7 +9,8 @@
 Makes each text of bench/constructs.json in a temporary folder (in memory where that can be) as both sides of a
 repository, edits one side and both, and runs scan, map, init, check, compare and effort. Prints a Markdown table of the
 worst constructs of each command (--all: of all); exits 1 if twice the size takes more than 2.3 times as long, or more
-than 1 GiB. Times are the processor's; below 0.5 s they count as that: they are the start of the program.
+than 1 GiB. Times are the processor's; below 0.5 s they count as that: they are the start of the program. A time of the
+smaller size that could not matter is not taken, and shown as -.
 
 --journal FILE: notes what each construct took in FILE, and goes on from what is noted there: all take hours.
 
@@ -94,49 +95,66 @@ class Repository:
         self.rows[name] = (usage.ru_utime + usage.ru_stime, usage.ru_maxrss * 1024, process.returncode)
 
 
-def measure(tool, construct, size, counts):
+def measure(tool, construct, size, counts, wanted=None):
+    """The rows of the commands at a size; of those that are wanted alone, with the `init` that they need."""
     count = repetitions(construct, size)
     old, one, other = (text(construct, count, edit) for edit in ("none", "one", "all"))
     with tempfile.TemporaryDirectory(dir=MEMORY if os.access(MEMORY, os.W_OK) else None) as folder:
         repository = Repository(tool, folder, counts)
+
+        def run(name, *arguments):
+            if wanted is None or name in wanted or (name == "init" and not wanted <= {"scan", "map"}):
+                repository.run(name, *arguments)
+
         repository.write(old, old)
-        repository.run("scan", "scan", "s", "--format", "json")
-        repository.run("map", "map", *SIDES, "--format", "json")
-        repository.run("init", "init", *SIDES)
+        run("scan", "scan", "s", "--format", "json")
+        run("map", "map", *SIDES, "--format", "json")
+        run("init", "init", *SIDES)
         for command in (["init", "-q"], ["add", "s", "t"], ["commit", "-qm", "before"]):
             repository.git(*command)
         repository.write(one, old)
-        repository.run("check, one side", "check")
+        run("check, one side", "check")
         repository.write(other, one)
-        repository.run("check, both sides", "check")
-        repository.run("compare", "compare", "s/a.cu", "t/a.cpp")
+        run("check, both sides", "check")
+        run("compare", "compare", "s/a.cu", "t/a.cpp")
         for command in (["add", "s", "t"], ["commit", "-qm", "now"]):
             repository.git(*command)
-        repository.run("effort", "effort", "--from", "HEAD~1", "--to", "HEAD")
+        run("effort", "effort", "--from", "HEAD~1", "--to", "HEAD")
         return repository.rows
 
 
+def bounds(counts):
+    """At most so many times as much, and what less than that counts as."""
+    return (MOST_GROWTH_OF_COUNTS, LEAST_MILLIONS) if counts else (MOST_GROWTH, LEAST_SECONDS)
+
+
 def growth(once, twice, counts):
-    least = LEAST_MILLIONS if counts else LEAST_SECONDS
-    return max(twice[0], least) / max(once[0], least)
+    least = bounds(counts)[1]
+    return max(twice[0], least) / max(once[0] or 0, least)
 
 
 def too_fast(once, twice, counts):
     """The commands that take too much more for twice the size."""
-    most = MOST_GROWTH_OF_COUNTS if counts else MOST_GROWTH
-    return {command for command in twice if growth(once[command], twice[command], counts) > most}
+    return {command for command in twice if growth(once[command], twice[command], counts) > bounds(counts)[0]}
 
 
 def measure_pair(tool, construct, size, counts):
-    """The rows of a size and of twice that. What else a machine does only adds to a time: what is beyond the bound is
-    measured again, up to twice, and the least time of each size counts."""
-    once, twice = (measure(tool, construct, part, counts) for part in (size, 2 * size))
+    """The rows of a size and of twice that. The larger comes first: what takes so little there that it cannot be too much
+    is not asked at the smaller size, and has no time there. What else a machine does only adds to a time: what is beyond
+    the bound is measured again, up to twice, and the least time of each size counts."""
+    most, least = bounds(counts)
+    twice = measure(tool, construct, 2 * size, counts)
+    once = {command: (None, peak, code) for command, (_, peak, code) in twice.items()}
+    asked = {command for command, row in twice.items() if row[0] > most * least}
+    if asked:
+        once.update(measure(tool, construct, size, counts, asked))
     for _ in range(0 if counts else 2):
-        if not too_fast(once, twice, counts):
+        if not (fast := too_fast(once, twice, counts)):
             break
         for rows, part in ((once, size), (twice, 2 * size)):
-            for command, (seconds, peak, code) in measure(tool, construct, part, counts).items():
-                rows[command] = (min(seconds, rows[command][0]), max(peak, rows[command][1]), code)
+            for command, (seconds, peak, code) in measure(tool, construct, part, counts, fast).items():
+                if command in fast:
+                    rows[command] = (min(seconds, rows[command][0]), max(peak, rows[command][1]), code)
     return once, twice
 
 
@@ -200,14 +218,15 @@ def main():
             failed += bad
             rows.setdefault(command, []).append((times, seconds, once[0], peak, construct["name"], code, bad, size))
         # A long run that is cut off has said what it found.
-        worst = max(row[-1] for row in rows.values())
+        worst = max((row[-1] for row in rows.values()), key=lambda row: row[:2])
         print(f"{construct['name']}: at most {worst[0]:.2f} times{', TOO MUCH' if any(row[-1][6] for row in rows.values()) else ''}", file=sys.stderr, flush=True)
     print("| command | construct | bytes | | twice that | growth | peak | |\n| --- | --- | --- | --- | --- | --- | --- | --- |")
     for command, found in rows.items():
-        worst = {max(found)[4], max(found, key=lambda row: row[1])[4], max(found, key=lambda row: row[3])[4]}
-        for times, seconds, before, peak, name, code, bad, size in sorted(found, reverse=True):
+        worst = {max(found, key=lambda row: row[:2])[4], max(found, key=lambda row: row[1])[4], max(found, key=lambda row: row[3])[4]}
+        for times, seconds, before, peak, name, code, bad, size in sorted(found, key=lambda row: row[:2], reverse=True):
             if options.all or bad or name in worst:
-                print(f"| {command} | {name} | {size} | {before:.2f} {unit} | {seconds:.2f} {unit} | {times:.2f} | {peak / 2**20:.0f} MiB |"
+                smaller = "-" if before is None else f"{before:.2f} {unit}"
+                print(f"| {command} | {name} | {size} | {smaller} | {seconds:.2f} {unit} | {times:.2f} | {peak / 2**20:.0f} MiB |"
                       f" {'exit ' + str(code) if code not in (0, 1) else 'TOO MUCH' if bad else ''} |")
     print(f"\n{sum(len(found) for found in rows.values())} runs of twice the size, {failed} beyond the bounds")
     return 1 if failed else 0
