@@ -7,6 +7,7 @@
 #include "porttool/match/match_sets.h"
 #include "porttool/snapshot/lock_store.h"
 #include "porttool/snapshot/past.h"
+#include "porttool/snapshot/two_sides.h"
 #include "porttool/text/sink/terminal.h"
 
 namespace porttool {
@@ -50,6 +51,7 @@ TodaysPairs todays_pairs(const ProjectChoice& choice, Workplace& place) {
     out.snapshot = read_snapshot(open_project(choice, place, true), {}, place.disk, Depth::Scanned);
     Project& project = out.snapshot.project;
     require_sides(project.map, project.map_name);
+    require_two_sides(project);
     for (const SkippedFile& file : project.skipped)
         place.err << "skipped " << terminal_text(file.file) << ": " << terminal_text(file.reason) << "\n";
     out.pairs = project.map.pairs.empty() ? matched_pairs(project) : pairs_of_map(project.map);

@@ -5,6 +5,7 @@
 #include "porttool/audit/audit.h"
 #include "porttool/command/commands.h"
 #include "porttool/report/audit_report.h"
+#include "porttool/snapshot/two_sides.h"
 #include "porttool/text/sink/terminal.h"
 
 namespace porttool {
@@ -44,6 +45,7 @@ Outcome run_audit(const Options& options, Workplace& place) {
     choice.since = options.since;
     choice.runs = options.runs;
     choice.limit = most_items(options.limit);
+    require_globs_or_map(choice, place.disk);
     const Audit found = audit(choice, place);
     if (found.shallow && !options.quiet)
         place.err << "porttool: this is a shallow clone; what its oldest commits did is not known\n"

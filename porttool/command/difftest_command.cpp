@@ -18,6 +18,7 @@
 #include "porttool/scan/scan.h"
 #include "porttool/snapshot/lock_store.h"
 #include "porttool/snapshot/snapshot.h"
+#include "porttool/snapshot/two_sides.h"
 #include "porttool/text/sink/terminal.h"
 #include "porttool/text/suggest.h"
 
@@ -148,7 +149,9 @@ Outcome run_difftest(const Options& options, Workplace& place) {
     require_macros(options.defines, "--define");
     const std::string evidence = "--evidence " + terminal_text(options.evidence);
     if (!options.evidence.empty()) require_output(options, evidence, options.evidence, place.disk);
+    require_globs_or_map(options, place.disk);
     const Project project = read_snapshot(open_project(options, place, true), {}, place.disk, Depth::Scanned).project;
+    require_two_sides(project);
     require_macros(project.map.defines, project.map_name + ": [difftest] defines:");
     settings.defines = options.defines;
     settings.defines.insert(settings.defines.end(), project.map.defines.begin(), project.map.defines.end());

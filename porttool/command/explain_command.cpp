@@ -27,6 +27,16 @@ void explain_finding(const Finding& finding, std::string& out) {
     out += "  " + terminal_line(finding.remedy) + "\n";
 }
 
+/// Who ports a deferred pair, and until when it may wait. What was deferred for other texts says nothing.
+void explain_deferral(const CheckedProject& checked, const JudgedPair& pair, std::string& out) {
+    const auto prints = [](const UnitState* unit) { return unit == nullptr ? nullptr : &unit->prints; };
+    for (const LedgerEntry& entry : checked.lock.ledger)
+        if (entry.verdict == Verdict::Defer && entry.source == pair.id.source && entry.target == pair.id.target &&
+            entry.is_of(prints(pair.unit.source), prints(pair.unit.target)))
+            out += fmt::format("deferred until {}, to be ported by {}\n", terminal_text(entry.until),
+                               terminal_text(entry.owner));
+}
+
 void explain_pair(const CheckedProject& checked, const JudgedPair& pair, std::string& out) {
     out += fmt::format("source  {}\nport    {}\n", terminal_text(pair.id.source), terminal_text(pair.id.target));
     bool any = false;
@@ -36,6 +46,7 @@ void explain_pair(const CheckedProject& checked, const JudgedPair& pair, std::st
         explain_finding(finding, out);
     }
     if (!any) out += "in step\n";
+    explain_deferral(checked, pair, out);
     for (const LedgerEntry& entry : checked.lock.ledger)
         if (entry.verdict == Verdict::Accept && entry.source == pair.id.source && entry.target == pair.id.target)
             out += fmt::format("last accepted on {}: {}\n", terminal_text(entry.until), terminal_text(entry.reason));

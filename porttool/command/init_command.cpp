@@ -18,6 +18,7 @@
 #include "porttool/snapshot/map_edit.h"
 #include "porttool/snapshot/merge_marks.h"
 #include "porttool/snapshot/snapshot.h"
+#include "porttool/snapshot/two_sides.h"
 #include "porttool/text/sink/json.h"
 #include "porttool/text/sink/terminal.h"
 #include "porttool/text/toml_string.h"
@@ -134,9 +135,15 @@ std::string summary(const Matching& matching, const Project& project, bool named
                            terminal_text(least[i].target));
     out += ports_line(matching);
     if (named) out += named_ports_line(project.map.target_sets);
-    return out + "Wrote portmap.toml, portmap.lock and portmap.base/ in " + terminal_text(project.root) +
-           "; commit all three.\nThe pairs are recorded, not verified: porttool init --assess says which say the same "
-           "today.\nNext: porttool check\n";
+    out += "Wrote portmap.toml, portmap.lock and portmap.base/ in " + terminal_text(project.root) +
+           "; commit all three.\n";
+    if (matching.pairs.empty())
+        return out +
+               "Nothing is watched yet: name pairs with porttool accept SOURCE=TARGET (porttool map lists the "
+               "units), or correct the globs and add --force.\n";
+    return out +
+           "The pairs are recorded, not verified: porttool init --assess says which say the same today.\n"
+           "Next: porttool check\n";
 }
 
 /// Throws CannotDo where a file with a pair holds the marks of a merge that is not finished.
@@ -234,6 +241,7 @@ Outcome run_init(const Options& options, Workplace& place) {
             throw CannotDo(terminal_text(path) +
                            " is there already; replace it with --force, or edit it and run: porttool check");
     Snapshot now = read_snapshot(std::move(project), {}, place.disk, Depth::Scanned);
+    require_two_sides(now.project);
     for (const SkippedFile& file : now.project.skipped)
         place.err << "skipped " << terminal_text(file.file) << ": " << terminal_text(file.reason) << "\n";
     const bool named = now.project.map.target_sets.empty() && name_ports(now.project);

@@ -10,6 +10,7 @@
 #include "porttool/snapshot/lock_store.h"
 #include "porttool/snapshot/map_edit.h"
 #include "porttool/snapshot/snapshot.h"
+#include "porttool/snapshot/two_sides.h"
 #include "porttool/text/sink/terminal.h"
 
 namespace porttool {
@@ -54,11 +55,13 @@ void declare_map(Declare& declare, Options& options) {
 Outcome run_map(const Options& options, Workplace& place) {
     require_format(options.format, {"text", "json"});
     const bool writes = options.writes;
+    if (!writes) require_globs_or_map(options, place.disk);
     if (writes && !options.source.empty())
         throw CannotDo("--write adds to portmap.toml, which has its own sides: leave out --source and --target");
     const double least = writes ? least_score(options.write) : 0;
     const auto guard = writes ? guard_lock(options, place) : nullptr;
     const Project project = read_snapshot(open_project(options, place, true), {}, place.disk, Depth::Scanned).project;
+    require_two_sides(project);
     for (const SkippedFile& file : project.skipped)
         place.err << "skipped " << terminal_text(file.file) << ": " << terminal_text(file.reason) << "\n";
     const Matching matching = match_sets(project.source, project.target, settled_by(project.map),

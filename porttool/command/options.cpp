@@ -66,16 +66,41 @@ std::string nearest_option(const CLI::App& app, const CLI::App* command) {
     return {};
 }
 
-/// CLI11's message without its pointer to --help, with the nearest name of an unknown command or option.
+/// What a command cannot do without and was not given, or not as often as it has to be: `--owner NAME, --until DATE`.
+std::string lacking(const CLI::App& command) {
+    std::string out;
+    for (const CLI::Option* option : command.get_options()) {
+        const int given = static_cast<int>(option->count());
+        if (!option->get_required() ||
+            (given >= option->get_items_expected_min() && given <= option->get_items_expected_max()))
+            continue;
+        const std::string name = option->get_positional() ? "" : option->get_name() + " ";
+        out += (out.empty() ? "" : ", ") + name + option->get_type_name();
+    }
+    return out;
+}
+
+/// What is wrong with the words behind a command, with the nearest name of an unknown option.
+std::string wrong_words(const CLI::App& app, const CLI::App& command, const CLI::ParseError& error) {
+    const auto is = [&](CLI::ExitCodes code) { return error.get_exit_code() == static_cast<int>(code); };
+    if (is(CLI::ExitCodes::RequiredError) || is(CLI::ExitCodes::ArgumentMismatch))
+        if (const std::string names = lacking(command); !names.empty()) return command.get_name() + " needs " + names;
+    std::string text = terminal_text(error.what());
+    if (const std::string near = is(CLI::ExitCodes::ExtrasError) ? nearest_option(app, &command) : ""; !near.empty())
+        text += "; did you mean '" + near + "'?";
+    return text;
+}
+
+/// What is wrong with a command line, and which --help tells more: two lines, or one for an unknown command.
 std::string usage_error(const CLI::App& app, const CLI::ParseError& error, const std::string& word) {
     const auto commands = app.get_subcommands();
-    if (commands.empty() && !word.empty()) return unknown_command(word);
-    std::string text = terminal_text(error.what());
-    const bool unknown = error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError);
-    if (const std::string near = unknown && !commands.empty() ? nearest_option(app, commands.front()) : "";
-        !near.empty())
-        text += "; did you mean '" + near + "'?";
-    return "porttool: " + text + "\nRun 'porttool --help' for the commands and their options.\n";
+    if (!commands.empty())
+        return "porttool: " + wrong_words(app, *commands.front(), error) + "\nRun 'porttool " +
+               commands.front()->get_name() + " --help' for its options.\n";
+    if (!word.empty()) return unknown_command(word);
+    const bool lacks = error.get_exit_code() == static_cast<int>(CLI::ExitCodes::RequiredError);
+    return "porttool: " + (lacks ? std::string("no command given") : terminal_text(error.what())) +
+           "\nRun 'porttool --help' for the commands, and 'porttool COMMAND --help' for the options of one.\n";
 }
 
 }  // namespace

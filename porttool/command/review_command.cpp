@@ -215,9 +215,10 @@ private:
     }
 
     static std::string headline(const ReviewItem& item, const std::string& counterpart) {
-        if (item.is_pair) return fmt::format("a pair that nobody has verified ({:.2f})", item.score);
+        if (item.is_pair) return fmt::format("a pair that nobody has verified ({:.0f} % sure)", 100 * item.score);
         if (counterpart.empty()) return "a unit that no pair watches, and nothing looks like its counterpart";
-        return fmt::format("a unit that no pair watches ({:.2f})", item.score);
+        return fmt::format("a unit that no pair watches, and what looks like its counterpart ({:.0f} % sure)",
+                           100 * item.score);
     }
 
     std::string read(const std::string& prompt) {

@@ -89,6 +89,20 @@ std::optional<JudgedPair> units_named(const CheckedProject& checked, const std::
     return std::nullopt;
 }
 
+/// Of SOURCE=TARGET the side that is no unit, where the other is one: what to say of it; "" if neither is.
+std::string half_named(const CheckedProject& checked, const std::string& id) {
+    for (size_t cut = id.find('='); cut != std::string::npos; cut = id.find('=', cut + 1)) {
+        const std::string source = id.substr(0, cut), target = id.substr(cut + 1);
+        const bool is_source = checked.states.source.contains(source),
+                   is_target = checked.states.target.contains(target);
+        if (is_source == is_target) continue;
+        const std::string& lost = is_source ? target : source;
+        return terminal_text(lost) + ": no such unit on the " + (is_source ? "target" : "source") +
+               " side; list those of its file with: porttool scan " + terminal_text(lost.substr(0, lost.find(':')));
+    }
+    return "";
+}
+
 /// The pair that a finding of `unpaired` suggests.
 std::optional<JudgedPair> pair_suggested(const CheckedProject& checked, const Named& named, const std::string& id) {
     if (named.lone.empty() || named.lone.front()->rule != Rule::Unpaired || named.lone.front()->fingerprint != id)
@@ -112,6 +126,8 @@ void find_accepted(const CheckedProject& checked, const std::vector<std::string>
         std::optional<JudgedPair> pair = units_named(checked, id);
         if (!pair) pair = pair_suggested(checked, named, id);
         if (!pair) {
+            if (const std::string half = named.lone.empty() ? half_named(checked, id) : ""; !half.empty())
+                throw CannotDo(half);
             const Named other = require_named(checked.judgement, id);
             throw CannotDo(terminal_text(id) + ": there is no pair to accept; " +
                            terminal_text(other.lone.front()->remedy));

@@ -25,6 +25,7 @@
 #include "porttool/scan/scan.h"
 #include "porttool/text/fingerprint.h"
 #include "porttool/text/parallel.h"
+#include "porttool/text/sink/terminal.h"
 
 namespace porttool {
 namespace {
@@ -37,7 +38,8 @@ public:
             std::error_code error;
             std::filesystem::create_directories(kept, error);
             path_ = std::filesystem::absolute(kept).string();
-            if (error) throw CannotDo(kept + ": " + error.message());
+            if (error)
+                throw CannotDo("--keep " + terminal_text(kept) + ": no folder can be made there: " + error.message());
             return;
         }
         std::string name = (std::filesystem::temp_directory_path() / "porttool-difftest-XXXXXX").string();

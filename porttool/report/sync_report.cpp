@@ -41,6 +41,14 @@ void add_lines(std::string_view patch, std::string& out) {
     }
 }
 
+/// Where an item stands, for a reader; nothing for one of no line, as a verification that failed.
+std::string lines_of(const LeftItem& item) {
+    std::string out;
+    if (item.source_line > 0) out += fmt::format(", source line {}", item.source_line);
+    if (item.target_line > 0) out += fmt::format(", port line {}", item.target_line);
+    return out;
+}
+
 }  // namespace
 
 std::string sync_json(const SyncResult& result, const std::optional<Verification>& verification) {
@@ -88,8 +96,7 @@ std::string sync_table(const SyncResult& result, const std::optional<Verificatio
         for (const std::string& why : one.why) out += "; " + terminal_text(why);
         out += "\n";
         for (const LeftItem& item : one.left)
-            out += fmt::format("    left for you, source line {}, port line {}: {}\n", item.source_line,
-                               item.target_line, terminal_text(item.message));
+            out += "    left for you" + lines_of(item) + ": " + terminal_text(item.message) + "\n";
         add_lines(one.patch, out);
         if (!one.record_patch.empty())
             out += "    with what changes of it in portmap.toml, portmap.lock, portmap.base/\n";

@@ -40,6 +40,67 @@ TEST(BadInput, Globs) {
     EXPECT_TRUE(says(error_of(disk, {"init"}), "init needs --source GLOB"));
 }
 
+TEST(BadInput, SidesOfTheSameFiles) {
+    MemoryDisk disk;
+    disk.files = {{"/r/src/k.cu", kSource}, {"/r/port/k.comp", kTarget}};
+    for (const char* command : {"init", "map", "difftest"}) {
+        EXPECT_TRUE(says(error_of(disk, {command, "--source", "src/*", "--target", "src/*"}),
+                         "all files of the source are files of the target as well"))
+            << command;
+        EXPECT_TRUE(says(error_of(disk, {command, "--source", "**", "--target", "port/*"}),
+                         "all files of the target are files of the source as well"))
+            << command;
+    }
+    disk.files["/r/src/common.h"] = "constexpr int kSize = 4;\n";  // a header of both sides is no reason
+    EXPECT_EQ(run(disk, {"-C", "/r", "map", "--source", "src/*", "--target", "{port/*,src/common.h}"}).exit_code, 0);
+}
+
+TEST(BadInput, NoMapNamesTheWayWithoutOne) {
+    MemoryDisk disk;
+    disk.files = {{"/r/src/k.cu", kSource}};
+    for (const char* command : {"map", "audit", "difftest"})
+        EXPECT_TRUE(says(error_of(disk, {command}), "name both sides with --source GLOB --target GLOB, or write one"))
+            << command;
+    EXPECT_TRUE(says(error_of(disk, {"check"}), "or above; write one with: porttool init"));
+}
+
+TEST(BadInput, WhatACommandNeedsIsNamedAtOnce) {
+    MemoryDisk disk;
+    disk.files = {{"/r/src/k.cu", kSource}};
+    const auto needs = [&](std::vector<std::string> arguments, const std::string& what) {
+        const std::string command = arguments.front();
+        EXPECT_EQ(error_of(disk, arguments), "porttool: " + command + " needs " + what + "\nRun 'porttool " + command +
+                                                 " --help' for its options.\n");
+    };
+    needs({"defer", "src/k.cu:shade"}, "--owner NAME, --until DATE, --reason TEXT");
+    needs({"defer", "src/k.cu:shade", "--until", "2999-01-01", "--owner"}, "--owner NAME, --reason TEXT");
+    needs({"ignore"}, "ID, --reason TEXT");
+    needs({"compare", "a"}, "A B");
+    needs({"compare", "a", "b", "c"}, "A B");
+    EXPECT_EQ(error_of(disk, {}),
+              "porttool: no command given\nRun 'porttool --help' for the commands, and 'porttool COMMAND --help' for "
+              "the options of one.\n");
+}
+
+TEST(BadInput, OfANewPairTheSideThatIsNoUnitIsNamed) {
+    MemoryDisk disk = started(kSource, kTarget);
+    EXPECT_TRUE(says(error_of(disk, {"accept", "src/k.cu:shade=port/k.comp:shaed"}),
+                     "port/k.comp:shaed: no such unit on the target side; list those of its file with: porttool scan "
+                     "port/k.comp"));
+    EXPECT_TRUE(says(error_of(disk, {"accept", "src/k.cu:f=port/k.comp:shade"}),
+                     "src/k.cu:f: no such unit on the source side"));
+    EXPECT_TRUE(says(error_of(disk, {"accept", "a=b"}), "a=b: no such pair or finding"));
+}
+
+TEST(BadInput, AFirstMapWithoutPairsSaysThatNothingIsWatched) {
+    MemoryDisk disk;
+    disk.files = {{"/r/src/k.cu", kSource}, {"/r/port/k.comp", "float other;\n"}};
+    const CommandRun got = run(disk, {"-C", "/r", "init", "--source", "src/*", "--target", "port/*"});
+    EXPECT_EQ(got.exit_code, 0) << got.err;
+    EXPECT_TRUE(says(got.out, "Nothing is watched yet: name pairs with porttool accept SOURCE=TARGET")) << got.out;
+    EXPECT_FALSE(says(got.out, "recorded, not verified")) << got.out;
+}
+
 TEST(BadInput, Pairs) {
     MemoryDisk disk = started(kSource, kTarget);
     std::string& map = disk.files["/r/portmap.toml"];

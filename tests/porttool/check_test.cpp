@@ -343,6 +343,9 @@ TEST(Check, AcceptDeferAndIgnore) {
               0);
     EXPECT_EQ(check(disk)["summary"]["deferred"], 1);
     EXPECT_EQ(check(disk)["verdict"], "in_step");
+    EXPECT_NE(run(disk, {"-C", "/r", "explain", "src/k.cu:shade"})
+                  .out.find("\ndeferred until 2999-01-01, to be ported by me\n"),
+              std::string::npos);
     setenv("SOURCE_DATE_EPOCH", "946684800", 1);  // 2000-01-01
     EXPECT_EQ(run(disk, {"-C", "/r", "defer", print, "--owner", "me", "--until", "2001-01-01", "--reason", "later"})
                   .exit_code,
