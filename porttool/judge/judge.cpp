@@ -106,7 +106,7 @@ private:
         macro_edits_.judge(pair, mapped.lock.pair);
         report_unexplained(pair);
         const Level told = weigh_shared_port(mapped, pair, first);
-        const std::optional<Verdict> verdict = verdicts_.settle(pair, first);
+        const std::optional<Verdict> verdict = verdicts_.settle(pair, first, drifted_before(mapped));
         Level worst = told;
         for (const Finding& finding : findings_.from(first)) worst = std::max(worst, finding.level);
         pair.standing = standing_of(worst, verdict);
@@ -138,6 +138,17 @@ private:
     /// The pair's line in the project's own lock.
     const LockedPair* line_of(const MappedPair& pair) const {
         return in_project_ ? in_project_->find(pair.id.source, pair.id.target).pair : pair.lock.pair;
+    }
+
+    /// True if today's texts are not those that the project's own lock has as in step: nothing that came after the
+    /// merge base need be why.
+    bool drifted_before(const MappedPair& pair) const {
+        const LockedPair* line = in_project_ ? line_of(pair) : nullptr;
+        const auto is_other = [](const UnitState* unit, const Fingerprints& recorded) {
+            return unit != nullptr && unit->prints.renamed != recorded.renamed;
+        };
+        return line != nullptr && (is_other(pair.units.source.unit, line->source_prints) ||
+                                   is_other(pair.units.target.unit, line->target_prints));
     }
 
     bool is_unrecorded(const MappedPair& pair) const {

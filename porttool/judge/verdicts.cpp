@@ -27,8 +27,9 @@ Verdicts::Verdicts(const Case& facts, FindingList& findings)
     find_ignored();
 }
 
-std::optional<Verdict> Verdicts::settle(const JudgedPair& pair, size_t first) {
+std::optional<Verdict> Verdicts::settle(const JudgedPair& pair, size_t first, bool drifted_before) {
     const bool in_step = findings_.size() == first;
+    if (in_step && drifted_before) return {};
     const LedgerEntry* holds = nullptr;
     for (const LedgerEntry* entry : entries_of(pair.id.source, pair.id.target)) {
         if (in_step) {

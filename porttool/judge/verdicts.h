@@ -23,8 +23,9 @@ public:
     Verdicts(const Case& facts, FindingList& findings);
 
     /// Lets it settle the findings of a pair, which are those from `first` on. Defer or Ignore where the pair counts as
-    /// that. A verdict on a pair in step, and a deferral that has expired, are findings themselves.
-    std::optional<Verdict> settle(const JudgedPair& pair, size_t first);
+    /// that. A verdict on a pair in step, and a deferral that has expired, are findings themselves. `drifted_before`: the
+    /// pair had drifted at the merge base already, of which nothing is told here, and which a verdict may well settle.
+    std::optional<Verdict> settle(const JudgedPair& pair, size_t first, bool drifted_before);
 
     /// The same for the finding of a unit without a counterpart, the last of the list. `baseline` is the line that
     /// excuses the unit, or nullptr: one that is excused, or that an [[ignore]] names, has a finding only where a

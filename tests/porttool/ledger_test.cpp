@@ -276,5 +276,22 @@ TEST_F(LedgerInGit, ABaseNeedsNoLockThatCanBeRead) {
     EXPECT_EQ(porttool({"check"}).exit_code, 2) << "without a base the lock is what counts";
 }
 
+TEST_F(LedgerInGit, AVerdictOnADriftThatIsOlderThanTheBaseIsNotIdle) {
+    write("src/k.cu", kTwo);
+    write("port/k.comp", kTwoPort);
+    ASSERT_EQ(porttool({"init", "--source", "src/*", "--target", "port/*"}).exit_code, 0);
+    commit("one");
+    write("src/k.cu", replaced(kTwo, "4.0f", "5.0f"));
+    ASSERT_EQ(porttool({"ignore", "src/k.cu:g", "--reason", "r"}).exit_code, 0);
+    commit("two");
+    const CommandRun got = porttool({"check", "--base", "HEAD", "--strict", "--format", "json"});
+    EXPECT_EQ(got.exit_code, 0) << got.out << got.err;
+    EXPECT_EQ(rules(nlohmann::json::parse(got.out)), Rules{});
+    write("src/k.cu", kTwo);
+    commit("three");
+    const CommandRun idle = porttool({"check", "--base", "HEAD", "--format", "json"});
+    EXPECT_EQ(rules(nlohmann::json::parse(idle.out)), Rules{"unused-suppression"}) << "both sides are as recorded";
+}
+
 }  // namespace
 }  // namespace porttool::testing::ledger_test
