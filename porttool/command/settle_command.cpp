@@ -97,7 +97,7 @@ std::string half_named(const CheckedProject& checked, const std::string& id) {
                    is_target = checked.states.target.contains(target);
         if (is_source == is_target) continue;
         const std::string& lost = is_source ? target : source;
-        return terminal_text(lost) + ": no such unit on the " + (is_source ? "target" : "source") +
+        return "no such pair: " + terminal_text(lost) + ": no such unit on the " + (is_source ? "target" : "source") +
                " side; list those of its file with: porttool scan " + terminal_text(lost.substr(0, lost.find(':')));
     }
     return "";

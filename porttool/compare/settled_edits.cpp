@@ -15,7 +15,7 @@
 namespace porttool {
 namespace {
 
-constexpr size_t kMostWords = 100'000;
+constexpr size_t kMostWordsCompared = 100'000;
 
 Words keys_of(const std::vector<Statement>& statements) {
     Words out;
@@ -102,7 +102,7 @@ private:
 bool edits_leave_no_difference(const PairTexts& texts, const Dialect& dialect, const BySide<Language>& languages) {
     const size_t words =
         texts.source_before.size() + texts.source_now.size() + texts.target_before.size() + texts.target_now.size();
-    if (words > kMostWords || !guarded_difference(texts).empty()) return false;
+    if (words > kMostWordsCompared || !guarded_difference(texts).empty()) return false;
     return SettledReader(texts, dialect, languages).run();
 }
 
