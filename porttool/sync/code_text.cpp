@@ -6,7 +6,7 @@
 
 #include "porttool/normal/normal_form.h"
 #include "porttool/normal/normal_text.h"
-#include "porttool/sync/rewrite.h"
+#include "porttool/sync/port_text.h"
 
 namespace porttool {
 namespace {

@@ -27,7 +27,4 @@ std::vector<TextEdit> rewrite_unit(const Transplant& transplant, const PlacedUni
 /// The text with all edits.
 std::string with_edits(std::string_view text, const std::vector<TextEdit>& edits);
 
-/// Words as code, where nothing tells how they are spaced.
-bool stand_apart(std::string_view word, std::string_view next);
-
 }  // namespace porttool

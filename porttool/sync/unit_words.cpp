@@ -8,6 +8,14 @@
 #include "porttool/normal/prelude.h"
 
 namespace porttool {
+namespace {
+
+bool is_blank_line(const LexedText& lexed, uint32_t line) {
+    const size_t first = lexed.line_starts[line - 1];
+    return lexed.text.find_first_not_of(" \t\r", first) == lexed.line_starts[line] - 1;
+}
+
+}  // namespace
 
 bool runs_on_device(const ScannedFile& file, const Unit& unit) {
     if (unit.kind == UnitKind::Kernel) return true;
@@ -51,6 +59,23 @@ UnitWords in_forms_of(const CalledForms& there, UnitWords words) {
         words = std::move(out);
     }
     return words;
+}
+
+std::set<size_t> paragraphs_of(const ScannedFile& file, const UnitWords& words) {
+    std::set<size_t> out;
+    const LexedText& lexed = file.lexed;
+    for (size_t i = 1; i < words.size(); ++i) {
+        if (words.is_added(i) || words.is_added(i - 1)) continue;
+        const Token &last = lexed.tokens[words.tokens[i - 1]], &token = lexed.tokens[words.tokens[i]];
+        for (uint32_t line = last.line + 1; line < token.line; ++line)
+            if (is_blank_line(lexed, line)) out.insert(i);
+    }
+    return out;
+}
+
+uint32_t line_at(const ScannedFile& file, const UnitWords& words, size_t word) {
+    while (word < words.size() && words.is_added(word)) ++word;
+    return word < words.size() ? file.lexed.tokens[words.tokens[word]].line : 0;
 }
 
 }  // namespace porttool

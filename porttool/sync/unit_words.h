@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -34,5 +35,10 @@ UnitWords words_of_record(const NormalText& text);
 /// The words with calls in the forms that the other side has for them: `length ( z )` for `z . Length ( )`, and the
 /// other way round.
 UnitWords in_forms_of(const CalledForms& there, UnitWords words);
+
+/// The words of a unit that an empty line stands before.
+std::set<size_t> paragraphs_of(const ScannedFile& file, const UnitWords& words);
+/// The line of a word, or of the first after it that has one; 0 for none.
+uint32_t line_at(const ScannedFile& file, const UnitWords& words, size_t word);
 
 }  // namespace porttool

@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/sync/carried_names.h"
+
+#include <algorithm>
+
+#include "porttool/language/words.h"
+#include "porttool/normal/declaration_words.h"
+#include "porttool/normal/normal_text.h"
+
+namespace porttool {
+
+Names new_members(const CheckedProject& checked, const LinesByPair& lines, const JudgedPair& pair, Side side) {
+    Names out, old;
+    const UnitState* unit = pair.unit[side];
+    const LockedPair* line = lines.find(pair.id.source, pair.id.target);
+    if (unit == nullptr || line == nullptr || unit->kind != UnitKind::Struct) return out;
+    const Fingerprints& prints = side == Side::Source ? line->source_prints : line->target_prints;
+    if (prints.written == unit->prints.written) return out;
+    const NormalText before = text_behind(checked, prints.written);
+    for (const std::string_view word : before.words()) old.emplace(word);
+    const Words words = unit->text.words();
+    for (size_t i = 1; i + 1 < words.size(); ++i) {
+        const std::string_view next = words[i + 1], last = words[i - 1];
+        const bool field = next == ";" || next == "," || next == "[" || next == "=" || next == ":";
+        const bool method = next == "(" && (is_word_token(last) || last == "*" || last == "&");
+        if ((field || method) && is_word_token(words[i]) && !old.contains(words[i])) out.emplace(words[i]);
+    }
+    return out;
+}
+
+std::set<std::string> declared_twice(const std::vector<std::string>& words) {
+    std::set<std::string> once, out;
+    for (size_t i = 1; i + 1 < words.size(); ++i) {
+        const std::string &last = words[i - 1], &next = words[i + 1];
+        const bool typed = is_word_token(last) && (!word_is(last, kKeyword) || is_type_word(last));
+        if (!typed || !is_word_token(words[i]) || (next != "=" && next != ";" && next != "[")) continue;
+        if (!once.insert(words[i]).second) out.insert(words[i]);
+    }
+    return out;
+}
+
+bool lose_undeclared(const std::vector<std::string>& words, const Transplant& found, const Names& from_elsewhere,
+                     Names& brought, Names& lone) {
+    if (found.left.empty()) return false;
+    std::set<size_t> carried;
+    for (const WordsReplaced& one : found.replaced)
+        for (const CarriedWord& word : one.words) carried.insert(word.from);
+    for (const ClausesAdded& one : found.added)
+        for (const ClauseAdded& clause : one.clauses)
+            for (const CarriedWord& word : clause.words) carried.insert(word.from);
+    bool any = false;
+    for (auto name = brought.begin(); name != brought.end();) {
+        const auto first = std::find(words.begin(), words.end(), *name);
+        const bool is_lost = !from_elsewhere.contains(*name) && first != words.end() &&
+                             !carried.contains(static_cast<size_t>(first - words.begin()));
+        if (is_lost) lone.insert(*name);
+        any |= is_lost;
+        name = is_lost ? brought.erase(name) : std::next(name);
+    }
+    return any;
+}
+
+std::set<std::string> words_brought(const Transplant& found) {
+    std::set<std::string> out;
+    const auto add = [&](const std::vector<CarriedWord>& words) {
+        for (size_t i = 0; i < words.size(); ++i)
+            if (i == 0 || (words[i - 1].text != "." && words[i - 1].text != "->")) out.insert(words[i].text);
+    };
+    for (const WordsReplaced& one : found.replaced) add(one.words);
+    for (const ClausesAdded& one : found.added)
+        for (const ClauseAdded& clause : one.clauses) add(clause.words);
+    return out;
+}
+
+}  // namespace porttool

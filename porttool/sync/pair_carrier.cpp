@@ -1,0 +1,312 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/sync/pair_carrier.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "porttool/compare/alignment.h"
+#include "porttool/normal/unit_state.h"
+#include "porttool/scan/scan.h"
+#include "porttool/sync/block_ends.h"
+#include "porttool/sync/file_text.h"
+#include "porttool/sync/local_manner.h"
+#include "porttool/sync/port_gate.h"
+#include "porttool/sync/rescan.h"
+#include "porttool/sync/scopes.h"
+#include "porttool/sync/transplant.h"
+
+namespace porttool {
+namespace {
+
+/// True if one side has a block in braces whose counterpart has none.
+bool has_other_braces(const Transplant& found, const UnitWords& is, const AlignedText& now, const UnitWords& there,
+                      const AlignedText& port) {
+    for (size_t c = 0; c < found.stands_for.size(); ++c) {
+        const size_t other = found.stands_for[c];
+        if (other != Alignment::kNone && now.clauses[c].opens && port.clauses[other].opens &&
+            is.is_added(now.clauses[c].end - 1) != there.is_added(port.clauses[other].end - 1))
+            return true;
+    }
+    return false;
+}
+
+void declare_constants(const AlignedText& text, const UnitWords& words, const std::vector<uint32_t>& tokens,
+                       Transplant& found) {
+    for (ClausesAdded& one : found.added)
+        for (ClauseAdded& clause : one.clauses) {
+            const size_t first = text.clauses[clause.source].first;
+            if (words.is_added(first) || clause.words.empty() || clause.words.front().text == "const") continue;
+            if (std::find(tokens.begin(), tokens.end(), words.tokens[first]) != tokens.end())
+                clause.words.insert(clause.words.begin(), {"const", CarriedWord::kNoSource});
+        }
+}
+
+bool has_word(const std::vector<std::string>& words, const std::string& word) {
+    return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+void leave_at_heads(const PairEdit& edit, std::string why, Proposal& out) {
+    out.left.push_back({std::move(why), first_line(edit.pair, Side::Source), first_line(edit.pair, Side::Target)});
+}
+
+/// `here`: the line on the side that changed.
+LeftItem left_at(Side from, std::string why, uint32_t here, uint32_t there) {
+    return from == Side::Source ? LeftItem{std::move(why), here, there} : LeftItem{std::move(why), there, here};
+}
+
+}  // namespace
+
+/// Both units in their files.
+struct PairCarrier::Places {
+    const ScannedFile &file, &other;
+    const Unit& unit;
+    Draft& draft;
+    const Unit& port;
+};
+
+/// The source's unit before and now and the port's, as words, and side by side.
+struct PairCarrier::Texts : Places {
+    UnitWords there, was, is;
+    AlignedText old_text, new_text, port_text;
+    Alignment edit, across;
+    Examples examples;
+
+    Texts(const Places& places, const PairEdit& one, const CalledForms& forms, WordKeys keys)
+        : Places(places),
+          there(words_of_unit(draft.scanned, port)),
+          was(in_forms_of(forms, words_of_record(one.before[one.from]))),
+          is(in_forms_of(forms, words_of_unit(file, unit))),
+          old_text(keys.text(was.words, unit.kind == UnitKind::Struct)),
+          new_text(keys.text(is.words, unit.kind == UnitKind::Struct)),
+          port_text(keys.text(there.words, unit.kind == UnitKind::Struct)),
+          edit(align(old_text, new_text, {0.5, false})),
+          across(align(old_text, port_text, {})) {
+        match_block_ends(old_text, new_text, edit);
+        match_only_clauses(old_text, new_text, edit);
+    }
+
+    void learn() {
+        examples.learn(old_text, port_text, across);
+        examples.learn_patterns(old_text, port_text, across);
+    }
+};
+
+void PairCarrier::carry(const PairEdit& edit, Proposal& out) {
+    const Side from = edit.from, to = edit.to();
+    const ScannedFile* file = knowledge_.file_of(from, edit.pair.unit[from]->file);
+    const ScannedFile* other = knowledge_.file_of(to, edit.pair.unit[to]->file);
+    const Unit* unit = file == nullptr ? nullptr : knowledge_.unit_of(*file, edit.pair.unit[from]->id);
+    if (unit == nullptr || other == nullptr) return leave_at_heads(edit, "a whole file is not carried", out);
+    Draft& draft = drafts_.of(to, *other);
+    if (draft.is_linked)
+        return leave_at_heads(edit, "its file " + std::string(kIsLinked) + "; name the file itself in portmap.toml",
+                              out);
+    const Unit* port = draft.unit(edit.pair.unit[to]->id);
+    if (port == nullptr)
+        return leave_at_heads(edit, "an edit before this one in the same file has hidden the port", out);
+    CalledForms forms;
+    const UnitWords there = words_of_unit(draft.scanned, *port);
+    forms.add(Words(there.words.begin(), there.words.end()));
+    Texts texts({*file, *other, *unit, draft, *port}, edit, forms, WordKeys(knowledge_.dialect()));
+    if (holds_a_part(edit, texts.across))
+        return leave_at_heads(
+            edit,
+            "this is one of several ports and holds a part of it alone; whether the edit is in that part is not told",
+            out);
+    texts.learn();
+    KnownNames names = names_of(edit, texts);
+    Transplant found = transplanted(edit, texts, names, out);
+    leave_unported(edit, texts, names, out);
+    // Where more is left than carried, a part of the port would only be in the way.
+    constexpr size_t kFew = 2;
+    if (found.left.size() > std::max(kFew, found.size())) return;
+    if (!found.empty()) {
+        if (write(edit, texts, names, found, out)) return;
+        out.left.clear();
+        return carry(edit, out);  // in the text as it is now
+    }
+    if (!out.left.empty()) return;
+    if (found.already == 0)
+        return leave_at_heads(
+            edit, "what the edit changed has no counterpart in the port's language; look whether it needs one", out);
+    out.state = ProposalState::Already;
+    out.why.emplace_back("the port has it already");
+}
+
+PairCarrier::KnownNames PairCarrier::names_of(const PairEdit& edit, const Texts& texts) {
+    KnownNames out;
+    out.from_elsewhere = new_units_.brought();
+    out.from_elsewhere.merge(new_members(checked_, lines_, edit.pair, edit.from));
+    const auto& declared = declarations_.brings(edit.pair, edit.from);
+    out.from_elsewhere.insert(declared.begin(), declared.end());
+    out.brought = out.from_elsewhere;
+    out.unported = new_units_.unported(edit.from);
+    for (const auto& [name, why] : out.unported) out.lone.insert(name);
+    out.locals = declared_behind_macro(texts.is.words);
+    for (std::string& name : local_names(texts.file, texts.unit)) out.locals.insert(std::move(name));
+    for (const std::string& name : out.locals)  // a name that the port has for something else cannot be taken
+        if (!has_word(texts.was.words, name)) (has_word(texts.there.words, name) ? out.lone : out.brought).insert(name);
+    for (const std::string& name : declared_twice(texts.was.words))
+        if (texts.examples.is_said_variously(name)) out.lone.insert(name);
+    return out;
+}
+
+Transplant PairCarrier::transplanted(const PairEdit& edit, const Texts& texts, KnownNames& names, Proposal& out) {
+    const ScannedFile& file = texts.file;
+    const UnitWords& is = texts.is;
+    const KnownWords& known = knowledge_.known_words(edit.from, file, texts.other);
+    const UnitNames& units = knowledge_.unit_names(edit.from);
+    const LearnedBeside beside = knowledge_.learned_beside(edit.from, file.path, texts.other.path);
+    const Unit& port = texts.port;
+    const bool is_method = port.name.size() > port.namespace_length + leaf_of(port.name).size() + 2;
+    const bool on_host = !runs_on_device(file, texts.unit);
+    const auto written = [&](size_t i) {
+        return is.words[i] == "@" || is.is_added(i) ? is.words[i] : std::string(file.lexed.view(is.tokens[i]));
+    };
+    const std::set<size_t> paragraphs = paragraphs_of(file, is);
+    const EditTexts laid{texts.old_text,
+                         texts.new_text,
+                         texts.port_text,
+                         texts.edit,
+                         texts.across,
+                         knowledge_.hands_back(edit.from),
+                         knowledge_.hands_back(edit.to()),
+                         paragraphs};
+    Transplant found;
+    // What uses a new name can only be carried with what declares it.
+    std::map<size_t, std::string> first_reasons;  // later ones may only be that a name is not declared any more
+    do {
+        for (const LeftOver& left : found.left) first_reasons.try_emplace(left.source_word, left.message);
+        found =
+            transplant(laid, EditTranslator(texts.examples, beside, units, names.lone, known, names.brought, on_host),
+                       written, is_method);
+    } while (lose_undeclared(is.words, found, names.from_elsewhere, names.brought, names.lone));
+    for (const LeftOver& left : found.left) {
+        const auto reason = first_reasons.find(left.source_word);
+        out.left.push_back(left_at(edit.from, reason == first_reasons.end() ? left.message : reason->second,
+                                   line_at(file, is, left.source_word),
+                                   line_at(texts.draft.scanned, texts.there, left.target_word)));
+    }
+    return found;
+}
+
+/// New units without a port that the edit comes to use.
+void PairCarrier::leave_unported(const PairEdit& edit, const Texts& texts, const KnownNames& names,
+                                 Proposal& out) const {
+    const std::vector<std::string>&is = texts.is.words, &was = texts.was.words;
+    for (const auto& [name, why] : names.unported) {
+        const auto call = std::find(is.begin(), is.end(), name);
+        if (call == is.end() || std::count(is.begin(), is.end(), name) == std::count(was.begin(), was.end(), name))
+            continue;
+        out.left.push_back(left_at(
+            edit.from,
+            "it uses `" + name + "`, which came without a port; port that, too" + (why.empty() ? why : ": " + why),
+            line_at(texts.file, texts.is, static_cast<size_t>(call - is.begin())),
+            edit.pair.unit[edit.to()]->start_line));
+    }
+}
+
+/// False where what the edit uses was lifted above the port first, so that the draft is another one now.
+bool PairCarrier::write(const PairEdit& edit, const Texts& texts, const KnownNames& names, Transplant& found,
+                        Proposal& out) {
+    std::set<std::string> used = words_brought(found);
+    for (const std::string& name : names.locals) used.erase(name);
+    for (const std::string& word : texts.there.words) used.erase(word);
+    const UnitRaiser::Raised raised = raiser_.raise(edit.to(), texts.draft, edit.pair.unit[edit.to()]->id, used);
+    if (!raised.failure.empty()) {
+        leave_at_heads(edit, raised.failure, out);
+        return true;
+    }
+    if (raised.any) return false;
+    declare_constants(texts.new_text, texts.is, constants_of(texts.file, texts.unit, texts.other), found);
+    if (has_other_braces(found, texts.is, texts.new_text, texts.there, texts.port_text))
+        found.braces = edit_of_braces(edit, texts);
+    const std::vector<TextEdit> edits =
+        rewrite_unit(found, {texts.file, texts.is, texts.new_text.clauses},
+                     {texts.draft.scanned, texts.there, texts.port_text.clauses}, texts.draft.indent());
+    finish(edit, texts.draft, edits, out);
+    return true;
+}
+
+/// Makes the new text, and holds it to the gate before anybody sees it.
+void PairCarrier::finish(const PairEdit& edit, Draft& draft, const std::vector<TextEdit>& edits, Proposal& out) {
+    const auto refuse = [&](std::string why) {
+        out.state = ProposalState::Refused;
+        leave_at_heads(edit, std::move(why), out);
+    };
+    const JudgedPair& pair = edit.pair;
+    const Unit& port = *draft.unit(pair.unit[edit.to()]->id);
+    const std::vector<std::string> old_words = words_of_unit(draft.scanned, port).words;
+    const auto place = static_cast<size_t>(&port - draft.scanned.units.data());
+    const std::optional<RescannedLines> alone =
+        draft.has_scanned_text() ? rescan_unit(draft.scanned, place, edits) : std::nullopt;
+    std::string now;
+    ScannedFile whole;  // scanned anew only where the unit alone does not tell
+    if (!alone) {
+        std::optional<std::string> edited = edit_file(draft.bytes, draft.scanned.lexed.text, edits);
+        if (!edited) return refuse("the port's line goes on behind a backslash there");
+        now = std::move(*edited);
+        whole = scan_text(draft.scanned.path, now);
+    }
+    const ScannedFile& scanned = alone ? draft.scanned : whole;
+    const Unit* unit = alone ? &port : unit_named(scanned, pair.unit[edit.to()]->id);
+    if (!alone &&
+        (unit == nullptr || scanned.balanced != draft.scanned.balanced || !others_stayed(draft.scanned, scanned, port)))
+        return refuse("the port made of this edit could not be read back");
+    for (const std::string& name : names_lost(scanned, old_words, words_of_unit(scanned, *unit).words))
+        leave_at_heads(edit, "the port would use `" + name + "` where it does not declare it", out);
+    const UnitState state = unit_state(scanned, *unit);
+    const bool to_target = edit.to() == Side::Target;
+    const PairComparison found = compare_now(
+        pair, edit.line, edit.before, to_target ? pair.unit.source->text : state.text,
+        to_target ? pair.unit.source->prints : state.prints, to_target ? state.text : pair.unit.target->text,
+        to_target ? state.prints : pair.unit.target->prints, knowledge_.dialect());
+    out.state = out.left.empty() ? ProposalState::Proposed : ProposalState::Partial;
+    if (out.left.empty() && found.standing > Standing::Equivalent) {
+        out.state = ProposalState::Partial;
+        leave_at_heads(edit, "check would still ask about it: " + what_differs(found), out);
+    }
+    const bool is_same = alone ? std::string_view(draft.bytes).substr(alone->first, alone->end - alone->first) ==
+                                     std::string_view(scanned.lexed.text).substr(alone->first, alone->now)
+                               : draft.bytes == now;
+    if (is_same) return refuse("nothing came of it");
+    if (alone)
+        drafts_.write_rescanned(draft, *alone);
+    else
+        drafts_.write(draft, std::move(now), std::move(whole));
+}
+
+/// True for one of several counterparts that has less than most of the unit.
+bool PairCarrier::holds_a_part(const PairEdit& edit, const Alignment& across) const {
+    if (counts_[edit.from].at(edit.pair.id[edit.from]) < 2) return false;
+    const auto found = std::count_if(across.clause_of.begin(), across.clause_of.end(),
+                                     [](size_t there) { return there != Alignment::kNone; });
+    constexpr double kMost = 0.8;
+    return static_cast<double>(found) < kMost * static_cast<double>(across.clause_of.size());
+}
+
+/// The tokens that begin a new declaration which the port's file would make a constant.
+std::vector<uint32_t> PairCarrier::constants_of(const ScannedFile& file, const Unit& unit, const ScannedFile& other) {
+    return knowledge_.makes_constants(file, other) ? constant_locals(file, unit, false) : std::vector<uint32_t>();
+}
+
+/// Which blocks the edit gave braces, or took them from; none where the text before, as a file, is not known.
+BraceEdits PairCarrier::edit_of_braces(const PairEdit& edit, const Texts& texts) {
+    const UnitState& unit = *edit.pair.unit[edit.from];
+    const std::string* text = earlier_texts_.of(edit.from, unit.file);
+    if (text == nullptr) return {};
+    const ScannedFile file = scan_text(unit.file, *text);
+    const Unit* before = unit_named(file, unit.id);
+    if (before == nullptr) return {};
+    const UnitWords earlier = words_of_unit(file, *before);
+    // A record has no blanks in strings.
+    const auto same = [](const std::string& a, const std::string& b) {
+        return a == b || (a.starts_with('"') && b.starts_with('"'));
+    };
+    const bool is_before =
+        std::equal(earlier.words.begin(), earlier.words.end(), texts.was.words.begin(), texts.was.words.end(), same);
+    return is_before ? brace_edits(earlier, texts.old_text, texts.is, texts.new_text, texts.edit) : BraceEdits();
+}
+
+}  // namespace porttool

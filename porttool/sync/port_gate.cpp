@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/sync/port_gate.h"
+
+#include <algorithm>
+#include <map>
+#include <string_view>
+
+#include "porttool/normal/unit_state.h"
+#include "porttool/sync/scopes.h"
+
+namespace porttool {
+
+PairComparison compare_now(const JudgedPair& pair, const LockedPair& line, const BySide<NormalText>& before,
+                           const NormalText& source, const Fingerprints& source_prints, const NormalText& target,
+                           const Fingerprints& target_prints, const Dialect& dialect) {
+    const auto paired = [&](Side side, const Fingerprints& was, const Fingerprints& prints, const NormalText& text) {
+        const UnitState& unit = *pair.unit[side];
+        return PairedUnit{unit.id, unit.kind, language_of_path(unit.file), was, prints, before[side], text};
+    };
+    CompareBudget budget;
+    return compare_pair({paired(Side::Source, line.source_prints, source_prints, source),
+                         paired(Side::Target, line.target_prints, target_prints, target)},
+                        dialect, budget);
+}
+
+std::string what_differs(const PairComparison& found) {
+    if (!found.missing.empty()) return found.missing.front();
+    if (!found.values.empty()) return found.values;
+    return found.not_compared.empty() ? "the two edits are not the same" : found.not_compared;
+}
+
+std::set<std::string> names_lost(const ScannedFile& file, const std::vector<std::string>& was,
+                                 const std::vector<std::string>& is) {
+    const auto is_of_file = [&](const std::string& name) {
+        return std::any_of(file.units.begin(), file.units.end(),
+                           [&](const Unit& unit) { return leaf_of(unit.name) == name; }) ||
+               std::any_of(file.variables.begin(), file.variables.end(),
+                           [&](const FileVariable& variable) { return file.lexed.view(variable.name_token) == name; });
+    };
+    std::set<std::string> lost = lost_names(was, is);
+    std::erase_if(lost, is_of_file);
+    return lost;
+}
+
+bool others_stayed(const ScannedFile& before, const ScannedFile& now, const Unit& edited_before) {
+    std::map<std::string_view, std::string_view> texts;
+    const auto text_of = [](const ScannedFile& file, const Unit& unit) {
+        const Token &first = file.lexed.tokens[unit.tokens.first], &last = file.lexed.tokens[unit.tokens.end - 1];
+        return std::string_view(file.lexed.text).substr(first.offset, last.offset + last.length - first.offset);
+    };
+    for (const Unit& unit : now.units) texts[unit.name] = text_of(now, unit);
+    return std::all_of(before.units.begin(), before.units.end(), [&](const Unit& unit) {
+        // What holds the edited unit, as its class, changed with it.
+        if (unit.tokens.first <= edited_before.tokens.first && edited_before.tokens.end <= unit.tokens.end) return true;
+        const auto found = texts.find(unit.name);
+        return found != texts.end() && found->second == text_of(before, unit);
+    });
+}
+
+uint32_t first_line(const JudgedPair& pair, Side side) {
+    return pair.unit[side] == nullptr ? 0 : pair.unit[side]->start_line;
+}
+
+}  // namespace porttool

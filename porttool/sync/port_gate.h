@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "porttool/compare/compare_pair.h"
+#include "porttool/judge/check_project.h"
+#include "porttool/read/lock_lines.h"
+
+namespace porttool {
+
+/// What a pair would be with these texts on its sides. `before`: the texts when it was last in step.
+PairComparison compare_now(const JudgedPair& pair, const LockedPair& line, const BySide<NormalText>& before,
+                           const NormalText& source, const Fingerprints& source_prints, const NormalText& target,
+                           const Fingerprints& target_prints, const Dialect& dialect);
+/// What stands in the way of two edits that are not equivalent, as a reader is told.
+std::string what_differs(const PairComparison& found);
+
+/// Names that the port would use where neither it nor its file declares them any more.
+std::set<std::string> names_lost(const ScannedFile& file, const std::vector<std::string>& was,
+                                 const std::vector<std::string>& is);
+
+/// True if all units but one are as they were.
+bool others_stayed(const ScannedFile& before, const ScannedFile& now, const Unit& edited_before);
+
+/// Where a unit of the pair begins; 0 where it is gone.
+uint32_t first_line(const JudgedPair& pair, Side side);
+
+}  // namespace porttool
