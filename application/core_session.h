@@ -84,6 +84,17 @@ public:
     render_system::Status filter(Picture& picture, std::span<const float> variances, SampleRange samples,
                                  render_system::FilterHistory history = render_system::FilterHistory::none);
 
+    /// What filters with a history have left of frames so far.
+    render_system::Result<render_system::CoreHistory> history() { return system_.core().GetHistory(); }
+
+    /// The next of them goes on from there: the scene as the core has it is that of the frame filtered last.
+    render_system::Status go_on_with(const render_system::CoreHistory& history) {
+        return system_.core().SetHistory(view_, history);
+    }
+
+    /// Brings the core in step with the scene without a sample.
+    render_system::Status synchronize() { return system_.synchronize(); }
+
     render_system::CoreStats stats() { return system_.core().GetCoreStats(); }
 
     /// Embree's part in it; zeros where the core is not the target core.

@@ -247,7 +247,8 @@ void declare_sampling(CLI::App& app, SamplingOptions& sampling) {
         ->excludes("--spp");
     add_parsed(
         app, "--checkpoint", parse_duration, [&sampling](double seconds) { sampling.checkpoint = seconds; },
-        "How often FILE.checkpoint is written, from which --resume goes on: 90s, 5m, 2h (never)")
+        "How often FILE.checkpoint is written, from which --resume goes on: 90s, 5m, 2h (never); with --frames only "
+        "for --filter temporal")
         ->type_name("TIME");
     add_parsed(
         app, "--time-limit", parse_duration, [&sampling](double seconds) { sampling.time_limit = seconds; },

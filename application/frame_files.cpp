@@ -67,20 +67,23 @@ Result<std::string> frame_file(const std::string& pattern, uint32_t number) {
     return pattern.substr(0, first) + fmt::format("{:0{}}", number, last + 1 - first) + pattern.substr(last + 1);
 }
 
+bool is_frame_name(const std::string& pattern, const FrameRange& frames, const std::string& name) {
+    const std::string filename = std::filesystem::path(pattern).filename().string();
+    const size_t last = filename.find_last_of('#');
+    const size_t behind = filename.size() - 1 - last, before = filename.find_last_not_of('#', last) + 1;
+    if (name.size() <= before + behind) return false;
+    const std::string_view digits = std::string_view(name).substr(before, name.size() - before - behind);
+    const auto number = parse_number(digits, frames.first, frames.end - 1);
+    return number.ok() && std::filesystem::path(*frame_file(pattern, *number)).filename() == name;
+}
+
 std::vector<std::filesystem::path> frames_there(const std::string& pattern, const FrameRange& frames) {
     const std::filesystem::path folder = std::filesystem::path(pattern).parent_path();
-    const size_t name_at = pattern.size() - std::filesystem::path(pattern).filename().string().size();
-    const size_t behind = pattern.size() - 1 - pattern.find_last_of('#');
-    const size_t before = pattern.find_last_not_of('#', pattern.find_last_of('#')) + 1 - name_at;
     std::vector<std::filesystem::path> files;
     std::error_code error;
     for (const auto& entry : std::filesystem::directory_iterator(folder.empty() ? "." : folder, error)) {
         const std::string name = entry.path().filename().string();
-        if (name.size() <= before + behind) continue;
-        const std::string_view digits = std::string_view(name).substr(before, name.size() - before - behind);
-        const auto number = parse_number(digits, frames.first, frames.end - 1);
-        if (number.ok() && std::filesystem::path(*frame_file(pattern, *number)).filename() == name)
-            files.push_back(folder / name);
+        if (is_frame_name(pattern, frames, name)) files.push_back(folder / name);
     }
     return files;
 }
@@ -97,6 +100,7 @@ std::string sequence_text(const Options& options, const render_system::HostScene
     if (options.indirect_limit > 0.0f) text += fmt::format(" clamp {}", options.indirect_limit);
     if (options.exact) text += " exact";
     if (options.filter != FilterMode::none) text += fmt::format(" filter {}", static_cast<int>(options.filter));
+    if (options.filter == FilterMode::temporal) text += fmt::format(" from {}", options.frames->first);
     if (!options.kernels.empty()) text += kernels_text(options.kernels);
     return text + fmt::format(" exposure {} tone-map {}", options.exposure, static_cast<int>(options.tone_map));
 }

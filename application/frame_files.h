@@ -20,6 +20,9 @@ namespace application {
 /// of the run. Fails with invalid_argument where there is no #.
 render_system::Result<std::string> frame_file(const std::string& pattern, uint32_t number);
 
+/// Whether a file of that name is a frame of that sequence, whose pattern has a #.
+bool is_frame_name(const std::string& pattern, const FrameRange& frames, const std::string& name);
+
 /// The files of that sequence that are there already.
 std::vector<std::filesystem::path> frames_there(const std::string& pattern, const FrameRange& frames);
 

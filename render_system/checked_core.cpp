@@ -160,6 +160,34 @@ Status CheckedCore::Filter(const ViewPyramid& view, const CoreFilter& filter) {
     });
 }
 
+Result<CoreHistory> CheckedCore::GetHistory() {
+    CoreHistory history{.frames = kept_.frame, .planes = {}};
+    const Status status = after(contract_.check_history(),
+                                [&] { return kept_.frame > 0 ? read_history(history.planes) : Status::success(); });
+    if (!status.ok()) return status;
+    return history;
+}
+
+Status CheckedCore::SetHistory(const ViewPyramid& view, const CoreHistory& history) {
+    return after(contract_.check_render(view, 1), [&] {
+        forget_frames();
+        Status status = prepare();
+        if (!status.ok() || history.frames == 0) return status;
+        status = write_history(history.planes);
+        if (!status.ok()) return status;
+        before_ = {.frame = history.frames};
+        scene_changed_ = true;  // so that its transforms are taken
+        remember(view);
+        return status;
+    });
+}
+
+Status CheckedCore::read_history(std::vector<float>&) { return Status::success(); }
+
+Status CheckedCore::write_history(std::span<const float> planes) {
+    return planes.empty() ? Status::success() : Status::invalid(id_ + " core: the history is not of this core");
+}
+
 void CheckedCore::look_back(const ViewPyramid& view, FilterHistory history) {
     before_ = {};
     if (history == FilterHistory::none) return;

@@ -39,6 +39,8 @@ public:
     Status SetWatch(PathWatch* watch) final;
     Status Render(const ViewPyramid& view, Convergence convergence, uint32_t samples) final;
     Status Filter(const ViewPyramid& view, const CoreFilter& filter) final;
+    Result<CoreHistory> GetHistory() final;
+    Status SetHistory(const ViewPyramid& view, const CoreHistory& history) final;
     void Shutdown() final;
 
 protected:
@@ -76,6 +78,9 @@ private:
     virtual Status render(const ViewPyramid& view, uint32_t samples) = 0;
     /// Takes the noise out of filter.means, into filter.filtered; the scene is that of the last render.
     virtual Status filter(const ViewPyramid& view, const CoreFilter& filter) = 0;
+    /// What it has left for the next one, and back, before that one comes. A core that keeps nothing has no planes.
+    virtual Status read_history(std::vector<float>& planes);
+    virtual Status write_history(std::span<const float> planes);
     /// Gives everything back. May come before open() and a second time.
     virtual void close() = 0;
     /// Bytes of the machine's own memory that the core holds, for a message.

@@ -80,6 +80,15 @@ public:
     /// of another size than the target.
     virtual Status Filter(const ViewPyramid& view, const CoreFilter& filter) = 0;
 
+    /// What Filter has kept for the next call that goes on, as plain numbers. Fails as Render does where the device
+    /// does.
+    virtual Result<CoreHistory> GetHistory() = 0;
+
+    /// Filter goes on from there, as the core would that gave it: the scene that was set, as seen from `view`, is that
+    /// of the frame filtered last. Fails as Render does, and with invalid_argument where it is that of another size or
+    /// kind of core; then, as with a history of no frames, there is none.
+    virtual Status SetHistory(const ViewPyramid& view, const CoreHistory& history) = 0;
+
     /// Gives everything back. A second call does nothing.
     virtual void Shutdown() = 0;
 };

@@ -303,6 +303,8 @@ Status CoreContract::check_limits(const ViewPyramid& view) const {
 
 Status CoreContract::check_watch() const { return check_open("SetWatch"); }
 
+Status CoreContract::check_history() const { return check_open("GetHistory"); }
+
 Status CoreContract::check_filter(const ViewPyramid& view, const CoreFilter& filter, const CoreTarget& target) const {
     if (Status status = check_render(view, filter.samples); !status.ok()) return status;
     const size_t pixels = target.pixels.size();

@@ -39,6 +39,7 @@ public:
     Status check_geometry(uint32_t mesh, const CoreMesh& data) const;
     Status check_instance(uint32_t instance, uint32_t mesh, const CoreTransform& transform) const;
     Status check_watch() const;
+    Status check_history() const;
     /// Order, the number of samples, dangling ids (a triangle's material, a material's or a light's texture), then what
     /// scene_limits.h bounds.
     Status check_render(const ViewPyramid& view, uint32_t samples) const;

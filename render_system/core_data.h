@@ -7,6 +7,7 @@
 #include <glm/glm.hpp>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "render_system/pixel_sum.h"
 
@@ -218,6 +219,12 @@ enum class FilterHistory {
     none,   ///< nothing; what there is stays for others
     begin,  ///< this is the first one
     go_on,  ///< light and pictures of those since `begin` are followed to where they are now; without any, it begins
+};
+
+/// What filters with a history have left of the frames so far: enough for a core of the same kind to go on.
+struct CoreHistory {
+    uint32_t frames = 0;        ///< filtered since `begin`; 0: there is no history
+    std::vector<float> planes;  ///< of the core's own making
 };
 
 /// A picture for Filter: means of the samples [first_sample, first_sample + samples) of every pixel of the target.

@@ -77,6 +77,8 @@ private:
     Status prepare() override;
     Status render(const ViewPyramid& view, uint32_t samples) override;
     Status filter(const ViewPyramid& view, const CoreFilter& filter) override;
+    Status read_history(std::vector<float>& planes) override;
+    Status write_history(std::span<const float> planes) override;
     void close() override;
     uint64_t host_bytes() const override { return 0; }  // what it holds is on the device
 
@@ -503,6 +505,24 @@ Status SourceCore::filter(const ViewPyramid& view, const CoreFilter& filter) {
                                          std::as_writable_bytes(filter.filtered));
     }
     return status.ok() ? gpu_->instance->validation_status() : status;
+}
+
+Status SourceCore::read_history(std::vector<float>& planes) {
+    planes.resize(target().pixels.size() * HISTORY_PLANES);
+    return gpu_->staging->download(*gpu_->device, gpu_->wavefront->history(),
+                                   std::as_writable_bytes(std::span(planes)));
+}
+
+Status SourceCore::write_history(std::span<const float> planes) {
+    if (planes.size() != target().pixels.size() * HISTORY_PLANES) {
+        return Status::invalid("source core: the history is of another size or core");
+    }
+    Status status = gpu_->wavefront->make_filter(*gpu_->device, *gpu_->budget, true, 0);
+    if (!status.ok()) {
+        return status;
+    }
+    const Staging::Part part{&gpu_->wavefront->history(), 0, std::as_bytes(planes)};
+    return gpu_->staging->upload(*gpu_->device, {&part, 1});
 }
 
 void SourceCore::close() {

@@ -94,6 +94,9 @@ public:
     /// Mean radiance and the variance of its luminance, then what the filter makes of them. Behind it lie motions.
     const Buffer& filter_picture() const { return filter_picture_; }
 
+    /// What the frame filtered last has left.
+    const Buffer& history() const { return histories_[0]; }
+
     /// The mean of the samples of the batch that ran last.
     const Buffer& target() const { return target_; }
 

@@ -64,6 +64,8 @@ private:
     Status reach_for(const ViewPyramid& view);
     Status render(const ViewPyramid& view, uint32_t samples) override;
     Status filter(const ViewPyramid& view, const CoreFilter& filter) override;
+    Status read_history(std::vector<float>& planes) override;
+    Status write_history(std::span<const float> planes) override;
     void close() override;
     uint64_t host_bytes() const override;
 
@@ -412,6 +414,18 @@ Status TargetCore::filter(const ViewPyramid& view, const CoreFilter& filter) {
     stats().filter_ms = milliseconds_since(start);
     std::transform(filter_picture_.begin(), filter_picture_.end(), filter.filtered.begin(),
                    [](const vec4& p) { return glm::vec4(p.x, p.y, p.z, 1.0f); });
+    return Status::success();
+}
+
+Status TargetCore::read_history(std::vector<float>& planes) {
+    planes = history_;
+    return Status::success();
+}
+
+Status TargetCore::write_history(std::span<const float> planes) {
+    if (planes.size() != target().pixels.size() * HISTORY_PLANES)
+        return Status::invalid("target core: the history is of another size or core");
+    history_.assign(planes.begin(), planes.end());
     return Status::success();
 }
 

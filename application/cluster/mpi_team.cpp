@@ -60,6 +60,11 @@ Status MpiTeam::agree_on(const RunIdentity& run) {
                                                  "; start the same program with the same --core on all"));
 }
 
+uint64_t MpiTeam::told(uint64_t number) {
+    MPI_Bcast(&number, 1, MPI_UINT64_T, 0, MPI_COMM_WORLD);
+    return number;
+}
+
 void MpiTeam::open_windows(uint64_t pixels, bool squares) {
     if (counter_ != MPI_WIN_NULL) return;
     pixels_ = pixels;

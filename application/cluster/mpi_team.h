@@ -27,6 +27,7 @@ public:
     bool leads() const override { return rank_ == 0; }
     render_system::Status agree(const render_system::Status& mine) override;
     render_system::Status agree_on(const RunIdentity& run) override;
+    uint64_t told(uint64_t number) override;
     render_system::Status render(CoreSession& session, SampleSums& sums, uint32_t first, uint32_t count) override;
     void end() override;
     render_system::Status follow(CoreSession& session, bool squares) override;

@@ -27,10 +27,13 @@ public:
     /// Fails where a member would take other samples than the leader, naming what differs.
     virtual render_system::Status agree_on(const RunIdentity& run) = 0;
 
+    /// The leader's number, on all.
+    virtual uint64_t told(uint64_t number) = 0;
+
     /// The leader: adds the samples [first, first + count) of every pixel to `sums`, tile by tile on whoever is free.
     virtual render_system::Status render(CoreSession& session, SampleSums& sums, uint32_t first, uint32_t count) = 0;
 
-    /// The leader: lets the others go.
+    /// The leader: lets the others go, until they follow again.
     virtual void end() = 0;
 
     /// All others: renders what the leader asks for, until it ends.

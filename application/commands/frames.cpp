@@ -2,74 +2,40 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <filesystem>
-#include <optional>
+#include <memory>
+#include <utility>
 
 #include "application/cluster/team.h"
 #include "application/commands/command_steps.h"
 #include "application/commands/commands.h"
+#include "application/commands/frame_sequence.h"
+#include "application/commands/frames_in_order.h"
 #include "application/file_output.h"
-#include "application/frame_files.h"
 #include "application/option_values.h"
-#include "application/sampling/interrupt.h"
+#include "application/sampling/checkpoint.h"
 #include "application/sampling/run_identity.h"
-#include "application/sampling/take_samples.h"
 
 namespace application {
 namespace {
 
-using render_system::Convergence;
-using render_system::FilterHistory;
-using render_system::Result;
 using render_system::Status;
 
-/// A sequence on its way.
-class Sequence {
+/// Frames that do not know of each other: members of a team take whole ones.
+class SeparateFrames final : public FrameSequence {
 public:
-    Sequence(const Options& options, const std::string& pattern, ImageKind kind, SceneSetup setup, Console& console)
-        : options_(options),
-          pattern_(pattern),
-          kind_(kind),
-          console_(console),
-          text_(sequence_text(options, setup.scene)),
-          session_(options, std::move(setup), console),
-          picture_(options.width, options.height),
-          sums_(options.width, options.height, keeps_squares(options)) {
-        session_.stop_on(&interrupt_);
-        session_.sum_into(&sums_, 0);
-    }
+    SeparateFrames(const Options& options, const std::string& pattern, ImageKind kind, SceneSetup setup,
+                   Console& console)
+        : FrameSequence(options, pattern, kind, std::move(setup), console, true) {}
 
-    /// Renders what is not there yet; stops at the first frame that cannot be done, or with a signal. Those before it
-    /// stay.
-    Status render() {
+    Status render() override {
         return team() ? render_on(*team()) : render_frames([next = 0U]() mutable { return next++; });
     }
 
-    /// The signal that ended it before its last frame, or 0.
-    int interrupted() const { return kept_ + rendered_ < frame_count() ? interrupt_.signal() : 0; }
-
-    /// What a sequence that was interrupted has.
-    std::string progress() const {
-        return fmt::format("interrupted by {}: {} of {} frames are done; {}",
-                           interrupt_.signal() == SIGINT ? "Ctrl-C" : "SIGTERM", kept_ + rendered_, frame_count(),
-                           options_.filter == FilterMode::temporal ? "frames of --filter temporal start from the first"
-                                                                   : "--resume goes on from there");
-    }
-
-    std::string summary() const {
-        const uint32_t last = options_.frames->end - 1;
-        std::string text = fmt::format("{} to {}: {} frames of {}x{}, {} samples per pixel",
-                                       *frame_file(pattern_, options_.frames->first), *frame_file(pattern_, last),
-                                       kept_ + rendered_, options_.width, options_.height, options_.spp.front());
-        if (kept_ > 0) text += fmt::format(", {} of them kept", kept_);
-        return text + "\n";
-    }
-
 private:
-    uint32_t frame_count() const { return options_.frames->end - options_.frames->first; }
+    std::string how_to_go_on() const override { return "--resume goes on from there"; }
 
     /// Each rank takes the next frame when it is done with one.
     Status render_on(Team& ranks) {
@@ -91,100 +57,52 @@ private:
     /// The frames that `next` names, from 0 on, as long as there are such.
     template <class Next>
     Status render_frames(Next next) {
-        for (uint64_t place = next(); place < frame_count(); place = next()) {
-            const uint32_t number = options_.frames->first + static_cast<uint32_t>(place);
-            const std::string file = *frame_file(pattern_, number);
-            if (interrupt_.signal() != 0) return Status::success();
-            const double seconds = frame_time(options_, number);
-            if (Status status = session_.show(seconds); !status.ok()) return named(number, status);
-            const std::string text = frame_text(text_, session_.scene(), session_.view(), seconds);
-            if (options_.resume && holds_frame(file, kind_, text)) {
+        for (uint64_t place = next(); place < frame_count() && !stopped(); place = next()) {
+            if (Status status = show(place); !status.ok()) return status;
+            if (options_.resume && holds(place)) {
                 ++kept_;
                 continue;
             }
-            if (Status status = render_frame(number); !status.ok()) return status;
-            if (interrupt_.signal() != 0) return Status::success();
-            const auto bytes = encode_frame(picture_, kind_, options_, text);
-            if (!bytes.ok()) return bytes.status;
-            if (Status status = write_file(file, *bytes); !status.ok()) return status;
+            if (Status status = render_frame(place); !status.ok()) return status;
+            if (stopped()) return Status::success();
+            if (Status status = write(place); !status.ok()) return status;
             ++rendered_;
         }
         return Status::success();
     }
 
-    /// The core takes its first sample, of the frame that is shown.
-    Status start() {
-        sums_.clear();
-        const auto choice = start_chosen_core(session_, options_, picture_, console_);
-        started_ = choice.ok();
-        return choice.status;
-    }
-
-    Status render_frame(uint32_t number) {
+    Status render_frame(uint64_t place) {
         const auto began = std::chrono::steady_clock::now();
-        if (Status status = started_ ? begin(number) : start(); !status.ok()) return status;
-        const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - began;
-        const render_system::CoreStats stats = session_.stats();
-        console_.detail(
-            fmt::format("frame {}: {:.2f} ms until the scene was in place, {:.2f} of them for trees; {:.2f} ms "
-                        "for its first sample",
-                        number, taken.count() - stats.total_ms, stats.build_ms, stats.total_ms));
-        const FrameRange& frames = *options_.frames;
-        const std::string label =
-            fmt::format("frame {} ({}/{})", number, number - frames.first + 1, frames.end - frames.first);
-        if (Status status = session_.render_up_to(options_.spp.front(), label); !status.ok()) return status;
-        if (interrupt_.signal() != 0) return Status::success();
-        const Picture mean = mean_picture(sums_);
-        std::copy(mean.pixels.begin(), mean.pixels.end(), picture_.pixels.begin());  // the core knows where they are
+        if (Status status = started() ? begin(place, 0) : start(); !status.ok()) return status;
+        tell_times(place, began);
+        if (Status status = session_.render_up_to(options_.spp.front(), label_of(place)); !status.ok()) return status;
+        if (stopped()) return Status::success();
+        take_mean();
         if (options_.filter == FilterMode::none) return Status::success();
-        const uint32_t first = first_sample();
-        FilterHistory history = FilterHistory::none;
-        if (options_.filter == FilterMode::temporal)
-            history = rendered_ == 0 ? FilterHistory::begin : FilterHistory::go_on;
-        return session_.filter(picture_, variances_of(sums_), {first, first + sums_.samples}, history);
+        return session_.filter(picture_, variances_of(sums_), {0, sums_.samples});
     }
-
-    Status begin(uint32_t number) {
-        sums_.clear();
-        if (Status status = session_.go_on_from(first_sample()); !status.ok()) return named(number, status);
-        const Status status = session_.render(Convergence::Restart, 1);
-        return status.ok() ? status : named(number, status);
-    }
-
-    /// Samples are new in each frame that a history goes through: of the same ones nothing more would be learned.
-    uint32_t first_sample() const {
-        return options_.filter == FilterMode::temporal ? rendered_ * options_.spp.front() : 0;
-    }
-
-    Status named(uint32_t number, Status status) const {
-        status.message = fmt::format("{}: frame {}: {}", options_.scene, number, status.message);
-        return status;
-    }
-
-    const Options& options_;
-    const std::string& pattern_;
-    ImageKind kind_;
-    Console& console_;
-    std::string text_;
-    CoreSession session_;
-    Picture picture_;
-    KeptInterrupt interrupt_;
-    SampleSums sums_;
-    bool started_ = false;
-    uint32_t kept_ = 0;
-    uint32_t rendered_ = 0;
 };
 
-Status check_sequence(const Options& options, const std::string& pattern) {
-    if (options.filter == FilterMode::temporal && team())
-        return Status::invalid(
-            "--frames: with --filter temporal each follows from those before it, and ranks take them in no order; "
-            "start one rank, or give spatial");
-    if (options.filter == FilterMode::temporal && options.resume)
-        return Status::invalid(
-            "--resume: frames of --filter temporal follow from those before them, of which a file holds too little; "
-            "leave "
-            "one of both out");
+std::unique_ptr<FrameSequence> make_sequence(const Options& options, const std::string& pattern, ImageKind kind,
+                                             SceneSetup setup, Console& console) {
+    if (options.filter == FilterMode::temporal)
+        return std::make_unique<FramesInOrder>(options, pattern, kind, std::move(setup), console);
+    return std::make_unique<SeparateFrames>(options, pattern, kind, std::move(setup), console);
+}
+
+/// Where what --filter temporal goes on from is to lie.
+Status check_checkpoint(const Options& options, const std::string& pattern, Console& console) {
+    const std::filesystem::path checkpoint = sequence_checkpoint_of(pattern);
+    if (Status status = check_writable(checkpoint); !status.ok()) return status;
+    remove_abandoned(checkpoint);
+    std::error_code error;
+    if (!options.resume && std::filesystem::exists(checkpoint, error))
+        console.warning(fmt::format("{} is there: this run starts anew and will replace it; --resume goes on from it",
+                                    checkpoint.string()));
+    return Status::success();
+}
+
+Status check_sequence(const Options& options, const std::string& pattern, Console& console) {
     const uint64_t frames = options.frames->end - options.frames->first;
     if (options.filter == FilterMode::temporal && frames * options.spp.front() > MAX_SAMPLES)
         return Status::invalid(
@@ -203,6 +121,11 @@ Status check_sequence(const Options& options, const std::string& pattern) {
         if (std::filesystem::is_regular_file(file, error)) continue;
         if (Status status = check_writable(file); !status.ok()) return status;
     }
+    if (options.resume || options.sampling.checkpoint)
+        remove_abandoned(std::filesystem::path(pattern).parent_path(),
+                         [&](const std::string& name) { return is_frame_name(pattern, *options.frames, name); });
+    if (options.filter == FilterMode::temporal && (options.resume || options.sampling.checkpoint))
+        if (Status status = check_checkpoint(options, pattern, console); !status.ok()) return status;
     return check_files(options, *first);
 }
 
@@ -214,21 +137,21 @@ ExitCode run_frames(const Options& options, Console& console) {
     const auto kind = image_kind(pattern);
     const bool leads = !team() || team()->leads();
     Status checked = kind.status;
-    if (checked.ok() && leads) checked = check_sequence(options, pattern);
+    if (checked.ok() && leads) checked = check_sequence(options, pattern, console);
     if (checked = agreed(checked); !checked.ok()) return fail_once(console, checked);
 
     Options first = options;
     first.time = frame_time(options, options.frames->first);
     auto setup = set_up_scene(first, console, output_files(options, frames_there(pattern, *options.frames)));
     if (Status status = agreed(setup.status); !status.ok()) return fail_once(console, status);
-    Sequence sequence(options, pattern, *kind, std::move(*setup), console);
-    if (Status status = sequence.render(); !status.ok()) return fail_once(console, status);
+    const auto sequence = make_sequence(options, pattern, *kind, std::move(*setup), console);
+    if (Status status = sequence->render(); !status.ok()) return fail_once(console, status);
     if (!leads) return DONE;
-    if (const int signal = sequence.interrupted(); signal != 0) {
-        console.note(sequence.progress());
+    if (const int signal = sequence->interrupted(); signal != 0) {
+        console.note(sequence->progress());
         return signal == SIGINT ? INTERRUPTED : TERMINATED;
     }
-    const std::string text = sequence.summary();
+    const std::string text = sequence->summary();
     if (options.output.empty())
         console.result(text);
     else

@@ -68,9 +68,12 @@ ExitCode help_team(const Options& options, CoreSession& session, Console& consol
 /// What one picture alone can be told.
 Status check_sequence(const Options& options) {
     const SamplingOptions& sampling = options.sampling;
-    if (sampling.range || sampling.checkpoint || sampling.time_limit || sampling.noise)
+    if (sampling.range || sampling.time_limit || sampling.noise)
+        return Status::invalid("--frames: --samples, --time-limit and --noise are for one picture; leave them out");
+    if (sampling.checkpoint && options.filter != FilterMode::temporal)
         return Status::invalid(
-            "--frames: --samples, --checkpoint, --time-limit and --noise are for one picture; leave them out");
+            "--checkpoint: frames are files of their own, which --resume keeps; with --frames it is for --filter "
+            "temporal");
     return Status::success();
 }
 

@@ -19,8 +19,6 @@ using render_system::Result;
 using render_system::Status;
 using std::filesystem::path;
 
-constexpr double kTeamPortionSeconds = 2.0;  // the end of each costs a team up to the time of a tile
-
 bool is_exr(const path& file) {
     const auto kind = image_kind(file.string());
     return kind.ok() && *kind == ImageKind::exr;
@@ -33,13 +31,6 @@ Status check_sampling(const Options& options, const path& file, Console& console
     if (sampling.range && options.filter != FilterMode::none)
         return Status::invalid(
             "--samples: parts of a picture are added first, and a filtered one cannot be added to; leave --filter out");
-    if (options.filter == FilterMode::temporal && (sampling.checkpoint || options.resume))
-        return Status::invalid(
-            fmt::format("{}: --filter temporal goes by what passes before have left, which no checkpoint holds; leave "
-                        "one of both out",
-                        options.resume ? "--resume" : "--checkpoint"));
-    if (options.filter == FilterMode::temporal && team())
-        return Status::invalid("--filter temporal: ranks take samples in no order; start one rank, or give spatial");
     if (sampling.range && !is_exr(file))
         console.note("a PNG of some samples cannot be added to others: pathtracer merge takes .exr");
     if (!sampling.checkpoint && !options.resume) return Status::success();
@@ -64,6 +55,13 @@ PictureRun::PictureRun(const Options& options, path file, CoreSession& session, 
       console_(console),
       wanted_(wanted_samples(options)) {
     if (is_exr(file_) || keeps_checkpoints() || team()) run_ = run_identity(options, session);
+    if (options.filter == FilterMode::temporal)
+        passes_.emplace(session, sums, wanted_.first, [this] { return take_samples_of_all(1); });
+}
+
+Status PictureRun::take_samples_of_all(uint32_t count) {
+    if (team()) return team()->render(session_, sums_, wanted_.first + sums_.samples, count);
+    return session_.render(render_system::Convergence::Converge, count);
 }
 
 Status PictureRun::resume() {
@@ -86,6 +84,8 @@ Status PictureRun::resume() {
         return refuse(fmt::format("its first sample was {} and is {}", checkpoint.first_sample, wanted_.first));
     if (checkpoint.sums.samples > wanted_.count())
         return refuse(fmt::format("it has {} samples, {} are wanted", checkpoint.sums.samples, wanted_.count()));
+    if (checkpoint.passes.has_value() != passes_.has_value())
+        return refuse(fmt::format("--filter temporal {} given", passes_ ? "was not" : "was"));
     if (checkpoint.sums.squares.size() != sums_.squares.size())
         return refuse(fmt::format("--noise or --filter {} given", sums_.squares.empty() ? "was" : "was not"));
     // In place: the core knows where the sums are.
@@ -93,6 +93,8 @@ Status PictureRun::resume() {
     std::copy(checkpoint.sums.pixels.begin(), checkpoint.sums.pixels.end(), sums_.pixels.begin());
     std::copy(checkpoint.sums.squares.begin(), checkpoint.sums.squares.end(), sums_.squares.begin());
     console_.note(fmt::format("{}: going on after {} samples", checkpoint_.string(), sums_.samples));
+    if (passes_)
+        if (Status status = passes_->go_on_after(std::move(*checkpoint.passes)); !status.ok()) return status;
     return session_.go_on_from(wanted_.first + sums_.samples);
 }
 
@@ -101,16 +103,8 @@ Status PictureRun::take(std::chrono::steady_clock::time_point start) {
     SamplingPlan plan{wanted_, start, sampling.time_limit, sampling.noise, sampling.checkpoint};
     plan.interrupt = &interrupt_;
     plan.write_checkpoint = [this] { save_checkpoint(); };
-    if (Team* all = team()) {
-        plan.render = [this, all](uint32_t count) {
-            return all->render(session_, sums_, wanted_.first + sums_.samples, count);
-        };
-        plan.portion_seconds = kTeamPortionSeconds;
-    }
-    if (options_.filter == FilterMode::temporal) {
-        passes_.emplace(session_, sums_, wanted_.first);
-        plan.render = [this](uint32_t count) { return passes_->take(count); };
-    }
+    if (team()) plan.portion_seconds = kTeamPortionSeconds;
+    plan.render = [this](uint32_t count) { return passes_ ? passes_->take(count) : take_samples_of_all(count); };
     const auto end = take_samples(session_, sums_, plan, console_);
     if (!end.ok()) return end.status;
     end_ = *end;
@@ -127,7 +121,14 @@ Status PictureRun::take(std::chrono::steady_clock::time_point start) {
 }
 
 void PictureRun::save_checkpoint() {
-    const Status status = write_checkpoint(checkpoint_, *run_, wanted_.first, sums_);
+    std::optional<KeptPasses> passes;
+    Status status;
+    if (passes_) {
+        auto kept = passes_->kept();
+        status = kept.status;
+        if (kept.ok()) passes = std::move(*kept);
+    }
+    if (status.ok()) status = write_checkpoint(checkpoint_, *run_, wanted_.first, sums_, passes ? &*passes : nullptr);
     // A full disk now need not be one when the picture is done: hours of work are not dropped for it.
     if (!status.ok()) console_.warning(status.message + "; rendering goes on without a new checkpoint");
 }

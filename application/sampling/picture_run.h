@@ -46,6 +46,8 @@ public:
 
 private:
     bool keeps_checkpoints() const { return options_.sampling.checkpoint || options_.resume; }
+    /// Adds so many samples of every pixel to the sums, on the team where there is one.
+    render_system::Status take_samples_of_all(uint32_t count);
     void save_checkpoint();
     render_system::Result<Picture> filtered();
 

@@ -11,7 +11,6 @@
 namespace application {
 namespace {
 
-using render_system::Convergence;
 using render_system::CoreStats;
 using render_system::Result;
 using render_system::Status;
@@ -66,7 +65,7 @@ bool keeps_squares(const Options& options) {
 }
 
 Result<SamplingEnd> take_samples(CoreSession& session, SampleSums& sums, const SamplingPlan& plan, Console& console) {
-    ProgressBar bar(console, session.stats().core);
+    ProgressBar bar(console, plan.label.empty() ? session.stats().core : plan.label);
     Clock::time_point written = Clock::now();
     const CoreStats first = session.stats();
     double seconds = sums.samples > 0 ? first.total_ms * 1e-3 : 0.0;  // that `taken` samples took
@@ -85,7 +84,7 @@ Result<SamplingEnd> take_samples(CoreSession& session, SampleSums& sums, const S
         bar.show(sums.samples, plan.wanted.count(), rays, sample_seconds * sums.samples);
         const uint32_t count = taken == 0 ? 1 : portion(plan, sums.samples, sample_seconds);
         const Clock::time_point began = Clock::now();
-        const Status status = plan.render ? plan.render(count) : session.render(Convergence::Converge, count);
+        const Status status = plan.render(count);
         if (!status.ok()) return status;
         seconds += seconds_since(began);
         taken += count;

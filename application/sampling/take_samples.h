@@ -23,6 +23,9 @@ SampleRange wanted_samples(const Options& options);
 /// Whether squares of samples are summed as well: to tell their noise.
 bool keeps_squares(const Options& options);
 
+/// The same between two looks of a team, whose end of each costs up to the time of a tile.
+constexpr double kTeamPortionSeconds = 2.0;
+
 /// When a run of samples stops, and what happens on the way.
 struct SamplingPlan {
     SampleRange wanted;
@@ -31,10 +34,11 @@ struct SamplingPlan {
     std::optional<double> noise;
     std::optional<double> checkpoint;  ///< seconds between two
     std::function<void()> write_checkpoint = {};
-    /// What takes so many samples of every pixel; none for the session itself.
+    /// What takes so many samples of every pixel.
     std::function<render_system::Status(uint32_t count)> render = {};
     double portion_seconds = 0.25;  ///< between two looks at the clock and at signals
     const KeptInterrupt* interrupt = nullptr;
+    std::string label = {};  ///< of the progress bar; the core's name where it is empty
 };
 
 /// Why it stopped.

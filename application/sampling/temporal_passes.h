@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "application/core_session.h"
@@ -10,12 +11,19 @@
 
 namespace application {
 
+/// What filtered passes have left so far.
+struct KeptPasses {
+    render_system::CoreHistory history;
+    std::vector<glm::vec4> picture;  ///< of the last one
+};
+
 /// A still picture under `--filter temporal`: passes of one sample each, filtered one after another with what the
 /// passes before have left. The sums go on holding plain samples.
 class TemporalPasses {
 public:
-    /// The session's core must have taken the first sample, number `first_sample`, into `sums`.
-    TemporalPasses(CoreSession& session, SampleSums& sums, uint32_t first_sample);
+    /// `take_sample` adds the next sample to `sums`, of which number `first_sample` is the first; it may be there.
+    TemporalPasses(CoreSession& session, SampleSums& sums, uint32_t first_sample,
+                   std::function<render_system::Status()> take_sample);
 
     /// Takes so many samples more and filters each. Fails as the core does.
     render_system::Status take(uint32_t count);
@@ -23,12 +31,19 @@ public:
     /// What the last pass has left; filters the first one where there was no other.
     render_system::Result<Picture> picture();
 
+    /// For another run that goes on after these passes.
+    render_system::Result<KeptPasses> kept();
+
+    /// Goes on after passes that were kept; the sums are those of then.
+    render_system::Status go_on_after(KeptPasses passes);
+
 private:
     render_system::Status filter_last();
 
     CoreSession& session_;
     SampleSums& sums_;
     const uint32_t first_sample_;
+    std::function<render_system::Status()> take_sample_;
     uint32_t filtered_ = 0;                        // passes
     std::vector<render_system::PixelSum> summed_;  // of these
     Picture picture_;

@@ -74,10 +74,46 @@ class Teams(unittest.TestCase):
         self.assertEqual({i: (self.path / f"team_{i:02}.png").stat().st_mtime_ns for i in times}, times)
         self.assertEqual(self.bytes("team_03.png"), self.bytes("alone_03.png"))
 
+    def test_pictures_that_follow_from_each_other_are_those_of_one_process(self):
+        common = [*RENDER, "--filter", "temporal", "--threads", "1"]
+        for name, more, files in (("{}.exr", ["--spp", "5"], ["{}.exr"]),
+                                  ("{}_#.png", ["--spp", "2", "--frames", "2:6"], [f"{{}}_{i}.png" for i in range(2, 6)])):
+            alone = subprocess.run([PROGRAM, *common, *more, "-o", self.file(name.format("alone"))], capture_output=True)
+            self.assertEqual(alone.returncode, 0, alone.stderr)
+            result = team(3, *common, *more, "-o", self.file(name.format("team")))
+            self.assertEqual(result.returncode, 0, result.stderr)
+            self.assertEqual(result.stderr.count("2 samples per pixel" if len(files) > 1 else "5 samples per pixel"), 1)
+            for file in files:
+                self.assertEqual(self.bytes(file.format("team")), self.bytes(file.format("alone")), file)
+
+    def test_a_team_and_one_process_go_on_from_each_other(self):
+        """A sequence is killed under a team, goes on alone and is done by a team: the frames are those of one run."""
+        common = [*RENDER, "--filter", "temporal", "--threads", "1", "--spp", "2"]
+        output = ["-o", self.file("f_##.png"), "--checkpoint", "0.0001s", "--resume"]
+        checkpoint = self.path / "f_##.png.checkpoint"
+        done = lambda: int(checkpoint.read_bytes().split(b'"frames":')[1].split(b",")[0]) if checkpoint.exists() else 0
+        before = 0
+        for start in ([*MPIRUN, "-n", "2", str(PROGRAM)], [str(PROGRAM)]):
+            process = subprocess.Popen([*start, *common, "--frames", "0:80", *output], stdout=subprocess.DEVNULL,
+                                       stderr=subprocess.DEVNULL, env=environment())
+            deadline = time.monotonic() + 100
+            while done() < before + 2 and time.monotonic() < deadline:
+                time.sleep(0.02)
+            os.kill(process.pid, signal.SIGTERM if start[0] == "mpirun" else signal.SIGKILL)
+            process.communicate(timeout=60)
+            self.assertGreaterEqual(done(), before + 2)
+            before = done()
+        result = team(2, *common, "--frames", f"0:{before + 2}", *output)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn(f"going on after {before} frames", result.stderr)
+        alone = subprocess.run([PROGRAM, *common, "--frames", f"0:{before + 2}", "-o", self.file("a_##.png")], capture_output=True)
+        self.assertEqual(alone.returncode, 0, alone.stderr)
+        for i in range(before + 2):
+            self.assertEqual(self.bytes(f"f_{i:02}.png"), self.bytes(f"a_{i:02}.png"), i)
+
     def test_what_fails_is_said_once(self):
         for arguments, word in ((["render", "missing.gltf"], "missing.gltf"), ([*RENDER, "-o", "missing/a.png"], "missing/a.png"),
                                 ([*RENDER, "--spp", "0"], "--spp"), ([*RENDER, "--frames", "0:3", "-o", "missing/##.png"], "missing"),
-                                ([*RENDER, "--frames", "0:3", "-o", self.file("##.png"), "--filter", "temporal"], "temporal"),
                                 ([*RENDER, "--core", "nonsense"], "nonsense")):
             result = team(2, *arguments)
             self.assertNotEqual(result.returncode, 0)

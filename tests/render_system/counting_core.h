@@ -79,6 +79,11 @@ public:
         note("Filter");
         return null_->Filter(view, filter);
     }
+    Result<CoreHistory> GetHistory() override { return null_->GetHistory(); }
+    Status SetHistory(const ViewPyramid& view, const CoreHistory& history) override {
+        note("SetHistory");
+        return null_->SetHistory(view, history);
+    }
     void Shutdown() override { null_->Shutdown(); }
 
 private:

@@ -3,6 +3,7 @@
 #include "render_system/null_core.h"
 
 #include "tests/render_system/core_contract_suite.h"
+#include "tests/render_system/core_history_suite.h"
 
 namespace render_system::testing {
 
@@ -13,5 +14,6 @@ struct NullCore {
 };
 
 INSTANTIATE_TYPED_TEST_SUITE_P(Null, CoreContractSuite, NullCore);
+INSTANTIATE_TYPED_TEST_SUITE_P(Null, CoreHistorySuite, NullCore);
 
 }  // namespace render_system::testing

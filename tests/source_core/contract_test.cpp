@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "source_core/render_core.h"
 #include "tests/render_system/core_contract_suite.h"
+#include "tests/render_system/core_history_suite.h"
 
 namespace render_system::testing {
 
@@ -12,5 +13,6 @@ struct SourceCore {
 };
 
 INSTANTIATE_TYPED_TEST_SUITE_P(Source, CoreContractSuite, SourceCore);
+INSTANTIATE_TYPED_TEST_SUITE_P(Source, CoreHistorySuite, SourceCore);
 
 }  // namespace render_system::testing

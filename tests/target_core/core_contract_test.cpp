@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "target_core/render_core.h"
 #include "tests/render_system/core_contract_suite.h"
+#include "tests/render_system/core_history_suite.h"
 
 namespace render_system::testing {
 
@@ -22,6 +23,8 @@ struct ExactTargetCore {
 };
 
 INSTANTIATE_TYPED_TEST_SUITE_P(Target, CoreContractSuite, TargetCore);
+INSTANTIATE_TYPED_TEST_SUITE_P(Target, CoreHistorySuite, TargetCore);
 INSTANTIATE_TYPED_TEST_SUITE_P(ExactTarget, CoreContractSuite, ExactTargetCore);
+INSTANTIATE_TYPED_TEST_SUITE_P(ExactTarget, CoreHistorySuite, ExactTargetCore);
 
 }  // namespace render_system::testing

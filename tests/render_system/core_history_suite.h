@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "tests/render_system/core_contract_suite.h"
+
+// What core_api.h promises of a filter's history that is taken from one core and given to another.
+
+namespace render_system::testing {
+
+template <class Core>
+class CoreHistorySuite : public CoreContractSuite<Core> {
+protected:
+    using Base = CoreContractSuite<Core>;
+
+    static ViewPyramid view_of(uint32_t frame) {
+        ViewPyramid view = contract_view();
+        for (glm::vec3* point : {&view.eye, &view.top_left, &view.top_right, &view.bottom_left})
+            point->x += 0.03f * static_cast<float>(frame);
+        return view;
+    }
+
+    /// As a fresh core has the scene of frame 0.
+    void open_scene() {
+        this->send(ContractScene());
+        Base::expect_ok(this->core_->SetTarget(this->target()));
+    }
+
+    /// The wall stands still for two frames, then it moves.
+    void pose(uint32_t frame) {
+        if (frame < 2) return;
+        CoreTransform transform;
+        transform.rows[0].w = 0.05f * static_cast<float>(frame);
+        Base::expect_ok(this->core_->SetInstance(0, 0, transform));
+    }
+
+    /// A frame of noise, filtered.
+    std::vector<glm::vec4> filtered(uint32_t frame, FilterHistory history) {
+        std::mt19937 random(frame);
+        std::uniform_real_distribution<float> noise(0.0f, 1.0f);
+        std::vector<glm::vec4> picture(this->pixels_.size());
+        for (glm::vec4& pixel : picture) pixel = {noise(random), noise(random), noise(random), 1.0f};
+        Base::expect_ok(this->core_->Filter(
+            view_of(frame / 2),
+            {.means = picture, .variances = {}, .first_sample = frame, .filtered = picture, .history = history}));
+        return picture;
+    }
+};
+
+TYPED_TEST_SUITE_P(CoreHistorySuite);
+
+/// Wherever a sequence is cut, another core goes on to the same bits.
+TYPED_TEST_P(CoreHistorySuite, AnotherCoreGoesOnToTheSameBits) {
+    if (!this->opened()) GTEST_SKIP() << "no device for this core";
+    constexpr uint32_t kFrames = 4;
+    this->open_scene();
+    this->expect_refused(this->core_->SetHistory(this->view_of(0), {1, {1.0f}}));
+    ASSERT_TRUE(this->core_->GetHistory().ok());
+    EXPECT_EQ(this->core_->GetHistory()->frames, 0u);
+    std::vector<std::vector<glm::vec4>> whole;
+    std::vector<CoreHistory> histories;
+    for (uint32_t frame = 0; frame < kFrames; ++frame) {
+        this->pose(frame);
+        whole.push_back(this->filtered(frame, frame == 0 ? FilterHistory::begin : FilterHistory::go_on));
+        const auto history = this->core_->GetHistory();
+        ASSERT_TRUE(history.ok()) << history.status.message;
+        histories.push_back(*history);
+        EXPECT_EQ(history->frames, frame + 1);
+    }
+    for (const uint32_t cut : {1u, 3u}) {  // before a frame that stands still, and on the move
+        this->core_ = TypeParam::create();
+        ASSERT_TRUE(this->opened());
+        this->open_scene();
+        this->pose(cut - 1);
+        this->render();
+        this->expect_ok(this->core_->SetHistory(this->view_of((cut - 1) / 2), histories[cut - 1]));
+        EXPECT_EQ(this->core_->GetHistory()->planes, histories[cut - 1].planes);
+        for (uint32_t frame = cut; frame < kFrames; ++frame) {
+            this->pose(frame);
+            EXPECT_EQ(this->filtered(frame, FilterHistory::go_on), whole[frame]) << cut << " " << frame;
+        }
+    }
+}
+
+/// What is not of this core and size is refused, and a history of no frames is none: then a sequence begins.
+TYPED_TEST_P(CoreHistorySuite, AHistoryOfAnotherSizeIsRefused) {
+    if (!this->opened()) GTEST_SKIP() << "no device for this core";
+    EXPECT_EQ(this->core_->SetHistory(this->view_of(0), {}).code, StatusCode::wrong_order) << "there is no target yet";
+    this->open_scene();
+    const std::vector<glm::vec4> first = this->filtered(0, FilterHistory::begin);
+    this->filtered(1, FilterHistory::go_on);
+    CoreHistory history = *this->core_->GetHistory();
+    history.planes.push_back(0.0f);
+    this->expect_refused(this->core_->SetHistory(this->view_of(0), history));
+    EXPECT_EQ(this->core_->GetHistory()->frames, 0u);
+    EXPECT_EQ(this->filtered(0, FilterHistory::go_on), first);
+    this->expect_ok(this->core_->SetHistory(this->view_of(0), {}));
+    EXPECT_EQ(this->filtered(0, FilterHistory::go_on), first);
+    this->core_->Shutdown();
+    EXPECT_EQ(this->core_->GetHistory().status.code, StatusCode::wrong_order);
+}
+
+REGISTER_TYPED_TEST_SUITE_P(CoreHistorySuite, AnotherCoreGoesOnToTheSameBits, AHistoryOfAnotherSizeIsRefused);
+
+}  // namespace render_system::testing
