@@ -54,10 +54,14 @@ void Fingerprinter::add(std::string_view text) {
         hash_.word(little_endian(text.data() + at, std::min(size - at, kWord)));
 }
 
-std::string Fingerprinter::digits() const {
+uint64_t Fingerprinter::bits() const {
     SipHash copy = hash_;
+    return std::max<uint64_t>(copy.finish(0), 1);  // nothing is what has no print
+}
+
+std::string Fingerprinter::digits() const {
     std::array<char, 2 * kWord + 1> text{};
-    std::snprintf(text.data(), text.size(), "%016llx", static_cast<unsigned long long>(copy.finish(0)));
+    std::snprintf(text.data(), text.size(), "%016llx", static_cast<unsigned long long>(bits()));
     return text.data();
 }
 

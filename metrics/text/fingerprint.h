@@ -46,11 +46,12 @@ private:
     uint64_t a_, b_, c_, d_;
 };
 
-/// 64 bits over texts in their order, as 16 hexadecimal digits.
+/// 64 bits over texts in their order, never all zero; as a text 16 hexadecimal digits.
 class Fingerprinter {
 public:
     Fingerprinter();
     void add(std::string_view text);
+    uint64_t bits() const;
     std::string digits() const;
 
 private:

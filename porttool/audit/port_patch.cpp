@@ -74,7 +74,7 @@ bool PortPatches::add_to(AuditItem& item) {
     for (LockedPair& line : checked_.lock.pairs)
         if (line.source == item.id.source && line.target == item.id.target)
             (item.edited == Side::Source ? line.source_prints : line.target_prints) = prints;
-    const auto text_of = [&](const std::string& print) {
+    const auto text_of = [&](Print print) {
         const auto found = checked_.texts.find(print);
         return found == checked_.texts.end() ? NormalText() : found->second;
     };

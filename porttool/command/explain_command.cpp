@@ -56,7 +56,7 @@ void explain_pair(const CheckedProject& checked, const JudgedPair& pair, std::st
 void explain_edits(const CheckedProject& checked, const JudgedPair& pair, std::string& out) {
     const LockedPair* lock = LinesByPair(checked.lock).find(pair.id.source, pair.id.target);
     if (lock == nullptr || pair.unit.source == nullptr || pair.unit.target == nullptr) return;
-    auto rows = [&](const UnitState& unit, const std::string& print) {
+    auto rows = [&](const UnitState& unit, Print print) {
         std::vector<std::string> lines;
         const NormalText before = text_behind(checked, print);
         const Edit edit = edit_of(before.words(), unit.text.words());

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 #include <sstream>
 
@@ -130,7 +131,8 @@ std::string facts_line(const BlobFacts& facts) {
     std::string out = std::to_string(facts.lines);
     for (const UnitFacts& unit : facts.units)
         out += fmt::format("{}{} {} {} {} {} {}", kBetweenUnits, static_cast<int>(unit.kind), unit.lines,
-                           unit.prints.written, unit.prints.renamed, unit.prints.blanked, plain_name(unit.name));
+                           unit.prints.written.text(), unit.prints.renamed.text(), unit.prints.blanked.text(),
+                           plain_name(unit.name));
     return out;
 }
 
@@ -143,9 +145,11 @@ std::optional<BlobFacts> read_blob_facts(const std::string& line) {
         std::istringstream stream(line.substr(at + 1, end == std::string::npos ? end : end - at - 1));
         UnitFacts unit;
         int kind = 0;
-        if (!(stream >> kind >> unit.lines >> unit.prints.written >> unit.prints.renamed >> unit.prints.blanked) ||
-            kind < 0 || kind > static_cast<int>(UnitKind::File))
+        std::array<std::string, 3> prints;
+        if (!(stream >> kind >> unit.lines >> prints[0] >> prints[1] >> prints[2]) || kind < 0 ||
+            kind > static_cast<int>(UnitKind::File))
             return std::nullopt;
+        unit.prints = {Print::read(prints[0]), Print::read(prints[1]), Print::read(prints[2])};
         stream.get();
         std::getline(stream, unit.name);
         unit.kind = static_cast<UnitKind>(kind);

@@ -20,7 +20,7 @@ Language language_of_id(std::string_view id) { return language_of_path(split_id(
 std::string key_of(const BlobFactsSource::UnitInTime& unit) {
     std::string key;
     for (const Fingerprints* prints : {&unit.before, &unit.now.prints})
-        key += prints->written + " " + prints->renamed + " " + prints->blanked + " ";
+        key += prints->written.text() + " " + prints->renamed.text() + " " + prints->blanked.text() + " ";
     return key + std::string(unit_kind_name(unit.now.kind)) + " " +
            std::string(traits_of(language_of_id(unit.id)).name);
 }
@@ -82,7 +82,7 @@ const BlobFacts& BlobFactsSource::facts(const FileVersion& file) {
 
 /// The texts of all units that this version of a file is the first to have, so that each is scanned once: who asks for
 /// one of them, by its print, will ask for others; but for the file as a whole.
-void BlobFactsSource::read_texts(const FileVersion& version, const std::string& wanted) {
+void BlobFactsSource::read_texts(const FileVersion& version, Print wanted) {
     std::shared_ptr<const ScannedFile> file = kept(version);
     if (!file) file = std::make_shared<const ScannedFile>(scan(version));
     std::unordered_map<std::string_view, const Unit*> units;
@@ -98,7 +98,7 @@ void BlobFactsSource::read_texts(const FileVersion& version, const std::string& 
     }
 }
 
-const NormalText& BlobFactsSource::text_of(const std::string& print, const BaseBlob& base_blob) {
+const NormalText& BlobFactsSource::text_of(Print print, const BaseBlob& base_blob) {
     if (const auto known = texts_.find(print); known != texts_.end()) return known->second;
     const auto place = places_.find(print);
     if (place != places_.end()) {
@@ -107,7 +107,7 @@ const NormalText& BlobFactsSource::text_of(const std::string& print, const BaseB
     }
     const std::string blob = base_blob(print);
     NormalText text;
-    if (!blob.empty()) text = text_of_print(print, text_of_blob("portmap.base/" + print, blob), kNormalForm);
+    if (!blob.empty()) text = text_of_print(print, text_of_blob("portmap.base/" + print.text(), blob), kNormalForm);
     return texts_.emplace(print, std::move(text)).first->second;
 }
 

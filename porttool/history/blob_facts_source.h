@@ -47,7 +47,7 @@ public:
         const UnitFacts& now;
     };
     /// Judges a pair. `base_blob` gives the blob of portmap.base/PRINT, or "".
-    using BaseBlob = std::function<std::string(const std::string& print)>;
+    using BaseBlob = std::function<std::string(Print print)>;
     EditFacts edits(const BySide<UnitInTime>& pair, const BaseBlob& base_blob, CompareBudget& budget);
 
 private:
@@ -58,16 +58,16 @@ private:
 
     std::string text_of_blob(const std::string& path, const std::string& blob) const;
     ScannedFile scan(const FileVersion& file) const;
-    const NormalText& text_of(const std::string& print, const BaseBlob& base_blob);
-    void read_texts(const FileVersion& file, const std::string& wanted);
+    const NormalText& text_of(Print print, const BaseBlob& base_blob);
+    void read_texts(const FileVersion& file, Print wanted);
 
     const Past& past_;
     BlobCache& cache_;
     Dialect dialect_;
     std::string dialect_key_;
     std::unordered_map<std::string, BlobFacts> facts_;
-    std::unordered_map<std::string, UnitPlace> places_;  ///< where a text with this print stands
-    std::unordered_map<std::string, NormalText> texts_;  ///< by print, those asked for and what came with them
+    std::unordered_map<Print, UnitPlace> places_;  ///< where a text with this print stands
+    std::unordered_map<Print, NormalText> texts_;  ///< by print, those asked for and what came with them
     mutable std::mutex scanned_mutex_, git_mutex_;
     std::map<std::string, std::pair<std::string, std::shared_ptr<const ScannedFile>>> scanned_;  ///< by path, the last
 };

@@ -33,9 +33,9 @@ public:
           drift_([this](const PairId& id, const BySide<Fingerprints>& before, const BySide<const UnitFacts*>& now) {
               return blobs_.edits(
                   {{id.first, before.source, *now.source}, {id.second, before.target, *now.target}},
-                  [this](const std::string& print) {
+                  [this](Print print) {
                       const auto renewed = renewed_.find(print);
-                      return renewed != renewed_.end() ? renewed->second : blob_at("portmap.base/" + print);
+                      return renewed != renewed_.end() ? renewed->second : blob_at("portmap.base/" + print.text());
                   },
                   budget_);
           }),
@@ -154,10 +154,10 @@ private:
     LockFile lock_of(const std::string& blob) {
         LockFile lock = read_lock(read_blob(past_, "portmap.lock", blob)).lock;
         if (!is_outdated(lock)) return lock;
-        const auto text_of = [this](const std::string& print) {
-            const std::string base = blob_at("portmap.base/" + print);
+        const auto text_of = [this](Print print) {
+            const std::string base = blob_at("portmap.base/" + print.text());
             if (base.empty()) return std::string();
-            std::string text = read_blob(past_, "portmap.base/" + print, base);
+            std::string text = read_blob(past_, "portmap.base/" + print.text(), base);
             renewed_[prints_of_text(NormalText::read(text)).written] = base;
             return text;
         };
@@ -257,7 +257,7 @@ private:
     std::string map_blob_, lock_blob_;
     BySide<SideGlobs> globs_;
     LockFile lock_;
-    std::map<std::string, std::string> renewed_;  ///< by today's print, the blob with a text that an older lock names
+    std::map<Print, std::string> renewed_;  ///< by today's print, the blob with a text that an older lock names
     std::map<PairId, const LockedPair*> locked_;
     std::multimap<PairId, const LedgerEntry*> ignored_;
     std::set<PairId> relocked_;  ///< by this commit

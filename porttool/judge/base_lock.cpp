@@ -51,7 +51,7 @@ void note_macros_as_today(LockFile& then, const LockFile& now, const Snapshot& b
     }
 }
 
-using TextOf = std::function<NormalText(const std::string&)>;
+using TextOf = std::function<NormalText(Print)>;
 
 /// True for an id of which nobody knows what it was at the base: its file, or a folder around it, cannot be read there.
 bool is_unknown(const Snapshot& base, Side side, const std::string& id) {

@@ -31,7 +31,7 @@ BaseRecord base_record(Snapshot& base, const RecordedLock& now, const States& to
 /// The units of both sides at the merge base, as if they had been accepted there.
 struct BaseLock {
     LockFile lock;
-    std::map<std::string, NormalText> texts;  ///< by fingerprint
+    std::map<Print, NormalText> texts;  ///< by fingerprint
     /// Pairs, by their ids, recorded at the merge base, of which one side was gone there already.
     std::set<std::pair<std::string, std::string>> gone_before;
 };
@@ -41,6 +41,6 @@ struct BaseLock {
 /// to what the unit had become at the base, so that edits made until then are not told again; `text_of` gives the text
 /// behind a fingerprint of `now`, or an empty one.
 BaseLock base_lock(const Snapshot& base, const LockFile& then, const LockFile& now, const States& today,
-                   const std::function<NormalText(const std::string&)>& text_of);
+                   const std::function<NormalText(Print)>& text_of);
 
 }  // namespace porttool

@@ -42,7 +42,7 @@ private:
 /// With --base the base's own baseline stands beside that of the lock: what both say is one line, with its reason.
 std::vector<const LockedUnit*> distinct(const std::vector<LockedUnit>& lines, std::string_view side,
                                         const std::string& set) {
-    std::map<std::pair<std::string, std::string>, const LockedUnit*> known;
+    std::map<std::pair<std::string, Print>, const LockedUnit*> known;
     for (const LockedUnit& line : lines) {
         if (line.side != side || !lacks(line, set)) continue;
         const LockedUnit*& best = known[{line.id, line.prints.written}];
@@ -73,13 +73,15 @@ BaselineIndex::BaselineIndex(const std::vector<LockedUnit>& lines, Side side, co
         });
         std::erase_if(free_lines, [&](const LockedUnit* line) { return used.contains(line); });
     };
-    match([](const LockedUnit& l) { return l.id + " " + l.prints.written; },
-          [](const UnitState& u) { return u.id + " " + u.prints.written; });
-    match([](const LockedUnit& l) { return l.prints.written; }, [](const UnitState& u) { return u.prints.written; });
+    match([](const LockedUnit& l) { return l.id + " " + l.prints.written.text(); },
+          [](const UnitState& u) { return u.id + " " + u.prints.written.text(); });
+    match([](const LockedUnit& l) { return l.prints.written.text(); },
+          [](const UnitState& u) { return u.prints.written.text(); });
     match([](const LockedUnit& l) { return l.id; }, [](const UnitState& u) { return u.id; });
     std::erase_if(free_lines, [&](const LockedUnit* line) { return all.contains(line->id); });  // left: what is gone
-    match([](const LockedUnit& l) { return l.prints.renamed; },
-          [](const UnitState& u) { return u.text.size() < kTokensOfOwnText ? std::string() : u.prints.renamed; });
+    match(
+        [](const LockedUnit& l) { return l.prints.renamed.text(); },
+        [](const UnitState& u) { return u.text.size() < kTokensOfOwnText ? std::string() : u.prints.renamed.text(); });
     match([](const LockedUnit& l) { return split_id(l.id).first + ":" + std::string(leaf_of(split_id(l.id).second)); },
           [](const UnitState& u) { return u.file + ":" + std::string(leaf_of(u.name)); });
     match([](const LockedUnit& l) { return split_id(l.id).second; }, [](const UnitState& u) { return u.name; });

@@ -64,7 +64,7 @@ std::vector<BroughtIn> hold_against_base(CheckedProject& checked, const CheckCho
     RecordedLock now = lock_if_readable(checked, place.err);
     const BaseRecord then = base_record(base, now, checked.states, place.err);
     const LockFile& in_force = choice.trusted_map ? then.lock.lock : now.lock;
-    BaseLock in_step = base_lock(base, then.lock.lock, in_force, checked.states, [&](const std::string& print) {
+    BaseLock in_step = base_lock(base, then.lock.lock, in_force, checked.states, [&](Print print) {
         const auto found = now.texts.find(print);
         return found == now.texts.end() ? base_text(checked.project, checked.disk(), print) : found->second;
     });
@@ -88,7 +88,7 @@ std::vector<BroughtIn> hold_against_base(CheckedProject& checked, const CheckCho
 /// Judges what was read.
 void judge_it(CheckedProject& checked, const std::string& date, const std::vector<SkippedFile>& skipped,
               const SameCode& same_code = {}, const RunEvidence* evidence = nullptr) {
-    const auto text_of = [&](const std::string& print) { return text_behind(checked, print); };
+    const auto text_of = [&](Print print) { return text_behind(checked, print); };
     Case facts{checked.project.map,  checked.lock, checked.states.source, checked.states.target, skipped, text_of, date,
                checked.suppressions, same_code};
     facts.evidence = evidence;
@@ -140,7 +140,7 @@ void list_moved(const Judgement& judgement, std::vector<BroughtIn>& out) {
 
 }  // namespace
 
-NormalText text_behind(const CheckedProject& checked, const std::string& print) {
+NormalText text_behind(const CheckedProject& checked, Print print) {
     const auto found = checked.texts.find(print);
     return found == checked.texts.end() ? base_text(checked.project, checked.disk(), print) : found->second;
 }

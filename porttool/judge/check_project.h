@@ -28,8 +28,8 @@ struct CheckedProject : Snapshot {
     bool recorded = false;      ///< there was a lock
     bool against_base = false;  ///< a merge base stands in for it
     LockFile lock = {};
-    std::optional<LockFile> in_project = {};       ///< with a base: the lock that stands in the project, if one does
-    std::map<std::string, NormalText> texts = {};  ///< by print: those behind the lock that portmap.base/ does not have
+    std::optional<LockFile> in_project = {};  ///< with a base: the lock that stands in the project, if one does
+    std::map<Print, NormalText> texts = {};   ///< by print: those behind the lock that portmap.base/ does not have
     /// With a merge base: pairs, by their ids, of which one side was gone there already.
     std::set<std::pair<std::string, std::string>> gone_before = {};
     States base_states = {};  ///< with a merge base: the units there
@@ -38,7 +38,7 @@ struct CheckedProject : Snapshot {
 };
 
 /// The text behind a print of the lock; empty if there is none.
-NormalText text_behind(const CheckedProject& checked, const std::string& print);
+NormalText text_behind(const CheckedProject& checked, Print print);
 
 /// What can tell that an edited function compiles to the same code; asked for once the project is read.
 using SameCodeIn = std::function<SameCode(const Project& project)>;

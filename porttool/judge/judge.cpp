@@ -232,8 +232,8 @@ private:
     PairJudge pair_judge_;
     MacroEdits macro_edits_;
     Verdicts verdicts_;
-    std::optional<LockIndex> in_project_;           ///< of the project's own lock, where another stands in for it
-    std::map<std::string, std::string> looked_at_;  ///< units of the baseline, with the prints of their texts
+    std::optional<LockIndex> in_project_;     ///< of the project's own lock, where another stands in for it
+    std::map<std::string, Print> looked_at_;  ///< units of the baseline, with the prints of their texts
     Judgement out_;
 };
 

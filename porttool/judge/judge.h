@@ -33,10 +33,10 @@ struct Case {
     const std::map<std::string, UnitState>& source;
     const std::map<std::string, UnitState>& target;
     const std::vector<SkippedFile>& skipped;
-    std::function<NormalText(const std::string&)> base_text;  ///< the text of a fingerprint, or an empty one
-    std::string today;                                        ///< YYYY-MM-DD
-    std::vector<PlacedSuppression> suppressions = {};         ///< of both sides
-    SameCode same_code = {};                                  ///< if compilers are to be asked
+    std::function<NormalText(Print)> base_text;        ///< the text of a fingerprint, or an empty one
+    std::string today;                                 ///< YYYY-MM-DD
+    std::vector<PlacedSuppression> suppressions = {};  ///< of both sides
+    SameCode same_code = {};                           ///< if compilers are to be asked
     /// The files of both sides, where counterparts of new units are to be looked for.
     BySide<const std::vector<ScannedFile>*> files = {};
     /// The lock as it stands in the project, where there is one: a pair without a line in it was never recorded.

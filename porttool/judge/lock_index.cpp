@@ -9,12 +9,12 @@ namespace porttool {
 
 LockIndex::LockIndex(const MapFile& map, const LockFile& lock, const Units& source, const Units& target)
     : source_(source), target_(target), lines_(lock) {
-    std::set<Two> mapped;
+    std::set<std::pair<std::string, std::string>> mapped;
     for (const MapPair& pair : map.pairs)
         for (const std::string& id : pair.targets) mapped.insert({pair.source, id});
     for (const LockedPair& pair : lock.pairs) {
         if (!mapped.contains({pair.source, pair.target}))
-            left_over_.emplace(Two{pair.source_prints.written, pair.target_prints.written}, &pair);
+            left_over_.emplace(std::pair{pair.source_prints.written, pair.target_prints.written}, &pair);
     }
 }
 
@@ -41,7 +41,7 @@ void drop_idle_lines(LockFile& lock, const MapFile& map, const LockIndex::Units&
         if (used.contains(&pair)) pairs.push_back(pair);
     lock.pairs = std::move(pairs);
 
-    BySide<std::set<std::string>> texts;
+    BySide<std::set<Print>> texts;
     for (const auto& [id, unit] : source) texts.source.insert(unit.prints.written);
     for (const auto& [id, unit] : target) texts.target.insert(unit.prints.written);
     const auto is_unread = [&](const std::string& id) {

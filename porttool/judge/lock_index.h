@@ -31,12 +31,10 @@ public:
     FoundLock find(const std::string& source, const std::string& target) const;
 
 private:
-    using Two = std::pair<std::string, std::string>;
-
     const Units& source_;
     const Units& target_;
     LinesByPair lines_;
-    std::map<Two, const LockedPair*> left_over_;  ///< by the prints of both texts
+    std::map<std::pair<Print, Print>, const LockedPair*> left_over_;  ///< by the prints of both texts
 };
 
 /// Drops what holds for nothing any more: lines of pairs that the map does not name, unless a pair without a line of

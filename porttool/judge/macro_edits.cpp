@@ -97,7 +97,7 @@ std::string MacroEdits::edit_of(const JudgedPair& pair, const LockedPair& line, 
     const std::string& then = line.macros[side];
     const UnitState* unit = pair.unit[side];
     if (then.empty() || unit == nullptr) return {};
-    const std::string& print = (side == Side::Source ? line.source_prints : line.target_prints).written;
+    const Print print = (side == Side::Source ? line.source_prints : line.target_prints).written;
     const bool is_edited = print != unit->prints.written;
     const std::string now =
         is_edited ? macros(side).of(unit->file, facts_.base_text(print)) : macros(side).of(unit->file, unit->text);

@@ -55,7 +55,7 @@ using Key = std::function<std::string(const UnitState&)>;
 }  // namespace
 
 Resolver::Resolver(const std::map<std::string, UnitState>& units, const std::vector<NamedUnit>& named,
-                   const std::function<NormalText(const std::string&)>& base_text)
+                   const std::function<NormalText(Print)>& base_text)
     : units_(units), base_text_(base_text) {
     std::map<std::string, std::vector<const UnitState*>> variants;
     for (const auto& [id, unit] : units_) variants[plain_id(id)].push_back(&unit);
@@ -102,12 +102,14 @@ void Resolver::settle_variants(const Names& names, std::vector<const UnitState*>
         }
     };
     if (names.size() > 1 || variants.size() > 1) {
-        by([](const UnitState& u) { return u.id + " " + u.prints.written; },
-           [](const NamedUnit& n) { return n.prints != nullptr ? n.id + " " + n.prints->written : std::string(); });
-        by([](const UnitState& u) { return u.prints.written; },
-           [](const NamedUnit& n) { return n.prints != nullptr ? n.prints->written : std::string(); });
-        by([](const UnitState& u) { return u.prints.renamed; },
-           [](const NamedUnit& n) { return n.prints != nullptr ? n.prints->renamed : std::string(); });
+        by([](const UnitState& u) { return u.id + " " + u.prints.written.text(); },
+           [](const NamedUnit& n) {
+               return n.prints != nullptr ? n.id + " " + n.prints->written.text() : std::string();
+           });
+        by([](const UnitState& u) { return u.prints.written.text(); },
+           [](const NamedUnit& n) { return n.prints != nullptr ? n.prints->written.text() : std::string(); });
+        by([](const UnitState& u) { return u.prints.renamed.text(); },
+           [](const NamedUnit& n) { return n.prints != nullptr ? n.prints->renamed.text() : std::string(); });
         by([](const UnitState& u) { return signature_of(u.text); },
            [&](const NamedUnit& n) {
                return n.prints != nullptr ? signature_of(base_text_(n.prints->written)) : std::string();
@@ -123,8 +125,8 @@ void Resolver::follow_texts(const Names& gone) {
     std::map<std::string, std::deque<const UnitState*>> by_text;
     for (const auto& [id, unit] : units_) {
         if (!is_free(unit)) continue;
-        if (unit.text.size() >= kTokensOfOwnText) by_text[unit.prints.renamed].push_back(&unit);
-        by_text[unit.name + " " + unit.prints.written].push_back(&unit);
+        if (unit.text.size() >= kTokensOfOwnText) by_text[unit.prints.renamed.text()].push_back(&unit);
+        by_text[unit.name + " " + unit.prints.written.text()].push_back(&unit);
     }
     const auto follow = [&](const NamedUnit& name, const std::string& text) {
         const auto found = by_text.find(text);
@@ -133,9 +135,9 @@ void Resolver::follow_texts(const Names& gone) {
         while (!units.empty() && taken(*units.front())) units.pop_front();
         if (!units.empty()) give(name.id, *units.front(), true);
     };
-    for (const NamedUnit* name : gone) follow(*name, split_id(name->id).second + " " + name->prints->written);
+    for (const NamedUnit* name : gone) follow(*name, split_id(name->id).second + " " + name->prints->written.text());
     for (const NamedUnit* name : gone)
-        if (!found_.contains(name->id)) follow(*name, name->prints->renamed);
+        if (!found_.contains(name->id)) follow(*name, name->prints->renamed.text());
 }
 
 /// A file that no id leads to any more was moved where most of its units went, unless two files have as many.

@@ -35,7 +35,7 @@ class Resolver {
 public:
     /// `base_text` gives the text behind a fingerprint, or an empty one.
     Resolver(const std::map<std::string, UnitState>& units, const std::vector<NamedUnit>& named,
-             const std::function<NormalText(const std::string&)>& base_text);
+             const std::function<NormalText(Print)>& base_text);
 
     Resolved find(const std::string& id) const;
     /// True for a unit that a named id leads to.
@@ -52,7 +52,7 @@ private:
     bool is_free(const UnitState& unit) const { return !taken(unit) && !named_.contains(unit.id); }
 
     const std::map<std::string, UnitState>& units_;
-    const std::function<NormalText(const std::string&)>& base_text_;
+    const std::function<NormalText(Print)>& base_text_;
     std::set<std::string> named_;
     std::map<std::string, Resolved> found_;
     std::set<const UnitState*> taken_;

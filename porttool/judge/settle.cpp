@@ -11,9 +11,7 @@
 namespace porttool {
 namespace {
 
-constexpr const char* kNoText = "-";  // of a side that is not there
-
-std::string written_print(const UnitState* unit) { return unit != nullptr ? unit->prints.written : kNoText; }
+Print written_print(const UnitState* unit) { return unit != nullptr ? unit->prints.written : Print(); }
 
 bool is_named(const JudgedPair& pair, const std::string& id) {
     for (const Side side : kBothSides)
@@ -232,8 +230,8 @@ void settle_lone(LockFile& lock, const UnitState& unit, Side side, LedgerEntry s
         put_line(lock, {unit.id, unit.prints, said.reason, side_word(side)});
         return;
     }
-    said.source_print = of_source ? unit.prints.written : kNoText;
-    said.target_print = of_source ? kNoText : unit.prints.written;
+    said.source_print = of_source ? unit.prints.written : Print();
+    said.target_print = of_source ? Print() : unit.prints.written;
     lock.ledger.push_back(std::move(said));
 }
 

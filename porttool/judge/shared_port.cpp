@@ -39,7 +39,7 @@ SharedPorts::Worth SharedPorts::worth_of(const MappedPair& pair) {
     const auto found = groups_.find(pair.units[side_].unit);
     if (found == groups_.end() || found->second.pairs.size() < 2 || pair.lock.pair == nullptr) return Worth::Tell;
     Group& group = found->second;
-    const std::string& print = prints_of(pair, side_)->written;
+    const Print print = prints_of(pair, side_)->written;
     const auto [known, is_new] = group.answers.try_emplace(print, Worth::Tell);
     for (size_t i = 0; is_new && i < group.pairs.size() && known->second != Worth::Explained; ++i)
         if (prints_of(*group.pairs[i], side_)->written == print)

@@ -36,7 +36,7 @@ public:
 private:
     struct Group {
         std::vector<const MappedPair*> pairs;
-        std::map<std::string, Worth> answers;  ///< to an edit, by the print of the recorded text: what pairs make of it
+        std::map<Print, Worth> answers;  ///< to an edit, by the print of the recorded text: what pairs make of it
         bool told = false;
     };
 

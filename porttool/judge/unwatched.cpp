@@ -33,7 +33,7 @@ struct Unwatched {
 /// A line of the baseline may know the written print alone.
 bool is_edited(const LockedUnit& line, const UnitState& unit) {
     if (line.prints.written == unit.prints.written) return false;
-    return line.prints.blanked == "-" || is_edit(classify(line.prints, unit.prints));
+    return !line.prints.blanked.is_known() || is_edit(classify(line.prints, unit.prints));
 }
 
 /// A side that is the contract, held against one port.

@@ -26,7 +26,7 @@ struct Question {
 bool holds(const Question& question, const ScannedFile& file) {
     for (const Unit& unit : file.units)
         if (unit.name == question.name)
-            return question.recorded.written.empty() ||
+            return !question.recorded.written.is_known() ||
                    classify(question.recorded, unit_state(file, unit).prints) > Change::Cosmetic;
     return false;
 }

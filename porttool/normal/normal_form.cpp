@@ -246,10 +246,10 @@ NormalText normal_form(const ScannedFile& file, const Unit& unit) {
     return out;
 }
 
-std::string fingerprint(const Words& words) {
-    Fingerprinter print;
-    for (const std::string_view word : words) print.add(word);
-    return print.digits();
+Print fingerprint(const Words& words) {
+    Fingerprinter text;
+    for (const std::string_view word : words) text.add(word);
+    return Print(text);
 }
 
 }  // namespace porttool

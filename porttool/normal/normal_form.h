@@ -29,6 +29,6 @@ std::string normal_number(std::string_view text);
 std::string number_value(std::string_view text);
 
 /// The fingerprint of words in their order.
-std::string fingerprint(const Words& words);
+Print fingerprint(const Words& words);
 
 }  // namespace porttool

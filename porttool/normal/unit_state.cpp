@@ -53,7 +53,7 @@ public:
         renamed_.add(word);
         blanked_.add(is_blanked(word) ? "#" : word);
     }
-    Fingerprints take() const { return {written_.digits(), renamed_.digits(), blanked_.digits()}; }
+    Fingerprints take() const { return {Print(written_), Print(renamed_), Print(blanked_)}; }
 
 private:
     Fingerprinter written_, renamed_, blanked_;

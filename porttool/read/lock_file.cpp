@@ -87,8 +87,9 @@ struct MisreadField {
     std::string what;
 };
 
-std::string print_of(const std::string& field, bool may_be_unknown) {
-    if (is_fingerprint(field) || (may_be_unknown && field == "-")) return field;
+Print print_of(const std::string& field, bool may_be_unknown) {
+    const Print print = Print::read(field);
+    if (print.is_known() || (may_be_unknown && field == "-")) return print;
     throw MisreadField{"'" + field.substr(0, 60) + "' is no fingerprint, which has 16 hexadecimal digits"};
 }
 
@@ -126,8 +127,7 @@ bool read_line_1(LockFile& lock, const Fields& f) {
     if (f[0] == "pair" && f.size() == 9) {
         lock.pairs.push_back({decoded(f[1]), decoded(f[2]), prints_of(f, 3), prints_of(f, 6)});
     } else if (f[0] == "baseline" && (f.size() == 3 || f.size() == 4)) {
-        lock.baseline.push_back(
-            {decoded(f[1]), {print_of(f[2], false), "-", "-"}, f.size() == 4 ? f[3] : std::string()});
+        lock.baseline.push_back({decoded(f[1]), {print_of(f[2], false), {}, {}}, f.size() == 4 ? f[3] : std::string()});
     } else if (const auto verdict = verdict_named(f[0]); verdict && f.size() == 8) {
         lock.ledger.push_back(ledger_entry(*verdict, f));
     } else {
@@ -274,7 +274,7 @@ std::string key_of(const std::string& source, const std::string& target) {
 }
 
 std::string text_of(const Fingerprints& prints) {
-    return prints.written + "\t" + prints.renamed + "\t" + prints.blanked;
+    return prints.written.text() + "\t" + prints.renamed.text() + "\t" + prints.blanked.text();
 }
 
 std::string text_of(MoreFields more, std::initializer_list<std::pair<const char*, std::string>> own) {
@@ -333,8 +333,8 @@ std::string lock_text(const LockFile& lock) {
     for (const LedgerEntry& entry : lock.ledger)
         lines.add(entry.source, entry.target,
                   std::string(verdict_name(entry.verdict)) + "\t" + encoded(entry.source) + "\t" +
-                      encoded(entry.target) + "\t" + entry.source_print + "\t" + entry.target_print + "\t" +
-                      plain(entry.owner) + "\t" + plain(entry.until) + "\t" + plain(entry.reason) +
+                      encoded(entry.target) + "\t" + entry.source_print.text() + "\t" + entry.target_print.text() +
+                      "\t" + plain(entry.owner) + "\t" + plain(entry.until) + "\t" + plain(entry.reason) +
                       text_of(entry.more, {}));
     return fmt::format(
                "{}2\n{}{}\n# Written by porttool: what was in step, and what had no port. Edit with porttool accept, "

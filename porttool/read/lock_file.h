@@ -40,7 +40,7 @@ struct LockedPair {
 };
 
 /// A unit that no pair watches, as it was when it was last looked at: a source unit without a counterpart is in the
-/// baseline. Prints that are not known are "-".
+/// baseline.
 struct LockedUnit {
     std::string id;
     Fingerprints prints;
@@ -66,7 +66,7 @@ constexpr std::optional<Verdict> verdict_named(std::string_view text) {
 struct LedgerEntry {
     Verdict verdict = Verdict::Accept;
     std::string source, target;
-    std::string source_print, target_print;  ///< "-" for a side that was not there, or whose text is not known any more
+    Print source_print, target_print;  ///< none for a side that was not there, or whose text is not known any more
     std::string owner;
     std::string until;  ///< YYYY-MM-DD: the last day of a deferral; the day of an acceptance
     std::string reason;

@@ -10,7 +10,7 @@
 namespace porttool {
 namespace {
 
-std::string print_of(int normal_form, const Words& words) {
+Print print_of(int normal_form, const Words& words) {
     return normal_form == 1 ? fingerprint_of_version_1(words) : fingerprint(words);
 }
 
@@ -27,7 +27,7 @@ Words plain_words(std::string_view text) {
 
 class Upgrade {
 public:
-    Upgrade(int from, const std::function<std::string(const std::string&)>& text_of,
+    Upgrade(int from, const std::function<std::string(Print)>& text_of,
             const std::vector<const std::map<std::string, UnitState>*>& today)
         : from_(from), text_of_(text_of) {
         for (const auto* side : today)
@@ -52,18 +52,18 @@ public:
 
 private:
     void renew(Fingerprints& prints, const std::string& id) {
-        const std::string old = prints.written;
+        const Print old = prints.written;
         prints = find(old);
-        if (prints.written != "-" || !out_.error.empty()) return;
+        if (prints.written.is_known() || !out_.error.empty()) return;
         out_.error = "portmap.lock is of an older porttool, and the text of '" + terminal_text(id) +
-                     "' that it was in step with is not in portmap.base/ (" + old +
+                     "' that it was in step with is not in portmap.base/ (" + old.text() +
                      ")\nRestore portmap.base/ from git, or record the present state with: porttool init --force";
     }
 
-    /// Today's prints of the text behind an old one; all "-" if that is nowhere.
-    const Fingerprints& find(const std::string& old) {
-        const auto [known, fresh] = found_.try_emplace(old, Fingerprints{"-", "-", "-"});
-        if (!fresh || !is_fingerprint(old)) return known->second;
+    /// Today's prints of the text behind an old one; none if that is nowhere.
+    const Fingerprints& find(Print old) {
+        const auto [known, fresh] = found_.try_emplace(old, Fingerprints{});
+        if (!fresh || !old.is_known()) return known->second;
         NormalText text;
         if (const auto unit = now_.find(old); unit != now_.end()) {
             known->second = unit->second->prints;
@@ -78,9 +78,9 @@ private:
     }
 
     int from_;
-    const std::function<std::string(const std::string&)>& text_of_;
-    std::map<std::string, const UnitState*> now_;
-    std::map<std::string, Fingerprints> found_;
+    const std::function<std::string(Print)>& text_of_;
+    std::map<Print, const UnitState*> now_;
+    std::map<Print, Fingerprints> found_;
     UpgradedLock out_;
 };
 
@@ -88,13 +88,13 @@ private:
 
 bool is_outdated(const LockFile& lock) { return lock.normal_form < kNormalForm; }
 
-UpgradedLock upgraded(LockFile lock, const std::function<std::string(const std::string&)>& text_of,
+UpgradedLock upgraded(LockFile lock, const std::function<std::string(Print)>& text_of,
                       const std::vector<const std::map<std::string, UnitState>*>& today) {
     const int from = lock.normal_form;
     return Upgrade(from, text_of, today).run(std::move(lock));
 }
 
-NormalText text_of_print(const std::string& print, const std::string& recorded, int normal_form) {
+NormalText text_of_print(Print print, const std::string& recorded, int normal_form) {
     NormalText text = NormalText::read(recorded);
     const bool same =
         print_of(normal_form, text.words()) == print || print_of(normal_form, plain_words(recorded)) == print;

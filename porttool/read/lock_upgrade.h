@@ -17,17 +17,17 @@ bool is_outdated(const LockFile& lock);
 /// A lock whose prints are today's, with the texts behind those that were found.
 struct UpgradedLock {
     LockFile lock;
-    std::map<std::string, NormalText> texts;  ///< by today's print
-    std::string error;                        ///< which text is missing, and what to do
+    std::map<Print, NormalText> texts;  ///< by today's print
+    std::string error;                  ///< which text is missing, and what to do
 };
 
 /// Gives every print of an outdated lock anew, from the text behind it. `text_of` gives the text that portmap.base/ has
 /// for an old print, or "". `today` are the units as they are now: where a text is still the recorded one, its prints
 /// are known. A pair's text that is nowhere is an error; an old verdict on a text that is nowhere holds no longer.
-UpgradedLock upgraded(LockFile lock, const std::function<std::string(const std::string& print)>& text_of,
+UpgradedLock upgraded(LockFile lock, const std::function<std::string(Print print)>& text_of,
                       const std::vector<const std::map<std::string, UnitState>*>& today);
 
 /// The text of a file of portmap.base/ if it is the one that its name says, as this normal form names it; else empty.
-NormalText text_of_print(const std::string& print, const std::string& recorded, int normal_form);
+NormalText text_of_print(Print print, const std::string& recorded, int normal_form);
 
 }  // namespace porttool

@@ -20,8 +20,8 @@ std::string folder_of_map(const Project& project) {
 
 TreePath base_folder(const Project& project) { return beside_map(project, kBase, Links::None); }
 
-TreePath base_file(const Project& project, const std::string& print) {
-    return beside_map(project, kBase + ("/" + print), Links::None);
+TreePath base_file(const Project& project, Print print) {
+    return beside_map(project, kBase + ("/" + print.text()), Links::None);
 }
 
 /// A folder of porttool's own: a link in its place would have us read and remove elsewhere.
@@ -34,23 +34,23 @@ void require_own_base(const Project& project, const Disk& disk) {
 }
 
 /// A file of portmap.base/ as it is. A checkout may have given its lines the ends of another system.
-std::string read_base(const Project& project, const Disk& disk, const std::string& print) {
-    if (!is_fingerprint(print)) return {};
+std::string read_base(const Project& project, const Disk& disk, Print print) {
+    if (!print.is_known()) return {};
     FileText file = disk.read(base_file(project, print), kLargestFile);
     std::erase(file.bytes, '\r');
     return file.error.empty() ? std::move(file.bytes) : std::string();
 }
 
-std::set<std::string> prints_of(const LockFile& lock) {
-    std::set<std::string> out;
+std::set<Print> prints_of(const LockFile& lock) {
+    std::set<Print> out;
     for (const LockedPair& pair : lock.pairs)
-        for (const std::string& print : {pair.source_prints.written, pair.target_prints.written}) out.insert(print);
+        for (const Print print : {pair.source_prints.written, pair.target_prints.written}) out.insert(print);
     return out;
 }
 
 /// The texts behind prints, as far as they are known.
-std::map<std::string, const NormalText*> texts_behind(const std::set<std::string>& prints, const NewRecord& record) {
-    std::map<std::string, const NormalText*> out;
+std::map<Print, const NormalText*> texts_behind(const std::set<Print>& prints, const NewRecord& record) {
+    std::map<Print, const NormalText*> out;
     for (const auto* side : {&record.states.source, &record.states.target})
         for (const auto& [id, state] : *side)
             if (prints.contains(state.prints.written)) out.emplace(state.prints.written, &state.text);
@@ -80,9 +80,8 @@ RecordedLock lock_of_today(const Project& project, const Disk& disk, ReadLock re
     require_own_base(project, disk);
     if (!read.error.empty()) throw CannotDo(read.error);
     if (!is_outdated(read.lock)) return {std::move(read.lock), "", {}};
-    UpgradedLock upgrade =
-        upgraded(std::move(read.lock), [&](const std::string& print) { return read_base(project, disk, print); },
-                 {&today.source, &today.target});
+    UpgradedLock upgrade = upgraded(std::move(read.lock), [&](Print print) { return read_base(project, disk, print); },
+                                    {&today.source, &today.target});
     if (!upgrade.error.empty()) throw CannotDo(upgrade.error);
     return {std::move(upgrade.lock), "", std::move(upgrade.texts)};
 }
@@ -98,7 +97,7 @@ std::unique_ptr<WriteGuard> guard_lock(const ProjectChoice& choice, Workplace& p
 
 void store_lock(const Project& project, const NewRecord& record, Disk& disk) {
     require_own_base(project, disk);
-    const std::set<std::string> needed = prints_of(record.lock);
+    const std::set<Print> needed = prints_of(record.lock);
     std::vector<FileToWrite> files;
     for (const auto& [print, text] : texts_behind(needed, record))
         if (std::string recorded = text->recorded(); read_base(project, disk, print) != recorded)
@@ -115,16 +114,17 @@ void store_lock(const Project& project, const NewRecord& record, Disk& disk) {
     }
     if (!record.clears) return;
     for (const DirectoryEntry& entry : disk.list(base_folder(project)).entries)
-        if (is_fingerprint(entry.name) && !needed.contains(entry.name)) disk.remove(base_file(project, entry.name));
+        if (const Print print = Print::read(entry.name); print.is_known() && !needed.contains(print))
+            disk.remove(base_file(project, print));
 }
 
 size_t missing_texts(const Project& project, const Disk& disk, const LockFile& lock) {
-    std::set<std::string> missing = prints_of(lock);
-    for (const DirectoryEntry& entry : disk.list(base_folder(project)).entries) missing.erase(entry.name);
+    std::set<Print> missing = prints_of(lock);
+    for (const DirectoryEntry& entry : disk.list(base_folder(project)).entries) missing.erase(Print::read(entry.name));
     return missing.size();
 }
 
-NormalText base_text(const Project& project, const Disk& disk, const std::string& print) {
+NormalText base_text(const Project& project, const Disk& disk, Print print) {
     return text_of_print(print, read_base(project, disk, print), kNormalForm);
 }
 

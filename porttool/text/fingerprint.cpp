@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cstdio>
 
 namespace porttool {
@@ -33,12 +34,22 @@ bool is_hexadecimal(std::string_view text, size_t digits) {
            });
 }
 
-bool is_fingerprint(std::string_view text) { return is_hexadecimal(text, kDigits); }
+bool is_fingerprint(std::string_view text) {
+    return is_hexadecimal(text, kDigits) && text.find_first_not_of('0') != std::string_view::npos;
+}
 
-std::string fingerprint_of_version_1(const std::vector<std::string_view>& words) {
+Print Print::read(std::string_view digits) {
+    uint64_t bits = 0;
+    if (is_fingerprint(digits)) std::from_chars(digits.data(), digits.data() + digits.size(), bits, 16);
+    return Print(bits);
+}
+
+std::string Print::text() const { return is_known() ? hexadecimal(bits_) : "-"; }
+
+Print fingerprint_of_version_1(const std::vector<std::string_view>& words) {
     uint64_t hash = 0;
     for (const std::string_view word : words) hash = hash_text(word, hash + 1);
-    return hexadecimal(hash);
+    return Print(hash);
 }
 
 }  // namespace porttool

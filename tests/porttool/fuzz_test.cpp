@@ -103,7 +103,7 @@ TEST(ScanFuzz, TimeGrowsWithTheSizeOnHostileText) {
     }
 }
 
-std::string renamed_print(const std::string& text) {
+Print renamed_print(const std::string& text) {
     const ScannedFile file = scan_text("a.cpp", text);
     return unit_state(file, file.units.at(0)).prints.renamed;
 }

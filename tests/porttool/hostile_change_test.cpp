@@ -110,7 +110,7 @@ TEST_F(HostileChange, ALinkedBaseFolderIsRefused) {
 
 TEST_F(HostileChange, PrintsThatArePathsAreRefused) {
     const std::string good = read_text(root / "portmap.lock");
-    const std::string print = read_lock(good).lock.pairs.at(0).source_prints.written;
+    const std::string print = read_lock(good).lock.pairs.at(0).source_prints.written.text();
     for (const std::string& path : {std::string("../.git/config"), (outside / "notes.txt").string(),
                                     std::string("../../") + outside.filename().string() + "/notes.txt",
                                     std::string("."), std::string("0123456789abcde/")}) {

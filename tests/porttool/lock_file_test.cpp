@@ -20,12 +20,13 @@ const std::string kPrint = "0123456789abcdef", kOther = "fedcba9876543210";
 
 LockFile sample() {
     LockFile lock;
-    const Fingerprints a{kPrint, kPrint, kOther}, b{kOther, kOther, kPrint};
+    const Print print = Print::read(kPrint), another = Print::read(kOther);
+    const Fingerprints a{print, print, another}, b{another, another, print};
     lock.pairs = {{"s/a.cl:f", "t/a.cpp:f", a, b, "recorded", "", {}},
                   {"s/%09\t.cl:g", "t/\n.cpp:g", b, a, "verified", "accept 2026-11-22", {{"later", "a\tb=%"}}}};
-    lock.baseline = {{"s/a.cl:h", {kPrint, "-", "-"}, "host only", "source", {}},
-                     {"t/a.cpp:k", {kPrint, kOther, kOther}, "", "target:cpu", {{"seen", "1"}}}};
-    lock.ledger = {{Verdict::Defer, "s/a.cl:f", "t/a.cpp:f", kPrint, "-", "me", "2030-01-01", "later", {}}};
+    lock.baseline = {{"s/a.cl:h", {print, {}, {}}, "host only", "source", {}},
+                     {"t/a.cpp:k", {print, another, another}, "", "target:cpu", {{"seen", "1"}}}};
+    lock.ledger = {{Verdict::Defer, "s/a.cl:f", "t/a.cpp:f", print, {}, "me", "2030-01-01", "later", {}}};
     return lock;
 }
 
@@ -99,6 +100,20 @@ TEST(LockFile, OneThatIsCutShortIsRefused) {
         const size_t line = text.rfind('\n', size) + 1;  // also where no line is cut
         EXPECT_NE(read_lock(text.substr(0, line)).error, "") << line;
         EXPECT_NE(read_lock(text.substr(0, size)).error, "") << size;
+    }
+}
+
+TEST(Fingerprint, IsReadBackFromItsDigits) {
+    EXPECT_EQ(Print::read(kPrint).bits(), 0x0123456789abcdefull);
+    for (const std::string& digits : {kPrint, kOther, std::string("0000000000000001")}) {
+        EXPECT_TRUE(Print::read(digits).is_known());
+        EXPECT_EQ(Print::read(digits).text(), digits);
+    }
+    EXPECT_LT(Print::read(kPrint), Print::read(kOther));  // as their texts
+    for (const char* none : {"", "-", "0123456789abcde", "0123456789abcdef0", "0123456789ABCDEF", "0123456789abcdeg",
+                             "0x23456789abcdef", "0000000000000000"}) {
+        EXPECT_FALSE(Print::read(none).is_known()) << none;
+        EXPECT_EQ(Print::read(none).text(), "-") << none;
     }
 }
 
@@ -277,7 +292,7 @@ TEST_F(MergedLock, AcceptancesAtOnceAreAllKept) {
         for (size_t i = 0; i < kWriters; ++i) {
             const UnitState now = unit_state(scan_text("a.cu", read_text(root / "src/a.cu")),
                                              scan_text("a.cu", read_text(root / "src/a.cu")).units.at(i));
-            EXPECT_NE(lock.find(id(i) + "\tport/a.cpp:work_" + std::to_string(i) + "\t" + now.prints.written),
+            EXPECT_NE(lock.find(id(i) + "\tport/a.cpp:work_" + std::to_string(i) + "\t" + now.prints.written.text()),
                       std::string::npos)
                 << "round " << round << " lost " << i;
         }
@@ -307,7 +322,7 @@ std::string version_1(const std::string& lock, const std::filesystem::path& base
     std::map<std::string, std::string> old;
     for (const auto& entry : std::filesystem::directory_iterator(base)) {
         const std::string text = read_text(entry.path());
-        const std::string print = fingerprint_of_version_1(NormalText::read(text).words());
+        const std::string print = fingerprint_of_version_1(NormalText::read(text).words()).text();
         old[entry.path().filename().string()] = print;
         std::filesystem::rename(entry.path(), base / (print + "x"));
     }
@@ -317,7 +332,8 @@ std::string version_1(const std::string& lock, const std::filesystem::path& base
     }
     std::string out = "porttool-lock\t1\n";
     for (const LockedPair& pair : read_lock(lock).lock.pairs) {
-        const std::string source = old.at(pair.source_prints.written), target = old.at(pair.target_prints.written);
+        const std::string source = old.at(pair.source_prints.written.text()),
+                          target = old.at(pair.target_prints.written.text());
         out += "pair\t" + pair.source + "\t" + pair.target + "\t" + source + "\t" + kPrint + "\t" + kPrint + "\t" +
                target + "\t" + kPrint + "\t" + kPrint + "\n";  // prints of locals as an older form had them
     }

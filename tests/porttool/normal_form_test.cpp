@@ -9,7 +9,7 @@ namespace {
 
 std::string print_of(const std::string& text) {
     const ScannedFile file = scan_text("a.cpp", text);
-    return file.units.empty() ? "no unit" : fingerprint(normal_form(file, file.units.front()).words());
+    return file.units.empty() ? "no unit" : fingerprint(normal_form(file, file.units.front()).words()).text();
 }
 
 TEST(NormalForm, CosmeticEditsKeepTheFingerprint) {

@@ -74,7 +74,7 @@ public:
     size_t check(const std::string& source, const std::string& target) const {
         const std::vector<ScannedFile> left{scan_text("s/a.cu", source)}, right{scan_text("t/a.cpp", target)};
         const States here = states_of(left[0]), there = states_of(right[0]);
-        const auto text_of = [&](const std::string& print) {
+        const auto text_of = [&](Print print) {
             const auto found = texts_.find(print);
             return found == texts_.end() ? NormalText() : found->second;
         };
@@ -91,7 +91,7 @@ private:
     MapFile map_;
     LockFile lock_;
     std::vector<SkippedFile> skipped_;
-    std::map<std::string, NormalText> texts_;
+    std::map<Print, NormalText> texts_;
 };
 
 Work work_of(const std::function<void()>& run) {
@@ -234,7 +234,7 @@ Work history_work(size_t count) {
                            .edits(
                                {{here, was.source.find(name)->prints, *is.source.find(name)},
                                 {there, was.target.find(name)->prints, *is.target.find(name)}},
-                               [](const std::string&) { return std::string(); }, budget)
+                               [](Print) { return std::string(); }, budget)
                            .in_step;
         }
         EXPECT_EQ(differ, count);
