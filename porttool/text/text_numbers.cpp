@@ -5,23 +5,32 @@
 #include <algorithm>
 #include <cstring>
 #include <functional>
-#include <utility>
+#include <stdexcept>
 
 namespace porttool {
+namespace {
+
+constexpr uint32_t kNumber = (1u << 26) - 1, kHash = ~kNumber;  // of the bits of a slot
+
+}  // namespace
 
 uint32_t TextNumbers::number(std::string_view text) {
-    if (2 * (texts_.size() + 1) > slots_.size()) grow();
+    if (3 * (texts_.size() + 1) > 2 * slots_.size()) grow();
     const uint32_t hash = hash_of(text);
-    Slot& slot = slots_[place(text, hash)];
-    if (slot.number == kNone) {
-        slot = {hash, size()};
+    uint32_t& slot = slots_[place(text, hash)];
+    if (slot == kNone) {
+        if (size() >= kNumber) throw std::length_error("more different words than porttool can number");
+        slot = (hash & kHash) | size();
+        hashes_.push_back(hash);
         texts_.push_back(kept(text));
     }
-    return slot.number;
+    return slot & kNumber;
 }
 
 uint32_t TextNumbers::find(std::string_view text) const {
-    return slots_.empty() ? kNone : slots_[place(text, hash_of(text))].number;
+    if (slots_.empty()) return kNone;
+    const uint32_t slot = slots_[place(text, hash_of(text))];
+    return slot == kNone ? kNone : slot & kNumber;
 }
 
 uint32_t TextNumbers::hash_of(std::string_view text) {
@@ -32,20 +41,19 @@ uint32_t TextNumbers::hash_of(std::string_view text) {
 size_t TextNumbers::place(std::string_view text, uint32_t hash) const {
     const size_t mask = slots_.size() - 1;
     for (size_t at = hash & mask;; at = (at + 1) & mask) {
-        const Slot& slot = slots_[at];
-        if (slot.number == kNone || (slot.hash == hash && texts_[slot.number] == text)) return at;
+        const uint32_t slot = slots_[at];
+        if (slot == kNone || ((slot ^ hash) <= kNumber && texts_[slot & kNumber] == text)) return at;
     }
 }
 
 void TextNumbers::grow() {
     constexpr size_t kFirst = 32;
-    const std::vector<Slot> old = std::exchange(slots_, std::vector<Slot>(slots_.empty() ? kFirst : 2 * slots_.size()));
+    slots_ = std::vector<uint32_t>(slots_.empty() ? kFirst : 2 * slots_.size(), kNone);
     const size_t mask = slots_.size() - 1;
-    for (const Slot& slot : old) {
-        if (slot.number == kNone) continue;
-        size_t at = slot.hash & mask;
-        while (slots_[at].number != kNone) at = (at + 1) & mask;
-        slots_[at] = slot;
+    for (uint32_t number = 0; number < size(); ++number) {
+        size_t at = hashes_[number] & mask;
+        while (slots_[at] != kNone) at = (at + 1) & mask;
+        slots_[at] = (hashes_[number] & kHash) | number;
     }
 }
 
