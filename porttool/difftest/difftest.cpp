@@ -3,14 +3,9 @@
 #include "porttool/difftest/difftest.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <bit>
-#include <cmath>
 #include <cstdlib>
-#include <filesystem>
-#include <functional>
 #include <map>
 #include <set>
 #include <utility>
@@ -19,47 +14,18 @@
 #include "porttool/difftest/build.h"
 #include "porttool/difftest/interrupt.h"
 #include "porttool/difftest/lift.h"
-#include "porttool/difftest/shrink.h"
+#include "porttool/difftest/pair_outcome.h"
+#include "porttool/difftest/stand_ins.h"
 #include "porttool/difftest/subject.h"
+#include "porttool/difftest/subject_text.h"
+#include "porttool/difftest/temporary_folder.h"
 #include "porttool/difftest/trial.h"
 #include "porttool/scan/scan.h"
 #include "porttool/text/fingerprint.h"
 #include "porttool/text/parallel.h"
-#include "porttool/text/sink/terminal.h"
 
 namespace porttool {
 namespace {
-
-/// A folder of its own for one run, gone with it; or one that the user wants to keep.
-class TemporaryFolder {
-public:
-    explicit TemporaryFolder(const std::string& kept) : is_kept_(!kept.empty()) {
-        if (is_kept_) {
-            std::error_code error;
-            std::filesystem::create_directories(kept, error);
-            path_ = std::filesystem::absolute(kept).string();
-            if (error)
-                throw CannotDo("--keep " + terminal_text(kept) + ": no folder can be made there: " + error.message());
-            return;
-        }
-        std::string name = (std::filesystem::temp_directory_path() / "porttool-difftest-XXXXXX").string();
-        if (::mkdtemp(name.data()) == nullptr) throw CannotDo("no temporary folder can be made: " + name);
-        path_ = name;
-    }
-    ~TemporaryFolder() { remove(); }
-    void remove() {
-        if (is_kept_) return;
-        std::error_code ignored;
-        std::filesystem::remove_all(path_, ignored);
-    }
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-    const std::string& path() const { return path_; }
-
-private:
-    bool is_kept_;
-    std::string path_;
-};
 
 /// The units of one side by id.
 class SideUnits {
@@ -83,43 +49,6 @@ bool is_function(const Definition* one) {
     return one != nullptr && one->kind == Definition::Kind::Function && one->unit != nullptr;
 }
 
-/// The variables that a function names: what a run does not have.
-std::set<std::string, std::less<>> bindings_of(const Definition& one, const Definitions& definitions) {
-    const LexedText& lexed = one.file->lexed;
-    std::set<std::string, std::less<>> out;
-    for (uint32_t i = one.unit->body.first; i < one.unit->body.end; ++i) {
-        if (lexed.tokens[i].kind != TokenKind::Identifier) continue;
-        if (i > 0 && (lexed.view(i - 1) == "." || lexed.view(i - 1) == "->")) continue;
-        for (const Definition* found : definitions.find(*one.file, lexed.view(i)))
-            if (found->kind == Definition::Kind::Variable) out.insert(found->name);
-    }
-    return out;
-}
-
-/// What a function gives, as it is written; without what says how it is linked.
-std::string type_given_by(const Definition& one) {
-    std::string out;
-    for (uint32_t i = one.unit->tokens.first; i < one.unit->name_token; ++i) {
-        const std::string_view word = one.file->lexed.view(i);
-        if (word == "inline" || word == "static" || word == "constexpr" || word.starts_with("__") || word == "const")
-            continue;
-        out += (out.empty() ? "" : " ") + std::string(word);
-    }
-    return out;
-}
-
-/// True for a function that takes values alone: then an answer can stand for it, or a note of what it was given.
-bool can_be_stood_in_for(const Definition& one) {
-    const LexedText& lexed = one.file->lexed;
-    for (uint32_t i = one.unit->parameters.first; i < one.unit->parameters.end; ++i) {
-        const std::string_view word = lexed.view(i);
-        if (word == "*" || word == "out" || word == "inout" || word == "[" || word == "&") return false;
-    }
-    for (uint32_t i = one.unit->tokens.first; i < one.unit->name_token; ++i)
-        if (lexed.view(i) == "template") return false;
-    return true;
-}
-
 void add_constants(const ScannedFile& file, TokenRange range, std::vector<double>& out) {
     for (uint32_t i = range.first; i < range.end; ++i) {
         if (file.lexed.tokens[i].kind != TokenKind::Number) continue;
@@ -136,30 +65,6 @@ std::vector<double> constants_in(const Subject& source, const Subject& target) {
         for (const Piece& piece : side->closure.pieces)
             if (piece.definition->kind != Definition::Kind::Struct)
                 add_constants(*piece.definition->file, piece.definition->tokens, out);
-    return out;
-}
-
-SeenNumber number_of(const Leaf& leaf) {
-    SeenNumber out;
-    out.path = leaf.path;
-    out.is_real = leaf.is_real();
-    out.is_single = leaf.kind != NumberKind::Double;
-    return out;
-}
-
-SeenNumber seen_input(uint64_t number, const Leaf& leaf) {
-    SeenNumber out = number_of(leaf);
-    if (leaf.is_real())
-        out.real = std::bit_cast<double>(number);
-    else
-        out.whole = static_cast<int64_t>(number);
-    return out;
-}
-
-SeenNumber seen_result(double value, const Leaf& leaf) {
-    SeenNumber out = number_of(leaf);
-    out.real = value;
-    if (!leaf.is_real()) out.whole = static_cast<int64_t>(value);
     return out;
 }
 
@@ -208,19 +113,14 @@ public:
 
     std::vector<DifftestPair> pairs;
 
+    /// Finds what stands in for what a run does not have, by all pairs of the map.
     void stand_in(const std::vector<PairIds>& all) {
-        supply_variables();
-        int number = 0;
+        std::vector<BySide<const Definition*>> functions;
         for (const auto& [source, target] : all) {
             const Definition *ours = units_.source.find(source), *theirs = units_.target.find(target);
-            if (!is_function(ours) || !is_function(theirs) || !can_be_stood_in_for(*ours) ||
-                !can_be_stood_in_for(*theirs))
-                continue;
-            if (!needs_stand_in(*ours, *theirs)) continue;
-            if (stand_ins_.source.functions.contains(ours) || stand_ins_.target.functions.contains(theirs)) continue;
-            stand_ins_.source.functions[ours] = stand_ins_.target.functions[theirs] = ++number;
+            if (is_function(ours) && is_function(theirs)) functions.push_back({ours, theirs});
         }
-        for (const Side side : kBothSides) supply_by_name(side, number);
+        stand_ins_ = stand_ins_of(functions, source_, target_);
     }
 
     void run() {
@@ -255,42 +155,6 @@ public:
     }
 
 private:
-    /// Variables that both sides have under one name, of a type by a name that is a struct or a number.
-    void supply_variables() {
-        std::map<std::string, std::string> known;
-        for (const Definition* one : source_.all_of(Definition::Kind::Variable))
-            known[one->name] = type_of_variable(*one);
-        for (const Definition* one : target_.all_of(Definition::Kind::Variable)) {
-            const auto other = known.find(one->name);
-            if (other == known.end() || other->second.empty() || type_of_variable(*one).empty()) continue;
-            stand_ins_.source.variables.insert(one->name);
-            stand_ins_.target.variables.insert(one->name);
-        }
-    }
-
-    /// True where a side reads what is not supplied, or where the two do not read the same.
-    bool needs_stand_in(const Definition& source, const Definition& target) const {
-        const auto ours = bindings_of(source, source_), theirs = bindings_of(target, target_);
-        if (ours != theirs) return true;
-        return std::any_of(ours.begin(), ours.end(),
-                           [&](const std::string& name) { return !stand_ins_.source.variables.contains(name); });
-    }
-
-    /// What a side reads by a function that the other has only by a name that the scan cannot see.
-    void supply_by_name(Side side, int& number) {
-        for (const Definition* one : definitions(side).all_of(Definition::Kind::Function)) {
-            if (one->unit == nullptr || !one->owner.empty() || definitions(other(side)).defines(one->name)) continue;
-            if (stand_ins_[side].functions.contains(one) || !can_be_stood_in_for(*one)) continue;
-            const auto read = bindings_of(*one, definitions(side));
-            if (std::all_of(read.begin(), read.end(),
-                            [&](const std::string& name) { return stand_ins_[side].variables.contains(name); }))
-                continue;
-            const auto [answer, is_new] = stand_ins_[other(side)].named.try_emplace(one->name);
-            if (is_new) answer->second = {++number, type_given_by(*one)};
-            stand_ins_[side].functions[one] = answer->second.number;
-        }
-    }
-
     const Definitions& definitions(Side side) const { return side == Side::Source ? source_ : target_; }
 
     void look_at(size_t i) {
@@ -442,7 +306,9 @@ private:
             pair.reason = trial.run(table);
         }
         if (!pair.reason.empty()) return;
-        const size_t differing = judge(pair, trial, table, work);
+        const size_t differing = tell_outcome(pair, trial, table, work.built.source.leaves.out, settings_.ulps);
+        if (pair.state != DifftestState::NotRun && pair.reason.empty() && !work.subject.source.stood_in.empty())
+            pair.reason = "with one answer on both sides for what reads bindings";
         if (!array.empty()) tell_guess(pair, array, records);
         if (work.built.source.calls.empty() && work.built.target.calls.empty()) return;
         // That one does to components what the other does to numbers was a guess.
@@ -470,74 +336,6 @@ private:
         else if (pair.state != DifftestState::NotRun)
             pair.reason = fmt::format("arrays of {} elements{}{}", kGuessedElements, pair.reason.empty() ? "" : "; ",
                                       pair.reason);
-    }
-
-    /// True for a difference that says little: at an input that is no finite number, or so large that a result
-    /// overflows, which two ways to write one formula do at different places.
-    static bool is_extreme(const Trial& trial, const uint64_t* row, size_t record) {
-        constexpr double kLarge = 1e6;
-        const double size = size_of_record(row, trial.inputs());
-        return std::isinf(size) || (size > kLarge && !trial.is_finite(record, *trial.first_difference(record)));
-    }
-
-    /// Says what became of a pair. Returns on how many inputs it differs.
-    size_t judge(DifftestPair& pair, Trial& trial, const InputTable& table, const PairWork& work) {
-        const size_t width = trial.inputs().size();
-        size_t differing = 0;
-        std::optional<size_t> simplest, extreme;
-        int least = 0;
-        bool exact = true;
-        for (size_t record = 0; record < trial.records(); ++record) {
-            const Outcomes outcome = trial.outcome(record);
-            if (outcome == Outcomes::OutOfDomain) continue;
-            ++pair.inputs;
-            exact = exact && trial.distance(record) == 0;
-            if (outcome == Outcomes::Same) continue;
-            ++differing;
-            const uint64_t* const row = table.data() + record * width;
-            if (is_extreme(trial, row, record)) {
-                if (!extreme) extreme = record;
-                continue;
-            }
-            const int complexity = complexity_of(row, trial.inputs());
-            if (simplest && complexity >= least) continue;
-            simplest = record;
-            least = complexity;
-        }
-        if ((simplest || extreme) && !trial.repeats(table)) {
-            pair.inputs = 0;
-            pair.reason = "it gives something else on every call";
-            return 0;
-        }
-        if (pair.inputs == 0) {
-            pair.reason = "no input on which both sides give a number";
-            return 0;
-        }
-        pair.tolerance = exact || settings_.ulps == 0 ? "bits" : fmt::format("{} ulps", settings_.ulps);
-        pair.state = simplest ? DifftestState::Differs : DifftestState::Same;
-        if (!work.subject.source.stood_in.empty())
-            pair.reason = "with one answer on both sides for what reads bindings";
-        if (!simplest && extreme)
-            pair.reason = "but for inputs that are not finite, or so large that a result overflows, it differs";
-        if (simplest || extreme)
-            pair.counterexample = counterexample(trial, table, simplest ? *simplest : *extreme, work);
-        return differing;
-    }
-
-    std::optional<Counterexample> counterexample(Trial& trial, const InputTable& table, size_t chosen,
-                                                 const PairWork& work) const {
-        const size_t width = trial.inputs().size();
-        std::vector<uint64_t> record(table.begin() + static_cast<std::ptrdiff_t>(chosen * width),
-                                     table.begin() + static_cast<std::ptrdiff_t>((chosen + 1) * width));
-        record = shrunk(trial, std::move(record));
-        if (!trial.run(record).empty() || trial.outcome(0) != Outcomes::Differs) return std::nullopt;
-        const size_t output = *trial.first_difference(0);
-        Counterexample found;
-        for (size_t i = 0; i < width; ++i) found.inputs.push_back(seen_input(record[i], trial.inputs()[i]));
-        const Leaf& leaf = work.built.source.leaves.out[output];
-        found.results = {seen_result(trial.source_result(0, output), leaf),
-                         seen_result(trial.target_result(0, output), leaf)};
-        return found;
     }
 
     const MapFile& map_;

@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "porttool/difftest/cpp_text.h"
+#include "porttool/difftest/definitions.h"
+
+namespace porttool {
+
+/// The names of a struct's fields, in their order.
+std::vector<std::string> fields_of(const Definition& one);
+
+/// `struct NAME;`, so that what stands before it may name it; "" where it has no name of its own.
+std::string announced(const Definition& one, const CppManner& manner);
+
+/// The function of the harness that goes through a struct's fields, those of its bases first.
+std::string visitor(const Definition& one, const CppManner& manner);
+
+}  // namespace porttool

@@ -1,0 +1,114 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/difftest/subject_text.h"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "porttool/difftest/prelude.h"
+#include "porttool/difftest/struct_visitor.h"
+
+namespace porttool {
+namespace {
+
+/// The text of a function that another stands in for: an answer made of its arguments.
+std::string answer(const Definition& one, int number) {
+    std::string arguments;
+    for (const SubjectParameter& parameter : parameters_of(*one.file, *one.unit, {}))
+        arguments += ", " + parameter.name;
+    if (gives_nothing(one)) return fmt::format("{{ porttool_harness::noted({}{}); }}", number, arguments);
+    const std::string list = arguments.empty() ? "" : arguments.substr(2);
+    return fmt::format("{{ return porttool_harness::answered<decltype({}({}))>({}{}); }}", one.name, list, number,
+                       arguments);
+}
+
+}  // namespace
+
+std::string subject_text(const Subject& subject, int number, const Definitions& definitions, const StandIns& stand_ins,
+                         bool widens) {
+    const std::set<std::string, std::less<>> fields = fields_in(subject.closure);
+    CppManner manner = manner_of(*subject.function, definitions, fields);
+    manner.widens = widens;
+    std::string before, announcements, pieces, visitors, after;
+    std::set<std::string> used;
+    std::map<std::string, std::vector<const Definition*>> later;  // functions that are not written yet
+    for (const Piece& piece : subject.closure.pieces)
+        if (piece.definition->kind == Definition::Kind::Function && piece.definition->conditions.empty())
+            later[piece.definition->name].push_back(piece.definition);
+    for (const Piece& piece : subject.closure.pieces) {
+        const Definition& one = *piece.definition;
+        if (const auto written = later.find(one.name); written != later.end()) std::erase(written->second, &one);
+        for (const std::string& word : piece.words)
+            if (const auto called = later.find(word); called != later.end() && one.kind != Definition::Kind::Macro)
+                for (const Definition* function : std::exchange(called->second, {}))
+                    pieces += prototype(*function, manner);
+        if (one.kind == Definition::Kind::Function && prelude_names().contains(one.name)) used.insert(one.name);
+        if (one.kind == Definition::Kind::Variable) {
+            pieces += std::string(type_of_variable(one)) + " " + one.name + ";\n";
+            continue;
+        }
+        const auto stand_in = stand_ins.functions.find(&one);
+        manner.body.reset();
+        if (stand_in != stand_ins.functions.end() && one.kind == Definition::Kind::Function)
+            manner.body = answer(one, stand_in->second);
+        (one.kind == Definition::Kind::Macro ? before : pieces) += cpp_text(piece, manner);
+        if (one.kind == Definition::Kind::Struct) {
+            visitors += visitor(one, manner);
+            announcements += announced(one, manner);
+        }
+        after += undone(one);
+    }
+    if (prelude_names().contains(subject.function->name)) used.insert(subject.function->name);
+    manner.body.reset();
+    manner.rename = "porttool_subject";
+    std::string out = fmt::format("#line 1 \"subject_{}\"\n", number);
+    out += before;
+    out += fmt::format("namespace subject_{} {{ namespace {{\nusing namespace porttool_prelude;\n", number);
+    for (const std::string& name : used) out += fmt::format("using porttool_prelude::{};\n", name);
+    out += announcements;
+    for (const std::string& name : subject.named) {
+        const NamedAnswer& answer = stand_ins.named.find(name)->second;
+        if (answer.type == "void")
+            out += fmt::format("template <class... A> void {}(A... a) {{ porttool_harness::noted({}, a...); }}\n", name,
+                               answer.number);
+        else
+            out += fmt::format(
+                "template <class... A> auto {}(A... a) {{ return porttool_harness::answered<{}>({}, a...); }}\n", name,
+                answer.type, answer.number);
+    }
+    out += pieces;
+    out += cpp_text(Piece{subject.function, {}, {}}, manner);
+    out += "const porttool_harness::Param porttool_params[] = {";
+    for (const SubjectParameter& parameter : subject.parameters) {
+        const std::string count =
+            parameter.bound.empty() ? std::to_string(parameter.elements) : "static_cast<int>(" + parameter.bound + ")";
+        out += fmt::format("{{\"{}\", {}}}, ", parameter.name, count);
+    }
+    out += "{nullptr, 0}};\n";  // a bound may be spelled with a macro
+    out += after;
+    out += visitors;
+    out += fmt::format(
+        "struct PorttoolGlobals {{ static constexpr bool kHasNotes = {}; template <class V> void operator()(V& v) "
+        "const {{",
+        subject.has_notes);
+    for (const Definition* one : subject.variables)
+        out += fmt::format(" porttool_harness::walk(v, \"{0}\", {0});", one->name);
+    out += " } };\n";
+    const std::string pointer = "&porttool_subject" + subject.template_arguments;
+    out +=
+        fmt::format("void porttool_list() {{ porttool_harness::list({}, porttool_params, PorttoolGlobals(), {}); }}\n",
+                    pointer, !subject.stood_in.empty());
+    out += fmt::format(
+        "void porttool_run(const uint64_t* in, size_t is, uint64_t* out, size_t os, size_t n) {{ "
+        "porttool_harness::run({}, "
+        "porttool_params, PorttoolGlobals(), in, is, out, os, n); }}\n",
+        pointer);
+    out += "} }\n";
+    return out;
+}
+
+}  // namespace porttool
