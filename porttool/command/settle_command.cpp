@@ -165,6 +165,7 @@ Outcome run_accept(const Options& options, Workplace& place) {
         left = std::move(changed.different);
         if (options.force) {
             accepted.insert(accepted.end(), left.begin(), left.end());
+            accepted.insert(accepted.end(), changed.under_macros.begin(), changed.under_macros.end());
             left.clear();
             accept_unwatched(checked.lock, checked.judgement, checked.states, options.reason);
         }

@@ -7,6 +7,7 @@
 #include "porttool/judge/first_record.h"
 #include "porttool/judge/macro_record.h"
 #include "porttool/judge/resolve.h"
+#include "porttool/normal/word_macros.h"
 #include "porttool/read/lock_lines.h"
 #include "porttool/read/lock_upgrade.h"
 #include "porttool/scan/scan.h"
@@ -37,8 +38,8 @@ const LockedPair* accepted_since(const LinesByPair& then, const LinesByPair& now
     return matches ? line : nullptr;
 }
 
-/// Lines of the base that do not say what macros there were say it where today's lines do: then these differ by what
-/// was done to macros since, not by having been noted.
+/// Lines of the base that do not say what macros there were, or say it without keywords, say it as far as today's lines
+/// do: then these differ by what was done to macros since, not by having been noted.
 void note_macros_as_today(LockFile& then, const LockFile& now, const Snapshot& base) {
     const LinesByPair lines(now);
     LockFile noted = then;
@@ -47,7 +48,9 @@ void note_macros_as_today(LockFile& then, const LockFile& now, const Snapshot& b
         const LockedPair* line = lines.find(then.pairs[i].source, then.pairs[i].target);
         for (const Side side : kBothSides)
             if (line != nullptr && !line->macros[side].empty())
-                then.pairs[i].macros[side] = noted.pairs[i].macros[side];
+                then.pairs[i].macros[side] = counts_keywords(line->macros[side])
+                                                 ? noted.pairs[i].macros[side]
+                                                 : without_keywords(noted.pairs[i].macros[side]);
     }
 }
 

@@ -99,10 +99,16 @@ std::string MacroEdits::edit_of(const JudgedPair& pair, const LockedPair& line, 
     if (then.empty() || unit == nullptr) return {};
     const Print print = (side == Side::Source ? line.source_prints : line.target_prints).written;
     const bool is_edited = print != unit->prints.written;
-    const std::string now =
+    std::string now =
         is_edited ? macros(side).of(unit->file, facts_.base_text(print)) : macros(side).of(unit->file, unit->text);
-    if (now == then) return {};
-    return is_edited ? of_words_in(unit->text, difference(then, now)) : difference(then, now);
+    std::string recorded = then;
+    // A macro over a keyword is a new unit by itself where units must have a port.
+    if (!counts_keywords(then) || is_contract(facts_.map.reference, side)) {
+        now = without_keywords(now);
+        recorded = without_keywords(recorded);
+    }
+    if (now == recorded) return {};
+    return is_edited ? of_words_in(unit->text, difference(recorded, now)) : difference(recorded, now);
 }
 
 void MacroEdits::tell(JudgedPair& pair, Side side, const std::string& edit) {
@@ -113,7 +119,7 @@ void MacroEdits::tell(JudgedPair& pair, Side side, const std::string& edit) {
     const std::string told_as = key + (is_aside ? " in asides" : "");
     if (const auto known = told_.find(told_as); known != told_.end()) {
         ++known->second.more;
-        if (!was_changed) pair.equivalent = true;  // accept --all takes it along
+        if (!was_changed) pair.equivalent = true;  // it is settled with the one that tells
         return;
     }
     pair.equivalent = false;

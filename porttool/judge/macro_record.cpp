@@ -27,8 +27,11 @@ public:
 private:
     bool note(LockedPair& line, Side side, const std::string& id, const Fingerprints& prints) {
         const auto unit = states_[side].find(id);
-        if (!line.macros[side].empty() || unit == states_[side].end() || unit->second.prints != prints) return false;
-        line.macros[side] = macros_[side].of(unit->second.file, unit->second.text);
+        std::string& noted = line.macros[side];
+        if (counts_keywords(noted) || unit == states_[side].end() || unit->second.prints != prints) return false;
+        std::string now = macros_[side].of(unit->second.file, unit->second.text);
+        if (!noted.empty() && noted != without_keywords(now)) return false;  // that is to be told first
+        noted = std::move(now);
         return true;
     }
 

@@ -92,7 +92,11 @@ std::string nearest_named(const Judgement& judgement, const std::string& id) {
 ChangedPairs changed_pairs(const Judgement& judgement) {
     ChangedPairs out;
     for (const JudgedPair& pair : judgement.pairs)
-        if (pair.changed) (pair.equivalent ? out.alike : out.different).push_back(&pair);
+        if (pair.changed)
+            (!pair.equivalent          ? out.different
+             : pair.macro_edit.empty() ? out.alike
+                                       : out.under_macros)
+                .push_back(&pair);
     return out;
 }
 

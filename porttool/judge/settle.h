@@ -37,6 +37,9 @@ std::string nearest_named(const Judgement& judgement, const std::string& id);
 struct ChangedPairs {
     std::vector<const JudgedPair*> alike;      ///< both edits are equivalent
     std::vector<const JudgedPair*> different;  ///< they are not, or the pair is new to the lock
+    /// Both edits are equivalent, but macros changed what the words say, and another pair tells of that: recording one
+    /// would settle it for all.
+    std::vector<const JudgedPair*> under_macros;
 };
 ChangedPairs changed_pairs(const Judgement& judgement);
 

@@ -62,6 +62,10 @@ bool only_promises(const LexedText& lexed, uint32_t first, uint32_t end) {
     return true;
 }
 
+void add(std::string& words, std::string_view word, std::string_view hash) {
+    words += (words.empty() ? "" : " ") + std::string(word) + ":" + std::string(hash);
+}
+
 }  // namespace
 
 WordMacros::WordMacros(const std::vector<ScannedFile>& files) : files_(files) {
@@ -76,7 +80,7 @@ void WordMacros::read(const ScannedFile& file) {
         const bool defines = directive.kind == DirectiveKind::Define;
         if (name >= directive.end_token || (lexed.tokens[name].flags & kDead) != 0) continue;
         if (!defines && (directive.kind != DirectiveKind::Other || lexed.view(name - 1) != "undef")) continue;
-        if (redefines_word(lexed.view(name)) || only_promises(lexed, name + 1, directive.end_token)) continue;
+        if (only_promises(lexed, name + 1, directive.end_token)) continue;
         while (unit != file.units.end() && unit->tokens.first < directive.first_token) ++unit;
         const bool is_unit = unit != file.units.end() && unit->tokens.first == directive.first_token;
         by_word_[lexed.view(name)].definitions.push_back({&file, &directive, is_unit});
@@ -103,11 +107,15 @@ std::string WordMacros::of(const std::string& path, const NormalText& text) {
         if (is_new) known->second = hash_seen(path, defined->second);
         if (!known->second.empty()) found.emplace(word, known->second);
     }
-    std::string out;
-    for (const auto& [word, hash] : found)
-        out += (out.empty() ? "" : " ") + std::string(word) + ":" + std::string(hash);
-    if (found.size() > kMostWords) return "*:" + hash_of(std::set{out});
-    return out.empty() ? "-" : out;
+    std::string names, keywords;
+    size_t count = 0;
+    for (const auto& [word, hash] : found) {
+        const bool is_keyword = redefines_word(word);
+        add(is_keyword ? keywords : names, word, hash);
+        count += is_keyword ? 0 : 1;
+    }
+    if (count > kMostWords) names = "*:" + hash_of(std::set{names});
+    return "+" + (names.empty() ? "" : " " + names) + (keywords.empty() ? "" : " " + keywords);
 }
 
 void WordMacros::sort_by_file(const std::vector<ScannedFile>& files, Word& defined) {
@@ -215,6 +223,13 @@ const WordMacros::Files& WordMacros::included_by(uint32_t file) {
     std::sort(out.numbers.begin(), out.numbers.end());
     out.numbers.erase(std::unique(out.numbers.begin(), out.numbers.end()), out.numbers.end());
     return out;
+}
+
+std::string without_keywords(std::string_view words) {
+    std::string out;
+    for (const auto& [word, hash] : words_with_macros(words))
+        if (!redefines_word(word)) add(out, word, hash);
+    return out.empty() ? "-" : out;
 }
 
 std::map<std::string_view, std::string_view> words_with_macros(std::string_view words) {

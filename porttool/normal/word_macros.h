@@ -31,15 +31,15 @@ struct WordMacro {
 ///     as ever   float f(float x) { return sinf(x); }
 ///
 /// A macro with a value or parameters is a unit (scan/constants.h), whose edits are judged as such: here it counts that
-/// it is there. One in the place of a keyword, which is news by itself, and one that only says how functions are called
-/// or linked do not count.
+/// it is there. One that only says how functions are called or linked does not count.
 class WordMacros {
 public:
     /// `files`: all of the side; they must outlive it.
     explicit WordMacros(const std::vector<ScannedFile>& files);
 
     /// The words of a text that macros seen from `path` define, each with a hash of what they make of it, sorted:
-    /// `fma:0a1b2c3d4e5f6071 sinf:8c0e6a417b2d9f03`; "-" for none. More than 64 are one hash, `*:0a1b2c3d4e5f6071`.
+    /// `+ fma:0a1b2c3d4e5f6071 sinf:8c0e6a417b2d9f03`; "+" for none. More than 64 are one hash, `*:0a1b2c3d4e5f6071`,
+    /// but for keywords and types of C, which stand behind. Without the plus: as it was noted when those did not count.
     /// Takes time in line with the text, whatever there is of definitions: those of a word are looked through once for
     /// each file.
     std::string of(const std::string& path, const NormalText& text);
@@ -88,6 +88,12 @@ private:
     size_t seen_numbers_ = 0;                                                                    ///< that seen_ holds
     std::unordered_map<std::string, std::unordered_map<std::string_view, std::string>> hashes_;  ///< of path and word
 };
+
+/// True for what WordMacros::of() gives today, false for what was noted without keywords and types.
+constexpr bool counts_keywords(std::string_view words) { return words.starts_with('+'); }
+
+/// What WordMacros::of() gave as it was noted without keywords and types; "-" for none.
+std::string without_keywords(std::string_view words);
 
 /// The parts of what WordMacros::of() gave: the hash by the word.
 std::map<std::string_view, std::string_view> words_with_macros(std::string_view words);

@@ -274,6 +274,8 @@ const MutationStock& lock_stock() {
                                          "\tstate=verified\tby=",
                                          "\tlater=%",
                                          "\tsource-macros=-",
+                                         "\tsource-macros=+",
+                                         "\ttarget-macros=+ exp:0a1b2c3d4e5f6071 float:0a1b2c3d4e5f6071",
                                          "\ttarget-macros=*:0a1b2c3d4e5f6071",
                                          "\tsource-macros=SIZE: exp:",
                                          "7f3\n",

@@ -359,6 +359,54 @@ TEST(Unwatched, AcceptAllNotesMacrosInLinesFromBeforeAndKeepsTheirState) {
     EXPECT_EQ(rules(check(disk)), Rules{"source-changed"}) << "a line of another text is left";
 }
 
+/// A lock as it was written when macros over keywords and types did not count.
+std::string without_keywords_noted(std::string lock) {
+    for (size_t at = 0; (at = lock.find("-macros=+", at)) != std::string::npos;) {
+        at += std::string_view("-macros=").size();
+        const bool has_words = lock[at + 1] == ' ';
+        lock.replace(at, has_words ? 2 : 1, has_words ? "" : "-");
+    }
+    return lock;
+}
+
+TEST(Unwatched, AMacroOverAKeywordOrATypeIsToldOnThePortToo) {
+    MemoryDisk disk;
+    disk.files = macro_project();
+    ASSERT_EQ(porttool_at_r(disk, {"init"}).exit_code, 0);
+    const std::map<std::string, std::string> whole = disk.files;
+    const std::string before = without_keywords_noted(whole.at("/r/portmap.lock"));
+    ASSERT_NE(before, whole.at("/r/portmap.lock"));
+    for (const char* line : {"#define return\n", "#define float double\n", "#define return(x) return 0; x\n"}) {
+        disk.files = whole;
+        disk.files["/r/port/k.comp"] = line + disk.files["/r/port/k.comp"];
+        EXPECT_EQ(rules(check(disk)), Rules{"target-changed"}) << line << "one tells of both pairs";
+        disk.files["/r/portmap.lock"] = before;
+        EXPECT_EQ(rules(check(disk)), Rules{}) << line << "whether it was there then is not known";
+    }
+    disk.files = whole;
+    disk.files["/r/portmap.lock"] = before;
+    EXPECT_EQ(porttool_at_r(disk, {"accept", "--all"}).exit_code, 0);
+    EXPECT_EQ(disk.files, whole) << "a lock from before is noted anew";
+    disk.files["/r/portmap.lock"] = before;
+    disk.files["/r/src/k.cu"] = "#define sinf __sinf\n" + disk.files["/r/src/k.cu"];
+    EXPECT_EQ(rules(check(disk)), Rules{"source-changed"});
+    EXPECT_EQ(porttool_at_r(disk, {"accept", "--all"}).exit_code, 1);
+    EXPECT_EQ(disk.files["/r/portmap.lock"].find("sinf:"), std::string::npos) << "but not over what is to be told";
+}
+
+TEST(Unwatched, AcceptAllDoesNotSettleAMacroThatOnePairTellsForSeveral) {
+    MemoryDisk disk;
+    disk.files = macro_project();
+    ASSERT_EQ(porttool_at_r(disk, {"init"}).exit_code, 0);
+    disk.files["/r/src/k.cu"] = "#define sinf __sinf\n" + disk.files["/r/src/k.cu"];
+    const std::string lock = disk.files["/r/portmap.lock"];
+    EXPECT_EQ(porttool_at_r(disk, {"accept", "--all"}).exit_code, 1);
+    EXPECT_EQ(disk.files["/r/portmap.lock"], lock);
+    EXPECT_EQ(rules(check(disk)), Rules{"source-changed"});
+    EXPECT_EQ(porttool_at_r(disk, {"accept", "--all", "--force"}).exit_code, 0);
+    EXPECT_EQ(rules(check(disk)), Rules{});
+}
+
 TEST(Unwatched, OfAKernelAndItsLauncherTheKernelIsTold) {
     MemoryDisk disk = started(kLum + "void step(int n) { printf(\"%d\", n); }\n", kLumPort);
     const std::string kernel =
