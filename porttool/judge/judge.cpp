@@ -21,6 +21,7 @@
 #include "porttool/judge/folded.h"
 #include "porttool/judge/lock_index.h"
 #include "porttool/judge/macro_edits.h"
+#include "porttool/judge/new_names.h"
 #include "porttool/judge/pair_judge.h"
 #include "porttool/judge/resolve.h"
 #include "porttool/judge/shared_port.h"
@@ -57,6 +58,7 @@ public:
           findings_(facts.map),
           pair_judge_(facts, renamed_, findings_),
           macro_edits_(facts, findings_),
+          new_names_(facts, findings_),
           verdicts_(facts, findings_) {
         if (facts.in_project != nullptr && facts.in_project != &facts.lock)
             in_project_.emplace(facts.map, *facts.in_project, facts.source, facts.target);
@@ -67,6 +69,7 @@ public:
         for (const MappedPair& pair : pairs_) judge_pair(pair);
         find_unwatched(facts_, findings_, verdicts_, out_);
         macro_edits_.tell_how_many();
+        new_names_.tell_how_many();
         verdicts_.report_idle();
         report_unreadable();
         report_unexplained_kernels();
@@ -104,6 +107,7 @@ private:
         JudgedPair& pair = out_.pairs.back();
         if (is_unrecorded(mapped)) report_unrecorded(pair);
         macro_edits_.judge(pair, mapped.lock.pair);
+        new_names_.judge(pair);
         report_unexplained(pair);
         const Level told = weigh_shared_port(mapped, pair, first);
         const std::optional<Verdict> verdict = verdicts_.settle(pair, first, drifted_before(mapped));
@@ -231,6 +235,7 @@ private:
     FindingList findings_;
     PairJudge pair_judge_;
     MacroEdits macro_edits_;
+    NewNames new_names_;
     Verdicts verdicts_;
     std::optional<LockIndex> in_project_;     ///< of the project's own lock, where another stands in for it
     std::map<std::string, Print> looked_at_;  ///< units of the baseline, with the prints of their texts

@@ -297,5 +297,26 @@ TEST_F(HostileGit, ANewUnitUnderANameThatAWatchedUnitUsedBeforeIsNews) {
         << "whose edit is a note alone";
 }
 
+/// The same on the side that need not have counterparts.
+TEST_F(HostileGit, ANewFunctionOfThePortUnderANameThatItCalledBeforeIsTold) {
+    start();
+    const std::string port = read_text(root / "port/k.cpp");
+    ASSERT_EQ(porttool({"check", "--base", "main"}).exit_code, 0);
+    const auto told = [&](const std::string& fresh, const std::string& kernels) {
+        write("port/k.cpp", fresh + kernels);
+        const auto got = nlohmann::json::parse(porttool({"check", "--base", "main", "--format", "json"}).out);
+        return std::count_if(got["findings"].begin(), got["findings"].end(),
+                             [](const auto& finding) { return finding["rule"] == "target-changed"; });
+    };
+    EXPECT_EQ(told("static float sqrt(float x) { return x * 0.5f; }\n", port), 1);
+    EXPECT_EQ(told("template <class T> T sqrt(T x) { return x * 3; }\n", port), 1);
+    EXPECT_EQ(told("constexpr auto sqrt = evil;\n", port), 1);
+    EXPECT_EQ(told("static float sqrt(float x, int steps) { return x * steps; }\n", port), 0) << "an overload";
+    EXPECT_EQ(told("struct Number { float sqrt(float x) { return x; } };\n", port), 0) << "another scope";
+    EXPECT_EQ(told("static float cbrt(float x) { return x; }\n", port), 0) << "nobody called it";
+    EXPECT_EQ(told("static float half(float x) { return x * 0.5f; }\n", replaced(port, "sqrt(", "half(")), 1)
+        << "whose user was edited: told as its edit";
+}
+
 }  // namespace
 }  // namespace porttool::testing::hostile_git_test
