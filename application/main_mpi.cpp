@@ -12,7 +12,7 @@
 
 int main(int argc, char** argv) {
     int threads = 0;
-    MPI_Init_thread(&argc, &argv, MPI_THREAD_FUNNELED, &threads);
+    MPI_Init_thread(&argc, &argv, MPI_THREAD_SERIALIZED, &threads);
     const std::vector<std::string> arguments(argv + (argc > 0 ? 1 : 0), argv + argc);
     int code = 0;
     {

@@ -147,11 +147,16 @@ void render_tile(const Frame& frame, uint first_pixel, uint path_count, Worker& 
                    [](const vec4& p) { return glm::vec4(p.x, p.y, p.z, p.w); });
 }
 
-// Enough tiles that the last ones leave no thread waiting for long.
+// Enough tiles that the last ones leave no thread waiting for long. One thread waits for nobody, and large tiles have
+// more paths alike: those of 2,048 take a tenth less time a path than those of 256.
 uint paths_per_tile(uint pixels) {
     constexpr uint TILES_PER_THREAD = 32;
     constexpr uint FEWEST = 256;
-    uint tiles = static_cast<uint>(tbb::this_task_arena::max_concurrency()) * TILES_PER_THREAD;
+    const uint threads = static_cast<uint>(tbb::this_task_arena::max_concurrency());
+    if (threads == 1) {
+        return TILE_PATHS;
+    }
+    uint tiles = threads * TILES_PER_THREAD;
     uint even = (pixels / tiles + TILE_GRAIN - 1) / TILE_GRAIN * TILE_GRAIN;
     return std::clamp(even, FEWEST, TILE_PATHS);
 }

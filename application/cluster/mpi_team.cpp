@@ -5,7 +5,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <cstring>
+#include <string_view>
 
 namespace application {
 namespace {
@@ -14,21 +16,46 @@ using render_system::PixelSum;
 using render_system::Status;
 using render_system::StatusCode;
 
-/// Enough tiles that the last ones leave no rank waiting for long, and large enough that a rank's threads share one
-/// well.
-uint64_t pixels_per_tile(uint64_t pixels, uint64_t ranks, uint64_t threads) {
-    constexpr uint64_t kTilesPerRank = 48, kFewestPerThread = 512, kMost = 1 << 16;
-    return std::clamp(pixels / (ranks * kTilesPerRank), std::min(kMost, threads * kFewestPerThread), kMost);
+/// Where the tiles of a round begin, and the end of the last one. Large ones come first: each is an eighth of what is
+/// left to a rank if all are equally fast, so that a rank that is slow does not begin one that takes longer than all
+/// others have still to do. Small ones come last and leave nobody waiting for long; there are few of them, since a core
+/// is slower at them.
+std::vector<uint64_t> tile_starts(uint64_t pixels, uint64_t ranks, uint64_t smallest) {
+    constexpr uint64_t kShare = 8, kMost = 1 << 18;
+    std::vector<uint64_t> starts;
+    for (uint64_t start = 0; start < pixels;) {
+        starts.push_back(start);
+        const uint64_t even = (pixels - start) / (ranks * kShare) / smallest * smallest;
+        start += std::clamp(even, smallest, std::max(smallest, kMost));
+    }
+    starts.push_back(pixels);
+    return starts;
 }
 
 }  // namespace
 
-MpiTeam::MpiTeam() {
-    MPI_Comm_rank(MPI_COMM_WORLD, &rank_);
-    MPI_Comm_size(MPI_COMM_WORLD, &ranks_);
+MpiTeam::MpiTeam() { MPI_Comm_size(MPI_COMM_WORLD, &ranks_); }
+
+int MpiTeam::rank_of_process() {
+    int rank = 0;
+    MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+    return rank;
+}
+
+/// Ranks of one machine share memory. PATHTRACER_ANSWERS (0 or 1) overrules.
+bool MpiTeam::needs_answers() {
+    if (const char* wish = std::getenv("PATHTRACER_ANSWERS")) return std::string_view(wish) == "1";
+    MPI_Comm machine = MPI_COMM_NULL;
+    int here = 0, all = 0;
+    MPI_Comm_size(MPI_COMM_WORLD, &all);
+    MPI_Comm_split_type(MPI_COMM_WORLD, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &machine);
+    MPI_Comm_size(machine, &here);
+    MPI_Comm_free(&machine);
+    return here < all;
 }
 
 MpiTeam::~MpiTeam() {
+    answering_.end();
     for (MPI_Win* window : {&counter_, &sums_}) {
         if (*window == MPI_WIN_NULL) continue;
         MPI_Win_unlock_all(*window);
@@ -45,6 +72,7 @@ std::string MpiTeam::text_of(int rank, const std::string& mine) {
 }
 
 Status MpiTeam::agree(const Status& mine) {
+    answering_.end();  // after tasks
     int failed = mine.ok() ? ranks_ : rank_, first = ranks_;
     MPI_Allreduce(&failed, &first, 1, MPI_INT, MPI_MIN, MPI_COMM_WORLD);
     if (first == ranks_) return Status::success();
@@ -73,8 +101,7 @@ void MpiTeam::open_windows(uint64_t pixels, bool squares) {
     MPI_Win_allocate(rank_ == 0 ? sizeof(uint64_t) : 0, sizeof(uint64_t), MPI_INFO_NULL, MPI_COMM_WORLD, &counter,
                      &counter_);
     const uint64_t bytes = pixels * (sizeof(PixelSum) + (squares ? sizeof(double) : 0));
-    MPI_Win_allocate(rank_ == 0 ? static_cast<MPI_Aint>(bytes) : 0, 1, MPI_INFO_NULL, MPI_COMM_WORLD, &round_memory_,
-                     &sums_);
+    MPI_Win_allocate(rank_ == 0 ? static_cast<MPI_Aint>(bytes) : 0, 1, MPI_INFO_NULL, MPI_COMM_WORLD, &shared_, &sums_);
     if (rank_ == 0) *counter = 0;
     MPI_Barrier(MPI_COMM_WORLD);
     MPI_Win_lock_all(0, counter_);
@@ -82,9 +109,9 @@ void MpiTeam::open_windows(uint64_t pixels, bool squares) {
 }
 
 MpiTeam::Round MpiTeam::announced(Round round) {
-    uint32_t numbers[2] = {round.first, round.count};
-    MPI_Bcast(numbers, 2, MPI_UINT32_T, 0, MPI_COMM_WORLD);
-    return {numbers[0], numbers[1]};
+    uint64_t numbers[] = {round.first, round.count, round.is_fresh ? 1u : 0u, round.smallest_tile};
+    MPI_Bcast(numbers, 4, MPI_UINT64_T, 0, MPI_COMM_WORLD);
+    return {static_cast<uint32_t>(numbers[0]), static_cast<uint32_t>(numbers[1]), numbers[2] != 0, numbers[3]};
 }
 
 /// The counter of this round as it was before.
@@ -95,9 +122,36 @@ uint64_t MpiTeam::raised_by(uint64_t more) {
     return fetched - fetched_before_;
 }
 
+/// The task may take long, in which others ask for theirs.
+uint64_t MpiTeam::next_task() {
+    answering_.end();
+    const uint64_t task = raised_by(1);
+    answering_.begin();
+    return task;
+}
+
+void MpiTeam::skip_tasks(uint64_t end) {
+    answering_.end();
+    raised_by(end);
+}
+
 void MpiTeam::add_up(std::span<uint64_t> numbers) {
     MPI_Reduce(rank_ == 0 ? MPI_IN_PLACE : numbers.data(), numbers.data(), static_cast<int>(numbers.size()),
                MPI_UINT64_T, MPI_SUM, 0, MPI_COMM_WORLD);
+}
+
+/// Where on rank 0 the sums of that pixel lie, and their squares.
+uint64_t MpiTeam::place_of(uint64_t pixel) const { return pixel * sizeof(PixelSum); }
+uint64_t MpiTeam::place_of_square(uint64_t pixel) const { return pixels_ * sizeof(PixelSum) + pixel * sizeof(double); }
+
+void MpiTeam::get_tile(uint64_t first_pixel) {
+    const auto get = [&](void* values, uint64_t bytes, uint64_t place) {
+        MPI_Get(values, static_cast<int>(bytes), MPI_BYTE, 0, static_cast<MPI_Aint>(place), static_cast<int>(bytes),
+                MPI_BYTE, sums_);
+    };
+    get(tile_.data(), tile_.size() * sizeof(PixelSum), place_of(first_pixel));
+    if (squares_) get(tile_squares_.data(), tile_squares_.size() * sizeof(double), place_of_square(first_pixel));
+    MPI_Win_flush(0, sums_);
 }
 
 void MpiTeam::put_tile(uint64_t first_pixel) {
@@ -105,68 +159,78 @@ void MpiTeam::put_tile(uint64_t first_pixel) {
         MPI_Put(values, static_cast<int>(bytes), MPI_BYTE, 0, static_cast<MPI_Aint>(place), static_cast<int>(bytes),
                 MPI_BYTE, sums_);
     };
-    put(tile_.data(), tile_.size() * sizeof(PixelSum), first_pixel * sizeof(PixelSum));
-    if (squares_)
-        put(tile_squares_.data(), tile_squares_.size() * sizeof(double),
-            pixels_ * sizeof(PixelSum) + first_pixel * sizeof(double));
+    put(tile_.data(), tile_.size() * sizeof(PixelSum), place_of(first_pixel));
+    if (squares_) put(tile_squares_.data(), tile_squares_.size() * sizeof(double), place_of_square(first_pixel));
     MPI_Win_flush(0, sums_);
 }
 
-void MpiTeam::work_off(CoreSession& session, const Round& round) {
-    const uint64_t tiles = (pixels_ + tile_pixels_ - 1) / tile_pixels_;
-    for (uint64_t tile = raised_by(1); tile < tiles; tile = raised_by(1)) {
-        const uint64_t first_pixel = tile * tile_pixels_;
-        const uint64_t count = std::min(tile_pixels_, pixels_ - first_pixel);
-        tile_.assign(count, {});
-        tile_squares_.assign(squares_ ? count : 0, 0.0);
-        const Status status =
-            session.render_part(tile_, tile_squares_, static_cast<uint32_t>(first_pixel), round.first, round.count);
-        if (!status.ok()) {
-            fmt::print(stderr, "pathtracer: error: rank {}: {}; the run ends, --resume goes on from a checkpoint\n",
-                       rank_, explain(status));
-            MPI_Abort(MPI_COMM_WORLD, 2);
-        }
-        put_tile(first_pixel);
+void MpiTeam::render_tile(CoreSession& session, const Round& round, uint64_t first_pixel, uint64_t count) {
+    times_.begin_tile(first_pixel, count);
+    tile_.assign(count, {});
+    tile_squares_.assign(squares_ ? count : 0, 0.0);
+    if (!round.is_fresh) get_tile(first_pixel);
+    times_.note();
+    answering_.begin();
+    const Status status =
+        session.render_part(tile_, tile_squares_, static_cast<uint32_t>(first_pixel), round.first, round.count);
+    answering_.end();
+    times_.note();
+    if (!status.ok()) {
+        fmt::print(stderr, "pathtracer: error: rank {}: {}; the run ends, --resume goes on from a checkpoint\n", rank_,
+                   explain(status));
+        MPI_Abort(MPI_COMM_WORLD, 2);
     }
+    put_tile(first_pixel);
+    times_.end_tile();
+}
+
+void MpiTeam::work_off(CoreSession& session, const Round& round) {
+    if (tiles_of_ != round.smallest_tile) {
+        tiles_of_ = round.smallest_tile;
+        starts_ = tile_starts(pixels_, static_cast<uint64_t>(ranks_), tiles_of_);
+    }
+    times_.begin_round();
+    const uint64_t tiles = starts_.size() - 1;
+    for (uint64_t tile = raised_by(1); tile < tiles; tile = raised_by(1))
+        render_tile(session, round, starts_[tile], starts_[tile + 1] - starts_[tile]);
     fetched_before_ += tiles + static_cast<uint64_t>(ranks_);  // each rank has fetched once in vain
     MPI_Barrier(MPI_COMM_WORLD);
 }
 
+/// Sums that another run has left, or none, come to where all ranks reach them.
+void MpiTeam::share(const SampleSums& sums) {
+    if (sums.samples == shared_samples_ || sums.samples == 0) return;
+    std::memcpy(shared_, sums.pixels.data(), pixels_ * sizeof(PixelSum));
+    if (squares_) std::memcpy(shared_ + place_of_square(0), sums.squares.data(), pixels_ * sizeof(double));
+    MPI_Win_sync(sums_);
+}
+
 Status MpiTeam::render(CoreSession& session, SampleSums& sums, uint32_t first, uint32_t count) {
     open_windows(sums.pixels.size(), !sums.squares.empty());
-    uint64_t tile_pixels = pixels_per_tile(pixels_, static_cast<uint64_t>(ranks_), session.stats().threads);
-    MPI_Bcast(&tile_pixels, 1, MPI_UINT64_T, 0, MPI_COMM_WORLD);
-    tile_pixels_ = tile_pixels;
-    work_off(session, announced({first, count}));
-    MPI_Win_sync(sums_);
-    PixelSum part;
-    for (uint64_t i = 0; i < pixels_; ++i) {
-        std::memcpy(&part, round_memory_ + i * sizeof(PixelSum), sizeof(part));
-        add_sum(sums.pixels[i], part);
-    }
-    double square = 0.0;
-    for (uint64_t i = 0; i < sums.squares.size(); ++i) {
-        std::memcpy(&square, round_memory_ + pixels_ * sizeof(PixelSum) + i * sizeof(square), sizeof(square));
-        sums.squares[i] += square;
-    }
+    share(sums);
+    constexpr uint64_t kFewestPerThread = 256;
+    work_off(session, announced({first, count, sums.samples == 0, session.stats().threads * kFewestPerThread}));
     sums.samples += count;
+    shared_samples_ = sums.samples;
     return Status::success();
+}
+
+void MpiTeam::collect(SampleSums& sums) {
+    if (sums.samples == 0 || sums.samples != shared_samples_) return;  // nothing has been rendered since they were set
+    MPI_Win_sync(sums_);
+    std::memcpy(static_cast<void*>(sums.pixels.data()), shared_, pixels_ * sizeof(PixelSum));
+    if (squares_) std::memcpy(sums.squares.data(), shared_ + place_of_square(0), pixels_ * sizeof(double));
 }
 
 void MpiTeam::end() {
     if (counter_ == MPI_WIN_NULL) open_windows(1, squares_);
-    uint64_t nothing = 0;
-    MPI_Bcast(&nothing, 1, MPI_UINT64_T, 0, MPI_COMM_WORLD);
+    announced({});
 }
 
 Status MpiTeam::follow(CoreSession& session, bool squares) {
-    const auto pixels = uint64_t{session.width()} * session.height();
-    open_windows(pixels, squares);
-    while (true) {
-        MPI_Bcast(&tile_pixels_, 1, MPI_UINT64_T, 0, MPI_COMM_WORLD);
-        if (tile_pixels_ == 0) return Status::success();
-        work_off(session, announced({}));
-    }
+    open_windows(uint64_t{session.width()} * session.height(), squares);
+    for (Round round = announced({}); round.count > 0; round = announced({})) work_off(session, round);
+    return Status::success();
 }
 
 }  // namespace application

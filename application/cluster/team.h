@@ -31,7 +31,11 @@ public:
     virtual uint64_t told(uint64_t number) = 0;
 
     /// The leader: adds the samples [first, first + count) of every pixel to `sums`, tile by tile on whoever is free.
+    /// What they are then lies with the team; their number alone is here until collect().
     virtual render_system::Status render(CoreSession& session, SampleSums& sums, uint32_t first, uint32_t count) = 0;
+
+    /// The leader: brings the sums here that render() has left.
+    virtual void collect(SampleSums& sums) = 0;
 
     /// The leader: lets the others go, until they follow again.
     virtual void end() = 0;

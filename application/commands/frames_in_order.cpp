@@ -153,9 +153,11 @@ Status FramesInOrder::take_together(Team& ranks) {
     SamplingPlan plan{{first, first + options_.spp.front()}, Clock::now(), {}, {}, {}};
     plan.interrupt = &interrupt_;
     plan.label = label_of(next_);
-    plan.portion_seconds = kTeamPortionSeconds;
+    plan.portions = kTeamPortions;
     plan.render = [&](uint32_t count) { return ranks.render(session_, sums_, first + sums_.samples, count); };
-    return take_samples(session_, sums_, plan, console_).status;
+    const Status status = take_samples(session_, sums_, plan, console_).status;
+    if (status.ok()) ranks.collect(sums_);
+    return status;
 }
 
 /// Filters the samples that are taken, and writes the frame: a signal does not come between the two.

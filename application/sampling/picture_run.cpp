@@ -56,12 +56,20 @@ PictureRun::PictureRun(const Options& options, path file, CoreSession& session, 
       wanted_(wanted_samples(options)) {
     if (is_exr(file_) || keeps_checkpoints() || team()) run_ = run_identity(options, session);
     if (options.filter == FilterMode::temporal)
-        passes_.emplace(session, sums, wanted_.first, [this] { return take_samples_of_all(1); });
+        passes_.emplace(session, sums, wanted_.first, [this] {
+            const Status status = take_samples_of_all(1);
+            collect();
+            return status;
+        });
 }
 
 Status PictureRun::take_samples_of_all(uint32_t count) {
     if (team()) return team()->render(session_, sums_, wanted_.first + sums_.samples, count);
     return session_.render(render_system::Convergence::Converge, count);
+}
+
+void PictureRun::collect() {
+    if (team()) team()->collect(sums_);
 }
 
 Status PictureRun::resume() {
@@ -102,11 +110,16 @@ Status PictureRun::take(std::chrono::steady_clock::time_point start) {
     const SamplingOptions& sampling = options_.sampling;
     SamplingPlan plan{wanted_, start, sampling.time_limit, sampling.noise, sampling.checkpoint};
     plan.interrupt = &interrupt_;
-    plan.write_checkpoint = [this] { save_checkpoint(); };
-    if (team()) plan.portion_seconds = kTeamPortionSeconds;
+    plan.collect = [this] { collect(); };
+    plan.write_checkpoint = [this] {
+        collect();
+        save_checkpoint();
+    };
+    if (team()) plan.portions = kTeamPortions;
     plan.render = [this](uint32_t count) { return passes_ ? passes_->take(count) : take_samples_of_all(count); };
     const auto end = take_samples(session_, sums_, plan, console_);
     if (!end.ok()) return end.status;
+    collect();
     end_ = *end;
     if (end_ == SamplingEnd::interrupted)
         console_.note(fmt::format("interrupted by {}: the picture has {} of {} samples",

@@ -48,6 +48,8 @@ private:
     bool keeps_checkpoints() const { return options_.sampling.checkpoint || options_.resume; }
     /// Adds so many samples of every pixel to the sums, on the team where there is one.
     render_system::Status take_samples_of_all(uint32_t count);
+    /// Brings the sums here that a team has.
+    void collect();
     void save_checkpoint();
     render_system::Result<Picture> filtered();
 

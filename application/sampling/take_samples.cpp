@@ -28,7 +28,10 @@ bool measures_noise(const SamplingPlan& plan, uint32_t samples) {
 }
 
 std::optional<SamplingEnd> end_of(const SamplingPlan& plan, const SampleSums& sums, double sample_seconds) {
-    if (measures_noise(plan, sums.samples) && noise_of(sums) <= *plan.noise) return SamplingEnd::noise;
+    if (measures_noise(plan, sums.samples)) {
+        plan.collect();
+        if (noise_of(sums) <= *plan.noise) return SamplingEnd::noise;
+    }
     if (sums.samples >= plan.wanted.count()) return SamplingEnd::all_taken;
     if (sums.samples == 0) return std::nullopt;
     if (plan.interrupt->signal() != 0) return SamplingEnd::interrupted;
@@ -37,10 +40,15 @@ std::optional<SamplingEnd> end_of(const SamplingPlan& plan, const SampleSums& su
     return std::nullopt;
 }
 
-/// How many samples go into the next call of the core: about a quarter of a second's, and none past a place where
-/// something is decided.
-uint32_t portion(const SamplingPlan& plan, uint32_t samples, double sample_seconds) {
-    double seconds = plan.portion_seconds;
+/// How long the next call of the core is to take.
+double portion_seconds(const SamplingPlan& plan, double seconds_taken) {
+    const Portions& portions = plan.portions;
+    const double seconds = std::clamp(seconds_taken / 5.0, portions.least_seconds, portions.most_seconds);
+    return plan.checkpoint ? std::min(seconds, *plan.checkpoint) : seconds;
+}
+
+/// How many samples go into it, and none past a place where something is decided.
+uint32_t portion(const SamplingPlan& plan, uint32_t samples, double sample_seconds, double seconds) {
     if (plan.time_limit) seconds = std::min(seconds, *plan.time_limit - seconds_since(plan.start));
     const double fitting = std::max(1.0, seconds / std::max(sample_seconds, 1e-9));
     uint32_t count = static_cast<uint32_t>(std::min<double>(fitting, plan.wanted.count() - samples));
@@ -73,7 +81,10 @@ Result<SamplingEnd> take_samples(CoreSession& session, SampleSums& sums, const S
     while (true) {
         const double sample_seconds = seconds / std::max(1u, taken);
         if (const auto end = end_of(plan, sums, sample_seconds)) return *end;
-        if (plan.checkpoint && seconds_since(written) + std::min(sample_seconds, *plan.checkpoint) > *plan.checkpoint) {
+        const double next_seconds = portion_seconds(plan, seconds);
+        const double at_work = std::max(sample_seconds, next_seconds);  // and lost where a kill comes then
+        if (plan.checkpoint && sums.samples > 0 &&
+            seconds_since(written) + std::min(at_work, *plan.checkpoint) > *plan.checkpoint) {
             plan.write_checkpoint();
             written = Clock::now();
         }
@@ -82,7 +93,7 @@ Result<SamplingEnd> take_samples(CoreSession& session, SampleSums& sums, const S
         const uint64_t rays = (now.primary_rays + now.extension_rays + now.shadow_rays) * sums.samples /
                               std::max<uint64_t>(1, now.samples);
         bar.show(sums.samples, plan.wanted.count(), rays, sample_seconds * sums.samples);
-        const uint32_t count = taken == 0 ? 1 : portion(plan, sums.samples, sample_seconds);
+        const uint32_t count = taken == 0 ? 1 : portion(plan, sums.samples, sample_seconds, next_seconds);
         const Clock::time_point began = Clock::now();
         const Status status = plan.render(count);
         if (!status.ok()) return status;

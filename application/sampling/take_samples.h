@@ -23,8 +23,14 @@ SampleRange wanted_samples(const Options& options);
 /// Whether squares of samples are summed as well: to tell their noise.
 bool keeps_squares(const Options& options);
 
-/// The same between two looks of a team, whose end of each costs up to the time of a tile.
-constexpr double kTeamPortionSeconds = 2.0;
+/// Between two looks at the clock and at signals: a fifth of the time that samples have taken so far, within these.
+struct Portions {
+    double least_seconds = 0.25;
+    double most_seconds = 0.25;
+};
+
+/// Those of a team, all of whose sums go to its leader and back for each: less often once it is known to be a long run.
+constexpr Portions kTeamPortions = {2.0, 10.0};
 
 /// When a run of samples stops, and what happens on the way.
 struct SamplingPlan {
@@ -36,7 +42,9 @@ struct SamplingPlan {
     std::function<void()> write_checkpoint = {};
     /// What takes so many samples of every pixel.
     std::function<render_system::Status(uint32_t count)> render = {};
-    double portion_seconds = 0.25;  ///< between two looks at the clock and at signals
+    /// What brings the sums here, where they may lie elsewhere.
+    std::function<void()> collect = [] {};
+    Portions portions = {};
     const KeptInterrupt* interrupt = nullptr;
     std::string label = {};  ///< of the progress bar; the core's name where it is empty
 };

@@ -91,12 +91,13 @@ class FilteredRuns(unittest.TestCase):
     def left(self):
         return sorted(f.name for f in self.path.iterdir() if f.is_file())
 
-    def killed_until_done(self, arguments, done, seconds):
-        """Runs the command until it has been killed KILLS times at random moments and once was not; `done` is asked
-        after each. Says what was the oldest checkpoint at a kill."""
+    def killed_until_done(self, arguments, done, most, seconds):
+        """Runs the command until it has been killed KILLS times at random moments and was then done; `done` is asked
+        after each how much is kept, and told whether it ended by itself. Says how often that was."""
         dice = random.Random(20261125)
         kills = whole = before = 0
-        while kills < KILLS or whole == 0:
+        ended = False
+        while kills < KILLS or not ended:
             process = runs.start("render", self.scene, *SMALL, *arguments)
             try:
                 process.wait(timeout=dice.uniform(0.05, 0.4 + 0.6 * seconds) if kills < KILLS else None)
@@ -105,15 +106,16 @@ class FilteredRuns(unittest.TestCase):
                 kills += 1
             _, errors = process.communicate()
             self.assertIn(process.returncode, (0, -signal.SIGKILL), errors)
-            if process.returncode == 0:
+            ended = process.returncode == 0
+            if ended:
                 whole += 1
                 done(True)
                 before = 0
                 continue
             there = done(False)
             self.assertGreaterEqual(there, before, "a kill lost what was kept before")
-            before = there
-        print(f"{self.id().split('.')[-1]}: {kills} kills, {whole} times done before one", file=sys.stderr)
+            before = there if there < most else 0
+        print(f"{self.id().split('.')[-1]}: {kills} kills, done {whole} times", file=sys.stderr)
 
     def test_a_still_picture_goes_on_after_kills_to_the_same_bits(self):
         wanted = 12 * (1 + KILLS)
@@ -124,16 +126,18 @@ class FilteredRuns(unittest.TestCase):
         checkpoint = self.file("parts.png.checkpoint")
 
         def done(all_of_it):
-            if all_of_it:
-                self.assertEqual(parts.read_bytes(), whole.read_bytes())
-                self.assertFalse(checkpoint.exists())
-                parts.unlink()
-                return 0
-            self.assertFalse(parts.exists() and parts.read_bytes() != whole.read_bytes())
-            return done_in(checkpoint, "passes")
+            if not parts.exists():
+                self.assertFalse(all_of_it)
+                return done_in(checkpoint, "passes")
+            self.assertEqual(parts.read_bytes(), whole.read_bytes())
+            if checkpoint.exists():  # killed between the two
+                self.assertFalse(all_of_it)
+                return done_in(checkpoint, "passes")
+            parts.unlink()
+            return wanted if not all_of_it else 0
 
         self.killed_until_done([*TEMPORAL, "--spp", str(wanted), "-o", str(parts), "--resume", "--checkpoint", "0.05s"],
-                               done, seconds)
+                               done, wanted, seconds)
         self.assertEqual(self.left(), ["whole.png"], "nothing unfinished stays")
 
     def frames_after_kills(self, *more):
@@ -152,14 +156,16 @@ class FilteredRuns(unittest.TestCase):
                     self.assertEqual(file.read_bytes(), expected, file.name)
             if not all_of_it:
                 kept = sum(file.exists() for file in there)
-                return done_in(self.file("parts_##.png.checkpoint"), "frames") if more else kept
+                of_checkpoint = done_in(self.file("parts_##.png.checkpoint"), "frames")
+                return of_checkpoint if more and kept < count else kept
             for file in there:
                 file.unlink()
-            self.assertEqual(self.left(), ["whole_" + name for name in names], "nothing unfinished stays")
+            self.assertEqual(self.left(), sorted("whole_" + name for name in names), "nothing unfinished stays")
             return 0
 
         checkpoint = ["--checkpoint", "0.05s"] if more else []
-        self.killed_until_done([*common, "-o", str(self.file("parts_##.png")), "--resume", *checkpoint], done, seconds)
+        self.killed_until_done([*common, "-o", str(self.file("parts_##.png")), "--resume", *checkpoint], done, count,
+                               seconds)
 
     def test_frames_go_on_after_kills_to_the_same_bits(self):
         self.frames_after_kills()

@@ -121,6 +121,42 @@ class Teams(unittest.TestCase):
             self.assertEqual(len(said), 1, result.stderr)
             self.assertIn(word, said[0])
 
+    def test_a_slow_rank_takes_fewer_tiles_and_the_others_wait_for_one_at_most(self):
+        """Rank 1 is stopped nearly all of the time: what is left to it a loaded machine gives it at once."""
+        arguments = [*RENDER[:-1], "200x114", "--spp", "1000000", "--time-limit", "6s", "--threads", "1"]
+        process = subprocess.Popen([*MPIRUN, "-n", "2", str(PROGRAM), *arguments, "-o", self.file("a.exr")],
+                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+                                   env={**environment(), "PATHTRACER_TILE_TIMES": self.file("times")})
+        while not (self.path / "times.1").exists() or (self.path / "times.1").stat().st_size == 0:  # until it has loaded
+            self.assertIsNone(process.poll(), "ended by itself")
+            time.sleep(0.01)
+        slow = max(map(int, subprocess.run(["pgrep", "-P", str(process.pid)], capture_output=True, text=True).stdout.split()))
+        try:
+            while process.poll() is None:
+                for number, seconds in ((signal.SIGSTOP, 0.1), (signal.SIGCONT, 0.005)):
+                    os.kill(slow, number)
+                    time.sleep(seconds)
+        except ProcessLookupError:
+            pass
+        _, errors = process.communicate(timeout=60)
+        self.assertEqual(process.returncode, 0, errors)
+        lines = [(self.path / f"times.{rank}").read_text().splitlines() for rank in (0, 1)]
+        tiles = [[tuple(map(float, line.split())) for line in of] for of in lines]
+        pixels = [sum(tile[2] for tile in of) for of in tiles]
+        self.assertLess(pixels[1], pixels[0], "a slow rank takes fewer")
+        rounds = {tile[0] for of in tiles for tile in of}
+        for number in rounds:
+            fast, slow = ([tile for tile in of if tile[0] == number] for of in tiles)
+            self.assertEqual(sum(tile[2] for tile in fast + slow), 200 * 114, "each pixel once a round")
+            if not fast or not slow:
+                continue
+            wait = slow[-1][-1] - fast[-1][-1]
+            self.assertLess(wait, slow[-1][-1] - slow[-1][3] + 0.1, f"round {number:.0f}: no more than its last tile")
+        samples = int(errors.split("the picture has ")[1].split(" ")[0])
+        alone = subprocess.run([PROGRAM, *RENDER[:-1], "200x114", "--spp", str(samples), "-o", self.file("b.exr")], capture_output=True)
+        self.assertEqual(alone.returncode, 0, alone.stderr)
+        self.assertEqual(self.bytes("a.exr"), self.bytes("b.exr"))
+
     def test_a_dead_rank_ends_the_run_and_resume_goes_on(self):
         output = self.file("a.png")
         arguments = [*RENDER, "--spp", "40", "--threads", "1", "--checkpoint", "0.05s", "-o", output]
