@@ -5,15 +5,18 @@
 
     bench/filter.py build/release/bin/pathtracer out --scene still_life --scene ../shared/scenes/pica/scene.gltf
 
-A camera.json beside a scene is used. References are rendered once and kept in the folder. Error is that of the 8-bit values
-of PNGs (--tone-map): root mean square over all pixels, and mean SSIM of luma (Gaussian of 11 pixels, sigma 1.5) over the
-tenth of the pixels at which the reference's Sobel gradient is largest. Brightness is the ratio of mean linear values of those
-PNGs, so it says little where much is clipped. Prints a table and exits with 1 where a median misses its bar.
+A camera.json beside a scene is used. References are rendered once and kept in the folder; one that was interrupted goes on.
+Error is that of the 8-bit values of PNGs (--tone-map): root mean square over all pixels, and mean SSIM of luma (Gaussian of
+11 pixels, sigma 1.5) over the tenth of the pixels at which the reference's Sobel gradient is largest. Brightness is the ratio
+of mean linear values of those PNGs, so it says little where much is clipped. Times are the least of all seeds: that of the
+filter without its guides, and that of all processors for the whole run, from loading the scene on. Prints a table and exits
+with 1 where a median misses its bar.
 """
 import argparse
 import math
 import pathlib
 import re
+import resource
 import statistics
 import struct
 import subprocess
@@ -130,38 +133,45 @@ def main():
     given.folder.mkdir(parents=True, exist_ok=True)
 
     def render(scene, name, *more):
+        """The picture, what was said on the way, and the processor time of it all in seconds."""
         camera = pathlib.Path(scene).parent / "camera.json"
         command = [given.program, "render", scene, "--size", given.size, "--core", given.core, "--tone-map", given.tone_map,
                    "-o", given.folder / name, "--verbose", *more]
         if camera.is_file():
             command += ["--camera", camera]
+        before = resource.getrusage(resource.RUSAGE_CHILDREN)
         done = subprocess.run(list(map(str, command)), capture_output=True, text=True, check=False)
         if done.returncode != 0:
             sys.exit(done.stderr)
-        return given.folder / name, done.stderr
+        after = resource.getrusage(resource.RUSAGE_CHILDREN)
+        spent = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+        return given.folder / name, done.stderr, spent
 
     missed = False
-    print(f"{'scene':12} {'picture':12} {'RMSE':>8} {'SSIM on edges':>14} {'brightness':>11} {'filter ms':>10}")
+    print(f"{'scene':12} {'picture':12} {'RMSE':>8} {'SSIM on edges':>14} {'brightness':>11} {'filter ms':>10} {'CPU s':>7}")
     for scene in given.scene:
         path = pathlib.Path(scene)
         name = path.parent.name if path.suffix else scene
         key = f"{name}-{given.size}-{given.tone_map}"
         reference = given.folder / f"{key}-reference-{given.reference_spp}.png"
         if not reference.exists():
-            render(scene, reference.name, "--spp", str(given.reference_spp), "--seed", "1000")
+            render(scene, reference.name, "--spp", str(given.reference_spp), "--seed", "1000", "--checkpoint", "60",
+                   "--resume")
         reference = Reference(reference)
         medians = {}
         for label, options in (("4", ["--spp", "4"]), ("32", ["--spp", "32"]),
                                ("4 filtered", ["--spp", "4", "--filter", "spatial"])):
-            found, times = [], []
+            found, times, spent = [], [], []
             for seed in range(given.seeds):
-                picture, said = render(scene, f"{key}-{label.replace(' ', '-')}-{seed}.png", *options, "--seed", str(seed))
+                name_of_picture = f"{key}-{label.replace(' ', '-')}-{seed}.png"
+                picture, said, seconds = render(scene, name_of_picture, *options, "--seed", str(seed))
                 found.append(reference.errors(picture))
+                spent.append(seconds)
                 times += [float(t) for t in re.findall(r"filter: ([0-9.]+) ms", said)]
             medians[label] = [statistics.median(column) for column in zip(*found)]
             rmse, ssim, bright = medians[label]
             took = f"{min(times):10.2f}" if times else f"{'-':>10}"
-            print(f"{name:12} {label:12} {rmse:8.3f} {ssim:14.4f} {bright:11.4f} {took}", flush=True)
+            print(f"{name:12} {label:12} {rmse:8.3f} {ssim:14.4f} {bright:11.4f} {took} {min(spent):7.2f}", flush=True)
         plain, filtered = medians["32"], medians["4 filtered"]
         for what, met in (("RMSE", filtered[0] <= plain[0]), ("SSIM on edges", filtered[1] >= plain[1]),
                           ("brightness", abs(filtered[2] - 1) <= 0.01)):

@@ -31,12 +31,12 @@ double milliseconds_since(Clock::time_point start) {
 
 constexpr uint32_t SMALLEST_BATCH = 1u << 14;  // below, dispatches cost more than they do
 
+// How many camera rays a pixel a filter goes by: those of its samples, and more where they are few; yet more where a
+// pixel shows several things.
 constexpr uint32_t FEWEST_GUIDE_RAYS = 16;
-constexpr uint32_t FEWEST_WITH_HISTORY = 8;  // frames before bring theirs
+constexpr uint32_t MOST_GUIDE_RAYS = 64;
 
-// How many camera rays a pixel a filter goes by: those of its samples, and more where they are few.
-uint32_t guide_rays(const CoreFilter& filter) {
-    const uint32_t fewest = filter.history == FilterHistory::none ? FEWEST_GUIDE_RAYS : FEWEST_WITH_HISTORY;
+uint32_t guide_rays(const CoreFilter& filter, uint32_t fewest) {
     return std::min(std::max(filter.samples, fewest), filter.most_rays);
 }
 
@@ -91,7 +91,8 @@ private:
     Status render_batches(const Settings& settings, uint32_t samples);
     Status render_batch(const Settings& settings, const BatchPass& batch, std::span<glm::vec4> pixels,
                         WavefrontCounts& counts);
-    Status gather_guides(const Settings& settings, uint32_t first_sample, uint32_t samples);
+    void bind_filter(const Settings& settings);
+    Status gather_guides(const Settings& settings, BatchPass batch);
     Status prepare_filter(const Settings& settings, const CoreFilter& filter);
     Status sum_batch(const Settings& settings, BatchPass batch, WavefrontCounts& counts);
     Status name_primitives();
@@ -344,6 +345,8 @@ Settings SourceCore::filter_settings(const ViewPyramid& view) const {
     const FrameBefore& before = frame_before();
     const Screen screen = screen_of(before.frame > 1 ? before.view : view, target().height);
     frame.frame = before.frame;
+    frame.max_path_length = std::min(frame.max_path_length, GUIDE_SEGMENTS);
+    frame.scene_extent.w = GUIDE_SHARP;
     frame.motion = before.is_same ? STANDS_STILL : before.motions.empty() ? VIEW_MOVES : INSTANCES_MOVE;
     frame.eye_before =
         glm::vec4(before.frame > 1 ? before.view.eye : view.eye, screen.parallel_pixel > 0.0f ? 1.0f : 0.0f);
@@ -425,39 +428,51 @@ Status SourceCore::render(const ViewPyramid& view, uint32_t samples) {
     return status.ok() ? gpu_->instance->validation_status() : status;
 }
 
-// Adds the camera rays of these samples to the guides.
-Status SourceCore::gather_guides(const Settings& frame, uint32_t first_sample, uint32_t samples) {
+// The camera rays of these samples, as far as pixels want them, whose guides are added to those there are.
+Status SourceCore::gather_guides(const Settings& frame, BatchPass batch) {
     const WavefrontSize& size = gpu_->wavefront->size();
     Status status = Status::success();
     WavefrontCounts counts;
     for (uint64_t first = 0; first < size.pixels && status.ok(); first += size.batch) {
-        BatchPass batch;
         batch.first_pixel = static_cast<uint32_t>(first);
         batch.path_count = static_cast<uint32_t>(std::min<uint64_t>(size.batch, size.pixels - first));
-        batch.first_sample = first_sample;
-        batch.for_filter = true;
-        batch.samples = samples;
         gpu_->wavefront->bind(*gpu_->device, *gpu_->kernels_in_use, variant_, gpu_->scene, frame, batch);
         status = gpu_->wavefront->gather_guides(*gpu_->device, *gpu_->kernels_in_use, batch, counts);
     }
     return status;
 }
 
+void SourceCore::bind_filter(const Settings& frame) {
+    BatchPass batch;
+    batch.path_count = gpu_->wavefront->size().batch;
+    batch.use = BatchUse::filter;
+    gpu_->wavefront->bind(*gpu_->device, *gpu_->kernels_in_use, variant_, gpu_->scene, frame, batch);
+}
+
 // From the picture, which is on the device, to light by albedo, and guides of as many camera rays as a filter takes.
 Status SourceCore::prepare_filter(const Settings& frame, const CoreFilter& filter) {
-    const uint32_t own = std::min(filter.samples, filter.most_rays);
-    const uint32_t rays = guide_rays(filter);
+    const uint32_t rays = guide_rays(filter, MOST_GUIDE_RAYS);
     WavefrontCounts counts;
+    BatchPass batch;
+    batch.first_sample = filter.first_sample;
+    batch.samples = std::min(filter.samples, filter.most_rays);
+    batch.use = BatchUse::guides;
+    batch.rays_of_all = guide_rays(filter, FEWEST_GUIDE_RAYS);
+    batch.segments = frame.max_path_length;
     Status status = gpu_->wavefront->clear_guides(*gpu_->device);
     if (status.ok()) {
-        status = gather_guides(frame, filter.first_sample, own);
+        status = gather_guides(frame, batch);
     }
     if (status.ok()) {
-        status = gpu_->wavefront->divide_by_albedo(*gpu_->device, *gpu_->kernels_in_use, own, counts);
+        bind_filter(frame);
+        status = gpu_->wavefront->divide_by_albedo(*gpu_->device, *gpu_->kernels_in_use, batch.samples, counts);
     }
-    if (status.ok() && rays > own) {
-        status = gather_guides(frame, filter.first_sample + own, rays - own);
+    if (status.ok() && rays > batch.samples) {
+        batch.first_sample += batch.samples;
+        batch.samples = rays - batch.samples;
+        status = gather_guides(frame, batch);
     }
+    bind_filter(frame);
     return status;
 }
 
@@ -496,7 +511,7 @@ Status SourceCore::filter(const ViewPyramid& view, const CoreFilter& filter) {
     const Clock::time_point guided = Clock::now();
     WavefrontCounts counts;
     if (status.ok()) {
-        status = gpu_->wavefront->run_filter(*gpu_->device, *gpu_->kernels_in_use, guide_rays(filter),
+        status = gpu_->wavefront->run_filter(*gpu_->device, *gpu_->kernels_in_use, filter.samples,
                                              filter.history != FilterHistory::none, counts);
     }
     stats().filter_ms = milliseconds_since(guided);

@@ -191,9 +191,11 @@ void Wavefront::bind_set(const Device& device, const KernelSet& kernels, const K
     buffers[BINDING_ACCUMULATOR] = {accumulator_.handle(), uint64_t{batch.first_pixel} * ROW,
                                     uint64_t{batch.path_count} * ROW};
     buffers[BINDING_TARGET].buffer = target_.handle();
-    if (batch.for_filter) {
+    if (batch.use != BatchUse::samples) {
         buffers[BINDING_GUIDES] = {guides_.handle(), 0, VK_WHOLE_SIZE};
         buffers[BINDING_FILTER_PICTURE].buffer = filter_picture_.handle();
+    }
+    if (batch.use == BatchUse::filter) {
         buffers[BINDING_PLANES].buffer = planes_.handle();
         if (histories_[0]) {
             buffers[BINDING_HISTORY].buffer = histories_[0].handle();

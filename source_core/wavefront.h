@@ -33,6 +33,9 @@ struct WavefrontCounts {
     double kernel_ms[KERNEL_COUNT] = {};
 };
 
+/// What a batch is run for: run, gather_guides, or what follows that.
+enum class BatchUse { samples, guides, filter };
+
 /// Samples to take of one batch.
 struct BatchPass {
     uint32_t first_pixel = 0;
@@ -40,7 +43,9 @@ struct BatchPass {
     uint32_t first_sample = 0;  ///< index of the first sample to take now
     uint32_t samples = 0;
     uint32_t samples_before = 0;  ///< in the accumulator already; 0 starts the sums
-    bool for_filter = false;      ///< gather_guides and what follows it, in place of run
+    BatchUse use = BatchUse::samples;
+    uint32_t rays_of_all = 0;  ///< of guides: so many samples in every pixel, then where more are wanted
+    uint32_t segments = 0;     ///< of guides: how many of each path
 };
 
 /// The buffers of path state and queues, and the loop over generate, extend, shade, connect and finalize. The kernels
@@ -80,15 +85,16 @@ public:
     /// Drops the guides gathered so far.
     Status clear_guides(const Device& device);
 
-    /// Traces the camera rays of a batch's samples and adds what they met to the guides.
+    /// Traces the camera rays of a batch's samples, of the pixels that take them, and adds what they met and what lit
+    /// that to the guides.
     Status gather_guides(const Device& device, const KernelSet& kernels, const BatchPass& batch,
                          WavefrontCounts& counts);
 
     /// Divides filter_picture() by the albedo of the guides, which are those of its own samples.
     Status divide_by_albedo(const Device& device, const KernelSet& kernels, uint32_t samples, WavefrontCounts& counts);
 
-    /// Filters what that has left, by guides of so many camera rays a pixel, into filter_picture().
-    Status run_filter(const Device& device, const KernelSet& kernels, uint32_t rays, bool with_history,
+    /// Filters what that has left of a mean of so many samples, by guides, into filter_picture().
+    Status run_filter(const Device& device, const KernelSet& kernels, uint32_t samples, bool with_history,
                       WavefrontCounts& counts);
 
     /// Mean radiance and the variance of its luminance, then what the filter makes of them. Behind it lie motions.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 #include "source_core/wavefront.h"
 
@@ -10,7 +11,7 @@ namespace source_core {
 namespace {
 
 constexpr uint64_t FILTER_ROW = 16;
-constexpr uint32_t FILTER_STEPS[] = {1, 2, 4, 8, 16};
+constexpr uint32_t FILTER_STEPS[] = {1, 2, 4};
 
 }  // namespace
 
@@ -64,7 +65,7 @@ Status Wavefront::clear_guides(const Device& device) {
 
 Status Wavefront::gather_guides(const Device& device, const KernelSet& kernels, const BatchPass& batch,
                                 WavefrontCounts& counts) {
-    constexpr uint32_t TOGETHER = 8;
+    constexpr uint32_t TOGETHER = 4;
     Status status = Status::success();
     for (uint32_t done = 0; done < batch.samples && status.ok(); done += TOGETHER) {
         const uint32_t end = std::min(done + TOGETHER, batch.samples);
@@ -81,16 +82,32 @@ Status Wavefront::gather_guides(const Device& device, const KernelSet& kernels, 
 void Wavefront::record_guides(VkCommandBuffer commands, const KernelSet& kernels, const BatchPass& batch,
                               uint32_t sample) {
     Pass pass = pass_of(batch, sample);
+    pass.filter_step = batch.rays_of_all;
     clear_segments(commands);
     dispatch(commands, kernels, Kernel::generate, pass);
     kernel_barrier(commands);
+    clear_segments(commands);
+    pass.filter_stage = FILTER_CHOOSE;
+    dispatch(commands, kernels, Kernel::filter, pass);
+    kernel_barrier(commands);
     dispatch(commands, kernels, Kernel::schedule, pass);
-    pass.segment = 1;
-    pass.filter_stage = FILTER_GATHER;
-    for (const Kernel kernel : {Kernel::extend, Kernel::guide, Kernel::filter}) {
-        kernel_barrier(commands);
-        dispatch(commands, kernels, kernel, pass);
+    for (uint32_t segment = 1; segment <= batch.segments; ++segment) {
+        pass.segment = segment;
+        const auto run = [&](Kernel kernel) {
+            kernel_barrier(commands);
+            dispatch(commands, kernels, kernel, pass);
+        };
+        run(Kernel::extend);
+        if (segment == 1) {
+            run(Kernel::guide);
+        }
+        run(Kernel::shade);
+        run(Kernel::schedule);
+        run(Kernel::connect);
     }
+    pass.filter_stage = FILTER_GATHER;
+    kernel_barrier(commands);
+    dispatch(commands, kernels, Kernel::filter, pass);
 }
 
 void Wavefront::record_stage(VkCommandBuffer commands, const KernelSet& kernels, Pass pass, Kernel kernel) {
@@ -111,7 +128,7 @@ Status Wavefront::divide_by_albedo(const Device& device, const KernelSet& kernel
         device, [&](VkCommandBuffer commands) { record_stage(commands, kernels, pass); }, counts);
 }
 
-Status Wavefront::run_filter(const Device& device, const KernelSet& kernels, uint32_t rays, bool with_history,
+Status Wavefront::run_filter(const Device& device, const KernelSet& kernels, uint32_t samples, bool with_history,
                              WavefrontCounts& counts) {
     const Work work = [&](VkCommandBuffer commands) {
         Pass pass{};
@@ -122,17 +139,23 @@ Status Wavefront::run_filter(const Device& device, const KernelSet& kernels, uin
             record_stage(commands, kernels, pass, kernel);
             std::swap(pass.filter_from, pass.filter_to);
         };
-        pass.sample_scale = 1.0f / static_cast<float>(rays);
+        pass.sample_scale = 1.0f / static_cast<float>(samples);
         pass.filter_stage = FILTER_PREPARE;
         record_stage(commands, kernels, pass);
         if (with_history) {
             stage(REPROJECT_LIGHT, Kernel::reproject);
         }
         stage(FILTER_STEADY, Kernel::filter);
+        // Direct light goes to the planes that are free now, and leaves its own to the levels of the rest.
+        const uint32_t light = std::exchange(pass.filter_from, PLANE_DIRECT), direct = pass.filter_to;
+        stage(FILTER_DIRECT, Kernel::filter);
+        pass.filter_from = light;
+        pass.filter_to = PLANE_DIRECT;
         for (const uint32_t step : FILTER_STEPS) {
             pass.filter_step = step;
             stage(FILTER_LEVEL, Kernel::filter);
         }
+        pass.filter_to = direct;
         stage(FILTER_FINISH, Kernel::filter);
         if (with_history) {
             stage(REPROJECT_PICTURE, Kernel::reproject);

@@ -23,7 +23,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr uint FILTER_STEPS[] = {1, 2, 4, 8, 16};
+constexpr uint FILTER_STEPS[] = {1, 2, 4};
 
 /// Adds the time between two calls to a counter.
 class Stopwatch {
@@ -102,14 +102,29 @@ void render_sample(const KernelTable& kernels, Worker& worker, RayLog* log, Path
     show(PathKernel::finalize);
 }
 
-// The camera rays of one sample, for what they met.
+// The camera rays of one sample, of the pixels that take it, for what they met and what lit that.
 void gather_sample(const KernelTable& kernels, Tile& tile) {
     tile.next.count = 0;
     kernels.generate();
-    next_segment(tile);
-    pass.segment = 1;
-    kernels.extend();
-    kernels.guide();
+    tile.next.count = 0;
+    pass.filter_stage = FILTER_CHOOSE;
+    kernels.filter();
+    for (uint segment = 1; segment <= settings.max_path_length; ++segment) {
+        next_segment(tile);
+        if (tile.current.count == 0) {
+            break;
+        }
+        pass.segment = segment;
+        kernels.extend();
+        if (segment == 1) {
+            kernels.guide();
+        } else if (kernels.lanes > 1) {
+            order_surfaces(tile);
+        }
+        kernels.shade();
+        kernels.connect();
+    }
+    pass.filter_stage = FILTER_GATHER;
     kernels.filter();
 }
 
@@ -130,7 +145,7 @@ void render_tile(const Frame& frame, uint first_pixel, uint path_count, Worker& 
         pass.sample_scale = 1.0f / static_cast<float>(in_sum + 1);
         pass.first_in_sum = in_sum == 0 ? 1u : 0u;
         if (frame.guides) {
-            pass.filter_stage = FILTER_GATHER;
+            pass.filter_step = frame.rays_of_all;
             gather_sample(*frame.kernels, worker.tile);
             continue;
         }
@@ -214,7 +229,7 @@ void run_filter_stage(const Frame& frame, const Pass& stage, void (*kernel)()) {
     });
 }
 
-void run_filter(const Frame& frame, uint rays, bool with_history) {
+void run_filter(const Frame& frame, uint samples, bool with_history) {
     const auto filter = frame.kernels->filter, reproject = frame.kernels->reproject;
     Pass next{};
     next.filter_from = PLANE_LIGHT;
@@ -224,17 +239,23 @@ void run_filter(const Frame& frame, uint rays, bool with_history) {
         run_filter_stage(frame, next, kernel);
         std::swap(next.filter_from, next.filter_to);
     };
-    next.sample_scale = 1.0f / static_cast<float>(rays);
+    next.sample_scale = 1.0f / static_cast<float>(samples);
     next.filter_stage = FILTER_PREPARE;
     run_filter_stage(frame, next, filter);
     if (with_history) {
         stage(REPROJECT_LIGHT, reproject);
     }
     stage(FILTER_STEADY, filter);
+    // Direct light goes to the planes that are free now, and leaves its own to the levels of the rest.
+    const uint light = std::exchange(next.filter_from, PLANE_DIRECT), direct = next.filter_to;
+    stage(FILTER_DIRECT, filter);
+    next.filter_from = light;
+    next.filter_to = PLANE_DIRECT;
     for (const uint step : FILTER_STEPS) {
         next.filter_step = step;
         stage(FILTER_LEVEL, filter);
     }
+    next.filter_to = direct;
     stage(FILTER_FINISH, filter);
     if (with_history) {
         stage(REPROJECT_PICTURE, reproject);

@@ -43,7 +43,8 @@ struct Frame {
     uint pixel_count = 0;
     std::span<render_system::PixelSum> sums;  // or where samples go in place of `pixels`, one for each pixel rendered
     std::span<double> squares;
-    bool guides = false;  // camera rays alone, for what they met: samples go to the guides of a filter
+    bool guides = false;   // the first segments of paths, for the guides of a filter
+    uint rays_of_all = 0;  // so many of them in every pixel, then where more are wanted
 };
 
 /// A tile for each thread, kept from frame to frame.
@@ -64,9 +65,9 @@ private:
 /// Runs one stage of a kernel of the filter over all pixels of the frame.
 void run_filter_stage(const Frame& frame, const Pass& stage, void (*kernel)());
 
-/// Filters the light that FILTER_DIVIDE has left, by guides of so many camera rays a pixel, into the filter's picture;
+/// Filters the light that FILTER_DIVIDE has left of a mean of so many samples, by guides, into the filter's picture;
 /// with the history that is bound.
-void run_filter(const Frame& frame, uint rays, bool with_history);
+void run_filter(const Frame& frame, uint samples, bool with_history);
 
 /// Renders all tiles of the frame on the threads of the current task arena. Each tile of paths runs through the whole
 /// wavefront on one thread, sample by sample, so the picture is the same on any number of threads. With `log`, the

@@ -31,12 +31,12 @@ double milliseconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
+// How many camera rays a pixel a filter goes by: those of its samples, and more where they are few; yet more where a
+// pixel shows several things.
 constexpr uint FEWEST_GUIDE_RAYS = 16;
-constexpr uint FEWEST_WITH_HISTORY = 8;  // frames before bring theirs
+constexpr uint MOST_GUIDE_RAYS = 64;
 
-// How many camera rays a pixel a filter goes by: those of its samples, and more where they are few.
-uint guide_rays(const CoreFilter& filter) {
-    const uint fewest = filter.history == FilterHistory::none ? FEWEST_GUIDE_RAYS : FEWEST_WITH_HISTORY;
+uint guide_rays(const CoreFilter& filter, uint fewest) {
     return std::min(std::max(filter.samples, fewest), filter.most_rays);
 }
 
@@ -256,6 +256,8 @@ Settings TargetCore::filter_settings(const ViewPyramid& view) const {
     const FrameBefore& before = frame_before();
     const Screen screen = screen_of(before.frame > 1 ? before.view : view, target().height);
     frame.frame = before.frame;
+    frame.max_path_length = std::min(frame.max_path_length, GUIDE_SEGMENTS);
+    frame.scene_extent.w = GUIDE_SHARP;
     frame.motion = before.is_same ? STANDS_STILL : before.motions.empty() ? VIEW_MOVES : INSTANCES_MOVE;
     frame.eye_before =
         to_row(before.frame > 1 ? before.view.eye : view.eye, screen.parallel_pixel > 0.0f ? 1.0f : 0.0f);
@@ -359,7 +361,7 @@ uint64_t TargetCore::host_bytes() const {
            bytes(tables_.lobe_energy) + bytes(coincident_rows_);
 }
 
-// The camera rays of these samples, whose guides are added to those there are.
+// The camera rays of these samples, as far as pixels want them, whose guides are added to those there are.
 void TargetCore::gather_guides(Frame& frame, uint first_sample, uint samples) {
     frame.guides = true;
     frame.first_sample = first_sample;
@@ -399,8 +401,9 @@ Status TargetCore::filter(const ViewPyramid& view, const CoreFilter& filter) {
     frame.settings = filter_settings(view);
     frame.first_pixel = 0;
     frame.pixel_count = static_cast<uint>(filter.means.size());
+    frame.rays_of_all = guide_rays(filter, FEWEST_GUIDE_RAYS);
     const uint own = std::min(filter.samples, filter.most_rays);
-    const uint rays = guide_rays(filter);
+    const uint rays = guide_rays(filter, MOST_GUIDE_RAYS);
     auto start = std::chrono::steady_clock::now();
     gather_guides(frame, filter.first_sample, own);
     Pass divide{};
@@ -410,7 +413,7 @@ Status TargetCore::filter(const ViewPyramid& view, const CoreFilter& filter) {
     if (rays > own) gather_guides(frame, filter.first_sample + own, rays - own);
     stats().guide_ms = milliseconds_since(start);
     start = std::chrono::steady_clock::now();
-    arena_->execute([&] { run_filter(frame, rays, filter.history != FilterHistory::none); });
+    arena_->execute([&] { run_filter(frame, filter.samples, filter.history != FilterHistory::none); });
     stats().filter_ms = milliseconds_since(start);
     std::transform(filter_picture_.begin(), filter_picture_.end(), filter.filtered.begin(),
                    [](const vec4& p) { return glm::vec4(p.x, p.y, p.z, 1.0f); });

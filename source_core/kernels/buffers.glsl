@@ -163,6 +163,9 @@ vec4 fetch_motions(Rows first, uint offset) { return load_filter_picture(setting
 // the target core finds out once for all planes.
 #define Pixels Uint
 Pixels pixels_from(Uint pixel) { return pixel; }
+Pixels pixels_beside(Pixels pixels, int far) {
+    return Uint(clamp(Int(pixels) + far, 0, int(settings.pixel_count) - 1));
+}
 Float load_plane(uint plane, Pixels pixels) { return load_plane_word(plane * settings.pixel_count + pixels); }
 void store_plane(uint plane, Pixels pixels, Float value) {
     store_plane_word(plane * settings.pixel_count + pixels, value, true);

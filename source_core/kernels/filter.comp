@@ -11,14 +11,18 @@ void main() {
     if (job >= pass.path_count) {
         return;
     }
-    if (pass.filter_stage == FILTER_GATHER) {
-        gather_emission(job);
+    if (pass.filter_stage == FILTER_CHOOSE) {
+        choose_path(job);
+    } else if (pass.filter_stage == FILTER_GATHER) {
+        gather_light(job);
     } else if (pass.filter_stage == FILTER_DIVIDE) {
         divide_by_albedo(job);
     } else if (pass.filter_stage == FILTER_PREPARE) {
         prepare_filter(job);
     } else if (pass.filter_stage == FILTER_STEADY) {
         steady_filter(job);
+    } else if (pass.filter_stage == FILTER_DIRECT) {
+        filter_direct(job);
     } else if (pass.filter_stage == FILTER_LEVEL) {
         filter_level(job);
     } else {

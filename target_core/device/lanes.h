@@ -107,6 +107,7 @@ inline Row gather_shared(const Row* table, Rows first, uint offset) {
 // Pixels of a plane.
 using Pixels = Uint;
 inline Pixels pixels_from(Uint pixel) { return pixel; }
+inline Pixels pixels_beside(Pixels pixels, int far, int count) { return Uint(clamp(Int(pixels) + far, 0, count - 1)); }
 inline Float gather_plane(const float* plane, Pixels pixels) { return plane[pixels]; }
 inline void scatter_plane(float* plane, Pixels pixels, Float value) { plane[pixels] = value; }
 

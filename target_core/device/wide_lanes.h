@@ -228,16 +228,28 @@ inline Uint gather(const uint* words, Uint index) { return Uint(gather_words(wor
 // Pixels of a plane. Those that follow each other, as neighbours of such ones do but at the picture's ends, are read
 // and written as a whole; where there are fewer pixels than lanes, or the last one stands in for some, one by one.
 struct Pixels {
-    Uint index;
-    bool in_order;
-    explicit Pixels(Uint pixels) : index(pixels), in_order(!any_lane(pixels != lane_numbers() + pixels.v[0])) {}
+    uint first = 0;
+    bool in_order = false;
+    Uint index;  // of each, where they are not in order
+    Pixels() = default;
+    explicit Pixels(uint first_of_them) : first(first_of_them), in_order(true) {}
+    explicit Pixels(Uint pixels)
+        : first(pixels.v[0]), in_order(!any_lane(pixels != lane_numbers() + pixels.v[0])), index(pixels) {}
 };
 inline Pixels pixels_from(Uint pixel) { return Pixels(pixel); }
+inline Pixels pixels_beside(const Pixels& pixels, int far, int count) {
+    const int first = int(pixels.first) + far;
+    if (pixels.in_order && first >= 0 && first <= count - int(LANES)) {
+        return Pixels(uint(first));
+    }
+    const Uint index = pixels.in_order ? lane_numbers() + pixels.first : pixels.index;
+    return Pixels(Uint(clamp(Int(index) + Int(far), Int(0), Int(count - 1))));
+}
 
 inline Float gather_plane(const float* plane, const Pixels& pixels) {
     Float value;
     if (pixels.in_order) {
-        __builtin_memcpy(&value.v, plane + pixels.index.v[0], sizeof(value.v));
+        __builtin_memcpy(&value.v, plane + pixels.first, sizeof(value.v));
         return value;
     }
     return uintBitsToFloat(Uint(gather_words(reinterpret_cast<const uint*>(plane), pixels.index.v)));
@@ -245,7 +257,7 @@ inline Float gather_plane(const float* plane, const Pixels& pixels) {
 
 inline void scatter_plane(float* plane, const Pixels& pixels, Float value) {
     if (pixels.in_order) {
-        __builtin_memcpy(plane + pixels.index.v[0], &value.v, sizeof(value.v));
+        __builtin_memcpy(plane + pixels.first, &value.v, sizeof(value.v));
         return;
     }
     for (uint lane = 0; lane < LANES; ++lane) {

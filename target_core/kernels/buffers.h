@@ -104,6 +104,7 @@ inline void store_filter_picture(Uint pixel, vec4 row) { scatter(bound.filter_pi
 
 inline vec4 fetch_motions(Rows first, uint offset) { return gather_shared(bound.motions, first, offset); }
 
+inline Pixels pixels_beside(Pixels pixels, int far) { return pixels_beside(pixels, far, int(settings.pixel_count)); }
 inline Float load_plane(uint plane, Pixels pixels) {
     return gather_plane(bound.planes + size_t{plane} * settings.pixel_count, pixels);
 }

@@ -8,14 +8,18 @@
 namespace target_core::kernels {
 
 void filter() {
-    if (pass.filter_stage == FILTER_GATHER) {
-        for_each_job<gather_emission>(pass.path_count);
+    if (pass.filter_stage == FILTER_CHOOSE) {
+        for_each_job<choose_path>(pass.path_count);
+    } else if (pass.filter_stage == FILTER_GATHER) {
+        for_each_job<gather_light>(pass.path_count);
     } else if (pass.filter_stage == FILTER_DIVIDE) {
         for_each_job<divide_by_albedo>(pass.path_count);
     } else if (pass.filter_stage == FILTER_PREPARE) {
         for_each_job<prepare_filter>(pass.path_count);
     } else if (pass.filter_stage == FILTER_STEADY) {
         for_each_job<steady_filter>(pass.path_count);
+    } else if (pass.filter_stage == FILTER_DIRECT) {
+        for_each_job<filter_direct>(pass.path_count);
     } else if (pass.filter_stage == FILTER_LEVEL) {
         for_each_job<filter_level>(pass.path_count);
     } else {

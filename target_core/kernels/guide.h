@@ -34,7 +34,7 @@ inline Uint layer_of(Uint pixel, vec3 normal, Float near) {
     return select(first.w == 0.0f || alike, Uint(0u), Uint(GUIDE_LAYER));
 }
 
-// Takes the place of shade where a camera ray met a surface: adds up what a filter goes by.
+// Before shade where a camera ray met a surface: adds up what a filter goes by.
 inline void guide_path(Uint job) {
     uvec4 row = load_surface_job(job);
     Uint path = row.x;
@@ -42,7 +42,6 @@ inline void guide_path(Uint job) {
     PathRay path_ray = load_path_ray(rows);
     Surface surface = surface_of_job(row, path_ray);
     Material material = fetch_material(surface);
-    shade_emission(path, path_ray.ray.direction, surface, material, load_throughput(rows));
     vec3 normal = shading_normal(surface);
     normal = select(surface.front, normal, -normal);
     Float near = nearness(surface.position - path_ray.ray.origin);

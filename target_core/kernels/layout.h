@@ -157,29 +157,36 @@ const uint NONE = 0xFFFFFFFFu;
 
 // ---- What a filter has beside the picture; only where one is asked for. ----
 
-// guides: 5 rows per pixel, sums over the samples of its camera rays: two layers of surfaces, then what had no surface.
-// Two more where there is a history.
-const uint GUIDE_ROWS = 5u;
-const uint GUIDE_ALBEDO = 0u;    // of a layer: albedo.rgb, nearness
-const uint GUIDE_NORMAL = 1u;    // of a layer: shading normal on the ray's side, rays that met it
-const uint GUIDE_LAYER = 2u;     // rows of a layer: the surface met first, then all others
-const uint GUIDE_EMISSION = 4u;  // radiance straight from a light or the sky, variance of light before any level
-const uint GUIDE_MOTION = 5u;    // of each layer: columns and rows to where it was in the frame before, nearness there
+// guides: 6 rows per pixel, sums over its camera rays: two layers of surfaces, then what belongs to none. Two more
+// where there is a history.
+const uint GUIDE_ROWS = 6u;
+const uint GUIDE_ALBEDO = 0u;  // of a layer: albedo.rgb, nearness
+const uint GUIDE_NORMAL = 1u;  // of a layer: shading normal on the ray's side, rays that met it
+const uint GUIDE_LAYER = 2u;   // rows of a layer: the surface met first, then all others
+const uint GUIDE_DIRECT = 4u;  // radiance of the first segments of paths, square of its luminance
+const uint GUIDE_RAYS = 5u;    // how many, 1 if one more is taken
+const uint GUIDE_MOTION = 6u;  // of each layer: columns and rows to where it was in the frame before, nearness there
 const uint GUIDE_MOTION_ROWS = 2u;
+
+// How far paths of guides go: to what lights the first surface. From the next surface on go those alone that left the
+// first one in a direction of so much density per solid angle: what is seen in it is as sharp as it is itself.
+const uint GUIDE_SEGMENTS = 3u;
+const float GUIDE_SHARP = 2.0f;
 
 // motions: 3 rows per instance of the matrix that takes its points back to where they were; only where some has moved.
 const uint MOTION_ROWS = 3u;
 
-// planes: one number a pixel each. Light is what is left of radiance without emission, by albedo. The rest is of the
-// layer that has most of the picture's samples.
-const uint PLANE_LIGHT = 0u;        // three of light and one of its variance, before a level and after it by turns
-const uint PLANE_OTHER_LIGHT = 4u;  // and the other four
-const uint PLANE_NORMAL = 8u;       // three
-const uint PLANE_NEARNESS = 11u;
-const uint PLANE_SLOPE = 12u;  // two: what nearness grows by from pixel to pixel, to the right and down
-const uint PLANE_TRUST = 14u;  // 1 where all samples met that layer, 0 where half of them did
-const uint PLANE_LAYER = 15u;  // its first row in guides
-const uint PLANES = 16u;
+// planes: one number a pixel each. Light is radiance by albedo: indirect light is what the guides' paths do not bring.
+// The rest is of the layer that has most of the picture's samples.
+const uint PLANE_LIGHT = 0u;        // three of light, its variance, what was too bright; by turns with
+const uint PLANE_OTHER_LIGHT = 5u;  // the other five, and
+const uint PLANE_DIRECT = 10u;  // five where direct light is at first: its variance is -1 where that is of two surfaces
+const uint PLANE_NORMAL = 15u;  // three
+const uint PLANE_NEARNESS = 18u;
+const uint PLANE_SLOPE = 19u;  // two: what nearness grows by from pixel to pixel, to the right and down
+const uint PLANE_TRUST = 21u;  // 1 where all samples met that layer, 0 where half of them did
+const uint PLANE_LAYER = 22u;  // its first row in guides
+const uint PLANES = 23u;
 
 // histories: one number a pixel each: what a frame leaves to the next one.
 const uint HISTORY_LIGHT = 0u;   // three of light and one of its variance, over all frames in it
@@ -194,14 +201,16 @@ const uint HISTORY_PLANES = 14u;
 // mean is no number. Behind it, motions.
 const float NO_MEAN = 1.0e30f;
 
-const uint FILTER_GATHER = 0u;      // after each camera ray: adds what it brought straight from a light
-const uint FILTER_DIVIDE = 1u;      // after the picture's own samples: picture to light
-const uint FILTER_PREPARE = 2u;     // guides to planes
-const uint FILTER_STEADY = 3u;      // slopes, and variances that neighbours agree on
-const uint FILTER_LEVEL = 4u;       // one level of the wavelet
-const uint FILTER_FINISH = 5u;      // light to the picture
-const uint REPROJECT_LIGHT = 6u;    // light of the frame before to that of this one, before the levels
-const uint REPROJECT_PICTURE = 7u;  // what was shown before to what is shown, after them
+const uint FILTER_CHOOSE = 0u;      // before each camera ray of a guide: whether it is taken
+const uint FILTER_GATHER = 1u;      // after its path: adds what that brought
+const uint FILTER_DIVIDE = 2u;      // after the picture's own samples: picture to light
+const uint FILTER_PREPARE = 3u;     // guides to planes
+const uint FILTER_STEADY = 4u;      // slopes, and variances that neighbours agree on
+const uint FILTER_DIRECT = 5u;      // the one level of direct light
+const uint FILTER_LEVEL = 6u;       // one level of the rest
+const uint FILTER_FINISH = 7u;      // light to the picture
+const uint REPROJECT_LIGHT = 8u;    // light of the frame before to that of this one, before the levels
+const uint REPROJECT_PICTURE = 9u;  // what was shown before to what is shown, after them
 
 const uint STANDS_STILL = 0u;  // view and scene are those of the frame before
 const uint VIEW_MOVES = 1u;    // or something else than an instance, which has no motion to follow
@@ -215,7 +224,7 @@ struct Settings {
     vec4 screen_right;  // top right minus top left
     vec4 screen_down;   // bottom left minus top left
     vec4 sky_radiance;  // rgb of a constant sky
-    vec4 scene_extent;  // largest coordinate in magnitude: x, y, z; w unused
+    vec4 scene_extent;  // largest coordinate in magnitude: x, y, z; w: of a guide's paths GUIDE_SHARP, else 0
     vec4 lens_right;    // along screen_right, as long as the lens's radius; w: the radius, 0 for a pinhole
     vec4 lens_down;     // along screen_down, as long; w: the height of one pixel where rays are parallel, else 0
     uint width;

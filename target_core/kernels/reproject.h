@@ -38,8 +38,7 @@ inline vec3 motion_at(Place place, Uint layer) {
     vec3 turn = vec3(far.x - (Float(place.column) + 0.5f), far.y - (Float(place.row) + 0.5f), 0.0f);
     turn = select(now.parallel, vec3(0.0f), turn);
     motion = select(met.w == 0.0f, turn, motion);
-    return select(settings.motion == STANDS_STILL,
-                  vec3(0.0f, 0.0f, load_plane(PLANE_NEARNESS, pixels_from(place.pixel))), motion);
+    return select(settings.motion == STANDS_STILL, vec3(0.0f, 0.0f, load_plane(PLANE_NEARNESS, place.pixels)), motion);
 }
 
 // A place of the frame before: the pixel above and left of it, and how far on it is from there.
@@ -128,7 +127,7 @@ struct Around {
 
 // Of the pixels that show the same surface, or of all.
 inline Around look_around(Place place, uint plane, bool same_surface) {
-    Pixels here = pixels_from(place.pixel);
+    Pixels here = place.pixels;
     vec3 normal = load_normal(here);
     Float near = load_plane(PLANE_NEARNESS, here);
     vec3 sum = vec3(0.0f);
@@ -181,7 +180,7 @@ inline Float belief(Memory memory, Around around) {
 // The light of a pixel becomes the mean of its own and what is remembered of it, and is remembered in its turn.
 inline void reproject_light(Uint job) {
     Place place = place_of(job + pass.first_pixel);
-    Pixels here = pixels_from(place.pixel);
+    Pixels here = place.pixels;
     Uint layer = Uint(load_plane(PLANE_LAYER, here));
     vec3 motion = motion_at(place, layer);
     vec4 light = load_light(pass.filter_from, here);
@@ -219,10 +218,10 @@ inline void reproject_light(Uint job) {
     // The mean that the filter is held to.
     vec3 albedo = vec3(load_guide(place.pixel, Uint(GUIDE_ALBEDO))) +
                   vec3(load_guide(place.pixel, Uint(GUIDE_LAYER + GUIDE_ALBEDO)));
-    vec3 emission = vec3(load_guide(place.pixel, Uint(GUIDE_EMISSION)));
-    Float doubt = variance * square(luminance(albedo) * pass.sample_scale);
-    store_filter_picture(place.pixel,
-                         vec4((mean * albedo + emission) * pass.sample_scale, select(unknown, Float(NO_MEAN), doubt)));
+    vec3 direct = vec3(load_guide(place.pixel, Uint(GUIDE_DIRECT)));
+    Float scale = 1.0f / load_guide(place.pixel, Uint(GUIDE_RAYS)).x;
+    Float doubt = variance * square(luminance(albedo) * scale);
+    store_filter_picture(place.pixel, vec4((mean * albedo + direct) * scale, select(unknown, Float(NO_MEAN), doubt)));
 }
 
 // Weights of Catmull and Rom for four pixels in a row, the second of which lies `t` before the place.
@@ -261,7 +260,7 @@ inline vec3 recall_picture(Before before) {
 // the first ones know is little. A surface that was not to be seen before has nothing to be a mean with.
 inline void reproject_picture(Uint job) {
     Place place = place_of(job + pass.first_pixel);
-    Pixels here = pixels_from(place.pixel);
+    Pixels here = place.pixels;
     vec3 colour = load_colour(pass.filter_from, here);
     Before before = place_before(place, motion_at(place, Uint(load_plane(PLANE_LAYER, here))));
     vec3 shown = recall_picture(before);

@@ -164,6 +164,10 @@ inline void shade_path(Uint job) {
         }
     }
     shade_emission(path, direction, surface, material, throughput);
+    if (settings.scene_extent.w > 0.0f && pass.segment == 2u) {
+        Mask sharp = throughput.pdf == 0.0f || throughput.pdf > settings.scene_extent.w;
+        throughput.weight = select(sharp, throughput.weight, vec3(0.0f));
+    }
     if (pass.segment < settings.max_path_length) {
         Uint stream = pixel_seed(path + pass.first_pixel, settings.seed);
         uint first_pair = pass.segment * PAIRS_PER_VERTEX;

@@ -86,11 +86,11 @@ TEST_F(Filter, LeavesAConstantPictureAsItIs) {
 }
 
 // With variances that make any difference likely the filter is linear on one wall. What it then leaves of noise is the
-// sum of squares of its weights: those of (1, 2, 1) / 4 at steps of 1, 2, 4, 8 and 16, one after another.
+// sum of squares of its weights: those of (1, 2, 1) / 4 at steps of 1, 2 and 4, one after another.
 TEST_F(Filter, LeavesOfNoiseOnAWallWhatItsKernelImplies) {
     put_walls({0.5f, 0.5f}, {4.0f, 4.0f});
     std::vector<double> kernel = {1.0};
-    for (const size_t step : {1, 2, 4, 8, 16}) {
+    for (const size_t step : {1, 2, 4}) {
         std::vector<double> wider(kernel.size() + 2 * step, 0.0);
         for (size_t i = 0; i < kernel.size(); ++i) {
             wider[i] += 0.25 * kernel[i];
@@ -123,6 +123,37 @@ TEST_F(Filter, LeavesOfNoiseOnAWallWhatItsKernelImplies) {
     EXPECT_NEAR(mean / count, 0.0, 0.004);
     EXPECT_LT(factor, 1.6 * expected);
     EXPECT_GT(factor, 0.5 * expected);
+}
+
+// A pixel that is a hundred times as bright as all others is noise, but of what the picture has it is half.
+TEST_F(Filter, SpreadsWhatIsTooBrightAndKeepsItsSum) {
+    put_walls({0.5f, 0.5f}, {4.0f, 4.0f});
+    std::vector<float> gray(size_t{WIDTH} * HEIGHT, 0.01f);
+    gray[WIDTH * 48 + 96] = 120.0f;
+    const std::vector<float> result = filtered(gray, HUGE_VARIANCE);
+    double before = 0.0, after = 0.0;
+    for (size_t i = 0; i < gray.size(); ++i) {
+        before += gray[i];
+        after += result[i];
+        EXPECT_LT(result[i], 4.0f) << i % WIDTH << " " << i / WIDTH;
+    }
+    EXPECT_NEAR(after, before, 0.01 * before);
+}
+
+// Under a sky of radiance 1 a wall of albedo a is lit by that alone: what its guides bring is off the picture before
+// the filter and back behind it, in pixels of one surface and of two.
+TEST_F(Filter, PutsBackTheDirectLightThatItTakesOff) {
+    put_walls({0.2f, 0.8f}, {4.0f, 3.0f});
+    CoreSky sky;
+    sky.radiance = glm::vec3(1.0f);
+    expect_ok(core->SetSkyData(sky));
+    std::vector<float> gray(size_t{WIDTH} * HEIGHT);
+    for (size_t i = 0; i < gray.size(); ++i) gray[i] = i % WIDTH < WIDTH / 2 ? 0.5f : 1.5f;
+    const std::vector<float> result = filtered(gray, HUGE_VARIANCE);
+    double left = 0.0, right = 0.0;
+    for (size_t i = 0; i < gray.size(); ++i) (i % WIDTH < WIDTH / 2 ? left : right) += result[i];
+    EXPECT_NEAR(left / (WIDTH / 2 * HEIGHT), 0.5, 0.01);
+    EXPECT_NEAR(right / (WIDTH / 2 * HEIGHT), 1.5, 0.01);
 }
 
 TEST_F(Filter, DoesNotBlurAcrossAnEdgeInDepth) {
