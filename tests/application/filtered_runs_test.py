@@ -257,6 +257,20 @@ class FilteredRuns(unittest.TestCase):
             self.rendered(*then, "--time-limit", "0.2s", "--spp", "1000000", "--checkpoint", "10m", *output)
             self.refused(self.render(*now, "--spp", "1000000", "--resume", *output), "--filter temporal was")
 
+    def test_another_scene_of_that_name_is_not_taken_up(self):
+        """Of a picture it is refused; frames of it are none of this sequence, and start anew."""
+        output = ["-o", str(self.file("a.png"))]
+        self.rendered("--time-limit", "0.2s", "--spp", "1000000", "--checkpoint", "10m", *output)
+        checkpoint = self.kept_sequence()
+        frames = [*TEMPORAL, "--spp", "2", "--frames", f"0:{done_in(checkpoint, 'frames') + 1}", "--resume", "-o"]
+        scene = json.loads(pathlib.Path(self.scene).read_text())
+        scene["materials"][0].setdefault("pbrMetallicRoughness", {})["baseColorFactor"] = [0.1, 0.2, 0.9, 1.0]
+        pathlib.Path(self.scene).write_text(json.dumps(scene))
+        self.refused(self.render("--spp", "1000000", "--resume", *output), "a.png.checkpoint", "the scene's content was")
+        self.assertIn("it starts from its first frame", self.rendered(*frames, str(self.file("f_#.png"))).stderr)
+        self.rendered(*frames, str(self.file("g_#.png")))
+        self.assertEqual(self.file("f_0.png").read_bytes(), self.file("g_0.png").read_bytes())
+
     def test_a_full_disk_stops_no_sequence_nor_is_it_silent(self):
         small_files = lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (20000, 20000))
         result = self.render(*TEMPORAL, "--spp", "2", "--frames", "0:3", "--checkpoint", "0.0001s", "-o",
