@@ -35,7 +35,7 @@ private:
         const size_t left = was_before == kNothing ? kNothing : target_before(was_before);
         const size_t right = was_after == kNothing ? kNothing : target_after(was_after);
         const std::string what = shown(texts_.now.words, now(first).first, now(end - 1).end);
-        const size_t close = was_before == kNothing ? 0 : near(was_before);
+        const size_t close = place_beside(was_before, was_after);
         const auto give_up = [&](const std::string& why) {
             for (size_t c = was_before == kNothing ? 0 : was_before + 1; c < before_end(was_after); ++c)
                 sources_.held.insert(c);
@@ -89,6 +89,14 @@ private:
         for (size_t c = first; c < end; ++c)
             if (const auto source = moved_from(c)) sources_.moved.insert(*source);
         out_.added.push_back({*place, std::move(clauses)});
+    }
+
+    /// A word of the target near where what comes between two clauses of the source's old text would stand.
+    size_t place_beside(size_t was_before, size_t was_after) const {
+        if (was_before == kNothing) return 0;
+        if (counterpart(was_before) != kNothing) return target(counterpart(was_before)).end - 1;
+        if (was_after != kNothing && counterpart(was_after) != kNothing) return target(counterpart(was_after)).first;
+        return near(was_before);
     }
 
     /// The counterpart of the nearest clause at or before c that has one, within the block that c stands in.

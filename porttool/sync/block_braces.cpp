@@ -86,7 +86,7 @@ private:
         const bool is_new = result_[head].is_new || remade;
         if (!is_new && there != kNoClause && edited_.came.contains(there)) return true;
         if (!is_new && there != kNoClause && edited_.went.contains(there) && content.statements == 1 &&
-            content.blocks == 0 && !would_take_else(head, end))
+            content.blocks == 0)
             return false;
         if (!is_new &&
             (written || !(content.any_new || result_[end].is_new || changed_.contains(result_[head].clause))))

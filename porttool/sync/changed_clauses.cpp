@@ -31,6 +31,7 @@ public:
         find_renamed();
         for (size_t c = 0; c < origin_.size(); ++c)
             if (origin_[c] != kNothing) change(origin_[c], c);
+        leave_strange();
         renamings_.add_to(out_.replaced);
         return std::move(respelled_);
     }
@@ -81,10 +82,7 @@ private:
             if (there != kNothing && was == 0) return change_words(hunks, was, is, there);
             if ((there == kNothing && change_result(was, is)) || change_type(hunks, was) || change_value(hunks, was))
                 return;
-            leave("the port has nothing that clearly stands for `" +
-                      shown(texts_.before.words, before(was).first, before(was).end) + "`, which became `" +
-                      shown(texts_.now.words, now(is).first, now(is).end) + "`",
-                  now(is).first, near(was));
+            strange_.emplace_back(was, is);
             return;
         }
         if (const CarriedWords whole = carry_new(now(is).first, now(is).end);
@@ -97,6 +95,25 @@ private:
                              shown(texts_.before.words, before(was).first, before(was).end) + "`; " + why,
                          now(is).first, target(there).first);
         change_words(hunks, was, is, there);
+    }
+
+    /// Statements that changed side by side, and that the port has nothing for at one place, are one item.
+    void leave_strange() {
+        for (size_t i = 0; i < strange_.size();) {
+            const auto [was, is] = strange_[i];
+            const size_t there = near(was);
+            size_t end = i + 1;
+            while (end < strange_.size() && strange_[end].second <= strange_[end - 1].second + 2 &&
+                   near(strange_[end].first) == there)
+                ++end;
+            const auto [last_was, last_is] = strange_[end - 1];
+            leave("the port has nothing that clearly stands for `" +
+                      shown(texts_.before.words, before(was).first, before(last_was).end) + "`, which became `" +
+                      shown(texts_.now.words, now(is).first, now(last_is).end) + "`",
+                  now(is).first, there);
+            out_.left.back().statements = end - i;
+            i = end;
+        }
     }
 
     /// True for a `return` of a value where the target has more of them than the source.
@@ -167,24 +184,52 @@ private:
     /// word stands for its like. Once on both sides, or it may be another.
     bool change_value(const std::vector<Hunk>& hunks, size_t was) {
         constexpr size_t kShortest = 7;
-        const Clause old = value_of(texts_.before.words, before(was));
+        const Clause value = value_of(texts_.before.words, before(was)), named = with_name(value, before(was));
+        if (value.size() == 0 || hunks.front().first < value.first || hunks.back().end > value.end) return false;
+        if (named.first < value.first)
+            if (const std::optional<size_t> at = only_counterpart(named); at && ends_there(*at, named.size()))
+                return change_there(hunks, named.first, *at);
+        const std::optional<size_t> at = value.size() < kShortest ? std::nullopt : only_counterpart(value);
+        return at && change_there(hunks, value.first, *at);
+    }
+
+    /// Where the target says the words of the source's old text, word for word, once on both sides.
+    std::optional<size_t> only_counterpart(const Clause& old) const {
         const CarriedWords said = carry_old(old.first, old.end);
-        if (old.size() < kShortest || !said.unknown.empty() || said.words.size() != old.size()) return false;
-        if (hunks.front().first < old.first || hunks.back().end > old.end) return false;
-        const std::optional<size_t> at = only_place_of(said.words);
-        if (!at || times_in_source(old) != 1) return false;
+        if (!said.unknown.empty() || said.words.size() != old.size() || times_in_source(old) != 1) return std::nullopt;
+        return only_place_of(said.words);
+    }
+
+    /// What stands from `at` on in the target stands for what stands from `first` on: each word for its like.
+    bool change_there(const std::vector<Hunk>& hunks, size_t first, size_t at) {
         const size_t made = out_.replaced.size();
         for (const Hunk& hunk : hunks) {
             const CarriedWords words = carry_new(hunk.now_first, hunk.now_end);
-            const size_t place = *at + (hunk.first - old.first);
+            const size_t place = at + (hunk.first - first);
             if (!words.unknown.empty() || !uses_.doubt_within(words.words, hunk.now_end, place).empty()) {
                 out_.replaced.resize(made);
                 return false;
             }
-            out_.replaced.push_back({*at + (hunk.first - old.first), *at + (hunk.end - old.first), words.words,
-                                     hunk.now_first, hunk.now_end});
+            out_.replaced.push_back({place, at + (hunk.end - first), words.words, hunk.now_first, hunk.now_end});
         }
         return true;
+    }
+
+    /// The value with the name that it is given to, `most = 0` of `float most = 0 ;`, which the port may have in a
+    /// declaration of several, `float e , most = 0 ;`; else the value alone.
+    Clause with_name(Clause value, const Clause& clause) const {
+        const std::vector<std::string>& words = texts_.before.words;
+        const bool named = value.first >= clause.first + 3 && words[value.first - 1] == "=" &&
+                           is_name(words[value.first - 2]) && is_word_token(words[value.first - 3]);
+        if (named) value.first -= 2;
+        return value;
+    }
+
+    /// True if `size` words of the target are a whole name with its whole value.
+    bool ends_there(size_t at, size_t size) const {
+        const std::vector<std::string>& words = texts_.target.words;
+        return at > 0 && at + size < words.size() && !is_accessor(words[at - 1]) &&
+               (words[at + size] == ";" || words[at + size] == ",");
     }
 
     /// `int i = get_id ( 0 ) ;` that became `long i = ...` makes a `long` of the port's `int i`, whatever that is.
@@ -562,6 +607,7 @@ private:
     Transplant& out_;
     Renamings renamings_;
     std::vector<WordsReplaced> respelled_;
+    std::vector<std::pair<size_t, size_t>> strange_;  ///< clauses that changed without a counterpart: before, and now
 };
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include "porttool/sync/edit_reading.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "porttool/normal/normal_form.h"
 #include "porttool/normal/normal_text.h"
@@ -19,6 +20,13 @@ std::vector<std::string> conditions_of(const std::vector<std::string>& words) {
             out.push_back(
                 EditReading::shown(words, i + 1, std::min(words.size(), i + (words[i + 1].ends_with("def") ? 3 : 5))));
     }
+    return out;
+}
+
+std::vector<std::string> numbers_of(const AlignedText& text, const Clause& clause) {
+    std::vector<std::string> out;
+    for (size_t i = clause.first; i < clause.end; ++i)
+        if (is_number_token(text.words[i])) out.push_back(number_value(text.words[i]));
     return out;
 }
 
@@ -85,9 +93,48 @@ bool EditReading::is_said_more_often(size_t was, size_t there) const {
 bool EditReading::stands_for_something(size_t there) const { return stands_for_.contains(there); }
 
 size_t EditReading::near(size_t c) const {
-    for (size_t i = c + 1; i-- > 0;)
-        if (counterpart(i) != kNothing) return target(counterpart(i)).first;
-    return 0;
+    if (counterpart(c) != kNothing) return target(counterpart(c)).first;
+    size_t left = 0, right = texts_.target.clauses.size();
+    for (size_t i = c; i-- > 0;)
+        if (counterpart(i) != kNothing) {
+            left = counterpart(i);
+            break;
+        }
+    for (size_t i = c + 1; i < texts_.before.clauses.size(); ++i)
+        if (counterpart(i) != kNothing) {
+            right = counterpart(i);
+            break;
+        }
+    // What resembles it a little between its neighbours, or well anywhere, may stand for it in another form.
+    constexpr double kALittle = 0.2, kWell = 0.5;
+    size_t best = left;
+    double likeness = kALittle;
+    for (size_t i = left + 1; i < right; ++i)
+        if (const double found = resemblance(c, i); found > likeness) likeness = found, best = i;
+    if (best != left) return target(best).first;
+    likeness = kWell;
+    for (size_t i = 1; i < texts_.target.clauses.size(); ++i)
+        if (const double found = resemblance(c, i); found > likeness) likeness = found, best = i;
+    return target(best).first;
+}
+
+/// The share of names and numbers that a clause of the source's old text and one of the target have in common, if that
+/// stands for none; else 0.
+double EditReading::resemblance(size_t c, size_t there) const {
+    if (stands_for_something(there) || target(there).closes || before(c).closes) return 0;
+    const auto telling = [](const AlignedText& text, const Clause& clause) {
+        std::vector<uint32_t> out;
+        for (size_t i = clause.first; i < clause.end; ++i)
+            if (is_word_token(text.words[i]) || is_number_token(text.words[i])) out.push_back(text.common[i]);
+        std::sort(out.begin(), out.end());
+        return out;
+    };
+    const std::vector<uint32_t> mine = telling(texts_.before, before(c)),
+                                others = telling(texts_.target, target(there));
+    std::vector<uint32_t> both;
+    std::set_intersection(mine.begin(), mine.end(), others.begin(), others.end(), std::back_inserter(both));
+    const size_t all = mine.size() + others.size();
+    return all == 0 ? 0 : 2.0 * static_cast<double>(both.size()) / static_cast<double>(all);
 }
 
 std::string EditReading::indexed_otherwise(const std::vector<CarriedWord>& words) const {
@@ -159,7 +206,12 @@ void EditReading::find_doubtful() {
             doubtful_[c] = branch != Clause::kNone && before(closing).closes && doubtful_[branch];
         } else if (head == "if" || head == "while" || head == "switch") {
             const Clause& there = target(counterpart(c));
-            doubtful_[c] = !says(there.first, there.end, carry_old(clause.first, clause.end).words, true);
+            constexpr double kAlike = 0.7;
+            const bool asks_alike = texts_.across.likeness[c] >= kAlike &&
+                                    numbers_of(texts_.before, clause) == numbers_of(texts_.target, there) &&
+                                    comparisons(texts_.before, clause) == comparisons(texts_.target, there);
+            doubtful_[c] =
+                !asks_alike && !says(there.first, there.end, carry_old(clause.first, clause.end).words, true);
         }
     }
 }

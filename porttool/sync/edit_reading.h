@@ -56,6 +56,7 @@ protected:
     std::vector<size_t> origin_;  ///< of each clause of now, the one before
 
 private:
+    double resemblance(size_t c, size_t there) const;
     /// Branches that the port takes on another condition, or that may be the other ones of two: what stands in them
     /// there is not known.
     void find_doubtful();

@@ -7,6 +7,8 @@
 #include "porttool/language/words.h"
 #include "porttool/normal/normal_form.h"
 #include "porttool/normal/normal_text.h"
+#include "porttool/normal/statements.h"
+#include "porttool/sync/name_manner.h"
 #include "porttool/sync/operands.h"
 
 namespace porttool {
@@ -99,6 +101,24 @@ bool is_real(std::string_view number) {
            (number.find('.') != std::string_view::npos || number.find_first_of("eE") != std::string_view::npos ||
             number.back() == 'f' || number.back() == 'F');
 }
+
+/// A name cut where it changes its manner: `mutable`, `_`, `cpu`, `_`, `data` of `mutable_cpu_data`, `Forward` and
+/// `Gpu` of `ForwardGpu`.
+std::vector<std::string_view> parts_of_name(std::string_view name) {
+    const auto kind = [](char c) { return c == '_' ? 0 : c >= '0' && c <= '9' ? 1 : c >= 'A' && c <= 'Z' ? 2 : 3; };
+    std::vector<std::string_view> out;
+    size_t first = 0;
+    for (size_t i = 1; i <= name.size(); ++i) {
+        const bool goes_on = i < name.size() && (kind(name[i]) == kind(name[i - 1]) ||
+                                                 (kind(name[i]) == 3 && kind(name[i - 1]) == 2 && i == first + 1));
+        if (goes_on) continue;
+        out.push_back(name.substr(first, i - first));
+        first = i;
+    }
+    return out;
+}
+
+bool has_prefix(std::string_view name) { return name.size() > 2 && name[1] == '_' && name[0] != '_'; }
 
 /// The mark of a number's type: 'f' or 'u'; for one without 'r' or 'i', as it is real or whole.
 char mark_of(std::string_view number) {
@@ -308,7 +328,13 @@ void Examples::note(const AlignedText& source, size_t first, size_t end, const A
     ++known.all;
     if (end - first != 1 || there_end - there != 1) return;
     const std::string &here = source.words[first], &said = target.words[there];
-    if (here == said || !is_word_token(here) || !is_word_token(said)) return;
+    if (!is_word_token(here) || !is_word_token(said)) return;
+    if (has_prefix(here) && (here == said || folded(here).substr(1) == folded(said))) prefixed_.emplace(here, said);
+    if (here != said) return note_name(here, said);
+    for (const std::string_view part : parts_of_name(here)) kept_parts_.emplace(part);
+}
+
+void Examples::note_name(const std::string& here, const std::string& said) {
     // `hipFree` is `cudaFree`: what both end with, from a capital letter on, is the name.
     size_t same = 0;
     while (same < std::min(here.size(), said.size()) && here[here.size() - 1 - same] == said[said.size() - 1 - same])
@@ -317,6 +343,54 @@ void Examples::note(const AlignedText& source, size_t first, size_t end, const A
     constexpr size_t kShortest = 4;
     if (same >= kShortest && same < here.size() && same < said.size())
         begins_[here.substr(0, here.size() - same)][said.substr(0, said.size() - same)].insert(here);
+    note_part(here, said);
+}
+
+void Examples::note_part(const std::string& here, const std::string& said) {
+    const std::vector<std::string_view> mine = parts_of_name(here), theirs = parts_of_name(said);
+    if (mine.size() != theirs.size() || mine.size() < 2) return;
+    size_t other = mine.size();
+    for (size_t i = 0; i < mine.size(); ++i) {
+        if (mine[i] == theirs[i]) continue;
+        if (other != mine.size()) return;
+        other = i;
+    }
+    if (mine[other].size() < 2 || !is_word_token(mine[other]) || !is_word_token(theirs[other])) return;
+    parts_[std::string(mine[other])][std::string(theirs[other])].insert(here);
+}
+
+bool Examples::has_other_part(std::string_view word) const {
+    const std::vector<std::string_view> parts = parts_of_name(word);
+    return std::any_of(parts.begin(), parts.end(), [&](std::string_view part) { return parts_.contains(part); });
+}
+
+std::string Examples::with_prefix_there(std::string_view word) const {
+    std::string name(word);
+    if (!has_prefix(word)) return name;
+    std::vector<std::pair<std::string, std::string>> alike;
+    for (auto one = prefixed_.lower_bound(word.substr(0, 2));
+         one != prefixed_.end() && one->first.starts_with(word.substr(0, 2)); ++one)
+        alike.emplace_back(*one);
+    if (alike.size() == 1 && alike[0].first != alike[0].second) return {};
+    return alike.empty() ? name : name_in_manner(name, alike);
+}
+
+std::string Examples::with_other_part(std::string_view word) const {
+    std::string out;
+    size_t changed = 0;
+    const std::vector<std::string_view> parts = parts_of_name(word);
+    for (const std::string_view part : parts) {
+        const auto found = parts_.find(part);
+        if (found == parts_.end()) {
+            out += part;
+            continue;
+        }
+        const auto& [said, names] = *found->second.begin();
+        if (found->second.size() != 1 || names.size() < 2 || kept_parts_.contains(part)) return {};
+        out += said;
+        ++changed;
+    }
+    return changed == 1 && parts.size() > 2 ? out : std::string();
 }
 
 std::string Examples::renamed(std::string_view word) const {

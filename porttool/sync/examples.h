@@ -56,10 +56,20 @@ public:
     /// A name that begins as names do which the target begins otherwise: where `hipFree` and `hipMalloc` are `cudaFree`
     /// and `cudaMalloc`, `hipMemset` is `cudaMemset`. "" if there is no such rule.
     std::string renamed(std::string_view word) const;
+    /// A name with a part in it that the target calls otherwise in all names: where `copy_cpu` and `mutable_cpu_data`
+    /// are `copy_gpu` and `mutable_gpu_data`, `gemm_cpu` is `gemm_gpu`. "" if there is no such rule.
+    std::string with_other_part(std::string_view word) const;
+    /// A name with a prefix of one letter, `m_rate`, in the manner of those that the target calls otherwise; the same
+    /// where nothing tells, "" where one name alone does.
+    std::string with_prefix_there(std::string_view word) const;
+    /// True for a name with a part that the target calls otherwise in any name.
+    bool has_other_part(std::string_view word) const;
 
 private:
     void learn_parameter_types(const AlignedText& source, const AlignedText& target, const Alignment& alignment);
     void learn_statements(const AlignedText& source, const AlignedText& target, const Alignment& alignment);
+    void note_name(const std::string& here, const std::string& said);
+    void note_part(const std::string& here, const std::string& said);
     void note(const AlignedText& source, size_t first, size_t end, const AlignedText& target, size_t there,
               size_t there_end);
 
@@ -72,6 +82,11 @@ private:
     std::map<std::string, std::map<std::string, std::set<std::string>>> patterns_;
     /// How names begin, by the source; which of its names say so.
     std::map<std::string, std::map<std::string, std::set<std::string>>, std::less<>> begins_;
+    /// Parts of names that are another one there in a name that is the same but for it; which of its names say so.
+    std::map<std::string, std::map<std::string, std::set<std::string>>, std::less<>> parts_;
+    std::map<std::string, std::string, std::less<>>
+        prefixed_;                                   ///< names with a prefix of one letter, as they are there
+    std::set<std::string, std::less<>> kept_parts_;  ///< of names that are the same there
     std::map<std::pair<char, char>, size_t> marks_;  ///< how often a number with that mark has that one there; ' ' none
 };
 

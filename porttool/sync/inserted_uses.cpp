@@ -6,6 +6,7 @@
 
 #include "porttool/language/words.h"
 #include "porttool/normal/declaration_words.h"
+#include "porttool/normal/normal_form.h"
 #include "porttool/normal/normal_text.h"
 #include "porttool/sync/operands.h"
 
@@ -137,7 +138,7 @@ std::string InsertedUses::doubt_of(const Saying& saying, const Insertion& in) co
     if (is_known_here && (!here.empty() || there.empty())) return {};
     if (here.size() == 1 && there.size() == 1 && saying.end == saying.first + 1 &&
         saying.said_end == saying.said_first + 1)
-        return other_value(in, here[0], there[0]);
+        return is_used_alike(in, here[0], there[0]) ? std::string() : other_value(in, here[0], there[0]);
     if (is_said_elsewhere(saying, in)) return {};
     std::vector<std::string> said;
     for (size_t i = saying.said_first; i < saying.said_end; ++i) said.push_back(in.words[i].text);
@@ -210,6 +211,33 @@ bool InsertedUses::is_said_elsewhere(const Saying& saying, const Insertion& in) 
         if (first != kNothing && there != kNothing && reads_the_same(saying, in, first, there)) return true;
     }
     return false;
+}
+
+bool InsertedUses::is_used_alike(const Insertion& in, size_t here, size_t there) const {
+    const std::string& name = texts_.now.words[here];
+    if (in.words[there].text != name || is_overwritten(here)) return false;
+    const LocalPart read = old_part(here), other = part_there(in, there, read.part);
+    const Clauses reaching = reaching_now(here), reaching_there = there_.reaching(other, in.place);
+    for (size_t i = before(0).end; i < texts_.before.words.size(); ++i) {
+        if (texts_.before.words[i] != name || before_.local(i) != read.local) continue;
+        const size_t c = before_.clause_at(i);
+        if (c >= texts_.before.clauses.size() || !before_.writes(c, name, {}).empty() || !is_said_word_for_word(c))
+            continue;
+        const size_t k = target(counterpart(c)).first + (i - before(c).first);
+        if (there_.local(k) == other.local && staying(before_.reaching(i)) == reaching &&
+            there_.reaching(k) == reaching_there)
+            return true;
+    }
+    return false;
+}
+
+bool InsertedUses::is_said_word_for_word(size_t c) const {
+    constexpr size_t kShortest = 5;
+    const auto [known, is_new] = said_.try_emplace(c, false);
+    if (!is_new || counterpart(c) == kNothing || before(c).opens || before(c).size() < kShortest) return known->second;
+    const Clause& said = target(counterpart(c));
+    known->second = says(said.first, said.end, carry_old(before(c).first, before(c).end).words, true);
+    return known->second;
 }
 
 bool InsertedUses::reads_the_same(const Saying& saying, const Insertion& in, size_t here, size_t there) const {

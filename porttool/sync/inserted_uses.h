@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <map>
 #include <set>
 #include <string>
 #include <vector>
@@ -67,6 +68,9 @@ private:
     /// True if the pair says it so elsewhere, and all that is read has the same values there.
     bool is_said_elsewhere(const Saying& saying, const Insertion& in) const;
     bool reads_the_same(const Saying& saying, const Insertion& in, size_t here, size_t there) const;
+    /// True if both sides have the name, with the values that it has here, in a statement that they say word for word.
+    bool is_used_alike(const Insertion& in, size_t here, size_t there) const;
+    bool is_said_word_for_word(size_t was) const;
     bool is_new(size_t now_word) const;
 
     std::string other_value(const Insertion& in, size_t here, size_t there) const;
@@ -86,7 +90,9 @@ private:
     LocalWrites before_, now_, there_;
     SameValues values_;
     std::vector<size_t> was_;  ///< for each word of the source's new text the one of the old that stayed
-    Clauses going_;            ///< clauses of the target whose counterparts went
+    mutable std::map<size_t, bool>
+        said_;       ///< clauses of the source's old text: whether the target has just their words
+    Clauses going_;  ///< clauses of the target whose counterparts went
 };
 
 }  // namespace porttool

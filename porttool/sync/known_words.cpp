@@ -13,6 +13,7 @@
 #include "porttool/normal/unit_state.h"
 #include "porttool/scan/scan.h"
 #include "porttool/sync/call_sites.h"
+#include "porttool/text/letters.h"
 
 namespace porttool {
 namespace {
@@ -68,6 +69,19 @@ bool is_shader_function(std::string_view word, Language language) {
     return kFunctions.find(" " + std::string(word) + " ") != std::string_view::npos;
 }
 
+/// The words of a text in small letters: those of letters and digits.
+std::vector<std::string> small_words_of(std::string_view text) {
+    std::vector<std::string> out;
+    bool goes_on = false;
+    for (const char c : text) {
+        const bool is_part = is_small_letter(c) || is_capital_letter(c) || (c >= '0' && c <= '9');
+        if (is_part && !goes_on) out.emplace_back();
+        if (is_part) out.back() += small_letter(c);
+        goes_on = is_part;
+    }
+    return out;
+}
+
 bool is_capital(std::string_view word) {
     return std::none_of(word.begin(), word.end(), [](char c) { return c >= 'a' && c <= 'z'; });
 }
@@ -81,6 +95,16 @@ std::string meaning_of(std::string_view word, const Dialect& dialect) {
 void add_identifiers(const LexedText& lexed, TokenRange range, SideWords::Words& words) {
     for (uint32_t i = range.first; i < range.end; ++i)
         if (lexed.tokens[i].kind == TokenKind::Identifier) words.insert(lexed.view(i));
+}
+
+/// The words of a struct, but for what is defined within it.
+void add_members(const LexedText& lexed, const Unit& record, SideWords::Words& words) {
+    uint32_t at = record.tokens.first;
+    for (const TokenRange& hole : record.holes) {
+        add_identifiers(lexed, {at, hole.first}, words);
+        at = hole.end;
+    }
+    add_identifiers(lexed, {at, record.tokens.end}, words);
 }
 
 }  // namespace
@@ -178,7 +202,7 @@ const SideWords::Words& SideWords::declared() const {
         const LexedText& lexed = file.lexed;
         for (const Unit& unit : file.units) {
             if (unit.name_token < lexed.tokens.size()) declared_.insert(lexed.view(unit.name_token));
-            if (unit.kind == UnitKind::Struct) add_identifiers(lexed, unit.tokens, declared_);
+            if (unit.kind == UnitKind::Struct) add_members(lexed, unit, declared_);
         }
         for (const FileVariable& variable : file.variables) declared_.insert(lexed.view(variable.name_token));
         for (const Directive& directive : lexed.directives)
@@ -265,6 +289,21 @@ bool KnownWords::is_from_elsewhere(std::string_view word) const {
     for (const std::string_view part : kOfOneRuntime)
         if (name.find(part) != std::string::npos) return false;
     return is_declared_nowhere(word) && runtime_of(word).empty();
+}
+
+bool KnownWords::names_one_side(std::string_view literal) const {
+    static constexpr std::string_view kPlatforms =
+        " cuda hip rocm sycl dpcpp opencl openmp openacc kokkos metal vulkan ispc optix ";
+    const std::vector<std::string> here = small_words_of(from_.edited.path), there = small_words_of(to_.edited.path);
+    const auto has = [](const std::vector<std::string>& words, const std::string& word) {
+        return std::find(words.begin(), words.end(), word) != words.end();
+    };
+    constexpr size_t kShortest = 3;
+    for (const std::string& word : small_words_of(literal)) {
+        const bool is_platform = kPlatforms.find(" " + word + " ") != std::string_view::npos;
+        if (word.size() >= kShortest && !has(there, word) && (is_platform || has(here, word))) return true;
+    }
+    return false;
 }
 
 /// Any file may ask for a macro that no file of either side defines: it comes from the build, or the compiler.

@@ -113,6 +113,12 @@ public:
         };
         return is_cpp(from_.edited.language) && is_cpp(to_.edited.language);
     }
+    /// True where both files may include the same headers of the project.
+    bool share_headers() const { return are_both_cpp() || are_of_one_language(); }
+    /// True for what any file of the target's side has, but for names of one function.
+    bool is_known_there(std::string_view word) const { return to_.all.known().contains(word); }
+    /// True for a text that speaks of the source's platform, or of what its file is called and the target's is not.
+    bool names_one_side(std::string_view literal) const;
     bool stands_bare(std::string_view word) const { return to_.all.bare().contains(word); }
     /// True for what the target's side has within functions or as a field, and nowhere else.
     bool is_only_local(std::string_view word) const;

@@ -395,8 +395,8 @@ std::string NewUnits::write(const Wanted& wanted) {
     brought.merge(names_within(wanted.file, wanted.unit));
     const Examples none;
     const LearnedBeside beside = knowledge_.learned_beside(from, wanted.file.path, wanted.other.path);
-    const EditTranslator translator(none, beside, names, lone, known, brought,
-                                    !runs_on_device(wanted.file, wanted.unit));
+    const UnitSurroundings around{!runs_on_device(wanted.file, wanted.unit)};
+    const EditTranslator translator(none, beside, names, lone, known, brought, around);
     const bool on_device = wanted.unit.kind == UnitKind::Function &&
                            is_on_device(knowledge_.file_of(to, wanted.user.unit[to]->file), *wanted.user.unit[to]);
     const NewUnit made = port_new_unit(

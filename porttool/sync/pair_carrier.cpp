@@ -6,6 +6,8 @@
 #include <optional>
 
 #include "porttool/compare/alignment.h"
+#include "porttool/normal/declaration_words.h"
+#include "porttool/normal/normal_text.h"
 #include "porttool/normal/unit_state.h"
 #include "porttool/scan/scan.h"
 #include "porttool/sync/block_ends.h"
@@ -40,6 +42,14 @@ void declare_constants(const AlignedText& text, const UnitWords& words, const st
             if (std::find(tokens.begin(), tokens.end(), words.tokens[first]) != tokens.end())
                 clause.words.insert(clause.words.begin(), {"const", CarriedWord::kNoSource});
         }
+}
+
+/// The name of the class that a unit is a method of; "" for none.
+std::string_view class_of(const Unit& unit) {
+    const size_t leaf = leaf_of(unit.name).size();
+    const std::string_view name = unit.name;
+    if (name.size() <= unit.namespace_length + leaf + 2) return {};
+    return name.substr(0, name.size() - leaf - 2);
 }
 
 bool has_word(const std::vector<std::string>& words, const std::string& word) {
@@ -120,7 +130,7 @@ void PairCarrier::carry(const PairEdit& edit, Proposal& out) {
     leave_unported(edit, texts, names, out);
     // Where more is left than carried, a part of the port would only be in the way.
     constexpr size_t kFew = 2;
-    if (found.left.size() > std::max(kFew, found.size())) return;
+    if (found.left_size() > std::max(kFew, found.size())) return;
     if (!found.empty()) {
         if (write(edit, texts, names, found, out)) return;
         out.left.clear();
@@ -159,8 +169,10 @@ Transplant PairCarrier::transplanted(const PairEdit& edit, const Texts& texts, K
     const UnitNames& units = knowledge_.unit_names(edit.from);
     const LearnedBeside beside = knowledge_.learned_beside(edit.from, file.path, texts.other.path);
     const Unit& port = texts.port;
-    const bool is_method = port.name.size() > port.namespace_length + leaf_of(port.name).size() + 2;
-    const bool on_host = !runs_on_device(file, texts.unit);
+    const bool is_method = !class_of(port).empty();
+    UnitSurroundings around{!runs_on_device(file, texts.unit),
+                            is_method && leaf_of(class_of(port)) == leaf_of(class_of(texts.unit))};
+    read_earlier_file(edit, texts, around);
     const auto written = [&](size_t i) {
         return is.words[i] == "@" || is.is_added(i) ? is.words[i] : std::string(file.lexed.view(is.tokens[i]));
     };
@@ -179,7 +191,7 @@ Transplant PairCarrier::transplanted(const PairEdit& edit, const Texts& texts, K
     do {
         for (const LeftOver& left : found.left) first_reasons.try_emplace(left.source_word, left.message);
         found =
-            transplant(laid, EditTranslator(texts.examples, beside, units, names.lone, known, names.brought, on_host),
+            transplant(laid, EditTranslator(texts.examples, beside, units, names.lone, known, names.brought, around),
                        written, is_method);
     } while (lose_undeclared(is.words, found, names.from_elsewhere, names.brought, names.lone));
     for (const LeftOver& left : found.left) {
@@ -189,6 +201,20 @@ Transplant PairCarrier::transplanted(const PairEdit& edit, const Texts& texts, K
                                    line_at(texts.draft.scanned, texts.there, left.target_word)));
     }
     return found;
+}
+
+/// What the source's file had before the edit and has not now, and the other way round; nothing where it is not known.
+void PairCarrier::read_earlier_file(const PairEdit& edit, const Texts& texts, UnitSurroundings& out) {
+    const std::string* text = earlier_texts_.of(edit.from, texts.file.path);
+    if (text == nullptr) return;
+    for (const std::string& word : texts.is.words)
+        if (is_word_token(word) && !has_word(texts.was.words, word)) out.fresh.insert(word);
+    if (out.fresh.empty()) return;
+    const ScannedFile file = scan_text(texts.file.path, *text);
+    for (const Token& token : file.lexed.tokens)
+        if (const auto known = out.fresh.find(file.lexed.view(token)); known != out.fresh.end()) out.fresh.erase(known);
+    for (const Unit& unit : file.units) out.gone.emplace(leaf_of(unit.name));
+    for (const Unit& unit : texts.file.units) out.gone.erase(std::string(leaf_of(unit.name)));
 }
 
 /// New units without a port that the edit comes to use.

@@ -16,8 +16,14 @@ bool is_plain_name(const std::string& word) {
     return is_word_token(word) && !is_type_word(word) && !word_is(word, kKeyword | kQualifier | kTypePart);
 }
 
+/// True for a variable that bears the name of another language's type: `int half = n / 2 ;`.
+bool is_type_of_others(const std::vector<std::string>& words, size_t i) {
+    return words[i + 1] == "=" && is_type_word(words[i]) && !word_is(words[i], kKeyword | kQualifier | kTypePart) &&
+           is_type_word(words[i - 1]);
+}
+
 bool may_declare(const std::vector<std::string>& words, size_t i) {
-    return i > 0 && i + 1 < words.size() && is_plain_name(words[i]) &&
+    return i > 0 && i + 1 < words.size() && (is_plain_name(words[i]) || is_type_of_others(words, i)) &&
            is_one_of(words[i + 1], {"=", ";", "[", ",", ")", "(", ":", "{"});
 }
 
@@ -55,6 +61,16 @@ bool may_bring(const std::vector<std::string>& words, size_t i) {
     return true;
 }
 
+/// True for a name of `auto [ a , b ] = f ( ) ;`.
+bool is_bound(const std::vector<std::string>& words, size_t i) {
+    if (!is_plain_name(words[i])) return false;
+    size_t open = i;
+    while (open > 0 && (is_word_token(words[open]) || words[open] == ",")) --open;
+    if (words[open] != "[" || open == 0) return false;
+    while (open > 1 && is_one_of(words[open - 1], {"&", "&&"})) --open;
+    return words[open - 1] == "auto";
+}
+
 bool is_member(const std::vector<std::string>& words, size_t i) {
     return i > 0 && is_one_of(words[i - 1], {".", "->", "::"});
 }
@@ -81,7 +97,7 @@ std::set<std::string> parameter_names(const std::vector<std::string>& words) {
 std::set<std::string> declared_names(const std::vector<std::string>& words) {
     std::set<std::string> out = parameter_names(words);
     for (size_t i = 0; i < words.size(); ++i)
-        if (declares(words, i) && !is_member(words, i)) out.insert(words[i]);
+        if ((declares(words, i) && !is_member(words, i)) || is_bound(words, i)) out.insert(words[i]);
     return out;
 }
 
@@ -94,7 +110,7 @@ std::set<std::string> used_out_of_scope(const std::vector<std::string>& words, c
         if (words[i] == "{") blocks.emplace_back();
         if (words[i] == "}" && blocks.size() > 1) blocks.pop_back();
         if (!declared.contains(words[i]) || is_member(words, i)) continue;
-        if (may_bring(words, i) || declares(words, i)) {
+        if (may_bring(words, i) || declares(words, i) || is_bound(words, i)) {
             blocks.back().insert(words[i]);
             continue;
         }
@@ -111,7 +127,7 @@ std::set<std::string> lost_names(const std::vector<std::string>& before, const s
     std::set<std::string> out, brought = parameter_names(now);
     const std::set<std::string> declared = declared_names(before);
     for (size_t i = 0; i < now.size(); ++i) {
-        if (may_bring(now, i) || declares(now, i)) brought.insert(now[i]);
+        if (may_bring(now, i) || declares(now, i) || is_bound(now, i)) brought.insert(now[i]);
         if (declared.contains(now[i]) && !is_member(now, i)) out.insert(now[i]);
     }
     std::erase_if(out, [&](const std::string& name) { return brought.contains(name); });

@@ -63,6 +63,20 @@ size_t end_of_parts(const std::vector<std::string>& words, size_t open, size_t e
     return end;
 }
 
+/// True for what is taken of the standard library there.
+bool has_std_scope(const std::vector<std::string>& words, size_t i) {
+    return words[i] == "std" || (i > 1 && words[i - 1] == "::" && words[i - 2] == "std");
+}
+
+/// True for `< T > (` behind a name.
+bool has_template_arguments(const std::vector<std::string>& words, size_t open) {
+    constexpr size_t kLongest = 6;
+    if (words[open] != "<" || !is_word_token(words[open - 1])) return false;
+    for (size_t i = open + 1; i + 1 < std::min(words.size(), open + kLongest); ++i)
+        if (words[i] == ">") return i > open + 1 && words[i + 1] == "(";
+    return false;
+}
+
 /// A phrase that begins with the scope that was just written goes on from there.
 void drop_prefix_there(const std::vector<CarriedWord>& written, std::vector<std::string>& phrase) {
     const size_t size = written.size();
@@ -158,12 +172,16 @@ CarriedWords EditTranslator::carry(const std::vector<std::string>& words, size_t
         Examples::Phrase phrase = pair_.longest(words, i, stop);
         if (phrase.length == 0 && is_word_token(words[i]) && !brought_.contains(words[i]))
             phrase = beside_.file().longest(words, i, stop);
+        if (phrase.length > phrase.target.size() && i + phrase.length < words.size() &&
+            has_template_arguments(words, i + phrase.length) && has_std_scope(words, i))
+            out.unknown.push_back(words[i + phrase.length - 1] + "<>");
         if (phrase.length > 0) {
             drop_prefix_there(out.words, phrase.target);
             add_phrase(phrase, words, i, written, out);
             i += phrase.length;
             continue;
         }
+        if (words[i].starts_with('"') && known_.names_one_side(words[i])) out.unknown.push_back(words[i]);
         if (!is_word_token(words[i])) {
             out.words.push_back({written(i), i});
             ++i;
@@ -247,11 +265,21 @@ std::string EditTranslator::word(std::string_view text, Use use) const {
     if (std::string said = beside_.file().renamed(text); !said.empty()) return said;
     if (std::string said = said_in_folder(text, use); !said.empty()) return said;
     if (std::string said = known_.in_sister_runtime(text); !said.empty()) return said;
-    if (known_.anywhere(text)) return std::string(text);
+    if (known_.anywhere(text)) return known_.is_known_there(text) ? std::string(text) : pair_.with_prefix_there(text);
     if (std::string said = known_.in_other_manner(text); !said.empty()) return said;
     if (use != Use::Call && known_.is_of_shared_family(text)) return std::string(text);
-    const bool both_have = use == Use::Call && on_host_ && known_.are_both_cpp() && is_from_elsewhere(text, text);
-    return both_have ? std::string(text) : std::string();
+    return from_elsewhere(text, use);
+}
+
+/// A name that no file of either side declares comes from a header of both: what host code calls, what is as new to the
+/// source's file there, and what the methods of one class have.
+std::string EditTranslator::from_elsewhere(std::string_view text, Use use) const {
+    for (const Examples* examples : {&pair_, &beside_.file()})
+        if (examples->has_other_part(text)) return examples->with_other_part(text);
+    if (!known_.share_headers() || !is_from_elsewhere(text, text)) return {};
+    const bool both_have = (use == Use::Call && around_.on_host && known_.are_both_cpp()) || around_.is_of_one_class ||
+                           (around_.on_host && around_.fresh.contains(text));
+    return both_have ? pair_.with_prefix_there(text) : std::string();
 }
 
 }  // namespace porttool

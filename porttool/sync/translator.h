@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "porttool/language/words.h"
 #include "porttool/normal/declaration_words.h"
 #include "porttool/sync/examples.h"
 #include "porttool/sync/known_words.h"
@@ -39,6 +40,14 @@ struct UnitNames {
     std::set<std::string, std::less<>> other_parameters;  ///< those that take another number of arguments there
 };
 
+/// What is known of the unit that changes, beside its text.
+struct UnitSurroundings {
+    bool on_host = false;                           ///< nothing of it runs on a device
+    bool is_of_one_class = false;                   ///< both sides' units are methods of classes of one name
+    std::set<std::string, std::less<>> fresh = {};  ///< words that its file did not have before the edit
+    std::set<std::string, std::less<>> gone = {};   ///< units that its file had before the edit
+};
+
 /// A number of the normal form as code has it: `1f` is `1.0f`.
 std::string written_number(const std::string& word);
 
@@ -48,17 +57,11 @@ std::string written_number(const std::string& word);
 class EditTranslator {
 public:
     /// All must outlive it. `lone`: names of units that have no counterpart yet; `brought`: names that the edit itself
-    /// brings in; `on_host`: nothing of the unit runs on a device.
+    /// brings in.
     EditTranslator(const Examples& pair, const LearnedBeside& beside, const UnitNames& units,
                    const std::set<std::string, std::less<>>& lone, const KnownWords& known,
-                   const std::set<std::string, std::less<>>& brought, bool on_host)
-        : pair_(pair),
-          beside_(beside),
-          units_(units),
-          lone_(lone),
-          known_(known),
-          brought_(brought),
-          on_host_(on_host) {}
+                   const std::set<std::string, std::less<>>& brought, const UnitSurroundings& around)
+        : pair_(pair), beside_(beside), units_(units), lone_(lone), known_(known), brought_(brought), around_(around) {}
 
     /// words[first, end) of the source. `written`: how the source writes each of its words.
     CarriedWords carry(const std::vector<std::string>& words, size_t first, size_t end,
@@ -85,7 +88,8 @@ public:
     bool lacks_references() const { return known_.lacks_casts(); }
     /// True where the target declares `name`, and nobody `other`, not even the edit.
     bool declares_alone(std::string_view name, std::string_view other) const {
-        return known_.is_declared_there(name) && is_from_elsewhere(other, other) && !brought_.contains(other);
+        return known_.is_declared_there(name) && !is_type_word(name) && !around_.gone.contains(name) &&
+               is_from_elsewhere(other, other) && !brought_.contains(other);
     }
 
     /// True for a name that the edit itself brings in.
@@ -106,6 +110,7 @@ private:
     enum class Use : uint8_t { Value, Type, Call };
     /// How the target says the word alone; "" if that is not known.
     std::string word(std::string_view text, Use use) const;
+    std::string from_elsewhere(std::string_view text, Use use) const;
     std::string type_named(const std::string& name) const;
     std::string said_in_folder(std::string_view text, Use use) const;
     std::string number(const std::string& written) const;
@@ -121,7 +126,7 @@ private:
     const std::set<std::string, std::less<>>& lone_;
     const KnownWords& known_;
     const std::set<std::string, std::less<>>& brought_;
-    bool on_host_;
+    const UnitSurroundings& around_;
 };
 
 }  // namespace porttool

@@ -20,12 +20,13 @@ public:
         const InsertedUses uses(*this, is_method);
         std::vector<WordsReplaced> respelled = carry_changed_clauses(*this, uses, out_);
         added_ = carry_added_clauses(*this, uses, out_);
-        // In the order of the source's text, whichever of the two came upon it.
-        std::stable_sort(out_.left.begin(), out_.left.end(),
-                         [](const LeftOver& a, const LeftOver& b) { return a.source_word < b.source_word; });
         for (size_t c = 0; c < texts_.before.clauses.size(); ++c)
             if (texts_.edit.clause_of[c] == kNothing && !added_.held.contains(c)) remove(c);
+        leave_lost();
         drop_open_blocks();
+        // In the order of the source's text, whatever came upon it.
+        std::stable_sort(out_.left.begin(), out_.left.end(),
+                         [](const LeftOver& a, const LeftOver& b) { return a.source_word < b.source_word; });
         // Beside nothing else an edit of spelling alone is due where somebody asks for it.
         if (out_.empty() && out_.left.empty() && out_.already == 0) out_.replaced = std::move(respelled);
         for (const size_t was : origin_) out_.stands_for.push_back(was == kNothing ? kNothing : counterpart(was));
@@ -37,10 +38,7 @@ private:
         const Clause& clause = before(was);
         const size_t there = counterpart(was);
         if (there == kNothing) {
-            if (clause.closes) return;
-            leave("the source lost `" + shown(texts_.before.words, clause.first, clause.end) +
-                      "`; the port has nothing that clearly stands for it",
-                  place_now(was), near(was));
+            if (!clause.closes) lost_.push_back(was);
             return;
         }
         if (!clause.closes &&
@@ -61,6 +59,20 @@ private:
             }
         }
         out_.removed.push_back(there);
+    }
+
+    /// Statements that the source lost side by side, and that the port has nothing for at one place, are one item.
+    void leave_lost() {
+        for (size_t i = 0; i < lost_.size();) {
+            const size_t place = place_now(lost_[i]), there = near(lost_[i]);
+            size_t end = i + 1;
+            while (end < lost_.size() && place_now(lost_[end]) == place && near(lost_[end]) == there) ++end;
+            leave("the source lost `" + shown(texts_.before.words, before(lost_[i]).first, before(lost_[end - 1]).end) +
+                      "`; the port has nothing that clearly stands for it",
+                  place, there);
+            out_.left.back().statements = end - i;
+            i = end;
+        }
     }
 
     /// A word of the source's new text near where a clause of its old one stood.
@@ -102,6 +114,7 @@ private:
 
     Transplant out_;
     AddedSources added_;
+    std::vector<size_t> lost_;  ///< clauses of the source's old text without a counterpart
 };
 
 }  // namespace

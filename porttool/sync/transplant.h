@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <numeric>
 #include <set>
 #include <string>
 #include <vector>
@@ -37,6 +38,7 @@ struct ClausesAdded {
 struct LeftOver {
     std::string message;
     size_t source_word = 0, target_word = 0;  ///< in the source's new text, in the target; about where
+    size_t statements = 1;                    ///< of the source that it tells of
 };
 
 /// What the target's text has to become.
@@ -51,6 +53,11 @@ struct Transplant {
     size_t already = 0;  ///< edits that the target has
     size_t size() const { return replaced.size() + added.size() + removed.size(); }
     bool empty() const { return size() == 0; }
+    /// How many statements are left.
+    size_t left_size() const {
+        return std::accumulate(left.begin(), left.end(), size_t{0},
+                               [](size_t sum, const LeftOver& one) { return sum + one.statements; });
+    }
 };
 
 /// The three texts that an edit is carried by, and how they stand for each other.
