@@ -245,6 +245,8 @@ private:
         for (const TodaysPair& pair : today_.pairs) paired.emplace(pair.id.source, pair.id.target);
         std::map<std::pair<std::string, std::string>, size_t> added;
         for (StrayEdit& stray : stray_edits(today_.snapshot, lineages, words, paired, dialect)) {
+            const States& states = today_.snapshot.states;
+            if (one_calls_the_other(states.source.at(stray.id.source), states.target.at(stray.id.target))) continue;
             const auto [known, is_new] = added.try_emplace({stray.id.source, stray.id.target}, today_.pairs.size());
             if (is_new) {
                 today_.pairs.push_back({stray.id, kScore, false, true});

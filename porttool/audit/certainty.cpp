@@ -93,6 +93,12 @@ std::vector<bool> shared_pairs(const TodaysPairs& today) {
     return out;
 }
 
+/// True for a function that reads the command line: what it takes is its program's own.
+bool reads_arguments(const UnitState& unit) {
+    const Words words = unit.text.words();
+    return unit.name == "main" || std::find(words.begin(), words.end(), "argv") != words.end();
+}
+
 struct Judged {
     double certainty = 0;
     std::vector<std::string> why;
@@ -153,7 +159,7 @@ private:
             out_.why.emplace_back("the commit message speaks of speed");
         }
         if (says.platform) {
-            z_ -= 1.2;
+            z_ -= 1.5;
             out_.why.emplace_back("the commit message speaks of one platform");
         }
     }
@@ -192,12 +198,12 @@ private:
     void weigh_pair(const FoundEdit& found) {
         const TodaysPair& pair = today_.pairs[found.pair];
         if (!is_device_code(today_.unit(pair, Side::Source)) && !is_device_code(today_.unit(pair, Side::Target)))
-            z_ -= today_.unit(pair, found.edit.side).name == "main" ? 1.5 : 0.4;
+            z_ -= reads_arguments(today_.unit(pair, found.edit.side)) ? 1.5 : 0.4;
         z_ += 2.0 * (static_cast<double>(found.alike) - 0.4);
         if (!pair.confirmed) z_ += 3 * (pair.score - 0.9);
         if (shared_[found.pair]) z_ -= 1;
         const auto is_program = [&](Side side) { return today_.unit(pair, side).name == "main"; };
-        if (is_program(Side::Source) != is_program(Side::Target)) z_ -= 0.8;  // a kernel, and all that is around it
+        if (is_program(Side::Source) != is_program(Side::Target)) z_ -= 1.6;  // a kernel, and all that is around it
     }
 
     const WalkedPast& walked_;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <string_view>
+#include <utility>
 
 #include "porttool/language/words.h"
 #include "porttool/normal/declaration_words.h"
@@ -251,10 +252,72 @@ Text with_plain_calls(const Text& words) {
     return out;
 }
 
+/// The end of the way to a value that begins there, `a . b`; the place itself where none does.
+size_t end_of_way(const Text& words, size_t first) {
+    if (first >= words.size() || !is_word_token(words[first])) return first;
+    size_t end = first + 1;
+    while (end + 1 < words.size() && words[end] == "." && is_word_token(words[end + 1])) end += 2;
+    return end;
+}
+
+/// Where `v . x , v . y , v . z` ends that begins there, behind all its components, and how long the way to `v` is; the
+/// place itself where a list has less than three.
+std::pair<size_t, size_t> end_of_components(const Text& words, size_t first) {
+    constexpr std::string_view kComponents = "xyzw";
+    constexpr size_t kFewest = 3;
+    const size_t end = end_of_way(words, first);
+    if (end < first + 3 || words[end - 1] != "x") return {first, 0};
+    const size_t way = end - first - 2;
+    size_t at = end, found = 1;
+    while (found < kComponents.size() && at < words.size() && words[at] == "," &&
+           end_of_way(words, at + 1) == at + 1 + way + 2 && words[at + way + 2] == kComponents.substr(found, 1) &&
+           std::equal(words.begin() + static_cast<ptrdiff_t>(first),
+                      words.begin() + static_cast<ptrdiff_t>(first + way),
+                      words.begin() + static_cast<ptrdiff_t>(at + 1))) {
+        at += way + 3;
+        ++found;
+    }
+    const bool ends = at >= words.size() || words[at] == "," || words[at] == ")";
+    return found >= kFewest && ends ? std::pair(at, way) : std::pair(first, size_t{0});
+}
+
+bool is_zero(const std::string& word) {
+    return is_number_token(word) && word.find_first_not_of("0.fFuUlL") == std::string::npos;
+}
+
+/// `( v . x , v . y , v . z )` as `( v )`, and a list of zeros, `( 0 , 0 , 0 )`, as `( )`: so an empty list is read.
+Text with_whole_vectors(const Text& words) {
+    Text out;
+    for (size_t i = 0; i < words.size(); ++i) {
+        const bool begins = i > 0 && (words[i - 1] == "(" || words[i - 1] == ",");
+        const auto [end, way] = begins ? end_of_components(words, i) : std::pair(i, size_t{0});
+        if (end != i) {
+            out.insert(out.end(), words.begin() + static_cast<ptrdiff_t>(i),
+                       words.begin() + static_cast<ptrdiff_t>(i + way));
+            i = end - 1;
+            continue;
+        }
+        out.push_back(words[i]);
+        if (words[i] != "(") continue;
+        size_t close = i + 1;
+        while (close + 1 < words.size() && is_zero(words[close]) && words[close + 1] == ",") close += 2;
+        const bool fills = i > 0 && is_type_word(words[i - 1]);  // with the one number
+        const bool zeros =
+            (close > i + 1 || fills) && close + 1 < words.size() && is_zero(words[close]) && words[close + 1] == ")";
+        if (zeros) i = close;
+    }
+    return out;
+}
+
 constexpr std::array<std::string_view, 9> kClocks = {"gettimeofday", "tvsec",  "tvusec",  "clock", "timer",
                                                      "elapsed",      "chrono", "gettime", "profil"};
 constexpr std::array<std::string_view, 12> kAsides = {"print", "log",   "assert", "cout", "cerr",  "trace",
                                                       "debug", "debug", "error",  "warn", "throw", "abort"};
+
+/// What a host asks of a runtime, each in its own way.
+constexpr std::array<std::string_view, 11> kRuntime = {"memcpy",    "memset",       "malloc", "synchron",
+                                                       "enqueue",   "createbuffer", "setarg", "setkernelarg",
+                                                       "lasterror", "cudafree",     "hipfree"};
 
 /// What the words of one place of a change are: some matter to the other side, some it has no name for.
 struct Matter {
@@ -306,6 +369,13 @@ bool is_way_to_value(const std::vector<const std::string*>& words) {
     return leads;
 }
 
+/// True for the `y` of `v . y`, as `v [ 1 ]` is said, too: which one it is matters like a number.
+bool is_component(const std::string* word, const Text& of) {
+    constexpr std::string_view kComponents = "xyzw";
+    return word > of.data() && *(word - 1) == "." && word->size() == 1 &&
+           kComponents.find(word->front()) != std::string_view::npos;
+}
+
 }  // namespace
 
 Text value_of(const Text& words) {
@@ -350,8 +420,12 @@ float substance_of(const Text& before, const Text& now, const KnownThere& there)
         } else if ((is_number(lost) && has_name(gained)) || (is_number(gained) && has_name(lost)))
             matter.add_named_number(gained.size() > lost.size() || is_number(lost) ? gained : lost, there);
         else if (!way)
-            for (const std::string* word : gained.empty() ? lost : gained)
-                matter.add(*word, there, !lost.empty() && !gained.empty());
+            for (const std::string* word : gained.empty() ? lost : gained) {
+                if (is_component(word, gained.empty() ? old_value : new_value))
+                    matter.known += 1;
+                else
+                    matter.add(*word, there, !lost.empty() && !gained.empty());
+            }
         lost.clear();
         gained.clear();
     };
@@ -369,7 +443,7 @@ Text essence_of(const Text& words, const Dialect& dialect) {
         with_plain_calls(without_marks(with_plain_places(without_casts(without_declaration(words)))))));
     for (std::string& word : out) word = plain_word(word, dialect);
     std::erase_if(out, [](const std::string& word) { return word == "this"; });
-    return out;
+    return with_whole_vectors(out);
 }
 
 bool is_turned_round(const Text& before, const Text& now) {
@@ -417,6 +491,18 @@ bool is_bare_declaration(const Text& written) {
         numbers = numbers && (!is_word_token(written[i]) || makes);
     }
     return numbers;
+}
+
+bool moves_memory(const Text& words) {
+    for (size_t i = 0; i + 1 < words.size(); ++i) {
+        if (words[i + 1] != "(" || !is_word_token(words[i])) continue;
+        const std::string small = folded(words[i]);
+        if (is_one_of(small, {"free", "wait"}) || std::any_of(kRuntime.begin(), kRuntime.end(), [&](auto part) {
+                return small.find(part) != std::string::npos;
+            }))
+            return true;
+    }
+    return false;
 }
 
 bool is_aside(const Text& words) {

@@ -65,6 +65,14 @@ bool is_turned_round(const std::vector<std::string>& before, const std::vector<s
 /// holds: `float3 n = p -> n`.
 bool is_bare_declaration(const std::vector<std::string>& written);
 
+/// True for a statement that asks a runtime to copy, clear, make or give back memory, or waits for a device.
+bool moves_memory(const std::vector<std::string>& words);
+
+/// True for a call that makes two values change places.
+inline bool is_swap(const std::vector<std::string>& words) {
+    return words.size() > 3 && words[0].ends_with("swap") && words[1] == "(";
+}
+
 /// True for `return` with nothing but the way to a value.
 bool is_bare_return(const std::vector<std::string>& written);
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 
+#include "porttool/audit/declaration_edit.h"
 #include "porttool/audit/essence.h"
 #include "porttool/audit/likeness.h"
 #include "porttool/audit/replaced_statement.h"
@@ -19,7 +20,7 @@ bool has_past(const UnitLineage& lineage) {
     return !lineage.removed().empty() ||
            std::any_of(lineage.statements().begin(), lineage.statements().end(), [](const StatementLineage& line) {
                return std::any_of(line.steps.begin(), line.steps.end(),
-                                  [](const LineageStep& step) { return step.counts; });
+                                  [](const LineageStep& step) { return step.counts || !step.before.empty(); });
            });
 }
 
@@ -29,7 +30,9 @@ constexpr float kFaint = 0.1f;  ///< of a place: below, it says nothing
 class PairReader {
 public:
     PairReader(const BySide<SideOfPair>& pair, const Dialect& dialect)
-        : pair_(pair), dialect_(dialect), texts_(pair, dialect), otherwise_(texts_, pair), replaced_(texts_, pair) {}
+        : pair_(pair), dialect_(dialect), texts_(pair, dialect), otherwise_(texts_, pair), replaced_(texts_, pair) {
+        for (const Side side : kBothSides) alone_[side] = without_twin(side);
+    }
 
     PairReading run(bool has_any_past) {
         PairReading out;
@@ -44,14 +47,18 @@ public:
 private:
     /// The statements that are not the same today, where they are few and the rest is.
     std::vector<MissingPlace> differences(float alike_now) const {
-        constexpr float kNearTwins = 0.8f, kSameStatement = 0.7f;
-        constexpr size_t kFew = 3;
+        constexpr float kTwins = 0.5f, kSameStatement = 0.7f;
+        constexpr size_t kFew = 8;
         std::vector<MissingPlace> out;
         const ReadSide &source = texts_.sides.source, &target = texts_.sides.target;
-        if (alike_now < kNearTwins && source.words.size() > 1) return out;
+        if (alike_now < kTwins && source.words.size() > 1) return out;
         for (size_t i = source.words.size() > 1 ? 1 : 0; i < source.words.size(); ++i) {
             const Nearest near = nearest(source.weighed[i], target.weighed);
-            if (!near.any || near.distance <= 0 || says_nothing(source.written[i])) continue;
+            if (!near.any || near.distance <= 0 || has_twin(Side::Source, target.weighed[near.index])) continue;
+            if (says_nothing(source.written[i]) &&
+                !declares_another_value(words_of_statement(target.written[near.index]),
+                                        words_of_statement(source.written[i])))
+                continue;
             if (1 - near.distance / (source.weighed[i].sum + target.weighed[near.index].sum) < kSameStatement) continue;
             const float substance =
                 substance_of(target.words[near.index], source.words[i], texts_.known_there(Side::Source));
@@ -59,7 +66,9 @@ private:
             MissingPlace place;
             place.now = source.written[i];
             place.there = target.written[near.index];
-            if (renames_what_it_declares(words_of_statement(place.there), words_of_statement(place.now))) continue;
+            const std::vector<std::string> here = words_of_statement(place.now),
+                                           there = words_of_statement(place.there);
+            if (renames_what_it_declares(there, here) || is_turned_round(there, here)) continue;
             place.strength = substance;
             out.push_back(std::move(place));
         }
@@ -101,10 +110,13 @@ private:
 
     template <class Note>
     void judge_line(Side side, const StatementLineage& line, const Note& note) {
-        if (line.steps.empty() || line.index == 0 || says_nothing(texts_.sides[side].written[line.index])) return;
+        const WrittenStatement& today = texts_.sides[side].written[line.index];
+        const bool bare = is_bare_declaration(words_of_statement(today));
+        if (line.steps.empty() || line.index == 0 || (says_nothing(today) && !bare)) return;
         const auto& others = texts_.sides[other(side)].weighed;
         const WeighedWords& now = texts_.sides[side].weighed[line.index];
         const Nearest of_now = nearest(now, others);
+        if (of_now.any && of_now.distance <= 0) judge_widened(side, line, of_now.index, note);
         if (!of_now.any || of_now.distance <= 0 || texts_.other_had(side, line.index)) return;
         const std::vector<std::string> whole = texts_.written_out(texts_.sides[side].words[line.index], side);
         if (texts_.said[other(side)].contains(whole)) return;
@@ -123,9 +135,11 @@ private:
             }
         }
         if (best == line.steps.size()) {
-            judge_added(side, line, of_now, note);
+            if (!bare) judge_added(side, line, note);
             return;
         }
+        if (bare && !declares_another_value(words_of_statement(line.steps[best].before), words_of_statement(today)))
+            return;
         size_t told = best;  // the step that counts
         while (!line.steps[told].counts && told > 0) --told;
         if (!line.steps[told].counts) return;
@@ -139,7 +153,7 @@ private:
         MissingPlace place;
         place.kind = MissingPlace::Kind::Replaced;
         place.before = line.steps[best].before;
-        place.now = texts_.sides[side].written[line.index];
+        place.now = today;
         place.there = texts_.sides[other(side)].written[found.index];
         const std::vector<std::string> was = texts_.translated(place.before, side, true);
         if (texts_.written_out(was, side) == whole) return;  // a value got a name
@@ -162,8 +176,10 @@ private:
 
     static bool says_nothing(const WrittenStatement& statement) {
         const std::vector<std::string> words = words_of_statement(statement);
-        return is_aside(words) || is_bare_declaration(words) || is_head(words);
+        return is_aside(words) || is_bare_declaration(words) || is_head(words) || is_lone_else(words);
     }
+
+    static bool is_lone_else(const std::vector<std::string>& words) { return words.size() == 1 && words[0] == "else"; }
 
     /// True for the head of the unit, whose name is `@` there, be it behind lines of attributes.
     static bool is_head(const std::vector<std::string>& words) {
@@ -182,16 +198,62 @@ private:
                stands_in_file_of(other(side), texts_.sides[side].written[index]);
     }
 
+    /// A statement in which a commit made an integer wider, where the other side's, which says the same, has a narrow
+    /// one.
+    template <class Note>
+    void judge_widened(Side side, const StatementLineage& line, size_t there, const Note& note) {
+        constexpr float kMayOverflow = 0.45f;
+        MissingPlace place;
+        place.now = texts_.sides[side].written[line.index];
+        place.there = texts_.sides[other(side)].written[there];
+        const size_t wide = wide_integers_in(words_of_statement(place.now));
+        if (wide == 0 || wide_integers_in(words_of_statement(place.there)) > 0) return;
+        const auto step = std::find_if(line.steps.begin(), line.steps.end(), [&](const LineageStep& one) {
+            return !one.before.empty() && wide_integers_in(words_of_statement(one.before)) == 0;
+        });
+        if (step == line.steps.end() || !can_overflow(words_of_statement(place.there))) return;
+        place.before = step->before;
+        place.strength = kMayOverflow;
+        note(step->commit, std::move(place));
+    }
+
+    /// Those of the other side's statements that do not stand on this side as they are.
+    std::vector<WeighedWords> without_twin(Side side) const {
+        std::map<std::vector<uint32_t>, size_t> here;
+        for (const WeighedWords& own : texts_.sides[side].weighed) ++here[own.words];
+        std::vector<WeighedWords> out;
+        for (const WeighedWords& there : texts_.sides[other(side)].weighed) {
+            const auto twin = here.find(there.words);
+            if (twin == here.end() || twin->second == 0)
+                out.push_back(there);
+            else
+                --twin->second;
+        }
+        return out;
+    }
+
+    /// True for a statement of the other side that stands on this side, too.
+    bool has_twin(Side side, const WeighedWords& there) const {
+        return std::none_of(alone_[side].begin(), alone_[side].end(),
+                            [&](const WeighedWords& one) { return one.words == there.words; });
+    }
+
+    /// How alike the statement is to the nearest of those.
+    float likeness_to_others(Side side, const WeighedWords& one) const {
+        const Nearest near = nearest(one, alone_[side]);
+        return near.any ? 1 - near.distance / (one.sum + alone_[side][near.index].sum) : 0;
+    }
+
     /// A statement that a commit brought in, where the other side has none like it.
     template <class Note>
-    void judge_added(Side side, const StatementLineage& line, const Nearest& of_now, const Note& note) {
+    void judge_added(Side side, const StatementLineage& line, const Note& note) {
         const LineageStep& born = line.steps.back();
         if (!born.before.empty() || is_bare_return(words_of_statement(texts_.sides[side].written[line.index]))) return;
         const auto step =
             std::find_if(line.steps.rbegin(), line.steps.rend(), [](const auto& one) { return one.counts; });
         if (step == line.steps.rend()) return;
         const WeighedWords& now = texts_.sides[side].weighed[line.index];
-        const float there = 1 - of_now.distance / (now.sum + texts_.sides[other(side)].weighed[of_now.index].sum);
+        const float there = likeness_to_others(side, now);
         if (there > 0.6f || has_elsewhere(side, line.index) || otherwise_.is_said(side, line.index)) return;
         MissingPlace place;
         place.kind = MissingPlace::Kind::Added;
@@ -248,6 +310,7 @@ private:
     const BySide<SideOfPair>& pair_;
     const Dialect& dialect_;
     CommonTexts texts_;
+    BySide<std::vector<WeighedWords>> alone_;  ///< as without_twin() has them
     SaidOtherwise otherwise_;
     ReplacedStatement replaced_;
 };

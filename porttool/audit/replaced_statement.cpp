@@ -3,6 +3,10 @@
 #include "porttool/audit/replaced_statement.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <set>
+#include <string_view>
 
 #include "porttool/language/words.h"
 #include "porttool/normal/diff.h"
@@ -69,6 +73,23 @@ bool ReplacedStatement::counts_threads_otherwise(const MissingPlace& place) {
         return std::find(words.begin(), words.end(), name) != words.end();
     };
     return has(place.now, "dim3") != has(place.there, "dim3") && has(place.now, "range") != has(place.there, "range");
+}
+
+bool ReplacedStatement::fits_narrower_type(const MissingPlace& place) {
+    constexpr double kGuard = 1e-4;
+    if (!numbers_alone(place.before, place.now)) return false;
+    const std::vector<std::string> before = words_of_statement(place.before), now = words_of_statement(place.now);
+    std::set<std::string_view> values;  // of before
+    for (size_t i = 0; i < now.size(); ++i) {
+        if (now[i] == before[i]) continue;
+        const double was = std::abs(std::strtod(before[i].c_str(), nullptr)),
+                     is = std::abs(std::strtod(now[i].c_str(), nullptr));
+        if (now[i].back() != 'f' || was <= 0 || was >= is || is > kGuard) return false;
+        values.insert(before[i].back() == 'f' ? std::string_view(before[i]).substr(0, before[i].size() - 1)
+                                              : std::string_view(before[i]));
+    }
+    const std::vector<std::string> there = words_of_statement(place.there);
+    return std::any_of(there.begin(), there.end(), [&](const std::string& word) { return values.contains(word); });
 }
 
 float anchored(const std::vector<std::string>& before, const std::vector<std::string>& now,

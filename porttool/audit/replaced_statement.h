@@ -23,7 +23,8 @@ public:
                   const std::vector<std::string>& now, uint32_t commit) const {
         return (same_head(side, place) ? 1.0f : 0.4f) * (brings_call(side, place) ? 0.5f : 1.0f) *
                (counts_threads_otherwise(place) ? 0.2f : 1.0f) * (turns_round(side, place, commit) ? 0.1f : 1.0f) *
-               (says_what_is_gained(side, was, now) ? 0.3f : 1.0f);
+               (says_what_is_gained(side, was, now) ? 0.3f : 1.0f) * (is_swap(was) && !is_swap(now) ? 0.1f : 1.0f) *
+               (fits_narrower_type(place) ? 0.15f : 1.0f);
     }
 
 private:
@@ -46,6 +47,9 @@ private:
 
     /// True where one side says how many groups of threads run, and the other how many threads.
     static bool counts_threads_otherwise(const MissingPlace& place);
+
+    /// True where nothing but guards against zero grew, for a side that computes in fewer digits than the other.
+    static bool fits_narrower_type(const MissingPlace& place);
 
     const CommonTexts& texts_;
     const BySide<SideOfPair>& pair_;

@@ -3,6 +3,7 @@
 #include "porttool/audit/said_otherwise.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 
 #include "porttool/language/words.h"
@@ -27,10 +28,19 @@ std::string shape_of(const std::vector<std::string>& words) {
     return out;
 }
 
+std::vector<std::string> numbers_in(const std::vector<std::string>& words) {
+    std::vector<std::string> out;
+    std::copy_if(words.begin(), words.end(), std::back_inserter(out),
+                 [](const std::string& word) { return is_number_token(word); });
+    return out;
+}
+
 }  // namespace
 
 float SaidOtherwise::lacking(Side side, size_t index) const {
-    return said_in_one(side, index) * known_names(side, index) * (0.35f + 0.65f * neighbours(side, index)) *
+    constexpr float kOwnRuntime = 0.5f;
+    return (moves_memory(texts_.sides[side].words[index]) ? kOwnRuntime : 1.0f) * said_in_one(side, index) *
+           known_names(side, index) * (0.35f + 0.65f * neighbours(side, index)) *
            (is_label(side, index) ? 1.0f : told_by(texts_.sides[side].weighed[index].sum)) * lacks_words(side, index) *
            in_common_calls(side, index) * sets_new(side, index) * (names_value(side, index) ? 0.5f : 1.0f);
 }
@@ -73,7 +83,7 @@ bool SaidOtherwise::stands_alike_in_file(Side side, size_t index) const {
     return std::any_of(there->begin(), there->end(), [&](const std::vector<std::string>& words) {
         if (words.empty() || words[0] != own[0] || words.size() > 2 * own.size() || own.size() > 2 * words.size())
             return false;
-        return likeness_by_endings(own, words) >= kAlike;
+        return likeness_by_endings(own, words) >= kAlike && numbers_in(words) == numbers_in(own);
     });
 }
 
@@ -82,6 +92,20 @@ bool SaidOtherwise::only_guards(Side side, size_t index) const {
     if (words.size() < 4 || words[0] != "if") return false;
     return std::all_of(words.begin() + 1, words.end(), [&](const std::string& word) {
         return word == "(" || word == ")" || word == "!" || texts_.own_names[side].contains(word);
+    });
+}
+
+bool SaidOtherwise::is_part_of_swap(Side side, size_t index) const {
+    const std::vector<std::string>& own = texts_.sides[side].words[index];
+    const auto sign = std::find(own.begin(), own.end(), "=");
+    const bool moves = std::all_of(own.begin(), own.end(), [](const std::string& word) {
+        return word == "=" || word == "." || word == "[" || word == "]" || is_word_token(word) || is_number_token(word);
+    });
+    if (!moves || sign == own.end()) return false;
+    const auto& there = texts_.sides[other(side)].words;
+    return std::any_of(there.begin(), there.end(), [&](const std::vector<std::string>& words) {
+        return is_swap(words) && (std::search(words.begin(), words.end(), own.begin(), sign) != words.end() ||
+                                  std::search(words.begin(), words.end(), sign + 1, own.end()) != words.end());
     });
 }
 

@@ -19,7 +19,7 @@ public:
     /// True if it surely is, or has no need to be.
     bool is_said(Side side, size_t index) const {
         return has_in_shape(side, index) || stands_alike_in_file(side, index) || only_brings(side, index) ||
-               only_guards(side, index);
+               only_guards(side, index) || is_part_of_swap(side, index);
     }
 
     /// How sure it is that it is not, 0 to 1, by its words, its names and the statements around it.
@@ -41,6 +41,9 @@ private:
 
     /// True for `if ( p )` with nothing but a local of the unit: whether it may be null is the side's own affair.
     bool only_guards(Side side, size_t index) const;
+
+    /// True for `a = t`, of the three that make `a` and `b` change places, where the other side calls `swap ( a , b )`.
+    bool is_part_of_swap(Side side, size_t index) const;
 
     /// True for a label of a switch: few words, which say all.
     bool is_label(Side side, size_t index) const;

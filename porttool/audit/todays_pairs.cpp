@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "porttool/match/match_sets.h"
+#include "porttool/scan/scan.h"
 #include "porttool/snapshot/lock_store.h"
 #include "porttool/snapshot/past.h"
 #include "porttool/snapshot/two_sides.h"
@@ -46,6 +47,16 @@ void drop_settled(TodaysPairs& today, const Disk& disk) {
 
 }  // namespace
 
+bool one_calls_the_other(const UnitState& a, const UnitState& b) {
+    if (leaf_of(a.name) == leaf_of(b.name)) return false;
+    const auto calls = [](const UnitState& caller, std::string_view name) {
+        for (size_t i = 0; i + 1 < caller.text.size(); ++i)
+            if (caller.text[i] == name && caller.text[i + 1] == "(") return true;
+        return false;
+    };
+    return calls(a, leaf_of(b.name)) || calls(b, leaf_of(a.name));
+}
+
 TodaysPairs todays_pairs(const ProjectChoice& choice, Workplace& place) {
     TodaysPairs out;
     out.snapshot = read_snapshot(open_project(choice, place, true), {}, place.disk, Depth::Scanned);
@@ -62,6 +73,10 @@ TodaysPairs todays_pairs(const ProjectChoice& choice, Workplace& place) {
                !out.snapshot.states.target.contains(pair.id.target) || pair.id.source.ends_with(":@file") ||
                pair.id.target.ends_with(":@file");
     });
+    if (!of_map)
+        std::erase_if(out.pairs, [&](const TodaysPair& pair) {
+            return one_calls_the_other(out.unit(pair, Side::Source), out.unit(pair, Side::Target));
+        });
     if (of_map && place.disk.exists(lock_path(project))) drop_settled(out, place.disk);
     return out;
 }

@@ -24,6 +24,9 @@ struct TodaysPairs {
     const UnitState& unit(const TodaysPair& pair, Side side) const { return snapshot.states[side].at(pair.id[side]); }
 };
 
+/// True where one of two units calls the other by its name: then it is its caller, and no port of it.
+bool one_calls_the_other(const UnitState& a, const UnitState& b);
+
 /// Takes the pairs of the map; where it names none, or where there is no map, those that the matcher finds. Throws
 /// CannotDo, also where nothing says which files the sides are.
 TodaysPairs todays_pairs(const ProjectChoice& choice, Workplace& place);

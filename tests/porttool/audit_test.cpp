@@ -361,6 +361,21 @@ TEST_F(Audit, HandMadeEdits) {
          "const float least = w[n] * wide - v[n]; sum += fmax(level, least) * w[k]; level = v[k] * wide;", true},
         {"stored", "out[k] = v[k] + level * w[k]; sum += level;", "out[k] = v[k] - level * w[k]; sum += level;", true},
         {"cleared", "out[k] = 0.0f; sum += level;", "out[k] = 1.0f; sum += level;", true},
+        {"limit", "const float limit = 0.001f; if (level < limit) sum += w[k];",
+         "const float limit = 0.0001f; if (level < limit) sum += w[k];", true},
+        {"wider", "const int at = n * stride + k; sum += w[at] * level;",
+         "const int64_t at = n * stride + k; sum += w[at] * level;", true},
+        {"which", "sum += level * row[0] + w[k]; level *= 2.0f;", "sum += level * row[1] + w[k]; level *= 2.0f;", true},
+        {"second", "if (flat) row[k + n] = 7; sum += level * v[n];",
+         "if (flat) row[k + n] = 7; else row[k + n] = 3; sum += level * v[n];", true},
+        {"vector", "sum += reach(float4(hit.p, level)) * w[k]; level *= 2.0f;",
+         "sum += reach(float4(hit.p.x, hit.p.y, hit.p.z, level)) * w[k]; level *= 2.0f;", false},
+        {"zeros", "sum += reach(flat ? hit.p : float4()) * w[k]; level *= 2.0f;",
+         "sum += reach(flat ? hit.p : float4(0.0f, 0.0f, 0.0f, 0.0f)) * w[k]; level *= 2.0f;", false},
+        {"swapped", "swap(row[n], row[k]); sum += level * w[k];",
+         "const int kept = row[n]; row[n] = row[k]; row[k] = kept; sum += level * w[k];", false},
+        {"digits", "if (wide > -1e-21 && wide < 1e-21) level = w[k];",
+         "if (wide > -1e-6f && wide < 1e-6f) level = w[k];", false},
         {"null", "level = w[k] * 2.0f; *out = level + 1.0f; sum += level;",
          "level = w[k] * 2.0f; if (out) *out = level + 1.0f; sum += level;", false},
     };
@@ -389,6 +404,21 @@ TEST_F(Audit, HandMadeEdits) {
     for (const HandMade& one : all)
         if (one.is_item) wanted.insert(one.name);
     EXPECT_EQ(found, wanted);
+}
+
+TEST_F(Audit, ACallerIsNoPortOfWhatItCalls) {
+    const std::string body =
+        "(const float* w, float level, int n) {\n    float sum = level * 0.5f;\n"
+        "    for (int i = 0; i < n; ++i) sum += w[i] * level;\n";
+    write("gpu/total.cu", "__device__ float total_gpu" + body + "    return sum;\n}\n");
+    write("cpu/total.cpp", "float total" + body + "    return sum + total_gpu(w, level, n);\n}\n");
+    commit("Totals", 2);
+    change("gpu/total.cu", "w[i] * level", "w[i] * level * level");
+    commit("Fix the sum", 3);
+    EXPECT_EQ(items(), nlohmann::json::array());
+    change("cpu/total.cpp", " + total_gpu(w, level, n)", "");
+    commit("On its own", 4);
+    EXPECT_EQ(items().size(), 1) << "without the call it is one";
 }
 
 // A function that was cut into two on the other side, under names of their own: the edit is found by its text.
