@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 
+#include "porttool/audit/aside.h"
 #include "porttool/audit/declaration_edit.h"
 #include "porttool/audit/essence.h"
 #include "porttool/audit/likeness.h"
@@ -45,16 +46,20 @@ public:
     }
 
 private:
-    /// The statements that are not the same today, where they are few and the rest is.
+    /// The statements that are not the same today, where they are few and the rest is; where the rest is not, those
+    /// that differ by a slip.
     std::vector<MissingPlace> differences(float alike_now) const {
-        constexpr float kTwins = 0.5f, kSameStatement = 0.7f;
+        constexpr float kTwins = 0.5f, kSameStatement = 0.7f, kTelling = 7;
         constexpr size_t kFew = 8;
         std::vector<MissingPlace> out;
         const ReadSide &source = texts_.sides.source, &target = texts_.sides.target;
-        if (alike_now < kTwins && source.words.size() > 1) return out;
+        const bool twins = alike_now >= kTwins || source.words.size() == 1;
         for (size_t i = source.words.size() > 1 ? 1 : 0; i < source.words.size(); ++i) {
             const Nearest near = nearest(source.weighed[i], target.weighed);
             if (!near.any || near.distance <= 0 || has_twin(Side::Source, target.weighed[near.index])) continue;
+            if (!twins &&
+                (source.weighed[i].sum < kTelling || !differs_by_a_slip(target.words[near.index], source.words[i])))
+                continue;
             if (says_nothing(source.written[i]) &&
                 !declares_another_value(words_of_statement(target.written[near.index]),
                                         words_of_statement(source.written[i])))

@@ -67,12 +67,49 @@ bool numbers_alone(const WrittenStatement& before, const WrittenStatement& now) 
     return true;
 }
 
+bool differs_by_a_slip(const std::vector<std::string>& a, const std::vector<std::string>& b) {
+    constexpr std::string_view kComponents = "xyzw", kOperators = "+-*/%<>&|^";
+    if (a.size() != b.size()) return false;
+    const auto is_component = [&](const std::vector<std::string>& words, size_t i) {
+        return i > 0 && words[i - 1] == "." && words[i].size() == 1 &&
+               kComponents.find(words[i][0]) != std::string_view::npos;
+    };
+    const auto is_operator = [&](const std::string& word) {
+        return kOperators.find(word[0]) != std::string_view::npos || word == "==" || word == "!=";
+    };
+    size_t first = a.size();
+    for (size_t i = 0; i < a.size(); ++i) {
+        if (a[i] == b[i]) continue;
+        const bool slips = (is_number_token(a[i]) && is_number_token(b[i])) ||
+                           (is_component(a, i) && is_component(b, i)) || (is_operator(a[i]) && is_operator(b[i]));
+        if (!slips || (first < a.size() && (a[first] != a[i] || b[first] != b[i]))) return false;
+        first = std::min(first, i);
+    }
+    return first < a.size();
+}
+
 bool ReplacedStatement::counts_threads_otherwise(const MissingPlace& place) {
     const auto has = [](const WrittenStatement& statement, std::string_view name) {
         const std::vector<std::string> words = words_of_statement(statement);
         return std::find(words.begin(), words.end(), name) != words.end();
     };
     return has(place.now, "dim3") != has(place.there, "dim3") && has(place.now, "range") != has(place.there, "range");
+}
+
+bool ReplacedStatement::stands_there(Side side, const MissingPlace& place, const std::vector<std::string>& was,
+                                     const std::vector<std::string>& now) const {
+    const std::vector<std::string> there = texts_.translated(place.there, other(side), true);
+    const auto tells = [](const std::string& word) { return is_word_token(word) || is_number_token(word); };
+    bool gains = false;
+    for (const DiffStep& step : diff(was, now)) {
+        if (step.kind == DiffStep::Keep) continue;
+        const std::string& word = step.kind == DiffStep::Add ? now[step.now] : was[step.before];
+        if (!tells(word)) continue;
+        if (step.kind == DiffStep::Remove) return false;
+        if (std::count(there.begin(), there.end(), word) < std::count(now.begin(), now.end(), word)) return false;
+        gains = true;
+    }
+    return gains;
 }
 
 bool ReplacedStatement::fits_narrower_type(const MissingPlace& place) {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "porttool/audit/aside.h"
 #include "porttool/audit/common_texts.h"
 #include "porttool/audit/missing_edit.h"
 
@@ -23,7 +24,8 @@ public:
                   const std::vector<std::string>& now, uint32_t commit) const {
         return (same_head(side, place) ? 1.0f : 0.4f) * (brings_call(side, place) ? 0.5f : 1.0f) *
                (counts_threads_otherwise(place) ? 0.2f : 1.0f) * (turns_round(side, place, commit) ? 0.1f : 1.0f) *
-               (says_what_is_gained(side, was, now) ? 0.3f : 1.0f) * (is_swap(was) && !is_swap(now) ? 0.1f : 1.0f) *
+               (says_what_is_gained(side, was, now) ? 0.3f : 1.0f) *
+               (stands_there(side, place, was, now) ? 0.2f : 1.0f) * (is_swap(was) && !is_swap(now) ? 0.1f : 1.0f) *
                (fits_narrower_type(place) ? 0.15f : 1.0f);
     }
 
@@ -48,6 +50,11 @@ private:
     /// True where one side says how many groups of threads run, and the other how many threads.
     static bool counts_threads_otherwise(const MissingPlace& place);
 
+    /// True where the edit only added names and numbers, and the other side's statement has them all, be it in another
+    /// order.
+    bool stands_there(Side side, const MissingPlace& place, const std::vector<std::string>& was,
+                      const std::vector<std::string>& now) const;
+
     /// True where nothing but guards against zero grew, for a side that computes in fewer digits than the other.
     static bool fits_narrower_type(const MissingPlace& place);
 
@@ -59,6 +66,10 @@ private:
 /// have to stand there. 1 for all, 0.3 for none.
 float anchored(const std::vector<std::string>& before, const std::vector<std::string>& now,
                const std::vector<std::string>& there);
+
+/// True for two statements, in the vocabulary of both sides, in which one number, component or operator stands for
+/// another, be it at several places: `x . x * x . x + y` and `x . z * x . z + y`.
+bool differs_by_a_slip(const std::vector<std::string>& a, const std::vector<std::string>& b);
 
 /// True for an edit of nothing but numbers.
 bool numbers_alone(const WrittenStatement& before, const WrittenStatement& now);

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <map>
 
+#include "porttool/audit/aside.h"
 #include "porttool/language/words.h"
 #include "porttool/normal/statements.h"
 

@@ -8,6 +8,7 @@
 #include <unordered_map>
 #include <unordered_set>
 
+#include "porttool/audit/aside.h"
 #include "porttool/audit/essence.h"
 #include "porttool/language/words.h"
 #include "porttool/normal/statements.h"

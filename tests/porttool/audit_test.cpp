@@ -366,6 +366,9 @@ TEST_F(Audit, HandMadeEdits) {
         {"wider", "const int at = n * stride + k; sum += w[at] * level;",
          "const int64_t at = n * stride + k; sum += w[at] * level;", true},
         {"which", "sum += level * row[0] + w[k]; level *= 2.0f;", "sum += level * row[1] + w[k]; level *= 2.0f;", true},
+        {"order", "sum += reach(level, w, n); level *= 2.0f;", "sum += reach(level, w, n, step); level *= 2.0f;", false,
+         "sum += reach(level, step, w, n); level *= 2.0f;"},
+        {"nothing", "if (row == NULL) level = w[k] * 2.0f;", "if (!row) level = w[k] * 2.0f;", false},
         {"second", "if (flat) row[k + n] = 7; sum += level * v[n];",
          "if (flat) row[k + n] = 7; else row[k + n] = 3; sum += level * v[n];", true},
         {"vector", "sum += reach(float4(hit.p, level)) * w[k]; level *= 2.0f;",
@@ -474,6 +477,26 @@ TEST_F(Audit, WithoutAPastOnlyWhatDiffersToday) {
     ASSERT_EQ(found.size(), 1);
     EXPECT_TRUE(found[0]["commit"].is_null());
     EXPECT_LT(found[0]["certainty"], 0.5);
+}
+
+TEST_F(Audit, ASlipIsToldOfSidesThatAreHardlyAlike) {
+    write(
+        "gpu/frame.cu",
+        "__device__ void frame(float3 v, float3* a, float3* b) {\n    float len = sqrt(v.x * v.x + v.z * v.z);\n"
+        "    if (len < 1e-5f) {\n        (*b).x = 1.0f;\n        (*b).y = 0.0f;\n        (*b).z = 0.0f;\n    } else {\n"
+        "        (*b).x = -v.y / len;\n        (*b).y = v.x / len;\n        (*b).z = 0.0f;\n    }\n"
+        "    *a = cross(v, *b);\n}\n");
+    write("cpu/frame.cpp",
+          "void frame(const Vec& v, Vec* a, Vec* b) {\n    float len = sqrtf(v.x * v.x + v.y * v.y);\n"
+          "    if (len < 1e-5f) *b = Vec(1.0f, 0.0f, 0.0f);\n    else *b = Vec(-v.y / len, v.x / len, 0.0f);\n"
+          "    *a = cross(v, *b);\n}\n");
+    commit("Frames", 2);
+    const auto found = items();
+    ASSERT_EQ(found.size(), 1) << found;
+    EXPECT_EQ(found[0]["source"], "gpu/frame.cu:frame");
+    EXPECT_TRUE(found[0]["commit"].is_null());
+    EXPECT_LT(found[0]["certainty"], 0.25);
+    EXPECT_NE(found[0]["summary"].get<std::string>().find("v.z * v.z"), std::string::npos) << found[0]["summary"];
 }
 
 TEST_F(Audit, PrintsForPeople) {
