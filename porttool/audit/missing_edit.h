@@ -19,6 +19,7 @@ struct MissingPlace {
     WrittenStatement there;        ///< the statement of the other side that says what was before; "" for none
     float strength = 0;            ///< how sure it is that the other side lacks it and should not, 0 to 1
     bool constants_only = false;   ///< nothing but numbers changed
+    bool widens = false;           ///< nothing but the width of an integer did
 };
 
 /// What one commit did to one side of a pair and the other side lacks.

@@ -219,6 +219,7 @@ private:
         if (step == line.steps.end() || !can_overflow(words_of_statement(place.there))) return;
         place.before = step->before;
         place.strength = kMayOverflow;
+        place.widens = true;
         note(step->commit, std::move(place));
     }
 

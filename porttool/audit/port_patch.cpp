@@ -86,7 +86,9 @@ bool PortPatches::add_to(AuditItem& item) {
         const WriteSide side = item.edited == Side::Source ? WriteSide::Target : WriteSide::Source;
         const SyncResult result = propose(checked_, {i}, side, disk_);
         const Proposal& proposal = result.proposals.front();
-        if (proposal.state == ProposalState::Already) return false;
+        const bool widens =
+            std::any_of(item.places.begin(), item.places.end(), [](const MissingPlace& place) { return place.widens; });
+        if (proposal.state == ProposalState::Already) return widens;  // a type may differ where no value seems to
         const bool in_place = std::all_of(item.places.begin(), item.places.end(), [](const MissingPlace& place) {
             return place.kind == MissingPlace::Kind::Replaced;
         });
