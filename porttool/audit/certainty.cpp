@@ -11,6 +11,7 @@
 #include "porttool/language/language.h"
 #include "porttool/normal/diff.h"
 #include "porttool/normal/statements.h"
+#include "porttool/scan/scan.h"
 
 namespace porttool {
 namespace {
