@@ -31,7 +31,7 @@ SMALL = [
                                 "sample_slot(floatBitsToUint(more.y), surface.coordinates).x")]),
     ("arms of a select", "select", [("lights", "select(kind == LIGHT_SPOT, inside, Float(1.0f))",
                                      "select(kind != LIGHT_SPOT, Float(1.0f), square(inside))")]),
-    ("arm of a ternary", "select", [("filter", "x == 0 || y == 0 ? 0.5f : 0.25f", "x == 0 && y == 0 ? 0.5f : 0.125f")]),
+    ("arm of a ternary", "select", [("filter", "x == 0 || y == 0 ? 0.5f : 0.25f;\n            Mask counts", "x == 0 && y == 0 ? 0.5f : 0.125f;\n            Mask counts")]),
     # Terms.
     ("added factor", "term", [("guide", "color + gloss + vec3(0.01f)", "color + gloss * 0.5f + vec3(0.01f)")]),
     ("added term over lines", "term",
@@ -56,7 +56,7 @@ SMALL = [
     ("one more in the middle of a series", "added",
      [("math", "    p = p * t2 + 0.0429096138f;\n", "    p = p * t2 + 0.0429096138f;\n    p = p * t2 - 0.0633333333f;\n")]),
     ("moved statement", "moved",
-     [("shade", "    shade_emission(path, direction, surface, material, throughput);\n    if (pass.segment", "    if (pass.segment"),
+     [("shade", "    shade_emission(path, direction, surface, material, throughput);\n    if (settings.scene_extent.w", "    if (settings.scene_extent.w"),
       ("shade", "    Uint medium = 0u;\n", "    shade_emission(path, direction, surface, material, throughput);\n    Uint medium = 0u;\n")]),
     ("statement into a block", "moved",
      [("shade", "    vec3 direction = to_world(scatterer.frame, bsdf_sample.wi);\n", ""),
@@ -98,7 +98,7 @@ SMALL = [
     ("early guard", "guard",
      [("alpha", "    Float coverage = opacity;\n    if (has_feature", "    if (!has_feature(FEATURE_ALPHA)) {\n        return opacity > 0.0f;\n    }\n    Float coverage = opacity;\n    if (has_feature")]),
     # Calls.
-    ("changed call", "call", [("bsdf", "cosine + smith_root(cosine, bsdf.alpha), SMALLEST", "cosine + lobe_root(bsdf, wi), SMALLEST")]),
+    ("changed call", "call", [("bsdf", "cosine + lobe_root(bsdf, wi), SMALLEST", "cosine + smith_root(cosine, bsdf.alpha), SMALLEST")]),
     ("call around an expression", "call", [("bsdf", "    return 1.0f - bsdf.passing * (1.0f - dielectric_reflectance(bsdf, weight));",
                                             "    return saturate(1.0f - bsdf.passing * (1.0f - dielectric_reflectance(bsdf, weight)));")]),
     ("call of a function of another file", "call",
@@ -273,7 +273,7 @@ LARGE = [
       ("shade", "        Float survival = survival_probability(carried);\n", "        vec2 survival = survival_probability(carried);\n"),
       ("shade", "PAIR_LOBE).y < survival;\n        carried = carried * (1.0f / survival);", "PAIR_LOBE).y < survival.x;\n        carried = carried * (1.0f / max(survival.x, survival.y * 0.1f));")]),
     ("stage of the filter", "stage",
-     [("layout", "const uint REPROJECT_LIGHT = 6u;", "const uint FILTER_SHARPEN = 8u;     // the picture by its own Laplacian\nconst uint REPROJECT_LIGHT = 6u;"),
+     [("layout", "const uint REPROJECT_LIGHT = 8u;", "const uint FILTER_SHARPEN = 10u;    // the picture by its own Laplacian\nconst uint REPROJECT_LIGHT = 8u;"),
       ("filter", "// The picture again: each layer's light", "// What differs from the mean of its neighbours differs more.\n@void sharpen_picture(Uint job) {\n    Place place = place_of(job + pass.first_pixel);\n"
        "    vec4 mean = load_filter_picture(place.pixel);\n    vec3 light = vec3(load_light(pass.filter_from, pixels_from(place.pixel)));\n"
        "    store_filter_picture(place.pixel, vec4(vec3(mean) + (vec3(mean) - light) * 0.25f, mean.w));\n}\n\n// The picture again: each layer's light"),
