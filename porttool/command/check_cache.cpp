@@ -37,15 +37,6 @@ std::string this_program() {
                        status.st_mtim.tv_nsec);
 }
 
-/// The farthest folder upwards that is a repository or has a map: nothing in it is trusted.
-std::string outermost_repository(const Disk& disk, const std::string& directory) {
-    std::filesystem::path at = absolute_path(directory), outermost = at;
-    for (; at != at.parent_path(); at = at.parent_path())
-        for (const char* mark : {".git", "portmap.toml"})
-            if (disk.exists(join_path(at.string(), mark))) outermost = at;
-    return outermost.string();
-}
-
 std::string sized(const std::string& text) { return fmt::format("{}\n", text.size()) + text; }
 
 /// The text behind its size, taken off the front; none where there is not that much.
@@ -95,6 +86,14 @@ std::string written(const Kept& kept) {
 
 }  // namespace
 
+std::string outermost_repository(const Disk& disk, const std::string& directory) {
+    std::filesystem::path at = absolute_path(directory), outermost = at;
+    for (; at != at.parent_path(); at = at.parent_path())
+        for (const char* mark : {".git", "portmap.toml"})
+            if (disk.exists(join_path(at.string(), mark))) outermost = at;
+    return outermost.string();
+}
+
 std::string check_request(const Options& options, bool color) {
     const bool more_than_disk = options.no_cache || !options.base.empty() || options.staged || options.spirv ||
                                 !options.run_evidence.empty() || options.trusted_map;
@@ -112,9 +111,17 @@ std::string check_request(const Options& options, bool color) {
     return request + (options.strict ? "strict" : "");
 }
 
-Outcome through_cache(const std::string& request, const std::string& directory, Workplace& place,
+std::unique_ptr<FactsStore> kept_facts(const Options& options, const std::string& repository) {
+    const bool asks_more = options.no_cache || options.spirv || !options.run_evidence.empty() ||
+                           options.format == "sarif";  // which proposes ports
+    const std::string program = this_program();
+    if (asks_more || program.empty()) return nullptr;
+    return std::make_unique<FactsStore>(program + "\n" + repository, repository, least_bytes_read());
+}
+
+Outcome through_cache(const std::string& request, const std::string& repository, Workplace& place,
                       const std::function<Outcome(Workplace&)>& work) {
-    const UserCache cache("check", outermost_repository(place.disk, directory));
+    const UserCache cache("check", repository);
     const std::string file = fmt::format("{:016x}", hash_text(request));
     if (const auto bytes = cache.read(file, kMostCacheBytes)) {
         const auto kept = read_kept(*bytes);

@@ -53,7 +53,7 @@ void declare_check(Declare& declare, Options& options) {
 
 namespace {
 
-Outcome check(const Options& options, Workplace& place) {
+Outcome check(const Options& options, const std::string& repository, Workplace& place) {
     std::unique_ptr<SpirvCheck> spirv;
     const SameCodeIn same_code_in = [&](const Project& project) {
         spirv = std::make_unique<SpirvCheck>(project, options.staged, options.base.empty() ? "HEAD" : options.base,
@@ -62,7 +62,10 @@ Outcome check(const Options& options, Workplace& place) {
             return spirv->same_code(unit, side, before);
         };
     };
-    const CheckedProject checked = check_project(options, place, options.spirv ? same_code_in : SameCodeIn());
+    const std::unique_ptr<FactsStore> kept = kept_facts(options, repository);
+    const CheckedProject checked =
+        check_project(options, place, options.spirv ? same_code_in : SameCodeIn(), nullptr, kept.get());
+    if (kept != nullptr) kept->save();
     if (checked.lock.version == 1 && options.base.empty())
         place.err << "note: portmap.lock is of version 1; rewrite it once, on the main branch, with: porttool accept "
                      "--all\n";
@@ -78,8 +81,11 @@ Outcome check(const Options& options, Workplace& place) {
 Outcome run_check(const Options& options, Workplace& place) {
     require_format(options.format, {"text", "json", "sarif", "junit", "github", "gitlab", "markdown", "html"});
     const std::string request = check_request(options, wants_color(options));
-    if (request.empty()) return check(options, place);
-    return through_cache(request, options.directory, place, [&](Workplace& traced) { return check(options, traced); });
+    const std::string repository =
+        options.no_cache ? std::string() : outermost_repository(place.disk, options.directory);
+    if (request.empty()) return check(options, repository, place);
+    return through_cache(request, repository, place,
+                         [&](Workplace& traced) { return check(options, repository, traced); });
 }
 
 }  // namespace porttool

@@ -153,7 +153,7 @@ void require_finished_merges_of(const SetMatching& matching, const Project& proj
         files.source.insert(split_id(pair.source).first);
         files.target.insert(split_id(pair.target).first);
     }
-    require_finished_merges(project, files);
+    require_finished_merges({FilesOfSide(project.source), FilesOfSide(project.target)}, files);
 }
 
 /// Looks at the pairs of a map that is there, and writes nothing.
@@ -189,7 +189,7 @@ Outcome record_map(const Options& options, Workplace& place) {
         if (const std::vector<NewPair> pairs = suggested_pairs(now.project); !pairs.empty())
             map = add_pairs(now.project, pairs);
     LockFile lock = first_lock(now.project.map, now.states);
-    note_macros(lock, now.project, now.states);
+    note_macros(lock, now.files(), now.states);
     tell_differences(accept_differences(lock, now.states, dialect_of_edits(now.project.map), today()), place);
     store_lock(now.project, {lock, now.states, {}, map.empty() ? nullptr : &map, true}, place.disk);
     return {fmt::format("{} pairs of {} recorded as in step, {} source units without a port as the baseline.\n{}"
@@ -250,7 +250,7 @@ Outcome run_init(const Options& options, Workplace& place) {
     require_finished_merges_of(matching, now.project);
     now.states = read_states(now.project);  // not before: what the matcher needs is as large
     LockFile lock = first_lock(matching, now.states, sets);
-    note_macros(lock, now.project, now.states);
+    note_macros(lock, now.files(), now.states);
     tell_differences(accept_differences(lock, now.states, Dialect(), today()), place);
     std::vector<AssessedPair> assessed;
     if (options.assess) assessed = assess_pairs(lock, now.states, Dialect());

@@ -172,9 +172,9 @@ Outcome run_accept(const Options& options, Workplace& place) {
     }
     accept_pairs(checked.lock, accepted, TargetSets(checked.project.map), options.all ? Looked::AtNone : Looked::AtEach,
                  options.reason, today());
-    note_macros(checked.lock, checked.judgement, accepted, checked.project, checked.states);
+    note_macros(checked.lock, checked.judgement, accepted, checked.files(), checked.states);
     // Lines from before macros were noted; one that is named takes no other lines along.
-    const size_t noted = options.all ? note_macros(checked.lock, checked.project, checked.states) : 0;
+    const size_t noted = options.all ? note_macros(checked.lock, checked.files(), checked.states) : 0;
     std::vector<NewPair> fresh;
     for (const JudgedPair& pair : acceptance.fresh) fresh.push_back({pair.id.source, pair.id.target});
     const std::string map = fresh.empty() ? std::string() : add_pairs(checked.project, fresh);

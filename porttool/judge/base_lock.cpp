@@ -43,7 +43,7 @@ const LockedPair* accepted_since(const LinesByPair& then, const LinesByPair& now
 void note_macros_as_today(LockFile& then, const LockFile& now, const Snapshot& base) {
     const LinesByPair lines(now);
     LockFile noted = then;
-    if (note_macros(noted, base.project, base.states) == 0) return;
+    if (note_macros(noted, base.files(), base.states) == 0) return;
     for (size_t i = 0; i < then.pairs.size(); ++i) {
         const LockedPair* line = lines.find(then.pairs[i].source, then.pairs[i].target);
         for (const Side side : kBothSides)
@@ -177,7 +177,7 @@ BaseLock base_lock(const Snapshot& base, const LockFile& then, const LockFile& n
                 out.lock.pairs.push_back({pair.source, target, left->prints, right->prints});
         }
     }
-    note_macros(out.lock, base.project, base.states);
+    note_macros(out.lock, base.files(), base.states);
     const TargetSets sets(base.project.map);
     const auto paired = paired_units(base.project.map, sets);
     for (const Side side : kBothSides)

@@ -14,13 +14,17 @@ namespace porttool {
 namespace {
 
 /// The comments of both sides that settle findings.
-std::vector<PlacedSuppression> placed_suppressions(const Project& project) {
+std::vector<PlacedSuppression> placed_suppressions(const Snapshot& snapshot) {
     std::vector<PlacedSuppression> suppressions;
-    for (const auto* side : {&project.source, &project.target})
-        for (const ScannedFile& file : *side)
-            for (const Suppression& comment : file.lexed.suppressions)
+    for (const Side side : kBothSides) {
+        const FilesOfSide files = snapshot.files(side);
+        for (size_t i = 0; i < files.size(); ++i)
+            for (const Suppression& comment : files.suppressions(i)) {
+                const std::string& path = files.path(i);
                 suppressions.push_back(
-                    {side == &project.source ? file.path : target_path(project.map, file.path), comment});
+                    {side == Side::Source ? path : target_path(snapshot.project.map, path), comment});
+            }
+    }
     return suppressions;
 }
 
@@ -68,7 +72,7 @@ std::vector<BroughtIn> hold_against_base(CheckedProject& checked, const CheckCho
         const auto found = now.texts.find(print);
         return found == now.texts.end() ? base_text(checked.project, checked.disk(), print) : found->second;
     });
-    const std::vector<PlacedSuppression> known = placed_suppressions(base.project);
+    const std::vector<PlacedSuppression> known = placed_suppressions(base);
     const GateState before{then.has_map, then.map, then.has_lock, then.lock.lock, known};
     const GateState today{true, map_today, checked.recorded, now.lock, checked.suppressions};
     std::vector<BroughtIn> brought = brought_in(before, today, checked.project.map_name);
@@ -99,7 +103,7 @@ void judge_it(CheckedProject& checked, const std::string& date, const std::vecto
         facts.in_project = &*checked.in_project;
     else if (checked.recorded && !against_base)
         facts.in_project = &checked.lock;
-    if (checked.recorded || against_base) facts.files = {&checked.project.source, &checked.project.target};
+    if (checked.recorded || against_base) facts.files = checked.files();
     checked.judgement = judge(facts);
 }
 
@@ -138,6 +142,15 @@ void list_moved(const Judgement& judgement, std::vector<BroughtIn>& out) {
         }
 }
 
+/// What is to be judged.
+Snapshot read_now(Project project, const CheckChoice& choice, Workplace& place, CheckedProject* last,
+                  FactsStore* kept) {
+    if (choice.staged) return read_snapshot(std::move(project), {Moment::Kind::Index}, place.disk);
+    if (last != nullptr) return read_snapshot_again(std::move(project), std::move(*last), place.disk);
+    if (kept != nullptr && choice.base.empty()) return read_snapshot(std::move(project), place.disk, *kept);
+    return read_snapshot(std::move(project), {}, place.disk);
+}
+
 }  // namespace
 
 NormalText text_behind(const CheckedProject& checked, Print print) {
@@ -146,19 +159,16 @@ NormalText text_behind(const CheckedProject& checked, Print print) {
 }
 
 CheckedProject check_project(const CheckChoice& choice, Workplace& place, const SameCodeIn& same_code_in,
-                             CheckedProject* last) {
+                             CheckedProject* last, FactsStore* kept) {
     if (choice.trusted_map && choice.base.empty())
         throw CannotDo("--trusted-map takes map and lock from the merge base; name it with --base REV");
     Project project = open_project(choice, place, true);
     if (choice.staged) take_staged_map(project, place);
     const MapFile map_today = project.map;
     if (choice.trusted_map) take_map_of_base(project, choice.base, place);
-    const Moment now{choice.staged ? Moment::Kind::Index : Moment::Kind::WorkTree};
-    CheckedProject checked{last != nullptr && !choice.staged
-                               ? read_snapshot_again(std::move(project), std::move(*last), place.disk)
-                               : read_snapshot(std::move(project), now, place.disk)};
+    CheckedProject checked{read_now(std::move(project), choice, place, last, kept)};
     checked.recorded = checked.disk().exists(lock_path(checked.project));
-    checked.suppressions = placed_suppressions(checked.project);
+    checked.suppressions = placed_suppressions(checked);
     std::vector<BroughtIn> brought;
     checked.against_base = !choice.base.empty();
     if (checked.against_base) {
@@ -194,7 +204,7 @@ CheckedProject past_project(const Project& today, const std::string& revision, c
         }
     }
     CheckedProject past{read_snapshot(std::move(project), then, on_disk)};
-    past.suppressions = placed_suppressions(past.project);
+    past.suppressions = placed_suppressions(past);
     past.recorded = past.git.exists(lock_path(past.project));
     if (past.recorded) {
         read_base_texts(past);

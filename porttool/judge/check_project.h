@@ -44,9 +44,10 @@ NormalText text_behind(const CheckedProject& checked, Print print);
 using SameCodeIn = std::function<SameCode(const Project& project)>;
 
 /// Reads, scans and judges. Throws CannotDo. `last`: what the same choice gave before; of the work tree only what
-/// changed since then is scanned again. It is used up.
+/// changed since then is scanned again. It is used up. `kept`: facts of files from earlier runs; where these are used,
+/// the files of the project are there by `files()` alone.
 CheckedProject check_project(const CheckChoice& choice, Workplace& place, const SameCodeIn& same_code_in = {},
-                             CheckedProject* last = nullptr);
+                             CheckedProject* last = nullptr, FactsStore* kept = nullptr);
 
 /// A project as it was at merge-base(REV, HEAD), under today's sides, blocks and dialect, so that figures compare, but
 /// with the pairs that its own map named. Throws CannotDo.

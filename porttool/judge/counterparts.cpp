@@ -19,39 +19,40 @@ using Files = std::vector<ScannedFile>;
 constexpr size_t kMostTokens = 500'000;  // of one side that are matched: about 50,000 lines
 constexpr float kMostOfPaired = 0.89f;   // a target that has its source already is a guess
 
-/// Files of one side, in their order, until there are too many tokens in them; those with more `better` first.
-Files limited(const Files& files, const std::vector<size_t>& better) {
-    std::vector<size_t> order(files.size());
+/// Files of one side, by their numbers there in order, until there are too many tokens in them; those with more
+/// `better` first.
+std::set<size_t> limited(const FilesOfSide& files, const std::vector<size_t>& numbers,
+                         const std::vector<size_t>& better) {
+    std::vector<size_t> order(numbers.size());
     for (size_t i = 0; i < order.size(); ++i) order[i] = i;
     std::stable_sort(order.begin(), order.end(), [&](size_t a, size_t b) { return better[a] > better[b]; });
     std::set<size_t> kept;
     size_t tokens = 0;
     for (const size_t i : order) {
-        tokens += files[i].lexed.tokens.size();
+        tokens += files.tokens(numbers[i]);
         if (tokens > kMostTokens && !kept.empty()) break;
-        kept.insert(i);
+        kept.insert(numbers[i]);
     }
-    Files out;
-    for (const size_t i : kept) out.push_back(files[i]);
-    return out;
+    return kept;
 }
 
 /// How many of the names that are looked for share a word with names of a file, or with its own.
-std::vector<size_t> shared_words(const Files& files, const std::vector<const UnitState*>& fresh) {
+std::vector<size_t> shared_words(const FilesOfSide& files, const std::vector<size_t>& numbers,
+                                 const std::vector<const UnitState*>& fresh) {
     std::unordered_set<std::string> wanted;
     for (const UnitState* unit : fresh) {
         for (std::string& word : split_words(unit->name)) wanted.insert(std::move(word));
         for (std::string& word : split_words(file_stem(unit->file))) wanted.insert(std::move(word));
     }
     std::vector<size_t> out;
-    for (const ScannedFile& file : files) {
+    for (const size_t file : numbers) {
         std::set<std::string> found;
         const auto look = [&](std::string_view name) {
             for (const std::string& word : split_words(name))
                 if (wanted.contains(word)) found.insert(word);
         };
-        look(file_stem(file.path));
-        for (const Unit& unit : file.units) look(unit.name);
+        look(file_stem(files.path(file)));
+        for (const std::string_view name : files.unit_names(file)) look(name);
         out.push_back(found.size());
     }
     return out;
@@ -67,14 +68,15 @@ public:
             open_.emplace(unit->id, unit);
             paths.insert(unit->file);
         }
-        for (const ScannedFile& file : *facts.files[side])
-            if (paths.contains(file.path)) files_[side].push_back(file);
-        Files of_set;
-        if (side == Side::Source && !set.empty())
-            for (const ScannedFile& file : *facts.files.target)
-                if (sets.of_path(file.path) == set) of_set.push_back(file);
-        const Files& there = side == Side::Source && !set.empty() ? of_set : *facts.files[other(side)];
-        files_[other(side)] = limited(there, shared_words(there, fresh));
+        const FilesOfSide &here = (*facts.files)[side], &there = (*facts.files)[other(side)];
+        for (size_t i = 0; i < here.size(); ++i)
+            if (paths.contains(here.path(i))) files_[side].push_back(here.scanned(i));
+        const bool one_port = side == Side::Source && !set.empty();
+        std::vector<size_t> numbers;
+        for (size_t i = 0; i < there.size(); ++i)
+            if (!one_port || sets.of_path(there.path(i)) == set) numbers.push_back(i);
+        for (const size_t i : limited(there, numbers, shared_words(there, numbers, fresh)))
+            files_[other(side)].push_back(there.scanned(i));
         for (const JudgedPair& pair : pairs) {
             if (pair.unit.source == nullptr || pair.unit.target == nullptr) continue;
             if (sets.of_id(pair.id.target) != set) continue;
@@ -203,7 +205,7 @@ private:
 Counterparts find_counterparts(const Case& facts, const std::vector<JudgedPair>& pairs, Side side,
                                const TargetSets& sets, const std::string& set,
                                const std::vector<const UnitState*>& fresh) {
-    if (fresh.empty() || facts.files.source == nullptr) return {};
+    if (fresh.empty() || !facts.files) return {};
     return Search(facts, pairs, side, sets, set, fresh).run();
 }
 

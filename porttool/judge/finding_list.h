@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <map>
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
+#include <unordered_map>
 #include <vector>
 
 #include "porttool/judge/judgement.h"
@@ -54,7 +55,7 @@ private:
 
     const MapFile& map_;
     TargetSets sets_;
-    std::map<std::string, size_t> ports_of_;  ///< how many targets a source has
+    std::unordered_map<std::string_view, size_t> ports_of_;  ///< how many targets a source of the map has
     std::vector<Finding> findings_;
 };
 

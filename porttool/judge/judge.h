@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -13,6 +14,7 @@
 #include "porttool/read/lock_file.h"
 #include "porttool/read/map_file.h"
 #include "porttool/read/source_files.h"
+#include "porttool/snapshot/side_files.h"
 
 namespace porttool {
 
@@ -38,7 +40,7 @@ struct Case {
     std::vector<PlacedSuppression> suppressions = {};  ///< of both sides
     SameCode same_code = {};                           ///< if compilers are to be asked
     /// The files of both sides, where counterparts of new units are to be looked for.
-    BySide<const std::vector<ScannedFile>*> files = {};
+    std::optional<BySide<FilesOfSide>> files = {};
     /// The lock as it stands in the project, where there is one: a pair without a line in it was never recorded.
     const LockFile* in_project = nullptr;
     const RunEvidence* evidence = nullptr;  ///< where programs ran

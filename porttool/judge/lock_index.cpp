@@ -9,9 +9,9 @@ namespace porttool {
 
 LockIndex::LockIndex(const MapFile& map, const LockFile& lock, const Units& source, const Units& target)
     : source_(source), target_(target), lines_(lock) {
-    std::set<std::pair<std::string, std::string>> mapped;
+    SetOfIds mapped;
     for (const MapPair& pair : map.pairs)
-        for (const std::string& id : pair.targets) mapped.insert({pair.source, id});
+        for (const std::string& id : pair.targets) mapped.emplace(pair.source, id);
     for (const LockedPair& pair : lock.pairs) {
         if (!mapped.contains({pair.source, pair.target}))
             left_over_.emplace(std::pair{pair.source_prints.written, pair.target_prints.written}, &pair);

@@ -50,7 +50,9 @@ bool are_words_of_asides(const UnitState& unit, std::string_view edit) {
 /// A definition as a message has it.
 std::string shown(const WordMacro& macro) {
     constexpr size_t kMost = 80;
-    return "`" + (macro.text.size() <= kMost ? macro.text : macro.text.substr(0, kMost) + " ...") + "`";
+    return "`" +
+           (macro.text.size() <= kMost ? std::string(macro.text) : std::string(macro.text.substr(0, kMost)) + " ...") +
+           "`";
 }
 
 /// `#define cudaStreamWait hipStreamWait`: a call of one runtime, told apart from that of another by what it begins
@@ -79,12 +81,12 @@ bool is_alias_of_runtime(std::string_view text) {
 }  // namespace
 
 WordMacros& MacroEdits::macros(Side side) {
-    if (!macros_[side]) macros_[side].emplace(*facts_.files[side]);
+    if (!macros_[side]) macros_[side].emplace((*facts_.files)[side].macros());
     return *macros_[side];
 }
 
 void MacroEdits::judge(JudgedPair& pair, const LockedPair* line) {
-    if (line == nullptr || facts_.files.source == nullptr) return;
+    if (line == nullptr || !facts_.files) return;
     BySide<std::string> edits;
     for (const Side side : kBothSides) edits[side] = edit_of(pair, *line, side);
     if (edits.source == edits.target) return;  // none, or both sides did the same
@@ -130,7 +132,7 @@ void MacroEdits::tell(JudgedPair& pair, Side side, const std::string& edit) {
         std::string says;
         if (const auto seen = macros(side).first_seen(unit.file, word)) {
             says = fmt::format("{} now ({}:{})", shown(*seen), seen->file, seen->line);
-            finding.details.push_back("+ " + seen->text);
+            finding.details.push_back("+ " + std::string(seen->text));
         } else {
             says = "a macro no longer";
             finding.details.push_back("- #define " + std::string(word));

@@ -14,8 +14,8 @@ namespace {
 /// Fills in lines of pairs by what the files of one moment say.
 class MacroNotes {
 public:
-    MacroNotes(const Project& project, const States& states)
-        : macros_{WordMacros(project.source), WordMacros(project.target)}, states_(states) {}
+    MacroNotes(const BySide<FilesOfSide>& files, const States& states)
+        : macros_{WordMacros(files.source.macros()), WordMacros(files.target.macros())}, states_(states) {}
 
     /// True if there was something to note.
     bool note(LockedPair& line) {
@@ -41,16 +41,16 @@ private:
 
 }  // namespace
 
-size_t note_macros(LockFile& lock, const Project& project, const States& states) {
+size_t note_macros(LockFile& lock, const BySide<FilesOfSide>& files, const States& states) {
     if (lock.pairs.empty()) return 0;
-    MacroNotes notes(project, states);
+    MacroNotes notes(files, states);
     size_t count = 0;
     for (LockedPair& line : lock.pairs) count += notes.note(line);
     return count;
 }
 
 void note_macros(LockFile& lock, const Judgement& judgement, const std::vector<const JudgedPair*>& accepted,
-                 const Project& project, const States& states) {
+                 const BySide<FilesOfSide>& files, const States& states) {
     using Two = std::pair<std::string, std::string>;
     std::set<Two> anew;
     std::set<std::string> edits;
@@ -61,7 +61,7 @@ void note_macros(LockFile& lock, const Judgement& judgement, const std::vector<c
     for (const JudgedPair& pair : judgement.pairs)
         if (edits.contains(pair.macro_edit)) anew.insert({pair.id.source, pair.id.target});
     if (anew.empty()) return;
-    MacroNotes notes(project, states);
+    MacroNotes notes(files, states);
     for (LockedPair& line : lock.pairs) {
         if (!anew.contains(Two{line.source, line.target})) continue;
         line.macros = {};

@@ -13,13 +13,13 @@
 namespace porttool {
 
 /// Notes in each line of a pair whose recorded texts are those of `states` what macros make of its words, where the
-/// line does not say it yet, or says it without keywords and otherwise as it is. `project` and `states` are of one
+/// line does not say it yet, or says it without keywords and otherwise as it is. `files` and `states` are of one
 /// moment. Returns the number of those lines.
-size_t note_macros(LockFile& lock, const Project& project, const States& states);
+size_t note_macros(LockFile& lock, const BySide<FilesOfSide>& files, const States& states);
 
 /// The same for the lines of pairs that were accepted, and of all others whose words the same edits of macros changed:
 /// who looked at one has looked at all.
 void note_macros(LockFile& lock, const Judgement& judgement, const std::vector<const JudgedPair*>& accepted,
-                 const Project& project, const States& states);
+                 const BySide<FilesOfSide>& files, const States& states);
 
 }  // namespace porttool

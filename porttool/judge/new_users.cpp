@@ -50,8 +50,9 @@ private:
             if (unit->kind == UnitKind::Function) functions.emplace(unit->id, unit);
         std::set<std::string> paths;
         for (const auto& [id, unit] : functions) paths.insert(unit->file);
-        for (const ScannedFile& file : *units_.files) {
-            if (!paths.contains(file.path)) continue;
+        for (size_t i = 0; i < units_.files->size(); ++i) {
+            if (!paths.contains(units_.files->path(i))) continue;
+            const ScannedFile& file = units_.files->scanned(i);
             for (const Unit& unit : file.units) {
                 const auto found = functions.find(unit_id(file, unit));
                 if (found == functions.end()) continue;

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "porttool/normal/unit_state.h"
-#include "porttool/scan/unit.h"
+#include "porttool/snapshot/side_files.h"
 
 namespace porttool {
 
@@ -20,7 +20,7 @@ struct SideUnits {
     const std::set<const UnitState*>& lone;         ///< that no pair leads to
     const std::set<const UnitState*>& fresh;        ///< of these, new
     const std::vector<const UnitState*>& unported;  ///< of these, without a counterpart
-    const std::vector<ScannedFile>* files;          ///< of the side, if they are there
+    const FilesOfSide* files;                       ///< of the side, if they are there
     /// Whether the edit of a watched unit tells of a new unit that bears a word of its text. It does not where it is
     /// only a note, or where the word was there before.
     std::function<bool(const UnitState& user, std::string_view word)> tells_of;

@@ -12,11 +12,10 @@ namespace porttool {
 namespace {
 
 /// An id without its #2.
-std::string plain_id(const std::string& id) {
+std::string_view plain_id(std::string_view id) {
     const size_t mark = id.rfind('#');
     const bool numbered = mark != std::string::npos && mark + 1 < id.size() &&
-                          std::all_of(id.begin() + static_cast<std::ptrdiff_t>(mark) + 1, id.end(),
-                                      [](char c) { return c >= '0' && c <= '9'; });
+                          std::all_of(id.begin() + mark + 1, id.end(), [](char c) { return c >= '0' && c <= '9'; });
     return numbered ? id.substr(0, mark) : id;
 }
 
@@ -57,18 +56,24 @@ using Key = std::function<std::string(const UnitState&)>;
 Resolver::Resolver(const std::map<std::string, UnitState>& units, const std::vector<NamedUnit>& named,
                    const std::function<NormalText(Print)>& base_text)
     : units_(units), base_text_(base_text) {
-    std::map<std::string, std::vector<const UnitState*>> variants;
+    std::unordered_map<std::string_view, std::vector<const UnitState*>> variants;
+    variants.reserve(units_.size());
     for (const auto& [id, unit] : units_) variants[plain_id(id)].push_back(&unit);
-    std::map<std::string, Names> groups;
-    for (const NamedUnit& name : named)
-        if (named_.insert(name.id).second) groups[plain_id(name.id)].push_back(&name);  // N-way ports share one
+    std::unordered_map<std::string_view, Names> groups;
+    Names first_of_id;
+    for (const NamedUnit& name : named) {
+        if (!named_.insert(name.id).second) continue;  // N-way ports share one
+        groups[plain_id(name.id)].push_back(&name);
+        first_of_id.push_back(&name);
+    }
     for (const auto& [id, names] : groups)
         if (const auto group = variants.find(id); group != variants.end()) settle_variants(names, group->second);
     const auto gone = [&] {
         Names out;
-        for (const auto& [id, names] : groups)
-            for (const NamedUnit* name : names)
-                if (!found_.contains(name->id) && name->prints != nullptr) out.push_back(name);
+        for (const NamedUnit* name : first_of_id)
+            if (!found_.contains(name->id) && name->prints != nullptr) out.push_back(name);
+        std::stable_sort(out.begin(), out.end(),
+                         [](const NamedUnit* a, const NamedUnit* b) { return plain_id(a->id) < plain_id(b->id); });
         return out;
     };
     follow_texts(gone());
@@ -87,7 +92,8 @@ void Resolver::give(const std::string& id, const UnitState& unit, bool elsewhere
 }
 
 /// Gives each name the variant with its text, then the one with its signature, then that of its id, then what is left.
-void Resolver::settle_variants(const Names& names, std::vector<const UnitState*> variants) {
+void Resolver::settle_variants(const Names& names, const std::vector<const UnitState*>& variants) {
+    if (names.size() == 1 && variants.size() == 1) return give(names[0]->id, *variants[0], false);
     const auto by = [&](const Key& of_unit, const std::function<std::string(const NamedUnit&)>& of_name) {
         std::map<std::string, std::deque<const UnitState*>> free;
         for (const UnitState* unit : variants)

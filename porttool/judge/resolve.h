@@ -4,8 +4,9 @@
 
 #include <functional>
 #include <map>
-#include <set>
 #include <string>
+#include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 #include "porttool/normal/unit_state.h"
@@ -44,7 +45,7 @@ public:
 private:
     using Names = std::vector<const NamedUnit*>;
 
-    void settle_variants(const Names& names, std::vector<const UnitState*> variants);
+    void settle_variants(const Names& names, const std::vector<const UnitState*>& variants);
     void follow_texts(const Names& gone);
     void follow_files(const Names& gone);
     void follow_likeness(const Names& gone);
@@ -53,9 +54,9 @@ private:
 
     const std::map<std::string, UnitState>& units_;
     const std::function<NormalText(Print)>& base_text_;
-    std::set<std::string> named_;
-    std::map<std::string, Resolved> found_;
-    std::set<const UnitState*> taken_;
+    std::unordered_set<std::string> named_;
+    std::unordered_map<std::string, Resolved> found_;
+    std::unordered_set<const UnitState*> taken_;
 };
 
 }  // namespace porttool

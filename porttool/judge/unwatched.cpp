@@ -89,7 +89,8 @@ private:
             if (!counterparts.contains(unit)) unported.push_back(unit);
         const std::set<const UnitState*> lone(units_.begin(), units_.end()), is_fresh(fresh.begin(), fresh.end());
         const auto tells_of = [&](const UnitState& user, std::string_view word) { return this->tells_of(user, word); };
-        told_ = told_with_others({units_of(facts_, side_), lone, is_fresh, unported, facts_.files[side_], tells_of});
+        const FilesOfSide* files = facts_.files ? &(*facts_.files)[side_] : nullptr;
+        told_ = told_with_others({units_of(facts_, side_), lone, is_fresh, unported, files, tells_of});
     }
 
     /// False for a watched unit whose edit is only a note, or that said the word at the merge base already.

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "porttool/text/parallel.h"
+
 namespace porttool {
 namespace {
 
@@ -54,6 +56,46 @@ size_t count_terms(const std::vector<UnitFeatures>& a, const std::vector<UnitFea
     return largest + 1;
 }
 
+/// What one thread looks for candidates with.
+class CandidateSearch {
+public:
+    std::vector<Candidate> run(uint32_t s, const UnitFeatures& source, const std::vector<UnitFeatures>& target,
+                               const InvertedIndex& index, size_t most) {
+        likeness_.resize(target.size(), 0);
+        touched_.clear();
+        for (const Bag& bag : source.bags)
+            for (const Term& term : bag)
+                index.visit(term.id, [&](const Posting& posting) {
+                    if (likeness_[posting.unit] == 0) touched_.push_back(posting.unit);
+                    likeness_[posting.unit] += term.weight * posting.weight;
+                });
+        std::erase_if(touched_, [&](uint32_t t) {
+            // A constructor is no function's port, nor a destructor's.
+            if (target[t].group == source.group && target[t].lifecycle == source.lifecycle) return false;
+            likeness_[t] = 0;
+            return true;
+        });
+        const auto better = [&](uint32_t a, uint32_t b) {
+            return likeness_[a] != likeness_[b] ? likeness_[a] > likeness_[b] : a < b;
+        };
+        const size_t kept = std::min(most, touched_.size());
+        std::partial_sort(touched_.begin(), touched_.begin() + static_cast<std::ptrdiff_t>(kept), touched_.end(),
+                          better);
+        std::vector<Candidate> found;
+        found.reserve(kept);
+        for (size_t i = 0; i < kept; ++i) found.push_back({s, touched_[i], compare_units(source, target[touched_[i]])});
+        std::stable_sort(found.begin(), found.end(), [](const Candidate& a, const Candidate& b) {
+            return a.resemblance.score > b.resemblance.score;
+        });
+        for (const uint32_t t : touched_) likeness_[t] = 0;
+        return found;
+    }
+
+private:
+    std::vector<float> likeness_;  ///< of each target unit; 0 between runs
+    std::vector<uint32_t> touched_;
+};
+
 }  // namespace
 
 std::vector<std::vector<Candidate>> find_candidates(const std::vector<UnitFeatures>& source,
@@ -63,35 +105,11 @@ std::vector<std::vector<Candidate>> find_candidates(const std::vector<UnitFeatur
     std::vector<std::vector<Candidate>> all(source.size());
     for (const FixedPair& pair : fixed)
         all[pair.source].push_back({pair.source, pair.target, compare_units(source[pair.source], target[pair.target])});
-    std::vector<float> likeness(target.size(), 0);
-    std::vector<uint32_t> touched;
-    for (uint32_t s = 0; s < source.size(); ++s) {
-        if (!all[s].empty()) continue;
-        touched.clear();
-        for (const Bag& bag : source[s].bags)
-            for (const Term& term : bag)
-                index.visit(term.id, [&](const Posting& posting) {
-                    if (likeness[posting.unit] == 0) touched.push_back(posting.unit);
-                    likeness[posting.unit] += term.weight * posting.weight;
-                });
-        std::erase_if(touched, [&](uint32_t t) {
-            // A constructor is no function's port, nor a destructor's.
-            if (target[t].group == source[s].group && target[t].lifecycle == source[s].lifecycle) return false;
-            likeness[t] = 0;
-            return true;
+    constexpr size_t kWorthThreads = 500;
+    in_parallel_with<CandidateSearch>(
+        source.size(), source.size() > kWorthThreads, [&](size_t s, CandidateSearch& search) {
+            if (all[s].empty()) all[s] = search.run(static_cast<uint32_t>(s), source[s], target, index, most);
         });
-        const auto better = [&](uint32_t a, uint32_t b) {
-            return likeness[a] != likeness[b] ? likeness[a] > likeness[b] : a < b;
-        };
-        const size_t kept = std::min(most, touched.size());
-        std::partial_sort(touched.begin(), touched.begin() + static_cast<std::ptrdiff_t>(kept), touched.end(), better);
-        for (size_t i = 0; i < kept; ++i)
-            all[s].push_back({s, touched[i], compare_units(source[s], target[touched[i]])});
-        std::stable_sort(all[s].begin(), all[s].end(), [](const Candidate& a, const Candidate& b) {
-            return a.resemblance.score > b.resemblance.score;
-        });
-        for (const uint32_t t : touched) likeness[t] = 0;
-    }
     return all;
 }
 

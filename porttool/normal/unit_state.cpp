@@ -84,18 +84,20 @@ UnitState unit_state(const ScannedFile& file, const Unit& unit) {
     std::vector<uint32_t> places =
         code ? declaring_tokens(file.lexed, unit.parameters, unit.body) : std::vector<uint32_t>();
     UnitPrinter prints;
+    NormalText text;
     write_prelude(file, unit, places, [&](std::string_view word) {
-        state.text.add(word);
+        text.add(word);
         prints.add(word, 0);
     });
     drop_spelled(file, unit, places);
     LocalNumbers numbers(std::move(places));
     write_normal_form(file, unit, [&](std::string_view word, uint32_t token) {
-        state.text.add(word);
+        text.add(word);
         prints.add(word, numbers.next(word, token));
     });
-    state.text.as_recorded();
-    state.text.shrink();
+    text.as_recorded();
+    text.shrink();
+    state.text = std::move(text);
     state.prints = prints.take();
     return state;
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "porttool/normal/normal_form.h"
+#include "porttool/normal/unit_text.h"
 
 namespace porttool {
 
@@ -18,7 +19,7 @@ struct UnitState {
     uint32_t start_line = 0;
     uint32_t end_line = 0;
     Fingerprints prints;
-    NormalText text;
+    UnitText text;
 };
 
 UnitState unit_state(const ScannedFile& file, const Unit& unit);

@@ -3,6 +3,7 @@
 #include "porttool/normal/word_macros.h"
 
 #include <algorithm>
+#include <cstring>
 #include <unordered_set>
 
 #include "porttool/language/words.h"
@@ -66,16 +67,23 @@ void add(std::string& words, std::string_view word, std::string_view hash) {
     words += (words.empty() ? "" : " ") + std::string(word) + ":" + std::string(hash);
 }
 
-}  // namespace
-
-WordMacros::WordMacros(const std::vector<ScannedFile>& files) : files_(files) {
-    for (const ScannedFile& file : files) read(file);
+std::string text_of(const LexedText& lexed, const Directive& directive, bool is_unit) {
+    std::string out = "#" + std::string(lexed.view(directive.first_token + 1));
+    const uint32_t end = is_unit ? directive.first_token + 3 : directive.end_token;
+    for (uint32_t at = directive.first_token + 2; at < end; ++at) out.append(" ").append(lexed.view(at));
+    return out + (is_unit ? " ..." : "");
 }
 
-void WordMacros::read(const ScannedFile& file) {
+}  // namespace
+
+FileMacros file_macros(const ScannedFile& file) {
+    FileMacros out{file.path, {}, {}};
     const LexedText& lexed = file.lexed;
     auto unit = file.units.begin();
     for (const Directive& directive : lexed.directives) {
+        if (directive.kind == DirectiveKind::Include)
+            if (std::string name = included_name(lexed, directive); !name.empty())
+                out.includes.push_back(std::move(name));
         const uint32_t name = directive.first_token + 2;
         const bool defines = directive.kind == DirectiveKind::Define;
         if (name >= directive.end_token || (lexed.tokens[name].flags & kDead) != 0) continue;
@@ -83,30 +91,48 @@ void WordMacros::read(const ScannedFile& file) {
         if (only_promises(lexed, name + 1, directive.end_token)) continue;
         while (unit != file.units.end() && unit->tokens.first < directive.first_token) ++unit;
         const bool is_unit = unit != file.units.end() && unit->tokens.first == directive.first_token;
-        by_word_[lexed.view(name)].definitions.push_back({&file, &directive, is_unit});
+        out.lines.push_back({std::string(lexed.view(name)), text_of(lexed, directive, is_unit), directive.line});
     }
+    return out;
 }
 
-std::string WordMacros::text_of(const Definition& definition) {
-    const LexedText& lexed = definition.file->lexed;
-    const Directive& directive = *definition.directive;
-    std::string out = "#" + std::string(lexed.view(directive.first_token + 1));
-    const uint32_t end = definition.is_unit ? directive.first_token + 3 : directive.end_token;
-    for (uint32_t at = directive.first_token + 2; at < end; ++at) out += " " + std::string(lexed.view(at));
-    return out + (definition.is_unit ? " ..." : "");
+std::vector<FileMacros> file_macros(const std::vector<ScannedFile>& files) {
+    std::vector<FileMacros> out;
+    out.reserve(files.size());
+    for (const ScannedFile& file : files) out.push_back(file_macros(file));
+    return out;
 }
 
-std::string WordMacros::of(const std::string& path, const NormalText& text) {
+WordMacros::WordMacros(std::vector<FileMacros> files) : files_(std::move(files)) {
+    for (uint32_t i = 0; i < files_.size(); ++i)
+        for (const MacroLine& line : files_[i].lines) {
+            by_word_[line.word].definitions.push_back({i, &line});
+            sieve_.add(line.word);
+        }
+}
+
+size_t WordMacros::Sieve::place(std::string_view word) {
+    uint64_t head = 0, tail = 0;
+    const size_t taken = std::min(word.size(), sizeof(head));
+    std::memcpy(&head, word.data(), taken);
+    std::memcpy(&tail, word.data() + word.size() - taken, taken);
+    const uint64_t mixed = (head * 0x9E3779B97F4A7C15ull) ^ (tail * 0xD6E8FEB86659FD93ull + word.size());
+    return (mixed * 0xC2B2AE3D27D4EB4Full) >> (64 - kBits);
+}
+
+std::string WordMacros::of(const std::string& path, const UnitText& text) {
+    if (by_word_.empty()) return "+";
     std::map<std::string_view, std::string_view> found;
-    for (size_t i = 0; !by_word_.empty() && i < text.size(); ++i) {
-        const std::string_view word = text[i];
-        if (!is_word_token(word)) continue;
+    std::unordered_map<std::string_view, std::string>* hashes = nullptr;  // of the path
+    text.each_name([&](std::string_view word) {
+        if (!sieve_.may_have(word)) return;
         const auto defined = by_word_.find(word);
-        if (defined == by_word_.end() || found.contains(word)) continue;
-        const auto [known, is_new] = hashes_[path].try_emplace(defined->first);
+        if (defined == by_word_.end() || found.contains(defined->first)) return;
+        if (hashes == nullptr) hashes = &hashes_[path];
+        const auto [known, is_new] = hashes->try_emplace(defined->first);
         if (is_new) known->second = hash_seen(path, defined->second);
-        if (!known->second.empty()) found.emplace(word, known->second);
-    }
+        if (!known->second.empty()) found.emplace(defined->first, known->second);
+    });
     std::string names, keywords;
     size_t count = 0;
     for (const auto& [word, hash] : found) {
@@ -118,12 +144,12 @@ std::string WordMacros::of(const std::string& path, const NormalText& text) {
     return "+" + (names.empty() ? "" : " " + names) + (keywords.empty() ? "" : " " + keywords);
 }
 
-void WordMacros::sort_by_file(const std::vector<ScannedFile>& files, Word& defined) {
+void WordMacros::sort_by_file(Word& defined) {
     for (size_t i = 0; i < defined.definitions.size(); ++i) {  // in the order of the files
         const Definition& one = defined.definitions[i];
-        const auto file = static_cast<uint32_t>(one.file - files.data());
-        if (defined.by_file.empty() || defined.by_file.back().file != file) defined.by_file.push_back({file, i, {}});
-        defined.by_file.back().hashes.insert(hash_of(std::set{text_of(one)}));
+        if (defined.by_file.empty() || defined.by_file.back().file != one.file)
+            defined.by_file.push_back({one.file, i, {}});
+        defined.by_file.back().hashes.insert(hash_of(std::set<std::string_view>{one.line->text}));
     }
     std::set<std::string> all;
     for (InFile& one : defined.by_file) {
@@ -135,7 +161,7 @@ void WordMacros::sort_by_file(const std::vector<ScannedFile>& files, Word& defin
 
 /// The files in which a word is defined for `path`, in order.
 std::vector<const WordMacros::InFile*> WordMacros::seen_in(const std::string& path, Word& defined) {
-    if (defined.by_file.empty()) sort_by_file(files_, defined);
+    if (defined.by_file.empty()) sort_by_file(defined);
     std::vector<const InFile*> out;
     for (const uint32_t file : seen_files(path).numbers) {
         const auto one = std::lower_bound(defined.by_file.begin(), defined.by_file.end(), file,
@@ -163,7 +189,7 @@ std::optional<WordMacro> WordMacros::first_seen(const std::string& path, std::st
     const bool all = seen_files(path).all;
     if (seen.empty() && !all) return std::nullopt;
     const Definition& one = defined->second.definitions[all ? 0 : seen.front()->first];
-    return WordMacro{text_of(one), one.file->path, one.directive->line};
+    return WordMacro{one.line->text, files_[one.file].path, one.line->line};
 }
 
 void WordMacros::index_paths() {
@@ -202,11 +228,7 @@ const WordMacros::Files& WordMacros::included_by(uint32_t file) {
     Files& out = list->second;
     if (!is_new) return out;
     const std::string& path = files_[file].path;
-    const LexedText& lexed = files_[file].lexed;
-    for (const Directive& directive : lexed.directives) {
-        if (directive.kind != DirectiveKind::Include) continue;
-        const std::string name = included_name(lexed, directive);
-        if (name.empty()) continue;
+    for (const std::string& name : files_[file].includes) {
         const std::string beside = plain_path(path.substr(0, path.rfind('/') + 1) + name);
         if (const auto found = by_path_.find(beside); found != by_path_.end()) {
             out.numbers.push_back(found->second);

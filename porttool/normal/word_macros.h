@@ -12,14 +12,33 @@
 #include <utility>
 #include <vector>
 
-#include "porttool/normal/normal_text.h"
+#include "porttool/normal/unit_text.h"
 #include "porttool/scan/unit.h"
 
 namespace porttool {
 
+/// A line of a file that gives a word of code another meaning.
+struct MacroLine {
+    std::string word;
+    std::string text;  ///< `#define sinf __sinf`; of a macro that is a unit itself only `#define fma ...`
+    uint32_t line = 1;
+};
+
+/// What WordMacros asks of a file.
+struct FileMacros {
+    std::string path;
+    std::vector<MacroLine> lines;       ///< in order
+    std::vector<std::string> includes;  ///< what stands between the quotes or angles of its `#include`s, in order
+};
+
+FileMacros file_macros(const ScannedFile& file);
+
+/// Of all files of a side.
+std::vector<FileMacros> file_macros(const std::vector<ScannedFile>& files);
+
 /// A line that gives a word of code another meaning.
 struct WordMacro {
-    std::string text;  ///< `#define sinf __sinf`; of a macro that is a unit itself only `#define fma ...`
+    std::string_view text;  ///< that of the MacroLine
     std::string_view file;
     uint32_t line = 1;
 };
@@ -34,24 +53,27 @@ struct WordMacro {
 /// it is there. One that only says how functions are called or linked does not count.
 class WordMacros {
 public:
-    /// `files`: all of the side; they must outlive it.
-    explicit WordMacros(const std::vector<ScannedFile>& files);
+    /// `files`: all of the side.
+    explicit WordMacros(std::vector<FileMacros> files);
+    WordMacros(const WordMacros&) = delete;
+    WordMacros& operator=(const WordMacros&) = delete;
+    WordMacros(WordMacros&&) = default;
+    WordMacros& operator=(WordMacros&&) = default;
 
     /// The words of a text that macros seen from `path` define, each with a hash of what they make of it, sorted:
     /// `+ fma:0a1b2c3d4e5f6071 sinf:8c0e6a417b2d9f03`; "+" for none. More than 64 are one hash, `*:0a1b2c3d4e5f6071`,
     /// but for keywords and types of C, which stand behind. Without the plus: as it was noted when those did not count.
     /// Takes time in line with the text, whatever there is of definitions: those of a word are looked through once for
     /// each file.
-    std::string of(const std::string& path, const NormalText& text);
+    std::string of(const std::string& path, const UnitText& text);
 
     /// The first macro of that name which a file sees, by file and line.
     std::optional<WordMacro> first_seen(const std::string& path, std::string_view word);
 
 private:
     struct Definition {
-        const ScannedFile* file;
-        const Directive* directive;
-        bool is_unit;
+        uint32_t file;  ///< by its place in `files_`
+        const MacroLine* line;
     };
     /// Hashes of those of one word in one file, or one of them all where there are many.
     struct InFile {
@@ -70,17 +92,28 @@ private:
         std::vector<uint32_t> numbers;
     };
 
-    void read(const ScannedFile& file);
-    static void sort_by_file(const std::vector<ScannedFile>& files, Word& defined);
+    static void sort_by_file(Word& defined);
     std::string hash_seen(const std::string& path, Word& defined);
     std::vector<const InFile*> seen_in(const std::string& path, Word& defined);
     const Files& seen_files(const std::string& path);
     const Files& included_by(uint32_t file);
     void index_paths();
-    static std::string text_of(const Definition& definition);
 
-    const std::vector<ScannedFile>& files_;
+    /// Tells most words that are no macros apart from those that may be, for less than a look into a table.
+    class Sieve {
+    public:
+        void add(std::string_view word) { bits_[place(word)] = true; }
+        bool may_have(std::string_view word) const { return bits_[place(word)]; }
+
+    private:
+        static constexpr int kBits = 17;
+        static size_t place(std::string_view word);
+        std::vector<bool> bits_ = std::vector<bool>(size_t{1} << kBits);
+    };
+
+    std::vector<FileMacros> files_;
     std::unordered_map<std::string_view, Word> by_word_;
+    Sieve sieve_;                                                ///< of the keys of by_word_
     std::unordered_map<std::string_view, uint32_t> by_path_;     ///< filled when first asked
     std::vector<std::pair<std::string, uint32_t>> by_path_end_;  ///< by the path from its end, sorted
     std::unordered_map<uint32_t, Files> includes_;

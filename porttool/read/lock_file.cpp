@@ -20,6 +20,7 @@
 #include <charconv>
 #include <set>
 #include <string_view>
+#include <unordered_map>
 #include <utility>
 
 #include "porttool/text/date.h"
@@ -31,10 +32,12 @@ constexpr std::string_view kLockHeader = "porttool-lock\t", kNormalFormLine = "n
 constexpr size_t kMarkDigits = 3, kLineKeyDigits = 8, kMarks = 4096;
 constexpr const char* kRestore = "\nRestore it from git, or renew it with: porttool init --force";
 
-using Fields = std::vector<std::string>;
+/// Views of one line.
+using Fields = std::vector<std::string_view>;
 
-Fields split(const std::string& line) {
+Fields split(std::string_view line) {
     Fields fields;
+    fields.reserve(14);
     size_t first = 0;
     while (true) {
         const size_t tab = std::min(line.find('\t', first), line.size());
@@ -42,6 +45,12 @@ Fields split(const std::string& line) {
         if (tab == line.size()) return fields;
         first = tab + 1;
     }
+}
+
+/// The begin of what a message quotes.
+std::string beginning(std::string_view text) {
+    constexpr size_t kMost = 60;
+    return std::string(text.substr(0, kMost));
 }
 
 /// An id as one field: what would end the field or the line, and the sign of an escape itself, as percent codes.
@@ -71,7 +80,8 @@ std::array<char, kMarkDigits> digits_of(size_t mark) {
 }
 
 /// Undoes `encoded`. Any other percent sign stands for itself.
-std::string decoded(const std::string& field) {
+std::string decoded(std::string_view field) {
+    if (field.find('%') == std::string_view::npos) return std::string(field);
     std::string out;
     for (size_t i = 0; i < field.size(); ++i) {
         const auto code = std::find_if(kCodes.begin(), kCodes.end(),
@@ -87,10 +97,10 @@ struct MisreadField {
     std::string what;
 };
 
-Print print_of(const std::string& field, bool may_be_unknown) {
+Print print_of(std::string_view field, bool may_be_unknown) {
     const Print print = Print::read(field);
     if (print.is_known() || (may_be_unknown && field == "-")) return print;
-    throw MisreadField{"'" + field.substr(0, 60) + "' is no fingerprint, which has 16 hexadecimal digits"};
+    throw MisreadField{"'" + beginning(field) + "' is no fingerprint, which has 16 hexadecimal digits"};
 }
 
 Fingerprints prints_of(const Fields& f, size_t at, bool may_be_unknown = false) {
@@ -102,9 +112,8 @@ MoreFields more_of(const Fields& f, size_t at) {
     MoreFields out;
     for (size_t i = at; i < f.size(); ++i) {
         const size_t equal = f[i].find('=');
-        if (equal == std::string::npos || equal == 0)
-            throw MisreadField{"'" + f[i].substr(0, 60) + "' is no name=value"};
-        out[f[i].substr(0, equal)] = decoded(f[i].substr(equal + 1));
+        if (equal == std::string::npos || equal == 0) throw MisreadField{"'" + beginning(f[i]) + "' is no name=value"};
+        out[std::string(f[i].substr(0, equal))] = decoded(f[i].substr(equal + 1));
     }
     return out;
 }
@@ -115,8 +124,15 @@ std::string taken(MoreFields& more, const std::string& name, const std::string& 
 }
 
 LedgerEntry ledger_entry(Verdict verdict, const Fields& f) {
-    LedgerEntry entry{
-        verdict, decoded(f[1]), decoded(f[2]), print_of(f[3], true), print_of(f[4], true), f[5], f[6], f[7], {}};
+    LedgerEntry entry{verdict,
+                      decoded(f[1]),
+                      decoded(f[2]),
+                      print_of(f[3], true),
+                      print_of(f[4], true),
+                      std::string(f[5]),
+                      std::string(f[6]),
+                      std::string(f[7]),
+                      {}};
     if (!(has_form_of_date(entry.until) || (entry.until.empty() && entry.verdict != Verdict::Defer)))
         throw MisreadField{"'" + entry.until.substr(0, 60) + "' is no date as YYYY-MM-DD"};
     return entry;
@@ -127,7 +143,8 @@ bool read_line_1(LockFile& lock, const Fields& f) {
     if (f[0] == "pair" && f.size() == 9) {
         lock.pairs.push_back({decoded(f[1]), decoded(f[2]), prints_of(f, 3), prints_of(f, 6)});
     } else if (f[0] == "baseline" && (f.size() == 3 || f.size() == 4)) {
-        lock.baseline.push_back({decoded(f[1]), {print_of(f[2], false), {}, {}}, f.size() == 4 ? f[3] : std::string()});
+        lock.baseline.push_back(
+            {decoded(f[1]), {print_of(f[2], false), {}, {}}, std::string(f.size() == 4 ? f[3] : "")});
     } else if (const auto verdict = verdict_named(f[0]); verdict && f.size() == 8) {
         lock.ledger.push_back(ledger_entry(*verdict, f));
     } else {
@@ -146,7 +163,8 @@ bool read_line_2(LockFile& lock, const Fields& f) {
         pair.macros = {taken(pair.more, "source-macros"), taken(pair.more, "target-macros")};
         lock.pairs.push_back(std::move(pair));
     } else if (f[0] == "unit" && f.size() >= 7) {
-        lock.baseline.push_back({decoded(f[2]), prints_of(f, 3, true), f[6], f[1], more_of(f, 7)});
+        lock.baseline.push_back(
+            {decoded(f[2]), prints_of(f, 3, true), std::string(f[6]), std::string(f[1]), more_of(f, 7)});
     } else if (const auto verdict = verdict_named(f[0]); verdict && f.size() >= 8) {
         lock.ledger.push_back(ledger_entry(*verdict, f));
         lock.ledger.back().more = more_of(f, 8);
@@ -165,10 +183,10 @@ public:
         size_t first = 0;
         while (first < text_.size()) {
             const size_t end = std::min(text_.find('\n', first), text_.size());
-            std::string line = text_.substr(first, end - first);
+            std::string_view line = text_.substr(first, end - first);
             first = end + 1;
             ++number_;
-            if (!line.empty() && line.back() == '\r') line.pop_back();
+            if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
             if (const std::string wrong = take(line); !wrong.empty())
                 return {{}, "portmap.lock:" + std::to_string(number_) + ": " + wrong};
         }
@@ -182,12 +200,12 @@ public:
 
 private:
     struct Seen {
-        Fields fields;
+        std::string_view fact;  ///< the line without its key
         int number = 0;
     };
 
     /// Takes in a line; what is wrong with it, or "".
-    std::string take(const std::string& line) {
+    std::string take(std::string_view line) {
         // Most lines of most locks, so before all else and without a word of memory.
         if (lock_.version > 1 && number_ > 1 && is_hexadecimal(line, kMarkDigits)) {
             marks_[mark_of(line)] = true;
@@ -205,7 +223,8 @@ private:
             if (is_hexadecimal(fields[0], kLineKeyDigits)) fields.erase(fields.begin());  // one by hand may lack it
             if (fields.empty()) return unreadable(line);
         }
-        if (const std::string twice = stands_twice(fields); !twice.empty()) return twice;
+        const std::string_view fact = line.substr(static_cast<size_t>(fields[0].data() - line.data()));
+        if (const std::string twice = stands_twice(fields, fact); !twice.empty()) return twice;
         try {
             const bool known = lock_.version == 1 ? read_line_1(lock_, fields) : read_line_2(lock_, fields);
             if (!known) return unreadable(line);
@@ -218,11 +237,11 @@ private:
         }
     }
 
-    std::string take_header(const std::string& line) {
+    std::string take_header(std::string_view line) {
         if (!line.starts_with(kLockHeader)) return std::string("this is no lock of porttool") + kRestore;
-        const std::string version = line.substr(kLockHeader.size());
+        const std::string_view version = line.substr(kLockHeader.size());
         if (version != "1" && version != "2")
-            return "'" + line.substr(0, 60) +
+            return "'" + beginning(line) +
                    "' is of another version; this porttool reads versions 1 and 2\nUse the porttool that wrote it, or "
                    "renew it with: porttool init --force";
         lock_.version = version == "1" ? 1 : 2;
@@ -230,7 +249,7 @@ private:
         return {};
     }
 
-    std::string take_normal_form(const std::string& line) {
+    std::string take_normal_form(std::string_view line) {
         int form = 0;
         const char* end = line.data() + line.size();
         const auto read = std::from_chars(line.data() + kNormalFormLine.size(), end, form);
@@ -243,24 +262,26 @@ private:
     }
 
     /// What is wrong if an earlier line says something else of the same pair: a merge kept both.
-    std::string stands_twice(const Fields& fields) {
+    std::string stands_twice(const Fields& fields, std::string_view fact) {
         if ((fields[0] != "pair" && fields[0] != "unit") || fields.size() < 3) return {};
-        const auto [first, fresh] = seen_.try_emplace({fields[1], fields[2]}, Seen{fields, number_});
-        if (fresh || first->second.fields == fields) return {};
-        return "a second line for '" + fields[1] + "=" + fields[2] + "'; line " + std::to_string(first->second.number) +
+        const std::string_view ids(fields[1].data(), fields[1].size() + 1 + fields[2].size());  // with the tab between
+        const auto [first, fresh] = seen_.try_emplace(ids, Seen{fact, number_});
+        if (fresh || first->second.fact == fact) return {};
+        return "a second line for '" + std::string(fields[1]) + "=" + std::string(fields[2]) + "'; line " +
+               std::to_string(first->second.number) +
                " says something else, as after a merge\nRemove one of the two, then run: porttool check";
     }
 
-    static std::string unreadable(const std::string& line) {
-        return "cannot be read: '" + line.substr(0, 60) +
+    static std::string unreadable(std::string_view line) {
+        return "cannot be read: '" + beginning(line) +
                "'\nRestore the line from git, or renew the lock with: porttool init --force";
     }
 
-    const std::string& text_;
+    std::string_view text_;
     LockFile lock_;
     int number_ = 0;
     std::vector<bool> marks_ = std::vector<bool>(kMarks);  ///< those that were seen
-    std::map<std::pair<std::string, std::string>, Seen> seen_;
+    std::unordered_map<std::string_view, Seen> seen_;      ///< by both ids
 };
 
 std::string plain(std::string text) {

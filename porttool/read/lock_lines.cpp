@@ -5,7 +5,8 @@
 namespace porttool {
 
 LinesByPair::LinesByPair(const LockFile& lock) {
-    for (const LockedPair& pair : lock.pairs) lines_.emplace(std::pair(pair.source, pair.target), &pair);
+    lines_.reserve(lock.pairs.size());
+    for (const LockedPair& pair : lock.pairs) lines_.emplace(IdViews(pair.source, pair.target), &pair);
 }
 
 const LockedPair* LinesByPair::find(const std::string& source, const std::string& target) const {

@@ -11,6 +11,7 @@
 #include "porttool/read/git_repository.h"
 #include "porttool/read/glob.h"
 #include "porttool/text/fingerprint.h"
+#include "porttool/text/packed_bytes.h"
 #include "porttool/text/parallel.h"
 
 namespace porttool {
@@ -77,46 +78,6 @@ std::string ask(const Disk& disk, const DiskQuestion& question) {
     return {};
 }
 
-void put(std::string& out, uint64_t number) { out.append(reinterpret_cast<const char*>(&number), sizeof(number)); }
-
-void put(std::string& out, const std::string& text) {
-    put(out, text.size());
-    out += text;
-}
-
-/// Takes numbers and texts from bytes; once they do not suffice, all that follows is empty.
-class Taker {
-public:
-    explicit Taker(std::string_view bytes) : bytes_(bytes) {}
-
-    uint64_t number() {
-        uint64_t value = 0;
-        if (bytes_.size() < sizeof(value)) return fail();
-        std::memcpy(&value, bytes_.data(), sizeof(value));
-        bytes_.remove_prefix(sizeof(value));
-        return value;
-    }
-    std::string text() {
-        const uint64_t size = number();
-        if (size > bytes_.size()) return fail(), std::string();
-        std::string text(bytes_.substr(0, size));
-        bytes_.remove_prefix(size);
-        return text;
-    }
-    bool at_end() const { return bytes_.empty(); }
-    bool sound() const { return sound_; }
-
-private:
-    uint64_t fail() {
-        sound_ = false;
-        bytes_ = {};
-        return 0;
-    }
-
-    std::string_view bytes_;
-    bool sound_ = true;
-};
-
 }  // namespace
 
 TraceKey random_trace_key() {
@@ -141,39 +102,40 @@ uint64_t keyed_hash(const TraceKey& key, std::string_view bytes) {
 
 std::string DiskTrace::bytes() const {
     std::string out;
-    for (const uint64_t half : key) put(out, half);
+    ByteWriter writer(out);
+    for (const uint64_t half : key) writer.number(half);
     for (const DiskQuestion& question : questions) {
-        put(out, static_cast<uint64_t>(question.kind));
-        put(out, question.place.root);
-        put(out, question.place.path);
-        put(out, static_cast<uint64_t>(question.place.links));
-        put(out, question.limit);
-        put(out, question.globs.size());
-        for (const std::string& glob : question.globs) put(out, glob);
-        put(out, question.answer);
+        writer.number(static_cast<uint64_t>(question.kind));
+        writer.text(question.place.root);
+        writer.text(question.place.path);
+        writer.number(static_cast<uint64_t>(question.place.links));
+        writer.number(question.limit);
+        writer.number<uint64_t>(question.globs.size());
+        for (const std::string& glob : question.globs) writer.text(glob);
+        writer.number(question.answer);
     }
     return out;
 }
 
 std::optional<DiskTrace> DiskTrace::read(std::string_view bytes) {
-    Taker taker(bytes);
+    ByteReader reader(bytes);
     DiskTrace trace;
-    for (uint64_t& half : trace.key) half = taker.number();
-    while (taker.sound() && !taker.at_end()) {
+    for (uint64_t& half : trace.key) half = reader.number<uint64_t>();
+    while (reader.sound() && !reader.at_end()) {
         DiskQuestion question;
-        const uint64_t kind = taker.number();
+        const auto kind = reader.number<uint64_t>();
         if (kind > static_cast<uint64_t>(Kind::Tracked)) return std::nullopt;
         question.kind = static_cast<Kind>(kind);
-        question.place.root = taker.text();
-        question.place.path = taker.text();
-        question.place.links = static_cast<Links>(taker.number());
-        question.limit = taker.number();
-        for (uint64_t globs = taker.number(); globs > 0 && taker.sound(); --globs)
-            question.globs.push_back(taker.text());
-        question.answer = taker.number();
+        question.place.root = reader.text();
+        question.place.path = reader.text();
+        question.place.links = static_cast<Links>(reader.number<uint64_t>());
+        question.limit = reader.number<uint64_t>();
+        for (auto globs = reader.number<uint64_t>(); globs > 0 && reader.sound(); --globs)
+            question.globs.emplace_back(reader.text());
+        question.answer = reader.number<uint64_t>();
         trace.questions.push_back(std::move(question));
     }
-    return taker.sound() ? std::optional(std::move(trace)) : std::nullopt;
+    return reader.sound() ? std::optional(std::move(trace)) : std::nullopt;
 }
 
 bool DiskTrace::holds(const Disk& disk) const {

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <set>
+#include <unordered_set>
 #include <vector>
 
 #include "porttool/read/lock_upgrade.h"
@@ -53,7 +54,7 @@ std::map<Print, const NormalText*> texts_behind(const std::set<Print>& prints, c
     std::map<Print, const NormalText*> out;
     for (const auto* side : {&record.states.source, &record.states.target})
         for (const auto& [id, state] : *side)
-            if (prints.contains(state.prints.written)) out.emplace(state.prints.written, &state.text);
+            if (prints.contains(state.prints.written)) out.emplace(state.prints.written, &state.text.get());
     for (const auto& [print, text] : record.texts)
         if (prints.contains(print)) out.emplace(print, &text);
     return out;
@@ -119,7 +120,11 @@ void store_lock(const Project& project, const NewRecord& record, Disk& disk) {
 }
 
 size_t missing_texts(const Project& project, const Disk& disk, const LockFile& lock) {
-    std::set<Print> missing = prints_of(lock);
+    std::unordered_set<Print> missing;
+    for (const LockedPair& pair : lock.pairs) {
+        missing.insert(pair.source_prints.written);
+        missing.insert(pair.target_prints.written);
+    }
     for (const DirectoryEntry& entry : disk.list(base_folder(project)).entries) missing.erase(Print::read(entry.name));
     return missing.size();
 }

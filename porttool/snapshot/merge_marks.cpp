@@ -27,18 +27,20 @@ std::optional<uint32_t> unfinished_merge(std::string_view text) {
     return 1 + static_cast<uint32_t>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(ours), '\n'));
 }
 
-void require_finished_merges(const Project& project, const BySide<std::set<std::string>>& files) {
+void require_finished_merges(const BySide<FilesOfSide>& files, const BySide<std::set<std::string>>& asked) {
     for (const Side side : kBothSides)
-        for (const ScannedFile& file : side == Side::Source ? project.source : project.target)
-            if (files[side].contains(file.path))
-                if (const auto line = unfinished_merge(file.lexed.text))
-                    throw CannotDo(terminal_text(file.path) + ":" + std::to_string(*line) +
-                                   ": holds the marks of a merge that is not finished (<<<<<<<, =======, >>>>>>>)\n"
-                                   "Keep what the merge should give, take the marks out, and run this again");
+        for (size_t i = 0; i < files[side].size(); ++i) {
+            const std::string& path = files[side].path(i);
+            const auto line = asked[side].contains(path) ? files[side].unfinished_merge(i) : std::nullopt;
+            if (line)
+                throw CannotDo(terminal_text(path) + ":" + std::to_string(*line) +
+                               ": holds the marks of a merge that is not finished (<<<<<<<, =======, >>>>>>>)\n"
+                               "Keep what the merge should give, take the marks out, and run this again");
+        }
 }
 
-void require_finished_merges(const Project& project) {
-    require_finished_merges(project, {named_files(project.map, Side::Source), named_files(project.map, Side::Target)});
+void require_finished_merges(const MapFile& map, const BySide<FilesOfSide>& files) {
+    require_finished_merges(files, {named_files(map, Side::Source), named_files(map, Side::Target)});
 }
 
 }  // namespace porttool

@@ -8,7 +8,9 @@
 #include <string>
 #include <string_view>
 
+#include "porttool/scan/side.h"
 #include "porttool/snapshot/project.h"
+#include "porttool/snapshot/side_files.h"
 
 namespace porttool {
 
@@ -18,9 +20,9 @@ std::optional<uint32_t> unfinished_merge(std::string_view text);
 
 /// Nothing can be said of a pair whose text is two texts. Throws CannotDo for the first such file with a pair in the
 /// map.
-void require_finished_merges(const Project& project);
+void require_finished_merges(const MapFile& map, const BySide<FilesOfSide>& files);
 
 /// The same for any files, by their paths.
-void require_finished_merges(const Project& project, const BySide<std::set<std::string>>& files);
+void require_finished_merges(const BySide<FilesOfSide>& files, const BySide<std::set<std::string>>& asked);
 
 }  // namespace porttool

@@ -165,10 +165,17 @@ bool is_elsewhere(const Project& project) {
 
 std::set<std::string> named_files(const MapFile& map, Side side) {
     std::set<std::string> out;
+    std::string last;  // file, with the colon: pairs of one mostly follow each other
+    const auto add = [&](const std::string& id) {
+        if (!last.empty() && id.starts_with(last) && id.find(':', last.size()) == std::string::npos) return;
+        std::string file = split_id(id).first;
+        last = file + ":";
+        out.insert(std::move(file));
+    };
     for (const MapPair& pair : map.pairs) {
-        if (side == Side::Source) out.insert(split_id(pair.source).first);
+        if (side == Side::Source) add(pair.source);
         for (const std::string& target : pair.targets)
-            if (side == Side::Target) out.insert(split_id(target).first);
+            if (side == Side::Target) add(target);
     }
     return out;
 }

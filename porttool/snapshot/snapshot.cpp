@@ -21,16 +21,16 @@
 namespace porttool {
 namespace {
 
-using KnownFiles = std::unordered_map<std::string_view, const ScannedFile*>;  // by path
+using FilesByPath = std::unordered_map<std::string_view, const ScannedFile*>;  // by path
 
-KnownFiles by_path(const std::vector<ScannedFile>& files) {
-    KnownFiles out;
+FilesByPath by_path(const std::vector<ScannedFile>& files) {
+    FilesByPath out;
     for (const ScannedFile& file : files) out.emplace(file.path, &file);
     return out;
 }
 
 /// Scans files; those that are known with the same text are taken from there, and their paths noted in `same`.
-std::vector<ScannedFile> scan_all(const SourceSet& set, const KnownFiles& known, std::set<std::string>& same) {
+std::vector<ScannedFile> scan_all(const SourceSet& set, const FilesByPath& known, std::set<std::string>& same) {
     std::vector<ScannedFile> files(set.files.size());
     std::vector<char> is_same(set.files.size());
     in_parallel(set.files.size(), set.files.size() >= kFilesWorthThreads, [&](size_t i) {
@@ -50,18 +50,30 @@ std::vector<ScannedFile> scan_again(SourceSet set, std::vector<ScannedFile>& las
                                     std::map<std::string, std::string>& written) {
     std::unordered_map<std::string, ScannedFile*> known;
     for (ScannedFile& file : last) known.emplace(file.path, &file);
-    std::map<std::string, std::string> written_now;
-    std::vector<ScannedFile> files;
-    files.reserve(set.files.size());
-    for (SourceText& source : set.files) {
+    std::vector<ScannedFile> files(set.files.size());
+    std::vector<size_t> fresh;
+    for (size_t i = 0; i < files.size(); ++i) {
+        const SourceText& source = set.files[i];
         const auto then = known.find(source.path);
         const auto bytes = written.find(source.path);
         const bool is_same =
             then != known.end() && (bytes == written.end() ? then->second->lexed.text : bytes->second) == source.text;
-        if (is_same) same.insert(source.path);
-        files.push_back(is_same ? std::move(*then->second) : scan_text(source.path, source.text));
-        if (files.back().lexed.text != source.text) written_now.emplace(source.path, std::move(source.text));
+        if (is_same) {
+            same.insert(source.path);
+            files[i] = std::move(*then->second);
+        } else {
+            fresh.push_back(i);
+        }
     }
+    in_parallel(fresh.size(), fresh.size() >= kFilesWorthThreads, [&](size_t at) {
+        SourceText& source = set.files[fresh[at]];
+        files[fresh[at]] = scan_text(source.path, source.text);
+        if (files[fresh[at]].lexed.text == source.text) source.text = {};
+    });
+    std::map<std::string, std::string> written_now;
+    for (size_t i = 0; i < files.size(); ++i)
+        if (SourceText& source = set.files[i]; !source.text.empty() && files[i].lexed.text != source.text)
+            written_now.emplace(std::move(source.path), std::move(source.text));
     written = std::move(written_now);
     return files;
 }
@@ -128,11 +140,12 @@ SourceSet read_side(const Project& project, const Disk& disk, Side side) {
     return out;
 }
 
-/// Reads both sides. What stands as it did in `last` is taken from there; returns the paths of that.
-BySide<std::set<std::string>> read_work_tree(Snapshot& snapshot, Project& last) {
+/// The files of both sides as they stand in the work tree; notes what could not be read.
+BySide<SourceSet> read_both_sides(Snapshot& snapshot) {
     Project& project = snapshot.project;
-    SourceSet source = read_side(project, *snapshot.on_disk, Side::Source),
-              target = read_side(project, *snapshot.on_disk, Side::Target);
+    BySide<SourceSet> sets{read_side(project, *snapshot.on_disk, Side::Source),
+                           read_side(project, *snapshot.on_disk, Side::Target)};
+    const auto& [source, target] = sets;
     project.skipped = source.skipped;
     const auto is_known = [&](const SkippedFile& file) {
         return std::any_of(source.skipped.begin(), source.skipped.end(), [&](const SkippedFile& known) {
@@ -144,10 +157,22 @@ BySide<std::set<std::string>> read_work_tree(Snapshot& snapshot, Project& last) 
             project.skipped.push_back({clean_path(join_path(project.map.target_root, file.file)), file.reason});
         else if (!is_known(file))
             project.skipped.push_back(file);
+    return sets;
+}
+
+/// Scans both sides. What stands as it did in `last` is taken from there; returns the paths of that.
+BySide<std::set<std::string>> scan_work_tree(Snapshot& snapshot, BySide<SourceSet> sets, Project& last) {
+    Project& project = snapshot.project;
     BySide<std::set<std::string>> same;
-    project.source = scan_again(std::move(source), last.source, same.source, snapshot.written.source);
-    project.target = scan_again(std::move(target), last.target, same.target, snapshot.written.target);
+    project.source = scan_again(std::move(sets.source), last.source, same.source, snapshot.written.source);
+    project.target = scan_again(std::move(sets.target), last.target, same.target, snapshot.written.target);
     return same;
+}
+
+uint64_t bytes_of(const SourceSet& set) {
+    uint64_t bytes = 0;
+    for (const SourceText& file : set.files) bytes += file.text.size();
+    return bytes;
 }
 
 /// Where the map, its lock and the texts of that stand in the commits of a project, as seen from its root.
@@ -268,9 +293,9 @@ BySide<std::set<std::string>> read_from_git(Snapshot& snapshot, const Snapshot* 
         std::vector<std::string> unmatched;
         const SourceSet files =
             read_globs(snapshot.git, root_of(project, side), globs_of(project.map, side), unmatched);
-        const KnownFiles there = known == nullptr
-                                     ? KnownFiles()
-                                     : by_path(side == Side::Source ? known->project.source : known->project.target);
+        const FilesByPath there = known == nullptr
+                                      ? FilesByPath()
+                                      : by_path(side == Side::Source ? known->project.source : known->project.target);
         (side == Side::Source ? project.source : project.target) = scan_all(files, there, same[side]);
         project.skipped.insert(project.skipped.end(), files.skipped.begin(), files.skipped.end());
         for (const SkippedFile& file : files.skipped) snapshot.unknown[side].insert(file.file);
@@ -281,7 +306,14 @@ BySide<std::set<std::string>> read_from_git(Snapshot& snapshot, const Snapshot* 
     return same;
 }
 
+void refuse_open_merges(const Snapshot& snapshot) { require_finished_merges(snapshot.project.map, snapshot.files()); }
+
 }  // namespace
+
+FilesOfSide Snapshot::files(Side side) const {
+    if (known) return FilesOfSide((*known)[side]);
+    return FilesOfSide(side == Side::Source ? project.source : project.target);
+}
 
 const Disk& Snapshot::disk() const {
     const bool of_work_tree =
@@ -326,20 +358,40 @@ Snapshot read_snapshot(Project project, const Moment& at, const Disk& on_disk, D
     Snapshot out{std::move(project), {}, at, "", {}, &on_disk};
     Project none;
     if (at.kind == Moment::Kind::WorkTree)
-        read_work_tree(out, none);
+        scan_work_tree(out, read_both_sides(out), none);
     else
         read_from_git(out, nullptr);
     out.written = {};
-    if (at.kind != Moment::Kind::MergeBase) require_finished_merges(out.project);
+    if (at.kind != Moment::Kind::MergeBase) refuse_open_merges(out);
     if (depth == Depth::Normal) out.states = read_states(out.project);
+    return out;
+}
+
+Snapshot read_snapshot(Project project, const Disk& on_disk, FactsStore& facts) {
+    Snapshot out{std::move(project), {}, {Moment::Kind::WorkTree}, "", {}, &on_disk};
+    BySide<SourceSet> sets = read_both_sides(out);
+    if (bytes_of(sets.source) + bytes_of(sets.target) >= facts.least_bytes()) {
+        const std::set<std::string> named = named_ids(out.project.map);
+        KnownSide source = facts.know(std::move(sets.source.files), named);
+        KnownSide target = facts.know(std::move(sets.target.files), named);
+        out.known.emplace(BySide<KnownSide>{std::move(source), std::move(target)});
+        refuse_open_merges(out);
+        out.states = read_states(*out.known);
+        return out;
+    }
+    Project none;
+    scan_work_tree(out, std::move(sets), none);
+    out.written = {};
+    refuse_open_merges(out);
+    out.states = read_states(out.project);
     return out;
 }
 
 Snapshot read_snapshot_again(Project project, Snapshot last, const Disk& on_disk) {
     Snapshot out{std::move(project), {}, {Moment::Kind::WorkTree}, "", {}, &on_disk};
     out.written = std::move(last.written);
-    const BySide<std::set<std::string>> same = read_work_tree(out, last.project);
-    require_finished_merges(out.project);
+    const BySide<std::set<std::string>> same = scan_work_tree(out, read_both_sides(out), last.project);
+    refuse_open_merges(out);
     const bool same_pairs = last.project.map_text == out.project.map_text;  // which whole files are units
     out.states = same_pairs ? read_states(out.project, std::move(last.states), same) : read_states(out.project);
     return out;

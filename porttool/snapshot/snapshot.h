@@ -2,8 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <map>
+#include <optional>
+#include <set>
 #include <string>
 
+#include "porttool/snapshot/facts_store.h"
 #include "porttool/snapshot/states.h"
 
 namespace porttool {
@@ -18,10 +22,11 @@ struct Moment {
 /// How far a project is read: the normal form of all units takes longer than to scan them.
 enum class Depth : uint8_t { Scanned, Normal };
 
-/// The project in a work tree, in the index or in a commit: both sides, scanned, with the states of their units. The
-/// map, the lock and the texts that stand there are in `disk()`.
+/// The project in a work tree, in the index or in a commit: both sides, scanned, with the states of their units; or,
+/// where facts were kept of files, known by these, and scanned when somebody asks `files()`. The map, the lock and the
+/// texts that stand there are in `disk()`.
 struct Snapshot {
-    Project project;  ///< with the map that its sides were read under
+    Project project;  ///< with the map that its sides were read under; without files where these are `known`
     States states;
     Moment at;
     std::string note;               ///< what a user should know of it, or ""
@@ -32,7 +37,10 @@ struct Snapshot {
     BySide<std::set<std::string>> unknown = {};
     /// Of a work tree: the bytes of files whose scanned text is not all of them, for who reads it again.
     BySide<std::map<std::string, std::string>> written = {};
+    std::optional<BySide<KnownSide>> known = {};
 
+    FilesOfSide files(Side side) const;
+    BySide<FilesOfSide> files() const { return {files(Side::Source), files(Side::Target)}; }
     /// What its lock stands on. An index without a lock goes with that of the work tree.
     const Disk& disk() const;
 };
@@ -55,6 +63,9 @@ FileText map_text_of(const Snapshot& snapshot);
 /// marks of a merge that is not finished. Of another checkout git is asked for the same revision, or for its HEAD.
 /// Throws CannotDo.
 Snapshot read_snapshot(Project project, const Moment& at, const Disk& on_disk, Depth depth = Depth::Normal);
+
+/// The same of a work tree of which facts are kept, where it is large enough for that.
+Snapshot read_snapshot(Project project, const Disk& on_disk, FactsStore& facts);
 
 /// The same of a work tree that was read before: what stands as it stood is not scanned again. Throws CannotDo.
 Snapshot read_snapshot_again(Project project, Snapshot last, const Disk& on_disk);

@@ -92,7 +92,7 @@ SpirvAnswer SpirvCheck::ask(Shaders& shaders, const ScannedFile& file, const Uni
     if (old_file == shaders.then->files.end()) return answer;
     const ScannedFile scanned = scan_text(file.path, old_file->second);
     const bool same_text = std::any_of(scanned.units.begin(), scanned.units.end(),
-                                       [&](const Unit& old) { return unit_state(scanned, old).text == before; });
+                                       [&](const Unit& old) { return unit_state(scanned, old).text.get() == before; });
     if (!same_text) return answer;
     const SpirvAnswer whole =
         shaders.comparer->compare_files(file, unit, [&shaders](const std::string& path) -> const std::string* {

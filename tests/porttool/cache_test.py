@@ -10,6 +10,7 @@ import os
 import pathlib
 import re
 import shutil
+import struct
 import subprocess
 import sys
 import tempfile
@@ -18,6 +19,36 @@ import unittest
 PROGRAM = str(pathlib.Path(sys.argv[1]).resolve())
 FIXTURES = pathlib.Path(__file__).parent / "fixtures"
 FORMATS = ("text", "json", "junit", "markdown")
+
+
+WORD = (1 << 64) - 1
+
+
+def siphash(key, data):
+    """SipHash-2-4 as its paper has it."""
+    k0, k1 = struct.unpack("<QQ", key)
+    v = [k0 ^ 0x736F6D6570736575, k1 ^ 0x646F72616E646F6D, k0 ^ 0x6C7967656E657261, k1 ^ 0x7465646279746573]
+
+    def rounds(count):
+        a, b, c, d = v
+        for _ in range(count):
+            a, c = (a + b) & WORD, (c + d) & WORD
+            b, d = (b << 13 | b >> 51) & WORD ^ a, (d << 16 | d >> 48) & WORD ^ c
+            a = (a << 32 | a >> 32) & WORD
+            c, a = (c + b) & WORD, (a + d) & WORD
+            b, d = (b << 17 | b >> 47) & WORD ^ c, (d << 21 | d >> 43) & WORD ^ a
+            c = (c << 32 | c >> 32) & WORD
+        v[:] = a, b, c, d
+
+    whole = len(data) // 8 * 8
+    last = int.from_bytes(data[whole:], "little") | (len(data) & 255) << 56
+    for word in (*struct.unpack(f"<{whole // 8}Q", data[:whole]), last):
+        v[3] ^= word
+        rounds(2)
+        v[0] ^= word
+    v[2] ^= 255
+    rounds(4)
+    return v[0] ^ v[1] ^ v[2] ^ v[3]
 
 
 class Cache(unittest.TestCase):
@@ -56,8 +87,18 @@ class Cache(unittest.TestCase):
         ran = subprocess.run(self.command(*arguments), capture_output=True, env=self.environment(home))
         return ran.returncode, ran.stdout, ran.stderr
 
-    def kept(self):
-        return sorted((self.home / "porttool" / "check").glob("*"))
+    def kept(self, what="check"):
+        return sorted((self.home / "porttool" / what).glob("*"))
+
+    def forget_answers(self):
+        shutil.rmtree(self.home / "porttool" / "check", True)
+
+    def facts(self):
+        """The file of facts, after a check that kept it."""
+        self.check()
+        self.forget_answers()
+        (entry,) = self.kept("files")
+        return entry
 
     def assert_same_with_cache(self, *arguments):
         without = self.check("--no-cache", *arguments)
@@ -159,7 +200,97 @@ class Cache(unittest.TestCase):
         self.assertEqual(self.check(home=link), fresh)
         self.assertFalse((self.root / "porttool").exists())
         self.check("--no-cache")
-        self.assertEqual(self.kept(), [], "--no-cache keeps nothing")
+        self.assertEqual((self.kept(), self.kept("files")), ([], []), "--no-cache keeps nothing")
+
+    def test_facts_of_files_are_used_and_what_they_say_is_theirs_alone(self):
+        """Whoever can write the owner's files can lie; that a lie shows is how we know that facts are used."""
+        entry = self.facts()
+        good = entry.read_bytes()
+        first_line = b"porttool files 1\n"
+        self.assertTrue(good.startswith(first_line))
+        key = good[len(first_line):len(first_line) + 16]
+        self.assertEqual(struct.pack("<Q", siphash(key, good[:-8])), good[-8:])
+        victim = self.root / "source" / "rays.comp"
+        victim.write_bytes(victim.read_bytes() + b"\nint new_one(int x) { return x + 1; }\n")
+        fresh = self.check("--no-cache")
+        self.assertIn(b"new_one", fresh[1])
+        lie = good[:-8]
+        names = re.findall(rb"(?<=\x08\0\0\0\0\0\0\0)[a-z_]{8}(?=[\0-\4]..\0\0..\0\0)", lie, re.S)
+        self.assertTrue(names, "a unit's name, kind and lines")
+        lie = lie.replace(b"\x08" + b"\0" * 7 + names[0], b"\x08" + b"\0" * 7 + b"made__up")
+        entry.write_bytes(lie + struct.pack("<Q", siphash(key, lie)))
+        self.assertIn(b"made__up", self.check()[1])
+        entry.write_bytes(lie + good[-8:])
+        self.forget_answers()
+        self.assertEqual(self.check(), fresh)
+
+    def test_facts_that_are_damaged_anothers_or_of_another_program_only_cost_time(self):
+        entry = self.facts()
+        good = entry.read_bytes()
+        self.home, mine = self.home.with_name("other"), self.home
+        self.addCleanup(shutil.rmtree, self.home, True)
+        others = self.facts().read_bytes()  # of another key
+        self.home = mine
+        start = len(b"porttool files 1\n")
+        request = good[start + 24:start + 24 + struct.unpack("<Q", good[start + 16:start + 24])[0]]
+
+        def with_sum(data):
+            return data + struct.pack("<Q", siphash(data[start:start + 16], data))
+
+        count_at = start + 24 + len(request)
+        damages = [b"", b"porttool files 1\n", good[:50], good[:-1], good[:-8], good[:-20] + b"x" * 20, b"\0" * len(good),
+                   good[:start] + others[start:start + 16] + good[start + 16:],
+                   with_sum(good[:-8].replace(request, request[:-1] + b"~", 1)),
+                   with_sum(good[:count_at] + struct.pack("<Q", WORD) + good[count_at + 8:-8]),
+                   with_sum(good[:count_at] + struct.pack("<Q", 0) + good[count_at + 8:-8]),
+                   with_sum(good[:count_at + 16] + struct.pack("<Q", WORD) + good[count_at + 24:-8]),
+                   with_sum(good[:-8] + b"more"), with_sum(good[:-16])]
+        victim = self.root / "source" / "rays.comp"
+        for number, damage in enumerate(damages):
+            victim.write_bytes(victim.read_bytes() + f"\nint new_{number}(int x) {{ return x + {number}; }}\n".encode())
+            fresh = self.check("--no-cache")
+            entry.write_bytes(damage)
+            self.assertEqual(self.check(), fresh, number)
+            (whole,) = self.kept("files")
+            self.assertNotEqual(whole.read_bytes(), damage, "a good one takes its place")
+            self.assertGreater(len(whole.read_bytes()), len(good) // 2)
+        program = pathlib.Path(self.folder.name) / "program"
+        shutil.copy(PROGRAM, program)
+        self.forget_answers()
+        ran = subprocess.run([program, *self.command()[1:]], capture_output=True, env=self.environment())
+        self.assertEqual((ran.returncode, ran.stdout, ran.stderr), fresh)
+        self.assertEqual(len(self.kept("files")), 2, "facts of another build stand for themselves")
+
+    def test_every_torn_or_flipped_file_of_facts_gives_the_same_answer(self):
+        entry = self.facts()
+        good = entry.read_bytes()
+        fresh = self.check("--no-cache")
+        key = good[17:33]
+        for number in range(40):
+            at = (number * 7919) % (len(good) - 60) + 50
+            data = bytearray(good[:-8] if number % 2 else good[:at])
+            if number % 2:
+                data[at - 8] ^= 1 << number % 8
+            else:
+                data += struct.pack("<Q", siphash(key, bytes(data))) if number % 4 else b""
+            self.forget_answers()
+            entry.write_bytes(bytes(data) + (good[-8:] if number % 2 else b""))
+            self.assertEqual(self.check(), fresh, (number, at))
+
+    def test_facts_that_others_can_write_are_not_read(self):
+        entry = self.facts()
+        fresh = self.check("--no-cache")
+        there = entry.parent.parent / "there"
+        for spoil in (lambda: entry.chmod(0o666), lambda: (entry.rename(there), entry.symlink_to(there)),
+                      lambda: entry.parent.chmod(0o777)):
+            spoil()
+            spoilt = entry.lstat().st_ino
+            self.forget_answers()
+            self.assertEqual(self.check(), fresh)
+            if entry.parent.stat().st_mode & 0o22 == 0:
+                self.assertNotEqual(entry.lstat().st_ino, spoilt, "a file of our own takes its place")
+                self.assertFalse(entry.is_symlink())
+                self.assertEqual(entry.stat().st_mode & 0o777, 0o600)
 
     def test_runs_at_once_do_not_disturb_each_other(self):
         fresh = self.check("--no-cache")
@@ -171,6 +302,7 @@ class Cache(unittest.TestCase):
                 out, err = process.communicate()
                 self.assertEqual((process.returncode, out, err), fresh)
             self.assertEqual(len(self.kept()), 1)
+            self.assertEqual(len(self.kept("files")), 1)
 
 
 if __name__ == "__main__":

@@ -53,7 +53,7 @@ public:
     explicit Repository(const std::string& text)
         : source_(states_of(scan_text("s/a.cu", text))), target_(states_of(scan_text("t/a.cpp", text))) {
         const std::vector<ScannedFile> left{scan_text("s/a.cu", text)}, right{scan_text("t/a.cpp", text)};
-        WordMacros here(left), there(right);
+        WordMacros here(file_macros(left)), there(file_macros(right));
         for (const auto& [id, unit] : source_) {
             const std::string other = "t/a.cpp" + id.substr(std::string("s/a.cu").size());
             if (!target_.contains(other)) continue;  // another language may read a broken text otherwise
@@ -79,7 +79,7 @@ public:
             return found == texts_.end() ? NormalText() : found->second;
         };
         Case facts{map_, lock_, here, there, skipped_, text_of, "2026-01-01"};
-        facts.files = {&left, &right};
+        facts.files.emplace(BySide<FilesOfSide>{FilesOfSide(left), FilesOfSide(right)});
         for (const ScannedFile& file : {std::cref(left[0]), std::cref(right[0])})
             for (const Suppression& comment : file.lexed.suppressions)
                 facts.suppressions.push_back({file.path, comment});

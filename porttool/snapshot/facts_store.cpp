@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/snapshot/facts_store.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "porttool/scan/scan.h"
+#include "porttool/text/fingerprint.h"
+#include "porttool/text/packed_bytes.h"
+#include "porttool/text/parallel.h"
+
+namespace porttool {
+namespace {
+
+constexpr uint64_t kMostBytes = 512ull << 20;
+constexpr std::string_view kFirstLine = "porttool files 1\n";
+
+}  // namespace
+
+FactsStore::FactsStore(std::string request, const std::string& repository, uint64_t least_bytes)
+    : request_(std::move(request)),
+      file_(fmt::format("{:016x}", hash_text(request_))),
+      cache_("files", repository),
+      least_bytes_(least_bytes) {}
+
+void FactsStore::open() {
+    if (std::exchange(is_open_, true)) return;
+    if (auto bytes = cache_.read(file_, kMostBytes); bytes && read(std::move(*bytes))) return;
+    kept_ = nullptr;
+    found_.clear();
+    key_ = random_trace_key();
+}
+
+/// A first line, the key, the request, a table of hashes and sizes, the facts one after the other, and a hash of all.
+bool FactsStore::read(std::string bytes) {
+    if (!bytes.starts_with(kFirstLine) || bytes.size() < kFirstLine.size() + sizeof(uint64_t)) return false;
+    kept_ = std::make_shared<const std::string>(std::move(bytes));
+    const std::string_view all = *kept_, body = all.substr(0, all.size() - sizeof(uint64_t));
+    ByteReader in(body.substr(kFirstLine.size()));
+    for (uint64_t& half : key_) half = in.number<uint64_t>();
+    if (ByteReader(all.substr(body.size())).number<uint64_t>() != keyed_hash(key_, body)) return false;
+    if (in.text() != request_) return false;
+    const auto count = in.number<uint64_t>();
+    if (count > in.left() / (2 * sizeof(uint64_t))) return false;
+    ByteReader facts = in;
+    facts.take(count * 2 * sizeof(uint64_t));
+    found_.reserve(count);
+    for (uint64_t i = 0; i < count; ++i) {
+        const auto hash = in.number<uint64_t>();
+        found_.emplace(hash, facts.take(in.number<uint64_t>()));
+    }
+    return facts.sound() && facts.at_end();
+}
+
+uint64_t FactsStore::hash_of(const SourceText& file, bool is_whole) const {
+    std::string key;
+    ByteWriter out(key);
+    out.text(file.path);
+    out.number<uint8_t>(is_whole);
+    out.number<uint64_t>(file.text.size());
+    out.number(keyed_hash(key_, file.text));
+    return keyed_hash(key_, key);
+}
+
+KnownSide FactsStore::know(std::vector<SourceText> files, const std::set<std::string>& named) {
+    open();
+    KnownSide side(files.size());
+    std::vector<Entry> entries(files.size());
+    in_parallel(files.size(), files.size() >= kFilesWorthThreads, [&](size_t i) {
+        SourceText& source = files[i];
+        const bool is_whole = named.contains(source.path + ":@file");
+        const uint64_t hash = hash_of(source, is_whole);
+        const auto found = found_.find(hash);
+        std::optional<FileFacts> facts;
+        if (found != found_.end()) facts = FileFacts::read(kept_, found->second);
+        const bool is_new = !facts;
+        if (is_new) {
+            const auto bytes =
+                std::make_shared<const std::string>(FileFacts::pack(scan_text(source.path, source.text), is_whole));
+            facts = FileFacts::read(bytes, *bytes);
+        }
+        entries[i] = {hash, facts->bytes(), is_new};
+        side[i] = std::make_shared<const KnownFile>(std::move(source.path), std::move(source.text), std::move(*facts));
+    });
+    known_.insert(known_.end(), entries.begin(), entries.end());
+    files_.insert(files_.end(), side.begin(), side.end());
+    return side;
+}
+
+void FactsStore::save() {
+    constexpr size_t kWorthIt = 64;  // a part of so many files is scanned again in less time than all are written
+    const auto fresh = static_cast<size_t>(
+        std::count_if(known_.begin(), known_.end(), [](const Entry& entry) { return entry.is_new; }));
+    if (fresh == 0 || (kept_ != nullptr && fresh < known_.size() / kWorthIt)) return;
+    std::vector<Entry> entries = known_;
+    std::unordered_map<uint64_t, std::string_view> others = found_;  // as of another branch
+    uint64_t bytes = 0, other_bytes = 0;
+    for (const Entry& entry : known_) {
+        others.erase(entry.hash);
+        bytes += entry.bytes.size();
+    }
+    for (const auto& [hash, facts] : others) other_bytes += facts.size();
+    if (other_bytes <= bytes)
+        for (const auto& [hash, facts] : others) entries.push_back({hash, facts, false});
+    std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.hash < b.hash; });
+    entries.erase(
+        std::unique(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.hash == b.hash; }),
+        entries.end());
+    std::string out(kFirstLine);
+    ByteWriter writer(out);
+    for (const uint64_t half : key_) writer.number(half);
+    writer.text(request_);
+    writer.number<uint64_t>(entries.size());
+    for (const Entry& entry : entries) {
+        writer.number(entry.hash);
+        writer.number<uint64_t>(entry.bytes.size());
+    }
+    for (const Entry& entry : entries) out += entry.bytes;
+    writer.number(keyed_hash(key_, out));
+    cache_.write(file_, out, kMostBytes);
+}
+
+}  // namespace porttool

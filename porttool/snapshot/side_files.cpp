@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/snapshot/side_files.h"
+
+#include "porttool/scan/scan.h"
+#include "porttool/snapshot/merge_marks.h"
+
+namespace porttool {
+
+const ScannedFile& KnownFile::scanned_once() const {
+    if (!scanned_) scanned_ = scan_text(path_, bytes_);
+    return *scanned_;
+}
+
+const ScannedFile& KnownFile::scanned() const {
+    const std::lock_guard lock(mutex_);
+    return scanned_once();
+}
+
+const NormalText& KnownFile::text(uint32_t unit) const {
+    const std::lock_guard lock(mutex_);
+    const auto known = texts_.find(unit);
+    if (known != texts_.end()) return known->second;
+    return texts_.emplace(unit, state_of(scanned_once(), unit).text.get()).first->second;
+}
+
+void KnownFile::each_name(uint32_t unit, const std::function<void(std::string_view)>& visit) const {
+    for (const uint32_t name : facts_.units()[unit].names) visit(facts_.names()[name]);
+}
+
+std::vector<UnitState> states_of(const std::shared_ptr<const KnownFile>& file) {
+    std::vector<UnitState> out;
+    const std::vector<KnownUnit>& units = file->facts().units();
+    out.reserve(units.size());
+    for (uint32_t i = 0; i < units.size(); ++i) {
+        const KnownUnit& unit = units[i];
+        UnitState& state = out.emplace_back();
+        state.id.reserve(file->path().size() + 1 + unit.name.size());
+        state.id.append(file->path()).append(":").append(unit.name);
+        state.file = file->path();
+        state.name = unit.name;
+        state.kind = unit.kind;
+        state.start_line = unit.start_line;
+        state.end_line = unit.end_line;
+        state.prints = unit.prints;
+        state.text = UnitText(file, i, unit.words);
+    }
+    return out;
+}
+
+const std::string& FilesOfSide::path(size_t file) const {
+    return scanned_ != nullptr ? (*scanned_)[file].path : (*known_)[file]->path();
+}
+
+size_t FilesOfSide::tokens(size_t file) const {
+    return scanned_ != nullptr ? (*scanned_)[file].lexed.tokens.size() : (*known_)[file]->facts().tokens();
+}
+
+std::vector<std::string_view> FilesOfSide::unit_names(size_t file) const {
+    std::vector<std::string_view> out;
+    if (scanned_ != nullptr) {
+        for (const Unit& unit : (*scanned_)[file].units) out.emplace_back(unit.name);
+    } else {
+        for (const KnownUnit& unit : (*known_)[file]->facts().units())
+            if (unit.kind != UnitKind::File) out.push_back(unit.name);
+    }
+    return out;
+}
+
+const std::vector<Suppression>& FilesOfSide::suppressions(size_t file) const {
+    return scanned_ != nullptr ? (*scanned_)[file].lexed.suppressions : (*known_)[file]->facts().suppressions();
+}
+
+std::optional<uint32_t> FilesOfSide::unfinished_merge(size_t file) const {
+    return scanned_ != nullptr ? porttool::unfinished_merge((*scanned_)[file].lexed.text)
+                               : (*known_)[file]->facts().unfinished_merge();
+}
+
+const ScannedFile& FilesOfSide::scanned(size_t file) const {
+    return scanned_ != nullptr ? (*scanned_)[file] : (*known_)[file]->scanned();
+}
+
+std::vector<FileMacros> FilesOfSide::macros() const {
+    if (scanned_ != nullptr) return file_macros(*scanned_);
+    std::vector<FileMacros> out;
+    out.reserve(known_->size());
+    for (const auto& file : *known_) out.push_back({file->path(), file->facts().macros(), file->facts().includes()});
+    return out;
+}
+
+}  // namespace porttool

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "porttool/snapshot/file_facts.h"
+
+namespace porttool {
+
+/// A file of a side by its facts. It is scanned, and texts of its units are written in normal form, when somebody asks.
+class KnownFile final : public TextSource {
+public:
+    KnownFile(std::string path, std::string bytes, FileFacts facts)
+        : path_(std::move(path)), bytes_(std::move(bytes)), facts_(std::move(facts)) {}
+
+    const std::string& path() const { return path_; }
+    const FileFacts& facts() const { return facts_; }
+    const ScannedFile& scanned() const;
+    const NormalText& text(uint32_t unit) const override;
+    void each_name(uint32_t unit, const std::function<void(std::string_view)>& visit) const override;
+
+private:
+    const ScannedFile& scanned_once() const;
+
+    std::string path_, bytes_;
+    FileFacts facts_;
+    mutable std::mutex mutex_;
+    mutable std::optional<ScannedFile> scanned_;
+    mutable std::map<uint32_t, NormalText> texts_;
+};
+
+using KnownSide = std::vector<std::shared_ptr<const KnownFile>>;
+
+/// The states of a known file's units, their texts still with it.
+std::vector<UnitState> states_of(const std::shared_ptr<const KnownFile>& file);
+
+/// The files of one side, as a judgement asks for them: all scanned, or known by their facts. What they are made of
+/// must outlive it.
+class FilesOfSide {
+public:
+    explicit FilesOfSide(const std::vector<ScannedFile>& scanned) : scanned_(&scanned) {}
+    explicit FilesOfSide(const KnownSide& known) : known_(&known) {}
+
+    size_t size() const { return scanned_ != nullptr ? scanned_->size() : known_->size(); }
+    const std::string& path(size_t file) const;
+    size_t tokens(size_t file) const;
+    /// The names of the file's units, in order.
+    std::vector<std::string_view> unit_names(size_t file) const;
+    const std::vector<Suppression>& suppressions(size_t file) const;
+    std::optional<uint32_t> unfinished_merge(size_t file) const;
+    const ScannedFile& scanned(size_t file) const;
+    std::vector<FileMacros> macros() const;
+
+private:
+    const std::vector<ScannedFile>* scanned_ = nullptr;
+    const KnownSide* known_ = nullptr;
+};
+
+}  // namespace porttool
