@@ -313,6 +313,18 @@ class StoryTest(Person):
         return [brightness([pixel for row in rows for pixel in row[first:first + WIDTH // 4:4]])
                 for first in (WIDTH // 4 - 16, WIDTH // 2 + 16)]
 
+    def settled_halves(self):
+        """The same, once nothing comes any more: a coarse picture comes first, of one core before the other."""
+        seen = [self.halves()]
+
+        def rests(_):
+            time.sleep(0.7)
+            seen.append(self.halves())
+            return seen[-1] == seen[-2]
+
+        self.until(rests)
+        return seen[-1]
+
     def rebuild(self, module):
         """Compiles what porttool wrote (one lane: all that exact mode runs) and links the core's module anew, both by the
         commands of the build; the objects of all other files are the build's."""
@@ -359,7 +371,7 @@ class StoryTest(Person):
         self.until(lambda now: brightness(now) < 2)
         self.xdotool("key", "2")
         self.until(lambda now: brightness(now) > 20)
-        before = self.halves()
+        before = self.settled_halves()
         self.show(1.5)
 
         source = self.folder / "source_core/kernels/finalize.glsl"
