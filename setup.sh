@@ -25,7 +25,7 @@ packages=(
     libgit2-dev zlib1g-dev libtomlplusplus-dev libjemalloc-dev
     # Tests and style
     libgtest-dev libgmock-dev universal-ctags similarity-tester clang-format
-    python3-jsonschema python3-yaml cmark-gfm python3-pyte xvfb xdotool
+    python3-jsonschema python3-yaml python3-numpy cmark-gfm python3-pyte xvfb xdotool
 )
 
 # What may also come from elsewhere than Debian.

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "porttool/audit/certainty.h"
+#include "porttool/audit/essence.h"
 #include "porttool/audit/past_walk.h"
 #include "porttool/audit/port_patch.h"
 #include "porttool/audit/stray_edits.h"

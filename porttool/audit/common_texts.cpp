@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "porttool/audit/essence.h"
 #include "porttool/compare/meaning.h"
 #include "porttool/normal/locals.h"
 #include "porttool/normal/prelude.h"

@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "porttool/audit/essence.h"
 #include "porttool/audit/likeness.h"
 #include "porttool/audit/lineage.h"
+#include "porttool/audit/substance.h"
 #include "porttool/compare/meaning.h"
 #include "porttool/language/dialect.h"
 #include "porttool/language/language.h"

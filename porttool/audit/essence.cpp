@@ -3,13 +3,11 @@
 #include "porttool/audit/essence.h"
 
 #include <algorithm>
-#include <array>
 #include <string_view>
 #include <utility>
 
 #include "porttool/language/words.h"
 #include "porttool/normal/declaration_words.h"
-#include "porttool/normal/diff.h"
 #include "porttool/normal/normal_form.h"
 #include "porttool/normal/statements.h"
 #include "porttool/text/letters.h"
@@ -321,70 +319,7 @@ Text with_whole_vectors(const Text& words) {
     return out;
 }
 
-/// What the words of one place of a change are: some matter to the other side, some it has no name for.
-struct Matter {
-    float known = 0, unknown = 0;
-    float slight = 0;  ///< known names of a letter or two that took another's place: another index, mostly
-
-    float degree() const {
-        constexpr float kBesideNewNames = 0.2f;
-        const float all = known + (unknown > 0 ? kBesideNewNames : 1.0f) * slight;
-        return all <= 0 ? 0 : std::min(1.0f, all) * all / (all + unknown);
-    }
-
-    /// A number that got a name, or a name whose number is written out: most often the same value.
-    void add_named_number(const std::vector<const std::string*>& words, const KnownThere& there) {
-        constexpr float kOtherValue = 0.3f;
-        for (const std::string* word : words)
-            if (is_word_token(*word) && !is_type_word(*word)) {
-                known += kOtherValue * there.degree(*word);
-                unknown += 1 - there.degree(*word);
-            }
-    }
-
-    /// `replaces`: it stands in the place of other words, which a name that is new there would only rename.
-    void add(const std::string& word, const KnownThere& there, bool replaces) {
-        constexpr std::string_view kBrackets = "()[]{},;.:#@=";
-        if (is_number_token(word)) {
-            known += 1;
-        } else if (!is_word_token(word)) {
-            const bool bracket = word.size() == 1 && kBrackets.find(word[0]) != std::string_view::npos;
-            if (!bracket && word != "->" && word != "::") known += 1;
-        } else if (!is_type_word(word) && word != "return") {
-            const bool only_here =
-                !there.side->contains(word) || (there.own->contains(word) && !there.unit->contains(word));
-            const float degree = replaces && only_here ? 0.0f : there.degree(word);
-            (replaces && word.size() < 3 ? slight : known) += degree;
-            unknown += 1 - degree;
-        }
-    }
-};
-
-/// True if nothing but the way to a value changed: an object before a member, the first element of an array.
-bool is_way_to_value(const std::vector<const std::string*>& words) {
-    bool leads = false;
-    for (const std::string* word : words) {
-        const bool mark = *word == "." || *word == "[" || *word == "]" || *word == "::";
-        leads = leads || mark;
-        if (!mark && !is_word_token(*word) && *word != "0") return false;
-    }
-    return leads;
-}
-
-/// True for the `y` of `v . y`, as `v [ 1 ]` is said, too: which one it is matters like a number.
-bool is_component(const std::string* word, const Text& of) {
-    constexpr std::string_view kComponents = "xyzw";
-    return word > of.data() && *(word - 1) == "." && word->size() == 1 &&
-           kComponents.find(word->front()) != std::string_view::npos;
-}
-
 }  // namespace
-
-Text value_of(const Text& words) {
-    if (!words.empty() && words[0] == "return") return {words.begin() + 1, words.end()};
-    const bool plain = words.size() > 2 && is_word_token(words[0]) && words[1] == "=";
-    return plain ? Text(words.begin() + 2, words.end()) : words;
-}
 
 std::string plain_word(const std::string& word, const Dialect& dialect) {
     constexpr size_t kShort = 3;  // N and n are two things
@@ -395,75 +330,12 @@ std::string plain_word(const std::string& word, const Dialect& dialect) {
     return folded(word);
 }
 
-float substance_of(const Text& before, const Text& now, const KnownThere& there) {
-    const Text old_value = value_of(before), new_value = value_of(now);
-    std::vector<const std::string*> lost, gained;
-    Matter matter;
-    const auto finish = [&] {
-        const bool way = (lost.empty() && is_way_to_value(gained)) || (gained.empty() && is_way_to_value(lost));
-        const auto is_number = [](const auto& words) { return words.size() == 1 && is_number_token(*words[0]); };
-        const auto has_name = [](const auto& words) {
-            return std::any_of(words.begin(), words.end(), [](const std::string* one) { return is_word_token(*one); });
-        };
-        const bool by_new_local =
-            std::any_of(gained.begin(), gained.end(),
-                        [&](const std::string* one) { return there.new_locals->contains(*one); }) &&
-            std::none_of(gained.begin(), gained.end(), [&](const std::string* one) {
-                return is_word_token(*one) && !there.new_locals->contains(*one);
-            });
-        const bool drops_argument = gained.empty() && lost.size() == 2 && *lost[0] == "," &&
-                                    (is_word_token(*lost[1]) || is_number_token(*lost[1]));
-        if (drops_argument) {
-            matter.add(*lost[1], there, true);
-            matter.unknown += 1;
-        } else if (by_new_local) {
-            const bool joins = lost.empty() && gained.size() > 1 && is_one_of(*gained.front(), {"*", "/", "+", "-"});
-            (joins ? matter.known : matter.unknown) += 1;  // `a` became `a * scale`, or only got another name
-        } else if ((is_number(lost) && has_name(gained)) || (is_number(gained) && has_name(lost)))
-            matter.add_named_number(gained.size() > lost.size() || is_number(lost) ? gained : lost, there);
-        else if (!way)
-            for (const std::string* word : gained.empty() ? lost : gained) {
-                if (is_component(word, gained.empty() ? old_value : new_value))
-                    matter.known += 1;
-                else
-                    matter.add(*word, there, !lost.empty() && !gained.empty());
-            }
-        lost.clear();
-        gained.clear();
-    };
-    for (const DiffStep& step : diff(old_value, new_value)) {
-        if (step.kind == DiffStep::Remove) lost.push_back(&old_value[step.before]);
-        if (step.kind == DiffStep::Add) gained.push_back(&new_value[step.now]);
-        if (step.kind == DiffStep::Keep) finish();
-    }
-    finish();
-    return matter.degree();
-}
-
 Text essence_of(const Text& words, const Dialect& dialect) {
     Text out = with_plain_nulls(with_plain_assignment(with_plain_steps(
         with_plain_calls(without_marks(with_plain_places(without_casts(without_declaration(words))))))));
     for (std::string& word : out) word = plain_word(word, dialect);
     std::erase_if(out, [](const std::string& word) { return word == "this"; });
     return with_whole_vectors(out);
-}
-
-bool is_turned_round(const Text& before, const Text& now) {
-    if (before.empty() || now.empty() || before[0] != now[0] || (now[0] != "if" && now[0] != "return")) return false;
-    constexpr std::array<std::pair<std::string_view, std::string_view>, 3> kOpposites = {
-        {{"<", ">="}, {">", "<="}, {"==", "!="}}};
-    const std::vector<DiffStep> steps = diff(before, now);
-    std::vector<std::string> lost, gained;
-    for (const DiffStep& step : steps) {
-        if (step.kind == DiffStep::Remove) lost.push_back(before[step.before]);
-        if (step.kind == DiffStep::Add) gained.push_back(now[step.now]);
-    }
-    for (const Text* one : {&lost, &gained})
-        if (one->size() > 1) return false;
-    if (lost.empty() || gained.empty()) return (lost.empty() ? gained : lost) == Text{"!"};
-    return std::any_of(kOpposites.begin(), kOpposites.end(), [&](const auto& two) {
-        return (lost[0] == two.first && gained[0] == two.second) || (lost[0] == two.second && gained[0] == two.first);
-    });
 }
 
 }  // namespace porttool

@@ -7,7 +7,6 @@
 
 #include "porttool/audit/aside.h"
 #include "porttool/audit/declaration_edit.h"
-#include "porttool/audit/essence.h"
 #include "porttool/audit/likeness.h"
 #include "porttool/audit/replaced_statement.h"
 #include "porttool/audit/said_otherwise.h"

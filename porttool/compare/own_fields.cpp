@@ -33,9 +33,11 @@ Fields fields_of(const Words& text) {
     return out;
 }
 
+using TypedFields = std::vector<std::pair<std::string, std::string>>;
+
 /// Names and types of a struct's fields, in their order.
-std::vector<std::pair<std::string, std::string>> typed_fields(const Words& text) {
-    std::vector<std::pair<std::string, std::string>> out;
+TypedFields typed_fields(const Words& text) {
+    TypedFields out;
     const auto as_written = [](const Words& words, bool) {
         return std::vector<std::string>(words.begin(), words.end());
     };
@@ -50,8 +52,6 @@ std::vector<std::pair<std::string, std::string>> typed_fields(const Words& text)
     }
     return out;
 }
-
-using TypedFields = std::vector<std::pair<std::string, std::string>>;
 
 /// The fields that came, each as "the one before it, its name", with its type; nothing if others changed or went.
 std::map<std::string, std::string> only_gained(const TypedFields& before, const TypedFields& now) {

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <optional>
+#include <set>
+#include <utility>
 
 namespace porttool {
 namespace {
@@ -123,6 +125,38 @@ bool class_matches(std::string_view pattern, size_t& at, char c) {
     return found != negated;
 }
 
+/// Segments of a pattern against a path's, one after another. Where a `**` may stand for this one or for no more, both
+/// are followed.
+class PatternProgress {
+public:
+    explicit PatternProgress(const std::vector<std::string>& pattern) : pattern_(pattern) { reach(0); }
+
+    void step(std::string_view name) {
+        const std::set<size_t> reached = std::exchange(reached_, {});
+        for (const size_t at : reached) {
+            if (at == pattern_.size()) continue;
+            if (pattern_[at] == "**")
+                reach(at);
+            else if (segment_matches(pattern_[at], name))
+                reach(at + 1);
+        }
+    }
+
+    /// True if there is a path that goes on from here and matches.
+    bool may_go_on() const { return !reached_.empty() && *reached_.begin() < pattern_.size(); }
+
+private:
+    void reach(size_t at) {
+        const auto is_any = [&] { return at < pattern_.size() && pattern_[at] == "**"; };
+        for (; is_any(); ++at)
+            if (at + 1 == pattern_.size() || pattern_[at + 1] != "**") reached_.insert(at);
+        reached_.insert(at);
+    }
+
+    const std::vector<std::string>& pattern_;
+    std::set<size_t> reached_;  ///< how many segments of the pattern may be behind
+};
+
 }  // namespace
 
 bool segment_matches(std::string_view pattern, std::string_view name) {
@@ -218,6 +252,15 @@ bool Glob::matches(std::string_view path) const {
     const auto segments = split_path(path);
     return std::any_of(alternatives_.begin(), alternatives_.end(),
                        [&](const auto& alternative) { return segments_match(alternative, segments); });
+}
+
+bool Glob::may_match_below(std::string_view folder) const {
+    const auto segments = split_path(folder);
+    return std::any_of(alternatives_.begin(), alternatives_.end(), [&](const auto& alternative) {
+        PatternProgress progress(alternative);
+        for (const std::string_view segment : segments) progress.step(segment);
+        return progress.may_go_on();
+    });
 }
 
 std::vector<std::string> Glob::roots() const {

@@ -22,6 +22,8 @@ public:
     explicit Glob(std::string_view pattern);
 
     bool matches(std::string_view path) const;
+    /// False for a folder below which no path matches.
+    bool may_match_below(std::string_view folder) const;
     /// The folders that hold every match, as far as they are spelled out: "src" for `src/*.cl`.
     std::vector<std::string> roots() const;
     /// True if the pattern has no wildcard and is one path.

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <deque>
 #include <limits>
 #include <map>
 #include <set>
@@ -35,9 +34,10 @@ public:
     Walker(const Disk& disk, const std::string& root, const std::string& own = "", size_t most_entries = kUnbounded)
         : disk_(disk), root_(root), own_(own), most_entries_(most_entries) {}
 
-    /// Calls `visit(path)` for each file below `folder` that is not ignored.
-    template <class Visit>
-    void walk(const std::string& folder, const Visit& visit) {
+    /// Calls `visit(path)` for each file below `folder` that is not ignored. `concerns(path)`: false for a folder, or a
+    /// link that may stand for one, that is left out with all that lies in it.
+    template <class Concerns, class Visit>
+    void walk(const std::string& folder, const Concerns& concerns, const Visit& visit) {
         std::vector<std::string> open = {folder == "." ? "" : folder};
         while (!open.empty()) {
             const std::string at = open.back();
@@ -51,6 +51,7 @@ public:
                 if (entry.name == ".git") continue;
                 if (++entries_ > most_entries_)
                     throw too_much(root_, fmt::format("{} files and folders", most_entries_));
+                if (entry.is_directory && !concerns(path)) continue;
                 if (rules.ignores(path, entry.is_directory)) {
                     ignored_some_ = true;
                     continue;
@@ -59,7 +60,7 @@ public:
                     open.push_back(path);
                 else
                     visit(path);
-                if (entry.is_link && language_of_path(path) == Language::Unknown) note_way_out(path);
+                if (entry.is_link && language_of_path(path) == Language::Unknown && concerns(path)) note_way_out(path);
             }
         }
     }
@@ -180,7 +181,8 @@ SourceSet read_paths(const Disk& disk, const std::string& root, const std::vecto
         if (disk.is_directory(full)) {
             const bool beneath = disk.kind({root, path}) == FileKind::Folder;
             Walker walker(disk, root, beneath ? "" : path);
-            walker.walk(path, [&](const std::string& file) {
+            const auto all = [](const std::string&) { return true; };
+            walker.walk(path, all, [&](const std::string& file) {
                 if (language_of_path(file) != Language::Unknown) found.emplace(file, walker.place_of(file));
             });
             add_refused(out, walker);
@@ -200,22 +202,17 @@ namespace {
 /// Reads what globs match, walking each of their folders once.
 class GlobReader {
 public:
-    GlobReader(const Disk& disk, const std::string& root, const GlobScope& scope)
-        : disk_(disk), root_(root), scope_(scope) {}
+    GlobReader(const Disk& disk, const std::string& root, const std::vector<std::string>& globs, const GlobScope& scope)
+        : disk_(disk), root_(root), globs_(globs), scope_(scope) {
+        for (const std::string& text : globs) asked_.emplace_back(text, root, scope.sources_only);
+    }
 
-    /// How many files a glob matches.
-    size_t take(const std::string& text) {
-        const SourceGlob& asked = asked_.emplace_back(text, root_, scope_.sources_only);
-        size_t count = 0;
-        if (const std::string& path = asked.own_path(); !path.empty()) {
-            const TreePath place = scope_.reach == Reach::Beneath ? TreePath{root_, path} : place_of_path(root_, path);
-            const FileKind kind = disk_.kind(place);
-            if (kind == FileKind::File || kind == FileKind::Other) count += take_file(asked, path, place);
-        }
-        for (const std::string& folder : asked.glob().roots())
-            for (const auto& [file, place] : files_below(folder)) count += take_file(asked, file, place);
-        for (const std::string& file : scope_.named) count += take_hidden(asked, file);
-        return count;
+    /// Those of the globs that match no file.
+    std::vector<std::string> unmatched() {
+        std::vector<std::string> out;
+        for (size_t i = 0; i < globs_.size(); ++i)
+            if (take(asked_[i]) == 0) out.push_back(globs_[i]);
+        return out;
     }
 
     SourceSet read() {
@@ -234,6 +231,20 @@ public:
     }
 
 private:
+    /// How many files a glob matches.
+    size_t take(const SourceGlob& asked) {
+        size_t count = 0;
+        if (const std::string& path = asked.own_path(); !path.empty()) {
+            const TreePath place = scope_.reach == Reach::Beneath ? TreePath{root_, path} : place_of_path(root_, path);
+            const FileKind kind = disk_.kind(place);
+            if (kind == FileKind::File || kind == FileKind::Other) count += take_file(asked, path, place);
+        }
+        for (const std::string& folder : asked.glob().roots())
+            for (const auto& [file, place] : files_below(folder)) count += take_file(asked, file, place);
+        for (const std::string& file : scope_.named) count += take_hidden(asked, file);
+        return count;
+    }
+
     size_t take_file(const SourceGlob& asked, const std::string& file, const TreePath& place) {
         if (!asked.takes(file)) return 0;
         found_.emplace(file, place);
@@ -254,14 +265,21 @@ private:
             walkers_
                 .try_emplace(own, disk_, root_, own, scope_.reach == Reach::Beneath ? scope_.most_entries : kUnbounded)
                 .first->second;
-        walker.walk(folder, [&](const std::string& file) { files->second.emplace(file, walker.place_of(file)); });
+        const auto concerns = [&](const std::string& path) {
+            return std::any_of(asked_.begin(), asked_.end(), [&](const SourceGlob& asked) {
+                return asked.glob().matches(path) || asked.glob().may_match_below(path);
+            });
+        };
+        walker.walk(folder, concerns,
+                    [&](const std::string& file) { files->second.emplace(file, walker.place_of(file)); });
         return files->second;
     }
 
     const Disk& disk_;
     const std::string& root_;
+    const std::vector<std::string>& globs_;
     const GlobScope& scope_;
-    std::deque<SourceGlob> asked_;
+    std::vector<SourceGlob> asked_;
     FoundFiles found_;
     std::map<std::string, FoundFiles> listed_;  ///< by folder
     std::map<std::string, Walker> walkers_;     ///< by the folder that they do not leave, "" for the root
@@ -271,9 +289,9 @@ private:
 
 SourceSet read_globs(const Disk& disk, const std::string& root, const std::vector<std::string>& globs,
                      std::vector<std::string>& unmatched, const GlobScope& scope) {
-    GlobReader reader(disk, root, scope);
-    for (const std::string& text : globs)
-        if (reader.take(text) == 0) unmatched.push_back(text);
+    GlobReader reader(disk, root, globs, scope);
+    const std::vector<std::string> idle = reader.unmatched();
+    unmatched.insert(unmatched.end(), idle.begin(), idle.end());
     return reader.read();
 }
 

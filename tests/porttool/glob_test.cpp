@@ -46,6 +46,43 @@ TEST(Glob, AFolderMeansWhatLiesInIt) {
     EXPECT_FALSE(matches("src", "srcs/a.cl"));
 }
 
+TEST(Glob, FoldersWithoutAMatchAreKnown) {
+    const auto below = [](const char* pattern, const char* folder) { return Glob(pattern).may_match_below(folder); };
+    EXPECT_TRUE(below("src/*-cuda/**", "src"));
+    EXPECT_TRUE(below("src/*-cuda/**", "src/a-cuda/b/c"));
+    EXPECT_FALSE(below("src/*-cuda/**", "src/a-hip"));
+    EXPECT_FALSE(below("src/*-cuda/**", "lib/a-cuda"));
+    EXPECT_TRUE(below("src/*.cl", "src"));
+    EXPECT_FALSE(below("src/*.cl", "src/kernels"));
+    EXPECT_TRUE(below("src/**/cl/*.cl", "src/a/b"));
+    EXPECT_TRUE(below("src/**/**/cl/*.cl", "src/cl/cl"));
+    EXPECT_TRUE(below("{src,lib}/cl", "lib/cl"));
+    EXPECT_FALSE(below("{src,lib}/cl", "bin"));
+    EXPECT_TRUE(below(".", "anything/at/all"));
+}
+
+// A folder is entered where, and only where, a path below it matches: by trying all short paths.
+TEST(Glob, NoMatchLiesBelowAFolderThatIsNotEntered) {
+    const std::vector<std::string> segments = {"a", "b", "*", "**"}, names = {"a", "b", "c"};
+    std::vector<std::string> patterns = segments, paths = names;
+    const auto grow = [](std::vector<std::string>& these, const std::vector<std::string>& ends, size_t longest) {
+        for (size_t i = 0; i < these.size(); ++i)
+            for (const std::string& end : ends)
+                if (these[i].size() < longest) these.push_back(these[i] + "/" + end);
+    };
+    grow(patterns, segments, 5);
+    grow(paths, names, 7);
+    for (const std::string& text : patterns) {
+        const Glob glob(text);
+        for (const std::string& folder : names) {
+            const bool any = std::any_of(paths.begin(), paths.end(), [&](const std::string& path) {
+                return path.starts_with(folder + "/") && glob.matches(path);
+            });
+            EXPECT_EQ(glob.may_match_below(folder), any) << text << " below " << folder;
+        }
+    }
+}
+
 TEST(Glob, HostilePatternsEnd) {
     EXPECT_FALSE(matches("*a*a*a*a*a*a*a*a*a*a*a*b", std::string(300, 'a').c_str()));
     EXPECT_FALSE(matches("**/**/**/**/**/**/b", "a/a/a/a/a/a/a/a/a/a/a/a/a/a/a/a"));
