@@ -80,7 +80,8 @@ private:
                 return;
             }
             if (there != kNothing && was == 0) return change_words(hunks, was, is, there);
-            if ((there == kNothing && change_result(was, is)) || change_type(hunks, was) || change_value(hunks, was))
+            if ((there == kNothing && (change_elsewhere(hunks, was) || change_result(was, is))) ||
+                change_type(hunks, was) || change_value(hunks, was))
                 return;
             strange_.emplace_back(was, is);
             return;
@@ -145,6 +146,12 @@ private:
         return said.empty() || said.back().text != texts_.target.words[other];
     }
 
+    /// The port may have the statement at another place.
+    bool change_elsewhere(const std::vector<Hunk>& hunks, size_t was) {
+        const std::optional<size_t> there = only_statement(was);
+        return there && change_there(hunks, before(was).first, target(*there).first);
+    }
+
     /// What both sides give back is the same, however they come to it: `return f ( a ) ;` that became
     /// `return 0.5 * f ( a ) ;` makes `return 0.5f * sum ;` of the port's `return sum ;`.
     bool change_result(size_t was, size_t is) {
@@ -191,13 +198,6 @@ private:
                 return change_there(hunks, named.first, *at);
         const std::optional<size_t> at = value.size() < kShortest ? std::nullopt : only_counterpart(value);
         return at && change_there(hunks, value.first, *at);
-    }
-
-    /// Where the target says the words of the source's old text, word for word, once on both sides.
-    std::optional<size_t> only_counterpart(const Clause& old) const {
-        const CarriedWords said = carry_old(old.first, old.end);
-        if (!said.unknown.empty() || said.words.size() != old.size() || times_in_source(old) != 1) return std::nullopt;
-        return only_place_of(said.words);
     }
 
     /// What stands from `at` on in the target stands for what stands from `first` on: each word for its like.
@@ -256,26 +256,6 @@ private:
         out_.replaced.push_back({*place + (hunks[0].first - here.first), *place + (hunks[0].end - here.first),
                                  made.words, hunks[0].now_first, hunks[0].now_end});
         return true;
-    }
-
-    /// Where the target says the words, if it does so once.
-    std::optional<size_t> only_place_of(const std::vector<CarriedWord>& words) const {
-        std::optional<size_t> out;
-        for (size_t i = 0; i + words.size() <= texts_.target.words.size(); ++i) {
-            if (!says(i, i + words.size(), words, true)) continue;
-            if (out) return std::nullopt;
-            out = i;
-        }
-        return out;
-    }
-
-    size_t times_in_source(const Clause& clause) const {
-        const auto word = [&](size_t i) { return texts_.before.exact.begin() + static_cast<std::ptrdiff_t>(i); };
-        size_t out = 0;
-        for (auto at = texts_.before.exact.begin();; ++at, ++out) {
-            at = std::search(at, texts_.before.exact.end(), word(clause.first), word(clause.end));
-            if (at == texts_.before.exact.end()) return out;
-        }
     }
 
     /// True if the target has a clause like that of the source's new text which stands for none of its old one.
@@ -574,13 +554,32 @@ private:
 
     /// A neutral edit of words that the target spells as the source did.
     void respell(const Hunk& hunk) {
+        if (hunk.first == hunk.end) return put_scope(hunk);
         if (!is_spelled_alike(hunk)) return;
         const size_t first = word_of(hunk.first), size = hunk.end - hunk.first;
         CarriedWords now = carry_new(hunk.now_first, hunk.now_end);
-        if (!now.unknown.empty()) return;
+        if (!now.unknown.empty() || marks_otherwise(hunk)) return;
         now.words.clear();
         for (size_t i = hunk.now_first; i < hunk.now_end; ++i) now.words.push_back({written_(i), i});
         respelled_.push_back({first, first + size, std::move(now.words), hunk.now_first, hunk.now_end});
+    }
+
+    /// True for numbers of which one has a mark of its type and the other has none: the target has its own manner.
+    bool marks_otherwise(const Hunk& hunk) const {
+        if (!is_word_for_word(hunk) || !is_number_token(texts_.before.words[hunk.first])) return false;
+        const auto is_marked = [](const std::string& number) { return number.ends_with('f') || number.ends_with('F'); };
+        return is_marked(texts_.before.words[hunk.first]) != is_marked(texts_.now.words[hunk.now_first]);
+    }
+
+    /// `std :: min` for `min` that the target spells as the source did.
+    void put_scope(const Hunk& hunk) {
+        const size_t name = hunk.first, there = name < texts_.before.words.size() ? word_of(name) : kNothing;
+        if (hunk.now_first == hunk.now_end || texts_.now.words[hunk.now_end - 1] != "::" || there == kNothing ||
+            texts_.target.words[there] != texts_.before.words[name] || has_own_prefix(name, there))
+            return;
+        CarriedWords scope = carry_new(hunk.now_first, hunk.now_end);
+        if (scope.unknown.empty())
+            respelled_.push_back({there, there, std::move(scope.words), hunk.now_first, hunk.now_end});
     }
 
     /// True where one name stands for one name, of which nothing else is known.

@@ -92,17 +92,55 @@ bool EditReading::is_said_more_often(size_t was, size_t there) const {
 
 bool EditReading::stands_for_something(size_t there) const { return stands_for_.contains(there); }
 
+std::optional<size_t> EditReading::only_counterpart(const Clause& old) const {
+    const CarriedWords said = carry_old(old.first, old.end);
+    if (!said.unknown.empty() || said.words.size() != old.size() || times_in_source(old) != 1) return std::nullopt;
+    return only_place_of(said.words);
+}
+
+std::optional<size_t> EditReading::only_statement(size_t c) const {
+    constexpr size_t kShortest = 5;
+    const Clause& old = before(c);
+    if (old.opens || old.closes || old.size() < kShortest) return std::nullopt;
+    const std::optional<size_t> at = only_counterpart(old);
+    if (!at) return std::nullopt;
+    for (size_t i = 0; i < texts_.target.clauses.size(); ++i)
+        if (target(i).first == *at && target(i).end == *at + old.size() && !stands_for_something(i)) return i;
+    return std::nullopt;
+}
+
+std::optional<size_t> EditReading::only_place_of(const std::vector<CarriedWord>& words) const {
+    std::optional<size_t> out;
+    for (size_t i = 0; i + words.size() <= texts_.target.words.size(); ++i) {
+        if (!says(i, i + words.size(), words, true)) continue;
+        if (out) return std::nullopt;
+        out = i;
+    }
+    return out;
+}
+
+size_t EditReading::times_in_source(const Clause& clause) const {
+    const auto word = [&](size_t i) { return texts_.before.exact.begin() + static_cast<std::ptrdiff_t>(i); };
+    size_t out = 0;
+    for (auto at = texts_.before.exact.begin();; ++at, ++out) {
+        at = std::search(at, texts_.before.exact.end(), word(clause.first), word(clause.end));
+        if (at == texts_.before.exact.end()) return out;
+    }
+}
+
 size_t EditReading::near(size_t c) const {
     if (counterpart(c) != kNothing) return target(counterpart(c)).first;
-    size_t left = 0, right = texts_.target.clauses.size();
+    size_t left = 0, right = texts_.target.clauses.size(), after_left = c, before_right = texts_.before.clauses.size();
     for (size_t i = c; i-- > 0;)
         if (counterpart(i) != kNothing) {
             left = counterpart(i);
+            after_left = c - i;
             break;
         }
     for (size_t i = c + 1; i < texts_.before.clauses.size(); ++i)
         if (counterpart(i) != kNothing) {
             right = counterpart(i);
+            before_right = i - c;
             break;
         }
     // What resembles it a little between its neighbours, or well anywhere, may stand for it in another form.
@@ -115,7 +153,9 @@ size_t EditReading::near(size_t c) const {
     likeness = kWell;
     for (size_t i = 1; i < texts_.target.clauses.size(); ++i)
         if (const double found = resemblance(c, i); found > likeness) likeness = found, best = i;
-    return target(best).first;
+    if (best != left) return target(best).first;
+    const bool is_right = before_right < after_left && right < texts_.target.clauses.size();
+    return is_right ? target(right).first : target(left).end - 1;
 }
 
 /// The share of names and numbers that a clause of the source's old text and one of the target have in common, if that

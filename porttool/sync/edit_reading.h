@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -33,6 +34,10 @@ public:
     /// True for a statement that the target has more often than the source: one of them may not be all.
     bool is_said_more_often(size_t was, size_t there) const;
     bool stands_for_something(size_t there) const;
+    /// Where the target says the words of the source's old text, word for word, once on both sides.
+    std::optional<size_t> only_counterpart(const Clause& old) const;
+    /// The statement of the target that stands for none, and says a whole statement of the source's old text so.
+    std::optional<size_t> only_statement(size_t c) const;
     /// A word of the target near where a clause of the source's old text would stand.
     size_t near(size_t c) const;
     /// A name that the new words index otherwise than the target always does: a flat array that is one of rows there.
@@ -56,6 +61,9 @@ protected:
     std::vector<size_t> origin_;  ///< of each clause of now, the one before
 
 private:
+    /// Where the target says the words, if it does so once.
+    std::optional<size_t> only_place_of(const std::vector<CarriedWord>& words) const;
+    size_t times_in_source(const Clause& clause) const;
     double resemblance(size_t c, size_t there) const;
     /// Branches that the port takes on another condition, or that may be the other ones of two: what stands in them
     /// there is not known.

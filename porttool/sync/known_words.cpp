@@ -416,6 +416,9 @@ bool KnownWords::anywhere(std::string_view word) const {
     if (dialect_.meaning(word) != nullptr && !is_type_word(word) && scopes_builtins()) return false;
     if (const std::string_view runtime = runtime_of(word); !runtime.empty() && !speaks(runtime)) return false;
     if (here == there || is_shader_function(word, there)) return true;
+    // What CUDA has besides its run time HIP has under the same name.
+    const auto is_cuda_like = [](Language language) { return language == Language::Cuda || language == Language::Hip; };
+    if (is_cuda_like(here) && is_cuda_like(there)) return true;
     if (are_both_cpp() && is_built_in_type(word)) return true;
     // C++ has them in `std` alone, where CUDA and HIP have them without it.
     const bool only_in_std = word == "min" || word == "max" || word == "swap";

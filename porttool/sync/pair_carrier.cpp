@@ -16,7 +16,9 @@
 #include "porttool/sync/port_gate.h"
 #include "porttool/sync/rescan.h"
 #include "porttool/sync/scopes.h"
+#include "porttool/sync/told_places.h"
 #include "porttool/sync/transplant.h"
+#include "porttool/text/letters.h"
 
 namespace porttool {
 namespace {
@@ -41,6 +43,17 @@ void declare_constants(const AlignedText& text, const UnitWords& words, const st
             if (words.is_added(first) || clause.words.empty() || clause.words.front().text == "const") continue;
             if (std::find(tokens.begin(), tokens.end(), words.tokens[first]) != tokens.end())
                 clause.words.insert(clause.words.begin(), {"const", CarriedWord::kNoSource});
+        }
+}
+
+/// `cudaFree` and `hipFree` are one word where statements are laid side by side.
+void join_runtimes(AlignedText& text, WordKeys& keys) {
+    for (size_t i = 0; i < text.words.size(); ++i)
+        for (const std::string_view runtime : {"cuda", "hip"}) {
+            const std::string& word = text.words[i];
+            if (!word.starts_with(runtime) || word.size() <= runtime.size() || !is_capital_letter(word[runtime.size()]))
+                continue;
+            text.common[i] = keys.exact("\x02" + word.substr(runtime.size()));
         }
 }
 
@@ -90,10 +103,20 @@ struct PairCarrier::Texts : Places {
           old_text(keys.text(was.words, unit.kind == UnitKind::Struct)),
           new_text(keys.text(is.words, unit.kind == UnitKind::Struct)),
           port_text(keys.text(there.words, unit.kind == UnitKind::Struct)),
-          edit(align(old_text, new_text, {0.5, false})),
-          across(align(old_text, port_text, {})) {
+          edit(align(old_text, new_text, {0.5, false})) {
+        for (AlignedText* text : {&old_text, &port_text}) join_runtimes(*text, keys);
+        across = align(old_text, port_text, {});
         match_block_ends(old_text, new_text, edit);
         match_only_clauses(old_text, new_text, edit);
+    }
+
+    ToldPlaces places() const {
+        return {{line_of_each(file, is, new_text), line_of_each(draft.scanned, there, port_text)},
+                old_text,
+                new_text,
+                port_text,
+                edit,
+                across};
     }
 
     void learn() {
@@ -251,12 +274,19 @@ bool PairCarrier::write(const PairEdit& edit, const Texts& texts, const KnownNam
     const std::vector<TextEdit> edits =
         rewrite_unit(found, {texts.file, texts.is, texts.new_text.clauses},
                      {texts.draft.scanned, texts.there, texts.port_text.clauses}, texts.draft.indent());
-    finish(edit, texts.draft, edits, out);
+    finish(edit, texts, found, edits, out);
     return true;
 }
 
 /// Makes the new text, and holds it to the gate before anybody sees it.
-void PairCarrier::finish(const PairEdit& edit, Draft& draft, const std::vector<TextEdit>& edits, Proposal& out) {
+void PairCarrier::finish(const PairEdit& edit, const Texts& texts, const Transplant& found,
+                         const std::vector<TextEdit>& edits, Proposal& out) {
+    Draft& draft = texts.draft;
+    const ToldPlaces places = texts.places();  // of the port as it stands
+    const auto leave_where = [&](const std::string& told, std::string why) {
+        const auto [here, there] = places.of(told, found);
+        out.left.push_back(left_at(edit.from, std::move(why), here, there));
+    };
     const auto refuse = [&](std::string why) {
         out.state = ProposalState::Refused;
         leave_at_heads(edit, std::move(why), out);
@@ -281,17 +311,17 @@ void PairCarrier::finish(const PairEdit& edit, Draft& draft, const std::vector<T
         (unit == nullptr || scanned.balanced != draft.scanned.balanced || !others_stayed(draft.scanned, scanned, port)))
         return refuse("the port made of this edit could not be read back");
     for (const std::string& name : names_lost(scanned, old_words, words_of_unit(scanned, *unit).words))
-        leave_at_heads(edit, "the port would use `" + name + "` where it does not declare it", out);
+        leave_where("`" + name + "`", "the port would use `" + name + "` where it does not declare it");
     const UnitState state = unit_state(scanned, *unit);
     const bool to_target = edit.to() == Side::Target;
-    const PairComparison found = compare_now(
+    const PairComparison compared = compare_now(
         pair, edit.line, edit.before, to_target ? pair.unit.source->text : state.text,
         to_target ? pair.unit.source->prints : state.prints, to_target ? state.text : pair.unit.target->text,
         to_target ? state.prints : pair.unit.target->prints, knowledge_.dialect());
     out.state = out.left.empty() ? ProposalState::Proposed : ProposalState::Partial;
-    if (out.left.empty() && found.standing > Standing::Equivalent) {
+    if (out.left.empty() && compared.standing > Standing::Equivalent) {
         out.state = ProposalState::Partial;
-        leave_at_heads(edit, "check would still ask about it: " + what_differs(found), out);
+        leave_where(what_differs(compared), "check would still ask about it: " + what_differs(compared));
     }
     const bool is_same = alone ? std::string_view(draft.bytes).substr(alone->first, alone->end - alone->first) ==
                                      std::string_view(scanned.lexed.text).substr(alone->first, alone->now)

@@ -69,7 +69,8 @@ private:
     Transplant transplanted(const PairEdit& edit, const Texts& texts, KnownNames& names, Proposal& out);
     void leave_unported(const PairEdit& edit, const Texts& texts, const KnownNames& names, Proposal& out) const;
     bool write(const PairEdit& edit, const Texts& texts, const KnownNames& names, Transplant& found, Proposal& out);
-    void finish(const PairEdit& edit, Draft& draft, const std::vector<TextEdit>& edits, Proposal& out);
+    void finish(const PairEdit& edit, const Texts& texts, const Transplant& found, const std::vector<TextEdit>& edits,
+                Proposal& out);
     bool holds_a_part(const PairEdit& edit, const Alignment& across) const;
     std::vector<uint32_t> constants_of(const ScannedFile& file, const Unit& unit, const ScannedFile& other);
     BraceEdits edit_of_braces(const PairEdit& edit, const Texts& texts);

@@ -88,7 +88,13 @@ std::string SameValues::difference_of(const Names& names, size_t here, size_t th
     return told->second;
 }
 
+bool SameValues::say_it_each_their_way(const Names& names, size_t here, size_t there) const {
+    constexpr double kAlike = 0.6;
+    return names.here == names.there && counterpart(here) == there && texts_.across.likeness[here] >= kAlike;
+}
+
 std::string SameValues::written_otherwise(const Names& names, size_t here, size_t there, int depth) const {
+    if (here != 0 && say_it_each_their_way(names, here, there)) return {};
     const std::string why = "the port's `" + names.there + "` is not what `" + names.here + "` is: it has `" +
                             shown(texts_.target.words, target(there).first, target(there).end) + "`";
     if (here == 0 && there == 0) return is_other_parameter(names) ? why : std::string();

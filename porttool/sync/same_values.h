@@ -49,6 +49,9 @@ private:
 
     std::string difference(const Names& names, const Clauses& here, const Clauses& there, int depth) const;
     std::string difference_of(const Names& names, size_t here, size_t there, int depth) const;
+    /// True where both sides write one name in statements that stand for each other, however each says it:
+    /// `z *= s / r ;` and `z *= native_divide ( s , r ) ;`.
+    bool say_it_each_their_way(const Names& names, size_t here, size_t there) const;
     std::string written_otherwise(const Names& names, size_t here, size_t there, int depth) const;
     bool is_other_parameter(const Names& names) const;
     bool counts_alike(size_t here, size_t there) const;

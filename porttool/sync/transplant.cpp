@@ -3,6 +3,8 @@
 #include "porttool/sync/transplant.h"
 
 #include <algorithm>
+#include <iterator>
+#include <optional>
 #include <utility>
 
 #include "porttool/sync/added_clauses.h"
@@ -27,8 +29,9 @@ public:
         // In the order of the source's text, whatever came upon it.
         std::stable_sort(out_.left.begin(), out_.left.end(),
                          [](const LeftOver& a, const LeftOver& b) { return a.source_word < b.source_word; });
-        // Beside nothing else an edit of spelling alone is due where somebody asks for it.
-        if (out_.empty() && out_.left.empty() && out_.already == 0) out_.replaced = std::move(respelled);
+        // An edit of spelling alone is due beside what else is written, and beside nothing where somebody asks for it.
+        if (out_.left.empty() && (!out_.empty() || out_.already == 0))
+            std::move(respelled.begin(), respelled.end(), std::back_inserter(out_.replaced));
         for (const size_t was : origin_) out_.stands_for.push_back(was == kNothing ? kNothing : counterpart(was));
         return std::move(out_);
     }
@@ -38,7 +41,11 @@ private:
         const Clause& clause = before(was);
         const size_t there = counterpart(was);
         if (there == kNothing) {
-            if (!clause.closes) lost_.push_back(was);
+            const std::optional<size_t> elsewhere = goes_for_good(was) ? only_statement(was) : std::nullopt;
+            if (elsewhere)
+                out_.removed.push_back(*elsewhere);
+            else if (!clause.closes)
+                lost_.push_back(was);
             return;
         }
         if (!clause.closes &&
@@ -59,6 +66,14 @@ private:
             }
         }
         out_.removed.push_back(there);
+    }
+
+    /// True if the source has nothing new in the place of a clause that it lost.
+    bool goes_for_good(size_t was) const {
+        size_t next = 0;
+        for (size_t i = was; i-- > 0 && next == 0;)
+            if (texts_.edit.clause_of[i] != kNothing) next = texts_.edit.clause_of[i] + 1;
+        return next < origin_.size() && origin_[next] != kNothing;
     }
 
     /// Statements that the source lost side by side, and that the port has nothing for at one place, are one item.

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "porttool/sync/unit_words.h"
 
+#include <algorithm>
 #include <utility>
 
+#include "porttool/normal/declaration_words.h"
 #include "porttool/normal/normal_form.h"
 #include "porttool/normal/prelude.h"
 
@@ -13,6 +15,45 @@ namespace {
 bool is_blank_line(const LexedText& lexed, uint32_t line) {
     const size_t first = lexed.line_starts[line - 1];
     return lexed.text.find_first_not_of(" \t\r", first) == lexed.line_starts[line] - 1;
+}
+
+/// The `:` before i goes with a `?` of the same statement: no label ends there.
+bool is_within_choice(const std::vector<std::string>& words, size_t i) {
+    size_t others = 0;
+    for (--i; i-- > 0;) {
+        if (is_one_of(words[i], {";", "{", "}"})) return false;
+        if (words[i] == ":") ++others;
+        if (words[i] == "?" && others-- == 0) return true;
+    }
+    return false;
+}
+
+/// The end of the statement that goes on at i; words.size() for none.
+size_t end_of_rest(const std::vector<std::string>& words, size_t i) {
+    for (int depth = 0; i < words.size(); ++i) {
+        depth += is_one_of(words[i], {"(", "["}) ? 1 : is_one_of(words[i], {")", "]"}) ? -1 : 0;
+        if (depth <= 0 && words[i] == ";") return i + 1;
+        if (is_one_of(words[i], {"{", "}"})) break;
+    }
+    return words.size();
+}
+
+/// The normal form has the brace that closes `x = a ? b : c ;` behind its `:`, where it puts one: it belongs behind the
+/// whole statement.
+void close_behind_choices(UnitWords& words) {
+    for (size_t i = 1; i + 1 < words.size(); ++i) {
+        if (words.words[i] != "}" || words.words[i - 1] != ":" || !is_within_choice(words.words, i)) continue;
+        size_t end = i;
+        while (end < words.size() && words.words[end] == "}") ++end;
+        const size_t behind = end_of_rest(words.words, end);
+        if (behind == words.size()) continue;
+        const auto rotate = [&](auto& of) {
+            const auto at = [&](size_t place) { return of.begin() + static_cast<std::ptrdiff_t>(place); };
+            std::rotate(at(i), at(end), at(behind));
+        };
+        rotate(words.words);
+        if (!words.tokens.empty()) rotate(words.tokens);
+    }
 }
 
 }  // namespace
@@ -38,12 +79,14 @@ UnitWords words_of_unit(const ScannedFile& file, const Unit& unit) {
         if (brace && (next_too || last_too || file.lexed.view(out.tokens[i]) != out.words[i]))
             out.tokens[i] = UnitWords::kNoToken;
     }
+    close_behind_choices(out);
     return out;
 }
 
 UnitWords words_of_record(const NormalText& text) {
     UnitWords out;
     for (const std::string_view word : without_prelude(text.words())) out.words.emplace_back(word);
+    close_behind_choices(out);
     return out;
 }
 

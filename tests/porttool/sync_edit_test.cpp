@@ -1260,6 +1260,76 @@ TEST(SyncEdit, AStatementOnlyReadsWhatItsNeighbourReads) {
                    replaced(port, "  fill", extra + "  fill")});
 }
 
+TEST(SyncEdit, AStatementMayStandElsewhereInThePort) {
+    const std::string source =
+        "int run(int n) {\n  int total = 0;\n  prepare(n);\n  launch(n);\n  collect(n);\n  return total;\n}\n";
+    const std::string port =
+        "int run(int n) {\n  prepare(n);\n  launch(n);\n  collect(n);\n  int total = 0;\n  return total;\n}\n";
+    // check asks about the other place, so that a person looks.
+    const std::string seven = replaced(source, "total = 0", "total = 7");
+    const Synced got = synced({"k.c", "l.c", source, seven, port, ""});
+    const std::string patch = got.proposal["patch"].is_string() ? got.proposal["patch"] : "";
+    EXPECT_NE(patch.find("-  int total = 0;\n+  int total = 7;\n"), std::string::npos) << got.why();
+    EXPECT_EQ(got.proposal["left"][0]["source_line"], 2) << got.why();
+    EXPECT_EQ(got.proposal["left"][0]["target_line"], 5) << got.why();
+    // Of two that say the same neither is it.
+    const std::string twice = replaced(port, "  launch(n);\n", "  launch(n);\n  int total = 0;\n");
+    expect_left({"k.c", "l.c", source, seven, twice, ""});
+}
+
+TEST(SyncEdit, OneRuntimesCallsStandForTheOthers) {
+    const auto text = [](const std::string& runtime, const std::string& before, const std::string& behind) {
+        return "#include <" + runtime + "/" + runtime + "_runtime.h>\nvoid run(float* a, int n) {\n  " + runtime +
+               "Memset(a, 0, n);\n" + before + "  step(a, n);\n  other(a);\n" + behind + "  " + runtime +
+               "Free(a);\n}\n";
+    };
+    const auto waits = [](const std::string& runtime) { return "  " + runtime + "DeviceSynchronize();\n"; };
+    const std::string cuda = waits("cuda"), hip = waits("hip");
+    expect_ported({"k.cu", "l.cu", text("cuda", cuda, cuda), text("cuda", cuda, ""), text("hip", hip, hip),
+                   text("hip", hip, "")});
+    expect_ported(
+        {"k.cu", "l.cu", text("cuda", "", cuda), text("cuda", cuda, ""), text("hip", "", hip), text("hip", hip, "")});
+}
+
+TEST(SyncEdit, WhatCudaHasBesidesItsRunTimeHipHas) {
+    const std::string source = "__global__ void sum(float* out, float v) {\n  out[threadIdx.x] = v;\n}\n";
+    const std::string edited = replaced(source, "out[threadIdx.x] = v;", "atomicAdd(out, v);");
+    const std::string head = "#include <hip/hip_runtime.h>\n";
+    expect_ported({"k.cu", "l.cu", source, edited, head + source, head + edited});
+}
+
+TEST(SyncEdit, AScopeComesToNamesThatThePortSpellsAlike) {
+    const std::string source =
+        "#include <cmath>\nint cell(double x, double y) {\n  int i = floor(x);\n"
+        "  int k = floor(y);\n  return i + k;\n}\n";
+    const std::string scoped = replaced(replaced(source, "floor(x)", "std::floor(x)"), "i + k", "i - k");
+    expect_ported({"k.cpp", "l.cpp", source, scoped, source, scoped});
+    // The port's own scope, and its own marks of numbers, stay.
+    const std::string port = replaced(source, "floor(x)", "math::floor(x)");
+    expect_ported({"k.cpp", "l.cpp", source, scoped, port, replaced(port, "i + k", "i - k")});
+}
+
+TEST(SyncEdit, WhatBothSidesWriteToOneNameMayBeSaidInTwoWays) {
+    const auto text = [](const std::string& scaled, const std::string& more) {
+        return "void fold(float* out, float z, float s, float r) {\n  z = z + s;\n  z *= " + scaled + ";\n" + more +
+               "  out[0] = z;\n}\n";
+    };
+    const std::string more = "  if (z > 4.0f) z = 4.0f - z;\n";
+    expect_ported({"k.cl", "l.cl", text("s / r", ""), text("s / r", more), text("native_divide(s, r)", ""),
+                   text("native_divide(s, r)", more)});
+}
+
+TEST(SyncEdit, ABraceClosesBehindAWholeChoice) {
+    const auto text = [](const std::string& open, const std::string& close, const std::string& sum) {
+        return "int f(const int* a, int n) {\n    int s = 0;\n    for (int j = 0; j < n; j++)" + open +
+               "\n        s += j < 3 ? 0 : (a[j] - n);\n" + close + "    return " + sum + ";\n}\n";
+    };
+    const Synced got = synced({"k.c", "l.c", text(" {", "    }\n", "s"), text("", "", "s + n"), text("", "", "s"), ""});
+    const std::string patch = got.proposal["patch"].is_string() ? got.proposal["patch"] : "";
+    EXPECT_NE(patch.find("\n+    return s + n;"), std::string::npos) << got.why();
+    EXPECT_EQ(patch.find("\n-        s +="), std::string::npos) << patch;
+}
+
 TEST(SyncLayout, AnOperatorThatTookThePlaceOfACloseOneStandsApart) {
     const auto text = [](const std::string& head, const std::string& step) {
         return head + "int f(int n) {\n    for (int i = 0; i < n; " + step + ") n -= 2;\n    return n;\n}\n";
