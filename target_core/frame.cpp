@@ -128,6 +128,21 @@ void gather_sample(const KernelTable& kernels, Tile& tile) {
     kernels.filter();
 }
 
+// What a filter makes of a tile's guides by pixels alone.
+void use_guides(const Frame& frame, Worker& worker) {
+    Stopwatch watch;
+    pass.sample_scale = 1.0f / static_cast<float>(frame.sample_count);
+    if (frame.divides) {
+        pass.filter_stage = FILTER_DIVIDE;
+        frame.kernels->filter();
+    }
+    if (frame.prepares) {
+        pass.filter_stage = FILTER_PREPARE;
+        frame.kernels->filter();
+    }
+    watch.lap(worker.stats.filter_ms);
+}
+
 void render_tile(const Frame& frame, uint first_pixel, uint path_count, Worker& worker, RayLog* log) {
     KeepDenormals keep;
     reach_thread_memory();
@@ -155,7 +170,11 @@ void render_tile(const Frame& frame, uint first_pixel, uint path_count, Worker& 
                                        render_system::part_of_squares(frame.squares, place, path_count), target);
         }
     }
-    if (!frame.sums.empty() || frame.guides) {
+    if (frame.guides) {
+        use_guides(frame, worker);
+        return;
+    }
+    if (!frame.sums.empty()) {
         return;
     }
     std::transform(target, target + path_count, frame.pixels.begin() + first_pixel,
@@ -187,6 +206,7 @@ void FrameStats::add(const FrameStats& other) {
     shade_ms += other.shade_ms;
     connect_ms += other.connect_ms;
     finalize_ms += other.finalize_ms;
+    filter_ms += other.filter_ms;
 }
 
 struct Workers::Threads {
@@ -215,51 +235,135 @@ FrameStats render_frame(const Frame& frame, Workers& workers, RayLog* log) {
     return stats;
 }
 
-void run_filter_stage(const Frame& frame, const Pass& stage, void (*kernel)()) {
-    constexpr uint CHUNK = TILE_PATHS;
-    for_each_tile((frame.pixel_count + CHUNK - 1) / CHUNK, [&](uint chunk) {
-        KeepDenormals keep;
-        reach_thread_memory();
-        bound = frame.bindings;
-        settings = frame.settings;
-        pass = stage;
-        pass.first_pixel = chunk * CHUNK;
-        pass.path_count = std::min(CHUNK, frame.pixel_count - pass.first_pixel);
-        kernel();
-    });
-}
+namespace {
 
-void run_filter(const Frame& frame, uint samples, bool with_history) {
-    const auto filter = frame.kernels->filter, reproject = frame.kernels->reproject;
+// One run of a kernel of the filter over all pixels.
+struct FilterStage {
+    Pass pass;  // but for which pixels
+    void (*kernel)() = nullptr;
+    uint rows_behind = 0;  // the stage before: that has done what this one reads, and read what this one writes over
+};
+
+// The stages in their order. What one of them leaves in which planes the next ones know by their passes.
+std::vector<FilterStage> filter_stages(const KernelTable& kernels, uint samples, bool with_history) {
+    std::vector<FilterStage> stages;
     Pass next{};
+    next.sample_scale = 1.0f / static_cast<float>(samples);
     next.filter_from = PLANE_LIGHT;
     next.filter_to = PLANE_OTHER_LIGHT;
-    const auto stage = [&](uint which, void (*kernel)()) {
+    const auto stage = [&](uint which, void (*kernel)(), uint rows_behind) {
         next.filter_stage = which;
-        run_filter_stage(frame, next, kernel);
+        stages.push_back({next, kernel, rows_behind});
         std::swap(next.filter_from, next.filter_to);
     };
-    next.sample_scale = 1.0f / static_cast<float>(samples);
-    next.filter_stage = FILTER_PREPARE;
-    run_filter_stage(frame, next, filter);
     if (with_history) {
-        stage(REPROJECT_LIGHT, reproject);
+        stage(REPROJECT_LIGHT, kernels.reproject, 0);
     }
-    stage(FILTER_STEADY, filter);
+    stage(FILTER_STEADY, kernels.filter, 1);
     // Direct light goes to the planes that are free now, and leaves its own to the levels of the rest.
     const uint light = std::exchange(next.filter_from, PLANE_DIRECT), direct = next.filter_to;
-    stage(FILTER_DIRECT, filter);
+    stage(FILTER_DIRECT, kernels.filter, 1);
     next.filter_from = light;
     next.filter_to = PLANE_DIRECT;
     for (const uint step : FILTER_STEPS) {
         next.filter_step = step;
-        stage(FILTER_LEVEL, filter);
+        stage(FILTER_LEVEL, kernels.filter, step);
     }
     next.filter_to = direct;
-    stage(FILTER_FINISH, filter);
+    stage(FILTER_FINISH, kernels.filter, 1);
     if (with_history) {
-        stage(REPROJECT_PICTURE, reproject);
+        stage(REPROJECT_PICTURE, kernels.reproject, 1);
     }
+    return stages;
+}
+
+// Binds what kernels of the filter reach to this thread, for as long as they run.
+class FilterThread {
+public:
+    explicit FilterThread(const Frame& frame) {
+        reach_thread_memory();
+        bound = frame.bindings;
+        settings = frame.settings;
+    }
+    void run(const FilterStage& stage, uint first, uint end) {
+        if (first >= end) {
+            return;
+        }
+        pass = stage.pass;
+        pass.first_pixel = first;
+        pass.path_count = end - first;
+        stage.kernel();
+    }
+
+private:
+    KeepDenormals keep_;
+};
+
+// A part of a picture. Stages stay back from its ends, each farther than the one before, but at the picture's.
+struct Band {
+    uint first;
+    uint end;
+    uint pixels;  // of the picture
+
+    uint first_of(uint back) const { return first == 0 ? 0 : first + back; }
+    uint end_of(uint back) const { return end == pixels ? pixels : end - back; }
+};
+
+// All stages by turns, a few rows at a time: what one writes the next ones read while it is in the cache.
+void run_band(const Frame& frame, std::span<const FilterStage> stages, std::span<const uint> back, const Band& band) {
+    constexpr uint CHUNK = 1024;
+    FilterThread thread(frame);
+    for (uint front = band.first; front < band.end + back.back(); front += CHUNK) {
+        for (size_t i = 0; i < stages.size(); ++i) {
+            const auto reached = [&](uint place) {
+                return std::clamp(std::max(place, back[i]) - back[i], band.first_of(back[i]), band.end_of(back[i]));
+            };
+            thread.run(stages[i], reached(front), reached(front + CHUNK));
+        }
+    }
+}
+
+// How many pixels each stage stays behind the first one, in whole packets of lanes.
+std::vector<uint> pixels_behind(std::span<const FilterStage> stages, uint width) {
+    std::vector<uint> back;
+    uint sum = 0;
+    for (const FilterStage& stage : stages) {
+        sum += (stage.rows_behind * (width + 1) + TILE_GRAIN - 1) / TILE_GRAIN * TILE_GRAIN;
+        back.push_back(sum);
+    }
+    return back;
+}
+
+}  // namespace
+
+size_t filter_margin(uint width) {
+    const size_t reach = size_t{std::end(FILTER_STEPS)[-1]} * (width + 1) + SPARE_ROWS;
+    return (reach + TILE_GRAIN - 1) / TILE_GRAIN * TILE_GRAIN;
+}
+
+void run_filter(const Frame& frame, uint samples, bool with_history) {
+    constexpr uint BANDS_PER_THREAD = 4;
+    constexpr uint FEWEST = 4096;
+    const std::vector<FilterStage> stages = filter_stages(*frame.kernels, samples, with_history);
+    const std::vector<uint> back = pixels_behind(stages, frame.settings.width);
+    const uint pixels = frame.pixel_count;
+    const uint threads = static_cast<uint>(tbb::this_task_arena::max_concurrency());
+    const uint bands = std::clamp(pixels / std::max(4 * back.back(), FEWEST), 1u, threads * BANDS_PER_THREAD);
+    const auto begin_of = [&](uint band) {
+        const uint even = static_cast<uint>(uint64_t{pixels} * band / bands);
+        return band == bands ? pixels : even / TILE_GRAIN * TILE_GRAIN;
+    };
+    // Bands at once, as far as no stage needs what is beyond their ends; then what that has left between each two.
+    for_each_tile(bands, [&](uint band) {
+        run_band(frame, stages, back, {begin_of(band), begin_of(band + 1), pixels});
+    });
+    for_each_tile(bands - 1, [&](uint band) {
+        FilterThread thread(frame);
+        const uint middle = begin_of(band + 1);
+        for (size_t i = 0; i < stages.size(); ++i) {
+            thread.run(stages[i], middle - back[i], middle + back[i]);
+        }
+    });
 }
 
 }  // namespace target_core

@@ -24,6 +24,7 @@ struct FrameStats {
     double shade_ms = 0.0;
     double connect_ms = 0.0;
     double finalize_ms = 0.0;
+    double filter_ms = 0.0;  // what is done of a filter while guides are in the cache
 
     void add(const FrameStats& other);
 };
@@ -43,8 +44,10 @@ struct Frame {
     uint pixel_count = 0;
     std::span<render_system::PixelSum> sums;  // or where samples go in place of `pixels`, one for each pixel rendered
     std::span<double> squares;
-    bool guides = false;   // the first segments of paths, for the guides of a filter
-    uint rays_of_all = 0;  // so many of them in every pixel, then where more are wanted
+    bool guides = false;    // the first segments of paths, for the guides of a filter
+    uint rays_of_all = 0;   // so many of them in every pixel, then where more are wanted
+    bool divides = false;   // after them FILTER_DIVIDE: these were the rays of the samples
+    bool prepares = false;  // after them FILTER_PREPARE: these were the last
 };
 
 /// A tile for each thread, kept from frame to frame.
@@ -62,11 +65,11 @@ private:
     std::unique_ptr<Threads> threads_;
 };
 
-/// Runs one stage of a kernel of the filter over all pixels of the frame.
-void run_filter_stage(const Frame& frame, const Pass& stage, void (*kernel)());
+/// How far planes go on before and behind a picture so wide: what taps read there is zero.
+size_t filter_margin(uint width);
 
-/// Filters the light that FILTER_DIVIDE has left of a mean of so many samples, by guides, into the filter's picture;
-/// with the history that is bound.
+/// Filters the light that FILTER_DIVIDE and FILTER_PREPARE have left of a mean of so many samples into the filter's
+/// picture, by guides, with the history that is bound.
 void run_filter(const Frame& frame, uint samples, bool with_history);
 
 /// Renders all tiles of the frame on the threads of the current task arena. Each tile of paths runs through the whole

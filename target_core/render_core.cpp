@@ -93,6 +93,7 @@ private:
     std::vector<vec4> guides_;       // these three: none until a filter is asked for
     std::vector<vec4> filter_picture_;
     std::vector<float> planes_;
+    size_t plane_margin_ = 0;    // of zeros before and behind each plane
     std::vector<vec4> motions_;  // and these: none until one has a history
     std::vector<float> history_;
     std::vector<float> history_before_;
@@ -288,7 +289,8 @@ Bindings TargetCore::bindings() {
     bindings.accumulator = accumulator_.data();
     bindings.guides = guides_.data();
     bindings.filter_picture = filter_picture_.data();
-    bindings.planes = planes_.data();
+    bindings.planes = planes_.data() + plane_margin_;
+    bindings.plane_stride = planes_.size() / PLANES;
     bindings.motions = motions_.data();
     bindings.history = history_.data();
     bindings.history_before = history_before_.data();
@@ -363,27 +365,38 @@ uint64_t TargetCore::host_bytes() const {
 
 // The camera rays of these samples, as far as pixels want them, whose guides are added to those there are.
 void TargetCore::gather_guides(Frame& frame, uint first_sample, uint samples) {
-    frame.guides = true;
+    const auto start = std::chrono::steady_clock::now();
     frame.first_sample = first_sample;
     frame.sample_count = samples;
-    arena_->execute([&] { render_frame(frame, workers_, nullptr); });
+    FrameStats gathered;
+    arena_->execute([&] { gathered = render_frame(frame, workers_, nullptr); });
+    const double filter_ms = gathered.filter_ms / stats().threads;
+    stats().filter_ms += filter_ms;
+    stats().guide_ms += milliseconds_since(start) - filter_ms;
 }
 
 // Buffers with the picture in place, and what moved.
 void TargetCore::make_filter(const CoreFilter& filter) {
     const bool with_history = filter.history != FilterHistory::none;
     const size_t pixels = filter.means.size();
-    guides_.assign(pixels * (with_history ? GUIDE_ROWS + GUIDE_MOTION_ROWS : GUIDE_ROWS), vec4(0.0f));
-    filter_picture_.resize(pixels);
-    planes_.resize(pixels * PLANES);
+    // The last packet of lanes reads beyond the last pixel, and what is beside the first and the last ones is no pixel.
+    const uint rows = with_history ? GUIDE_ROWS + GUIDE_MOTION_ROWS : GUIDE_ROWS;
+    guides_.assign((pixels + SPARE_ROWS) * rows, vec4(0.0f));
+    filter_picture_.resize(pixels + SPARE_ROWS);
+    const size_t margin = filter_margin(target().width), words = (pixels + 2 * margin) * PLANES;
+    if (margin != plane_margin_ || planes_.size() != words) {
+        plane_margin_ = margin;
+        planes_.assign(words, 0.0f);
+    }
     motions_.clear();
     if (with_history) {
-        history_.resize(pixels * HISTORY_PLANES);
+        const size_t numbers = pixels * HISTORY_PLANES + SPARE_ROWS;
         std::swap(history_, history_before_);
         if (frame_before().frame == 1) {
-            history_before_.assign(pixels * HISTORY_PLANES, 0.0f);
+            history_before_.assign(numbers, 0.0f);
         }
-        history_.resize(pixels * HISTORY_PLANES);
+        history_before_.resize(numbers);
+        history_.resize(numbers);
         std::transform(frame_before().motions.begin(), frame_before().motions.end(), std::back_inserter(motions_),
                        [](const glm::vec4& row) { return to_row(glm::vec3(row), row.w); });
     }
@@ -404,24 +417,25 @@ Status TargetCore::filter(const ViewPyramid& view, const CoreFilter& filter) {
     frame.rays_of_all = guide_rays(filter, FEWEST_GUIDE_RAYS);
     const uint own = std::min(filter.samples, filter.most_rays);
     const uint rays = guide_rays(filter, MOST_GUIDE_RAYS);
-    auto start = std::chrono::steady_clock::now();
+    frame.guides = true;
+    frame.divides = true;
+    frame.prepares = rays <= own;
+    stats().guide_ms = 0.0;
+    stats().filter_ms = 0.0;
     gather_guides(frame, filter.first_sample, own);
-    Pass divide{};
-    divide.sample_scale = 1.0f / static_cast<float>(own);
-    divide.filter_stage = FILTER_DIVIDE;
-    arena_->execute([&] { run_filter_stage(frame, divide, kernels().filter); });
+    frame.divides = false;
+    frame.prepares = true;
     if (rays > own) gather_guides(frame, filter.first_sample + own, rays - own);
-    stats().guide_ms = milliseconds_since(start);
-    start = std::chrono::steady_clock::now();
+    const auto start = std::chrono::steady_clock::now();
     arena_->execute([&] { run_filter(frame, filter.samples, filter.history != FilterHistory::none); });
-    stats().filter_ms = milliseconds_since(start);
-    std::transform(filter_picture_.begin(), filter_picture_.end(), filter.filtered.begin(),
+    stats().filter_ms += milliseconds_since(start);
+    std::transform(filter_picture_.begin(), filter_picture_.end() - SPARE_ROWS, filter.filtered.begin(),
                    [](const vec4& p) { return glm::vec4(p.x, p.y, p.z, 1.0f); });
     return Status::success();
 }
 
 Status TargetCore::read_history(std::vector<float>& planes) {
-    planes = history_;
+    planes.assign(history_.begin(), history_.end() - std::min<size_t>(history_.size(), SPARE_ROWS));
     return Status::success();
 }
 
@@ -429,6 +443,7 @@ Status TargetCore::write_history(std::span<const float> planes) {
     if (planes.size() != target().pixels.size() * HISTORY_PLANES)
         return Status::invalid("target core: the history is of another size or core");
     history_.assign(planes.begin(), planes.end());
+    history_.resize(planes.size() + SPARE_ROWS);
     return Status::success();
 }
 
@@ -442,6 +457,7 @@ void TargetCore::close() {
     give_back(guides_);
     give_back(filter_picture_);
     give_back(planes_);
+    plane_margin_ = 0;
     give_back(motions_);
     give_back(history_);
     give_back(history_before_);

@@ -33,7 +33,8 @@ struct Bindings {
     vec4* accumulator = nullptr;
     vec4* guides = nullptr;  // these three: only for a filter
     vec4* filter_picture = nullptr;
-    float* planes = nullptr;
+    float* planes = nullptr;        // where the first one's first pixel is; before and behind each are zeros
+    size_t plane_stride = 0;        // from one plane to the next
     const vec4* motions = nullptr;  // and these: only for one with a history
     float* history = nullptr;
     const float* history_before = nullptr;

@@ -1,15 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The porttool authors
 // SPDX-License-Identifier: Apache-2.0
-// The kernel text once more, over 8 lanes, in a namespace of its own; guide and shade are in materials_avx2.cpp.
+// The kernel text once more, over 8 lanes, in a namespace of its own; guide and shade are in materials_avx2.cpp,
+// the filters in filters_avx2.cpp.
 #define TARGET_CORE_LANES "target_core/device/lanes_avx2.h"
 #define TARGET_CORE_TRACE "target_core/device/wide_trace.h"
 #define kernels kernels_avx2
 #include "target_core/kernels/connect.cpp"
 #include "target_core/kernels/extend.cpp"
-#include "target_core/kernels/filter.cpp"
 #include "target_core/kernels/finalize.cpp"
 #include "target_core/kernels/generate.cpp"
-#include "target_core/kernels/reproject.cpp"
 #undef kernels
 #include "target_core/device/kernel_table.h"
 

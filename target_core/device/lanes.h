@@ -104,12 +104,25 @@ inline Row gather_shared(const Row* table, Rows first, uint offset) {
     return table[first + offset];
 }
 
-// Pixels of a plane.
+// Pixels of a plane. It goes on for a while before the first and behind the last one: there are zeros.
 using Pixels = Uint;
 inline Pixels pixels_from(Uint pixel) { return pixel; }
-inline Pixels pixels_beside(Pixels pixels, int far, int count) { return Uint(clamp(Int(pixels) + far, 0, count - 1)); }
-inline Float gather_plane(const float* plane, Pixels pixels) { return plane[pixels]; }
+inline Pixels pixels_in_order(Uint pixel) { return pixel; }
+inline Pixels pixels_beside(Pixels pixels, int far) { return pixels + static_cast<Uint>(far); }
+inline Int pixel_row(Pixels pixels, uint width) { return static_cast<Int>(pixels / width); }
+inline Int pixel_column(Pixels pixels, Int row, uint width) {
+    return static_cast<Int>(pixels) - row * static_cast<Int>(width);
+}
+inline Float gather_plane(const float* plane, Pixels pixels) { return plane[static_cast<Int>(pixels)]; }
 inline void scatter_plane(float* plane, Pixels pixels, Float value) { plane[pixels] = value; }
+template <class Row>
+inline Row gather_pixels(const Row* rows, Pixels pixels, uint stride) {
+    return rows[size_t{pixels} * stride];
+}
+template <class Row>
+inline void scatter_pixels(Row* rows, Pixels pixels, Row row) {
+    rows[pixels] = row;
+}
 
 // Rows of a tile by job.
 template <class Row>

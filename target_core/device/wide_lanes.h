@@ -225,25 +225,30 @@ inline uvec4 gather_shared(const target_core::uvec4* rows, Uint index) {
 
 inline Uint gather(const uint* words, Uint index) { return Uint(gather_words(words, index.v)); }
 
-// Pixels of a plane. Those that follow each other, as neighbours of such ones do but at the picture's ends, are read
-// and written as a whole; where there are fewer pixels than lanes, or the last one stands in for some, one by one.
+// Pixels of a plane. It goes on for a while before the first and behind the last one: there are zeros. Those of jobs
+// follow each other, as their neighbours do: they are read and written as a whole. A last job that stands in for some
+// counts as those that would follow, which are read, but never written.
 struct Pixels {
-    uint first = 0;
+    int first = 0;
     bool in_order = false;
     Uint index;  // of each, where they are not in order
-    Pixels() = default;
-    explicit Pixels(uint first_of_them) : first(first_of_them), in_order(true) {}
-    explicit Pixels(Uint pixels)
-        : first(pixels.v[0]), in_order(!any_lane(pixels != lane_numbers() + pixels.v[0])), index(pixels) {}
 };
-inline Pixels pixels_from(Uint pixel) { return Pixels(pixel); }
-inline Pixels pixels_beside(const Pixels& pixels, int far, int count) {
-    const int first = int(pixels.first) + far;
-    if (pixels.in_order && first >= 0 && first <= count - int(LANES)) {
-        return Pixels(uint(first));
+inline Pixels pixels_from(Uint pixel) {
+    const uint first = pixel.v[0];
+    return {int(first), !any_lane(pixel != lane_numbers() + first), pixel};
+}
+inline Pixels pixels_in_order(Uint pixel) { return {int(pixel.v[0]), true, {}}; }
+inline Pixels pixels_beside(const Pixels& pixels, int far) { return {pixels.first + far, true, {}}; }
+inline Int pixel_row(const Pixels& pixels, uint width) {
+    const uint first = uint(pixels.first), row = first / width;
+    const Uint column = lane_numbers() + (first - row * width);
+    if (width >= LANES) {
+        return select(column < Uint(width), Int(row), Int(row + 1));
     }
-    const Uint index = pixels.in_order ? lane_numbers() + pixels.first : pixels.index;
-    return Pixels(Uint(clamp(Int(index) + Int(far), Int(0), Int(count - 1))));
+    return Int(Uint(row) + column / Uint(width));
+}
+inline Int pixel_column(const Pixels& pixels, Int row, uint width) {
+    return Int(lane_numbers() + uint(pixels.first)) - row * Int(width);
 }
 
 inline Float gather_plane(const float* plane, const Pixels& pixels) {
@@ -256,12 +261,33 @@ inline Float gather_plane(const float* plane, const Pixels& pixels) {
 }
 
 inline void scatter_plane(float* plane, const Pixels& pixels, Float value) {
-    if (pixels.in_order) {
+    if (active_lanes == ALL_LANES) {
         __builtin_memcpy(plane + pixels.first, &value.v, sizeof(value.v));
         return;
     }
-    for (uint lane = 0; lane < LANES; ++lane) {
-        plane[pixels.index.v[lane]] = value.v[lane];
+    for (uint left = active_lanes; left != 0; left &= left - 1) {
+        const int lane = std::countr_zero(left);
+        plane[pixels.first + lane] = value.v[lane];
+    }
+}
+
+// Rows of pixels that follow each other, `stride` from one to the next.
+inline vec4 gather_pixels(const target_core::vec4* rows, const Pixels& pixels, uint stride) {
+    const float* first = &rows[size_t{uint(pixels.first)} * stride].x;
+    vec4 row;
+    load_rows([&](uint lane) { return first + size_t{4} * stride * lane; }, row.x.v, row.y.v, row.z.v, row.w.v);
+    return row;
+}
+
+inline void scatter_pixels(target_core::vec4* rows, const Pixels& pixels, const vec4& row) {
+    float* first = &rows[pixels.first].x;
+    if (active_lanes == ALL_LANES) {
+        store_rows([&](uint lane) { return first + 4 * lane; }, row.x.v, row.y.v, row.z.v, row.w.v);
+        return;
+    }
+    for (uint left = active_lanes; left != 0; left &= left - 1) {
+        const int lane = std::countr_zero(left);
+        rows[pixels.first + lane] = {row.x.v[lane], row.y.v[lane], row.z.v[lane], row.w.v[lane]};
     }
 }
 

@@ -94,22 +94,23 @@ inline uint guide_rows() { return settings.frame == 0u ? GUIDE_ROWS : GUIDE_ROWS
 
 inline vec4 load_guide(Uint pixel, Uint row) { return gather(bound.guides, pixel * guide_rows() + row); }
 
+inline vec4 load_guides(Pixels pixels, uint row) { return gather_pixels(bound.guides + row, pixels, guide_rows()); }
+
 inline void add_to_guide(Uint pixel, Uint row, vec4 more, Mask where) {
     Uint place = pixel * guide_rows() + row;
     scatter(bound.guides, place, gather(bound.guides, place) + more, where);
 }
 
-inline vec4 load_filter_picture(Uint pixel) { return gather(bound.filter_picture, pixel); }
-inline void store_filter_picture(Uint pixel, vec4 row) { scatter(bound.filter_picture, pixel, row, true); }
+inline vec4 load_filter_picture(Pixels pixels) { return gather_pixels(bound.filter_picture, pixels, 1u); }
+inline void store_filter_picture(Pixels pixels, vec4 row) { scatter_pixels(bound.filter_picture, pixels, row); }
 
 inline vec4 fetch_motions(Rows first, uint offset) { return gather_shared(bound.motions, first, offset); }
 
-inline Pixels pixels_beside(Pixels pixels, int far) { return pixels_beside(pixels, far, int(settings.pixel_count)); }
 inline Float load_plane(uint plane, Pixels pixels) {
-    return gather_plane(bound.planes + size_t{plane} * settings.pixel_count, pixels);
+    return gather_plane(bound.planes + size_t{plane} * bound.plane_stride, pixels);
 }
 inline void store_plane(uint plane, Pixels pixels, Float value) {
-    scatter_plane(bound.planes + size_t{plane} * settings.pixel_count, pixels, value);
+    scatter_plane(bound.planes + size_t{plane} * bound.plane_stride, pixels, value);
 }
 inline Float load_history_before(uint plane, Pixels pixels) {
     return gather_plane(bound.history_before + size_t{plane} * settings.pixel_count, pixels);

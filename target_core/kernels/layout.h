@@ -180,13 +180,16 @@ const uint MOTION_ROWS = 3u;
 // The rest is of the layer that has most of the picture's samples.
 const uint PLANE_LIGHT = 0u;        // three of light, its variance, what was too bright; by turns with
 const uint PLANE_OTHER_LIGHT = 5u;  // the other five, and
-const uint PLANE_DIRECT = 10u;  // five where direct light is at first: its variance is -1 where that is of two surfaces
-const uint PLANE_NORMAL = 15u;  // three
+const uint PLANE_DIRECT = 10u;      // five where direct light is at first, with one of these in place of a variance
+const float LAYER_AND_SKY = -1.0f;  // where some rays met nothing
+const float TWO_LAYERS = -2.0f;     // where some met something else
+const uint PLANE_NORMAL = 15u;      // three
 const uint PLANE_NEARNESS = 18u;
-const uint PLANE_SLOPE = 19u;  // two: what nearness grows by from pixel to pixel, to the right and down
-const uint PLANE_TRUST = 21u;  // 1 where all samples met that layer, 0 where half of them did
-const uint PLANE_LAYER = 22u;  // its first row in guides
-const uint PLANES = 23u;
+const uint PLANE_SLOPE = 19u;   // two: what nearness grows by from pixel to pixel, to the right and down
+const uint PLANE_TRUST = 21u;   // 1 where all samples met that layer, 0 where half of them did
+const uint PLANE_LAYER = 22u;   // 1 where it is the second one
+const uint PLANE_ALBEDO = 23u;  // three: its albedo by its share of the camera rays
+const uint PLANES = 26u;
 
 // histories: one number a pixel each: what a frame leaves to the next one.
 const uint HISTORY_LIGHT = 0u;   // three of light and one of its variance, over all frames in it

@@ -27,9 +27,11 @@ inline vec3 load_colour(uint plane, Pixels pixels) {
 }
 
 // Where what a pixel shows was in the frame before: how far off in columns and rows, and how near.
-inline vec3 motion_at(Place place, Uint layer) {
-    vec4 met = load_guide(place.pixel, layer + GUIDE_NORMAL);
-    vec3 motion = vec3(load_guide(place.pixel, (layer >> 1) + GUIDE_MOTION)) * (1.0f / max(met.w, 1.0f));
+inline vec3 motion_at(Place place) {
+    Mask second = load_plane(PLANE_LAYER, place.pixels) > 0.0f;
+    vec4 met = load_layer(place.pixels, second, GUIDE_NORMAL);
+    vec3 motion = vec3(load_guides(place.pixels, GUIDE_MOTION));
+    motion = select(second, vec3(load_guides(place.pixels, GUIDE_MOTION + 1u)), motion) * (1.0f / max(met.w, 1.0f));
     // The sky turns with the eye alone.
     Float x = (Float(place.column) + 0.5f) / float(settings.width);
     Float y = (Float(place.row) + 0.5f) / float(settings.height);
@@ -179,10 +181,9 @@ inline Float belief(Memory memory, Around around) {
 
 // The light of a pixel becomes the mean of its own and what is remembered of it, and is remembered in its turn.
 inline void reproject_light(Uint job) {
-    Place place = place_of(job + pass.first_pixel);
+    Place place = place_of(job + pass.first_pixel, 1);
     Pixels here = place.pixels;
-    Uint layer = Uint(load_plane(PLANE_LAYER, here));
-    vec3 motion = motion_at(place, layer);
+    vec3 motion = motion_at(place);
     vec4 light = load_light(pass.filter_from, here);
     vec3 normal = load_normal(here);
     Memory memory = recall(place_before(place, motion), normal, motion.z);
@@ -192,7 +193,7 @@ inline void reproject_light(Uint job) {
         length = min(length, 7.0f) * belief(memory, around);
         memory.light = clipped(memory.light, around);
     }
-    Mask unknown = load_filter_picture(place.pixel).w >= NO_MEAN;
+    Mask unknown = load_filter_picture(here).w >= NO_MEAN;
     Float share = select(unknown && length > 0.0f, Float(0.0f), 1.0f / (length + 1.0f));
     Float bright = luminance(vec3(light));
     Float moment = blend(memory.moment, bright, share);
@@ -216,12 +217,11 @@ inline void reproject_light(Uint job) {
     store_history(HISTORY_NORMAL + 2u, here, normal.z);
     store_history(HISTORY_NEARNESS, here, load_plane(PLANE_NEARNESS, here));
     // The mean that the filter is held to.
-    vec3 albedo = vec3(load_guide(place.pixel, Uint(GUIDE_ALBEDO))) +
-                  vec3(load_guide(place.pixel, Uint(GUIDE_LAYER + GUIDE_ALBEDO)));
-    vec3 direct = vec3(load_guide(place.pixel, Uint(GUIDE_DIRECT)));
-    Float scale = 1.0f / load_guide(place.pixel, Uint(GUIDE_RAYS)).x;
+    vec3 albedo = vec3(load_guides(here, GUIDE_ALBEDO)) + vec3(load_guides(here, GUIDE_LAYER + GUIDE_ALBEDO));
+    vec3 direct = vec3(load_guides(here, GUIDE_DIRECT));
+    Float scale = 1.0f / load_guides(here, GUIDE_RAYS).x;
     Float doubt = variance * square(luminance(albedo) * scale);
-    store_filter_picture(place.pixel, vec4((mean * albedo + direct) * scale, select(unknown, Float(NO_MEAN), doubt)));
+    store_filter_picture(here, vec4((mean * albedo + direct) * scale, select(unknown, Float(NO_MEAN), doubt)));
 }
 
 // Weights of Catmull and Rom for four pixels in a row, the second of which lies `t` before the place.
@@ -259,10 +259,10 @@ inline vec3 recall_picture(Before before) {
 // The picture becomes the mean of itself and of what was shown, and is remembered. Later frames count for more: what
 // the first ones know is little. A surface that was not to be seen before has nothing to be a mean with.
 inline void reproject_picture(Uint job) {
-    Place place = place_of(job + pass.first_pixel);
+    Place place = place_of(job + pass.first_pixel, 1);
     Pixels here = place.pixels;
     vec3 colour = load_colour(pass.filter_from, here);
-    Before before = place_before(place, motion_at(place, Uint(load_plane(PLANE_LAYER, here))));
+    Before before = place_before(place, motion_at(place));
     vec3 shown = recall_picture(before);
     Float share = max(Float(2.0f / (float(settings.frame) + 1.0f)), 0.0625f);
     if (settings.motion != STANDS_STILL) {
@@ -274,7 +274,7 @@ inline void reproject_picture(Uint job) {
     store_history(HISTORY_PICTURE, here, colour.x);
     store_history(HISTORY_PICTURE + 1u, here, colour.y);
     store_history(HISTORY_PICTURE + 2u, here, colour.z);
-    store_filter_picture(place.pixel, vec4(colour, 1.0f));
+    store_filter_picture(here, vec4(colour, 1.0f));
 }
 
 }  // namespace target_core::kernels

@@ -125,6 +125,31 @@ TEST_F(Filter, LeavesOfNoiseOnAWallWhatItsKernelImplies) {
     EXPECT_GT(factor, 0.5 * expected);
 }
 
+// A large picture is filtered in bands, whose stages run behind each other. What of it is far enough from its ends, and
+// from the crack between the walls that some rays pass through, is as in a part of it that is one band. Neither is a
+// whole number of packets of lanes.
+TEST_F(Filter, OfATallPictureIsThatOfItsParts) {
+    put_walls({0.5f, 0.5f}, {4.0f, 4.0f});
+    constexpr uint32_t ACROSS = 67, TALL = 301, PART = 59, SIDE = 12;
+    std::mt19937 random(11);
+    std::uniform_real_distribution<float> noise(0.5f, 1.5f);
+    std::vector<float> gray(size_t{ACROSS} * TALL);
+    for (float& value : gray) value = noise(random);
+    pixels.resize(gray.size());
+    expect_ok(core->SetTarget({ACROSS, TALL, pixels}));
+    const std::vector<float> whole = filtered(gray, 0.02f);
+    pixels.resize(size_t{ACROSS} * PART);
+    expect_ok(core->SetTarget({ACROSS, PART, pixels}));
+    for (uint32_t above = 0; above + PART <= TALL; above += PART - 2 * SIDE) {
+        const auto first = gray.begin() + ACROSS * above;
+        const std::vector<float> part = filtered({first, first + ACROSS * PART}, 0.02f);
+        for (uint32_t row = SIDE; row < PART - SIDE; ++row)
+            for (uint32_t column = 0; column < ACROSS / 2 - SIDE; ++column)
+                ASSERT_NEAR(part[row * ACROSS + column], whole[(above + row) * ACROSS + column], 1e-3f)
+                    << column << " " << above + row;
+    }
+}
+
 // A pixel that is a hundred times as bright as all others is noise, but of what the picture has it is half.
 TEST_F(Filter, SpreadsWhatIsTooBrightAndKeepsItsSum) {
     put_walls({0.5f, 0.5f}, {4.0f, 4.0f});

@@ -4,7 +4,7 @@
 # Objects compiled for AVX2 or AVX-512 may share no inline function with the rest of the program: the linker keeps one
 # copy of each, and a CPU without those instructions must not meet theirs.
 foreach(object IN LISTS OBJECTS)
-    if(NOT object MATCHES "(kernels|materials|shade)_(avx2|avx512)\\.cpp")
+    if(NOT object MATCHES "(filters|kernels|materials|shade)_(avx2|avx512)\\.cpp")
         continue()
     endif()
     set(own "target_core::kernels_${CMAKE_MATCH_2}(_without_lobes)?::")
