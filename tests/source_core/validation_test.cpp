@@ -37,6 +37,37 @@ void expect_clean(const source_core::CoreTuning& tuning, bool all_features) {
     EXPECT_EQ(shown.finished, 24u * 16u) << "every path of every batch";
 }
 
+// By itself, and with a history: where that begins, and where the eye and an instance have moved.
+void expect_clean_filters(const source_core::CoreTuning& tuning) {
+    source_core::SourceOptions options;
+    options.validate = true;
+    OPEN_CORE_OR_SKIP(core, options, tuning);
+    std::mt19937 random(3);
+    TestScene scene;
+    scene.meshes.push_back(random_mesh(100, 1.0f, 0.5f, random));
+    scene.instances.push_back({0, {}});
+    ASSERT_TRUE(scene.send(*core).ok());
+    std::vector<glm::vec4> pixels(24 * 16), filtered(pixels.size());
+    ASSERT_TRUE(core->SetTarget({24, 16, pixels}).ok());
+    ViewPyramid view = front_view();
+    const auto filter = [&](uint32_t frame, FilterHistory history) {
+        ASSERT_TRUE(core->Render(view, Convergence::Restart, 1).ok());
+        const CoreFilter wish = {.means = pixels,
+                                 .first_sample = frame,
+                                 .samples = 1,
+                                 .filtered = filtered,
+                                 .history = history,
+                                 .most_rays = 4};
+        const Status status = core->Filter(view, wish);
+        EXPECT_TRUE(status.ok()) << status.message;
+    };
+    filter(0, FilterHistory::none);
+    filter(1, FilterHistory::begin);
+    view.eye.x = 0.5f;
+    ASSERT_TRUE(core->SetInstance(0, 0, random_transform(0.1f, false, random)).ok());
+    filter(2, FilterHistory::go_on);
+}
+
 // Core and synchronization checks only: GPU-assisted kernels take minutes to compile on a software device.
 source_core::CoreTuning host_checks() {
     source_core::CoreTuning tuning;
@@ -66,6 +97,12 @@ TEST(Validation, BatchesRunClean) {
     expect_clean(tuning, true);
 }
 
+TEST(Validation, FiltersRunClean) {
+    source_core::CoreTuning tuning = host_checks();
+    tuning.largest_batch = 128;
+    expect_clean_filters(tuning);
+}
+
 TEST(Validation, AccessesOnTheDeviceStayInside) { expect_clean({}, false); }
 
 TEST(Validation, AccessesToStorageBuffersStayInside) {
@@ -75,6 +112,8 @@ TEST(Validation, AccessesToStorageBuffersStayInside) {
 }
 
 // Minutes on a software device: run by hand with --gtest_also_run_disabled_tests after a change to buffers or trace.
+TEST(Validation, DISABLED_AccessesOfFiltersStayInside) { expect_clean_filters({}); }
+
 TEST(Validation, DISABLED_AllAccessesStayInside) { expect_clean({}, true); }
 
 TEST(Validation, DISABLED_AllAccessesToStorageBuffersStayInside) {
