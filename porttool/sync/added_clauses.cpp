@@ -66,10 +66,12 @@ private:
         std::optional<size_t> place = place_among(left, right, own, clauses, was_before, was_after);
         if (!place) return give_up("the port has statements of its own there, and which comes first matters");
         if (!is_in_counterpart(block, *place)) return give_up("the block around it has no counterpart in the port");
-        if (parts_neighbours(left, right, *place))
+        if (parts_neighbours(left, right, *place) && !is_set_apart_for_data(*place, was_before, was_after))
             return give_up(
                 "the port has one of its neighbours in a block of its own, and whether it belongs there is not "
                 "told");
+        if (follows_own_directive(*place, was_before))
+            return give_up("the port has a directive there, which would govern it");
         if (leaves_loop(first, end, *place))
             return give_up("the port has a loop of its own around it, which it would leave");
         std::vector<std::string> unknown;
@@ -138,6 +140,34 @@ private:
         for (size_t c = block_at(place); c != Clause::kNone && !stands_for_something(c); c = target(c).inside)
             if (is_outside(left, c) || is_outside(right, c)) return true;
         return false;
+    }
+
+    /// True for a place right behind a `#pragma` of the port that stands for no directive of the source.
+    bool follows_own_directive(size_t place, size_t was_before) const {
+        for (size_t c = 0; c < texts_.target.clauses.size() && target(c).first < place; ++c)
+            if (target(c).end == place && target(c).size() > 1 && texts_.target.words[target(c).first] == "#" &&
+                texts_.target.words[target(c).first + 1] == "pragma")
+                return was_before == kNothing || texts_.before.words[before(was_before).first] != "#";
+        return false;
+    }
+
+    /// True for a place beside the counterpart of a direct neighbour, in a block of the port's own that only says where
+    /// data is: `{`, or `# pragma omp target data {`.
+    bool is_set_apart_for_data(size_t place, size_t was_before, size_t was_after) const {
+        const size_t before_it = was_before == kNothing ? kNothing : counterpart(was_before);
+        const size_t after_it = was_after == kNothing ? kNothing : counterpart(was_after);
+        const bool is_beside = (before_it != kNothing && target(before_it).end == place) ||
+                               (after_it != kNothing && target(after_it).first == place);
+        if (!is_beside) return false;
+        for (size_t c = block_at(place); c != Clause::kNone && !stands_for_something(c); c = target(c).inside) {
+            const auto word = [&](size_t i) {
+                return target(c).first + i < target(c).end ? texts_.target.words[target(c).first + i] : std::string();
+            };
+            const bool is_bare = word(0) == "{";
+            const bool holds_data = word(0) == "#" && word(2) == "omp" && word(3) == "target" && word(4) == "data";
+            if (!is_bare && !holds_data) return false;
+        }
+        return true;
     }
 
     /// The head of the block of the target that a place is in.
@@ -280,6 +310,11 @@ private:
         return is < texts_.now.clauses.size() && texts_.paragraphs.contains(now(is).first);
     }
 
+    /// True for a part of `std :: chrono :: seconds`: two statements that have it need not touch the same things.
+    static bool is_scoped(const std::vector<CarriedWord>& words, size_t i) {
+        return (i > 0 && words[i - 1].text == "::") || (i + 1 < words.size() && words[i + 1].text == "::");
+    }
+
     /// Before which word of the target new clauses go, between the counterparts of their neighbours; none if the order
     /// among the port's own clauses there matters.
     std::optional<size_t> place_among(size_t left, size_t right, const std::vector<size_t>& own,
@@ -294,8 +329,8 @@ private:
             return target(own[0]).first;
         std::set<std::string> names;
         for (const ClauseAdded& clause : clauses)
-            for (const CarriedWord& word : clause.words)
-                if (is_name(word.text)) names.insert(word.text);
+            for (size_t i = 0; i < clause.words.size(); ++i)
+                if (is_name(clause.words[i].text) && !is_scoped(clause.words, i)) names.insert(clause.words[i].text);
         for (const size_t c : own)
             for (size_t i = target(c).first; i < target(c).end; ++i)
                 if (names.contains(texts_.target.words[i])) return std::nullopt;

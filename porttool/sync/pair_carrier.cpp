@@ -69,6 +69,30 @@ bool has_word(const std::vector<std::string>& words, const std::string& word) {
     return std::find(words.begin(), words.end(), word) != words.end();
 }
 
+/// The names of a clause but for what it calls, by their common numbers.
+std::set<uint32_t> values_named(const AlignedText& text, const Clause& clause) {
+    std::set<uint32_t> out;
+    for (size_t i = clause.first; i < clause.end; ++i)
+        if (is_word_token(text.words[i]) && (i + 1 == clause.end || text.words[i + 1] != "("))
+            out.insert(text.common[i]);
+    return out;
+}
+
+/// True if a statement of the port in which words change names other values than the source's did: `z = turned * s`
+/// for `z = z * s` is not what a new `z *= s` stands for.
+bool changes_other_values(const Transplant& found, const AlignedText& before, const AlignedText& target,
+                          const Alignment& across) {
+    return std::any_of(found.replaced.begin(), found.replaced.end(), [&](const WordsReplaced& one) {
+        for (size_t c = 0; c < before.clauses.size(); ++c) {
+            if (across.clause_of[c] == Alignment::kNone) continue;
+            const Clause& there = target.clauses[across.clause_of[c]];
+            if (one.first >= there.first && one.first < there.end)
+                return values_named(before, before.clauses[c]) != values_named(target, there);
+        }
+        return true;
+    });
+}
+
 void leave_at_heads(const PairEdit& edit, std::string why, Proposal& out) {
     out.left.push_back({std::move(why), first_line(edit.pair, Side::Source), first_line(edit.pair, Side::Target)});
 }
@@ -314,12 +338,16 @@ void PairCarrier::finish(const PairEdit& edit, const Texts& texts, const Transpl
         leave_where("`" + name + "`", "the port would use `" + name + "` where it does not declare it");
     const UnitState state = unit_state(scanned, *unit);
     const bool to_target = edit.to() == Side::Target;
-    const PairComparison compared = compare_now(
-        pair, edit.line, edit.before, to_target ? pair.unit.source->text : state.text,
-        to_target ? pair.unit.source->prints : state.prints, to_target ? state.text : pair.unit.target->text,
-        to_target ? state.prints : pair.unit.target->prints, knowledge_.dialect());
+    const NormalText &source = to_target ? pair.unit.source->text : state.text,
+                     &target = to_target ? state.text : pair.unit.target->text;
+    const PairComparison compared =
+        compare_now(pair, edit.line, edit.before, source, to_target ? pair.unit.source->prints : state.prints, target,
+                    to_target ? state.prints : pair.unit.target->prints, knowledge_.dialect());
     out.state = out.left.empty() ? ProposalState::Proposed : ProposalState::Partial;
-    if (out.left.empty() && compared.standing > Standing::Equivalent) {
+    const bool is_asked_about = compared.standing > Standing::Equivalent &&
+                                (changes_other_values(found, texts.old_text, texts.port_text, texts.across) ||
+                                 !is_only_noted(pair, edit.before, source, target, knowledge_.dialect()));
+    if (out.left.empty() && is_asked_about) {
         out.state = ProposalState::Partial;
         leave_where(what_differs(compared), "check would still ask about it: " + what_differs(compared));
     }

@@ -6,6 +6,9 @@
 #include <map>
 #include <string_view>
 
+#include "porttool/compare/settled_edits.h"
+#include "porttool/compare/switch_cases.h"
+#include "porttool/normal/prelude.h"
 #include "porttool/normal/unit_state.h"
 #include "porttool/sync/scopes.h"
 
@@ -22,6 +25,23 @@ PairComparison compare_now(const JudgedPair& pair, const LockedPair& line, const
     return compare_pair({paired(Side::Source, line.source_prints, source_prints, source),
                          paired(Side::Target, line.target_prints, target_prints, target)},
                         dialect, budget);
+}
+
+bool is_only_noted(const JudgedPair& pair, const BySide<NormalText>& before, const NormalText& source,
+                   const NormalText& target, const Dialect& dialect) {
+    for (const Side side : kBothSides)
+        if (pair.unit[side]->kind != UnitKind::Function && pair.unit[side]->kind != UnitKind::Kernel) return false;
+    const Words old_source = before.source.words(), old_target = before.target.words(), new_source = source.words(),
+                new_target = target.words();
+    const Words source_before = without_prelude(old_source), source_now = without_prelude(new_source),
+                target_before = without_prelude(old_target), target_now = without_prelude(new_target);
+    const PairTexts texts{source_before, source_now, target_before, target_now};
+    if (only_adds_labels_of_other(texts.source_before, texts.source_now, texts.target_now) &&
+        only_adds_labels_of_other(texts.target_before, texts.target_now, texts.source_now))
+        return true;
+    const auto language = [&](Side side) { return language_of_path(pair.unit[side]->file); };
+    return prelude_of(old_source) == prelude_of(new_source) && prelude_of(old_target) == prelude_of(new_target) &&
+           edits_leave_no_difference(texts, dialect, {language(Side::Source), language(Side::Target)});
 }
 
 std::string what_differs(const PairComparison& found) {

@@ -17,6 +17,12 @@ namespace porttool {
 PairComparison compare_now(const JudgedPair& pair, const LockedPair& line, const BySide<NormalText>& before,
                            const NormalText& source, const Fingerprints& source_prints, const NormalText& target,
                            const Fingerprints& target_prints, const Dialect& dialect);
+
+/// True if `check` has no more than a note for edits that differ so: what came to both sides is the same, and what each
+/// had in its own words is gone, or the same labels joined an arm.
+bool is_only_noted(const JudgedPair& pair, const BySide<NormalText>& before, const NormalText& source,
+                   const NormalText& target, const Dialect& dialect);
+
 /// What stands in the way of two edits that are not equivalent, as a reader is told.
 std::string what_differs(const PairComparison& found);
 

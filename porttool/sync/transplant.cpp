@@ -24,6 +24,7 @@ public:
         added_ = carry_added_clauses(*this, uses, out_);
         for (size_t c = 0; c < texts_.before.clauses.size(); ++c)
             if (texts_.edit.clause_of[c] == kNothing && !added_.held.contains(c)) remove(c);
+        keep_blocks_around_own();
         leave_lost();
         drop_open_blocks();
         // In the order of the source's text, whatever came upon it.
@@ -66,6 +67,29 @@ private:
             }
         }
         out_.removed.push_back(there);
+    }
+
+    /// A block that went with all that the source had in it stays around what the port has of its own there.
+    void keep_blocks_around_own() {
+        const auto went = [&](size_t c) { return texts_.edit.clause_of[c] == kNothing; };
+        const auto goes = [&](size_t c) {
+            return std::find(out_.removed.begin(), out_.removed.end(), c) != out_.removed.end();
+        };
+        for (size_t c = 0; c < texts_.before.clauses.size(); ++c) {
+            const size_t end = before(c).opens ? before(c).partner : Clause::kNone;
+            const size_t there = counterpart(c);
+            if (end == Clause::kNone || !went(c) || there == kNothing || !goes(there)) continue;
+            const size_t end_there = target(there).partner;
+            if (end_there == Clause::kNone || !goes(end_there)) continue;
+            bool all = true, any_own = false;
+            for (size_t i = c; i <= end; ++i) all &= went(i);
+            for (size_t i = there; i <= end_there; ++i) any_own |= !goes(i);
+            if (!all || !any_own) continue;
+            std::erase_if(out_.removed, [&](size_t i) { return i == there || i == end_there; });
+            leave("the source lost `" + shown(texts_.before.words, before(c).first, before(c).end) +
+                      "` with all within it; the port has statements of its own there",
+                  place_now(c), target(there).first);
+        }
     }
 
     /// True if the source has nothing new in the place of a clause that it lost.

@@ -1319,6 +1319,52 @@ TEST(SyncEdit, WhatBothSidesWriteToOneNameMayBeSaidInTwoWays) {
                    text("native_divide(s, r)", more)});
 }
 
+TEST(SyncEdit, WhatEachSideHadInItsOwnWordsGoesOnBoth) {
+    const auto text = [](const std::string& turned) {
+        return "void fold(float* out, const Part* part, float z) {\n  z = z + 1.0f;\n" + turned + "  out[0] = z;\n}\n";
+    };
+    const auto guarded = [](const std::string& turn) {
+        return "  if (part->turn.enabled > 0) {\n    " + turn + "\n  }\n";
+    };
+    const std::string source = text(guarded("z = part->turn.by.matrix.Rotate(z);"));
+    expect_ported(
+        {"k.cpp", "l.cl", source, text(""), text(guarded("z = rotated(part->turn.by.matrix, z);")), text("")});
+    // What the port has beside it stays.
+    expect_left({"k.cpp", "l.cl", source, text(""),
+                 text(guarded("z = rotated(part->turn.by.matrix, z);\n    out[1] = z;")), ""});
+}
+
+TEST(SyncEdit, AStatementOfOtherValuesIsLeft) {
+    const auto text = [](const std::string& scaled) {
+        return "void fold(float* out, const Part* part, float z) {\n  z = part->turn.by.first + z;\n  " + scaled +
+               "\n  out[0] = z;\n}\n";
+    };
+    const std::string port = replaced(text("z = turned * part->size.scale;"), "  z = part", "  float turned = part");
+    expect_left({"k.cpp", "l.cl", text("z = z * part->size.scale;"), text("z *= part->size.scale;"), port, ""});
+}
+
+TEST(SyncEdit, ARegionForDataMayHoldWhatStandsBesideItsFirstStatement) {
+    const auto source = [](const std::string& clock) {
+        return "void run(float* a, int n) {\n  prepare(n);\n  upload();\n" + clock +
+               "  for (int i = 0; i < n; i++) step(a, i);\n}\n";
+    };
+    const auto port = [](const std::string& head, const std::string& clock) {
+        return "void run(float* a, int n) {\n  prepare(n);\n" + head + clock +
+               "  for (int i = 0; i < n; i++) step(a, i);\n  }\n}\n";
+    };
+    const std::string clock = "  long start = clock();\n",
+                      data = "  #pragma omp target data map(tofrom: a[0:n])\n  {\n";
+    expect_ported({"k.cpp", "l.cpp", source(""), source(clock), port(data, ""), port(data, clock)});
+    const std::string loop = "  for (int k = 0; k < 2; k++) {\n";
+    expect_left({"k.cpp", "l.cpp", source(""), source(clock), port(loop, ""), ""});
+    // Nothing comes between a directive and what it governs.
+    const std::string copied = replaced(source(""), "upload()", "map(tofrom(a[0], n))");
+    const Synced got =
+        synced({"k.cpp", "l.cpp", copied, replaced(copied, "  for", clock + "  for"), port(data, ""), ""});
+    const std::string patch = got.proposal["patch"].is_string() ? got.proposal["patch"] : "";
+    EXPECT_EQ(patch.find("[0:n])\n+"), std::string::npos) << patch;
+}
+
 TEST(SyncEdit, ABraceClosesBehindAWholeChoice) {
     const auto text = [](const std::string& open, const std::string& close, const std::string& sum) {
         return "int f(const int* a, int n) {\n    int s = 0;\n    for (int j = 0; j < n; j++)" + open +
