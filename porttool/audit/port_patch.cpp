@@ -76,7 +76,7 @@ bool PortPatches::add_to(AuditItem& item) {
             (item.edited == Side::Source ? line.source_prints : line.target_prints) = prints;
     const auto text_of = [&](Print print) {
         const auto found = checked_.texts.find(print);
-        return found == checked_.texts.end() ? NormalText() : found->second;
+        return found == checked_.texts.end() ? NormalText() : found->second.get();
     };
     checked_.judgement = judge(
         {checked_.project.map, checked_.lock, checked_.states.source, checked_.states.target, {}, text_of, today()});

@@ -112,10 +112,8 @@ std::string check_request(const Options& options, bool color) {
 }
 
 std::unique_ptr<FactsStore> kept_facts(const Options& options, const std::string& repository) {
-    const bool asks_more = options.no_cache || options.spirv || !options.run_evidence.empty() ||
-                           options.format == "sarif";  // which proposes ports
     const std::string program = this_program();
-    if (asks_more || program.empty()) return nullptr;
+    if (options.no_cache || !options.run_evidence.empty() || program.empty()) return nullptr;
     return std::make_unique<FactsStore>(program + "\n" + repository, repository, least_bytes_read());
 }
 

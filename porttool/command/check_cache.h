@@ -19,7 +19,7 @@ Outcome through_cache(const std::string& request, const std::string& repository,
                       const std::function<Outcome(Workplace&)>& work);
 
 /// The facts of a project's files that earlier checks kept, or none where `options` do without: with --no-cache, and
-/// where more than their judgement is asked of the files.
+/// with --evidence, which asks for the texts of all that a unit uses.
 std::unique_ptr<FactsStore> kept_facts(const Options& options, const std::string& repository);
 
 /// The farthest folder upwards that is a repository or has a map: nothing in it is trusted.

@@ -55,15 +55,14 @@ namespace {
 
 Outcome check(const Options& options, const std::string& repository, Workplace& place) {
     std::unique_ptr<SpirvCheck> spirv;
-    const SameCodeIn same_code_in = [&](const Project& project) {
-        spirv = std::make_unique<SpirvCheck>(project, options.staged, options.base.empty() ? "HEAD" : options.base,
-                                             place.disk);
+    const SameCodeIn same_code_in = [&](const Snapshot& snapshot) {
+        spirv = std::make_unique<SpirvCheck>(snapshot, options.base.empty() ? "HEAD" : options.base, place.disk);
         return [&](const UnitState& unit, Side side, const NormalText& before) {
             return spirv->same_code(unit, side, before);
         };
     };
     const std::unique_ptr<FactsStore> kept = kept_facts(options, repository);
-    const CheckedProject checked =
+    CheckedProject checked =
         check_project(options, place, options.spirv ? same_code_in : SameCodeIn(), nullptr, kept.get());
     if (kept != nullptr) kept->save();
     if (checked.lock.version == 1 && options.base.empty())
@@ -71,6 +70,7 @@ Outcome check(const Options& options, const std::string& repository, Workplace& 
                      "--all\n";
     if (spirv)
         for (const std::string& line : spirv->obstacles()) place.err << terminal_text(line) << "\n";
+    if (options.format == "sarif" && any_fix_is_due(checked.judgement)) scan_known_files(checked);
     const GateResult result = checked.judgement.result();
     const bool fails = result == GateResult::Drift || (result == GateResult::Review && options.strict);
     return {formatted(checked, options, place.disk), fails ? 1 : 0};

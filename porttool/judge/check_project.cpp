@@ -62,15 +62,15 @@ RecordedLock lock_if_readable(const CheckedProject& checked, std::ostream& err) 
 
 /// Takes the state at the merge base for what was in step. Returns what the change itself does to the gate.
 std::vector<BroughtIn> hold_against_base(CheckedProject& checked, const CheckChoice& choice, const MapFile& map_today,
-                                         Workplace& place) {
-    Snapshot base = read_snapshot_beside(checked, {Moment::Kind::MergeBase, choice.base}, place.disk);
+                                         Workplace& place, FactsStore* kept) {
+    Snapshot base = read_snapshot_beside(checked, {Moment::Kind::MergeBase, choice.base}, place.disk, kept);
     if (!base.note.empty()) place.err << base.note << "\n";
     RecordedLock now = lock_if_readable(checked, place.err);
     const BaseRecord then = base_record(base, now, checked.states, place.err);
     const LockFile& in_force = choice.trusted_map ? then.lock.lock : now.lock;
     BaseLock in_step = base_lock(base, then.lock.lock, in_force, checked.states, [&](Print print) {
         const auto found = now.texts.find(print);
-        return found == now.texts.end() ? base_text(checked.project, checked.disk(), print) : found->second;
+        return found == now.texts.end() ? base_text(checked.project, checked.disk(), print) : found->second.get();
     });
     const std::vector<PlacedSuppression> known = placed_suppressions(base);
     const GateState before{then.has_map, then.map, then.has_lock, then.lock.lock, known};
@@ -145,17 +145,17 @@ void list_moved(const Judgement& judgement, std::vector<BroughtIn>& out) {
 /// What is to be judged.
 Snapshot read_now(Project project, const CheckChoice& choice, Workplace& place, CheckedProject* last,
                   FactsStore* kept) {
-    if (choice.staged) return read_snapshot(std::move(project), {Moment::Kind::Index}, place.disk);
-    if (last != nullptr) return read_snapshot_again(std::move(project), std::move(*last), place.disk);
-    if (kept != nullptr && choice.base.empty()) return read_snapshot(std::move(project), place.disk, *kept);
-    return read_snapshot(std::move(project), {}, place.disk);
+    if (last != nullptr && !choice.staged) return read_snapshot_again(std::move(project), std::move(*last), place.disk);
+    const Moment at{choice.staged ? Moment::Kind::Index : Moment::Kind::WorkTree};
+    if (kept != nullptr) return read_snapshot(std::move(project), at, place.disk, *kept);
+    return read_snapshot(std::move(project), at, place.disk);
 }
 
 }  // namespace
 
 NormalText text_behind(const CheckedProject& checked, Print print) {
     const auto found = checked.texts.find(print);
-    return found == checked.texts.end() ? base_text(checked.project, checked.disk(), print) : found->second;
+    return found == checked.texts.end() ? base_text(checked.project, checked.disk(), print) : found->second.get();
 }
 
 CheckedProject check_project(const CheckChoice& choice, Workplace& place, const SameCodeIn& same_code_in,
@@ -172,14 +172,14 @@ CheckedProject check_project(const CheckChoice& choice, Workplace& place, const 
     std::vector<BroughtIn> brought;
     checked.against_base = !choice.base.empty();
     if (checked.against_base) {
-        brought = hold_against_base(checked, choice, map_today, place);
+        brought = hold_against_base(checked, choice, map_today, place, kept);
     } else if (checked.recorded || !choice.lock_is_optional) {
         RecordedLock recorded = load_lock(checked.project, checked.disk(), checked.states);
         checked.lock = std::move(recorded.lock);
         checked.texts = std::move(recorded.texts);
         note_missing_texts(checked, place);
     }
-    const SameCode same_code = same_code_in ? same_code_in(checked.project) : SameCode();
+    const SameCode same_code = same_code_in ? same_code_in(checked) : SameCode();
     judge_it(checked, today(), checked.project.skipped, same_code);
     if (!choice.run_evidence.empty()) judge_with_evidence(checked, choice.run_evidence, same_code, place);
     if (!choice.base.empty()) list_moved(checked.judgement, brought);

@@ -29,7 +29,7 @@ struct CheckedProject : Snapshot {
     bool against_base = false;  ///< a merge base stands in for it
     LockFile lock = {};
     std::optional<LockFile> in_project = {};  ///< with a base: the lock that stands in the project, if one does
-    std::map<Print, NormalText> texts = {};   ///< by print: those behind the lock that portmap.base/ does not have
+    std::map<Print, UnitText> texts = {};     ///< by print: those behind the lock that portmap.base/ does not have
     /// With a merge base: pairs, by their ids, of which one side was gone there already.
     std::set<std::pair<std::string, std::string>> gone_before = {};
     States base_states = {};  ///< with a merge base: the units there
@@ -41,7 +41,7 @@ struct CheckedProject : Snapshot {
 NormalText text_behind(const CheckedProject& checked, Print print);
 
 /// What can tell that an edited function compiles to the same code; asked for once the project is read.
-using SameCodeIn = std::function<SameCode(const Project& project)>;
+using SameCodeIn = std::function<SameCode(const Snapshot& snapshot)>;
 
 /// Reads, scans and judges. Throws CannotDo. `last`: what the same choice gave before; of the work tree only what
 /// changed since then is scanned again. It is used up. `kept`: facts of files from earlier runs; where these are used,

@@ -17,8 +17,8 @@ bool is_outdated(const LockFile& lock);
 /// A lock whose prints are today's, with the texts behind those that were found.
 struct UpgradedLock {
     LockFile lock;
-    std::map<Print, NormalText> texts;  ///< by today's print
-    std::string error;                  ///< which text is missing, and what to do
+    std::map<Print, UnitText> texts;  ///< by today's print
+    std::string error;                ///< which text is missing, and what to do
 };
 
 /// Gives every print of an outdated lock anew, from the text behind it. `text_of` gives the text that portmap.base/ has

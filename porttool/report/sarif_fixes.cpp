@@ -42,7 +42,16 @@ ordered_json replacements(const ProposedFile& file) {
     return out;
 }
 
+bool is_due(const JudgedPair& pair) {
+    const bool unsettled = pair.standing == PairStanding::Drifted || pair.standing == PairStanding::Review;
+    return unsettled && pair.changed && !pair.equivalent;
+}
+
 }  // namespace
+
+bool any_fix_is_due(const Judgement& judgement) {
+    return std::any_of(judgement.pairs.begin(), judgement.pairs.end(), is_due);
+}
 
 std::vector<ProposedFix> proposed_fixes(const CheckedProject& checked, const Disk& disk) {
     constexpr size_t kMost = 20;
@@ -50,8 +59,7 @@ std::vector<ProposedFix> proposed_fixes(const CheckedProject& checked, const Dis
     size_t tried = 0;
     for (size_t i = 0; i < checked.judgement.pairs.size() && tried < kMost; ++i) {
         const JudgedPair& pair = checked.judgement.pairs[i];
-        const bool unsettled = pair.standing == PairStanding::Drifted || pair.standing == PairStanding::Review;
-        if (!unsettled || !pair.changed || pair.equivalent) continue;
+        if (!is_due(pair)) continue;
         ++tried;
         try {
             SyncResult result = propose(checked, {i}, WriteSide::Other, disk);

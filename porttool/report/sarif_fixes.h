@@ -22,6 +22,9 @@ struct ProposedFix {
 /// are out of step. Those that bring pairs with them have none, as a viewer makes no new files.
 std::vector<ProposedFix> proposed_fixes(const CheckedProject& checked, const Disk& disk);
 
+/// False where there is nothing to propose: then files need not be scanned for it.
+bool any_fix_is_due(const Judgement& judgement);
+
 /// A member of `fixes` (2.1.0, 3.55). None where a text is no UTF-8, or its last line, without an end, changes.
 /// `folder`: where the root lies in its repository.
 nlohmann::ordered_json sarif_fix(const ProposedFix& fix, const std::string& folder);

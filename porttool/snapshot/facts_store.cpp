@@ -17,6 +17,7 @@ namespace porttool {
 namespace {
 
 constexpr uint64_t kMostBytes = 512ull << 20;
+constexpr uint64_t kMostScannedBytes = 16ull << 20;  // of new files that stay scanned; takes some twenty times that
 constexpr std::string_view kFirstLine = "porttool files 1\n";
 
 }  // namespace
@@ -70,21 +71,36 @@ KnownSide FactsStore::know(std::vector<SourceText> files, const std::set<std::st
     open();
     KnownSide side(files.size());
     std::vector<Entry> entries(files.size());
+    const auto is_whole = [&](const SourceText& source) { return named.contains(source.path + ":@file"); };
     in_parallel(files.size(), files.size() >= kFilesWorthThreads, [&](size_t i) {
         SourceText& source = files[i];
-        const bool is_whole = named.contains(source.path + ":@file");
-        const uint64_t hash = hash_of(source, is_whole);
-        const auto found = found_.find(hash);
-        std::optional<FileFacts> facts;
-        if (found != found_.end()) facts = FileFacts::read(kept_, found->second);
-        const bool is_new = !facts;
-        if (is_new) {
-            const auto bytes =
-                std::make_shared<const std::string>(FileFacts::pack(scan_text(source.path, source.text), is_whole));
-            facts = FileFacts::read(bytes, *bytes);
+        entries[i].hash = hash_of(source, is_whole(source));
+        const auto found = found_.find(entries[i].hash);
+        if (found == found_.end()) return;
+        if (std::optional<FileFacts> facts = FileFacts::read(kept_, found->second)) {
+            entries[i].bytes = facts->bytes();
+            side[i] =
+                std::make_shared<const KnownFile>(std::move(source.path), std::move(source.text), std::move(*facts));
         }
-        entries[i] = {hash, facts->bytes(), is_new};
-        side[i] = std::make_shared<const KnownFile>(std::move(source.path), std::move(source.text), std::move(*facts));
+    });
+    std::vector<size_t> fresh;
+    uint64_t fresh_bytes = 0;
+    for (size_t i = 0; i < files.size(); ++i) {
+        if (side[i] != nullptr) continue;
+        fresh.push_back(i);
+        fresh_bytes += files[i].text.size();
+    }
+    const bool stay_scanned = fresh_bytes <= kMostScannedBytes;
+    in_parallel(fresh.size(), fresh.size() >= kFilesWorthThreads, [&](size_t at) {
+        SourceText& source = files[fresh[at]];
+        std::optional<ScannedFile> scanned = scan_text(source.path, source.text);
+        const auto bytes = std::make_shared<const std::string>(FileFacts::pack(*scanned, is_whole(source)));
+        std::optional<FileFacts> facts = FileFacts::read(bytes, *bytes);
+        entries[fresh[at]].bytes = facts->bytes();
+        entries[fresh[at]].is_new = true;
+        if (!stay_scanned) scanned.reset();
+        side[fresh[at]] = std::make_shared<const KnownFile>(std::move(source.path), std::move(source.text),
+                                                            std::move(*facts), std::move(scanned));
     });
     known_.insert(known_.end(), entries.begin(), entries.end());
     files_.insert(files_.end(), side.begin(), side.end());

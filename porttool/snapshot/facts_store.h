@@ -29,7 +29,8 @@ public:
 
     uint64_t least_bytes() const { return least_bytes_; }
 
-    /// The files of a set with their facts. `named`: ids that the map names, of files as a whole among them.
+    /// The files of a set with their facts. `named`: ids that the map names, of files as a whole among them. Few new
+    /// files stay scanned: they are the ones whose texts a judgement asks for.
     KnownSide know(std::vector<SourceText> files, const std::set<std::string>& named);
 
     /// Keeps the facts of all files that were known, where enough of them are new.
@@ -37,9 +38,9 @@ public:
 
 private:
     struct Entry {
-        uint64_t hash;
-        std::string_view bytes;
-        bool is_new;
+        uint64_t hash = 0;
+        std::string_view bytes = {};
+        bool is_new = false;
     };
 
     void open();

@@ -56,7 +56,7 @@ std::map<Print, const NormalText*> texts_behind(const std::set<Print>& prints, c
         for (const auto& [id, state] : *side)
             if (prints.contains(state.prints.written)) out.emplace(state.prints.written, &state.text.get());
     for (const auto& [print, text] : record.texts)
-        if (prints.contains(print)) out.emplace(print, &text);
+        if (prints.contains(print)) out.emplace(print, &text.get());
     return out;
 }
 

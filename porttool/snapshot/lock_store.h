@@ -16,8 +16,8 @@ std::string lock_path(const Project& project);
 /// A lock whose prints are of today's normal form.
 struct RecordedLock {
     LockFile lock;
-    std::string written;                ///< as the file has it
-    std::map<Print, NormalText> texts;  ///< by print: those that an older lock's prints were made anew from
+    std::string written;              ///< as the file has it
+    std::map<Print, UnitText> texts;  ///< by print: those that an older lock's prints were made anew from
 };
 
 /// Reads portmap.lock; throws CannotDo if it is not there or cannot be used. `today`: the units as they are now.
@@ -34,9 +34,9 @@ std::unique_ptr<WriteGuard> guard_lock(const ProjectChoice& choice, Workplace& p
 struct NewRecord {
     const LockFile& lock;
     const States& states;
-    const std::map<Print, NormalText>& texts;  ///< by print, where the states do not have them any more
-    const std::string* map_text = nullptr;     ///< the map, where it is new, too
-    bool clears = false;                       ///< removes texts that no print stands for
+    const std::map<Print, UnitText>& texts;  ///< by print, where the states do not have them any more
+    const std::string* map_text = nullptr;   ///< the map, where it is new, too
+    bool clears = false;                     ///< removes texts that no print stands for
 };
 
 /// Writes portmap.lock and, in portmap.base/, the texts behind its fingerprints. A text that is not needed any more

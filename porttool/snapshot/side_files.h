@@ -19,10 +19,12 @@ namespace porttool {
 /// A file of a side by its facts. It is scanned, and texts of its units are written in normal form, when somebody asks.
 class KnownFile final : public TextSource {
 public:
-    KnownFile(std::string path, std::string bytes, FileFacts facts)
-        : path_(std::move(path)), bytes_(std::move(bytes)), facts_(std::move(facts)) {}
+    /// `scanned`: where it was scanned just now and may be kept so.
+    KnownFile(std::string path, std::string bytes, FileFacts facts, std::optional<ScannedFile> scanned = std::nullopt)
+        : path_(std::move(path)), bytes_(std::move(bytes)), facts_(std::move(facts)), scanned_(std::move(scanned)) {}
 
     const std::string& path() const { return path_; }
+    const std::string& bytes() const { return bytes_; }
     const FileFacts& facts() const { return facts_; }
     const ScannedFile& scanned() const;
     const NormalText& text(uint32_t unit) const override;

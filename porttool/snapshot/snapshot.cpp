@@ -283,27 +283,58 @@ void fetch(Snapshot& snapshot) {
     if (!project.map.target_root.empty()) add_other_checkout(snapshot);
 }
 
-/// Scans what git has; globs that match nothing there are no mistake. Returns the files that are as `known` has them.
-BySide<std::set<std::string>> read_from_git(Snapshot& snapshot, const Snapshot* known) {
-    BySide<std::set<std::string>> same;
+/// What git has of both sides; globs that match nothing there are no mistake.
+BySide<SourceSet> sides_from_git(Snapshot& snapshot) {
+    BySide<SourceSet> sets;
     fetch(snapshot);
     Project& project = snapshot.project;
     project.skipped.clear();
     for (const Side side : kBothSides) {
         std::vector<std::string> unmatched;
-        const SourceSet files =
-            read_globs(snapshot.git, root_of(project, side), globs_of(project.map, side), unmatched);
-        const FilesByPath there = known == nullptr
-                                      ? FilesByPath()
-                                      : by_path(side == Side::Source ? known->project.source : known->project.target);
-        (side == Side::Source ? project.source : project.target) = scan_all(files, there, same[side]);
-        project.skipped.insert(project.skipped.end(), files.skipped.begin(), files.skipped.end());
-        for (const SkippedFile& file : files.skipped) snapshot.unknown[side].insert(file.file);
-        if (snapshot.at.kind == Moment::Kind::Index && files.files.empty() && told_files(project, side).empty())
+        SourceSet& set = sets[side];
+        set = read_globs(snapshot.git, root_of(project, side), globs_of(project.map, side), unmatched);
+        project.skipped.insert(project.skipped.end(), set.skipped.begin(), set.skipped.end());
+        for (const SkippedFile& file : set.skipped) snapshot.unknown[side].insert(file.file);
+        if (snapshot.at.kind == Moment::Kind::Index && set.files.empty() && told_files(project, side).empty())
             throw CannotDo(std::string("--staged: the index holds no file of the ") + name_of(side) +
                            " side\nStage them with: git add; or check without --staged");
     }
+    return sets;
+}
+
+/// Scans them. Returns the files that are as `known` has them.
+BySide<std::set<std::string>> scan_beside(Snapshot& snapshot, const BySide<SourceSet>& sets, const Snapshot& known) {
+    BySide<std::set<std::string>> same;
+    for (const Side side : kBothSides) {
+        const bool is_source = side == Side::Source;
+        const FilesByPath there = by_path(is_source ? known.project.source : known.project.target);
+        (is_source ? snapshot.project.source : snapshot.project.target) = scan_all(sets[side], there, same[side]);
+    }
     return same;
+}
+
+/// Files of a side by their facts; those that are as `known` has them are shared with it.
+KnownSide know_beside(std::vector<SourceText> files, const KnownSide& known, const std::set<std::string>& named,
+                      FactsStore& facts) {
+    std::unordered_map<std::string_view, const std::shared_ptr<const KnownFile>*> there;
+    for (const auto& file : known) there.emplace(file->path(), &file);
+    KnownSide side(files.size());
+    std::vector<SourceText> others;
+    for (size_t i = 0; i < files.size(); ++i) {
+        const auto found = there.find(files[i].path);
+        if (found != there.end() && (*found->second)->bytes() == files[i].text)
+            side[i] = *found->second;
+        else
+            others.push_back(std::move(files[i]));
+    }
+    KnownSide fresh = facts.know(std::move(others), named);
+    for (auto next = fresh.begin(); auto& file : side)
+        if (file == nullptr) file = std::move(*next++);
+    return side;
+}
+
+BySide<SourceSet> sides_at(Snapshot& snapshot) {
+    return snapshot.at.kind == Moment::Kind::WorkTree ? read_both_sides(snapshot) : sides_from_git(snapshot);
 }
 
 void refuse_open_merges(const Snapshot& snapshot) { require_finished_merges(snapshot.project.map, snapshot.files()); }
@@ -357,33 +388,29 @@ FileText map_text_of(const Snapshot& snapshot) {
 Snapshot read_snapshot(Project project, const Moment& at, const Disk& on_disk, Depth depth) {
     Snapshot out{std::move(project), {}, at, "", {}, &on_disk};
     Project none;
-    if (at.kind == Moment::Kind::WorkTree)
-        scan_work_tree(out, read_both_sides(out), none);
-    else
-        read_from_git(out, nullptr);
+    scan_work_tree(out, sides_at(out), none);
     out.written = {};
     if (at.kind != Moment::Kind::MergeBase) refuse_open_merges(out);
     if (depth == Depth::Normal) out.states = read_states(out.project);
     return out;
 }
 
-Snapshot read_snapshot(Project project, const Disk& on_disk, FactsStore& facts) {
-    Snapshot out{std::move(project), {}, {Moment::Kind::WorkTree}, "", {}, &on_disk};
-    BySide<SourceSet> sets = read_both_sides(out);
-    if (bytes_of(sets.source) + bytes_of(sets.target) >= facts.least_bytes()) {
+Snapshot read_snapshot(Project project, const Moment& at, const Disk& on_disk, FactsStore& facts) {
+    Snapshot out{std::move(project), {}, at, "", {}, &on_disk};
+    BySide<SourceSet> sets = sides_at(out);
+    const bool by_facts = bytes_of(sets.source) + bytes_of(sets.target) >= facts.least_bytes();
+    if (by_facts) {
         const std::set<std::string> named = named_ids(out.project.map);
         KnownSide source = facts.know(std::move(sets.source.files), named);
         KnownSide target = facts.know(std::move(sets.target.files), named);
         out.known.emplace(BySide<KnownSide>{std::move(source), std::move(target)});
-        refuse_open_merges(out);
-        out.states = read_states(*out.known);
-        return out;
+    } else {
+        Project none;
+        scan_work_tree(out, std::move(sets), none);
+        out.written = {};
     }
-    Project none;
-    scan_work_tree(out, std::move(sets), none);
-    out.written = {};
-    refuse_open_merges(out);
-    out.states = read_states(out.project);
+    if (at.kind != Moment::Kind::MergeBase) refuse_open_merges(out);
+    out.states = by_facts ? read_states(*out.known) : read_states(out.project);
     return out;
 }
 
@@ -397,11 +424,31 @@ Snapshot read_snapshot_again(Project project, Snapshot last, const Disk& on_disk
     return out;
 }
 
-Snapshot read_snapshot_beside(const Snapshot& known, const Moment& at, const Disk& on_disk) {
+Snapshot read_snapshot_beside(const Snapshot& known, const Moment& at, const Disk& on_disk, FactsStore* facts) {
     Snapshot out{without_files(known.project), {}, at, "", {}, &on_disk};
-    const BySide<std::set<std::string>> same = read_from_git(out, &known);
+    BySide<SourceSet> sets = sides_from_git(out);
+    if (known.known && facts != nullptr) {
+        const std::set<std::string> named = named_ids(out.project.map);
+        out.known.emplace();
+        for (const Side side : kBothSides)
+            (*out.known)[side] = know_beside(std::move(sets[side].files), (*known.known)[side], named, *facts);
+        out.states = read_states(*out.known);
+        return out;
+    }
+    const BySide<std::set<std::string>> same = scan_beside(out, sets, known);
     out.states = read_states(out.project, known.states, same);
     return out;
+}
+
+void scan_known_files(Snapshot& snapshot) {
+    if (!snapshot.known) return;
+    for (const Side side : kBothSides) {
+        const KnownSide& known = (*snapshot.known)[side];
+        std::vector<ScannedFile> files(known.size());
+        in_parallel(known.size(), known.size() >= kFilesWorthThreads,
+                    [&](size_t i) { files[i] = scan_text(known[i]->path(), known[i]->bytes()); });
+        (side == Side::Source ? snapshot.project.source : snapshot.project.target) = std::move(files);
+    }
 }
 
 void read_base_texts(Snapshot& snapshot) {

@@ -64,15 +64,18 @@ FileText map_text_of(const Snapshot& snapshot);
 /// Throws CannotDo.
 Snapshot read_snapshot(Project project, const Moment& at, const Disk& on_disk, Depth depth = Depth::Normal);
 
-/// The same of a work tree of which facts are kept, where it is large enough for that.
-Snapshot read_snapshot(Project project, const Disk& on_disk, FactsStore& facts);
+/// The same where facts are kept of files, and used if the sides are large enough for that.
+Snapshot read_snapshot(Project project, const Moment& at, const Disk& on_disk, FactsStore& facts);
 
 /// The same of a work tree that was read before: what stands as it stood is not scanned again. Throws CannotDo.
 Snapshot read_snapshot_again(Project project, Snapshot last, const Disk& on_disk);
 
 /// The same of a commit, beside a snapshot of another moment under the same pairs: what is the same text there is not
-/// scanned again.
-Snapshot read_snapshot_beside(const Snapshot& known, const Moment& at, const Disk& on_disk);
+/// scanned again. `facts`: what is kept of files where `known` knows its own by that.
+Snapshot read_snapshot_beside(const Snapshot& known, const Moment& at, const Disk& on_disk, FactsStore* facts);
+
+/// Scans files that are known by their facts, for who wants all of `project.source` and `project.target`.
+void scan_known_files(Snapshot& snapshot);
 
 /// Adds to a snapshot of a commit the texts behind its lock, which are many and mostly not needed. Throws CannotDo.
 void read_base_texts(Snapshot& snapshot);

@@ -25,8 +25,8 @@ struct SpirvCheck::Shaders {
     std::optional<SpirvComparer> comparer;
 };
 
-SpirvCheck::SpirvCheck(const Project& project, bool staged, std::string base, const Disk& disk)
-    : project_(project), staged_(staged), base_(std::move(base)), disk_(disk) {
+SpirvCheck::SpirvCheck(const Snapshot& snapshot, std::string base, const Disk& disk)
+    : snapshot_(snapshot), project_(snapshot.project), base_(std::move(base)), disk_(disk) {
     if (!spirv_is_built_in())
         throw CannotDo(
             "--spirv: this porttool was built without glslang\nInstall glslang-dev, spirv-tools and spirv-headers, and "
@@ -44,7 +44,7 @@ SpirvCheck::Shaders& SpirvCheck::shaders_of(Side side) {
     shaders.root = source ? project_.root : target_root(project_);
     shaders.sources_only = !source && is_elsewhere(project_);
     std::vector<std::string> entries;
-    if (staged_ && (source || project_.map.target_root.empty())) {
+    if (snapshot_.at.kind == Moment::Kind::Index && (source || project_.map.target_root.empty())) {
         GitFiles staged = GitRepository(shaders.root, kChecksWithGit).files_in_index(is_shader_text);
         if (!staged.error.empty()) throw CannotDo(staged.error);
         for (auto& [path, text] : staged.files) {
@@ -103,10 +103,12 @@ SpirvAnswer SpirvCheck::ask(Shaders& shaders, const ScannedFile& file, const Uni
 }
 
 std::string SpirvCheck::same_code(const UnitState& unit, Side side, const NormalText& before) {
-    const auto& files = side == Side::Source ? project_.source : project_.target;
-    const auto file =
-        std::find_if(files.begin(), files.end(), [&](const ScannedFile& f) { return f.path == unit.file; });
-    if (file == files.end() || file->language != Language::Glsl) return {};
+    const FilesOfSide files = snapshot_.files(side);
+    size_t at = 0;
+    while (at < files.size() && files.path(at) != unit.file) ++at;
+    if (at == files.size()) return {};
+    const ScannedFile* const file = &files.scanned(at);
+    if (file->language != Language::Glsl) return {};
     const auto found = std::find_if(file->units.begin(), file->units.end(),
                                     [&](const Unit& u) { return unit_id(*file, u) == unit.id; });
     if (found == file->units.end()) return {};

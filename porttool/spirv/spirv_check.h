@@ -11,7 +11,7 @@
 #include "porttool/normal/unit_state.h"
 #include "porttool/read/git_repository.h"
 #include "porttool/scan/side.h"
-#include "porttool/snapshot/project.h"
+#include "porttool/snapshot/snapshot.h"
 #include "porttool/spirv/same_spirv.h"
 
 namespace porttool {
@@ -23,7 +23,7 @@ class SpirvCheck {
 public:
     /// `base`: the revision whose merge base with HEAD has the earlier files. Throws CannotDo if porttool was built
     /// without glslang.
-    SpirvCheck(const Project& project, bool staged, std::string base, const Disk& disk);
+    SpirvCheck(const Snapshot& snapshot, std::string base, const Disk& disk);
     ~SpirvCheck();
 
     /// What to say of a function that compiles to the same code as its earlier text `before` (as in portmap.base/), or
@@ -38,8 +38,8 @@ private:
     Shaders& shaders_of(Side side);
     SpirvAnswer ask(Shaders& shaders, const ScannedFile& file, const Unit& unit, const NormalText& before);
 
+    const Snapshot& snapshot_;
     const Project& project_;
-    bool staged_;
     std::string base_;
     const Disk& disk_;
     BySide<std::unique_ptr<Shaders>> shaders_;

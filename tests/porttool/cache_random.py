@@ -267,8 +267,8 @@ def main():
         for number in range(EDITS):
             edits = [project.edit() for _ in range(rng.choice([1, 1, 1, 2, 4]))]
             asked = ["--format", rng.choice(FORMATS)]
-            if rng.random() < 0.2:
-                asked += rng.choice([["--base", "HEAD"], ["--staged"], ["--strict"], ["--base", "HEAD", "--trusted-map"]])
+            if rng.random() < 0.4:
+                asked += rng.choice([["--base", "HEAD"], ["--staged"], ["--strict"], ["--base", "HEAD", "--trusted-map"], ["--spirv"]])
             without = project.run("check", "--no-cache", *asked)
             assert without[0] in (0, 1, 2), without
             for _ in range(rng.choice([1, 1, 2])):

@@ -51,6 +51,13 @@ protected:
         ASSERT_EQ(std::system(("cd '" + root.string() + "' && git " + arguments + " > /dev/null 2>&1").c_str()), 0)
             << arguments;
     }
+    /// Removes what git has of a file or folder at HEAD.
+    void lose(const std::string& path) const {
+        const std::filesystem::path note = beside("other");
+        git("rev-parse HEAD:" + path + " > " + note.string() + " #");
+        const std::string id = read_text(note).substr(0, 40);
+        ASSERT_TRUE(std::filesystem::remove(root / ".git/objects" / id.substr(0, 2) / id.substr(2))) << path;
+    }
     CommandRun porttool(std::vector<std::string> arguments, const std::string& folder = "") {
         arguments.insert(arguments.begin(), {"-C", folder.empty() ? root.string() : folder});
         return run(disk, arguments);
@@ -289,10 +296,20 @@ TEST_F(Git, ALinkToAFileIsReadAsTheFile) {
 }
 
 TEST_F(Git, ATextThatIsNotHereIsNotTakenForNone) {
-    ASSERT_EQ(std::system(("cd '" + root.string() + "' && git rev-parse HEAD:src/k.cu > id").c_str()), 0);
-    const std::string id = read_text(root / "id").substr(0, 40);
-    std::filesystem::remove(root / ".git/objects" / id.substr(0, 2) / id.substr(2));
+    lose("src/k.cu");
     EXPECT_NE(error_of({"--base", "base"}).find("src/k.cu"), std::string::npos);
+}
+
+TEST_F(Git, OfABaseOnlyWhatTheGlobsNameIsRead) {
+    write("docs/guide/page.md", "A page.\n");
+    write("src/deep/other.cu", "int other(int a) { return a * 3; }\n");
+    write("notes.txt", "Notes.\n");
+    git("add -A && git commit -qm three");
+    for (const char* path : {"docs/guide/page.md", "docs/guide", "docs", "src/deep/other.cu", "notes.txt"}) lose(path);
+    EXPECT_EQ(check({"--base", "HEAD"})["verdict"], "in_step");
+    EXPECT_EQ(check({"--staged"})["verdict"], "in_step");
+    lose("port/k.comp");
+    EXPECT_NE(error_of({"--base", "HEAD"}).find("port/k.comp"), std::string::npos);
 }
 
 TEST_F(Git, AUnitThatWasMovedSinceTheBaseIsHeldAgainstTheLock) {
