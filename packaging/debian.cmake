@@ -1,7 +1,8 @@
 # SPDX-FileCopyrightText: 2026 The porttool authors
 # SPDX-License-Identifier: Apache-2.0
-# Man pages, shell completion, and a Debian package of what was built: `cpack --preset porttool` packs the gate alone as
-# porttool_VERSION_ARCH.deb, `cpack --preset release` all of it as porttool-suite_VERSION_ARCH.deb, into build/PRESET/packages/.
+# Man pages, shell completion, and Debian packages of what was built: `cpack --preset porttool` packs the gate alone as
+# porttool_VERSION_ARCH.deb, `cpack --preset release` all of it as porttool-suite_VERSION_ARCH.deb, into build/PRESET/packages/;
+# where there is MPI the program that needs it is a package of its own, pathtracer-mpi_VERSION_ARCH.deb.
 include_guard()
 
 find_package(Python3 COMPONENTS Interpreter QUIET)
@@ -44,6 +45,19 @@ if(PORTTOOL_WITH_RENDERER)
     set(CPACK_DEBIAN_PACKAGE_CONFLICTS porttool)
     set(CPACK_DEBIAN_PACKAGE_REPLACES porttool)
     set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "mesa-vulkan-drivers, git")
+    if(TARGET pathtracer-mpi)
+        set(CPACK_DEB_COMPONENT_INSTALL ON)
+        set(CPACK_COMPONENTS_ALL Unspecified mpi)
+        set(CPACK_DEBIAN_UNSPECIFIED_PACKAGE_NAME porttool-suite)
+        set(CPACK_DEBIAN_UNSPECIFIED_PACKAGE_SUGGESTS pathtracer-mpi)
+        set(CPACK_DEBIAN_MPI_PACKAGE_NAME pathtracer-mpi)
+        set(CPACK_DEBIAN_MPI_DESCRIPTION "pathtracer of porttool-suite on many machines, under mpirun")
+        set(CPACK_DEBIAN_MPI_PACKAGE_DEPENDS "porttool-suite (= ${PROJECT_VERSION}), openmpi-bin")
+        foreach(relation PROVIDES CONFLICTS REPLACES RECOMMENDS)
+            set(CPACK_DEBIAN_UNSPECIFIED_PACKAGE_${relation} "${CPACK_DEBIAN_PACKAGE_${relation}}")
+            unset(CPACK_DEBIAN_PACKAGE_${relation})
+        endforeach()
+    endif()
 else()
     set(CPACK_PACKAGE_NAME porttool)
     set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "finds what was not ported between two code bases")
@@ -51,4 +65,8 @@ else()
     set(CPACK_DEBIAN_PACKAGE_RECOMMENDS git)
 endif()
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${CPACK_PACKAGE_NAME} RENAME copyright)
+if(TARGET pathtracer-mpi)
+    install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/pathtracer-mpi RENAME copyright
+        COMPONENT mpi)
+endif()
 include(CPack)

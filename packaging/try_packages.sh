@@ -3,9 +3,12 @@
 # SPDX-License-Identifier: Apache-2.0
 #
 # packaging/try_packages.sh PACKAGE.deb...: installs each Debian package in a bare root of bookworm, with what it depends on
-# and nothing else, runs its programs there as a user without a name, looks for man pages and completion, and removes it again.
+# and nothing else, runs its programs there as a user without a name, asks man and the shells for what the command tables say,
+# and removes it again. pathtracer-mpi comes with porttool-suite, which must be among the packages.
 # Needs root, debootstrap and a package mirror (DEBIAN_MIRROR names another); keeps the bare root in build/roots.
-# Where podman or docker is there, the container of packaging/Containerfile is built and run, too.
+# Where podman or docker is there, the container of packaging/Containerfile is built, upon that bare root, and run, too. Within
+# another container that may want CONTAINER_ENGINE='podman --runtime runc' BUILDAH_ISOLATION=chroot
+# CONTAINER_OPTIONS='--ulimit nofile=1024:1024 --ulimit nproc=1024:1024'.
 set -euo pipefail
 packages=()
 for package in "$@"; do packages+=("$(realpath "$package")"); done
@@ -34,16 +37,60 @@ as_nobody() {
         'mount -t proc proc "$ROOT/proc" && exec chroot --userspec=12345:12345 "$ROOT" "$@"' sh "$@"
 }
 wrong() { echo "try_packages: $name: $1" >&2; exit 1; }
+name_of() { dpkg-deb -f "$1" Package; }
+install() {
+    inside apt-get install -qq -y --no-install-recommends "$@" >"$work/log" 2>&1 ||
+        { tail -5 "$work/log" >&2; wrong "$* does not install"; }
+}
+says() { grep -q -- "$1" "$work/out" || { cat "$work/out" >&2; wrong "$2"; }; }
 
-for package in "${packages[@]}"; do
-    name=$(dpkg-deb -f "$package" Package)
+fresh_root() {
     rm -rf "$root"
     cp -a "$bare" "$root"
-    cp "$package" "$root/tmp/package.deb"
     cp /etc/resolv.conf "$root/etc/resolv.conf"
     for file in /etc/apt/apt.conf.d/*proxy*; do [ ! -f "$file" ] || cp "$file" "$root/etc/apt/apt.conf.d/"; done
     inside apt-get update -qq
-    inside apt-get install -qq -y --no-install-recommends /tmp/package.deb >"$work/log" 2>&1 || { tail -5 "$work/log" >&2; wrong "does not install"; }
+    for one in "${packages[@]}"; do cp "$one" "$root/tmp/$(name_of "$one").deb"; done
+}
+
+# What the command tables say, as man and three shells show it.
+try_manuals() {
+    install man-db zsh fish
+    as_nobody man -P cat porttool-check >"$work/out" 2>&1 || wrong "man finds no page"
+    says 'merge-base(REV' "the page of check lacks --base"
+    as_nobody bash -c '. /usr/share/bash-completion/completions/porttool
+        COMP_WORDS=(porttool check --) COMP_CWORD=2; _porttool; printf "%s\n" "${COMPREPLY[@]}"' >"$work/out" || wrong "bash cannot read its completion"
+    says '^--staged$' "bash does not offer check --staged"
+    as_nobody fish -c 'complete -C "porttool che"; complete -C "porttool check --sta"' >"$work/out" 2>/dev/null || wrong "fish cannot read its completion"
+    says '^check' "fish does not offer check"
+    says '^--staged' "fish does not offer check --staged"
+    as_nobody zsh -fc 'autoload -Uz compinit && compinit -u -D && print ${_comps[porttool]} && zsh -n /usr/share/zsh/vendor-completions/_porttool' \
+        >"$work/out" || wrong "zsh cannot read its completion"
+    says '^_porttool$' "zsh does not find the completion"
+}
+
+# Two ranks give the file of one process; the program alone says what is missing.
+try_ranks() {
+    fresh_root
+    install /tmp/porttool-suite.deb
+    as_nobody dpkg-query -W >"$work/out"
+    ! grep openmpi "$work/out" >&2 || wrong "porttool-suite brings MPI along"
+    install "/tmp/$name.deb"
+    mkdir -m 777 "$root/trial"
+    render() { as_nobody "${@:2}" pathtracer render still_life --core target --size 64x36 --spp 2 --threads 1 -o "/trial/$1.png" 2>"$work/err" ||
+        { cat "$work/err" >&2; wrong "$1: does not render"; }; }
+    render alone env
+    render team mpirun --oversubscribe --bind-to none -n 2
+    cmp "$root/trial/alone.png" "$root/trial/team.png" || wrong "two ranks give another file"
+    grep -q pathtracer-mpi "$root/var/lib/dpkg/info/$name.list" || wrong "no program"
+    echo "$name: two ranks render the file of one process; $(du -h "$package" | cut -f1) packed"
+}
+
+for package in "${packages[@]}"; do
+    name=$(name_of "$package")
+    [ "$name" != pathtracer-mpi ] || { try_ranks; continue; }
+    fresh_root
+    install "/tmp/$name.deb"
     mkdir -p "$root/trial/gpu" "$root/trial/cpu"
     printf 'float scale(float x, float y) {\n    float sum = x * 2.5;\n    return sum + y;\n}\n' >"$root/trial/gpu/a.glsl"
     printf 'float scale(float x, float y) {\n    float sum = x * 2.5f;\n    return sum + y;\n}\n' >"$root/trial/cpu/a.cpp"
@@ -72,16 +119,21 @@ for package in "${packages[@]}"; do
             grep -q "pathtracer-core-$core.so" "$work/out" || { cat "$work/out" >&2; wrong "the $core core is not listed"; }
         done
     fi
+    try_manuals
     inside apt-get remove -qq -y "$name" >/dev/null 2>&1
     [ ! -e "$root/usr/bin/porttool" ] || wrong "stays when removed"
     echo "$name: installs, runs and goes; $(du -h "$package" | cut -f1) packed"
 done
-for engine in podman docker; do
-    command -v "$engine" >/dev/null && "$engine" info >/dev/null 2>&1 || continue
+read -ra options <<<"${CONTAINER_OPTIONS:-}"
+for name in "${CONTAINER_ENGINE:-podman}" docker; do
+    read -ra engine <<<"$name"
+    command -v "${engine[0]}" >/dev/null && "${engine[@]}" info >/dev/null 2>&1 || continue
     for package in "${packages[@]}"; do
-        [ "$(dpkg-deb -f "$package" Package)" = porttool ] || continue
-        "$engine" build -q -f packaging/Containerfile -t porttool-trial "$(dirname "$package")" >/dev/null
-        "$engine" run --rm --network none -v "$PWD:/work:ro" porttool-trial check --strict
+        [ "$(name_of "$package")" = porttool ] || continue
+        tar -C "$bare" -c . | "${engine[@]}" import -q - porttool-trial-base >/dev/null
+        "${engine[@]}" build -q --network host --build-arg BASE=porttool-trial-base -f packaging/Containerfile -t porttool-trial \
+            "$(dirname "$package")" >/dev/null 2>"$work/err" || { cat "$work/err" >&2; wrong "the container is not built"; }
+        "${engine[@]}" run --rm --network none "${options[@]}" -v "$PWD:/work:ro" porttool-trial check --strict
         echo "container: builds and checks this repository"
     done
     exit 0
