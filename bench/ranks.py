@@ -4,12 +4,14 @@
 """Where the time of a team of ranks goes, and what binds first when there are many.
 
     bench/ranks.py PATHTRACER SCENE [--camera FILE] [--size WxH] [--spp N] [--repeats N] [--mca "NAME VALUE"...] [--keep FILE]
+        [--slow FACTOR]
     bench/ranks.py --simulate FILE [--ranks 1,4,16,...] [--bandwidth MB_S] [--latency US] [--round S] [--slow FACTOR]
 
 The first takes, in turn, one rank of two threads and two ranks of one thread, of the target core. Of both it tells the
 time of the frame after loading, as the program says it, and the processor time (user and system, of all processes;
 that of a run of one sample, which loads as much, is taken off); of the ranks also how long they were at samples, between
-those of two tiles (the counter, the sums that come and go) and waiting at the ends of rounds. --keep writes down where in the picture
+those of two tiles (the counter, the sums that come and go) and waiting at the ends of rounds. With --slow rank 1 is stopped but
+for one part in FACTOR of the time, and what the other waited for it at the ends of rounds is told. --keep writes down where in the picture
 the time goes, for the second, which renders 3840x2160 with ranks of one thread each, in rounds, with the tiles of
 application/cluster/mpi_team.cpp, whose sums go through the one link of rank 0.
 """
@@ -20,6 +22,7 @@ import math
 import os
 import pathlib
 import re
+import signal
 import statistics
 import subprocess
 import sys
@@ -41,7 +44,7 @@ def finished(command, environment=None):
 
 
 def read_tiles(folder, ranks):
-    """Of each rank, its tiles: round, first pixel, pixels, and when it was given, had its sums, had its samples, was done."""
+    """Of each rank, its tiles: round, first pixel, pixels, and when it was given, asked for its sums, had its samples, was done."""
     files = [pathlib.Path(folder) / f"tiles.{rank}" for rank in range(ranks)]
     return [[tuple(map(float, line.split())) for line in file.read_text().splitlines()] for file in files]
 
@@ -70,6 +73,37 @@ def cost_map(tiles, pixels, cells=512):
     known = [c / w if w else 0.0 for c, w in zip(cost, weight)]
     mean = sum(known) / cells
     return [value / mean for value in known]
+
+
+def slowed(command, environment, factor, folder):
+    """Runs two ranks, the second of which the processor has one part in `factor` of the time, once both have a tile."""
+    first_tile = pathlib.Path(folder) / "tiles.1"
+    first_tile.unlink(missing_ok=True)
+    process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, env=environment)
+    while process.poll() is None and not (first_tile.exists() and first_tile.stat().st_size):
+        time.sleep(0.01)
+    ranks = subprocess.run(["pgrep", "-P", str(process.pid)], capture_output=True, text=True).stdout.split()
+    while process.poll() is None:
+        try:
+            for number, seconds in ((signal.SIGSTOP, 0.01 * (factor - 1)), (signal.SIGCONT, 0.01)):
+                os.kill(max(map(int, ranks)), number)
+                time.sleep(seconds)
+        except ProcessLookupError:
+            break
+    if process.wait() != 0:
+        sys.exit(f"{' '.join(command)}: ended with {process.returncode}")
+    fast, slow = read_tiles(folder, 2)
+    waited = longest = span = 0.0
+    rounds = sorted({tile[0] for tile in fast + slow})
+    for number in rounds:
+        mine, others = ([tile for tile in of if tile[0] == number] for of in (fast, slow))
+        if mine and others:
+            wait = max(0.0, others[-1][6] - mine[-1][6])
+            waited, longest = waited + wait, max(longest, wait - (others[-1][6] - others[-1][3]))
+            span += max(mine[-1][6], others[-1][6]) - min(mine[0][3], others[0][3])
+    print(f"rank 1 slower by {factor:g}: it took {sum(t[2] for t in slow) / sum(t[2] for t in fast + slow):.1%} of the pixels; in "
+          f"{len(rounds)} rounds the other waited {waited:.2f} s of {span:.2f} s for it at the end, never more than its last tile took "
+          f"and {max(0.0, longest) * 1e3:.0f} ms")
 
 
 def measure(options):
@@ -105,6 +139,8 @@ def measure(options):
         all_of_it = at_samples + between + at_ends
         print(f"two ranks: {at_samples / all_of_it:.2%} at samples, {between / all_of_it:.2%} between them, "
               f"{at_ends / all_of_it:.2%} at the ends of rounds")
+        if options.slow > 1:
+            slowed([*ways["2 ranks of 1 thread"], "--spp", str(options.spp)], environment, options.slow, folder)
         if options.keep:
             path_us = statistics.median(v[1] for v in one) / (options.spp * width * height) * 1e6
             kept = {"scene": options.scene, "path_us": path_us, "cost": cost_map(tiles, width * height)}

@@ -9,8 +9,8 @@
 namespace application {
 
 /// Answers other ranks while this one renders. Over networks that cannot reach into a machine's memory by themselves
-/// (TCP), what others want of the windows of a rank waits until it calls MPI; rank 0 has all of them. MPI must have
-/// been initialised for MPI_THREAD_SERIALIZED.
+/// (TCP), what others want of the windows of a rank waits until it calls MPI, and so do the answers to what it has
+/// asked for itself. MPI must have been initialised for MPI_THREAD_SERIALIZED.
 class Answering {
 public:
     /// `on`: there is a thread for it.

@@ -144,31 +144,47 @@ void MpiTeam::add_up(std::span<uint64_t> numbers) {
 uint64_t MpiTeam::place_of(uint64_t pixel) const { return pixel * sizeof(PixelSum); }
 uint64_t MpiTeam::place_of_square(uint64_t pixel) const { return pixels_ * sizeof(PixelSum) + pixel * sizeof(double); }
 
-void MpiTeam::get_tile(uint64_t first_pixel) {
+/// Asks for what was there before. Sums are exact, so that they may come while samples are taken, and be added then;
+/// squares are not, and those of one process are added one after the other.
+void MpiTeam::ask_for_tile(uint64_t first_pixel) {
+    there_.resize(tile_.size());
     const auto get = [&](void* values, uint64_t bytes, uint64_t place) {
         MPI_Get(values, static_cast<int>(bytes), MPI_BYTE, 0, static_cast<MPI_Aint>(place), static_cast<int>(bytes),
                 MPI_BYTE, sums_);
     };
-    get(tile_.data(), tile_.size() * sizeof(PixelSum), place_of(first_pixel));
-    if (squares_) get(tile_squares_.data(), tile_squares_.size() * sizeof(double), place_of_square(first_pixel));
+    get(there_.data(), there_.size() * sizeof(PixelSum), place_of(first_pixel));
+    if (!squares_) return;
+    get(tile_squares_.data(), tile_squares_.size() * sizeof(double), place_of_square(first_pixel));
     MPI_Win_flush(0, sums_);
 }
 
-void MpiTeam::put_tile(uint64_t first_pixel) {
+void MpiTeam::add_what_was_there() {
+    MPI_Win_flush(0, sums_);
+    for (size_t i = 0; i < tile_.size(); ++i) add_sum(tile_[i], there_[i]);
+}
+
+/// It is there once next_tile() is done.
+void MpiTeam::send_tile(uint64_t first_pixel) {
     const auto put = [&](const void* values, uint64_t bytes, uint64_t place) {
         MPI_Put(values, static_cast<int>(bytes), MPI_BYTE, 0, static_cast<MPI_Aint>(place), static_cast<int>(bytes),
                 MPI_BYTE, sums_);
     };
     put(tile_.data(), tile_.size() * sizeof(PixelSum), place_of(first_pixel));
     if (squares_) put(tile_squares_.data(), tile_squares_.size() * sizeof(double), place_of_square(first_pixel));
+}
+
+/// Waits at the same time for the counter and until the last tile is where it belongs.
+uint64_t MpiTeam::next_tile() {
+    const uint64_t tile = raised_by(1);
     MPI_Win_flush(0, sums_);
+    return tile;
 }
 
 void MpiTeam::render_tile(CoreSession& session, const Round& round, uint64_t first_pixel, uint64_t count) {
     times_.begin_tile(first_pixel, count);
     tile_.assign(count, {});
     tile_squares_.assign(squares_ ? count : 0, 0.0);
-    if (!round.is_fresh) get_tile(first_pixel);
+    if (!round.is_fresh) ask_for_tile(first_pixel);
     times_.note();
     answering_.begin();
     const Status status =
@@ -180,7 +196,8 @@ void MpiTeam::render_tile(CoreSession& session, const Round& round, uint64_t fir
                    explain(status));
         MPI_Abort(MPI_COMM_WORLD, 2);
     }
-    put_tile(first_pixel);
+    if (!round.is_fresh) add_what_was_there();
+    send_tile(first_pixel);
     times_.end_tile();
 }
 
@@ -191,7 +208,7 @@ void MpiTeam::work_off(CoreSession& session, const Round& round) {
     }
     times_.begin_round();
     const uint64_t tiles = starts_.size() - 1;
-    for (uint64_t tile = raised_by(1); tile < tiles; tile = raised_by(1))
+    for (uint64_t tile = next_tile(); tile < tiles; tile = next_tile())
         render_tile(session, round, starts_[tile], starts_[tile + 1] - starts_[tile]);
     fetched_before_ += tiles + static_cast<uint64_t>(ranks_);  // each rank has fetched once in vain
     MPI_Barrier(MPI_COMM_WORLD);

@@ -60,23 +60,26 @@ private:
     uint64_t raised_by(uint64_t more);
     uint64_t place_of(uint64_t pixel) const;
     uint64_t place_of_square(uint64_t pixel) const;
-    void get_tile(uint64_t first_pixel);
-    void put_tile(uint64_t first_pixel);
+    void ask_for_tile(uint64_t first_pixel);
+    void add_what_was_there();
+    void send_tile(uint64_t first_pixel);
+    uint64_t next_tile();
 
     int rank_ = rank_of_process();
     int ranks_ = 1;
     TileTimes times_{rank_};
-    Answering answering_{needs_answers() && rank_ == 0};  // all ask
-    MPI_Win counter_ = MPI_WIN_NULL;                      // on rank 0: how many tiles or tasks were fetched, ever
-    MPI_Win sums_ = MPI_WIN_NULL;                         // on rank 0: the sums of all pixels, then of their squares
-    std::byte* shared_ = nullptr;                         // on rank 0: that memory
-    uint32_t shared_samples_ = 0;                         // on rank 0: in it
+    Answering answering_{needs_answers()};  // of rank 0 all ask; others' own questions go on while they render
+    MPI_Win counter_ = MPI_WIN_NULL;        // on rank 0: how many tiles or tasks were fetched, ever
+    MPI_Win sums_ = MPI_WIN_NULL;           // on rank 0: the sums of all pixels, then of their squares
+    std::byte* shared_ = nullptr;           // on rank 0: that memory
+    uint32_t shared_samples_ = 0;           // on rank 0: in it
     uint64_t pixels_ = 0;
     std::vector<uint64_t> starts_;  // of the tiles, and the end of the last
     uint64_t tiles_of_ = 0;         // the smallest tile that they are for
     uint64_t fetched_before_ = 0;   // in all rounds before this one
     bool squares_ = false;
-    std::vector<render_system::PixelSum> tile_;
+    std::vector<render_system::PixelSum> tile_;   // samples of this round, then with what was there
+    std::vector<render_system::PixelSum> there_;  // before this round
     std::vector<double> tile_squares_;
 };
 

@@ -9,8 +9,8 @@ namespace application {
 
 /// When a rank had which tile, for whoever wants to know where a team's time goes: a line a tile in the file that
 /// PATHTRACER_TILE_TIMES names, with the rank's number behind it: "round first count" and four times, in seconds of the
-/// machine's steady clock: the tile is given, its sums are here, its samples are taken, its sums are back. Without that
-/// variable nothing is written, and no clock read.
+/// machine's steady clock: the tile is given, its sums are asked for, its samples are taken, its sums are on their way
+/// back. Without that variable nothing is written, and no clock read.
 class TileTimes {
 public:
     explicit TileTimes(int rank);

@@ -13,6 +13,7 @@ import pathlib
 import random
 import re
 import resource
+import shutil
 import signal
 import struct
 import subprocess
@@ -313,6 +314,12 @@ class LongRuns(unittest.TestCase):
         for option, value, words in (("--seed", "1", "--seed is 0 and here 1"), ("--sky", "1,0,0", "the sky (--sky")):
             self.assertEqual(render("--samples", "16:17", option, value, "-o", name("other.exr")).returncode, 0)
             self.refused(run("merge", name("a.exr"), name("other.exr"), "-o", name("x.exr")), "other.exr", words)
+        other = shutil.copytree(pathlib.Path(SCENE).parent, self.file("other")) / pathlib.Path(SCENE).name
+        scene = json.loads(other.read_text())
+        scene["materials"][0].setdefault("pbrMetallicRoughness", {})["baseColorFactor"] = [0.1, 0.2, 0.9, 1.0]
+        other.write_text(json.dumps(scene))
+        self.assertEqual(run("render", str(other), *SMALL, "--samples", "16:17", "-o", name("other.exr")).returncode, 0)
+        self.refused(run("merge", name("a.exr"), name("other.exr"), "-o", name("x.exr")), "other.exr", "the scene's content")
         # Without sums a picture still adds up, but for its last bits, and says so.
         self.assertEqual(render("--spp", "3", "-o", name("plain.exr")).returncode, 0)
         merged = run("merge", name("plain.exr"), name("b.exr"), name("c.exr"), "-o", name("near.png"))

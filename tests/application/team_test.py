@@ -121,6 +121,17 @@ class Teams(unittest.TestCase):
             self.assertEqual(len(said), 1, result.stderr)
             self.assertIn(word, said[0])
 
+    def test_a_damaged_checkpoint_is_told_once_and_nobody_waits(self):
+        output = self.file("a.png")
+        stopped = subprocess.run([PROGRAM, *RENDER, "--spp", "1000000", "--time-limit", "0.3s", "--checkpoint", "10m", "-o", output],
+                                 capture_output=True)
+        self.assertEqual(stopped.returncode, 0, stopped.stderr)
+        checkpoint = self.path / "a.png.checkpoint"
+        checkpoint.write_bytes(checkpoint.read_bytes()[:-1])
+        result = team(2, *RENDER, "--spp", "1000000", "--resume", "-o", output)
+        self.assertEqual(result.returncode, 2, result.stderr)
+        self.assertEqual(result.stderr.count("a.png.checkpoint"), 1, result.stderr)
+
     def test_a_slow_rank_takes_fewer_tiles_and_the_others_wait_for_one_at_most(self):
         """Rank 1 is stopped nearly all of the time: what is left to it a loaded machine gives it at once."""
         arguments = [*RENDER[:-1], "200x114", "--spp", "1000000", "--time-limit", "6s", "--threads", "1"]
