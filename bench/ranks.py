@@ -10,8 +10,8 @@
 The first takes, in turn, one rank of two threads and two ranks of one thread, of the target core. Of both it tells the
 time of the frame after loading, as the program says it, and the processor time (user and system, of all processes;
 that of a run of one sample, which loads as much, is taken off); of the ranks also how long they were at samples, between
-those of two tiles (the counter, the sums that come and go) and waiting at the ends of rounds. With --slow rank 1 is stopped but
-for one part in FACTOR of the time, and what the other waited for it at the ends of rounds is told. --keep writes down where in the picture
+those of two tiles (the counter, the sums that come and go) and waiting at the ends of rounds. With --slow rank 1 gets one
+part in FACTOR of the other's processor time, and what the other waited for it at the ends of rounds is told. --keep writes down where in the picture
 the time goes, for the second, which renders 3840x2160 with ranks of one thread each, in rounds, with the tiles of
 application/cluster/mpi_team.cpp, whose sums go through the one link of rank 0.
 """
@@ -75,21 +75,33 @@ def cost_map(tiles, pixels, cells=512):
     return [value / mean for value in known]
 
 
+def on_processors(process):
+    """Nanoseconds that all threads of a process have had."""
+    return sum(int(file.read_text().split()[0]) for file in pathlib.Path(f"/proc/{process}/task").glob("*/schedstat"))
+
+
 def slowed(command, environment, factor, folder):
-    """Runs two ranks, the second of which the processor has one part in `factor` of the time, once both have a tile."""
+    """Runs two ranks. Once both have a tile the second is stopped whenever it has had more than one part in `factor` of the
+    processor time of the first."""
     first_tile = pathlib.Path(folder) / "tiles.1"
     first_tile.unlink(missing_ok=True)
     process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, env=environment)
     while process.poll() is None and not (first_tile.exists() and first_tile.stat().st_size):
         time.sleep(0.01)
-    ranks = subprocess.run(["pgrep", "-P", str(process.pid)], capture_output=True, text=True).stdout.split()
-    while process.poll() is None:
-        try:
-            for number, seconds in ((signal.SIGSTOP, 0.01 * (factor - 1)), (signal.SIGCONT, 0.01)):
-                os.kill(max(map(int, ranks)), number)
-                time.sleep(seconds)
-        except ProcessLookupError:
-            break
+    first, second = sorted(map(int, subprocess.run(["pgrep", "-P", str(process.pid)], capture_output=True, text=True).stdout.split()))
+    try:
+        began = on_processors(first), on_processors(second)
+        last, moved = 0, time.monotonic()
+        while process.poll() is None:
+            now = on_processors(first) - began[0]
+            if now > last:
+                last, moved = now, time.monotonic()
+            waits = time.monotonic() > moved + 0.5  # as at the very end
+            ahead = (on_processors(second) - began[1]) * factor > now
+            os.kill(second, signal.SIGSTOP if ahead and not waits else signal.SIGCONT)
+            time.sleep(0.002)
+    except (ProcessLookupError, FileNotFoundError):
+        pass
     if process.wait() != 0:
         sys.exit(f"{' '.join(command)}: ended with {process.returncode}")
     fast, slow = read_tiles(folder, 2)
