@@ -1,0 +1,322 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/sync/word_changes.h"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "porttool/normal/normal_form.h"
+#include "porttool/normal/normal_text.h"
+#include "porttool/sync/operands.h"
+
+namespace porttool {
+
+void WordChanger::change_words(const std::vector<Hunk>& hunks, size_t was, size_t is, size_t there) {
+    const size_t made = out_.replaced.size(), left = out_.left.size(), spelled = respelled_.size();
+    for (const Hunk& hunk : hunks) change_run(hunk, was, there);
+    if (out_.replaced.size() > made) take_spellings(hunks, spelled);
+    if (out_.left.size() > left) return out_.replaced.resize(made);
+    // Where the target says the clause word for word it has to say the new one so, too.
+    const Clause& other = target(there);
+    if (out_.replaced.size() == made || was == 0 ||
+        !says(other.first, other.end, carry_old(before(was).first, before(was).end).words))
+        return;
+    const CarriedWords now_said = carry_new(now(is).first, now(is).end);
+    if (!now_said.unknown.empty() || result_of(other, made) == texts_of(now_said.words)) return;
+    if (!uses_.doubt_within(now_said.words, now(is).end, other.first).empty()) return;
+    out_.replaced.resize(made);
+    out_.replaced.push_back({target(there).first, target(there).end, now_said.words, now(is).first, now(is).end});
+}
+
+std::vector<std::string> WordChanger::result_of(const Clause& clause, size_t made) const {
+    std::vector<WordsReplaced> edits(out_.replaced.begin() + static_cast<std::ptrdiff_t>(made), out_.replaced.end());
+    std::sort(edits.begin(), edits.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::vector<std::string> out;
+    size_t at = clause.first;
+    const auto copy_to = [&](size_t end) {
+        for (; at < end; ++at) out.push_back(texts_.target.words[at]);
+    };
+    for (const WordsReplaced& edit : edits) {
+        copy_to(edit.first);
+        for (std::string& word : texts_of(edit.words)) out.push_back(std::move(word));
+        at = std::max(at, edit.end);
+    }
+    copy_to(clause.end);
+    return out;
+}
+
+std::vector<Hunk> WordChanger::hunks_of(const Clause& was, const Clause& is) const {
+    std::vector<Hunk> out;
+    const auto kept = [&](size_t i) {
+        const size_t k = texts_.edit.word_of[i];
+        return k != kNothing && texts_.before.exact[i] == texts_.now.exact[k];
+    };
+    size_t i = was.first, k = is.first;
+    while (i < was.end || k < is.end) {
+        if (i < was.end && kept(i) && texts_.edit.word_of[i] == k) {
+            ++i, ++k;
+            continue;
+        }
+        Hunk hunk{i, i, k, k};
+        while (hunk.end < was.end && !kept(hunk.end)) ++hunk.end;
+        hunk.now_end = hunk.end < was.end ? texts_.edit.word_of[hunk.end] : is.end;
+        out.push_back(hunk);
+        i = hunk.end;
+        k = hunk.now_end;
+    }
+    return out;
+}
+
+void WordChanger::change_run(Hunk hunk, size_t was, size_t there) {
+    if (was == 0 && loses_way_out(hunk))
+        return leave_run(hunk, target(there).first, "nothing tells how the port hands a value back so");
+    if (is_neutral(hunk)) return respell(hunk);
+    if (hunk.first == hunk.end ? insert_run(hunk, was, there) : replace_run(hunk) || drop_elements(hunk)) return;
+    const Clause &here = before(was), &other = target(there);
+    // Out to words that stand for words of the target.
+    while (hunk.first > here.first && word_of(hunk.first - 1) == kNothing) --hunk.first, --hunk.now_first;
+    while (hunk.end < here.end && word_of(hunk.end) == kNothing) ++hunk.end, ++hunk.now_end;
+    const size_t first = hunk.first == here.first ? other.first : word_of(hunk.first - 1) + 1;
+    const size_t end = hunk.end == here.end ? other.end : word_of(hunk.end);
+    const CarriedWords now = carry_new(hunk.now_first, hunk.now_end);
+    if (end < first) return leave_run(hunk, first, "its neighbours stand in another order there");
+    if (says(first, end, now.words) && !(now.words.empty() && first == end && hunk.first != hunk.end)) {
+        ++out_.already;
+        return;
+    }
+    if (hunk.first == hunk.end && first != end) return leave_run(hunk, first, "the port has words of its own there");
+    if (!says(first, end, carry_old(hunk.first, hunk.end).words, true) && !is_name_alone(hunk, first, end))
+        return leave_run(hunk, first,
+                         "the port says `" + shown(texts_.target.words, first, end) + "` there, not `" +
+                             shown(texts_.before.words, hunk.first, hunk.end) + "`");
+    put(hunk, first, end, now);
+}
+
+void WordChanger::put(const Hunk& hunk, size_t first, size_t end, const CarriedWords& now) {
+    // The scope that a name is taken from stays: `Light :: kSun` for `kSun`.
+    if (hunk.end == hunk.first + 1 && !now.unknown.empty() && end > first + 2 && texts_.target.words[end - 2] == "::" &&
+        texts_.target.words[end - 1] == texts_.before.words[hunk.first])
+        first = end - 1;
+    if (!now.unknown.empty() && !is_renamed_elsewhere(hunk, first, end))
+        return leave_run(hunk, first, "nothing tells how the port says " + listed(now.unknown));
+    if (hunk.end == hunk.first + 1 && hunk.now_end == hunk.now_first + 1 && end == first + 1 &&
+        !uses_.is_local(hunk.now_first) &&
+        translator_.declares_alone(texts_.target.words[first], texts_.now.words[hunk.now_first]))
+        return leave_run(hunk, first, "the port declares `" + texts_.target.words[first] + "` itself");
+    if (const std::string name = indexed_otherwise(now.words); !name.empty())
+        return leave_run(hunk, first, "the port has `" + name + "` with other indices");
+    if (const std::string why = uses_.doubt_within(now.words, hunk.now_end, first); !why.empty())
+        return leave_run(hunk, first, why);
+    out_.replaced.push_back({first, end, now.words, hunk.now_first, hunk.now_end});
+}
+
+bool WordChanger::loses_way_out(const Hunk& hunk) const {
+    const auto hands_back = [](const std::string& word) { return word == "out" || word == "inout"; };
+    const auto first = texts_.now.words.begin() + static_cast<std::ptrdiff_t>(hunk.now_first);
+    const auto end = texts_.now.words.begin() + static_cast<std::ptrdiff_t>(hunk.now_end);
+    const std::vector<std::string> said = texts_of(carry_new(hunk.now_first, hunk.now_end).words);
+    const auto says_one_of = [&](std::initializer_list<std::string_view> words) {
+        return std::any_of(said.begin(), said.end(), [&](const std::string& word) {
+            return std::find(words.begin(), words.end(), word) != words.end();
+        });
+    };
+    if (translator_.lacks_references() && says_one_of({"&"})) return true;
+    return std::any_of(first, end, hands_back) && !says_one_of({"&", "*"}) && !translator_.lacks_references();
+}
+
+bool WordChanger::is_renamed_elsewhere(const Hunk& hunk, size_t first, size_t end) const {
+    if (hunk.end != hunk.first + 1 || hunk.now_end != hunk.now_first + 1 || end != first + 1) return false;
+    const std::string &was = texts_.before.words[hunk.first], &is = texts_.now.words[hunk.now_first];
+    if (texts_.target.words[first] != was || !translator_.is_from_elsewhere(was, is)) return false;
+    if (uses_.is_local_there(first)) return false;  // the other side may have it as a field, the port has its own
+    const auto is_called = [](const std::vector<std::string>& words, size_t i) {
+        return i + 3 < words.size() && (words[i + 1] == "(" || (words[i + 1] == "<" && words[i + 2] == "<"));
+    };
+    const std::vector<std::string>& words = texts_.now.words;
+    return is_called(words, hunk.now_first) == is_called(texts_.target.words, first) &&
+           std::find(words.begin(), words.end(), was) == words.end();
+}
+
+bool WordChanger::replace_run(const Hunk& hunk) {
+    const size_t first = word_of(hunk.first);
+    for (size_t i = hunk.first; i < hunk.end; ++i)
+        if (word_of(i) == kNothing || word_of(i) != first + (i - hunk.first)) return false;
+    const size_t end = first + (hunk.end - hunk.first);
+    if (has_own_prefix(hunk.first, first)) return false;
+    bool lists = false;
+    for (size_t i = hunk.first; i < hunk.end; ++i) lists |= texts_.before.words[i] == ",";
+    if ((lists || hunk.now_first == hunk.now_end) && !stands_between_counterparts(hunk, first, end)) return false;
+    if (!says(first, end, carry_old(hunk.first, hunk.end).words, true) && !is_name_alone(hunk, first, end))
+        return false;
+    const CarriedWords now = carry_new(hunk.now_first, hunk.now_end);
+    if (says(first, end, now.words))
+        ++out_.already;
+    else
+        put(hunk, first, end, now);
+    return true;
+}
+
+bool WordChanger::drop_elements(const Hunk& hunk) {
+    if (hunk.now_first != hunk.now_end) return false;
+    size_t first = hunk.first, end = hunk.end;
+    if (texts_.before.words[end - 1] == ",")
+        --end;
+    else if (texts_.before.words[first] == ",")
+        ++first;
+    else
+        return false;
+    if (first == end || word_of(first) == kNothing) return false;
+    size_t there = word_of(first), there_end = there + (end - first);
+    for (size_t i = first; i < end; ++i)
+        if (word_of(i) != there + (i - first)) return false;
+    const std::vector<std::string>& words = texts_.target.words;
+    if (there == 0 || there_end >= words.size() || !says(there, there_end, carry_old(first, end).words, true))
+        return false;
+    const bool opens = words[there - 1] == "(", closes = words[there_end] == ")";
+    if ((!opens && words[there - 1] != ",") || (!closes && words[there_end] != ",")) return false;
+    if (!closes)
+        ++there_end;
+    else if (!opens)
+        --there;
+    out_.replaced.push_back({there, there_end, {}, hunk.now_first, hunk.now_end});
+    return true;
+}
+
+bool WordChanger::says_alike(size_t i) const {
+    const std::string &here = texts_.before.words[i], &there = texts_.target.words[word_of(i)];
+    if (is_word_token(here)) return is_word_token(there);
+    if (is_number_token(here)) return is_number_token(there) && number_value(here) == number_value(there);
+    return here == there || texts_.before.common[i] == texts_.target.common[word_of(i)] || here == "." || here == "->";
+}
+
+bool WordChanger::has_own_prefix(size_t i, size_t there) const {
+    const auto picks = [](const std::vector<std::string>& words, size_t at) {
+        return at > 0 && (words[at - 1] == "::" || words[at - 1] == "." || words[at - 1] == "->");
+    };
+    return picks(texts_.target.words, there) && !picks(texts_.before.words, i);
+}
+
+bool WordChanger::stands_between_counterparts(const Hunk& hunk, size_t first, size_t end) const {
+    const bool left = hunk.first > 0 && first > 0 && word_of(hunk.first - 1) == first - 1;
+    return left && hunk.end < texts_.before.words.size() && word_of(hunk.end) == end;
+}
+
+size_t WordChanger::before_scope(size_t first, size_t word) const {
+    while (word >= first + 2 && texts_.target.words[word - 1] == "::" && is_word_token(texts_.target.words[word - 2]))
+        word -= 2;
+    return word;
+}
+
+bool WordChanger::insert_run(const Hunk& hunk, size_t was, size_t there) {
+    const Clause &here = before(was), &other = target(there);
+    size_t left = hunk.first, right = hunk.first;
+    while (left > here.first && word_of(left - 1) == kNothing) --left;
+    while (right < here.end && word_of(right) == kNothing) ++right;
+    const size_t first = left == here.first ? other.first : word_of(left - 1) + 1;
+    const size_t end = right == here.end ? other.end : before_scope(first, word_of(right));
+    if (end < first) return false;
+    if ((left > here.first && !says_alike(left - 1)) || (right < here.end && !says_alike(right))) {
+        leave_run(hunk, first, "the port says something else beside it");
+        return true;
+    }
+    const CarriedWords now = carry_new(hunk.now_first, hunk.now_end);
+    if (says(first, end, now.words)) {
+        ++out_.already;
+        return true;
+    }
+    const std::vector<std::string>& words = texts_.now.words;
+    size_t place = first;
+    if (first != end) {
+        const bool after_left = left == hunk.first && words[hunk.now_first] == ",";
+        const bool before_right = right == hunk.first && words[hunk.now_end - 1] == ",";
+        const bool before_operand = left == hunk.first && right == hunk.first &&
+                                    is_path(texts_.target.words, first, end) && !is_accessor(words[hunk.now_end - 1]);
+        if (after_left == before_right && !before_operand) return false;
+        place = after_left || before_operand ? first : end;
+    } else if (left != hunk.first && right != hunk.first) {
+        return false;
+    }
+    put(hunk, place, place, now);
+    return true;
+}
+
+bool WordChanger::is_neutral(const Hunk& hunk) const {
+    if (translator_.are_qualifiers(texts_.before.words, hunk.first, hunk.end) &&
+        translator_.are_qualifiers(texts_.now.words, hunk.now_first, hunk.now_end))
+        return false;  // beside what is due the port gets them, too
+    return translator_.meaning(texts_.before.words, hunk.first, hunk.end) ==
+           translator_.meaning(texts_.now.words, hunk.now_first, hunk.now_end);
+}
+
+void WordChanger::take_spellings(const std::vector<Hunk>& hunks, size_t first_spelling) {
+    for (const Hunk& hunk : hunks) {
+        if (!is_neutral(hunk) || !is_spelled_alike(hunk)) continue;
+        const size_t place = word_of(hunk.first);
+        const bool known =
+            std::any_of(respelled_.begin() + static_cast<std::ptrdiff_t>(first_spelling), respelled_.end(),
+                        [&](const WordsReplaced& spelling) { return spelling.first == place; });
+        if (!known) leave_run(hunk, place, "nothing tells how the port spells that");
+    }
+    std::move(respelled_.begin() + static_cast<std::ptrdiff_t>(first_spelling), respelled_.end(),
+              std::back_inserter(out_.replaced));
+    respelled_.resize(first_spelling);
+}
+
+bool WordChanger::is_spelled_alike(const Hunk& hunk) const {
+    if (hunk.first == hunk.end || hunk.now_first == hunk.now_end) return false;
+    const size_t first = word_of(hunk.first);
+    for (size_t i = hunk.first; i < hunk.end; ++i)
+        if (first == kNothing || word_of(i) != first + (i - hunk.first) ||
+            texts_.target.words[word_of(i)] != texts_.before.words[i])
+            return false;
+    return true;
+}
+
+void WordChanger::respell(const Hunk& hunk) {
+    if (hunk.first == hunk.end) return put_scope(hunk);
+    if (!is_spelled_alike(hunk)) return;
+    const size_t first = word_of(hunk.first), size = hunk.end - hunk.first;
+    CarriedWords now = carry_new(hunk.now_first, hunk.now_end);
+    if (!now.unknown.empty() || marks_otherwise(hunk)) return;
+    now.words.clear();
+    for (size_t i = hunk.now_first; i < hunk.now_end; ++i) now.words.push_back({written_(i), i});
+    respelled_.push_back({first, first + size, std::move(now.words), hunk.now_first, hunk.now_end});
+}
+
+bool WordChanger::marks_otherwise(const Hunk& hunk) const {
+    if (!hunk.is_word_for_word() || !is_number_token(texts_.before.words[hunk.first])) return false;
+    const auto is_marked = [](const std::string& number) { return number.ends_with('f') || number.ends_with('F'); };
+    return is_marked(texts_.before.words[hunk.first]) != is_marked(texts_.now.words[hunk.now_first]);
+}
+
+void WordChanger::put_scope(const Hunk& hunk) {
+    const size_t name = hunk.first, there = name < texts_.before.words.size() ? word_of(name) : kNothing;
+    if (hunk.now_first == hunk.now_end || texts_.now.words[hunk.now_end - 1] != "::" || there == kNothing ||
+        texts_.target.words[there] != texts_.before.words[name] || has_own_prefix(name, there))
+        return;
+    CarriedWords scope = carry_new(hunk.now_first, hunk.now_end);
+    if (scope.unknown.empty())
+        respelled_.push_back({there, there, std::move(scope.words), hunk.now_first, hunk.now_end});
+}
+
+bool WordChanger::is_name_alone(const Hunk& hunk, size_t first, size_t end) const {
+    return hunk.end == hunk.first + 1 && end == first + 1 && is_word_token(texts_.before.words[hunk.first]) &&
+           is_word_token(texts_.target.words[first]);
+}
+
+void WordChanger::leave_run(const Hunk& hunk, size_t target_word, const std::string& why) {
+    const std::string was = shown(texts_.before.words, hunk.first, hunk.end);
+    const std::string is = shown(texts_.now.words, hunk.now_first, hunk.now_end);
+    leave((was.empty()  ? "the source gained `" + is + "`"
+           : is.empty() ? "the source lost `" + was + "`"
+                        : "the source has `" + is + "` for `" + was + "`") +
+              "; " + why,
+          std::min(hunk.now_first, texts_.now.words.size() - 1), target_word);
+}
+
+void WordChanger::leave(std::string message, size_t source_word, size_t target_word) {
+    out_.left.push_back({std::move(message), source_word, target_word});
+}
+
+}  // namespace porttool

@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "porttool/sync/edit_reading.h"
+#include "porttool/sync/inserted_uses.h"
+
+namespace porttool {
+
+/// A run of words that the edit took away, and the run that came in its place.
+struct Hunk {
+    size_t first = 0, end = 0;          ///< before
+    size_t now_first = 0, now_end = 0;  ///< now
+    bool is_word_for_word() const { return end == first + 1 && now_end == now_first + 1; }
+};
+
+/// Carries what changed in a clause into the clause of the target that stands for it: each changed word to the words
+/// that stand for it there.
+class WordChanger : EditReading {
+public:
+    WordChanger(const EditReading& reading, const InsertedUses& uses, Transplant& out)
+        : EditReading(reading), uses_(uses), out_(out) {}
+
+    std::vector<Hunk> hunks_of(const Clause& was, const Clause& is) const;
+    /// A clause is changed as a whole or not at all.
+    void change_words(const std::vector<Hunk>& hunks, size_t was, size_t is, size_t there);
+    /// Spellings alone that the target has as the source had them.
+    std::vector<WordsReplaced>& respelled() { return respelled_; }
+
+private:
+    /// A clause of the target with what replaces words of it, from the `made`-th replacement on.
+    std::vector<std::string> result_of(const Clause& clause, size_t made) const;
+    void change_run(Hunk hunk, size_t was, size_t there);
+    void put(const Hunk& hunk, size_t first, size_t end, const CarriedWords& now);
+    /// True for words of a head that hand a value back, where what the port would have of them does not.
+    bool loses_way_out(const Hunk& hunk) const;
+    /// True where both sides have one name, of a function or of a value, which neither declares, and the source has a
+    /// new one throughout: what both have from elsewhere was renamed there.
+    bool is_renamed_elsewhere(const Hunk& hunk, size_t first, size_t end) const;
+    /// Words that each stand for one of the target's are replaced there, whatever stands around these.
+    bool replace_run(const Hunk& hunk);
+    /// Arguments or parameters that go, with a comma on one side, go from wherever the target has just these: what
+    /// follows them there may be its own.
+    bool drop_elements(const Hunk& hunk);
+    /// True if a word of the source and the one that stands for it are of a kind: both names, or the same.
+    bool says_alike(size_t i) const;
+    /// True where the target picks the word of something that the source does not name: `std :: max` for `max`.
+    bool has_own_prefix(size_t i, size_t there) const;
+    /// True if nothing of the target's own stands beside words that are taken away: they may belong together there.
+    bool stands_between_counterparts(const Hunk& hunk, size_t first, size_t end) const;
+    /// Where a word of the target begins with the scope that it is called in: `std` of `std :: sqrt`, not before
+    /// `first`.
+    size_t before_scope(size_t first, size_t word) const;
+    /// New words go between the nearest words that stand for some of the target's, if it has nothing of its own there.
+    /// Else an argument goes beside the one that it stands beside in the source.
+    bool insert_run(const Hunk& hunk, size_t was, size_t there);
+    /// True for an edit of words that have no counterpart on the other side, or mean the same there: scopes, address
+    /// spaces, spellings.
+    bool is_neutral(const Hunk& hunk) const;
+    /// Beside what changes in a clause a new spelling is due as well: `atan ( y / x )` that became `atan2 ( y , x )`
+    /// is no `atan ( y , x )`, though both names mean the same.
+    void take_spellings(const std::vector<Hunk>& hunks, size_t first_spelling);
+    /// True if the target spells the words that went as the source did.
+    bool is_spelled_alike(const Hunk& hunk) const;
+    /// A neutral edit of words that the target spells as the source did.
+    void respell(const Hunk& hunk);
+    /// True for numbers of which one has a mark of its type and the other has none: the target has its own manner.
+    bool marks_otherwise(const Hunk& hunk) const;
+    /// `std :: min` for `min` that the target spells as the source did.
+    void put_scope(const Hunk& hunk);
+    /// True where one name stands for one name, of which nothing else is known.
+    bool is_name_alone(const Hunk& hunk, size_t first, size_t end) const;
+    void leave_run(const Hunk& hunk, size_t target_word, const std::string& why);
+    void leave(std::string message, size_t source_word, size_t target_word);
+
+    const InsertedUses& uses_;
+    Transplant& out_;
+    std::vector<WordsReplaced> respelled_;
+};
+
+}  // namespace porttool
