@@ -234,7 +234,10 @@ std::vector<float> CoreWorker::variances() const {
 /// The first picture of a view goes by those of views before, and what is of the view itself by itself: it is better
 /// than any memory as soon as there are a few samples.
 Status CoreWorker::filter(const Request& request, Picture& picture, uint32_t samples, bool first) {
-    constexpr uint32_t MOST_RAYS = 8;  // soon there
+    // As many as there are samples, which a picture that is the first of a view has few of: a filter cannot be called
+    // off.
+    constexpr uint32_t FEWEST_RAYS = 2, MOST_RAYS = 8;
+    const uint32_t rays = std::clamp(samples, FEWEST_RAYS, MOST_RAYS);
     if (request.filter == FilterMode::none) return Status::success();
     const bool remembers = first && request.filter == FilterMode::temporal;
     const std::vector<float> noise = first ? std::vector<float>() : variances();
@@ -246,9 +249,9 @@ Status CoreWorker::filter(const Request& request, Picture& picture, uint32_t sam
                        .samples = samples,
                        .filtered = picture.pixels,
                        .history = remembers ? render_system::FilterHistory::go_on : render_system::FilterHistory::none,
-                       .most_rays = MOST_RAYS});
+                       .most_rays = rays});
     const double share = static_cast<double>(picture.pixels.size()) / (1.0 * request.width * request.height);
-    filter_ms_ = ms_since(start) / share;
+    filter_ms_ = ms_since(start) / share * FEWEST_RAYS / rays;  // of a first picture: rays are nearly all of it
     return status;
 }
 
