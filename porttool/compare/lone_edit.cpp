@@ -15,6 +15,7 @@
 #include "porttool/compare/switch_cases.h"
 #include "porttool/language/words.h"
 #include "porttool/normal/prelude.h"
+#include "porttool/text/letters.h"
 
 namespace porttool {
 namespace {
@@ -51,17 +52,66 @@ std::vector<bool> last_breaks(const Words& tokens) {
     return out;
 }
 
-/// Without what does nothing: `return ;` at the end of a function, `break ;` at the end of a switch, and a value that
-/// is named and thrown away.
-Words without_idle_statements(const Words& tokens) {
+/// True for the name of a macro that says that something is not used: `UNUSED`, `Q_UNUSED`, `UNUSED_PARAM`. A function
+/// may do anything.
+bool says_unused(std::string_view name) {
+    constexpr std::string_view kWord = "UNUSED";
+    const size_t at = name.find(kWord);
+    const auto ends_word = [&](size_t i) { return i >= name.size() || name[i] == '_'; };
+    return at != std::string::npos && (at == 0 || name[at - 1] == '_') && ends_word(at + kWord.size()) &&
+           std::none_of(name.begin(), name.end(), is_small_letter);
+}
+
+/// The semicolon of the statement `( void ) a ;` at `i`, or 0.
+size_t end_of_thrown_away(const Words& tokens, size_t i) {
+    const auto is = [&](size_t at, std::string_view word) { return at < tokens.size() && tokens[at] == word; };
+    const bool is_one = is(i, "(") && is(i + 1, "void") && is(i + 2, ")") && i + 3 < tokens.size() &&
+                        is_word_token(tokens[i + 3]) && is(i + 4, ";");
+    return is_one ? i + 4 : 0;
+}
+
+/// The same of a macro that is called so: `UNUSED ( a , b ) ;`.
+size_t end_of_unused(const Words& tokens, size_t i) {
+    const auto is = [&](size_t at, std::string_view word) { return at < tokens.size() && tokens[at] == word; };
+    const auto is_name = [&](size_t at) { return at < tokens.size() && is_word_token(tokens[at]); };
+    if (!is_name(i) || !says_unused(tokens[i]) || !is(i + 1, "(")) return 0;
+    size_t at = i + 2;
+    while (is_name(at) && is(at + 1, ",")) at += 2;
+    return is_name(at) && is(at + 1, ")") && is(at + 2, ";") ? at + 2 : 0;
+}
+
+bool starts_statement(const Words& tokens, size_t i) {
+    return i == 0 || tokens[i - 1] == ";" || tokens[i - 1] == "{" || tokens[i - 1] == "}";
+}
+
+/// The names that such macros name.
+std::multiset<std::string_view> unused_in(const Words& tokens) {
+    std::multiset<std::string_view> out;
+    for (size_t i = 0; i < tokens.size(); ++i)
+        if (const size_t end = starts_statement(tokens, i) ? end_of_unused(tokens, i) : 0; end != 0)
+            for (size_t k = i + 2; k + 1 < end; k += 2) out.insert(tokens[k]);
+    return out;
+}
+
+/// True if other names took the place of those that are not used: that is a slip, or the function's own parameters are
+/// others, too.
+bool exchanges_unused(const Words& before, const Words& now) {
+    const std::multiset<std::string_view> then = unused_in(before), today = unused_in(now);
+    return !std::includes(then.begin(), then.end(), today.begin(), today.end()) &&
+           !std::includes(today.begin(), today.end(), then.begin(), then.end());
+}
+
+/// Without what does nothing: `return ;` at the end of a function, `break ;` at the end of a switch, a value that is
+/// named and thrown away, and, if that is wanted, macros that do the same.
+Words without_idle_statements(const Words& tokens, bool drop_unused) {
     const std::vector<bool> last_break = last_breaks(tokens);
     Words out;
     for (size_t i = 0; i < tokens.size(); ++i) {
-        const bool starts = i == 0 || tokens[i - 1] == ";" || tokens[i - 1] == "{" || tokens[i - 1] == "}";
-        const bool thrown_away = starts && i + 4 < tokens.size() && tokens[i] == "(" && tokens[i + 1] == "void" &&
-                                 tokens[i + 2] == ")" && is_word_token(tokens[i + 3]) && tokens[i + 4] == ";";
-        if (thrown_away)
-            i += 4;
+        const bool starts = starts_statement(tokens, i);
+        size_t thrown_away = starts ? end_of_thrown_away(tokens, i) : 0;
+        if (starts && thrown_away == 0 && drop_unused) thrown_away = end_of_unused(tokens, i);
+        if (thrown_away != 0)
+            i = thrown_away;
         else if (last_break[i])
             ++i;
         else
@@ -199,9 +249,10 @@ LoneEdit lone_edit(const Words& before, const Words& now, UnitKind kind, Languag
         return plain.translate(statement, in_body);
     };
     const auto is_code = kind == UnitKind::Function || kind == UnitKind::Kernel;
+    const bool drops_unused = is_code && !exchanges_unused(before, now);
     const auto bare = [&](const Words& tokens) {
         if (kind == UnitKind::Struct) return data_fields(without_prelude(tokens));
-        return is_code ? without_idle_statements(without_hints(without_prelude(tokens))) : tokens;
+        return is_code ? without_idle_statements(without_hints(without_prelude(tokens)), drops_unused) : tokens;
     };
     const Words old_text = bare(before);
     StatementEdit edit = statement_edit(old_text, bare(now), translator);

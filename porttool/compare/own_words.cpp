@@ -16,6 +16,7 @@ namespace porttool {
 namespace {
 
 constexpr size_t kMostBeside = 24'000;  // of all texts
+constexpr size_t kTwins = 10;           // texts of which less than one word in so many differs are held to every word
 
 using Counts = std::map<std::string_view, size_t>;
 
@@ -145,7 +146,6 @@ bool edits_in_own_words(const PairTexts& texts, const Dialect& dialect) {
     if (source.size < kLeast || target.size < kLeast || source.guarded != target.guarded) return false;
     if (!names_follow(source, target) || !names_follow(target, source)) return false;
     const Distance then(source.before, target.before, dialect), today(source.now, target.now, dialect);
-    constexpr size_t kTwins = 10;  // texts of which less than one word in so many differs are held to every word
     if (kTwins * then.unlike < words_of(source.had) + words_of(target.had)) return false;
     constexpr size_t kFree = 2, kShare = 8;  // words that may differ now, and one in so many of both edits
     if (today.unlike > then.unlike + kFree + (source.size + target.size) / kShare) return false;
@@ -153,19 +153,27 @@ bool edits_in_own_words(const PairTexts& texts, const Dialect& dialect) {
     return signs_follow(source, target, Side::Source, way) && signs_follow(target, source, Side::Target, way);
 }
 
+bool are_twins(const Words& a, const Words& b, const Dialect& dialect) {
+    if (a.size() + b.size() > kMostBeside) return true;
+    const SideEdit here(a, a, dialect), there(b, b, dialect);
+    return kTwins * Distance(here.now, there.now, dialect).unlike < words_of(here.has) + words_of(there.has);
+}
+
 bool draws_nearer(const LoneTexts& texts, const Dialect& dialect) {
     if (texts.before.size() + texts.now.size() + texts.other.size() > kMostBeside) return false;
     constexpr size_t kLeast = 4, kLeastTaken = 10;  // words of an edit, and of one that hardly brings any
+    constexpr size_t kBrief = 2;                    // words that are no slip, if all that was edited has its like now
     const SideEdit edit(texts.before, texts.now, dialect);
     const bool takes = edit.gained_words < kLeast;
-    if (edit.size < (takes ? kLeastTaken : kLeast) || !edit.guarded.empty()) return false;
+    const bool is_brief = takes && edit.size < kLeastTaken && edit.gained_words >= kBrief;
+    if ((edit.size < (takes ? kLeastTaken : kLeast) && !is_brief) || !edit.guarded.empty()) return false;
     const SideEdit other(texts.other, texts.other, dialect);
     if (!may_arrive(edit, other)) return false;
     const size_t astray = names_astray(edit, other);
     if (takes && astray > 0) return false;
     const Distance then(edit.before, other.now, dialect), today(edit.now, other.now, dialect);
     const size_t nearer = then.unlike - std::min(then.unlike, today.unlike);
-    const size_t thirds = astray == 0 && names_arrive(edit, other) ? 1 : 2;  // of what was edited
+    const size_t thirds = is_brief ? 3 : astray == 0 && names_arrive(edit, other) ? 1 : 2;  // of what was edited
     if (3 * nearer < thirds * edit.size) return false;
     const bool keeps_what_was_alike =
         std::includes(today.covered.begin(), today.covered.end(), then.covered.begin(), then.covered.end());

@@ -16,10 +16,14 @@ namespace porttool {
 ///     now         y[i] = max(x[i], lim) * 0.5f;       store(y + i, std::max(load(x + i), lim) * 0.5f);
 ///     or now      y[i] = max(x[i], lim) * 0.5f;       store(y + i, std::max(load(x + i), lim));          not: 0.5
 bool edits_in_own_words(const PairTexts& texts, const Dialect& dialect);
+
+/// True if less than one word in ten of two texts has no like in the other: such texts are held to every word.
+bool are_twins(const Words& a, const Words& b, const Dialect& dialect);
+
 /// True if an edit of one side alone brings it nearer to the other side's text, which has what the edit brings in and
 /// nothing of what it takes away: a third of what was edited has its like there now and had none before, and no number
-/// or operator stands alone now that had its like before, or is new. Less sure than now_says_what_other_says(). Edits
-/// of a few words are never that.
+/// or operator stands alone now that had its like before, or is new. Less sure than now_says_what_other_says(). Of two
+/// or three words all that was edited has to have its like; an edit of one is never that.
 ///
 ///     before      y = x[i];                                                        port
 ///     now         if (lim > 0) { const float c = damp(x, lim, 0.5f); y = c; }

@@ -367,6 +367,18 @@ size_t end_of_closer_operation(const Text& words, size_t open) {
 
 Text with_common_phrases(const Text& words) { return with_plain_constructors(with_global_ids(with_named_axes(words))); }
 
+Text with_plain_global_ids(const Text& words, const Dialect& dialect) {
+    bool any = false;
+    Text common;
+    for (const std::string& word : words) {
+        const std::string* meaning = dialect.meaning(word);
+        const bool is_part = meaning != nullptr && is_one_of(*meaning, {"local_id", "group_id", "group_size"});
+        any = any || (is_part && *meaning == "group_id");
+        common.push_back(is_part ? *meaning : word);
+    }
+    return any ? with_global_ids(with_named_axes(common)) : words;
+}
+
 Text without_idle_parentheses(const Text& words) {
     std::vector<bool> idle(words.size());
     for (size_t i = 0; i < words.size(); ++i) {

@@ -8,6 +8,7 @@
 #include <unordered_set>
 #include <vector>
 
+#include "porttool/language/dialect.h"
 #include "porttool/normal/normal_text.h"
 
 namespace porttool {
@@ -19,6 +20,9 @@ namespace porttool {
 ///     vec4 ( a , a , a , a )                               vec4 ( a )
 ///     vec2 ( v . x , v . y )                               v . xy
 std::vector<std::string> with_common_phrases(const std::vector<std::string>& words);
+
+/// The number of a thread among all in one spelling, whatever the language calls its parts. The rest stays as it is.
+std::vector<std::string> with_plain_global_ids(const std::vector<std::string>& words, const Dialect& dialect);
 
 /// `( ray . t ) * 2` is `ray . t * 2`: parentheses around one value that is picked, or a name or number by itself,
 /// where they cannot be a cast or a call. So is `( a * b ) + c` of `a * b + c`, which is taken together anyway.

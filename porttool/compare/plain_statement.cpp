@@ -161,6 +161,7 @@ std::vector<std::string> PlainStatements::translate(const Words& statement, bool
         out[out.size() - 3] == "(")
         out.erase(out.end() - 2);  // f(void)
     out = with_plain_launches(with_functional_casts(with_c_casts(out, dialect_), dialect_));
+    out = with_plain_global_ids(out, dialect_);
     open_whole_value(out);
     drop_status_check(out);
     drop_cast_to_declared_type(out);

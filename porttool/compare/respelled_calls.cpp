@@ -12,6 +12,8 @@
 #include <utility>
 #include <vector>
 
+#include "porttool/text/letters.h"
+
 namespace porttool {
 namespace {
 
@@ -69,6 +71,15 @@ struct Unscoped {
     }
 };
 
+/// `CUB_MAX` and `max`: a macro of a library for what every language has.
+bool is_macro_for(std::string_view macro, std::string_view name) {
+    constexpr std::array<std::string_view, 3> kEverywhere = {"max", "min", "abs"};
+    const size_t last = macro.rfind('_');
+    const bool is_capital = std::none_of(macro.begin(), macro.end(), is_small_letter);
+    return last != std::string_view::npos && is_capital && is_in_any_case(macro.substr(last + 1), name) &&
+           std::find(kEverywhere.begin(), kEverywhere.end(), name) != kEverywhere.end();
+}
+
 }  // namespace
 
 std::optional<std::vector<RespelledCall>> only_respelled_calls(const Words& before, const Words& now) {
@@ -78,8 +89,9 @@ std::optional<std::vector<RespelledCall>> only_respelled_calls(const Words& befo
     for (size_t i = 0; i < then.size(); ++i) {
         if (then[i] == today[i]) continue;
         const std::string letters = letters_of(then[i]);
-        if (!is_called(then, i) || !is_called(today, i) || letters.size() < kLeast || letters != letters_of(today[i]))
-            return std::nullopt;
+        const bool is_same = letters.size() >= kLeast && letters == letters_of(today[i]);
+        const bool is_macro = is_macro_for(then[i], today[i]) || is_macro_for(today[i], then[i]);
+        if (!is_called(then, i) || !is_called(today, i) || !(is_same || is_macro)) return std::nullopt;
         out.push_back({then[i], today[i]});
     }
     return out;

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "porttool/judge/edit_shapes.h"
 #include "porttool/scan/scan.h"
 
 namespace porttool {
@@ -28,23 +29,6 @@ bool is_edit_of_a_side(const Finding& finding) {
            (*finding.change == ChangeKind::Semantic || *finding.change == ChangeKind::Constant);
 }
 
-/// True of more than a word or two: few words may be edited alike by chance. One statement that took the place of
-/// another is told by what is left between their common begin and end.
-bool is_long_edit(const std::vector<std::string>& lines) {
-    if (lines.size() != 2 || lines[0][0] == lines[1][0]) return lines.size() > 1;
-    const std::string_view a = lines[0], b = lines[1];
-    const size_t most = std::min(a.size(), b.size());
-    size_t front = 1, back = 0;  // behind the sign
-    while (front < most && a[front] == b[front]) ++front;
-    while (front + back < most && a[a.size() - 1 - back] == b[b.size() - 1 - back]) ++back;
-    const auto words = [&](std::string_view text) {
-        const std::string_view middle = text.substr(front, text.size() - back - front);
-        return std::count(middle.begin(), middle.end(), ' ');
-    };
-    constexpr std::ptrdiff_t kLeast = 3;
-    return words(a) + words(b) >= kLeast;
-}
-
 /// What findings of one cause have in common; "" for one that stands for itself.
 std::string cause_of(const Finding& finding) {
     const std::string rule = std::string(rule_name(finding.rule)) + "\n" + finding.target_set + "\n";
@@ -52,6 +36,8 @@ std::string cause_of(const Finding& finding) {
         std::string edit;
         for (const std::string& line : finding.details) edit += "\n" + line;
         if (edit.empty()) return {};
+        if (is_of_branches(finding.details)) return rule + "# ifdef";
+        if (const std::string types = types_exchanged(finding.details); !types.empty()) return rule + types;
         return rule + (is_long_edit(finding.details) ? "" : subject_of(finding)) + edit;
     }
     const bool is_gone = (finding.rule == Rule::Orphaned || finding.rule == Rule::DeadLink) && finding.change &&
@@ -71,24 +57,50 @@ std::string what_others_are(const Finding& first) {
     switch (first.rule) {
         case Rule::Unpaired:
             return "more new units of that file look like one of the other side";
+        case Rule::Unported:
+            return "of its methods have none";
         case Rule::Orphaned:
         case Rule::DeadLink:
             return "more units of that file are gone";
         default:
-            return "more pairs have the same edit";
+            if (is_of_branches(first.details)) return "more pairs have parts in other branches for the compiler";
+            return types_exchanged(first.details).empty() ? "more pairs have the same edit"
+                                                          : "more pairs take other types, too";
     }
+}
+
+/// What new units without a counterpart have in common with their class, which is one, too.
+std::map<std::string, std::vector<Finding*>> by_new_class(const std::vector<Finding*>& loud) {
+    std::map<std::string, std::vector<Finding*>> out;
+    const auto is_new = [](const Finding& finding, UnitKind kind) {
+        return finding.rule == Rule::Unported && finding.message.starts_with(unit_kind_name(kind));
+    };
+    for (Finding* finding : loud)
+        if (is_new(*finding, UnitKind::Struct)) out[finding->target_set + "\n" + subject_of(*finding)] = {finding};
+    for (Finding* finding : loud) {
+        const std::string& id = subject_of(*finding);
+        const size_t scope = id.rfind("::");
+        if (scope == std::string::npos || !is_new(*finding, UnitKind::Function)) continue;
+        const auto its_class = out.find(finding->target_set + "\n" + id.substr(0, scope));
+        if (its_class != out.end()) its_class->second.push_back(finding);
+    }
+    return out;
 }
 
 }  // namespace
 
 void fold_findings(FindingList& findings, const MapFile& map) {
-    std::map<std::string, std::vector<Finding*>> causes;
-    for (Finding& finding : findings.from(0)) {
-        if (!is_open(finding) || finding.level <= Level::Note || map.rules.contains(finding.rule)) continue;
-        if (const std::string cause = cause_of(finding); !cause.empty()) causes[cause].push_back(&finding);
-    }
+    std::vector<Finding*> loud;
+    for (Finding& finding : findings.from(0))
+        if (is_open(finding) && finding.level > Level::Note && !map.rules.contains(finding.rule))
+            loud.push_back(&finding);
+    std::map<std::string, std::vector<Finding*>> causes = by_new_class(loud);
+    for (Finding* finding : loud)
+        if (const std::string cause = cause_of(*finding); !cause.empty()) causes[cause].push_back(finding);
     for (auto& [cause, group] : causes) {
-        if (group.size() < 2) continue;
+        constexpr size_t kSeveral = 5;  // that take another type by a slip, and alike, are hardly so many
+        const bool of_types = group.size() > 1 && !types_exchanged(group.front()->details).empty();
+        if (group.size() < (of_types ? kSeveral : 2)) continue;
         std::stable_sort(group.begin(), group.end(),
                          [](const Finding* a, const Finding* b) { return a->level > b->level; });
         Finding& first = *group.front();

@@ -113,6 +113,18 @@ std::string MacroEdits::edit_of(const JudgedPair& pair, const LockedPair& line, 
     return is_edited ? of_words_in(unit->text, difference(recorded, now)) : difference(recorded, now);
 }
 
+/// True if the pair has a finding on the edit of that side's own text: one look at it sees both.
+bool MacroEdits::is_told_by_edit(const JudgedPair& pair, const Finding& of_macros) const {
+    const auto all = findings_.from(0);
+    for (size_t i = all.size(); i-- > 0;) {
+        const Finding& finding = all[i];
+        if (finding.map_source != pair.id.source || finding.map_target != pair.id.target) return false;
+        if (finding.rule == of_macros.rule && finding.change && is_open(finding) && finding.level >= of_macros.level)
+            return true;
+    }
+    return false;
+}
+
 void MacroEdits::tell(JudgedPair& pair, Side side, const std::string& edit) {
     const std::string key = (side == Side::Source ? "source " : "target ") + edit;
     pair.macro_edit += (pair.macro_edit.empty() ? "" : ", ") + key;
@@ -153,6 +165,11 @@ void MacroEdits::tell(JudgedPair& pair, Side side, const std::string& edit) {
         finding.message += "; but it only decides on what is printed, checked or timed";
     }
     if (finding.details.size() > 1) finding.message += fmt::format(" (and {} more)", finding.details.size() - 1);
+    if (is_told_by_edit(pair, finding)) {
+        finding.level = std::min(finding.level, Level::Note);
+        finding.message += "; told with the edit of the text itself";
+        return;  // of pairs whose texts are as they were another tells
+    }
     told_.emplace(told_as, Told{finding.fingerprint});
 }
 

@@ -34,6 +34,7 @@ private:
 
     std::string edit_of(const JudgedPair& pair, const LockedPair& line, Side side);
     void tell(JudgedPair& pair, Side side, const std::string& edit);
+    bool is_told_by_edit(const JudgedPair& pair, const Finding& of_macros) const;
     WordMacros& macros(Side side);
 
     const Case& facts_;

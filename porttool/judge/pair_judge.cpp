@@ -7,9 +7,11 @@
 #include "porttool/compare/asides.h"
 #include "porttool/compare/common_ground.h"
 #include "porttool/compare/lone_edit.h"
+#include "porttool/compare/named_parts.h"
 #include "porttool/compare/own_fields.h"
 #include "porttool/compare/own_words.h"
 #include "porttool/compare/paired_names.h"
+#include "porttool/compare/runtime_versions.h"
 #include "porttool/compare/settled_edits.h"
 #include "porttool/compare/switch_cases.h"
 #include "porttool/language/hazards.h"
@@ -78,6 +80,15 @@ bool is_of_few_words(const Words& before, const Words& now) {
     const std::vector<DiffStep> steps = diff(before, now);
     return std::count_if(steps.begin(), steps.end(), [](const DiffStep& step) { return step.kind != DiffStep::Keep; }) <
            static_cast<std::ptrdiff_t>(kFew);
+}
+
+/// True if only quoted texts came and went.
+bool only_rewords_texts(const Words& before, const Words& now) {
+    const std::vector<DiffStep> steps = diff(before, now);
+    return std::all_of(steps.begin(), steps.end(), [&](const DiffStep& step) {
+        return step.kind == DiffStep::Keep ||
+               (step.kind == DiffStep::Add ? now[step.now] : before[step.before]).starts_with('"');
+    });
 }
 
 }  // namespace
@@ -321,11 +332,19 @@ void PairJudge::weigh_edit(const JudgedPair& pair, Side side, const NormalText& 
             weaken(pair, finding, Level::Note, "the two structs never had most of their fields in common");
         return;
     }
+    if (only_follows_runtime(texts.before, texts.now))
+        return weaken(pair, finding, Level::Note, "it only calls a runtime as its later, or earlier, version wants");
     if (const auto calls = only_respelled_calls(texts.before, texts.now); calls && call_the_same(*calls, side))
         return weaken(pair, finding, Level::Note, "it only calls the same by another spelling");
     if (without_asides(texts.before) == without_asides(texts.now))
-        return weaken(pair, finding, is_of_few_words(texts.before, texts.now) ? Level::Warning : Level::Note,
+        return weaken(pair, finding,
+                      is_of_few_words(texts.before, texts.now) && !only_rewords_texts(texts.before, texts.now)
+                          ? Level::Warning
+                          : Level::Note,
                       "it only changes what is printed, checked or timed");
+    if (only_names_parts(texts.before, texts.now, now.kind, language_of_path(now.file), dialect_) &&
+        !are_twins(texts.before, texts.other, dialect_))
+        return weaken(pair, finding, Level::Note, "it only names a part, or writes it out");
     const std::string there_is = side == Side::Source ? "the port" : "the source";
     if (only_adds_labels_of_other(texts.before, texts.now, texts.other))
         return weaken(pair, finding, Level::Note, there_is + " has the label in that arm already");
@@ -362,6 +381,9 @@ void PairJudge::weigh_edits(const JudgedPair& pair, const BySide<NormalText>& be
         now[side] = without_prelude(new_text);
     }
     const PairTexts texts{then.source, now.source, then.target, now.target};
+    if (is_declared_alike && without_asides(then.source) == without_asides(now.source) &&
+        without_asides(then.target) == without_asides(now.target))
+        return weaken(pair, finding, Level::Note, "both only change what is printed, checked or timed");
     const auto language = [&](Side side) { return language_of_path(pair.unit[side]->file); };
     if (only_adds_labels_of_other(then.source, now.source, now.target) &&
         only_adds_labels_of_other(then.target, now.target, now.source))

@@ -296,5 +296,165 @@ TEST(QuietGate, AnAliasOfTheSameCallIsANote) {
     EXPECT_EQ(after("#define cudaStreamWaitEvent hipStreamQuery\n"), Loud{"source-changed s/k.cu:f"});
 }
 
+TEST(QuietGate, NamesThatAreThrownAway) {
+    const std::string text = "void f(float* y, int n, int k) { y[n] = 2.0f; }";
+    const auto after = [&](const std::string& statement) {
+        return loud({{"s/k.cu", text}, {"t/k.cpp", text}}, {{"s/k.cu", replaced(text, "y[n]", statement + " y[n]")}},
+                    {"s/k.cu:f=t/k.cpp:f"});
+    };
+    for (const char* statement : {"UNUSED(k);", "Q_UNUSED(k);", "MY_UNUSED(n, k);"})
+        EXPECT_EQ(after(statement), Loud{}) << statement;
+    for (const char* statement : {"UNUSED(n++);", "USED(k);", "UNUSEDISH(k);", "mark_unused(k);", "UNUSED(take(k));"})
+        EXPECT_EQ(after(statement), Loud{"source-changed s/k.cu:f"}) << statement;
+    const std::string was = replaced(text, "y[n]", "UNUSED(n); UNUSED(k); y[n]");
+    const auto now = [&](const std::string& from, const std::string& to) {
+        return loud({{"s/k.cu", was}, {"t/k.cpp", was}}, {{"s/k.cu", replaced(was, from, to)}}, {"s/k.cu:f=t/k.cpp:f"});
+    };
+    EXPECT_EQ(now("UNUSED(n); UNUSED(k);", "MY_UNUSED(k, n);"), Loud{});
+    EXPECT_EQ(now("UNUSED(k)", "UNUSED(n)"), Loud{"source-changed s/k.cu:f"}) << "a slip";
+}
+
+TEST(QuietGate, WordsOfWhatIsPrinted) {
+    const std::string text = "void f(float* y, int n) { y[n] = 2.0f; printf(\"%d of them\\n\", n); tell(\"%d\", n); }";
+    const auto after = [&](const std::string& from, const std::string& to) {
+        return loud({{"s/k.cu", text}, {"t/k.cpp", text}}, {{"s/k.cu", replaced(text, from, to)}},
+                    {"s/k.cu:f=t/k.cpp:f"});
+    };
+    EXPECT_EQ(after("\"%d of them\\n\"", "\"%ld of all\\n\""), Loud{});
+    EXPECT_EQ(after("them\\n\", n", "them\\n\", 2"), Loud{"source-changed s/k.cu:f"});
+    EXPECT_EQ(after("tell(\"%d\"", "tell(\"%u\""), Loud{"source-changed s/k.cu:f"});
+    // Both sides at once, each in its own words.
+    const std::string there = replaced(text, "%d of them", "%d of these");
+    const auto both = [&](const std::string& now) {
+        return loud({{"s/k.cu", text}, {"t/k.cpp", text}}, {{"s/k.cu", now}, {"t/k.cpp", there}},
+                    {"s/k.cu:f=t/k.cpp:f"});
+    };
+    EXPECT_EQ(both(replaced(text, "%d of them", "%d of those")), Loud{});
+    EXPECT_EQ(both(replaced(text, "2.0f", "3.0f")), Loud{"port-differs s/k.cu:f"});
+}
+
+TEST(QuietGate, APartThatGetsAName) {
+    const std::string text =
+        "void f(float* y, const float* x, int n) {\n  for (int i = 0; i < n; ++i) {\n"
+        "    y[3 * i + 0] = cos(x[0]) * x[i] - sin(x[0]);\n    y[3 * i + 1] = 2.0f * (n + 7) * x[i];\n  }\n}\n";
+    const std::string kernel =
+        "__global__ void f(float* y, int n) { int at = blockIdx.x * blockDim.x + threadIdx.x; y[at] = n * threadIdx.x; "
+        "}";
+    const auto port_of = [](const std::string& there) {
+        return replaced(there, "{", "{\n  Rows rows(pool, n);\n  for (Row& row : rows.each(Order::Any)) {") + "}\n";
+    };
+    const auto after = [&](const std::string& before, const std::string& now) {
+        return loud({{"s/k.cu", before}, {"t/k.cpp", port_of(before)}}, {{"s/k.cu", now}}, {"s/k.cu:f=t/k.cpp:f"});
+    };
+    const Loud told = {"source-changed s/k.cu:f"};
+    const auto named = [&](const std::string& part, const std::string& declared, const std::string& name) {
+        const std::string with = replaced(text, part, name);
+        return replaced(with, "  for", "  " + declared + "\n  for");
+    };
+    EXPECT_EQ(after(text, named("(n + 7)", "const float most = n + 7;", "most")), Loud{});
+    EXPECT_EQ(after(named("(n + 7)", "const float most = n + 7;", "most"), text), Loud{}) << "and written out";
+    EXPECT_EQ(after(kernel,
+                    "__global__ void f(float* y, int n) { int lid = threadIdx.x; "
+                    "int at = blockIdx.x * blockDim.x + lid; y[at] = n * lid; }"),
+              Loud{});
+    const std::string with_name = named("(n + 7)", "const float most = n + 7;", "most");
+    EXPECT_EQ(loud({{"s/k.cu", text}, {"t/k.cpp", text}}, {{"s/k.cu", with_name}}, {"s/k.cu:f=t/k.cpp:f"}), told)
+        << "twins are held to every word";
+    // Another part; one that changes; one that is changed; one that something else may change; what calls anything.
+    EXPECT_EQ(after(text, named("(n + 7)", "const float most = n + 8;", "most")), told);
+    EXPECT_EQ(after(text, named("x[0]", "const float first = x[0];", "first")), told);
+    EXPECT_EQ(after(text, replaced(text, "y[3 * i + 1]", "int at = i; y[3 * at + 1]")), told) << "i is stepped";
+    EXPECT_EQ(after(text, named("(n + 7)", "float most = n + 7; most += 1;", "most")), told);
+    EXPECT_EQ(after(text, named("(n + 7)", "float most = n + 7; grow(&most);", "most")), told);
+    const std::string called = replaced(text, "(n + 7)", "next(n)");
+    EXPECT_EQ(
+        after(called, replaced(replaced(called, "next(n)", "most"), "  for", "  const float most = next(n);\n  for")),
+        told);
+}
+
+TEST(QuietGate, WhatARuntimeCalledOtherwiseInAnEarlierVersion) {
+    const auto after = [](const std::string& before, const std::string& now) {
+        const auto file = [](const std::string& body) {
+            return "void f(float* y, G group, unsigned mask) { float x = y[0]; " + body + " y[1] = x; }";
+        };
+        return loud({{"s/k.cu", file("x += y[2];")}, {"t/k.cpp", file(before)}}, {{"t/k.cpp", file(now)}},
+                    {"s/k.cu:f=t/k.cpp:f"});
+    };
+    const Loud told = {"target-changed s/k.cu:f"};
+    const std::string down = "x += group.shuffle_down(x, 1);", left = "x += sycl::shift_group_left(group, x, 1);";
+    EXPECT_EQ(after(down, left), Loud{});
+    EXPECT_EQ(after(left, down), Loud{});
+    EXPECT_EQ(after("x = __shfl_xor(x, 4);", "x = __shfl_xor_sync(mask & 0xff, x, 4);"), Loud{});
+    EXPECT_EQ(after(down, replaced(left, "x, 1", "x, 2")), told);
+    EXPECT_EQ(after(down, replaced(left, "left", "right")), told);
+    EXPECT_EQ(after(down, replaced(left, "(group", "(other")), told);
+    EXPECT_EQ(after("x = __shfl_xor_sync(mask, x, 4);", "x = __shfl_xor_sync(0xff, x, 4);"), told);
+    EXPECT_EQ(after("x = LIB_MAX(x, 1.0f);", "x = max(x, 1.0f);"), Loud{});
+    EXPECT_EQ(after("x = LIB_MAX(x, 1.0f);", "x = min(x, 1.0f);"), told);
+    EXPECT_EQ(after("x = row_max(x, 1.0f);", "x = max(x, 1.0f);"), told);
+}
+
+TEST(QuietGate, BranchesForTheCompilerAreToldOnce) {
+    const auto file = [](const std::string& f, const std::string& g) {
+        return "int f(int a) {\n" + f + "return a;\n}\nint g(int a) {\n" + g + "return a;\n}\n";
+    };
+    const std::string was = file("a += 2;\n", "a *= 3;\n");
+    const auto after = [&](const std::string& now) {
+        return loud({{"s/k.cu", was}, {"t/k.cpp", was}}, {{"t/k.cpp", now}},
+                    {"s/k.cu:f=t/k.cpp:f", "s/k.cu:g=t/k.cpp:g"})
+            .size();
+    };
+    EXPECT_EQ(after(file("#ifdef WITH_F\na += 2;\n#endif\n", "#ifdef WITH_G\na *= 3;\n#endif\n")), 1u);
+    EXPECT_EQ(after(file("#ifdef WITH_F\na += 2;\n#endif\n", "#ifdef WITH_G\na *= 4;\n#endif\n")), 2u);
+    EXPECT_EQ(after(file("#if WITH_F > 2\na += 2;\n#endif\n", "#if WITH_F > 3\na *= 3;\n#endif\n")), 2u);
+}
+
+TEST(QuietGate, FunctionsThatTakeAnotherTypeAreToldOnce) {
+    const auto after = [](const std::string& from, const std::string& to, int functions) {
+        std::string was, is;
+        Loud pairs;
+        for (int i = 0; i < functions; ++i) {
+            const std::string name = "f" + std::to_string(i), number = std::to_string(i);
+            const std::string head =
+                "void " + name + "(Array<float> out, const Array<float>& in, float k" + number + ")";
+            const std::string body = " { out[" + number + "] = in[" + number + "] * k" + number + "; }\n";
+            was += head + body;
+            is += replaced(head, from, to) + body;
+            pairs.push_back("s/k.cu:" + name + "=t/k.cpp:" + name);
+        }
+        return loud({{"s/k.cu", was}, {"t/k.cpp", was}}, {{"s/k.cu", is}}, pairs).size();
+    };
+    const std::string types = "Array<float> out, const Array<float>& in";
+    EXPECT_EQ(after(types, "Param<float> out, View<float> in", 5), 1u);
+    EXPECT_EQ(after(types, "Param<float> out, View<float> in", 4), 4u);
+    EXPECT_EQ(after(types, "Param<float> out, const Array<float>& in", 5), 5u) << "one of two";
+    EXPECT_EQ(after("float k", "double k", 5), 5u) << "a type of the language";
+    EXPECT_EQ(after(types, "Param<float> out, View<double> in", 5), 5u);
+}
+
+TEST(QuietGate, TheMethodsOfANewClassAreToldWithIt) {
+    const std::string paired = "float f(float x) { return x * 2.0f + 1.0f; }\n";
+    const std::string fresh =
+        "struct Pool {\n  int size;\n  int take(int n) { return size -= n; }\n"
+        "  void give(int n) { size += n; }\n};\nint spare(int k) { return k % 9; }\n";
+    EXPECT_EQ(loud({{"s/k.cu", paired}, {"t/k.cpp", paired}}, {{"s/k.cu", paired + fresh}}, {"s/k.cu:f=t/k.cpp:f"}),
+              (Loud{"unported s/k.cu:Pool", "unported s/k.cu:spare"}));
+}
+
+TEST(QuietGate, AMacroIsToldWithTheEditOfAText) {
+    const auto text = [](const std::string& name, const std::string& value) {
+        return "int " + name + "(int n) {\n#ifdef WIDE\n  n *= 2;\n#endif\n  return n + " + value + ";\n}\n";
+    };
+    const std::string before = text("f", "1") + text("g", "1");
+    const auto after = [&](const std::string& now) {
+        return loud({{"s/k.cu", before}, {"t/k.cpp", before}}, {{"s/k.cu", "#define WIDE\n" + now}},
+                    {"s/k.cu:f=t/k.cpp:f", "s/k.cu:g=t/k.cpp:g"});
+    };
+    const Loud f = {"source-changed s/k.cu:f"}, both = {"source-changed s/k.cu:f", "source-changed s/k.cu:g"};
+    EXPECT_EQ(after(before), f) << "one macro, told once";
+    EXPECT_EQ(after(text("f", "2") + text("g", "3")), both);
+    EXPECT_EQ(after(text("f", "2") + text("g", "1")), both) << "what was not edited tells of the macro";
+}
+
 }  // namespace
 }  // namespace porttool::testing::quiet_gate_test

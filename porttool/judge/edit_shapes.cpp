@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/judge/edit_shapes.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <set>
+#include <string_view>
+
+#include "porttool/language/words.h"
+#include "porttool/normal/diff.h"
+#include "porttool/normal/normal_text.h"
+
+namespace porttool {
+namespace {
+
+/// The words and signs of a statement as it is shown.
+std::vector<std::string_view> words_of(std::string_view text) {
+    std::vector<std::string_view> out;
+    for (size_t i = 0; i < text.size();) {
+        size_t end = i;
+        while (end < text.size() && (is_word_token(text.substr(end, 1)) || is_number_token(text.substr(end, 1)))) ++end;
+        if (end == i) ++end;
+        if (text[i] != ' ') out.push_back(text.substr(i, end - i));
+        i = end;
+    }
+    return out;
+}
+
+}  // namespace
+
+bool is_long_edit(const std::vector<std::string>& lines) {
+    if (lines.size() != 2 || lines[0][0] == lines[1][0]) return lines.size() > 1;
+    const std::string_view a = lines[0], b = lines[1];
+    const size_t most = std::min(a.size(), b.size());
+    size_t front = 1, back = 0;  // behind the sign
+    while (front < most && a[front] == b[front]) ++front;
+    while (front + back < most && a[a.size() - 1 - back] == b[b.size() - 1 - back]) ++back;
+    const auto words = [&](std::string_view text) {
+        const std::string_view middle = text.substr(front, text.size() - back - front);
+        return std::count(middle.begin(), middle.end(), ' ');
+    };
+    constexpr std::ptrdiff_t kLeast = 3;
+    return words(a) + words(b) >= kLeast;
+}
+
+bool is_of_branches(const std::vector<std::string>& lines) {
+    std::map<char, std::ptrdiff_t> open;  // more that open than close, of those that came and of those that went
+    for (const std::string_view line : lines) {
+        const std::string_view branch = line.substr(1);
+        const bool opens = branch.starts_with(" # ifdef ") && std::count(branch.begin(), branch.end(), ' ') == 3;
+        if (!opens && branch != " # endif") return false;
+        open[line[0]] += opens ? 1 : -1;
+    }
+    return lines.size() > 1 && open['+'] == 0 && open['-'] == 0;
+}
+
+std::string types_exchanged(const std::vector<std::string>& lines) {
+    if (lines.size() != 2 || lines[0][0] != '-' || lines[1][0] != '+') return {};
+    std::array<std::vector<std::string_view>, 2> heads = {words_of(std::string_view(lines[0]).substr(1)),
+                                                          words_of(std::string_view(lines[1]).substr(1))};
+    for (auto& head : heads) {
+        if (std::find(head.begin(), head.end(), "@") == head.end()) return {};
+        std::erase_if(head, [](std::string_view word) { return word == "const" || word == "&"; });
+    }
+    const auto names_type = [](const std::vector<std::string_view>& head, size_t i) {
+        const bool is_before = i + 1 < head.size() && (head[i + 1] == "<" || is_word_token(head[i + 1]));
+        return is_before && is_word_token(head[i]) && !is_type_word(head[i]) && !word_is(head[i], kKeyword);
+    };
+    std::set<std::string_view> gone, came;
+    for (const DiffStep& step : diff(heads[0], heads[1])) {
+        if (step.kind == DiffStep::Keep) continue;
+        const bool goes = step.kind == DiffStep::Remove;
+        const size_t i = goes ? step.before : step.now;
+        if (!names_type(heads[goes ? 0 : 1], i)) return {};
+        (goes ? gone : came).insert(heads[goes ? 0 : 1][i]);
+    }
+    const bool stays = std::any_of(heads[1].begin(), heads[1].end(), [&](auto word) { return gone.contains(word); });
+    if (gone.empty() || came.empty() || stays) return {};
+    std::string out;
+    for (const std::string_view type : gone) (out += type) += ' ';
+    out += '>';
+    for (const std::string_view type : came) (out += ' ') += type;
+    return out;
+}
+
+}  // namespace porttool

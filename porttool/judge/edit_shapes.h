@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+// What an edit looks like, told by the statements that a finding shows of it, each behind `-` or `+`.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace porttool {
+
+/// True of more than a word or two: few words may be edited alike by chance. One statement that took the place of
+/// another is told by what is left between their common begin and end.
+bool is_long_edit(const std::vector<std::string>& lines);
+
+/// True for an edit that did nothing but put parts of a unit into branches for the compiler, or take them out:
+/// `# ifdef A` and `# endif` came.
+bool is_of_branches(const std::vector<std::string>& lines);
+
+/// The types that a function's head no longer takes, and those in their place, where its edit did nothing else; "" for
+/// any other edit, and where one of them is a language's own.
+///
+///     - void @(Array < T > out, const Array < T > in)
+///     + void @(Param < T > out, CParam < T > in)              "Array > CParam Param"
+std::string types_exchanged(const std::vector<std::string>& lines);
+
+}  // namespace porttool
