@@ -17,20 +17,29 @@ function(precompile target)
     endif()
 endfunction()
 
-# compile_by_folder(TARGET): names in unnamed namespaces must then be unique among the target's files of one folder.
+# FOLDER=NEIGHBOUR: folders whose own code is less than what they include are compiled with the files of another.
+set(neighbours bias=locate cluster=locate comparison=locate history=effort language=scan live=lsp spirv=lsp
+    value_graph=normal)
+
+# compile_by_folder(TARGET): names in unnamed namespaces must then be unique among the target's files of one folder and
+# its neighbours, which tests/one_definition_test.py holds.
 function(compile_by_folder target)
     if(NOT CMAKE_BUILD_TYPE STREQUAL "Release")
         return()
     endif()
     set(most_files 8)  # so that building again after an edit stays short
     if(PORTTOOL_SANITIZED_TESTS)
-        set(most_files 24)  # most build everything then, and once
+        set(most_files 25)  # most build everything then, and once
     endif()
     get_target_property(sources ${target} SOURCES)
     list(FILTER sources INCLUDE REGEX "[.]cpp$")
     set(folders "")
     foreach(source ${sources})
         cmake_path(GET source PARENT_PATH folder)
+        foreach(pair ${neighbours})
+            string(REGEX MATCH "(.*)=(.*)" pair ${pair})
+            string(REGEX REPLACE "(^|/)${CMAKE_MATCH_1}$" "\\1${CMAKE_MATCH_2}" folder "${folder}")
+        endforeach()
         string(MAKE_C_IDENTIFIER "in_${folder}" folder)
         list(APPEND folders ${folder})
         list(APPEND files_of_${folder} ${source})

@@ -7,8 +7,8 @@ this reads every .h and .cpp, follows the namespaces, and takes what is defined 
 enumerations, inline variables, and functions with the types of their parameters. What two files define under one name
 is reported. Unnamed namespaces, `static` functions and specialisations of templates are free; a header has no unnamed
 namespace, which would be another one in each file that includes it. The tests of each folder are one program.
-Release builds compile files of a folder together, so there the names of unnamed namespaces are told apart as well; a
-test has them in a namespace named after its file.
+Release builds compile files of a folder together, a small one with its neighbour's, so there the names of unnamed
+namespaces are told apart as well; a test has them in a namespace named after its file.
 
 Not seen: names that macros make, and one header compiled in two ways.
 """
@@ -19,9 +19,12 @@ import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 HOUSE = ("application", "metrics", "packaging", "porttool", "render_system", "source_core", "target_core")
-# Files in whose place another one is taken: by the build, or (lanes) by a macro that also renames their namespace.
 TOGETHER = ("application/", "metrics/", "porttool/", "render_system/",  # cmake/by_folder.cmake
             "tests/application/", "tests/metrics/", "tests/porttool/", "tests/render_system/")
+# cmake/by_folder.cmake: small folders are compiled with the files of another.
+NEIGHBOURS = dict(pair.split("=") for pair in re.search(
+    r"set\(neighbours ([^)]*)\)", (ROOT / "cmake/by_folder.cmake").read_text()).group(1).split())
+# Files in whose place another one is taken: by the build, or (lanes) by a macro that also renames their namespace.
 ALTERNATIVES = {"porttool/spirv/no_spirv.cpp", "target_core/device/lanes_avx2.h", "target_core/device/lanes_avx512.h",
                 "target_core/device/wide_lanes.h", "target_core/device/wide_trace.h"}
 
@@ -176,6 +179,12 @@ def definitions(text):
     return names, local
 
 
+def compiled_with(folder):
+    for name, neighbour in NEIGHBOURS.items():
+        folder = re.sub(f"(^|/){name}$", f"\\1{neighbour}", folder)
+    return folder
+
+
 def problems_in(files):
     """What breaks the rule in (path, names, local names) of one program, a line each."""
     places, out = collections.defaultdict(set), []
@@ -183,7 +192,7 @@ def problems_in(files):
         for name in names - {"main()", "main(int, char * *)", "pathtracer_core()"}:  # where a program or a module is entered
             places[name].add(path)
         for name in (local or ()) if path.startswith(TOGETHER) else ():
-            places[name + " in " + path.rpartition("/")[0]].add(path)
+            places[name + " in " + compiled_with(path.rpartition("/")[0])].add(path)
         if local is not None and path.endswith(".h"):
             out.append(f"{path}: an unnamed namespace in a header; name it, or move what it holds")
     for name, paths in sorted(places.items()):
@@ -247,6 +256,7 @@ class OneDefinition(unittest.TestCase):
         self.assertEqual(found("porttool/a/x.cpp", "porttool/a/y.cpp"),
                          ["n::kMost in porttool/a is defined in porttool/a/x.cpp, porttool/a/y.cpp; rename one to what it is"])
         self.assertEqual(found("porttool/a/x.cpp", "porttool/b/y.cpp"), [])
+        self.assertEqual(len(found("porttool/history/x.cpp", "porttool/effort/y.cpp")), 1, "compiled together")
         self.assertEqual(len(found("tests/porttool/x.cpp", "tests/porttool/y.cpp")), 1)
         self.assertEqual(found("tests/physics/x.cpp", "tests/physics/y.cpp"), [])
 
