@@ -14,7 +14,7 @@
 namespace porttool {
 namespace {
 
-constexpr size_t kMostWords = 20'000, kLongestPart = 64, kMostWritten = 100'000;
+constexpr size_t kMostTokens = 20'000, kLongestPart = 64, kMostWritten = 100'000;
 
 bool is_assignment(std::string_view sign) {
     return sign == "=" || (sign.size() > 1 && sign.back() == '=' && sign != "==" && sign != "!=");
@@ -148,7 +148,7 @@ private:
 }  // namespace
 
 bool only_names_parts(const Words& before, const Words& now, UnitKind kind, Language language, const Dialect& dialect) {
-    if (before.size() + now.size() > kMostWords) return false;
+    if (before.size() + now.size() > kMostTokens) return false;
     const PartReader then(before, dialect), today(now, dialect);
     const auto gone = then.parts_beside(today), came = today.parts_beside(then);
     if (gone.empty() && came.empty()) return false;
