@@ -60,6 +60,10 @@ RecordedLock lock_if_readable(const CheckedProject& checked, std::ostream& err) 
     }
 }
 
+bool has_same_sides(const MapFile& a, const MapFile& b) {
+    return a.source == b.source && a.target == b.target && a.target_root == b.target_root;
+}
+
 /// Takes the state at the merge base for what was in step. Returns what the change itself does to the gate.
 std::vector<BroughtIn> hold_against_base(CheckedProject& checked, const CheckChoice& choice, const MapFile& map_today,
                                          Workplace& place, FactsStore* kept) {
@@ -80,7 +84,10 @@ std::vector<BroughtIn> hold_against_base(CheckedProject& checked, const CheckCho
     checked.lock = std::move(in_step.lock);
     checked.texts = std::move(in_step.texts);
     checked.texts.merge(now.texts);
-    checked.gone_before = std::move(in_step.gone_before);
+    // What today's globs leave out was not gone then.
+    if (!then.has_map || has_same_sides(then.map, checked.project.map))
+        checked.gone_before = std::move(in_step.gone_before);
+    for (const Side side : kBothSides) checked.new_words[side] = new_words(checked.files(side), base.files(side));
     checked.base_states = std::move(base.states);
     if (choice.trusted_map && then.has_lock)
         checked.in_project = then.lock.lock;
@@ -98,7 +105,10 @@ void judge_it(CheckedProject& checked, const std::string& date, const std::vecto
     facts.evidence = evidence;
     facts.gone_before = &checked.gone_before;
     const bool against_base = checked.against_base;
-    if (against_base) facts.at_base = {&checked.base_states.source, &checked.base_states.target};
+    if (against_base) {
+        facts.at_base = {&checked.base_states.source, &checked.base_states.target};
+        facts.new_words = &checked.new_words;
+    }
     if (checked.in_project)
         facts.in_project = &*checked.in_project;
     else if (checked.recorded && !against_base)

@@ -33,6 +33,7 @@ struct CheckedProject : Snapshot {
     /// With a merge base: pairs, by their ids, of which one side was gone there already.
     std::set<std::pair<std::string, std::string>> gone_before = {};
     States base_states = {};  ///< with a merge base: the units there
+    BySide<NewWords> new_words = {};
     std::vector<PlacedSuppression> suppressions = {};
     Judgement judgement = {};
 };

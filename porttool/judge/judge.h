@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "porttool/judge/judgement.h"
+#include "porttool/judge/new_words.h"
 #include "porttool/read/lock_file.h"
 #include "porttool/read/map_file.h"
 #include "porttool/read/source_files.h"
@@ -47,6 +48,7 @@ struct Case {
     /// With a merge base: pairs, by their ids, of which one side was gone there already.
     const std::set<std::pair<std::string, std::string>>* gone_before = nullptr;
     BySide<const std::map<std::string, UnitState>*> at_base = {};  ///< with a merge base: the units there
+    const BySide<NewWords>* new_words = nullptr;  ///< ... and what is said of words since, outside of units
 };
 
 /// Holds today's units against the lock. Reads nothing but the case.

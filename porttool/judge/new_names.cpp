@@ -5,117 +5,324 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <set>
 #include <unordered_set>
 
+#include "porttool/language/words.h"
+#include "porttool/normal/locals.h"
 #include "porttool/read/map_file.h"
 #include "porttool/scan/scan.h"
 
 namespace porttool {
 namespace {
 
-bool may_be_called(const UnitState& unit) {
-    if (unit.kind == UnitKind::Function || unit.kind == UnitKind::Kernel) return true;
-    // Of macros MacroEdits tells.
-    return unit.kind == UnitKind::Constant && !unit.text.empty() && unit.text[0] != "#";
+using Kind = DeclaredWord::Kind;
+
+constexpr size_t kMostAlike = 64;  ///< of one name: more are not told apart
+
+/// Of macros MacroEdits tells.
+bool is_macro(const UnitState& unit) {
+    return unit.kind == UnitKind::File ||
+           (unit.kind == UnitKind::Constant && !unit.text.empty() && unit.text[0] == "#");
 }
 
-/// True for a unit that is seen by its bare name from another: both stand in one scope, or it stands in one around
-/// that.
-bool is_in_scope(const UnitState& unit, const UnitState& user) {
-    const size_t end = unit.name.rfind("::");
-    return end == std::string::npos || user.name.starts_with(unit.name.substr(0, end + 2));
-}
-
-/// How many parts the list has that opens at a place; nothing where it is open at its end or long, or one says `...` or
-/// `=`. Calls stand within calls: a list is read once for each of them.
-std::optional<size_t> parts_of_list(const NormalText& text, size_t open) {
-    constexpr size_t kMostWords = 256;
-    const size_t end = std::min(text.size(), open + kMostWords);
-    size_t parts = 0;
-    bool is_empty = true;
-    int depth = 0;
-    for (size_t i = open; i < end; ++i) {
-        const std::string_view word = text[i];
-        if (word == ")" || word == "]" || word == "}") {
-            if (--depth == 0) return is_empty ? 0 : parts + 1;
-        } else if (i > open) {
-            is_empty = false;
-        }
-        if (word == "(" || word == "[" || word == "{") ++depth;
-        if (depth == 1 && word == ",") ++parts;
-        if (depth == 1 && (word == "..." || word == "=" || word == "<")) return std::nullopt;
+/// The signatures of units by their leaves, up to 64 of each.
+class Signatures {
+public:
+    explicit Signatures(const std::map<std::string, UnitState>& units) {
+        for (const auto& [id, unit] : units)
+            if (!is_macro(unit)) units_.emplace(bare_leaf_of(unit.name), &unit);
     }
-    return std::nullopt;
+    bool has(std::string_view leaf) const { return units_.contains(leaf); }
+    const std::vector<Signature>& of(const std::string& leaf) const {
+        const auto [known, is_new] = by_leaf_.try_emplace(leaf);
+        const auto [first, last] = units_.equal_range(leaf);
+        for (auto one = first; is_new && one != last && known->second.size() < kMostAlike; ++one)
+            known->second.push_back(signature_of(*one->second));
+        return known->second;
+    }
+
+private:
+    std::unordered_multimap<std::string_view, const UnitState*> units_;
+    mutable std::unordered_map<std::string, std::vector<Signature>> by_leaf_;
+};
+
+std::string_view last_scope(std::string_view scope) {
+    if (scope.size() < 2) return {};
+    scope.remove_suffix(2);
+    return leaf_of(scope);
 }
 
-/// False where a call gives a function more or fewer arguments than it takes: it is another overload's.
-bool may_take(const UnitState& unit, const NormalText& text, size_t call) {
-    size_t head = 0;
-    while (head < unit.text.size() && unit.text[head] != "@") ++head;
-    if (unit.kind == UnitKind::Constant || head + 1 >= unit.text.size() || unit.text[head + 1] != "(") return true;
-    const std::optional<size_t> takes = parts_of_list(unit.text, head + 1), given = parts_of_list(text, call);
-    return !takes || !given || *takes == *given;
+/// A constructor that copies or takes nothing, a destructor, an assignment, a conversion: what is called unnamed.
+bool is_special(const Signature& one) {
+    const std::string_view type = last_scope(one.scope);
+    if (type.empty() || !one.is_function) return false;
+    if (one.leaf == "operator=" || one.leaf == "~" + std::string(type)) return true;
+    if (one.leaf == type) return one.types.empty() || (one.types.size() == 1 && one.types[0] == type);
+    return one.leaf.starts_with("operator ") && one.types.empty();
+}
+
+std::string_view sign_of(std::string_view leaf) {
+    constexpr std::string_view kOperator = "operator";
+    if (!leaf.starts_with(kOperator) || leaf.size() == kOperator.size()) return {};
+    leaf.remove_prefix(kOperator.size());
+    return is_word_token(leaf) || leaf[0] == ' ' ? std::string_view() : leaf;
+}
+
+/// True if a text has a type of the parameters that is not the language's.
+bool has_type_of(const Signature& one, const NormalText& text) {
+    for (const std::string& type : one.types) {
+        const std::string_view name = std::string_view(type).substr(0, type.find(' '));
+        for (size_t i = 0; i < text.size() && is_word_token(name) && !is_type_word(name); ++i)
+            if (text[i] == name) return true;
+    }
+    return false;
+}
+
+/// The declaration of a function.
+bool is_head(const NewWord& one) {
+    return one.said.name_token + 1 < one.said.tokens.end && one.file->lexed.view(one.said.name_token + 1) == "(";
+}
+
+/// False for files that are compiled by themselves.
+bool is_header(std::string_view path) {
+    static const std::set<std::string_view> kCompiled = {
+        ".c",    ".cc",   ".cpp",  ".cxx",  ".c++",  ".cu",   ".hip",  ".ispc",  ".m",     ".mm",    ".metal", ".comp",
+        ".vert", ".frag", ".geom", ".tesc", ".tese", ".rgen", ".rint", ".rahit", ".rchit", ".rmiss", ".rcall"};
+    return !kCompiled.contains(path.substr(std::min(path.rfind('.'), path.size())));
 }
 
 }  // namespace
 
 void NewNames::judge(JudgedPair& pair) {
-    for (const Side side : kBothSides) {
-        if (facts_.at_base[side] == nullptr || is_contract(facts_.map.reference, side)) continue;
-        const UnitState* unit = pair.unit[side];
-        if (unit == nullptr || fresh(side).empty()) continue;
-        const auto then = facts_.at_base[side]->find(unit->id);
-        if (then == facts_.at_base[side]->end()) continue;
-        std::set<const UnitState*> found;
-        for (size_t i = 0; i + 1 < then->second.text.size(); ++i)
-            if (const UnitState* one = called(side, *unit, then->second.text, i)) found.insert(one);
-        for (size_t i = 0; i + 1 < unit->text.size() && !found.empty(); ++i)
-            if (const UnitState* one = called(side, *unit, unit->text, i); one != nullptr && found.erase(one) > 0)
-                tell(pair, side, *one);
+    BySide<Uses> found = {changed_uses(pair, Side::Source), changed_uses(pair, Side::Target)};
+    std::set<std::string> both;  // what both sides say alike
+    if (!found.source.empty() && !found.target.empty()) {
+        std::set<std::string> of_source;
+        for (const Meaning* one : found.source)
+            if (one->said != nullptr) of_source.insert(one->said->text());
+        for (const Meaning* one : found.target)
+            if (one->said != nullptr && of_source.contains(one->said->text())) both.insert(one->said->text());
     }
+    for (const Side side : kBothSides)
+        for (const Meaning* one : found[side])
+            if (one->said == nullptr || !both.contains(one->said->text())) tell(pair, side, *one);
 }
 
-const NewNames::ByName& NewNames::fresh(Side side) {
+/// What a text that uses it already used at the merge base, as far as its words say.
+NewNames::Uses NewNames::changed_uses(const JudgedPair& pair, Side side) {
+    const UnitState* unit = pair.unit[side];
+    if (facts_.at_base[side] == nullptr || unit == nullptr || fresh(side).meanings.empty()) return {};
+    const auto then = facts_.at_base[side]->find(unit->id);
+    if (then == facts_.at_base[side]->end()) return {};
+    Uses before = uses_of(side, *unit, then->second.text);
+    if (before.empty() || then->second.prints.written == unit->prints.written) return before;
+    const Uses now = uses_of(side, *unit, unit->text);
+    std::erase_if(before, [&](const Meaning* one) { return !now.contains(one); });
+    return before;
+}
+
+const NewNames::Fresh& NewNames::fresh(Side side) {
     if (fresh_[side]) return *fresh_[side];
-    std::unordered_set<std::string_view> known;
-    for (const auto& [id, unit] : *facts_.at_base[side]) known.insert(bare_leaf_of(unit.name));
-    ByName& out = fresh_[side].emplace();
-    for (const auto& [id, unit] : side == Side::Source ? facts_.source : facts_.target)
-        if (const std::string_view name = bare_leaf_of(unit.name); may_be_called(unit) && !known.contains(name))
-            out.emplace(name, &unit);
+    Fresh& out = fresh_[side].emplace();
+    if (facts_.new_words != nullptr) out.opened = (*facts_.new_words)[side].opened;
+    if (!is_contract(facts_.map.reference, side)) add_units(side, out);
+    add_words(side, out);
+    for (const Meaning& one : out.meanings)
+        if (auto& all = one.said != nullptr && one.said->said.kind == Kind::Macro ? out.macros : out.by_word;
+            all.count(one.word) < kMostAlike)
+            all.emplace(one.word, &one);
     return out;
 }
 
-/// The new unit that a text calls by the word at a place.
-const UnitState* NewNames::called(Side side, const UnitState& user, const NormalText& text, size_t at) {
-    if (text[at + 1] != "(") return nullptr;
-    const auto [first, last] = fresh(side).equal_range(text[at]);
-    if (first == last) return nullptr;
-    const std::string_view before = at > 0 ? text[at - 1] : std::string_view();
-    if (before == "." || before == "->" || before == "::") return nullptr;
-    const auto found = std::find_if(first, last, [&](const auto& one) {
-        return one.second != &user && is_in_scope(*one.second, user) && may_take(*one.second, text, at + 1);
-    });
-    return found == last ? nullptr : found->second;
+/// What a word may mean now by units that are new: one under a name that no unit had, or one beside those that had it.
+void NewNames::add_units(Side side, Fresh& out) const {
+    const std::map<std::string, UnitState>& then = *facts_.at_base[side];
+    std::vector<const UnitState*> fresh;
+    for (const auto& [id, unit] : units(side)) {
+        if (is_macro(unit)) continue;
+        const auto known = then.find(id);  // an overload before others takes the first number
+        if (known == then.end() || known->second.prints.written != unit.prints.written) fresh.push_back(&unit);
+    }
+    if (fresh.empty()) return;
+    const Signatures before(then), now(units(side));
+    for (const UnitState* unit : fresh) {
+        const Signature own = signature_of(*unit);
+        const std::vector<Signature>& old = before.of(own.leaf);
+        if (std::find(old.begin(), old.end(), own) != old.end()) continue;  // it was moved
+        const std::string_view type = last_scope(own.scope);
+        if (is_special(own)) {
+            const auto is_same = [&](const Signature& one) { return one.scope == own.scope && one.types == own.types; };
+            if (before.has(type) && std::none_of(old.begin(), old.end(), is_same))
+                out.meanings.push_back({std::string(type), Reason::Special, unit, nullptr, own});
+        } else if (!before.has(own.leaf)) {
+            out.meanings.push_back({own.leaf, Reason::Taken, unit, nullptr, own});
+        } else {
+            const std::vector<Signature>& still = now.of(own.leaf);  // an edited one is no overload of itself
+            std::optional<Reason> reason;
+            for (const Signature& one : old)
+                if (!reason && std::find(still.begin(), still.end(), one) != still.end())
+                    reason = beside(own, one, out);
+            const std::string_view sign = sign_of(own.leaf);
+            if (reason)
+                out.meanings.push_back({sign.empty() ? own.leaf : std::string(sign), *reason, unit, nullptr, own});
+        }
+    }
 }
 
-void NewNames::tell(JudgedPair& pair, Side side, const UnitState& unit) {
-    if (const auto known = told_.find(&unit); known != told_.end()) {
+/// What a new unit does beside another of its name.
+std::optional<NewNames::Reason> NewNames::beside(const Signature& own, const Signature& one, const Fresh& out) {
+    const bool is_operator = !sign_of(own.leaf).empty();
+    if (own.is_function && one.is_function && is_operator)
+        return compete(own, one) && !own.takes_anything ? std::optional(Reason::Competes) : std::nullopt;
+    if (own.scope.size() > one.scope.size() && own.scope.starts_with(one.scope)) return Reason::Hidden;
+    const bool together = own.scope == one.scope || one.scope.starts_with(own.scope) ||
+                          out.opened.contains(std::string(last_scope(one.scope))) ||
+                          out.opened.contains(std::string(last_scope(own.scope)));
+    if (!together) return std::nullopt;
+    if (!own.is_function) return own.types.empty() ? std::nullopt : std::optional(Reason::Competes);
+    return one.is_function && compete(own, one) ? std::optional(Reason::Competes) : std::nullopt;
+}
+
+/// What is said of words outside of units.
+void NewNames::add_words(Side side, Fresh& out) const {
+    if (facts_.new_words == nullptr) return;
+    const std::vector<NewWord>& words = (*facts_.new_words)[side].words;
+    if (words.empty()) return;
+    std::unordered_set<std::string_view> had, has;  // what units are called
+    for (const auto& [id, unit] : *facts_.at_base[side]) had.insert(bare_leaf_of(unit.name));
+    for (const auto& [id, unit] : units(side)) has.insert(bare_leaf_of(unit.name));
+    for (const NewWord& one : words) {
+        if (one.said.kind == Kind::Opened) {
+            OpenedIn& opened = out.opened_now[std::string(one.word())];
+            opened.by_file.emplace(one.file->path, &one);
+            if (opened.header == nullptr && is_header(one.file->path)) opened.header = &one;
+            continue;
+        }
+        const std::string word(one.word());
+        if (one.said.kind == Kind::Declared &&
+            (one.is_known || has.contains(word) || (is_head(one) && had.contains(word))))
+            continue;
+        out.meanings.push_back({word, Reason::Said, nullptr, &one, {{}, word, {}, {}, false, false}});
+    }
+    if (out.opened_now.empty()) return;
+    for (const auto& [id, unit] : units(side)) {
+        if (is_macro(unit)) continue;
+        Signature own = signature_of(unit);
+        if (out.opened_now.contains(last_scope(own.scope)))
+            out.meanings.push_back({own.leaf, Reason::Opened, &unit, nullptr, own});
+    }
+}
+
+NewNames::Uses NewNames::uses_of(Side side, const UnitState& user, const NormalText& text) const {
+    const Fresh& all = *fresh_[side];
+    Uses out;
+    const auto [first_macro, last_macro] = all.macros.equal_range(bare_leaf_of(user.name));
+    for (auto one = first_macro; one != last_macro; ++one)
+        if (means(side, *one->second, user, text, 0)) out.insert(one->second);
+    std::optional<std::vector<size_t>> locals;
+    for (size_t i = 0; i < text.size(); ++i) {
+        const auto [first, last] = all.by_word.equal_range(text[i]);
+        for (auto one = first; one != last; ++one) {
+            if (out.contains(one->second) || !means(side, *one->second, user, text, i)) continue;
+            if (!locals) locals = local_numbers(text.words());
+            const bool is_call = i + 1 < text.size() && text[i + 1] == "(";
+            if (locals->empty() ? is_call || !is_word_token(text[i]) : (*locals)[i] == 0) out.insert(one->second);
+        }
+    }
+    return out;
+}
+
+/// True if the word at a place of a text can have that meaning there.
+bool NewNames::means(Side side, const Meaning& meaning, const UnitState& user, const NormalText& text,
+                     size_t at) const {
+    const std::string_view before = at > 0 ? text[at - 1] : std::string_view();
+    const std::string_view after = at + 1 < text.size() ? text[at + 1] : std::string_view();
+    if (meaning.unit == &user || before == "." || before == "->" || before == "::") return false;
+    const Fresh& all = *fresh_[side];
+    if (meaning.said != nullptr)
+        return (meaning.said->file->path == user.file || is_header(meaning.said->file->path)) &&
+               is_seen(*meaning.said->said.scope, user, all);
+    if (meaning.reason == Reason::Special) return true;
+    if (!sign_of(meaning.signature.leaf).empty()) return has_type_of(meaning.signature, text);
+    if (meaning.reason == Reason::Opened) {
+        if (opened_for(side, meaning, user) == nullptr) return false;
+    } else if (!is_seen(meaning.signature.scope, user, all)) {
+        return false;
+    }
+    if (!meaning.signature.is_function)
+        return meaning.unit->kind == UnitKind::Struct ? meaning.reason != Reason::Competes || after == "<" : true;
+    if (meaning.reason != Reason::Taken && meaning.signature.takes_anything) return after == "(" || after == "<";
+    return after == "(" && (meaning.reason == Reason::Hidden || may_take(*meaning.unit, text, at + 1));
+}
+
+/// True for what is seen by its bare name from a unit: both stand in one scope, or it stands in one around that, or in
+/// one that is opened.
+bool NewNames::is_seen(const std::string& scope, const UnitState& user, const Fresh& fresh) {
+    for (size_t at = 0; at < scope.size();) {
+        const size_t end = scope.find("::", at) + 2;
+        if (!user.name.starts_with(std::string_view(scope).substr(0, end)) &&
+            !fresh.opened.contains(scope.substr(at, end - 2 - at)))
+            return false;
+        at = end;
+    }
+    return true;
+}
+
+/// The new `using namespace` by which a unit sees another; nothing where it saw it before.
+const NewWord* NewNames::opened_for(Side side, const Meaning& meaning, const UnitState& user) const {
+    const std::string scope(last_scope(meaning.signature.scope));
+    if (user.name.starts_with(meaning.signature.scope)) return nullptr;
+    const std::set<std::pair<std::string, std::string>>& known = (*facts_.new_words)[side].brought_before;
+    if (known.contains({user.file, scope}) || known.contains({user.file, meaning.word})) return nullptr;
+    const OpenedIn& opened = fresh_[side]->opened_now.find(scope)->second;
+    const auto own = opened.by_file.find(user.file);
+    return own == opened.by_file.end() ? opened.header : own->second;
+}
+
+void NewNames::tell(JudgedPair& pair, Side side, const Meaning& meaning) {
+    const NewWord* said = meaning.reason == Reason::Opened ? opened_for(side, meaning, *pair.unit[side]) : meaning.said;
+    const std::string key =
+        "new name " + (meaning.unit != nullptr ? meaning.unit->id : meaning.word + " " + said->text());
+    const std::string told_as = (side == Side::Source ? "source " : "target ") + key;
+    if (const auto known = told_.find(told_as); known != told_.end()) {
         ++known->second.more;
         return;
     }
-    Finding& finding = findings_.add(side == Side::Source ? Rule::SourceChanged : Rule::TargetChanged, pair, {}, "",
-                                     "new name " + unit.id);
-    finding.message = fmt::format("{} says something else, unedited: its call of {} is one of the new {} now",
-                                  side == Side::Source ? "the source" : "the port", bare_leaf_of(unit.name), unit.id);
+    Finding& finding =
+        findings_.add(side == Side::Source ? Rule::SourceChanged : Rule::TargetChanged, pair, {}, "", key);
+    finding.message =
+        fmt::format("{} says something else, unedited: ", side == Side::Source ? "the source" : "the port") +
+        change_of(meaning, said);
     finding.remedy = "Give it another name; if it is meant so, run: porttool ignore " +
                      argument(pair.id.source + "=" + pair.id.target, finding) + " --reason TEXT";
-    told_.emplace(&unit, Told{finding.fingerprint});
+    if (said != nullptr) finding.details.push_back("+ " + said->text());
+    told_.emplace(told_as, Told{finding.fingerprint});
+}
+
+std::string NewNames::change_of(const Meaning& meaning, const NewWord* said) {
+    const std::string& word = meaning.word;
+    const std::string place =
+        said == nullptr ? "" : fmt::format("`{}` ({}:{})", said->text(), said->file->path, said->line());
+    switch (meaning.reason) {
+        case Reason::Said:
+            return fmt::format("its word {} is {} now", word, place);
+        case Reason::Opened:
+            return fmt::format("its {} may be {} now, by {}", word, meaning.unit->id, place);
+        case Reason::Special:
+            return fmt::format("its type {} has the new {}", word, meaning.unit->id);
+        case Reason::Hidden:
+            return fmt::format("its {} is the nearer new {} now", word, meaning.unit->id);
+        case Reason::Competes:
+            return fmt::format("its {} may be the new {} now", word, meaning.unit->id);
+        case Reason::Taken:
+            break;
+    }
+    return fmt::format("its {} {} is one of the new {} now", meaning.signature.is_function ? "call of" : "word", word,
+                       meaning.unit->id);
 }
 
 void NewNames::tell_how_many() {
-    for (const auto& [unit, told] : told_) {
+    for (const auto& [key, told] : told_) {
         if (told.more == 0) continue;
         for (Finding& finding : findings_.from(0))
             if (finding.fingerprint == told.fingerprint)

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "metrics/text/fingerprint.h"
 #include "porttool/scan/suppressions.h"
@@ -21,6 +23,37 @@ bool starts_identifier(char c) {
 }
 
 bool continues_identifier(char c) { return starts_identifier(c) || is_digit(c); }
+
+/// The length and value of a letter that is spelled `\\u00f6`, `\\U000000f6` or `\\u{f6}` at a place, as C has it in
+/// names; of plain letters, which may not be, and of anything else 0.
+std::pair<size_t, uint32_t> spelled_letter(std::string_view text, size_t at) {
+    if (at + 2 >= text.size() || text[at] != '\\' || (text[at + 1] != 'u' && text[at + 1] != 'U')) return {0, 0};
+    const bool braced = text[at + 1] == 'u' && text[at + 2] == '{';
+    const size_t first = at + (braced ? 3 : 2);
+    const size_t digits = braced ? std::min<size_t>(text.substr(first, 9).find('}'), 8) : text[at + 1] == 'u' ? 4 : 8;
+    if (first + digits > text.size()) return {0, 0};
+    uint32_t value = 0;
+    const auto [end, error] = std::from_chars(text.data() + first, text.data() + first + digits, value, 16);
+    if (error != std::errc() || end != text.data() + first + digits) return {0, 0};
+    if (braced && (first + digits >= text.size() || text[first + digits] != '}')) return {0, 0};
+    if (value < 0x80 || value > 0x10FFFF || (value >= 0xD800 && value < 0xE000)) return {0, 0};
+    return {first + digits + (braced ? 1 : 0) - at, value};
+}
+
+void add_utf8(std::string& out, uint32_t letter) {
+    const auto tail = [&](int shift) { out += static_cast<char>(0x80 | ((letter >> shift) & 0x3F)); };
+    if (letter < 0x800) {
+        out += static_cast<char>(0xC0 | (letter >> 6));
+    } else if (letter < 0x10000) {
+        out += static_cast<char>(0xE0 | (letter >> 12));
+        tail(6);
+    } else {
+        out += static_cast<char>(0xF0 | (letter >> 18));
+        tail(12);
+        tail(6);
+    }
+    tail(0);
+}
 
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f' || c == '\0'; }
 
@@ -137,7 +170,8 @@ private:
         const char c = peek();
         if (c == '#' && line_is_fresh_ && !directive_) begin_directive();
         if (is_digit(c) || (c == '.' && is_digit(peek(1)))) return emit(TokenKind::Number, number_end());
-        if (starts_identifier(c)) return identifier_or_prefixed_literal();
+        if (starts_identifier(c) || (c == '\\' && spelled_letter(text_, at_).first > 0))
+            return identifier_or_prefixed_literal();
         if (c == '"') return emit(TokenKind::String, quoted_end(at_));
         if (c == '\'') return emit(TokenKind::Character, quoted_end(at_));
         if (c == '<' && is_include_line()) return emit(TokenKind::String, header_end());
@@ -179,8 +213,15 @@ private:
     }
 
     void identifier_or_prefixed_literal() {
-        size_t end = at_ + 1;
-        while (end < text_.size() && continues_identifier(text_[end])) ++end;
+        size_t end = at_;
+        bool spelled = false;
+        while (end < text_.size()) {
+            const size_t letter = text_[end] == '\\' ? spelled_letter(text_, end).first : 0;
+            if (letter == 0 && !continues_identifier(text_[end])) break;
+            spelled = spelled || letter > 0;
+            end += std::max<size_t>(letter, 1);
+        }
+        if (spelled) write_letters(end);
         const std::string_view word = text_.substr(at_, end - at_);
         const char quote = end < text_.size() ? text_[end] : '\0';
         if (quote == '"' && word.size() <= 3 && word.back() == 'R')
@@ -190,6 +231,25 @@ private:
         if (quote == '\'' && (word == "L" || word == "u" || word == "U" || word == "u8"))
             return emit(TokenKind::Character, quoted_end(end));
         emit(TokenKind::Identifier, end);
+    }
+
+    /// Writes the letters of a name that are spelled by their numbers as UTF-8, so that it is the same name, and blanks
+    /// before it.
+    void write_letters(size_t end) {
+        std::string name;
+        for (size_t i = at_; i < end;) {
+            const auto [length, letter] = spelled_letter(text_, i);
+            if (length > 0)
+                add_utf8(name, letter);
+            else
+                name += text_[i];
+            i += std::max<size_t>(length, 1);
+        }
+        const size_t first = end - name.size();
+        std::fill(out_.text.begin() + static_cast<std::ptrdiff_t>(at_),
+                  out_.text.begin() + static_cast<std::ptrdiff_t>(first), ' ');
+        std::copy(name.begin(), name.end(), out_.text.begin() + static_cast<std::ptrdiff_t>(first));
+        advance(first);
     }
 
     /// End of the string or character that opens at `open`. One that never closes on its line is cut there; an

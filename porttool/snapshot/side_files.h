@@ -60,6 +60,10 @@ public:
     const std::vector<Suppression>& suppressions(size_t file) const;
     std::optional<uint32_t> unfinished_merge(size_t file) const;
     const ScannedFile& scanned(size_t file) const;
+    /// The file as it was read or, where it was scanned at once, without what scanning leaves out.
+    std::string_view text(size_t file) const {
+        return scanned_ != nullptr ? std::string_view((*scanned_)[file].lexed.text) : (*known_)[file]->bytes();
+    }
     std::vector<FileMacros> macros() const;
 
 private:

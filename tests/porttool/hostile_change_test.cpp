@@ -328,6 +328,16 @@ TEST_F(HostileChange, ACopyElsewhereDoesNotStandForAFileThatCannotBeRead) {
     EXPECT_TRUE(texts.contains("src/k.cu:g is followed to src/decoy.cu:g")) << got["brought_in"].dump(1);
 }
 
+TEST_F(HostileChange, WhatNarrowerGlobsLeaveOutWasNotGoneBefore) {
+    git("checkout -q -b feature");
+    write("src/k.cu", replaced(kSource, "3.0f", "4.0f"));
+    write("src/other.cu", "// nothing\n");
+    write("portmap.toml", replaced(read_text(root / "portmap.toml"), "\"src/*\"", "\"src/o*\""));
+    const auto got = nlohmann::json::parse(porttool({"check", "--base", "main", "--format", "json"}).out);
+    EXPECT_EQ(got["verdict"], "review") << got["findings"].dump(1);
+    EXPECT_EQ(porttool({"check", "--base", "main", "--trusted-map"}).exit_code, 1);
+}
+
 TEST_F(HostileChange, ALineOfTheBaselineExcusesOneUnit) {
     const std::string old = "__device__ float h(float x) {\n    return x - 7.5f;\n}\n";
     write("src/k.cu", kSource + old);

@@ -318,5 +318,92 @@ TEST_F(HostileGit, ANewFunctionOfThePortUnderANameThatItCalledBeforeIsTold) {
         << "whose user was edited: told as its edit";
 }
 
+/// Whatever else gives a word of an unedited text another meaning: in front of everything, or within the namespace.
+TEST_F(HostileGit, ANewMeaningOfAWordIsTold) {
+    const std::string device =
+        "struct Vec {\n    float x, y;\n};\ntypedef float real;\n"
+        "__device__ float helper(float v) {\n    return v * 0.25f;\n}\n"
+        "__device__ Vec operator+(Vec a, Vec b) {\n    return make_vec(a.x + b.x, a.y + b.y);\n}\n"
+        "namespace app {\n__device__ real f(real x) {\n    return sqrtf(x) * 2.0f;\n}\n"
+        "__device__ float g(float x) {\n    float y = helper(x) + 1.0f;\n    return y;\n}\n"
+        "__device__ Vec add(Vec a, Vec b) {\n    Vec c = a + b;\n    return c;\n}\n}\n";
+    std::string host = device;
+    while (host.find("__device__ ") != std::string::npos) host = replaced(host, "__device__ ", "");
+    write("src/k.cu", device);
+    write("port/k.cpp", host);
+    write("port/aside.cpp", "namespace known {\nfloat root(float v) {\n    return v;\n}\n}\n");
+    start();
+    const std::string fast = "namespace fast {\nfloat sqrtf(float v) {\n    return v;\n}\n}\n";
+    struct Row {
+        std::string first, within;  ///< what is new before everything, and within the namespace
+        bool port = true;           ///< it is told of the port
+        bool source = false;        ///< ... of the source, too: it is no unit
+    };
+    const std::vector<Row> rows = {
+        {fast + "using namespace fast;\n", "", true, true},
+        {fast, "using namespace fast;\n", true, true},
+        {fast, "using fast::sqrtf;\n", true, true},
+        {fast, "", false},
+        {"", "inline " + fast, true, true},
+        {"", "namespace {\nfloat sqrtf(float v) {\n    return v;\n}\n}\n"},
+        {"", "namespace known {\nfloat cbrtf(float v) {\n    return v;\n}\n}\n", false},
+        {"", "using namespace std;\nusing std::cbrtf;\n", false},
+        {"struct Root {\n    float operator()(float v) const {\n        return v;\n    }\n};\nstatic const Root "
+         "sqrtf;\n",
+         "", true, true},
+        {"static const auto sqrtf = [](float v) { return v; };\n", ""},
+        {"float (*sqrtf)(float) = &rough;\n", "", true, true},
+        {"extern \"C\" float sqrtf(float) __asm__(\"rough\");\n", "", true, true},
+        {"#pragma redefine_extname sqrtf rough\n", "", true, true},
+        {"#pragma pop_macro(\"sqrtf\")\n", "", true, true},
+        {"using sqrtf = double;\n", "", true, true},
+        {"", "typedef double real;\n", true, true},
+        {"", "using real = double;\n", true, true},
+        {"typedef double whole;\nstatic float x, y, v;\nextern int unknown(float sqrtf);\nstruct Vec;\n", "", false},
+        {"", "struct Vec {\n    double x, y;\n};\n"},
+        {"", "float helper(float v) {\n    return v;\n}\n"},
+        {"float helper(float& v) {\n    return v;\n}\n", ""},
+        {"float helper(double v) {\n    return v;\n}\n", ""},
+        {"template <class T> T helper(T v) {\n    return v;\n}\n", ""},
+        {"float helper(float v, float w = 1.0f) {\n    return v;\n}\n", ""},
+        {"Vec helper(Vec v) {\n    return v;\n}\n", "", false},
+        {"float helper(float v, float w) {\n    return v;\n}\n", "", false},
+        {"Vec operator+(const Vec& a, const Vec& b) {\n    return a;\n}\n", ""},
+        {"Mat operator+(Mat a, Mat b) {\n    return a;\n}\n", "", false},
+        {"Vec operator-(Vec a, Vec b) {\n    return a;\n}\n", "", false},
+    };
+    const auto told = [&](const char* file, const std::string& text, const std::string& head, const Row& row,
+                          const char* rule) {
+        write(file, row.first + replaced(text, head, head + row.within));
+        const auto got = nlohmann::json::parse(porttool({"check", "--base", "main", "--format", "json"}).out);
+        return std::any_of(got["findings"].begin(), got["findings"].end(),
+                           [&](const auto& one) { return one["rule"] == rule; });
+    };
+    for (const Row& row : rows) {
+        EXPECT_EQ(told("port/k.cpp", host, "namespace app {\n", row, "target-changed"), row.port)
+            << row.first << row.within;
+        write("port/k.cpp", host);
+        EXPECT_EQ(told("src/k.cu", device, "namespace app {\n", row, "source-changed"), row.source)
+            << row.first << row.within;
+        write("src/k.cu", device);
+    }
+    // Within the struct.
+    for (const std::string member :
+         {"Vec() : x(1), y(1) {\n    }\n", "Vec(const Vec& o) : x(o.y), y(o.x) {\n    }\n",
+          "Vec& operator=(const Vec& o) {\n        return *this;\n    }\n",
+          "operator float() const {\n        return x;\n    }\n",
+          "friend Vec operator+(Vec& a, Vec& b) {\n        return a;\n    }\n", "~Vec() {\n    }\n"})
+        EXPECT_TRUE(told("port/k.cpp", replaced(host, "x, y;\n", "x, y;\n    " + member), "namespace app {\n", {},
+                         "target-changed"))
+            << member;
+    EXPECT_FALSE(told("port/k.cpp",
+                      replaced(host, "x, y;\n", "x, y;\n    float length() const {\n        return x;\n    }\n"),
+                      "namespace app {\n", {}, "target-changed"));
+    // The same on both sides.
+    write("src/k.cu", replaced(device, "typedef float real", "typedef double real"));
+    EXPECT_FALSE(told("port/k.cpp", replaced(host, "typedef float real", "typedef double real"), "namespace app {\n",
+                      {}, "target-changed"));
+}
+
 }  // namespace
 }  // namespace porttool::testing::hostile_git_test

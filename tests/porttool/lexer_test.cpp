@@ -48,6 +48,16 @@ TEST(Lexer, ReadsNumbersWhole) {
               (Words{"1'000", "0x1.8p-3f", "1e+5", "0xE", "+", "1", ".5f", "1.f"}));
 }
 
+TEST(Lexer, ReadsLettersOfNamesThatAreSpelledByTheirNumbers) {
+    EXPECT_EQ(words("gr\\u00f6\\U000000dfe(\\u{3b1}x)"), (Words{"gr\u00f6\u00dfe", "(", "\u03b1x", ")"}));
+    EXPECT_EQ(words("#define \\u00f6(x)"), (Words{"#", "define", "\u00f6", "(", "x", ")"}));
+    EXPECT_EQ(
+        words("a\\u0062 \\ud800 \\u{} \\u{110000} \\u12"),
+        (Words{"a", "\\", "u0062", "\\", "ud800", "\\", "u", "{", "}", "\\", "u", "{", "110000", "}", "\\", "u12"}));
+    EXPECT_EQ(words("\"\\u00f6\""), (Words{"\"\\u00f6\""}));
+    EXPECT_EQ(lex("a \\\nb\\u00f6\nc").tokens[2].line, 3u);
+}
+
 TEST(Lexer, LetsAnApostropheStandInADirective) {
     EXPECT_EQ(words("#error don't \"worry\nx '}' '\\'' L'a'"),
               (Words{"#", "error", "don", "'", "t", "\"", "worry", "x", "'}'", "'\\''", "L'a'"}));

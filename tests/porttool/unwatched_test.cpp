@@ -394,6 +394,24 @@ TEST(Unwatched, AMacroOverAKeywordOrATypeIsToldOnThePortToo) {
     EXPECT_EQ(disk.files["/r/portmap.lock"].find("sinf:"), std::string::npos) << "but not over what is to be told";
 }
 
+TEST(Unwatched, AMacroOverANameOfAnyAlphabetIsTold) {
+    for (const std::string name : {"gr\u00f6\u00dfe", "h$"}) {
+        MemoryDisk disk;
+        disk.files = macro_project();
+        for (const char* file : {"/r/src/k.cu", "/r/port/k.comp"})
+            while (disk.files[file].find("sinf") != std::string::npos)
+                disk.files[file] = replaced(disk.files[file], "sinf", name);
+        ASSERT_EQ(porttool_at_r(disk, {"init"}).exit_code, 0);
+        const std::map<std::string, std::string> whole = disk.files;
+        for (const std::string& spelled : {name, name.size() > 6 ? replaced(name, "\u00f6", "\\u00f6") : name}) {
+            disk.files = whole;
+            disk.files["/r/src/k.cu"] = "#define " + spelled + " other\n" + disk.files["/r/src/k.cu"];
+            const Rules found = rules(check(disk));
+            EXPECT_TRUE(std::find(found.begin(), found.end(), "source-changed") != found.end()) << spelled;
+        }
+    }
+}
+
 TEST(Unwatched, AcceptAllDoesNotSettleAMacroThatOnePairTellsForSeveral) {
     MemoryDisk disk;
     disk.files = macro_project();
