@@ -15,7 +15,7 @@ namespace porttool {
 namespace {
 
 /// A scalar, or a list of values by its text.
-struct Value {
+struct Number {
     bool real = false;
     bool is_unsigned = false;
     int64_t integer = 0;
@@ -33,15 +33,15 @@ struct Value {
     }
 };
 
-Value whole(int64_t integer, bool is_unsigned) {
-    Value out;
+Number whole(int64_t integer, bool is_unsigned) {
+    Number out;
     out.integer = is_unsigned ? static_cast<int64_t>(static_cast<uint32_t>(integer)) : integer;
     out.is_unsigned = is_unsigned;
     return out;
 }
 
-Value real(double number) {
-    Value out;
+Number real(double number) {
+    Number out;
     out.real = true;
     out.number = number;
     return out;
@@ -53,7 +53,7 @@ class Evaluator {
 public:
     Evaluator(const Words& words, const Dialect& dialect) : words_(words), dialect_(dialect) {}
 
-    std::optional<Value> run() {
+    std::optional<Number> run() {
         auto out = binary(0);
         if (at_ != words_.size()) return {};
         return out;
@@ -75,7 +75,7 @@ private:
         return -1;
     }
 
-    std::optional<Value> binary(int least) {
+    std::optional<Number> binary(int least) {
         auto left = unary();
         while (left) {
             const std::string_view op = word();
@@ -88,7 +88,7 @@ private:
         return left;
     }
 
-    static std::optional<Value> apply(const Value& a, std::string_view op, const Value& b) {
+    static std::optional<Number> apply(const Number& a, std::string_view op, const Number& b) {
         if (!a.list.empty() || !b.list.empty()) return {};
         if (a.real || b.real) {
             const double x = a.as_real(), y = b.as_real();
@@ -115,14 +115,14 @@ private:
         return {};
     }
 
-    std::optional<Value> unary() {
+    std::optional<Number> unary() {
         if (++depth_ > kDeepest) return {};
         auto out = operand();
         --depth_;
         return out;
     }
 
-    std::optional<Value> operand() {
+    std::optional<Number> operand() {
         if (take("+")) return unary();
         if (take("-")) {
             const auto value = unary();
@@ -153,7 +153,7 @@ private:
         return out;
     }
 
-    static std::optional<Value> converted(std::optional<Value> value, NumberType type) {
+    static std::optional<Number> converted(std::optional<Number> value, NumberType type) {
         if (!value || !value->list.empty() || type == NumberType::Many) return value;
         if (type == NumberType::Real) return real(value->as_real());
         if (value->real && !(std::abs(value->number) < 9e18)) return {};
@@ -161,7 +161,7 @@ private:
         return whole(integer, type == NumberType::Unsigned);
     }
 
-    std::optional<Value> cast_or_group() {
+    std::optional<Number> cast_or_group() {
         ++at_;
         const size_t start = at_;
         if (const NumberType to = type(); to != NumberType::None && take(")")) return converted(unary(), to);
@@ -172,7 +172,7 @@ private:
     }
 
     /// `float(2)`, `vec3(1, 2, 3)`, `float[2](1, 3)`, `int{9}`
-    std::optional<Value> construct() {
+    std::optional<Number> construct() {
         NumberType to = type();
         if (take("[")) {
             while (!word().empty() && word() != "]") ++at_;
@@ -185,9 +185,9 @@ private:
     }
 
     /// A list of one is its value: `int N{9}`.
-    std::optional<Value> list(const char* open, const char* close) {
+    std::optional<Number> list(const char* open, const char* close) {
         if (!take(open)) return {};
-        std::vector<Value> values;
+        std::vector<Number> values;
         while (word() != close) {
             const auto value = binary(0);
             if (!value) return {};
@@ -196,13 +196,13 @@ private:
         }
         if (!take(close) || values.empty()) return {};
         if (values.size() == 1) return values[0];
-        Value out;
-        for (const Value& value : values) out.list += (out.list.empty() ? "{" : ",") + value.text();
+        Number out;
+        for (const Number& value : values) out.list += (out.list.empty() ? "{" : ",") + value.text();
         out.list += "}";
         return out;
     }
 
-    std::optional<Value> literal() {
+    std::optional<Number> literal() {
         const std::string_view text = word();
         ++at_;
         if (text == "true" || text == "false") return whole(text == "true" ? 1 : 0, false);

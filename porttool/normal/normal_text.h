@@ -12,10 +12,10 @@ namespace porttool {
 /// Words of a text that lives elsewhere.
 using Words = std::vector<std::string_view>;
 
-/// True for a name or keyword.
+/// True for a name, of any alphabet, or keyword.
 inline bool is_word_token(std::string_view token) {
     const char c = token.empty() ? ' ' : token[0];
-    return c == '_' || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+    return c == '_' || c == '$' || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || static_cast<signed char>(c) < 0;
 }
 
 /// True for a number.

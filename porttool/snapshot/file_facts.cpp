@@ -15,14 +15,13 @@ namespace {
 void pack_units(ByteWriter& out, const std::vector<UnitState>& states) {
     TextNumbers numbers;
     std::vector<std::vector<uint32_t>> of_units;
+    std::vector<size_t> last_of;  // the last unit that has a name, counted from 1
     for (const UnitState& state : states) {
         std::vector<uint32_t>& names = of_units.emplace_back();
-        std::vector<bool> has;
         state.text.each_name([&](std::string_view name) {
             const auto number = static_cast<uint32_t>(numbers.number(name));
-            if (number >= has.size()) has.resize(number + size_t{1});
-            if (!has[number]) names.push_back(number);
-            has[number] = true;
+            if (number >= last_of.size()) last_of.resize(number + size_t{1});
+            if (std::exchange(last_of[number], of_units.size()) != of_units.size()) names.push_back(number);
         });
     }
     out.number(static_cast<uint32_t>(numbers.size()));

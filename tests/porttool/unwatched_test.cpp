@@ -395,7 +395,7 @@ TEST(Unwatched, AMacroOverAKeywordOrATypeIsToldOnThePortToo) {
 }
 
 TEST(Unwatched, AMacroOverANameOfAnyAlphabetIsTold) {
-    for (const std::string name : {"gr\u00f6\u00dfe", "h$"}) {
+    for (const std::string name : {"gr\u00f6\u00dfe", "\u00d6l", "$h", "h$", "\u03b1"}) {
         MemoryDisk disk;
         disk.files = macro_project();
         for (const char* file : {"/r/src/k.cu", "/r/port/k.comp"})
