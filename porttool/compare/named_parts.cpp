@@ -126,10 +126,10 @@ private:
     }
 
     void write(size_t i, const ByName& by_name, Words& out, int depth) const {
-        constexpr int kDeepest = 4;
+        constexpr int kMostNames = 4;
         const auto found = by_name.find(text_[i]);
         const bool is_member = i > 0 && (text_[i - 1] == "." || text_[i - 1] == "->" || text_[i - 1] == "::");
-        if (found == by_name.end() || is_member || depth == kDeepest) return out.push_back(text_[i]);
+        if (found == by_name.end() || is_member || depth == kMostNames) return out.push_back(text_[i]);
         const NamedPart& one = *found->second;
         const auto at = [&](size_t place) { return text_.begin() + static_cast<std::ptrdiff_t>(place); };
         const bool in_parentheses = std::any_of(at(one.value), at(one.end - 1), is_operation);

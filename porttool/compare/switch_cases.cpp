@@ -65,8 +65,8 @@ public:
 
     /// Each level of nesting copies what it holds: deeper ones stay as they are written.
     Words run(size_t first, size_t end, int deep = 0) {
-        constexpr int kDeepest = 8;
-        if (deep == kDeepest) return Words(at(first), at(end));
+        constexpr int kMostNested = 8;
+        if (deep == kMostNested) return Words(at(first), at(end));
         Words out;
         for (size_t i = first; i < end; ++i) {
             out.push_back(tokens_[i]);
