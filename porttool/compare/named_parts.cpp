@@ -42,11 +42,14 @@ public:
             if (text[i - 1] == ";" || text[i - 1] == "{" || text[i - 1] == "}") note_declaration(i);
     }
 
-    /// The parts that have a name which the other text does not have, and that are the same wherever it stands.
+    /// The parts that have a name which the other text does not have, which stands somewhere, and that are the same
+    /// wherever it does.
     std::vector<NamedPart> parts_beside(const PartReader& other) const {
         std::vector<NamedPart> out;
         for (const NamedPart& each : named_)
-            if (!other.words_.contains(each.name) && is_fixed(each)) out.push_back(each);
+            if (!other.words_.contains(each.name) && std::count(text_.begin(), text_.end(), each.name) > 1 &&
+                is_fixed(each))
+                out.push_back(each);
         return out;
     }
 

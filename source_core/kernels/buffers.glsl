@@ -148,14 +148,11 @@ void store_target(Uint pixel, vec4 mean) { store_target_row(pixel - pass.first_p
 uint guide_rows() { return settings.frame == 0u ? GUIDE_ROWS : GUIDE_ROWS + GUIDE_MOTION_ROWS; }
 
 // Pixels by number, and those of jobs, which follow each other, as their neighbours do: the target core reads and
-// writes these as a whole. Past the ends of a picture a neighbour is the pixel there; what that says counts for
-// nothing.
+// writes these as a whole.
 #define Pixels Uint
 Pixels pixels_from(Uint pixel) { return pixel; }
 Pixels pixels_in_order(Uint pixel) { return pixel; }
-Pixels pixels_beside(Pixels pixels, int far) {
-    return Uint(clamp(Int(pixels) + far, 0, int(settings.pixel_count) - 1));
-}
+Pixels pixels_beside(Pixels pixels, int far) { return pixels + Uint(far); }
 Int pixel_row(Pixels pixels, uint width) { return Int(pixels / width); }
 Int pixel_column(Pixels pixels, Int row, uint width) { return Int(pixels) - row * Int(width); }
 
@@ -173,8 +170,12 @@ void store_filter_picture(Uint pixel, vec4 row) { store_filter_picture(pixel, ro
 // Behind the picture.
 vec4 fetch_motions(Rows first, uint offset) { return load_filter_picture(settings.pixel_count + first + offset); }
 
-// A number of a plane by pixel.
-Float load_plane(uint plane, Pixels pixels) { return load_plane_word(plane * settings.pixel_count + pixels); }
+// A number of a plane by pixel. A neighbour past the ends of a picture is the pixel there; what that says counts for
+// nothing.
+Float load_plane(uint plane, Pixels pixels) {
+    Uint place = Uint(clamp(Int(pixels), 0, int(settings.pixel_count) - 1));
+    return load_plane_word(plane * settings.pixel_count + place);
+}
 void store_plane(uint plane, Pixels pixels, Float value) {
     store_plane_word(plane * settings.pixel_count + pixels, value, true);
 }
