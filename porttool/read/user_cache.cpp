@@ -80,8 +80,8 @@ bool UserCache::make_folder() const {
     const fs::path all_caches = fs::path(folder_).parent_path();
     fs::create_directories(all_caches.parent_path(), error);
     for (const std::string& folder : {all_caches.string(), folder_})
-        if (::mkdir(folder.c_str(), S_IRWXU) != 0 && errno != EEXIST) return false;
-    return is_ours();
+        if ((::mkdir(folder.c_str(), S_IRWXU) != 0 && errno != EEXIST) || !is_own_folder(folder)) return false;
+    return true;
 }
 
 void UserCache::write(const std::string& file, const std::string& bytes, uint64_t most_bytes) const {

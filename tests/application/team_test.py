@@ -7,6 +7,7 @@ Skipped (77) where mpirun or pathtracer-mpi is missing.
 """
 import os
 import pathlib
+import re
 import shutil
 import signal
 import subprocess
@@ -131,6 +132,20 @@ class Teams(unittest.TestCase):
         result = team(2, *RENDER, "--spp", "1000000", "--resume", "-o", output)
         self.assertEqual(result.returncode, 2, result.stderr)
         self.assertEqual(result.stderr.count("a.png.checkpoint"), 1, result.stderr)
+
+    def test_a_resumed_team_hears_of_its_limit_as_a_fresh_one_does(self):
+        """By counts of samples: a first round of unknown length took many times as long."""
+        endless = [*RENDER[:-1], "64x36", "--spp", "1000000", "--threads", "1", "--checkpoint", "10m"]
+        stopped = subprocess.run([PROGRAM, *endless, "--time-limit", "0.3s", "-o", self.file("a.exr")], capture_output=True)
+        self.assertEqual(stopped.returncode, 0, stopped.stderr)
+        counts = []
+        for name, more in (("fresh.exr", []), ("a.exr", ["--resume"])):
+            result = team(2, *endless, "--time-limit", "3s", *more, "-o", self.file(name))
+            self.assertEqual(result.returncode, 0, result.stderr)
+            before = re.search(r"going on after (\d+)", result.stderr)
+            after = re.search(r"the picture has (\d+)", result.stderr)
+            counts.append(int(after.group(1)) - (int(before.group(1)) if before else 0))
+        self.assertLess(counts[1], 2 * counts[0] + 200)
 
     def test_a_slow_rank_takes_fewer_tiles_and_the_others_wait_for_one_at_most(self):
         """Rank 1 is stopped nearly all of the time: what is left to it a loaded machine gives it at once."""
