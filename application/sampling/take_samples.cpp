@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "application/cluster/team.h"
 #include "application/option_values.h"
 #include "application/progress_bar.h"
 
@@ -76,9 +77,9 @@ Result<SamplingEnd> take_samples(CoreSession& session, SampleSums& sums, const S
     ProgressBar bar(console, plan.label.empty() ? session.stats().core : plan.label);
     Clock::time_point written = Clock::now();
     const CoreStats first = session.stats();
-    // What `taken` samples took. Of those that a checkpoint brought nothing is known where nobody here rendered yet.
-    double seconds = sums.samples > 0 ? first.total_ms * 1e-3 : 0.0;
-    uint32_t taken = seconds > 0.0 ? 1 : 0;
+    // A session starts with a sample of the whole picture; a rank's with one pixel, which says nothing of a sample.
+    uint32_t taken = sums.samples > 0 && !team() ? 1 : 0;
+    double seconds = taken > 0 ? first.total_ms * 1e-3 : 0.0;  // that these took
     while (true) {
         const double sample_seconds = seconds / std::max(1u, taken);
         if (const auto end = end_of(plan, sums, sample_seconds)) return *end;
