@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "porttool/compare/lone_edit.h"
+#include "porttool/language/words.h"
 #include "porttool/value_graph/pure_calls.h"
 
 namespace porttool {
@@ -38,6 +39,9 @@ public:
     PartReader(const Words& text, const Dialect& dialect) : text_(text), dialect_(dialect) {
         words_.insert(text.begin(), text.end());
         for (size_t i = 0; i < text.size(); ++i) note_written(i);
+        const auto body = static_cast<size_t>(std::find(text.begin(), text.end(), "{") - text.begin());
+        for (size_t i = 1; i < text.size(); ++i) note_own(i);
+        for (size_t i = body; i < text.size(); ++i) note_call(i);
         for (size_t i = 1; i < text.size(); ++i)
             if (text[i - 1] == ";" || text[i - 1] == "{" || text[i - 1] == "}") note_declaration(i);
     }
@@ -90,7 +94,30 @@ private:
             in_index += text_[k] == "]" ? 1 : text_[k] == "[" ? -1 : 0;
             depth += text_[k] == ")" ? 1 : text_[k] == "(" ? -1 : 0;
             if (depth < 0 || in_index < 0 || text_[k] == ";" || text_[k] == "{" || text_[k] == "}") return;
+            stores_elsewhere_ = stores_elsewhere_ || text_[k] == "[" || text_[k] == "->" || text_[k] == "*";
             if (is_word_token(text_[k]) && in_index == 0) ++times_written_[text_[k]];
+        }
+    }
+
+    /// Parameters and locals: `float x`. Of a pointer or a reference it is not known what else leads there.
+    void note_own(size_t i) {
+        if (is_word_token(text_[i]) && is_word_token(text_[i - 1]) && !word_is(text_[i - 1], kNoType))
+            own_.insert(text_[i]);
+    }
+
+    /// A call of what is not known may change what it is given, its object, and all that is not the function's own.
+    void note_call(size_t i) {
+        if (!is_word_token(text_[i]) || word(i + 1) != "(" || word_is(text_[i], kNoFunctionName) ||
+            is_type_word(text_[i]) || pure_call(text_[i], dialect_).is_pure)
+            return;
+        calls_ = true;
+        for (size_t k = i; k >= 2 && (text_[k - 1] == "." || text_[k - 1] == "->"); k -= 2)
+            times_written_[text_[k - 2]] += 2;
+        int depth = 0;
+        for (size_t k = i + 1; k < text_.size(); ++k) {
+            depth += text_[k] == "(" ? 1 : text_[k] == ")" ? -1 : 0;
+            if (depth == 0) break;
+            if (is_word_token(text_[k])) times_written_[text_[k]] += 2;
         }
     }
 
@@ -105,6 +132,16 @@ private:
         if (word(end) == ";" && end > i + 2) named_.push_back({first, end + 1, i + 2, text_[i]});
     }
 
+    static bool ends_operand(std::string_view word) {
+        return is_word_token(word) || is_number_token(word) || word == ")" || word == "]";
+    }
+
+    /// True for a name that no call changes which is not given it; members are what their object is.
+    bool is_steady(size_t i) const {
+        return text_[i - 1] == "." || own_.contains(text_[i]) || word(i + 1) == "(" || is_type_word(text_[i]) ||
+               is_fixed_name(text_[i], dialect_);
+    }
+
     bool is_written(std::string_view name, size_t times) const {
         const auto found = times_written_.find(name);
         return found != times_written_.end() && found->second > times;
@@ -117,7 +154,10 @@ private:
             const std::string_view sign = text_[i];
             depth += sign == "(" ? 1 : sign == ")" ? -1 : 0;
             if (sign == "[" || sign == "{" || sign == "?" || (sign == "," && depth == 0)) return false;
+            const bool leads_elsewhere = sign == "->" || (sign == "*" && !ends_operand(word(i - 1)));
+            if (leads_elsewhere && (calls_ || stores_elsewhere_)) return false;
             if (!is_word_token(sign)) continue;
+            if (calls_ && !is_steady(i)) return false;
             if (word(i + 1) == "(" ? !pure_call(sign, dialect_).is_pure : is_written(sign, is_declared(sign) ? 1 : 0))
                 return false;
         }
@@ -146,6 +186,9 @@ private:
     std::unordered_set<std::string_view> words_;
     std::unordered_map<std::string_view, size_t> times_written_;
     std::vector<NamedPart> named_;
+    std::unordered_set<std::string_view> own_;
+    bool calls_ = false;             ///< functions of which nothing is known
+    bool stores_elsewhere_ = false;  ///< through a pointer, or into an array
 };
 
 }  // namespace

@@ -366,6 +366,19 @@ TEST(QuietGate, APartThatGetsAName) {
     EXPECT_EQ(after(text, replaced(text, "y[3 * i + 1]", "int at = i; y[3 * at + 1]")), told) << "i is stepped";
     EXPECT_EQ(after(text, named("(n + 7)", "float most = n + 7; most += 1;", "most")), told);
     EXPECT_EQ(after(text, named("(n + 7)", "float most = n + 7; grow(&most);", "most")), told);
+    EXPECT_EQ(after(text, named("(n + 7)", "const float most = n + 7; grow(n);", "most")), told) << "by reference";
+    // Nothing else changed, but a call stands between the name and where it is used.
+    const auto moved = [&](const std::string& part, const std::string& value, const std::string& call) {
+        const std::string with_call = replaced(replaced(text, "(n + 7)", part), "  for", "  " + call + ";\n  for");
+        return after(with_call, replaced(replaced(with_call, part, "most"), "  " + call,
+                                         "  const float most = " + value + ";\n  " + call));
+    };
+    EXPECT_EQ(moved("(n + 7)", "n + 7", "advance()"), Loud{});
+    EXPECT_EQ(moved("(n + 7)", "n + 7", "advance(n)"), told) << "by reference";
+    EXPECT_EQ(moved("state->count", "state->count", "advance()"), told);
+    EXPECT_EQ(moved("total_count", "total_count", "advance()"), told) << "a variable of the file";
+    EXPECT_EQ(moved("n.size", "n.size", "n.grow()"), told);
+    EXPECT_EQ(moved("n.size", "n.size", "advance()"), Loud{}) << "a structure of its own";
     const std::string called = replaced(text, "(n + 7)", "next(n)");
     EXPECT_EQ(
         after(called, replaced(replaced(called, "next(n)", "most"), "  for", "  const float most = next(n);\n  for")),
