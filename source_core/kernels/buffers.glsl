@@ -173,8 +173,7 @@ vec4 fetch_motions(Rows first, uint offset) { return load_filter_picture(setting
 // A number of a plane by pixel. A neighbour past the ends of a picture is the pixel there; what that says counts for
 // nothing.
 Float load_plane(uint plane, Pixels pixels) {
-    Uint place = Uint(clamp(Int(pixels), 0, int(settings.pixel_count) - 1));
-    return load_plane_word(plane * settings.pixel_count + place);
+    return load_plane_word(plane * settings.pixel_count + Uint(clamp(Int(pixels), 0, int(settings.pixel_count) - 1)));
 }
 void store_plane(uint plane, Pixels pixels, Float value) {
     store_plane_word(plane * settings.pixel_count + pixels, value, true);
