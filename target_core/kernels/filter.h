@@ -377,8 +377,8 @@ inline void gather_layer(Place place, vec3 normal, Float near, Float strict, int
     gathered.weights = gathered.weights + weight;
 }
 
-// The light of a layer that is not its pixel's own: that of pixels around that have it. The likeness is 1 - |a - b|^2
-// of normals a and b, less the square of a difference in nearness by a tenth of it.
+// The light of a layer that is not its pixel's own: that of pixels beside, above and below that have it. The likeness
+// is 1 - |a - b|^2 of normals a and b, less the square of a difference in nearness by a tenth of it.
 inline vec3 borrowed_light(Place place, vec4 normal, Float sum_of_near, vec3 own) {
     Float near = sum_of_near * (1.0f / max(normal.w, 1.0f));
     Float strict = 1.0f / square(0.1f * near + 1.0e-12f);
@@ -386,15 +386,11 @@ inline vec3 borrowed_light(Place place, vec4 normal, Float sum_of_near, vec3 own
     Gathered gathered;
     gathered.weights = 1.0e-6f;
     gathered.light = own * 1.0e-6f;
-    gather_layer(place, twice, near, strict, -1, -1, gathered);
     gather_layer(place, twice, near, strict, 0, -1, gathered);
-    gather_layer(place, twice, near, strict, 1, -1, gathered);
     gather_layer(place, twice, near, strict, -1, 0, gathered);
     gather_layer(place, twice, near, strict, 0, 0, gathered);
     gather_layer(place, twice, near, strict, 1, 0, gathered);
-    gather_layer(place, twice, near, strict, -1, 1, gathered);
     gather_layer(place, twice, near, strict, 0, 1, gathered);
-    gather_layer(place, twice, near, strict, 1, 1, gathered);
     return gathered.light * (1.0f / gathered.weights);
 }
 
