@@ -126,8 +126,11 @@ public:
             out_.why.emplace_back("the commit edited the other side's file, too");
         }
         if (strongest(found.edit).kind == MissingPlace::Kind::Removed) z_ -= 1.2;
-        if (found.edit.since && strongest(found.edit).kind == MissingPlace::Kind::Added &&
-            !is_label(strongest(found.edit))) {
+        if (found.edit.past && strongest(found.edit).kind != MissingPlace::Kind::Replaced) {
+            z_ -= 1.2;
+            out_.why.emplace_back("the other side was written after the edit");
+        } else if (found.edit.since && strongest(found.edit).kind == MissingPlace::Kind::Added &&
+                   !is_label(strongest(found.edit))) {
             z_ -= 0.4;
             out_.why.emplace_back("the other side was edited since");
         }

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -44,6 +45,11 @@ public:
     /// Takes in an edit. They come newest first.
     void add(const UnitEdit& edit, uint32_t commit);
 
+    /// The commit brought the unit in: what is older was done to other code.
+    void begin(uint32_t commit) { begun_ = commit; }
+    /// True if the unit is newer than the commit.
+    bool begun_after(uint32_t commit) const { return begun_ && *begun_ < commit; }
+
     bool paired() const { return paired_; }
     const std::vector<WrittenStatement>& today() const { return today_; }
     const std::vector<StatementLineage>& statements() const { return lines_; }
@@ -67,6 +73,7 @@ private:
     std::unordered_multimap<std::string, size_t> live_;  ///< by what each was, as far back as the walk has come
     std::vector<RemovedStatement> removed_;
     std::map<uint32_t, size_t> commits_;  ///< with the number of places
+    std::optional<uint32_t> begun_;       ///< none where the walk does not reach so far
 };
 
 }  // namespace porttool

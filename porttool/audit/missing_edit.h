@@ -29,6 +29,7 @@ struct MissingEdit {
     std::vector<MissingPlace> places;
     bool both = false;   ///< the commit edited the other side, too
     bool since = false;  ///< the other side was edited later
+    bool past = false;   ///< the other side was written later
     size_t size = 0;     ///< places of the unit that the commit edited, here or not
 };
 

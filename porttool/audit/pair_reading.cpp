@@ -89,6 +89,7 @@ private:
                                                                      {},
                                                                      pair_[other(side)].lineage->edited_in(commit),
                                                                      pair_[other(side)].lineage->edited_since(commit),
+                                                                     pair_[other(side)].lineage->begun_after(commit),
                                                                      pair_[side].lineage->places_edited(commit)})
                                     .first->second;
             edit.places.push_back(std::move(place));

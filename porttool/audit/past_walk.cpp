@@ -159,8 +159,8 @@ private:
             if (!change.before.empty())
                 edits.push_back(
                     {change.path, change.path, own_.edit(change.path, change.before, change.path, change.blob)});
-            else
-                follow_file(change, now.changes, edits);
+            else if (!follow_file(change, now.changes, edits))
+                for (const auto& [name, ids] : places_.at(change.path)) begin(ids, commit);
         }
         std::set<std::string> touched;
         for (const Change& edit : edits) apply(edit, commit, touched);
@@ -186,26 +186,34 @@ private:
         }
     }
 
+    void begin(const std::vector<std::string>& ids, uint32_t commit) {
+        for (const std::string& id : ids) lineages_.at(id).begin(commit);
+    }
+
     void add(const std::string& id, const UnitEdit& edit, uint32_t commit, std::set<std::string>& touched) {
         UnitLineage& lineage = lineages_.at(id);
         lineage.add(edit, commit);
         if (edit.counts() && lineage.paired()) touched.insert(id);
     }
 
-    /// A file that is new here: the one that went in the same commit, where it is that one under a new name.
-    void follow_file(const GitChange& change, const std::vector<GitChange>& all, std::vector<Change>& out) {
+    /// A file that is new here: the one that went in the same commit, where it is that one under a new name. False
+    /// where none did.
+    bool follow_file(const GitChange& change, const std::vector<GitChange>& all, std::vector<Change>& out) {
         constexpr size_t kMostTried = 8;
         const auto name_of = [](const std::string& path) { return path.substr(path.find_last_of('/') + 1); };
         const auto suffix_of = [](const std::string& path) { return path.substr(path.find_last_of('.') + 1); };
         std::vector<const GitChange*> gone;
-        for (const GitChange& one : all)
-            if (one.blob.empty()) {
-                if (one.before == change.blob) {
-                    out.push_back({one.path, change.path, {}});
-                    return;
-                }
-                gone.push_back(&one);
+        std::set<std::string_view> came;  // what went to one of these is that under its new name
+        for (const GitChange& one : all) {
+            if (one.before.empty()) came.insert(one.blob);
+            if (one.blob.empty()) gone.push_back(&one);
+        }
+        for (const GitChange* one : gone)
+            if (one->before == change.blob) {
+                out.push_back({one->path, change.path, {}});
+                return true;
             }
+        std::erase_if(gone, [&](const GitChange* one) { return came.contains(one->before); });
         std::stable_sort(gone.begin(), gone.end(), [&](const GitChange* a, const GitChange* b) {
             const auto rank = [&](const GitChange* one) {
                 return (name_of(one->path) == name_of(change.path) ? 0 : 2) +
@@ -215,7 +223,7 @@ private:
         });
         if (gone.size() > kMostTried) gone.resize(kMostTried);
         const FilePtr now = own_.scanned(change.path, change.blob);
-        if (!now) return;
+        if (!now) return true;
         const GitChange* best = nullptr;
         double most = 0.5;
         for (const GitChange* one : gone)
@@ -226,8 +234,9 @@ private:
                     best = one;
                 }
             }
-        if (best != nullptr)
-            out.push_back({best->path, change.path, own_.edit(best->path, best->before, change.path, change.blob)});
+        if (best == nullptr) return false;
+        out.push_back({best->path, change.path, own_.edit(best->path, best->before, change.path, change.blob)});
+        return true;
     }
 
     /// The share of the lines of the smaller file that both have.
@@ -261,7 +270,10 @@ private:
             if (followed == here->second.end()) continue;
             std::string from_path;
             const LoneVersion* from = origin(came, change, edits, all, from_path);
-            if (from == nullptr) continue;
+            if (from == nullptr) {
+                begin(followed->second, commit);
+                continue;
+            }
             UnitEdit edit = unit_edit(from->text, came.text, came.kind, language_of_path(change.path), dialect_);
             const std::vector<std::string> ids = followed->second;
             for (const std::string& id : ids) add(id, edit, commit, touched);

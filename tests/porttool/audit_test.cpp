@@ -226,6 +226,33 @@ TEST_F(Audit, WhatAnotherPortHasIsMoreCertain) {
     EXPECT_GT(one[0]["certainty"].get<double>(), both[0]["certainty"].get<double>());
 }
 
+TEST_F(Audit, WhatIsOlderThanTheOtherSideIsLessCertain) {
+    const auto tone = [](const std::string& text) {
+        return replaced(replaced(text, "shade", "tone"), "0.01f", "0.07f");
+    };
+    const auto says = [](const nlohmann::json& item) {
+        return item["why"].dump().find("written after") != std::string::npos;
+    };
+    write("cpu/tone.cpp", tone(kCppShade));
+    commit("Tones", 2);
+    for (const std::string file : {"cpu/shade.cpp", "cpu/tone.cpp"})
+        change(file, "    if (level", "    if (std::isnan(level)) return 0.5f;\n    if (level");
+    commit("Fix NaN of degenerate triangles", 3);
+    write("gpu/tone.cu", tone(kCudaShade));
+    std::filesystem::rename(root / "gpu/shade.cu", root / "gpu/shading.cu");
+    commit("Tones on the GPU", 4);
+    const auto found = items();
+    ASSERT_EQ(found.size(), 1) << "one edit of two pairs: " << found;
+    EXPECT_EQ(found[0]["source"], "gpu/shading.cu:shade") << "the more certain of them stands for both";
+    EXPECT_FALSE(says(found[0])) << "a file that got another name was not written anew";
+    change("gpu/shading.cu", "    if (level", "    if (isnan(level)) return 0.5f;\n    if (level");
+    commit("Port it", 5);
+    const auto left = items();
+    ASSERT_EQ(left.size(), 1) << left;
+    EXPECT_EQ(left[0]["source"], "gpu/tone.cu:tone");
+    EXPECT_TRUE(says(left[0])) << left[0];
+}
+
 TEST_F(Audit, SinceLeavesOutWhatIsOlder) {
     change("gpu/shade.cu", "level < 0.001f", "level < 0.0001f");
     commit("Fix dark surfaces", 5);
