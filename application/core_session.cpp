@@ -110,13 +110,14 @@ Status CoreSession::render(Convergence convergence, uint32_t samples) {
 }
 
 Status CoreSession::filter(Picture& picture, std::span<const float> variances, SampleRange samples,
-                           render_system::FilterHistory history) {
+                           std::function<bool()> is_called_off, render_system::FilterHistory history) {
     return system_.core().Filter(view_, {.means = picture.pixels,
                                          .variances = variances,
                                          .first_sample = samples.first,
                                          .samples = samples.count(),
                                          .filtered = picture.pixels,
-                                         .history = history});
+                                         .history = history,
+                                         .is_called_off = std::move(is_called_off)});
 }
 
 render_system::EmbreeFigures CoreSession::embree_figures() {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -80,8 +81,10 @@ public:
     /// `samples` samples more, or from the first again, in one call of the core.
     render_system::Status render(render_system::Convergence convergence, uint32_t samples);
 
-    /// Takes noise out of the picture of those samples, in place. `variances` of its luminance may be empty.
+    /// Takes noise out of the picture of those samples, in place. `variances` of its luminance may be empty. Where it
+    /// is called off the picture stays as it is.
     render_system::Status filter(Picture& picture, std::span<const float> variances, SampleRange samples,
+                                 std::function<bool()> is_called_off,
                                  render_system::FilterHistory history = render_system::FilterHistory::none);
 
     /// What filters with a history have left of frames so far.

@@ -150,8 +150,11 @@ Status CheckedCore::Filter(const ViewPyramid& view, const CoreFilter& filter) {
         Status status = prepare();
         if (!status.ok()) return status;
         look_back(view, filter.history);
-        status = this->filter(view, filter);
-        if (filter.history == FilterHistory::none) return status;
+        CallOff call_off(filter.is_called_off);
+        status = call_off.status();
+        if (status.ok()) status = this->filter(view, filter, call_off);
+        const bool stays = status.code == StatusCode::called_off && filter.history == FilterHistory::go_on;
+        if (stays || filter.history == FilterHistory::none) return status;
         if (status.ok())
             remember(view);
         else

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <string>
 
+#include "render_system/call_off.h"
 #include "render_system/core_checks.h"
 #include "render_system/frame_before.h"
 
@@ -76,8 +77,9 @@ private:
     virtual Status prepare() = 0;
     /// Adds `samples` samples to the stats().samples there are, writes the mean to target() and counts rays and times.
     virtual Status render(const ViewPyramid& view, uint32_t samples) = 0;
-    /// Takes the noise out of filter.means, into filter.filtered; the scene is that of the last render.
-    virtual Status filter(const ViewPyramid& view, const CoreFilter& filter) = 0;
+    /// Takes the noise out of filter.means, into filter.filtered; the scene is that of the last render. Answers
+    /// call_off.status() soon after that came; what read_history() reads is then that of before.
+    virtual Status filter(const ViewPyramid& view, const CoreFilter& filter, CallOff& call_off) = 0;
     /// What it has left for the next one, and back, before that one comes. A core that keeps nothing has no planes.
     virtual Status read_history(std::vector<float>& planes);
     virtual Status write_history(std::span<const float> planes);

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <glm/glm.hpp>
 #include <span>
 #include <string>
@@ -237,6 +238,9 @@ struct CoreFilter {
     std::span<glm::vec4> filtered;  ///< may be `means`; alpha 1
     FilterHistory history = FilterHistory::none;
     uint32_t most_rays = 256;  ///< camera rays a pixel to go by, at least 1: fewer are sooner there
+    /// Not empty: asked again and again, from several threads at once, whether the filter is still wanted; once it says
+    /// that it is called off it is not asked much longer. It must not throw.
+    std::function<bool()> is_called_off = {};
 
     /// What is known of a pixel: nothing where its mean is no number.
     bool knows(size_t pixel) const {

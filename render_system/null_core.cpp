@@ -31,7 +31,7 @@ private:
         return Status::success();
     }
 
-    Status filter(const ViewPyramid&, const CoreFilter& filter) override {
+    Status filter(const ViewPyramid&, const CoreFilter& filter, CallOff&) override {
         std::copy(filter.means.begin(), filter.means.end(), filter.filtered.begin());
         return Status::success();
     }

@@ -20,6 +20,7 @@ enum class StatusCode {
     no_device,         ///< no device on this machine can run the core; one reason per device looked at
     out_of_memory,     ///< does not fit the core's byte budget; needed_bytes and allowed_bytes are set
     device_lost,       ///< the device failed while working
+    called_off,        ///< the caller did not want it any more
     internal,          ///< a bug of ours, e.g. a kernel that does not compile
 };
 

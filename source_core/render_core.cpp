@@ -76,7 +76,7 @@ private:
     }
     Status prepare() override;
     Status render(const ViewPyramid& view, uint32_t samples) override;
-    Status filter(const ViewPyramid& view, const CoreFilter& filter) override;
+    Status filter(const ViewPyramid& view, const CoreFilter& filter, CallOff& call_off) override;
     Status read_history(std::vector<float>& planes) override;
     Status write_history(std::span<const float> planes) override;
     void close() override;
@@ -92,8 +92,8 @@ private:
     Status render_batch(const Settings& settings, const BatchPass& batch, std::span<glm::vec4> pixels,
                         WavefrontCounts& counts);
     void bind_filter(const Settings& settings);
-    Status gather_guides(const Settings& settings, BatchPass batch);
-    Status prepare_filter(const Settings& settings, const CoreFilter& filter);
+    Status gather_guides(const Settings& settings, BatchPass batch, CallOff& call_off);
+    Status prepare_filter(const Settings& settings, const CoreFilter& filter, CallOff& call_off);
     Status sum_batch(const Settings& settings, BatchPass batch, WavefrontCounts& counts);
     Status name_primitives();
     Settings frame_settings(const ViewPyramid& view) const;
@@ -429,7 +429,7 @@ Status SourceCore::render(const ViewPyramid& view, uint32_t samples) {
 }
 
 // The camera rays of these samples, as far as pixels want them, whose guides are added to those there are.
-Status SourceCore::gather_guides(const Settings& frame, BatchPass batch) {
+Status SourceCore::gather_guides(const Settings& frame, BatchPass batch, CallOff& call_off) {
     const WavefrontSize& size = gpu_->wavefront->size();
     Status status = Status::success();
     WavefrontCounts counts;
@@ -437,7 +437,7 @@ Status SourceCore::gather_guides(const Settings& frame, BatchPass batch) {
         batch.first_pixel = static_cast<uint32_t>(first);
         batch.path_count = static_cast<uint32_t>(std::min<uint64_t>(size.batch, size.pixels - first));
         gpu_->wavefront->bind(*gpu_->device, *gpu_->kernels_in_use, variant_, gpu_->scene, frame, batch);
-        status = gpu_->wavefront->gather_guides(*gpu_->device, *gpu_->kernels_in_use, batch, counts);
+        status = gpu_->wavefront->gather_guides(*gpu_->device, *gpu_->kernels_in_use, batch, call_off, counts);
     }
     return status;
 }
@@ -450,7 +450,7 @@ void SourceCore::bind_filter(const Settings& frame) {
 }
 
 // From the picture, which is on the device, to light by albedo, and guides of as many camera rays as a filter takes.
-Status SourceCore::prepare_filter(const Settings& frame, const CoreFilter& filter) {
+Status SourceCore::prepare_filter(const Settings& frame, const CoreFilter& filter, CallOff& call_off) {
     const uint32_t rays = guide_rays(filter, MOST_GUIDE_RAYS);
     WavefrontCounts counts;
     BatchPass batch;
@@ -461,7 +461,7 @@ Status SourceCore::prepare_filter(const Settings& frame, const CoreFilter& filte
     batch.segments = frame.max_path_length;
     Status status = gpu_->wavefront->clear_guides(*gpu_->device);
     if (status.ok()) {
-        status = gather_guides(frame, batch);
+        status = gather_guides(frame, batch, call_off);
     }
     if (status.ok()) {
         bind_filter(frame);
@@ -470,10 +470,10 @@ Status SourceCore::prepare_filter(const Settings& frame, const CoreFilter& filte
     if (status.ok() && rays > batch.samples) {
         batch.first_sample += batch.samples;
         batch.samples = rays - batch.samples;
-        status = gather_guides(frame, batch);
+        status = gather_guides(frame, batch, call_off);
     }
     bind_filter(frame);
-    return status;
+    return status.ok() ? call_off.status() : status;
 }
 
 // Buffers with the picture in place, and what moved.
@@ -501,18 +501,24 @@ Status SourceCore::make_filter(const CoreFilter& filter) {
     return gpu_->staging->upload(*gpu_->device, {&part, 1});
 }
 
-Status SourceCore::filter(const ViewPyramid& view, const CoreFilter& filter) {
+Status SourceCore::filter(const ViewPyramid& view, const CoreFilter& filter, CallOff& call_off) {
+    const bool with_history = filter.history != FilterHistory::none;
     Status status = make_filter(filter);
     const Clock::time_point start = Clock::now();
     if (status.ok()) {
-        status = prepare_filter(filter_settings(view), filter);
+        status = prepare_filter(filter_settings(view), filter, call_off);
+    }
+    if (status.code == StatusCode::called_off && with_history) {
+        const Status turned =
+            gpu_->wavefront->turn_history(*gpu_->device, false);  // as it was: nothing was written yet
+        return turned.ok() ? status : turned;
     }
     stats().guide_ms = milliseconds_since(start);
     const Clock::time_point guided = Clock::now();
     WavefrontCounts counts;
     if (status.ok()) {
-        status = gpu_->wavefront->run_filter(*gpu_->device, *gpu_->kernels_in_use, filter.samples,
-                                             filter.history != FilterHistory::none, counts);
+        status =
+            gpu_->wavefront->run_filter(*gpu_->device, *gpu_->kernels_in_use, filter.samples, with_history, counts);
     }
     stats().filter_ms = milliseconds_since(guided);
     if (status.ok()) {

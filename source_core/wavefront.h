@@ -10,6 +10,7 @@
 #include <span>
 #include <vector>
 
+#include "render_system/call_off.h"
 #include "render_system/path_watch.h"
 #include "source_core/device/buffer.h"
 #include "source_core/device/kernel_set.h"
@@ -86,9 +87,9 @@ public:
     Status clear_guides(const Device& device);
 
     /// Traces the camera rays of a batch's samples, of the pixels that take them, and adds what they met and what lit
-    /// that to the guides.
+    /// that to the guides. Asks before every submission whether it is called off.
     Status gather_guides(const Device& device, const KernelSet& kernels, const BatchPass& batch,
-                         WavefrontCounts& counts);
+                         render_system::CallOff& call_off, WavefrontCounts& counts);
 
     /// Divides filter_picture() by the albedo of the guides, which are those of its own samples.
     Status divide_by_albedo(const Device& device, const KernelSet& kernels, uint32_t samples, WavefrontCounts& counts);

@@ -64,10 +64,13 @@ Status Wavefront::clear_guides(const Device& device) {
 }
 
 Status Wavefront::gather_guides(const Device& device, const KernelSet& kernels, const BatchPass& batch,
-                                WavefrontCounts& counts) {
+                                render_system::CallOff& call_off, WavefrontCounts& counts) {
     constexpr uint32_t TOGETHER = 4;
     Status status = Status::success();
     for (uint32_t done = 0; done < batch.samples && status.ok(); done += TOGETHER) {
+        if (call_off.came()) {
+            return call_off.status();
+        }
         const uint32_t end = std::min(done + TOGETHER, batch.samples);
         const Work work = [&](VkCommandBuffer commands) {
             for (uint32_t sample = done; sample < end; ++sample) {

@@ -152,6 +152,9 @@ void render_tile(const Frame& frame, uint first_pixel, uint path_count, Worker& 
     const vec4* target = worker.tile.target.get();
     uint place = first_pixel - frame.first_pixel;
     for (uint i = 0; i < frame.sample_count; ++i) {
+        if (frame.is_called_off()) {
+            return;
+        }
         uint in_sum = frame.sums.empty() ? frame.samples_in_sum + i : 0;
         pass.sample_index = frame.first_sample + i;
         pass.segment = 0;
@@ -313,7 +316,7 @@ struct Band {
 void run_band(const Frame& frame, std::span<const FilterStage> stages, std::span<const uint> back, const Band& band) {
     constexpr uint CHUNK = 1024;
     FilterThread thread(frame);
-    for (uint front = band.first; front < band.end + back.back(); front += CHUNK) {
+    for (uint front = band.first; front < band.end + back.back() && !frame.is_called_off(); front += CHUNK) {
         for (size_t i = 0; i < stages.size(); ++i) {
             const auto reached = [&](uint place) {
                 return std::clamp(std::max(place, back[i]) - back[i], band.first_of(back[i]), band.end_of(back[i]));
@@ -358,6 +361,9 @@ void run_filter(const Frame& frame, uint samples, bool with_history) {
         run_band(frame, stages, back, {begin_of(band), begin_of(band + 1), pixels});
     });
     for_each_tile(bands - 1, [&](uint band) {
+        if (frame.is_called_off()) {
+            return;
+        }
         FilterThread thread(frame);
         const uint middle = begin_of(band + 1);
         for (size_t i = 0; i < stages.size(); ++i) {

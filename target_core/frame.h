@@ -6,6 +6,7 @@
 #include <memory>
 #include <span>
 
+#include "render_system/call_off.h"
 #include "render_system/path_watch.h"
 #include "render_system/pixel_sum.h"
 #include "target_core/device/bindings.h"
@@ -44,10 +45,13 @@ struct Frame {
     uint pixel_count = 0;
     std::span<render_system::PixelSum> sums;  // or where samples go in place of `pixels`, one for each pixel rendered
     std::span<double> squares;
-    bool guides = false;    // the first segments of paths, for the guides of a filter
-    uint rays_of_all = 0;   // so many of them in every pixel, then where more are wanted
-    bool divides = false;   // after them FILTER_DIVIDE: these were the rays of the samples
-    bool prepares = false;  // after them FILTER_PREPARE: these were the last
+    bool guides = false;                         // the first segments of paths, for the guides of a filter
+    uint rays_of_all = 0;                        // so many of them in every pixel, then where more are wanted
+    bool divides = false;                        // after them FILTER_DIVIDE: these were the rays of the samples
+    bool prepares = false;                       // after them FILTER_PREPARE: these were the last
+    render_system::CallOff* call_off = nullptr;  // or what is asked before every sample of a tile
+
+    bool is_called_off() const { return call_off && call_off->came(); }
 };
 
 /// A tile for each thread, kept from frame to frame.
@@ -69,7 +73,7 @@ private:
 size_t filter_margin(uint width);
 
 /// Filters the light that FILTER_DIVIDE and FILTER_PREPARE have left of a mean of so many samples into the filter's
-/// picture, by guides, with the history that is bound.
+/// picture, by guides, with the history that is bound. Where it is called off it leaves the rest as it is.
 void run_filter(const Frame& frame, uint samples, bool with_history);
 
 /// Renders all tiles of the frame on the threads of the current task arena. Each tile of paths runs through the whole

@@ -63,7 +63,7 @@ private:
     Status prepare() override;
     Status reach_for(const ViewPyramid& view);
     Status render(const ViewPyramid& view, uint32_t samples) override;
-    Status filter(const ViewPyramid& view, const CoreFilter& filter) override;
+    Status filter(const ViewPyramid& view, const CoreFilter& filter, CallOff& call_off) override;
     Status read_history(std::vector<float>& planes) override;
     Status write_history(std::span<const float> planes) override;
     void close() override;
@@ -407,7 +407,7 @@ void TargetCore::make_filter(const CoreFilter& filter) {
     }
 }
 
-Status TargetCore::filter(const ViewPyramid& view, const CoreFilter& filter) {
+Status TargetCore::filter(const ViewPyramid& view, const CoreFilter& filter, CallOff& call_off) {
     if (const Status status = reach_for(view); !status.ok()) return status;
     make_filter(filter);
     Frame frame = frame_of(view);
@@ -417,6 +417,7 @@ Status TargetCore::filter(const ViewPyramid& view, const CoreFilter& filter) {
     frame.rays_of_all = guide_rays(filter, FEWEST_GUIDE_RAYS);
     const uint own = std::min(filter.samples, filter.most_rays);
     const uint rays = guide_rays(filter, MOST_GUIDE_RAYS);
+    frame.call_off = &call_off;
     frame.guides = true;
     frame.divides = true;
     frame.prepares = rays <= own;
@@ -427,8 +428,15 @@ Status TargetCore::filter(const ViewPyramid& view, const CoreFilter& filter) {
     frame.prepares = true;
     if (rays > own) gather_guides(frame, filter.first_sample + own, rays - own);
     const auto start = std::chrono::steady_clock::now();
-    arena_->execute([&] { run_filter(frame, filter.samples, filter.history != FilterHistory::none); });
+    const bool with_history = filter.history != FilterHistory::none;
+    arena_->execute([&] { run_filter(frame, filter.samples, with_history); });
     stats().filter_ms += milliseconds_since(start);
+    if (call_off.came()) {
+        if (with_history) {
+            std::swap(history_, history_before_);  // as they were; what they are written to is not read any more
+        }
+        return call_off.status();
+    }
     std::transform(filter_picture_.begin(), filter_picture_.end() - SPARE_ROWS, filter.filtered.begin(),
                    [](const vec4& p) { return glm::vec4(p.x, p.y, p.z, 1.0f); });
     return Status::success();

@@ -63,7 +63,9 @@ private:
                 ++kept_;
                 continue;
             }
-            if (Status status = render_frame(place); !status.ok()) return status;
+            const Status rendered = render_frame(place);
+            if (rendered.code == render_system::StatusCode::called_off) return Status::success();
+            if (!rendered.ok()) return rendered;
             if (stopped()) return Status::success();
             if (Status status = write(place); !status.ok()) return status;
             ++rendered_;
@@ -79,7 +81,7 @@ private:
         if (stopped()) return Status::success();
         take_mean();
         if (options_.filter == FilterMode::none) return Status::success();
-        return session_.filter(picture_, variances_of(sums_), {0, sums_.samples});
+        return session_.filter(picture_, variances_of(sums_), {0, sums_.samples}, [this] { return stopped(); });
     }
 };
 

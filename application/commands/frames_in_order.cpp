@@ -160,12 +160,15 @@ Status FramesInOrder::take_together(Team& ranks) {
     return status;
 }
 
-/// Filters the samples that are taken, and writes the frame: a signal does not come between the two.
+/// Filters the samples that are taken, and writes the frame. A signal calls the filter off: then there is no such frame
+/// yet, and the history is that of those before.
 Status FramesInOrder::finish_frame() {
     take_mean();
     const uint32_t first = first_sample();
     const FilterHistory history = next_ == 0 ? FilterHistory::begin : FilterHistory::go_on;
-    Status status = session_.filter(picture_, variances_of(sums_), {first, first + sums_.samples}, history);
+    Status status = session_.filter(
+        picture_, variances_of(sums_), {first, first + sums_.samples}, [this] { return stopped(); }, history);
+    if (status.code == render_system::StatusCode::called_off) return Status::success();
     if (status.ok()) status = write(next_);
     if (!status.ok()) return status;
     ++rendered_;
@@ -175,7 +178,7 @@ Status FramesInOrder::finish_frame() {
 
 void FramesInOrder::keep_if_due(double frame_seconds) {
     const auto& interval = options_.sampling.checkpoint;
-    if (!interval || next_ == frame_count()) return;
+    if (!interval || next_ == frame_count() || stopped()) return;  // the end of a stopped one keeps it
     if (seconds_since(saved_) + std::min(frame_seconds, *interval) > *interval) save_checkpoint();
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "application/sampling/interrupt.h"
 
+#include <atomic>
 #include <csignal>
 
 #include "application/file_output.h"
@@ -9,7 +10,8 @@
 namespace application {
 namespace {
 
-volatile std::sig_atomic_t kept_signal = 0;
+std::atomic<int> kept_signal = 0;  // read by threads other than the one that is interrupted
+static_assert(std::atomic<int>::is_always_lock_free);
 
 extern "C" void keep_first_signal(int number) {
     if (kept_signal != 0) remove_unfinished_file_and_end(number);

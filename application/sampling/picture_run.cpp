@@ -17,6 +17,7 @@ namespace {
 
 using render_system::Result;
 using render_system::Status;
+using render_system::StatusCode;
 using std::filesystem::path;
 
 bool is_exr(const path& file) {
@@ -56,11 +57,22 @@ PictureRun::PictureRun(const Options& options, path file, CoreSession& session, 
       wanted_(wanted_samples(options)) {
     if (is_exr(file_) || keeps_checkpoints() || team()) run_ = run_identity(options, session);
     if (options.filter == FilterMode::temporal)
-        passes_.emplace(session, sums, wanted_.first, [this] {
-            const Status status = take_samples_of_all(1);
-            collect();
-            return status;
-        });
+        passes_.emplace(
+            session, sums, wanted_.first,
+            [this] {
+                const Status status = take_samples_of_all(1);
+                collect();
+                return status;
+            },
+            [this] { return is_pass_called_off(); });
+}
+
+/// The first pass is not called off by the limit: there would be no filtered picture.
+bool PictureRun::is_pass_called_off() const {
+    if (interrupt_.signal() != 0) return true;
+    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start_;
+    const auto& limit = options_.sampling.time_limit;
+    return limit && taken.count() > *limit && passes_->count() > 0;
 }
 
 Status PictureRun::take_samples_of_all(uint32_t count) {
@@ -106,7 +118,10 @@ Status PictureRun::resume() {
     return session_.go_on_from(wanted_.first + sums_.samples);
 }
 
+const char* PictureRun::name_of_signal() const { return interrupt_.signal() == SIGINT ? "Ctrl-C" : "SIGTERM"; }
+
 Status PictureRun::take(std::chrono::steady_clock::time_point start) {
+    start_ = start;
     const SamplingOptions& sampling = options_.sampling;
     SamplingPlan plan{wanted_, start, sampling.time_limit, sampling.noise, sampling.checkpoint};
     plan.interrupt = &interrupt_;
@@ -122,9 +137,8 @@ Status PictureRun::take(std::chrono::steady_clock::time_point start) {
     collect();
     end_ = *end;
     if (end_ == SamplingEnd::interrupted)
-        console_.note(fmt::format("interrupted by {}: the picture has {} of {} samples",
-                                  interrupt_.signal() == SIGINT ? "Ctrl-C" : "SIGTERM", sums_.samples,
-                                  wanted_.count()));
+        console_.note(fmt::format("interrupted by {}: the picture has {} of {} samples", name_of_signal(),
+                                  sums_.samples, wanted_.count()));
     else if (end_ == SamplingEnd::time_limit)
         console_.note(fmt::format("the time limit is reached: the picture has {} samples", sums_.samples));
     else if (sampling.noise)
@@ -146,45 +160,61 @@ void PictureRun::save_checkpoint() {
     if (!status.ok()) console_.warning(status.message + "; rendering goes on without a new checkpoint");
 }
 
-/// The picture as it is to be seen.
 Result<Picture> PictureRun::filtered() {
     Picture picture = mean_picture(sums_);
-    if (options_.filter == FilterMode::none) return picture;
     if (passes_) {
         Result<Picture> last = passes_->picture();
         if (!last.ok()) return last;
         picture = std::move(*last);
     } else {
         const SampleRange taken{wanted_.first, wanted_.first + sums_.samples};
-        if (Status status = session_.filter(picture, variances_of(sums_), taken); !status.ok()) return status;
+        const Status status =
+            session_.filter(picture, variances_of(sums_), taken, [this] { return interrupt_.signal() != 0; });
+        if (!status.ok()) return status;
     }
     const render_system::CoreStats stats = session_.stats();
     console_.detail(fmt::format("filter: {:.2f} ms, after {:.2f} ms of camera rays", stats.filter_ms, stats.guide_ms));
     return picture;
 }
 
-Status PictureRun::write() {
+PictureNotes PictureRun::notes(FilterMode filter) const {
     PictureNotes notes{.samples = sums_.samples};
-    if (run_) {
-        notes.ranges = range_text({{wanted_.first, wanted_.first + sums_.samples}});
-        RunIdentity run = *run_;
-        if (options_.filter != FilterMode::none)
-            run.entries.emplace_back(kFilterEntry, options_.filter == FilterMode::spatial ? "spatial" : "temporal");
-        notes.run = run.text();
-    }
-    const bool as_sums = options_.sampling.range && is_exr(file_);
+    if (!run_) return notes;
+    notes.ranges = range_text({{wanted_.first, wanted_.first + sums_.samples}});
+    RunIdentity run = *run_;
+    if (filter != FilterMode::none)
+        run.entries.emplace_back(kFilterEntry, filter == FilterMode::spatial ? "spatial" : "temporal");
+    notes.run = run.text();
+    return notes;
+}
+
+/// A run that has all its samples and not their filtered picture is not done: --resume goes on to it.
+void PictureRun::stop_before_filter() {
+    console_.note(fmt::format("interrupted by {}: the picture is not filtered", name_of_signal()));
+    const bool was_whole = is_whole();
+    end_ = SamplingEnd::interrupted;
+    if (was_whole && keeps_checkpoints()) save_checkpoint();
+}
+
+Status PictureRun::write() {
     const auto kind = image_kind(file_.string());
     if (!kind.ok()) return kind.status;
-    const bool whole = end_ == SamplingEnd::all_taken || end_ == SamplingEnd::noise;
-    if (keeps_checkpoints() && !whole) save_checkpoint();
-    const Result<Picture> picture = filtered();
+    if (keeps_checkpoints() && !is_whole()) save_checkpoint();
+    FilterMode filter = options_.filter;
+    Result<Picture> picture = filter == FilterMode::none ? mean_picture(sums_) : filtered();
+    if (picture.status.code == StatusCode::called_off) {
+        stop_before_filter();
+        filter = FilterMode::none;
+        picture = mean_picture(sums_);
+    }
     if (!picture.ok()) return picture.status;
-    const auto bytes = as_sums ? encode_sums(sums_, notes)
-                               : encode_picture(*picture, *kind, options_.exposure, options_.tone_map, notes);
+    const bool as_sums = options_.sampling.range && is_exr(file_);
+    const auto bytes = as_sums ? encode_sums(sums_, notes(filter))
+                               : encode_picture(*picture, *kind, options_.exposure, options_.tone_map, notes(filter));
     const Status status = bytes.ok() ? write_file(file_, *bytes) : bytes.status;
-    if (!status.ok() && keeps_checkpoints() && whole) save_checkpoint();
+    if (!status.ok() && keeps_checkpoints() && is_whole()) save_checkpoint();
     std::error_code error;
-    if (status.ok() && keeps_checkpoints() && whole) std::filesystem::remove(checkpoint_, error);
+    if (status.ok() && keeps_checkpoints() && is_whole()) std::filesystem::remove(checkpoint_, error);
     return status;
 }
 

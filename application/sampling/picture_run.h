@@ -51,7 +51,13 @@ private:
     /// Brings the sums here that a team has.
     void collect();
     void save_checkpoint();
+    bool is_pass_called_off() const;
+    bool is_whole() const { return end_ == SamplingEnd::all_taken || end_ == SamplingEnd::noise; }
+    /// The picture as it is to be seen, if the filter is not called off.
     render_system::Result<Picture> filtered();
+    void stop_before_filter();
+    PictureNotes notes(FilterMode filter) const;
+    const char* name_of_signal() const;
 
     const Options& options_;
     std::filesystem::path file_;
@@ -61,8 +67,9 @@ private:
     const KeptInterrupt& interrupt_;
     Console& console_;
     SampleRange wanted_;
-    std::optional<RunIdentity> run_;        // where something is written that says it
-    std::optional<TemporalPasses> passes_;  // where each is filtered
+    std::optional<RunIdentity> run_;               // where something is written that says it
+    std::optional<TemporalPasses> passes_;         // where each is filtered
+    std::chrono::steady_clock::time_point start_;  // of the time limit
     SamplingEnd end_ = SamplingEnd::all_taken;
 };
 

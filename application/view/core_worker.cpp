@@ -13,11 +13,12 @@ namespace {
 using render_system::Convergence;
 using render_system::CoreStats;
 using render_system::Status;
+using render_system::StatusCode;
 
 /// Nothing is begun that takes longer, as an answer is wanted within 100 ms: short samples are taken together, long
 /// ones in parts, and before the first of these comes a coarse one.
 constexpr double PASS_MS = 40.0;
-/// Where a filter follows, which cannot be called off, for all of it.
+/// Where a filter follows, for all of it: the first picture of a view is shown, whatever comes meanwhile.
 constexpr double FILTERED_PASS_MS = 20.0;
 /// From here on in parts: they cost a little.
 constexpr double LONG_SAMPLE_MS = 100.0;
@@ -161,6 +162,11 @@ void CoreWorker::run() {
     if (core_) core_->Shutdown();
 }
 
+bool CoreWorker::ends() {
+    const std::lock_guard lock(mutex_);
+    return ends_;
+}
+
 bool CoreWorker::is_called_away(const Request& request) {
     const std::lock_guard lock(mutex_);
     return ends_ || !runs_ || wanted_.number != request.number;
@@ -232,10 +238,10 @@ std::vector<float> CoreWorker::variances() const {
 }
 
 /// The first picture of a view goes by those of views before, and what is of the view itself by itself: it is better
-/// than any memory as soon as there are a few samples.
+/// than any memory as soon as there are a few samples. A hand that moves would have none if that could be called off;
+/// later ones are as soon as another view is wanted.
 Status CoreWorker::filter(const Request& request, Picture& picture, uint32_t samples, bool first) {
-    // As many as there are samples, which a picture that is the first of a view has few of: a filter cannot be called
-    // off.
+    // As many as there are samples, which a picture that is the first of a view has few of.
     constexpr uint32_t FEWEST_RAYS = 2, MOST_RAYS = 8;
     const uint32_t rays = std::clamp(samples, FEWEST_RAYS, MOST_RAYS);
     if (request.filter == FilterMode::none) return Status::success();
@@ -249,7 +255,9 @@ Status CoreWorker::filter(const Request& request, Picture& picture, uint32_t sam
                        .samples = samples,
                        .filtered = picture.pixels,
                        .history = remembers ? render_system::FilterHistory::go_on : render_system::FilterHistory::none,
-                       .most_rays = rays});
+                       .most_rays = rays,
+                       .is_called_off = [&] { return first ? ends() : is_called_away(request); }});
+    if (!status.ok()) return status;
     const double share = static_cast<double>(picture.pixels.size()) / (1.0 * request.width * request.height);
     filter_ms_ = ms_since(start) / share * FEWEST_RAYS / rays;  // of a first picture: rays are nearly all of it
     return status;
@@ -349,14 +357,15 @@ Status CoreWorker::take_sample_in_parts(const Request& request) {
     return show_drawn(request, std::move(picture), taken, false, sample_ms_);
 }
 
-/// Takes the noise out where that is asked for, which cannot be called off: so not if nobody waits for it any more.
+/// Takes the noise out where that is asked for; what is called off meanwhile is not shown.
 Status CoreWorker::show_drawn(const Request& request, Picture picture, const CoreStats& taken, bool coarse,
                               double took_ms) {
     if (!coarse && request.filter != FilterMode::none && std::has_single_bit(samples_)) note_noise(picture);
     if (!coarse && !is_to_be_shown(request)) return Status::success();
     const bool first = coarse || (!was_coarse_ && samples_ == 1);
-    if (!first && request.filter != FilterMode::none && is_called_away(request)) return Status::success();
-    if (Status status = filter(request, picture, coarse ? 1 : samples_, first); !status.ok()) return status;
+    const Status status = filter(request, picture, coarse ? 1 : samples_, first);
+    if (status.code == StatusCode::called_off) return Status::success();
+    if (!status.ok()) return status;
     const std::lock_guard lock(mutex_);
     drawn_.picture = std::move(picture);
     drawn_.stats = taken;

@@ -100,6 +100,7 @@ private:
     std::vector<float> variances() const;
     bool is_to_be_shown(const Request& request) const;
     bool waits_for_more(const Request& request);
+    bool ends();
     bool is_called_away(const Request& request);
     render_system::Status show_drawn(const Request& request, Picture picture, const render_system::CoreStats& taken,
                                      bool coarse, double took_ms);

@@ -63,6 +63,12 @@ def done_in(checkpoint, what):
     return json.loads(checkpoint.read_bytes().split(b"\n", 2)[1])[what] if checkpoint.exists() else 0
 
 
+def processor_seconds():
+    """Of all processes that were started here and have ended."""
+    usage = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return usage.ru_utime + usage.ru_stime
+
+
 class FilteredRuns(unittest.TestCase):
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
@@ -173,13 +179,60 @@ class FilteredRuns(unittest.TestCase):
     def test_frames_that_follow_from_each_other_go_on_after_kills_to_the_same_bits(self):
         self.frames_after_kills(*TEMPORAL)
 
+    def test_a_signal_calls_the_filter_off(self):
+        """What is written then is plain samples, and says so; --resume goes on to the filtered picture of one run."""
+        large = ["--core", CORE, "--size", "480x270", "--threads", "2", "--spp", "1"]
+        for name in ("spatial", "temporal"):
+            filtered = ["render", self.scene, *large, "--filter", name]
+            whole, parts, plain = (str(self.file(f"{name}_{word}.exr")) for word in ("whole", "parts", "plain"))
+            before = processor_seconds()
+            self.assertEqual(runs.run(*filtered, "-o", whole).returncode, 0)
+            all_of_it = processor_seconds() - before
+            before = processor_seconds()
+            process = runs.start(*filtered, "-o", parts, "--resume", "--verbose")
+            while "core " not in (line := process.stderr.readline()):  # it has its sample then
+                self.assertTrue(line, "ended by itself")
+            process.send_signal(signal.SIGTERM)
+            _, errors = process.communicate()
+            self.assertEqual(process.returncode, 143, errors)
+            self.assertIn("the picture is not filtered", errors)
+            self.assertLess(processor_seconds() - before, 0.6 * all_of_it)
+            self.assertEqual(runs.run("render", self.scene, *large, "-o", plain).returncode, 0)
+            self.assertEqual(self.file(parts).read_bytes(), self.file(plain).read_bytes())
+            result = runs.run(*filtered, "-o", parts, "--resume")
+            self.assertEqual(result.returncode, 0, result.stderr)
+            self.assertIn("going on after 1 samples", result.stderr)
+            self.assertEqual(self.file(parts).read_bytes(), self.file(whole).read_bytes())
+            self.assertFalse(self.file(parts + ".checkpoint").exists())
+
+    def test_signals_at_random_moments_lose_no_pass_and_no_frame(self):
+        dice = random.Random(20261126)
+        for name, more in (("s.png", [*TEMPORAL, "--spp", "12"]), ("f_#.png", [*TEMPORAL, "--spp", "2", "--frames", "0:4"]),
+                           ("g_#.png", ["--filter", "spatial", "--spp", "2", "--frames", "0:4", "--exact"])):
+            # Exact: trees of the other mode hang on what a core has rendered before.
+            self.rendered(*more, "-o", str(self.file("one_" + name)))
+            signals = 0
+            while True:
+                process = runs.start("render", self.scene, *SMALL, *more, "-o", str(self.file(name)), "--resume")
+                try:
+                    process.wait(timeout=dice.uniform(0.05, 0.6) if signals < 2 * KILLS else None)
+                except subprocess.TimeoutExpired:
+                    process.send_signal(signal.SIGINT)
+                    signals += 1
+                _, errors = process.communicate()
+                if process.returncode == 0:
+                    break
+                self.assertIn(process.returncode, (130, -signal.SIGINT), errors)
+            for file in self.path.glob("one_" + name.replace("#", "?")):
+                self.assertEqual(self.file(file.name[4:]).read_bytes(), file.read_bytes(), file.name)
+
     def test_a_signal_leaves_what_the_next_run_goes_on_from(self):
         for name, more, count in (("s.exr", ["--spp", "1000000"], "passes"),
                                   ("f_###.png", ["--spp", "2", "--frames", "0:1000"], "frames")):
             checkpoint = self.file(name + ".checkpoint")
             process = runs.start("render", self.scene, *SMALL, *TEMPORAL, *more, "-o", str(self.file(name)), "--resume",
                                  "--checkpoint", "0.01s")
-            while not checkpoint.exists():
+            while done_in(checkpoint, count) < 1:  # a signal calls the first pass off as well
                 self.assertIsNone(process.poll(), "ended by itself")
                 time.sleep(0.01)
             process.send_signal(signal.SIGTERM)

@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <atomic>
+#include <functional>
+#include <thread>
+
 #include "tests/render_system/core_contract_suite.h"
 
 // What core_api.h promises of a filter's history that is taken from one core and given to another.
@@ -34,17 +38,49 @@ protected:
         Base::expect_ok(this->core_->SetInstance(0, 0, transform));
     }
 
-    /// A frame of noise, filtered.
-    std::vector<glm::vec4> filtered(uint32_t frame, FilterHistory history) {
+    std::vector<glm::vec4> frame_of_noise(uint32_t frame) {
         std::mt19937 random(frame);
         std::uniform_real_distribution<float> noise(0.0f, 1.0f);
         std::vector<glm::vec4> picture(this->pixels_.size());
         for (glm::vec4& pixel : picture) pixel = {noise(random), noise(random), noise(random), 1.0f};
-        Base::expect_ok(this->core_->Filter(
-            view_of(frame / 2),
-            {.means = picture, .variances = {}, .first_sample = frame, .filtered = picture, .history = history}));
         return picture;
     }
+
+    Status filter(std::vector<glm::vec4>& picture, uint32_t frame, FilterHistory history,
+                  std::function<bool()> is_called_off = {}) {
+        return this->core_->Filter(view_of(frame / 2), {.means = picture,
+                                                        .variances = {},
+                                                        .first_sample = frame,
+                                                        .filtered = picture,
+                                                        .history = history,
+                                                        .is_called_off = std::move(is_called_off)});
+    }
+
+    std::vector<glm::vec4> filtered(uint32_t frame, FilterHistory history) {
+        std::vector<glm::vec4> picture = frame_of_noise(frame);
+        Base::expect_ok(filter(picture, frame, history));
+        return picture;
+    }
+
+    /// Filters a frame of noise, calls that off when it has asked `after` times, and holds what is left against what
+    /// was before. False where it did not ask so often.
+    bool calls_off(uint32_t frame, FilterHistory history, uint32_t after) {
+        const std::vector<glm::vec4> noise = frame_of_noise(frame);
+        std::vector<glm::vec4> picture = noise;
+        std::atomic<uint32_t> asked = 0;
+        const Status status = filter(picture, frame, history, [&] { return ++asked > after; });
+        if (status.ok()) {
+            EXPECT_LE(asked, after);
+            finished_ = picture;
+            return false;
+        }
+        EXPECT_EQ(status.code, StatusCode::called_off) << status.message;
+        EXPECT_LE(asked, after + std::max(1u, std::thread::hardware_concurrency())) << "one of each thread at most";
+        EXPECT_EQ(picture, noise);
+        return true;
+    }
+
+    std::vector<glm::vec4> finished_;  // by calls_off
 };
 
 TYPED_TEST_SUITE_P(CoreHistorySuite);
@@ -100,6 +136,35 @@ TYPED_TEST_P(CoreHistorySuite, AHistoryOfAnotherSizeIsRefused) {
     EXPECT_EQ(this->core_->GetHistory().status.code, StatusCode::wrong_order);
 }
 
-REGISTER_TYPED_TEST_SUITE_P(CoreHistorySuite, AnotherCoreGoesOnToTheSameBits, AHistoryOfAnotherSizeIsRefused);
+/// Wherever it is called off, the next filter goes on as if it had never been asked for.
+TYPED_TEST_P(CoreHistorySuite, AFilterThatIsCalledOffLeavesWhatThereWas) {
+    if (!this->opened()) GTEST_SKIP() << "no device for this core";
+    this->open_scene();
+    std::vector<std::vector<glm::vec4>> whole;
+    for (uint32_t frame = 0; frame < 3; ++frame) {
+        this->pose(frame);
+        whole.push_back(this->filtered(frame, frame == 0 ? FilterHistory::begin : FilterHistory::go_on));
+    }
+    uint32_t times = 0;
+    for (uint32_t after = 0; this->calls_off(2, FilterHistory::none, after); after = 2 * after + 1) ++times;
+    EXPECT_GE(times, 1u);
+    EXPECT_EQ(this->core_->GetHistory()->frames, 3u) << "that was none of it";
+    EXPECT_TRUE(this->calls_off(0, FilterHistory::begin, times > 1 ? 1 : 0));
+    EXPECT_EQ(this->core_->GetHistory()->frames, 0u);
+
+    this->expect_ok(this->core_->SetInstance(0, 0, {}));  // as it stood at first
+    EXPECT_EQ(this->filtered(0, FilterHistory::begin), whole[0]);
+    EXPECT_EQ(this->filtered(1, FilterHistory::go_on), whole[1]);
+    const CoreHistory history = *this->core_->GetHistory();
+    this->pose(2);
+    for (uint32_t after = 0; this->calls_off(2, FilterHistory::go_on, after); after = 2 * after + 1) {
+        EXPECT_EQ(this->core_->GetHistory()->frames, history.frames);
+        EXPECT_EQ(this->core_->GetHistory()->planes, history.planes) << after;
+    }
+    EXPECT_EQ(this->finished_, whole[2]) << "the one that was not called off";
+}
+
+REGISTER_TYPED_TEST_SUITE_P(CoreHistorySuite, AnotherCoreGoesOnToTheSameBits, AHistoryOfAnotherSizeIsRefused,
+                            AFilterThatIsCalledOffLeavesWhatThereWas);
 
 }  // namespace render_system::testing
