@@ -8,6 +8,7 @@ Skipped (77) where mpirun or pathtracer-mpi is missing.
 import os
 import pathlib
 import re
+import resource
 import shutil
 import signal
 import subprocess
@@ -29,6 +30,20 @@ def environment():
 def team(ranks, *arguments, program=PROGRAM):
     return subprocess.run([*MPIRUN, "-n", str(ranks), str(program), *arguments], capture_output=True, text=True, timeout=180,
                           env=environment())
+
+
+def ranks_of(process):
+    """The processes that this mpirun has started; the first is rank 0."""
+    return sorted(map(int, subprocess.run(["pgrep", "-P", str(process.pid)], capture_output=True, text=True).stdout.split()))
+
+
+def state_of(process):
+    """What the kernel says of a process; None where it has ended, waited for or not."""
+    try:
+        state = pathlib.Path(f"/proc/{process}/stat").read_text().rsplit(")", 1)[1].split()[0]
+    except (FileNotFoundError, ProcessLookupError):
+        return None
+    return None if state in "ZX" else state
 
 
 class Teams(unittest.TestCase):
@@ -133,6 +148,63 @@ class Teams(unittest.TestCase):
         self.assertEqual(result.returncode, 2, result.stderr)
         self.assertEqual(result.stderr.count("a.png.checkpoint"), 1, result.stderr)
 
+    def test_a_disk_that_fills_costs_a_team_no_more_than_what_came_since(self):
+        """No file may grow any more once there is a checkpoint: it stays, the picture is refused in one line, all end."""
+        output, checkpoint = self.file("a.exr"), self.path / "a.exr.checkpoint"
+        arguments = [*RENDER, "--threads", "1", "-o"]
+        process = subprocess.Popen([*MPIRUN, "-n", "2", str(PROGRAM), *arguments, output, "--spp", "1000000", "--checkpoint", "0.05s"],
+                                   stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, env=environment())
+        while not checkpoint.exists():
+            self.assertIsNone(process.poll(), "ended by itself")
+            time.sleep(0.01)
+        ranks = ranks_of(process)
+        for rank in ranks:
+            resource.prlimit(rank, resource.RLIMIT_FSIZE, (100, 100))
+        said = ""
+        while "rendering goes on" not in said:
+            said += (line := process.stderr.readline())
+            self.assertTrue(line, "ended by itself: " + said)
+        self.assertIn("a.exr.checkpoint: File too large", said)
+        kept = checkpoint.read_bytes()
+        os.kill(min(ranks), signal.SIGTERM)
+        said += process.communicate(timeout=60)[1]
+        self.assertEqual(process.returncode, 2, said)
+        errors = [line for line in said.splitlines() if line.startswith("pathtracer: error")]
+        self.assertEqual(len(errors), 1, said)
+        self.assertRegex(errors[0], "a.exr: File too large")
+        self.assertEqual([f.name for f in self.path.iterdir()], ["a.exr.checkpoint"], "nothing torn is left")
+        self.assertEqual(checkpoint.read_bytes(), kept)
+        self.assertEqual(list(map(state_of, ranks)), [None, None], "all have ended")
+        done = int(kept.split(b'"samples":')[1].split(b",")[0])
+        result = team(2, *arguments, output, "--spp", str(done + 2), "--resume")
+        self.assertIn(f"going on after {done} ", result.stderr)
+        alone = subprocess.run([PROGRAM, *arguments, self.file("b.exr"), "--spp", str(done + 2)], capture_output=True)
+        self.assertEqual(alone.returncode, 0, alone.stderr)
+        self.assertEqual(self.bytes("a.exr"), self.bytes("b.exr"))
+
+    def test_frames_on_a_small_disk_end_the_team_at_the_one_that_does_not_fit(self):
+        disk = self.path / "disk"
+        disk.mkdir()
+        mounted = f'mount -t tmpfs -o size=64k none "{disk}" && '
+        inside = ["unshare", "--user", "--map-root-user", "--mount", "sh", "-c"]
+        if subprocess.run([*inside, mounted + "true"], capture_output=True).returncode != 0:
+            self.skipTest("no small disk can be mounted here without privileges")
+        command = [*MPIRUN, "-n", "2", str(PROGRAM), *RENDER, "--spp", "1", "--frames", "0:40", "--threads", "1", "-o",
+                   str(disk / "f_##.png")]
+        result = subprocess.run([*inside, mounted + '"$@"; code=$?; ls "$0"; cp "$0"/* "$0/.."; exit $code', str(disk), *command],
+                                capture_output=True, text=True, timeout=180, env=environment())
+        self.assertEqual(result.returncode, 2, result.stderr)
+        errors = [line for line in result.stderr.splitlines() if line.startswith("pathtracer: error")]
+        self.assertEqual(len(errors), 1, result.stderr)
+        self.assertRegex(errors[0], r"f_\d\d.png: No space left on device")
+        there = result.stdout.split()
+        self.assertIn(len(there), range(1, 40))
+        alone = subprocess.run([PROGRAM, *RENDER, "--spp", "1", "--frames", "0:40", "-o", self.file("a_##.png")], capture_output=True)
+        self.assertEqual(alone.returncode, 0, alone.stderr)
+        for name in there:
+            self.assertRegex(name, r"^f_\d\d.png$")
+            self.assertEqual(self.bytes(name), self.bytes(name.replace("f_", "a_")), name)
+
     def test_a_resumed_team_hears_of_its_limit_as_a_fresh_one_does(self):
         """By counts of samples: a first round of unknown length took many times as long."""
         endless = [*RENDER[:-1], "64x36", "--spp", "1000000", "--threads", "1", "--checkpoint", "10m"]
@@ -156,7 +228,7 @@ class Teams(unittest.TestCase):
         while not (self.path / "times.1").exists() or (self.path / "times.1").stat().st_size == 0:  # until it has loaded
             self.assertIsNone(process.poll(), "ended by itself")
             time.sleep(0.01)
-        slow = max(map(int, subprocess.run(["pgrep", "-P", str(process.pid)], capture_output=True, text=True).stdout.split()))
+        slow = max(ranks_of(process))
         try:
             while process.poll() is None:
                 for number, seconds in ((signal.SIGSTOP, 0.1), (signal.SIGCONT, 0.005)):
