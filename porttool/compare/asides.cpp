@@ -33,6 +33,14 @@ constexpr std::array<std::string_view, 14> kLeaves = {"return", "goto",  "throw"
                                                       "exit",   "_Exit", "abort",      "longjmp", "terminate",
                                                       "asm",    "_exit", "quick_exit", "__trap"};
 
+/// Words of names that say that something is done, not asked: `assert(init(&p) == 0)` is no mere check.
+constexpr std::array<std::string_view, 44> kDeeds = {
+    "init",   "initialize", "alloc",   "allocate", "malloc", "free",    "next",   "push",  "pop",
+    "add",    "insert",     "erase",   "remove",   "set",    "reset",   "read",   "write", "load",
+    "store",  "step",       "run",     "advance",  "update", "execute", "launch", "open",  "close",
+    "create", "build",      "destroy", "send",     "recv",   "receive", "apply",  "swap",  "copy",
+    "memcpy", "fill",       "acquire", "atomic",   "fetch",  "release", "solve",  "rand"};
+
 template <size_t N>
 bool names_one_of(const std::array<std::string_view, N>& parts, std::string_view word) {
     const std::string name = folded(word);
@@ -62,6 +70,13 @@ bool speaks_by_name(std::string_view name) {
         word.remove_prefix(std::min(word.find_first_not_of("vf"), word.size()));  // vfprintf
         return std::any_of(kSayings.begin(), kSayings.end(),
                            [&](std::string_view saying) { return word.starts_with(saying); });
+    });
+}
+
+bool does_by_name(std::string_view name) {
+    const std::vector<std::string> words = words_of_name(name);
+    return std::any_of(words.begin(), words.end(), [](std::string_view word) {
+        return std::find(kDeeds.begin(), kDeeds.end(), word) != kDeeds.end();
     });
 }
 
@@ -155,6 +170,8 @@ private:
         size_t name = first;
         while (word(name + 1) == "::" && name + 2 < end) name += 2;
         if (!is_word_token(word(name)) || !speaks_by_name(word(name))) return false;
+        for (size_t i = name + 1; i + 1 < end; ++i)
+            if (word(i + 1) == "(" && is_word_token(word(i)) && does_by_name(word(i))) return false;
         size_t next = name + 1;
         if (word(next) == "(") next = behind_parentheses(next, end);
         return next > name + 1 ? word(next) == ";" || is_shift(next) : is_shift(next);

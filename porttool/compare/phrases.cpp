@@ -6,6 +6,7 @@
 #include <array>
 #include <map>
 
+#include "porttool/compare/runtime_calls.h"
 #include "porttool/language/words.h"
 #include "porttool/normal/declaration_words.h"
 #include "porttool/text/letters.h"
@@ -241,24 +242,6 @@ void add_launch(Text& out, std::vector<Text> arguments) {
         out.insert(out.end(), arguments[i].begin(), arguments[i].end());
     }
     out.emplace_back(")");
-}
-
-bool says_that_it_checks(std::string_view name) {
-    for (const std::string_view part : {"check", "chk", "safecall"})
-        if (holds_in_any_case(name, part)) return true;
-    return false;
-}
-
-/// `cudaMalloc`, `hipFree`, `clFinish`: functions of runtimes that give back a status. A Meaning has them in small
-/// letters.
-bool is_runtime_call(std::string_view name) {
-    const auto is_upper = [](char c) { return c >= 'A' && c <= 'Z'; };
-    for (const std::string_view prefix : {"cuda", "hip", "cublas", "hipblas", "cufft", "hipfft", "curand", "hiprand",
-                                          "cusparse", "hipsparse", "cusolver", "nccl", "rccl"})
-        if (name.starts_with(prefix) && name.size() > prefix.size()) return true;
-    for (const std::string_view prefix : {"cl", "cu", "vk"})
-        if (name.starts_with(prefix) && name.size() > prefix.size() && is_upper(name[prefix.size()])) return true;
-    return false;
 }
 
 /// Every swizzle of colours or texture coordinates with the one of positions; made once.

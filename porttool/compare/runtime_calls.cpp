@@ -7,6 +7,7 @@
 
 #include "porttool/compare/brackets.h"
 #include "porttool/normal/declaration_words.h"
+#include "porttool/text/letters.h"
 
 namespace porttool {
 namespace {
@@ -62,6 +63,22 @@ std::vector<size_t> argument_ends(const std::vector<std::string>& words, size_t 
 }
 
 }  // namespace
+
+bool says_that_it_checks(std::string_view name) {
+    for (const std::string_view part : {"check", "chk", "safecall"})
+        if (holds_in_any_case(name, part)) return true;
+    return false;
+}
+
+bool is_runtime_call(std::string_view name) {
+    const auto is_upper = [](char c) { return c >= 'A' && c <= 'Z'; };
+    for (const std::string_view prefix : {"cuda", "hip", "cublas", "hipblas", "cufft", "hipfft", "curand", "hiprand",
+                                          "cusparse", "hipsparse", "cusolver", "nccl", "rccl"})
+        if (name.starts_with(prefix) && name.size() > prefix.size()) return true;
+    for (const std::string_view prefix : {"cl", "cu", "vk"})
+        if (name.starts_with(prefix) && name.size() > prefix.size() && is_upper(name[prefix.size()])) return true;
+    return false;
+}
 
 void note_contexts(const Words& text, ContextNames& names) {
     for (size_t i = 0; i < text.size(); ++i) {

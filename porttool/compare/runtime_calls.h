@@ -24,6 +24,13 @@ void note_contexts(const Words& text, ContextNames& names);
 ///     f ( x , item )                                           f ( x )
 void drop_contexts(Words& statement, const ContextNames& names);
 
+/// `cudaMalloc`, `hipFree`, `clFinish`: functions of runtimes that give back a status. A Meaning has them in small
+/// letters.
+bool is_runtime_call(std::string_view name);
+
+/// `HIP_CHECK`, `checkCudaErrors`, `CUDA_SAFE_CALL`: looks at such a status, as its name says.
+bool says_that_it_checks(std::string_view name);
+
 /// True if an edit put one direction of copying (`cudaMemcpyHostToDevice`) in the place of another.
 bool changes_direction(const Words& before, const Words& now);
 

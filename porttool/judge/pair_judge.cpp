@@ -11,6 +11,7 @@
 #include "porttool/compare/own_fields.h"
 #include "porttool/compare/own_words.h"
 #include "porttool/compare/paired_names.h"
+#include "porttool/compare/runtime_upkeep.h"
 #include "porttool/compare/runtime_versions.h"
 #include "porttool/compare/settled_edits.h"
 #include "porttool/compare/switch_cases.h"
@@ -80,6 +81,12 @@ bool is_of_few_words(const Words& before, const Words& now) {
     const std::vector<DiffStep> steps = diff(before, now);
     return std::count_if(steps.begin(), steps.end(), [](const DiffStep& step) { return step.kind != DiffStep::Keep; }) <
            static_cast<std::ptrdiff_t>(kFew);
+}
+
+/// True if an edit only took words away.
+bool only_takes(const Words& before, const Words& now) {
+    const std::vector<DiffStep> steps = diff(before, now);
+    return std::none_of(steps.begin(), steps.end(), [](const DiffStep& step) { return step.kind == DiffStep::Add; });
 }
 
 /// True if only quoted texts came and went.
@@ -346,11 +353,17 @@ void PairJudge::weigh_edit(const JudgedPair& pair, Side side, const NormalText& 
         !are_twins(texts.before, texts.other, dialect_))
         return weaken(pair, finding, Level::Note, "it only names a part, or writes it out");
     const std::string there_is = side == Side::Source ? "the port" : "the source";
+    if (only_tends_foreign_runtime(texts.before, texts.now, texts.other))
+        return weaken(pair, finding, Level::Note,
+                      "it only keeps house with a runtime that " + there_is + " does not call");
     if (only_adds_labels_of_other(texts.before, texts.now, texts.other))
         return weaken(pair, finding, Level::Note, there_is + " has the label in that arm already");
-    if (draws_nearer(texts, dialect_)) return weaken(pair, finding, Level::Note, there_is + " has most of it");
+    if (draws_nearer(texts, dialect_))
+        return weaken(pair, finding, only_takes(texts.before, texts.now) ? Level::Warning : Level::Note,
+                      there_is + " has most of it");
     if (is_off_common_ground(texts, dialect_))
-        weaken(pair, finding, Level::Note, there_is + " has nothing like what it changes");
+        weaken(pair, finding, only_tends_runtime(texts.before, texts.now) ? Level::Note : Level::Warning,
+               there_is + " has nothing like what it changes");
 }
 
 void PairJudge::report_both(const JudgedPair& pair, const PairComparison& found, const BySide<NormalText>& before) {

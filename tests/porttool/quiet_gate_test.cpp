@@ -59,11 +59,58 @@ Loud after_port(const std::string& from, const std::string& to) {
                 {"s/k.cu:f=t/k.cpp:f"});
 }
 
-TEST(QuietGate, WhatTouchesNothingInCommonIsANote) {
+/// How the finding of the pair is told after an edit of a host function whose port works in another way; "" if nothing
+/// is told.
+std::string level_after(const std::string& from, const std::string& to, const char* edited = "s/k.cu") {
+    const Texts before = {
+        {"s/k.cu",
+         "void f(float* y, const float* x, int n) {\n  float* p = nullptr;\n"
+         "  CUDA_CHECK(cudaSetDevice(kDevice));\n  CUDA_CHECK(cudaFree(nullptr));\n  for (int at = 0; at < n; ++at) { "
+         "y[at] = x[at] * 2.0f; }\n"
+         "  gather(p, strides, pitches, Kind::Own, Order::Last);\n  cudaMemset(p, 0, sizeof(float) * 64);\n"
+         "  if (cudaFree(p) != cudaSuccess) { cudaGetLastError(); }\n}\n"},
+        {"t/k.cpp", replaced(kPort, "device.open();", "device.open(Usage::Often, pool.kind(), pool.first());")}};
+    MemoryDisk disk;
+    for (const auto& [path, text] : before) disk.files["/r/" + path] = text;
+    disk.files["/r/portmap.toml"] =
+        "version = 1\n[sides]\nsource = [\"s/*\"]\ntarget = [\"t/*\"]\n"
+        "[[pair]]\nsource = \"s/k.cu:f\"\ntarget = \"t/k.cpp:f\"\n";
+    EXPECT_EQ(run(disk, {"-C", "/r", "init", "--force"}).exit_code, 0);
+    disk.files[std::string("/r/") + edited] = replaced(before.at(edited), from, to);
+    const auto report = check(disk);
+    return report["findings"].empty() ? std::string() : report["findings"][0]["level"].get<std::string>();
+}
+
+TEST(QuietGate, WhatTouchesNothingInCommonIsAWarningAndUpkeepOfARuntimeANote) {
+    const std::string set = "CUDA_CHECK(cudaSetDevice(kDevice));", data = "  cudaMemset(p, 0, sizeof(float) * 64);\n";
+    const auto with = [&](const std::string& statement) { return level_after(set, set + "\n  " + statement); };
+    EXPECT_EQ(with("cudaEvent_t begun; CUDA_CHECK(cudaEventCreate(&begun));"), "note");
+    EXPECT_EQ(with("CUDA_CHECK(cudaMalloc((void**)&q, sizeof(float) * 128));"), "note");
+    EXPECT_EQ(with("if (cudaPeekAtLastError() != cudaSuccess) { cudaDeviceReset(); }"), "note");
+    EXPECT_EQ(with("cudaFuncSetAttribute(kernel, cudaFuncAttributePreferredSharedMemoryCarveout, 50);"), "note");
+    EXPECT_EQ(level_after("  if (cudaFree(p) != cudaSuccess) { cudaGetLastError(); }\n", ""), "note");
+    // What moves data, waits, launches or returns; functions of the program's own; and what is reckoned.
+    EXPECT_EQ(level_after(data, ""), "warning");
+    EXPECT_EQ(with("cudaMemcpyAsync(q, p, sizeof(float) * 128, cudaMemcpyDeviceToDevice, stream);"), "warning");
+    EXPECT_EQ(with("if (cudaStreamSynchronize(stream) != cudaSuccess) { cudaGetLastError(); }"), "warning");
+    EXPECT_EQ(with("if (cudaGetLastError() != cudaSuccess) { cudaDeviceReset(); return; }"), "warning");
+    EXPECT_EQ(with("if (is_shared(q)) { cudaMemAdvise(q, 64, cudaMemAdviseSetReadMostly, 0); }"), "warning");
+    EXPECT_EQ(with("if (cudaGetLastError() != cudaSuccess) { cudaDeviceReset(); relax(q, weights); }"), "warning");
+    EXPECT_EQ(with("scale *= weight; cudaEventCreate(&begun); cudaEventRecord(begun);"), "warning");
+    EXPECT_EQ(level_after("  gather(p, strides, pitches, Kind::Own, Order::Last);\n", ""), "warning");
+    EXPECT_EQ(level_after("  for (int at = 0; at < n; ++at) { y[at] = x[at] * 2.0f; }\n", ""), "error");
+    // A block that stays under another condition, however the runtime is asked.
+    EXPECT_EQ(with("if (cudaPeekAtLastError() == cudaErrorNotReady && cudaGetDevice(&d) == cudaSuccess)"), "warning");
+    // One word of such a statement.
+    EXPECT_EQ(level_after("cudaFree(nullptr)", "cudaFree(p)"), "error");
+    EXPECT_EQ(level_after("cudaSetDevice(kDevice)", "cudaSetDeviceFlags(kDevice)"), "error");
+}
+
+TEST(QuietGate, WhatTouchesNothingInCommonIsTold) {
     const Loud told = {"target-changed s/k.cu:f"};
     const std::string open = "device.open();";
     EXPECT_EQ(after_port(open, "device.open();\n  if (pool.is_shared(device)) { pool.advise(device, Usage::Often); }"),
-              Loud{});
+              told);
     // The same in the middle of what both have; a word or two; another number; a pragma; the same in another order.
     EXPECT_EQ(after_port("{ y[at]", "{ if (pool.is_shared(device)) { pool.advise(device, Usage::Often); } y[at]"),
               told);
@@ -92,9 +139,10 @@ TEST(QuietGate, WhereTextsAreApartOnlyWholeClausesAreCommonGround) {
     };
     const Loud told = {"target-changed s/k.cl:f"};
     EXPECT_EQ(after("Guard guard(job.Lock());", "if (job.IsWide()) { job.Split(tile); }\n  Guard guard(job.Lock());"),
-              Loud{});
+              told);
     EXPECT_EQ(after("job.Finish();", "job.Finish();\n#ifdef TRACE_JOBS\n  job.Trace(Level::All, Sink::Own);\n#endif"),
-              Loud{});
+              told);
+    EXPECT_EQ(after("job.Finish();", "job.Finish();\n  clReleaseEvent(begun); clReleaseEvent(ended);"), Loud{});
     // A word or two, the same word twice; a number for a number; what the compiler is told; beside what both say, and
     // in it.
     EXPECT_EQ(after("row.IsMasked()", "row.IsHidden()"), told);

@@ -194,21 +194,36 @@ TEST(WeighedEdit, WhatIsPrintedOrTimed) {
          {"source-changed"}},
     });
     // What speaks, or reads a clock, and does something else as well.
-    for (const std::string body :
-         {"printf(\"%f\", d *= 2 + lim);", "assert(d = 2 + lim * 3);", "assert(d++ < 3 + lim);",
-          "cout << (d = 2 + lim * 3);", "warn(d, 2, 3, 4), d = 3;", "printf(\"x\"), g(d), h(d);",
-          "assert(d > 0 || (exit(3), 1));", "logistic(d, &d, 2, 3);", "fingerprint(&d, 2, 3, 4);",
-          "print(&d, 2, 3, 4, 5);", "d = d * profile_scale + 2;", "d -= elapsed * lim * 2;",
-          "p[1] = elapsed(d) * 3 + 1;", "float& elapsed = d; elapsed = 2 + lim;", "float* profile = p; profile[0] = 2;",
-          "advance(elapsed, d, 2, 3);", "\n#ifdef DEBUG_ALWAYS\nd = 2 + lim * 3;\n#endif\n",
-          "\n#ifdef TIMING\nif (d > 1) return;\n#endif\n", "\n#ifdef BENCH\nadvance(&d, 2, 3, 4);\n#endif\n"})
+    for (const std::string body : {"printf(\"%f\", d *= 2 + lim);",
+                                   "assert(d = 2 + lim * 3);",
+                                   "assert(d++ < 3 + lim);",
+                                   "cout << (d = 2 + lim * 3);",
+                                   "warn(d, 2, 3, 4), d = 3;",
+                                   "printf(\"x\"), g(d), h(d);",
+                                   "assert(d > 0 || (exit(3), 1));",
+                                   "logistic(d, &d, 2, 3);",
+                                   "fingerprint(&d, 2, 3, 4);",
+                                   "print(&d, 2, 3, 4, 5);",
+                                   "assert(initialize(p, lim) == 0);",
+                                   "printf(\"%f\\n\", next_sample(state, lim));",
+                                   "assert(queue.push(d + lim));",
+                                   "d = d * profile_scale + 2;",
+                                   "d -= elapsed * lim * 2;",
+                                   "p[1] = elapsed(d) * 3 + 1;",
+                                   "float& elapsed = d; elapsed = 2 + lim;",
+                                   "float* profile = p; profile[0] = 2;",
+                                   "advance(elapsed, d, 2, 3);",
+                                   "\n#ifdef DEBUG_ALWAYS\nd = 2 + lim * 3;\n#endif\n",
+                                   "\n#ifdef TIMING\nif (d > 1) return;\n#endif\n",
+                                   "\n#ifdef BENCH\nadvance(&d, 2, 3, 4);\n#endif\n"})
         expect_all({{body,
                      same,
                      source("void f(float* p, float d) { p[0] = d * 2; " + body + " p[1] = d; }"),
                      {"source-changed"}}});
     for (const std::string body :
          {"std::cout << d << lim << \"x\" << std::endl;", "log_error(\"%f\", d + lim * 2);",
-          "fprintf(stderr, \"%f %f\", d, lim);", "gettimeofday(&tv, 0); double elapsed = tv.tv_sec * 1e6;",
+          "assert(is_even(count_of(p)) && p.size() > 2);", "fprintf(stderr, \"%f %f\", d, lim);",
+          "gettimeofday(&tv, 0); double elapsed = tv.tv_sec * 1e6;",
           "auto t0 = std::chrono::steady_clock::now(); elapsed += t0 - start;",
           "\n#ifdef DEBUG\nint hits = count(p); hits += 3; report(hits);\n#endif\n"})
         expect_all({{body, same, source("void f(float* p, float d) { p[0] = d * 2; " + body + " p[1] = d; }"), {}}});

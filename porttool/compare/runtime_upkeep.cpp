@@ -1,0 +1,137 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/compare/runtime_upkeep.h"
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "porttool/compare/runtime_calls.h"
+#include "porttool/language/words.h"
+#include "porttool/normal/declaration_words.h"
+#include "porttool/normal/diff.h"
+#include "porttool/normal/statements.h"
+#include "porttool/text/letters.h"
+
+namespace porttool {
+namespace {
+
+std::vector<Statement> statements_of(const Words& text) {
+    return split_statements(
+        text, [](const Words& words, bool) { return std::vector<std::string>(words.begin(), words.end()); });
+}
+
+/// True for a function of a runtime that neither moves data nor launches nor waits.
+bool is_upkeep_call(std::string_view name) {
+    if (!is_runtime_call(name)) return false;
+    for (const std::string_view part : {"memcpy", "memset", "copy", "fill", "write", "read", "launch", "enqueue",
+                                        "sync", "wait", "finish", "barrier", "kernelarg", "cmd", "submit", "gemm"})
+        if (holds_in_any_case(name, part)) return false;
+    return true;
+}
+
+/// `cudaStream_t s`, `VkBuffer b`.
+bool declares_runtime_object(const std::vector<std::string>& words) {
+    return words.size() >= 2 && (is_runtime_call(words[0]) || words[0].starts_with("cl_")) && is_word_token(words[1]) &&
+           std::find(words.begin(), words.end(), "(") == words.end();
+}
+
+/// True for a statement that calls a runtime, at least once, and nothing else. What such a call gives may be kept, not
+/// reckoned with.
+bool is_upkeep(const std::vector<std::string>& words) {
+    if (words.empty() || declares_runtime_object(words)) return !words.empty();
+    size_t calls = 0;
+    for (size_t i = 0; i < words.size(); ++i) {
+        if (is_one_of(words[i], {"return", "goto", "break", "continue", "throw", "#", "++", "--", "<<", ">>"}))
+            return false;
+        if (i + 1 == words.size() || words[i + 1] != "(" || !is_word_token(words[i])) continue;
+        if (words[i] == "sizeof" || says_that_it_checks(words[i]) || is_type_word(words[i])) continue;
+        if (!is_upkeep_call(words[i])) return false;
+        ++calls;
+    }
+    const auto writes = [&](const std::string& sign) {
+        return sign.size() == 2 && sign[1] == '=' && !is_one_of(sign, {"==", "!=", "<=", ">="});
+    };
+    return calls > 0 && std::none_of(words.begin(), words.end(), writes);
+}
+
+/// One text's statements, of which some are not in the other.
+struct EditedText {
+    std::vector<Statement> statements;
+    std::vector<bool> is_edited, heads;
+
+    explicit EditedText(const Words& text) : statements(statements_of(text)) {
+        is_edited.assign(statements.size(), false);
+        heads.assign(statements.size(), false);
+        for (const Statement& one : statements)
+            if (one.head < statements.size()) heads[one.head] = true;
+    }
+
+    std::vector<std::string> keys() const {
+        std::vector<std::string> out;
+        for (const Statement& one : statements) out.push_back(one.key);
+        return out;
+    }
+
+    bool is_edited_at_all() const { return std::find(is_edited.begin(), is_edited.end(), true) != is_edited.end(); }
+
+    /// A head counts with what stands in its block; that must all have come or gone with it.
+    bool only_upkeep() const {
+        for (size_t i = 0; i < statements.size(); ++i) {
+            const Statement& one = statements[i];
+            const bool in_block = one.head < statements.size() && i != one.head;
+            if (in_block && is_edited[one.head] && !is_edited[i]) return false;
+            if (!is_edited[i]) continue;
+            if (one.is_brace() ? !(in_block && is_edited[one.head]) : !is_fit(i)) return false;
+        }
+        return true;
+    }
+
+private:
+    bool is_fit(size_t i) const {
+        const std::vector<std::string>& words = statements[i].common;
+        if (!heads[i]) return is_upkeep(words);
+        const bool asks = !words.empty() && is_one_of(words[0], {"if", "else"});
+        return asks && (std::find(words.begin(), words.end(), "(") == words.end() || is_question(words));
+    }
+
+    /// A condition that changes nothing.
+    static bool is_question(const std::vector<std::string>& words) {
+        for (size_t i = 0; i + 1 < words.size(); ++i) {
+            if (is_one_of(words[i], {"=", "++", "--"})) return false;
+            const bool calls = words[i + 1] == "(" && is_word_token(words[i]) && words[i] != "if";
+            if (calls && !says_that_it_checks(words[i]) && !is_upkeep_call(words[i])) return false;
+        }
+        return true;
+    }
+};
+
+struct EditedTexts {
+    EditedText then, today;
+
+    EditedTexts(const Words& before, const Words& now) : then(before), today(now) {
+        for (const DiffStep& step : diff(then.keys(), today.keys())) {
+            if (step.kind == DiffStep::Remove) then.is_edited[step.before] = true;
+            if (step.kind == DiffStep::Add) today.is_edited[step.now] = true;
+        }
+    }
+};
+
+}  // namespace
+
+bool only_tends_runtime(const Words& before, const Words& now) {
+    const EditedTexts texts(before, now);
+    return texts.then.only_upkeep() && texts.today.only_upkeep();
+}
+
+bool only_tends_foreign_runtime(const Words& before, const Words& now, const Words& other) {
+    const auto calls_one = [&](size_t i) { return other[i + 1] == "(" && is_runtime_call(other[i]); };
+    for (size_t i = 0; i + 1 < other.size(); ++i)
+        if (calls_one(i)) return false;
+    const EditedTexts texts(before, now);
+    return texts.then.is_edited_at_all() != texts.today.is_edited_at_all() && texts.then.only_upkeep() &&
+           texts.today.only_upkeep();
+}
+
+}  // namespace porttool

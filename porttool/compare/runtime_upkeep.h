@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "porttool/normal/normal_text.h"
+
+namespace porttool {
+
+/// True if all that an edit brought in or took away are whole statements that keep house with a runtime, and the blocks
+/// that hold nothing else: memory that is taken and given back, streams, events, properties of devices. None that moves
+/// data, launches, waits or returns, and nothing that calls a function of the program's own.
+///
+///     q = cudaMalloc(&p, n);            upkeep
+///     cudaMemset(p, 0, n);              none: data
+///     if (is_shared(p)) { cudaFree(p); }    none: a function of its own
+bool only_tends_runtime(const Words& before, const Words& now);
+
+/// The same, and the edit only brought such statements in, or only took some away, and the other side's text calls no
+/// runtime of that kind.
+bool only_tends_foreign_runtime(const Words& before, const Words& now, const Words& other);
+
+}  // namespace porttool
