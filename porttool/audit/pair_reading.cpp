@@ -10,6 +10,7 @@
 #include "porttool/audit/likeness.h"
 #include "porttool/audit/replaced_statement.h"
 #include "porttool/audit/said_otherwise.h"
+#include "porttool/audit/same_value.h"
 #include "porttool/language/words.h"
 #include "porttool/normal/statements.h"
 
@@ -73,6 +74,7 @@ private:
             const std::vector<std::string> here = words_of_statement(place.now),
                                            there = words_of_statement(place.there);
             if (renames_what_it_declares(there, here) || is_turned_round(there, here)) continue;
+            if (give_the_same_value(target.words[near.index], source.words[i])) continue;
             place.strength = substance;
             out.push_back(std::move(place));
         }
@@ -162,6 +164,7 @@ private:
         place.there = texts_.sides[other(side)].written[found.index];
         const std::vector<std::string> was = texts_.translated(place.before, side, true);
         if (texts_.written_out(was, side) == whole) return;  // a value got a name
+        if (give_the_same_value(was, texts_.sides[side].words[line.index])) return;
         constexpr float kWrittenOut = 0.5f;                  // what a new local holds may stand there in other words
         float substance = substance_of(was, texts_.sides[side].words[line.index], texts_.known_there(side));
         if (texts_.uses_new_local(side, texts_.sides[side].words[line.index]))

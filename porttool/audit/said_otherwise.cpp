@@ -110,6 +110,21 @@ bool SaidOtherwise::is_part_of_swap(Side side, size_t index) const {
     });
 }
 
+bool SaidOtherwise::is_bound_of_loop(Side side, size_t index) const {
+    const std::vector<std::string>& own = texts_.sides[side].words[index];
+    const bool guards = own.size() > 5 && own[0] == "if" && own[1] == "(" && (own[3] == ">=" || own[3] == "<");
+    if (!guards || !texts_.own_names[side].contains(own[2])) return false;
+    std::vector<std::string> end(own.begin() + 3, own.end());
+    end.front() = "<";
+    const auto& there = texts_.sides[other(side)].words;
+    return std::any_of(there.begin(), there.end(), [&](const std::vector<std::string>& words) {
+        if (words.empty() || !word_is(words[0], kLoopHead)) return false;
+        const auto found = std::search(words.begin(), words.end(), end.begin(), end.end() - 1);  // without its `)`
+        const auto after = found == words.end() ? found : found + static_cast<ptrdiff_t>(end.size()) - 1;
+        return after != words.end() && (*after == ";" || *after == ")");
+    });
+}
+
 float SaidOtherwise::sets_new(Side side, size_t index) const {
     constexpr float kSetThere = 0.3f;
     const auto is_set = [](const std::vector<std::string>& words) {

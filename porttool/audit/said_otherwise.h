@@ -19,7 +19,7 @@ public:
     /// True if it surely is, or has no need to be.
     bool is_said(Side side, size_t index) const {
         return has_in_shape(side, index) || stands_alike_in_file(side, index) || only_brings(side, index) ||
-               only_guards(side, index) || is_part_of_swap(side, index);
+               only_guards(side, index) || is_part_of_swap(side, index) || is_bound_of_loop(side, index);
     }
 
     /// How sure it is that it is not, 0 to 1, by its words, its names and the statements around it.
@@ -44,6 +44,9 @@ private:
 
     /// True for `a = t`, of the three that make `a` and `b` change places, where the other side calls `swap ( a , b )`.
     bool is_part_of_swap(Side side, size_t index) const;
+
+    /// True for `if ( i >= n )` or `if ( i < n )` of a thread `i`, where the other side has a loop that ends at `n`.
+    bool is_bound_of_loop(Side side, size_t index) const;
 
     /// True for a label of a switch: few words, which say all.
     bool is_label(Side side, size_t index) const;

@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace porttool {
+
+/// True if two statements, as essence_of() has them, give the same real numbers: both are evaluated for names drawn at
+/// random, zero, very small and very large ones among them, as Schwartz (1980) and Zippel (1979) test polynomials.
+///
+///     1f / ( 2f * sqrt ( a ) )       ( a < b ) ? a : b
+///     0.5f / sqrt ( a )              min ( a , b )
+///
+/// Rounding does not count. What is no arithmetic (a comparison, an unknown call, a remainder, `/` between what may be
+/// integers) has a value that depends on its operands alone. False for what cannot be read.
+bool give_the_same_value(const std::vector<std::string>& a, const std::vector<std::string>& b);
+
+}  // namespace porttool
