@@ -33,6 +33,12 @@ public:
             if (!is_macro(unit)) units_.emplace(bare_leaf_of(unit.name), &unit);
     }
     bool has(std::string_view leaf) const { return units_.contains(leaf); }
+    /// True if one of that name says the same.
+    bool has_text_of(const UnitState& unit) const {
+        const auto [first, last] = units_.equal_range(bare_leaf_of(unit.name));
+        return std::any_of(first, last,
+                           [&](const auto& one) { return one.second->prints.written == unit.prints.written; });
+    }
     const std::vector<Signature>& of(const std::string& leaf) const {
         const auto [known, is_new] = by_leaf_.try_emplace(leaf);
         const auto [first, last] = units_.equal_range(leaf);
@@ -45,6 +51,12 @@ private:
     std::unordered_multimap<std::string_view, const UnitState*> units_;
     mutable std::unordered_map<std::string, std::vector<Signature>> by_leaf_;
 };
+
+/// `a::B::` of `a::B::f`.
+std::string_view scope_of(std::string_view name) {
+    const size_t end = name.rfind("::");
+    return end == std::string_view::npos ? std::string_view() : name.substr(0, end + 2);
+}
 
 std::string_view last_scope(std::string_view scope) {
     if (scope.size() < 2) return {};
@@ -83,6 +95,35 @@ bool is_head(const NewWord& one) {
     return one.said.name_token + 1 < one.said.tokens.end && one.file->lexed.view(one.said.name_token + 1) == "(";
 }
 
+/// A unit at the merge base: under its id, or, where others of its name came before it, one that says the same.
+const UnitState* as_it_was(const std::map<std::string, UnitState>& then, const UnitState& unit) {
+    const auto known = then.find(unit.id);
+    if (known != then.end() && known->second.prints.written == unit.prints.written) return &known->second;
+    const std::string first = unit.id.substr(0, unit.id.rfind('#'));
+    for (size_t number = 1; number <= kMostAlike; ++number) {
+        const auto one = then.find(number == 1 ? first : fmt::format("{}#{}", first, number));
+        if (one == then.end()) break;
+        if (one->second.prints.written == unit.prints.written) return &one->second;
+    }
+    return known == then.end() ? nullptr : &known->second;
+}
+
+/// True for what makes a variable, with or without a value.
+bool is_definition(const NewWord& one) {
+    const std::vector<Token>& tokens = one.file->lexed.tokens;
+    bool is_outside = false, has_value = false;
+    for (uint32_t at = one.said.tokens.first; at < one.said.tokens.end && at < tokens.size(); ++at) {
+        is_outside = is_outside || one.file->lexed.view(at) == "extern";
+        has_value = has_value || one.file->lexed.view(at) == "=";
+    }
+    return !is_head(one) && (has_value || !is_outside);
+}
+
+/// A name as a file has it, with its namespaces.
+std::string place_of(const std::string& file, std::string_view scope, std::string_view leaf) {
+    return file + '\n' + std::string(scope) + std::string(leaf);
+}
+
 /// False for files that are compiled by themselves.
 bool is_header(std::string_view path) {
     static const std::set<std::string_view> kCompiled = {
@@ -112,10 +153,10 @@ void NewNames::judge(JudgedPair& pair) {
 NewNames::Uses NewNames::changed_uses(const JudgedPair& pair, Side side) {
     const UnitState* unit = pair.unit[side];
     if (facts_.at_base[side] == nullptr || unit == nullptr || fresh(side).meanings.empty()) return {};
-    const auto then = facts_.at_base[side]->find(unit->id);
-    if (then == facts_.at_base[side]->end()) return {};
-    Uses before = uses_of(side, *unit, then->second.text);
-    if (before.empty() || then->second.prints.written == unit->prints.written) return before;
+    const UnitState* then = as_it_was(*facts_.at_base[side], *unit);
+    if (then == nullptr) return {};
+    Uses before = uses_of(side, *unit, then->text);
+    if (before.empty() || then->prints.written == unit->prints.written) return before;
     const Uses now = uses_of(side, *unit, unit->text);
     std::erase_if(before, [&](const Meaning* one) { return !now.contains(one); });
     return before;
@@ -127,10 +168,15 @@ const NewNames::Fresh& NewNames::fresh(Side side) {
     if (facts_.new_words != nullptr) out.opened = (*facts_.new_words)[side].opened;
     if (!is_contract(facts_.map.reference, side)) add_units(side, out);
     add_words(side, out);
-    for (const Meaning& one : out.meanings)
-        if (auto& all = one.said != nullptr && one.said->said.kind == Kind::Macro ? out.macros : out.by_word;
-            all.count(one.word) < kMostAlike)
-            all.emplace(one.word, &one);
+    const auto keep = [](auto& all, const Meaning& one) {
+        if (all.count(one.word) < kMostAlike) all.emplace(one.word, &one);
+    };
+    for (const Meaning& one : out.meanings) {
+        const bool is_macro_word = one.said != nullptr && one.said->said.kind == Kind::Macro;
+        if (!is_macro_word) keep(out.by_word, one);
+        const bool is_second = one.reason == Reason::Doubled || one.reason == Reason::Competes;
+        if (is_macro_word || is_second || one.stands_for_unit) keep(out.by_name, one);
+    }
     return out;
 }
 
@@ -148,7 +194,12 @@ void NewNames::add_units(Side side, Fresh& out) const {
     for (const UnitState* unit : fresh) {
         const Signature own = signature_of(*unit);
         const std::vector<Signature>& old = before.of(own.leaf);
-        if (std::find(old.begin(), old.end(), own) != old.end()) continue;  // it was moved
+        if (const auto twins = std::count(old.begin(), old.end(), own); twins > 0) {  // it was moved, or is one more
+            const std::vector<Signature>& all = now.of(own.leaf);
+            if (std::count(all.begin(), all.end(), own) > twins && !before.has_text_of(*unit))
+                out.meanings.push_back({own.leaf, Reason::Doubled, unit, nullptr, own});
+            continue;
+        }
         const std::string_view type = last_scope(own.scope);
         if (is_special(own)) {
             const auto is_same = [&](const Signature& one) { return one.scope == own.scope && one.types == own.types; };
@@ -189,8 +240,12 @@ void NewNames::add_words(Side side, Fresh& out) const {
     const std::vector<NewWord>& words = (*facts_.new_words)[side].words;
     if (words.empty()) return;
     std::unordered_set<std::string_view> had, has;  // what units are called
+    std::unordered_set<std::string> places;
     for (const auto& [id, unit] : *facts_.at_base[side]) had.insert(bare_leaf_of(unit.name));
-    for (const auto& [id, unit] : units(side)) has.insert(bare_leaf_of(unit.name));
+    for (const auto& [id, unit] : units(side)) {
+        has.insert(bare_leaf_of(unit.name));
+        if (!is_macro(unit)) places.insert(place_of(unit.file, scope_of(unit.name), bare_leaf_of(unit.name)));
+    }
     for (const NewWord& one : words) {
         if (one.said.kind == Kind::Opened) {
             OpenedIn& opened = out.opened_now[std::string(one.word())];
@@ -199,10 +254,13 @@ void NewNames::add_words(Side side, Fresh& out) const {
             continue;
         }
         const std::string word(one.word());
-        if (one.said.kind == Kind::Declared &&
+        const bool stands_for_unit = one.said.kind == Kind::Linked || one.said.kind == Kind::Pragma ||
+                                     (one.said.kind == Kind::Declared && has.contains(word) && is_definition(one) &&
+                                      places.contains(place_of(one.file->path, *one.said.scope, word)));
+        if (one.said.kind == Kind::Declared && !stands_for_unit &&
             (one.is_known || has.contains(word) || (is_head(one) && had.contains(word))))
             continue;
-        out.meanings.push_back({word, Reason::Said, nullptr, &one, {{}, word, {}, {}, false, false}});
+        out.meanings.push_back({word, Reason::Said, nullptr, &one, {{}, word, {}, {}, false, false}, stands_for_unit});
     }
     if (out.opened_now.empty()) return;
     for (const auto& [id, unit] : units(side)) {
@@ -216,9 +274,10 @@ void NewNames::add_words(Side side, Fresh& out) const {
 NewNames::Uses NewNames::uses_of(Side side, const UnitState& user, const NormalText& text) const {
     const Fresh& all = *fresh_[side];
     Uses out;
-    const auto [first_macro, last_macro] = all.macros.equal_range(bare_leaf_of(user.name));
-    for (auto one = first_macro; one != last_macro; ++one)
-        if (means(side, *one->second, user, text, 0)) out.insert(one->second);
+    const auto [first_named, last_named] = all.by_name.equal_range(bare_leaf_of(user.name));
+    for (auto one = first_named; one != last_named; ++one)
+        if (one->second->unit != nullptr ? defines(side, *one->second, user) : means(side, *one->second, user, text, 0))
+            out.insert(one->second);
     std::optional<std::vector<size_t>> locals;
     for (size_t i = 0; i < text.size(); ++i) {
         const auto [first, last] = all.by_word.equal_range(text[i]);
@@ -243,6 +302,7 @@ bool NewNames::means(Side side, const Meaning& meaning, const UnitState& user, c
         return (meaning.said->file->path == user.file || is_header(meaning.said->file->path)) &&
                is_seen(*meaning.said->said.scope, user, all);
     if (meaning.reason == Reason::Special) return true;
+    if (meaning.reason == Reason::Doubled && !sees_definition(side, meaning, user)) return false;
     if (!sign_of(meaning.signature.leaf).empty()) return has_type_of(meaning.signature, text);
     if (meaning.reason == Reason::Opened) {
         if (opened_for(side, meaning, user) == nullptr) return false;
@@ -253,6 +313,22 @@ bool NewNames::means(Side side, const Meaning& meaning, const UnitState& user, c
         return meaning.unit->kind == UnitKind::Struct ? meaning.reason != Reason::Competes || after == "<" : true;
     if (meaning.reason != Reason::Taken && meaning.signature.takes_anything) return after == "(" || after == "<";
     return after == "(" && (meaning.reason == Reason::Hidden || may_take(*meaning.unit, text, at + 1));
+}
+
+/// True if a unit's file has a second definition, or includes the header that has it.
+bool NewNames::sees_definition(Side side, const Meaning& meaning, const UnitState& user) const {
+    const std::string& file = meaning.unit->file;
+    if (meaning.unit == &user || file == user.file) return meaning.unit != &user;
+    if (!is_header(file) || !facts_.files) return false;
+    if (!includes_[side]) includes_[side].emplace((*facts_.files)[side].macros());
+    return includes_[side]->sees(user.file, file);
+}
+
+/// True if a new unit defines once more what a unit defines.
+bool NewNames::defines(Side side, const Meaning& meaning, const UnitState& unit) const {
+    const Signature own = signature_of(unit);
+    return own.scope == meaning.signature.scope && own.is_function == meaning.signature.is_function &&
+           own.types == meaning.signature.types && sees_definition(side, meaning, unit);
 }
 
 /// True for what is seen by its bare name from a unit: both stand in one scope, or it stands in one around that, or in
@@ -313,6 +389,7 @@ std::string NewNames::change_of(const Meaning& meaning, const NewWord* said) {
         case Reason::Hidden:
             return fmt::format("its {} is the nearer new {} now", word, meaning.unit->id);
         case Reason::Competes:
+        case Reason::Doubled:
             return fmt::format("its {} may be the new {} now", word, meaning.unit->id);
         case Reason::Taken:
             break;

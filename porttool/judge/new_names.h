@@ -14,6 +14,7 @@
 #include "porttool/judge/finding_list.h"
 #include "porttool/judge/judge.h"
 #include "porttool/judge/overloads.h"
+#include "porttool/normal/word_macros.h"
 
 namespace porttool {
 
@@ -22,11 +23,11 @@ namespace porttool {
 ///     now also  float sqrtf(float x) { return x; }
 ///     as ever   float length(float x, float y) { return sqrtf(x * x + y * y); }
 ///
-/// New is a unit under a name that came from elsewhere before, in a nearer namespace, or as an overload that competes
-/// with one that is called; a constructor, an assignment or a conversion of a type that is used; an alias, a variable,
-/// a `using` of the word outside of units. Where units must have a counterpart, new ones are told as such
-/// (judge/unwatched.h), and only what stands outside of units is here. What was there at the merge base tells what is
-/// new: without one nothing is found.
+/// New is a unit under a name that came from elsewhere before, in a nearer namespace, as an overload that competes with
+/// one that is called, or as a second definition of what is used or paired, under another `#if`; a constructor, an
+/// assignment or a conversion of a type that is used; an alias, a variable, a `using` of the word outside of units.
+/// Where units must have a counterpart, new ones are told as such (judge/unwatched.h), and only what stands outside of
+/// units is here. What was there at the merge base tells what is new: without one nothing is found.
 class NewNames {
 public:
     /// Both must outlive it.
@@ -40,13 +41,14 @@ public:
 
 private:
     /// Why a word means something else.
-    enum class Reason : uint8_t { Taken, Hidden, Competes, Special, Said, Opened };
+    enum class Reason : uint8_t { Taken, Hidden, Competes, Doubled, Special, Said, Opened };
     struct Meaning {
         std::string word;  ///< what is used
         Reason reason = Reason::Taken;
         const UnitState* unit = nullptr;  ///< one of both
         const NewWord* said = nullptr;
         Signature signature = {};
+        bool stands_for_unit = false;  ///< `said` may take the place of a unit of that name
     };
     /// Where a namespace is opened that was not.
     struct OpenedIn {
@@ -57,8 +59,8 @@ private:
     struct Fresh {
         std::vector<Meaning> meanings;
         std::unordered_multimap<std::string_view, const Meaning*> by_word;
-        std::unordered_multimap<std::string_view, const Meaning*> macros;  ///< that may take the name of a unit
-        std::set<std::string> opened;                                      ///< namespaces
+        std::unordered_multimap<std::string_view, const Meaning*> by_name;  ///< that may take the place of a unit
+        std::set<std::string> opened;                                       ///< namespaces
         std::map<std::string, OpenedIn, std::less<>> opened_now;
     };
     struct Told {
@@ -78,6 +80,8 @@ private:
     bool means(Side side, const Meaning& meaning, const UnitState& user, const NormalText& text, size_t at) const;
     static bool is_seen(const std::string& scope, const UnitState& user, const Fresh& fresh);
     const NewWord* opened_for(Side side, const Meaning& meaning, const UnitState& user) const;
+    bool sees_definition(Side side, const Meaning& meaning, const UnitState& user) const;
+    bool defines(Side side, const Meaning& meaning, const UnitState& unit) const;
     Uses changed_uses(const JudgedPair& pair, Side side);
     void tell(JudgedPair& pair, Side side, const Meaning& meaning);
     static std::string change_of(const Meaning& meaning, const NewWord* said);
@@ -85,6 +89,7 @@ private:
     const Case& facts_;
     FindingList& findings_;
     BySide<std::optional<Fresh>> fresh_;
+    mutable BySide<std::optional<WordMacros>> includes_;  ///< filled where it is asked who includes whom
     std::map<std::string, Told> told_;
 };
 

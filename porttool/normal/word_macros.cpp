@@ -192,6 +192,13 @@ std::optional<WordMacro> WordMacros::first_seen(const std::string& path, std::st
     return WordMacro{one.line->text, files_[one.file].path, one.line->line};
 }
 
+bool WordMacros::sees(const std::string& path, const std::string& included) {
+    const Files& seen = seen_files(path);
+    const auto file = by_path_.find(included);
+    return seen.all ||
+           (file != by_path_.end() && std::binary_search(seen.numbers.begin(), seen.numbers.end(), file->second));
+}
+
 void WordMacros::index_paths() {
     for (uint32_t i = 0; i < files_.size(); ++i) {
         by_path_.emplace(files_[i].path, i);

@@ -70,6 +70,9 @@ public:
     /// The first macro of that name which a file sees, by file and line.
     std::optional<WordMacro> first_seen(const std::string& path, std::string_view word);
 
+    /// True if a file includes another of the side, by whatever steps, as far as can be said.
+    bool sees(const std::string& path, const std::string& included);
+
 private:
     struct Definition {
         uint32_t file;  ///< by its place in `files_`

@@ -7,6 +7,9 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <memory>
+#include <set>
+#include <vector>
 
 #include "porttool/read/disk.h"
 #include "porttool/read/git_links.h"
@@ -204,6 +207,44 @@ std::string fetch_command(const std::string& revision, bool is_shallow) {
     return "git fetch origin " + shell_word(revision) + ", and then use --base FETCH_HEAD";
 }
 
+/// The references that the name in front of a revision may mean, where these are several commits: git takes the first,
+/// and so whoever may push a tag `origin/main` would choose what a change is held against.
+std::vector<std::string> other_meanings(git_repository* repository, const std::string& revision) {
+    const std::string name = revision.substr(0, std::min({revision.find_first_of("~^:"), revision.find("@{")}));
+    std::vector<std::string> found;
+    std::set<std::string> commits;
+    for (const std::string in : {"", "refs/", "refs/tags/", "refs/heads/", "refs/remotes/"}) {
+        git_reference* reference = nullptr;
+        if (git_reference_lookup(&reference, repository, (in + name).c_str()) != 0) continue;
+        const std::unique_ptr<git_reference, decltype(&git_reference_free)> owner(reference, git_reference_free);
+        git_object* commit = nullptr;
+        if (git_reference_peel(&commit, reference, GIT_OBJECT_COMMIT) != 0) continue;
+        const Object object(commit);
+        found.push_back(in + name);
+        commits.insert(git_oid_tostr_s(git_object_id(commit)));
+    }
+    return commits.size() > 1 ? found : std::vector<std::string>();
+}
+
+/// True if a commit can be reached from another by what is here. Unlike git, libgit2 takes the parents that a shallow
+/// clone left out for an error, and so finds no merge base where that is the oldest commit of the clone.
+bool is_reached(git_repository* repository, const git_oid& wanted, const git_oid& from) {
+    const auto before = [](const git_oid& a, const git_oid& b) { return git_oid_cmp(&a, &b) < 0; };
+    std::set<git_oid, decltype(before)> seen({from}, before);
+    std::vector<git_oid> open = {from};
+    while (!open.empty()) {
+        const git_oid at = open.back();
+        open.pop_back();
+        if (git_oid_equal(&at, &wanted) != 0) return true;
+        git_commit* commit = nullptr;
+        if (git_commit_lookup(&commit, repository, &at) != 0) continue;
+        const std::unique_ptr<git_commit, decltype(&git_commit_free)> owner(commit, git_commit_free);
+        for (unsigned k = 0; k < git_commit_parentcount(commit); ++k)
+            if (seen.insert(*git_commit_parent_id(commit, k)).second) open.push_back(*git_commit_parent_id(commit, k));
+    }
+    return false;
+}
+
 }  // namespace
 
 GitFiles GitRepository::files_at_base(const std::string& revision, const WantsFile& wants,
@@ -214,6 +255,12 @@ GitFiles GitRepository::files_at_base(const std::string& revision, const WantsFi
     git_oid head{}, merge_base{};
     if (git_reference_name_to_id(&head, repository, "HEAD") != 0)
         return {{}, {}, {}, "HEAD names no commit yet; commit once, or check without --base"};
+    if (const std::vector<std::string> all = other_meanings(repository, revision); !all.empty())
+        return {{},
+                {},
+                {},
+                "--base " + terminal_text(revision) + ": " + terminal_text(fmt::format("{}", fmt::join(all, " and "))) +
+                    " are several commits\nWrite out the one that is meant"};
     git_object* found = nullptr;
     if (git_revparse_single(&found, repository, (revision + "^{commit}").c_str()) != 0)
         return {{},
@@ -222,7 +269,9 @@ GitFiles GitRepository::files_at_base(const std::string& revision, const WantsFi
                 "--base " + terminal_text(revision) + ": no such revision here\nFetch it first: " +
                     terminal_text(fetch_command(revision, git_repository_is_shallow(repository) != 0))};
     const Object base(found);
-    if (git_merge_base(&merge_base, repository, git_object_id(base.get()), &head) != 0)
+    if (is_shallow() && is_reached(repository, *git_object_id(base.get()), head))
+        merge_base = *git_object_id(base.get());
+    else if (git_merge_base(&merge_base, repository, git_object_id(base.get()), &head) != 0)
         return {{},
                 {},
                 {},

@@ -55,7 +55,7 @@ private:
         } else if (text == "{") {
             if (opens_namespace()) return;
             skipped_ = 1;
-            after_list_ = !statement_.empty() && word(statement_.size() - 1) == ")";
+            after_list_ = !statement_.empty() && word(statement_.size() - 1) == ")" && !has_value();
         } else if (text == "}") {
             if (scopes_.size() > 1) scopes_.pop_back();
             return clear();
@@ -94,7 +94,28 @@ private:
         if (word(first) == "namespace") return end > first + 2 ? add(first + 1, DeclaredWord::Kind::Type) : void();
         if (is_among(word(first), {"struct", "class", "union", "enum"}) && end <= first + 3) return;  // `struct Ray;`
         read_declarators(first, end,
-                         word(first) == "typedef" ? DeclaredWord::Kind::Type : DeclaredWord::Kind::Declared);
+                         word(first) == "typedef" ? DeclaredWord::Kind::Type
+                         : is_linked()            ? DeclaredWord::Kind::Linked
+                                                  : DeclaredWord::Kind::Declared);
+    }
+
+    /// True behind the `=` of a variable, as of `auto square = [](float x) {`.
+    bool has_value() const {
+        for (size_t i = 1; i < statement_.size(); ++i) {
+            if (word(i) == "=" && word(i - 1) != "operator") return true;
+            if (word(i) == "(") i = past_brackets(i) - 1;
+        }
+        return false;
+    }
+
+    /// True where another symbol stands for what is declared.
+    bool is_linked() const {
+        for (size_t i = 0; i < statement_.size(); ++i)
+            if (is_among(word(i), {"asm", "__asm", "__asm__", "alias", "__alias__", "ifunc", "__ifunc__", "weakref",
+                                   "__weakref__"}) &&
+                word(i + 1) == "(")
+                return true;
+        return false;
     }
 
     void read_using(size_t first, size_t end) {
@@ -171,9 +192,24 @@ private:
             if (directive.kind == DirectiveKind::Define) add_directive(first, end, 2, DeclaredWord::Kind::Macro);
             if (directive.kind != DirectiveKind::Other || end - first < 4 || lexed_.view(first + 1) != "pragma")
                 continue;
+            if (lexed_.view(first + 2) == "omp" && end - first > 5 && lexed_.view(first + 4) == "variant")
+                add_variant(first, end);
             if (!is_among(lexed_.view(first + 2), {"redefine_extname", "weak", "push_macro", "pop_macro"})) continue;
             const bool in_quotes = lexed_.view(first + 3) == "(" && end - first > 4;
             add_directive(first, end, in_quotes ? 4 : 3, DeclaredWord::Kind::Pragma);
+        }
+    }
+
+    /// `#pragma omp declare variant(rough) match(...)`: the word is the function that follows.
+    void add_variant(uint32_t first, uint32_t end) {
+        constexpr uint32_t kLongest = 64;  // tokens of a head before its parameters
+        const auto last = std::min(static_cast<uint32_t>(lexed_.tokens.size()), end + kLongest);
+        for (uint32_t at = end; at + 1 < last; ++at) {
+            if (lexed_.tokens[at].kind != TokenKind::Identifier || lexed_.view(at + 1) != "(") continue;
+            clear();
+            for (uint32_t part = first; part < end; ++part) statement_.push_back(part);
+            statement_.push_back(at);
+            return add(statement_.size() - 1, DeclaredWord::Kind::Pragma);
         }
     }
 

@@ -20,8 +20,9 @@ struct DeclaredWord {
         Brought,   ///< `using fast::sqrtf;`
         Opened,    ///< `using namespace fast;`, `inline namespace fast {`: the word is the namespace
         Declared,  ///< a variable, or the declaration of a function: `float (*sqrtf)(float) = &rough;`
+        Linked,    ///< a declaration that says what is called in its place: `float sqrtf(float) __asm__("rough");`
         Macro,     ///< `#define sqrtf rough`
-        Pragma,    ///< `#pragma redefine_extname sqrtf rough`, `#pragma pop_macro("sqrtf")`
+        Pragma,    ///< `#pragma redefine_extname sqrtf rough`, `#pragma pop_macro("sqrtf")`, `omp declare variant`
     };
     uint32_t name_token = 0;
     Kind kind = Kind::Declared;

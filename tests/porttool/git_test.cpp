@@ -198,13 +198,18 @@ TEST_F(Git, AShallowCloneWithoutTheMergeBaseNamesTheRemedyAndTheRemedyHelps) {
         "'");
     const std::string clone = beside("other").string();
     EXPECT_EQ(check({}, clone)["verdict"], "drift") << "the lock needs no history";
-    const std::string missing = error_of({"--base", "HEAD~1"}, clone);
+    EXPECT_EQ(check({"--base", "HEAD~1"}, clone)["verdict"], "drift") << "another branch has brought it";
+    const std::string missing = error_of({"--base", "HEAD~2"}, clone);
     EXPECT_NE(missing.find("git fetch --unshallow"), std::string::npos) << missing;
     const std::string error = error_of({"--base", "origin/main"}, clone);
     EXPECT_NE(error.find("fetch-depth: 0"), std::string::npos) << error;
     ASSERT_NE(error.find("git fetch --unshallow"), std::string::npos) << error;
     ASSERT_EQ(std::system(("cd '" + clone + "' && git fetch --unshallow > /dev/null 2>&1").c_str()), 0);
     EXPECT_EQ(check({"--base", "origin/main"}, clone)["verdict"], "drift");
+    // The oldest commit that is here is enough for itself: a merge commit and its parents in CI.
+    std::filesystem::remove_all(clone);
+    git("clone -q --depth 2 -b feature 'file://" + root.string() + "' '" + clone + "'");
+    EXPECT_EQ(check({"--base", "HEAD~1"}, clone)["verdict"], "drift");
 }
 
 TEST_F(Git, BeforeTheFirstCommitOnlyTheIndexHelps) {

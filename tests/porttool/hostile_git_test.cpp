@@ -319,6 +319,82 @@ TEST_F(HostileGit, ANewFunctionOfThePortUnderANameThatItCalledBeforeIsTold) {
 }
 
 /// Whatever else gives a word of an unedited text another meaning: in front of everything, or within the namespace.
+TEST_F(HostileGit, ANameOfSeveralCommitsIsNoBase) {
+    start();
+    write("src/k.cu", replaced(read_text(root / "src/k.cu"), "sqrt(", "cbrt("));
+    commit("edit");
+    git("update-ref refs/remotes/origin/main main");
+    ASSERT_EQ(porttool({"check", "--base", "origin/main"}).exit_code, 1);
+    git("tag origin/main main");
+    EXPECT_EQ(porttool({"check", "--base", "origin/main"}).exit_code, 1) << "of one commit";
+    git("tag -f origin/main HEAD");
+    for (const std::string base : {"origin/main", "origin/main~0", "origin/main^{commit}"}) {
+        const auto got = porttool({"check", "--base", base});
+        EXPECT_EQ(got.exit_code, 2) << base;
+        EXPECT_NE(got.err.find("refs/tags/origin/main and refs/remotes/origin/main"), std::string::npos) << got.err;
+    }
+    EXPECT_EQ(porttool({"check", "--base", "refs/remotes/origin/main"}).exit_code, 1);
+}
+
+TEST_F(HostileGit, ASecondDefinitionIsTold) {
+    const std::string unit =
+        "float weight_of(float cosine, float width) {\n    float w = cosine * width;\n    return w * 0.25f;\n}\n";
+    const std::string field = "struct Ray {\n    float from;\n    float to;\n};\n";
+    const std::string bias = "const float BIAS = 0.5f;\n";
+    const std::string user = "float shade_of(Ray r) {\n    return sqrtf(weight_of(r.from, r.to)) + BIAS;\n}\n";
+    const std::string host = field + bias + unit + user;
+    write("src/k.cu", host);
+    write("port/k.cpp", "#include \"all.h\"\n" + host);
+    write("port/all.h", "#include \"more.h\"\n");
+    write("port/more.h", "// more\n");
+    start();
+    const auto told = [&](const std::string& old, const std::string& now) {
+        write("port/k.cpp", "#include \"all.h\"\n" + replaced(host, old, now));
+        const auto got = nlohmann::json::parse(porttool({"check", "--base", "main", "--format", "json"}).out);
+        return std::count_if(got["findings"].begin(), got["findings"].end(),
+                             [](const auto& one) { return one["rule"] == "target-changed"; });
+    };
+    const auto either = [](const std::string& first, const std::string& second) {
+        return "#ifdef NEVER\n" + first + "#else\n" + second + "#endif\n";
+    };
+    const std::string other = replaced(unit, "0.25f", "0.75f"), less = "#ifndef NEVER\n" + other + "#endif\n";
+    EXPECT_EQ(told(unit, either(unit, other)), 1);
+    EXPECT_EQ(told(unit, either(other, unit)), 1);
+    EXPECT_EQ(told(unit, "#ifdef NEVER\n" + unit + "#endif\n" + less), 1);
+    EXPECT_EQ(told(unit, less + "#ifdef NEVER\n" + unit + "#endif\n"), 1);
+    EXPECT_EQ(told(unit, "#if LEVEL > 1\n" + unit + "#else\n" + other + "#endif\n"), 1);
+    EXPECT_EQ(told(unit, either(unit, replaced(other, "float cosine, float width", "float width, float cosine"))), 1);
+    EXPECT_EQ(told(unit, either(unit, "static auto weight_of = [](float a, float b) { return a; };\n")), 1);
+    EXPECT_EQ(told(unit, either(unit, "float (*weight_of)(float, float) = rough;\n")), 1);
+    EXPECT_EQ(told(user, either(user, replaced(user, "sqrtf", "cbrtf"))), 1) << "that nobody calls";
+    EXPECT_EQ(told(user, either(replaced(user, "sqrtf", "cbrtf"), user)), 1) << "nor before";
+    EXPECT_EQ(told(user, either("float shade_of(Ray ray) {\n    return 0;\n}\n", user)), 1) << "nor under its names";
+    EXPECT_EQ(told(field, either(field, replaced(field, "float to;", "double to;"))), 1);
+    EXPECT_EQ(told(bias, either(bias, "const float BIAS = 0.75f;\n")), 1);
+    EXPECT_EQ(told(bias, either(bias, "float BIAS = 0.75f;\n")), 1);
+    EXPECT_EQ(told(user, "static auto sqrtf = [](float x) { return x; };\n" + user), 1);
+    EXPECT_EQ(told(user, "auto sqrtf = [](float x) {\n    return x;\n};\n" + user), 1);
+    // What is called in its place.
+    EXPECT_EQ(told(unit, "float weight_of(float, float) __asm__(\"rough\");\n" + unit), 1);
+    EXPECT_EQ(told(unit, unit + "float weight_of(float, float) __attribute__((alias(\"rough\")));\n"), 1);
+    EXPECT_EQ(told(unit, unit + "float weight_of(float, float) __attribute__((ifunc(\"pick\")));\n"), 1);
+    EXPECT_EQ(told(unit, "#pragma omp declare variant(rough) match(device={kind(cpu)})\n" + unit), 1);
+    // No second ones.
+    EXPECT_EQ(told(unit, "float weight_of(float, float);\n" + unit), 0);
+    EXPECT_EQ(told(unit, unit + "extern const float BIAS;\nextern float other;\n"), 0);
+    EXPECT_EQ(told(unit, "namespace {\nauto helper = [](float x) { return x; };\n}\n" + unit), 0);
+    EXPECT_EQ(told(unit + user, user + unit), 0) << "moved";
+    EXPECT_EQ(told(unit, either(unit, unit)), 0) << "the same";
+    // In other files.
+    write("port/z.cpp", other);
+    EXPECT_EQ(told("", ""), 0) << "a program of its own";
+    write("port/z.h", "inline " + other);
+    EXPECT_EQ(told("", ""), 0) << "that nobody includes";
+    write("port/more.h", "inline " + other);
+    EXPECT_EQ(told("", ""), 1);
+    EXPECT_EQ(told(unit, "#ifdef NEVER\n" + unit + "#endif\n"), 1);
+}
+
 TEST_F(HostileGit, ANewMeaningOfAWordIsTold) {
     const std::string device =
         "struct Vec {\n    float x, y;\n};\ntypedef float real;\n"
