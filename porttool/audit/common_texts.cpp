@@ -6,11 +6,29 @@
 
 #include "porttool/audit/essence.h"
 #include "porttool/compare/meaning.h"
+#include "porttool/normal/declaration_words.h"
+#include "porttool/normal/directive_end.h"
 #include "porttool/normal/locals.h"
 #include "porttool/normal/prelude.h"
 #include "porttool/normal/statements.h"
 
 namespace porttool {
+namespace {
+
+/// Without preprocessor lines, of which those within a unit declare nothing: locals are told of the rest. All of it
+/// where no word tells the end of one.
+Words without_directives(const Words& words) {
+    Words out;
+    for (size_t i = 0; i < words.size();) {
+        const size_t end = words[i] == "#" ? directive_end(words, i) : i + 1;
+        if (end <= i) return words;
+        if (words[i] != "#") out.push_back(words[i]);
+        i = end;
+    }
+    return out;
+}
+
+}  // namespace
 
 CommonTexts::CommonTexts(const BySide<SideOfPair>& pair, const Dialect& dialect) : pair_(pair), dialect_(dialect) {
     for (const Side side : kBothSides) languages_[side] = language_of_path(pair[side].unit->file);
@@ -71,7 +89,7 @@ void CommonTexts::read_past(Side side) {
 }
 
 std::vector<std::string> CommonTexts::parameters_of(Side side) const {
-    const Words& words = now_[side];
+    const Words words = without_directives(now_[side]);
     const std::vector<size_t> numbers = local_numbers(words);
     std::vector<std::string> out;
     for (size_t i = 0; i < numbers.size() && words[i] != "{"; ++i)
@@ -174,7 +192,7 @@ void CommonTexts::learn_names() {
 }
 
 std::set<std::string> CommonTexts::locals_of(Side side) const {
-    const Words& words = now_[side];
+    const Words words = without_directives(now_[side]);
     const std::vector<size_t> numbers = local_numbers(words);
     std::set<std::string> out;
     for (size_t i = 0; i < numbers.size(); ++i)
@@ -194,6 +212,16 @@ float CommonTexts::alike() const {
         }
     }
     return all > 0 ? common / all : 0;
+}
+
+bool CommonTexts::name_thread(const std::vector<std::string>& words) {
+    return std::any_of(words.begin(), words.end(), [](const std::string& word) {
+        return is_one_of(word, {"localid", "groupid", "globalid", "local_id", "group_id", "global_id"});
+    });
+}
+
+bool CommonTexts::asks_for_thread(Side side) const {
+    return std::any_of(sides[side].words.begin(), sides[side].words.end(), name_thread);
 }
 
 bool CommonTexts::uses_new_local(Side side, const std::vector<std::string>& words) const {

@@ -64,6 +64,12 @@ public:
     /// have.
     bool uses_new_local(Side side, const std::vector<std::string>& words) const;
 
+    /// True for words that say which thread runs.
+    static bool name_thread(const std::vector<std::string>& words);
+
+    /// True for a unit that is run by many threads at once: it asks which one it is.
+    bool asks_for_thread(Side side) const;
+
     /// What the unit across from this side knows.
     KnownThere known_there(Side side) const;
 

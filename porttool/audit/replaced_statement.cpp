@@ -112,6 +112,34 @@ bool ReplacedStatement::stands_there(Side side, const MissingPlace& place, const
     return gains;
 }
 
+bool ReplacedStatement::takes_own_thread(Side side, const std::vector<std::string>& was,
+                                         const std::vector<std::string>& now) const {
+    const auto counts_threads = [&](const std::string& local) {
+        const auto value = texts_.held[side].find(local);
+        return value == texts_.held[side].end() || CommonTexts::name_thread(value->second);
+    };
+    size_t came = 0, went = 0;
+    for (const DiffStep& step : diff(was, now)) {
+        if (step.kind == DiffStep::Keep) continue;
+        const bool adds = step.kind == DiffStep::Add;
+        const std::string& word = adds ? now[step.now] : was[step.before];
+        const bool known = texts_.own_names[other(side)].contains(word);
+        if (!is_word_token(word) || known == adds) return false;
+        if (adds && !(texts_.own_names[side].contains(word) && counts_threads(word))) return false;
+        ++(adds ? came : went);
+    }
+    return came > 0 && came == went;
+}
+
+bool ReplacedStatement::is_loop_of_threads(Side side, const MissingPlace& place) const {
+    const std::vector<std::string> there = texts_.translated(place.there, other(side), true);
+    return !there.empty() && word_is(there[0], kLoopHead) &&
+           std::any_of(there.begin(), there.end(), [&](const std::string& word) {
+               const auto value = texts_.held[other(side)].find(word);
+               return value != texts_.held[other(side)].end() && CommonTexts::name_thread(value->second);
+           });
+}
+
 bool ReplacedStatement::fits_narrower_type(const MissingPlace& place) {
     constexpr double kGuard = 1e-4;
     if (!numbers_alone(place.before, place.now)) return false;

@@ -23,8 +23,10 @@ public:
     float missing(Side side, const MissingPlace& place, const std::vector<std::string>& was,
                   const std::vector<std::string>& now, uint32_t commit) const {
         return (same_head(side, place) ? 1.0f : 0.4f) * (brings_call(side, place) ? 0.5f : 1.0f) *
-               (counts_threads_otherwise(place) ? 0.2f : 1.0f) * (turns_round(side, place, commit) ? 0.1f : 1.0f) *
-               (says_what_is_gained(side, was, now) ? 0.3f : 1.0f) *
+               (counts_threads_otherwise(place) || takes_own_thread(side, was, now) || is_loop_of_threads(side, place)
+                    ? 0.2f
+                    : 1.0f) *
+               (turns_round(side, place, commit) ? 0.1f : 1.0f) * (says_what_is_gained(side, was, now) ? 0.3f : 1.0f) *
                (stands_there(side, place, was, now) ? 0.2f : 1.0f) * (is_swap(was) && !is_swap(now) ? 0.1f : 1.0f) *
                (fits_narrower_type(place) ? 0.15f : 1.0f);
     }
@@ -49,6 +51,13 @@ private:
 
     /// True where one side says how many groups of threads run, and the other how many threads.
     static bool counts_threads_otherwise(const MissingPlace& place);
+
+    /// True where nothing but a local stands for another one that the other side has: what counts threads, or a loop's
+    /// variable. Each side has its own.
+    bool takes_own_thread(Side side, const std::vector<std::string>& was, const std::vector<std::string>& now) const;
+
+    /// True where the other side's loop begins or steps by which thread runs it.
+    bool is_loop_of_threads(Side side, const MissingPlace& place) const;
 
     /// True where the edit only added names and numbers, and the other side's statement has them all, be it in another
     /// order.

@@ -43,7 +43,8 @@ float SaidOtherwise::lacking(Side side, size_t index) const {
     return (moves_memory(texts_.sides[side].words[index]) ? kOwnRuntime : 1.0f) * said_in_one(side, index) *
            known_names(side, index) * (0.35f + 0.65f * neighbours(side, index)) *
            (is_label(side, index) ? 1.0f : told_by(texts_.sides[side].weighed[index].sum)) * lacks_words(side, index) *
-           in_common_calls(side, index) * sets_new(side, index) * (names_value(side, index) ? 0.5f : 1.0f);
+           in_common_calls(side, index) * sets_new(side, index) * runs_threads(side, index) *
+           (names_value(side, index) ? 0.5f : 1.0f);
 }
 
 bool SaidOtherwise::names_value(Side side, size_t index) const {
@@ -142,6 +143,13 @@ float SaidOtherwise::sets_new(Side side, size_t index) const {
 bool SaidOtherwise::is_label(Side side, size_t index) const {
     const std::vector<std::string>& words = texts_.sides[side].words[index];
     return words.size() > 2 && words[0] == "case";
+}
+
+float SaidOtherwise::runs_threads(Side side, size_t index) const {
+    constexpr float kTurns = 0.3f;
+    const std::vector<std::string>& own = texts_.sides[side].words[index];
+    const bool loops = !own.empty() && word_is(own[0], kLoopHead);
+    return loops && texts_.asks_for_thread(other(side)) && !texts_.asks_for_thread(side) ? kTurns : 1;
 }
 
 float SaidOtherwise::in_common_calls(Side side, size_t index) const {

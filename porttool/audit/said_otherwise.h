@@ -62,6 +62,9 @@ private:
     /// does, the other side says in its own way, or has not at all.
     float in_common_calls(Side side, size_t index) const;
 
+    /// Less than 1 for a loop where the other side is run by many threads and this one is not: those are its turns.
+    float runs_threads(Side side, size_t index) const;
+
     /// How well the other side's unit knows a statement's names.
     float known_names(Side side, size_t index) const;
 

@@ -261,7 +261,8 @@ bool give_the_same_value(const Text& a, const Text& b) {
     for (uint64_t draw = 0; draw < kDraws; ++draw) {
         const std::vector<double> left = Reading(a, mixed(draw), real).values(),
                                   right = Reading(b, mixed(draw), real).values();
-        if (left.empty() || !std::equal(left.begin(), left.end(), right.begin(), right.end(), same_number)) return false;
+        if (left.empty() || !std::equal(left.begin(), left.end(), right.begin(), right.end(), same_number))
+            return false;
         finite += std::all_of(left.begin(), left.end(), [](double one) { return std::isfinite(one); }) ? 1 : 0;
     }
     return finite >= kFewest;
