@@ -85,16 +85,24 @@ private:
     }
 
     /// Equal values settle edits of both sides. They leave open what an edit of one side alone is: it may be to the
-    /// alignment, the bases or the type. Structs that had other fields before, as a class and what a kernel needs of
-    /// it, are held against each other by their edits.
+    /// alignment, the bases or the type. Constants that were not the same before are two of their own, to all
+    /// appearance: that they differ is no news, and edits of both are held against each other. Structs that had other
+    /// fields before, as a class and what a kernel needs of it, are held against each other by their edits.
     bool settled_by_values() {
         const UnitKind kind = pair_.source.kind;
         if (kind != pair_.target.kind || (kind != UnitKind::Constant && kind != UnitKind::Struct)) return false;
-        if (kind == UnitKind::Struct && !had_same_fields()) return false;
+        const bool were_same = had_same_values();
+        if (kind == UnitKind::Struct && !were_same) return false;
         ComparedValues values = compare_values(kind, now_.source, now_.target, dialect_);
         if (values.same) {
             if (changed_both()) out_.standing = Standing::Equivalent;
             return changed_both();
+        }
+        out_.differed_before = !were_same;
+        if (changed_both() && !were_same) {
+            compare_both();
+            if (out_.standing == Standing::Equivalent) return true;
+            out_.missing.clear();
         }
         out_.standing = list_has_caught_up() ? Standing::CaughtUp : Standing::ValuesDiffer;
         out_.values = std::move(values.says);
@@ -108,12 +116,10 @@ private:
         return list_draws_nearer(before_[side], now_[side], now_[other(side)]);
     }
 
-    /// True if both had the same fields when they were last in step.
-    bool had_same_fields() const {
+    /// True if both had the same value or fields when they were last in step.
+    bool had_same_values() const {
         const auto then = [&](Side side) { return before_[side].empty() ? now_[side] : before_[side]; };
-        const ComparedValues values =
-            compare_values(UnitKind::Struct, then(Side::Source), then(Side::Target), dialect_);
-        return values.same;
+        return compare_values(pair_.source.kind, then(Side::Source), then(Side::Target), dialect_).same;
     }
 
     void compare_both() {

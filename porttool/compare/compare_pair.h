@@ -46,6 +46,7 @@ struct PairComparison {
                          ///< not change or `before` is not known
     std::vector<std::string> missing;  ///< EditsDiffer: sentences, what one side did and the other did not
     std::string values;                ///< ValuesDiffer: what each side has, a sentence
+    bool differed_before = false;      ///< ValuesDiffer: so they did when they were last in step
     std::string not_compared;   ///< why the budget left the texts uncompared: edits, missing and values are then empty
     bool text_missing = false;  ///< the text before of a side that changed is not known
     CompareSize size;           ///< of the texts that there were to compare

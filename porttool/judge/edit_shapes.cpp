@@ -28,6 +28,41 @@ std::vector<std::string_view> words_of(std::string_view text) {
     return out;
 }
 
+using WordList = std::vector<std::string_view>;
+
+/// Without the parameters and arguments that are `name`, or declare it.
+WordList without_item(const WordList& words, std::string_view name) {
+    WordList out;
+    for (size_t i = 0; i < words.size(); ++i) {
+        const std::string_view after = i + 1 < words.size() ? words[i + 1] : std::string_view();
+        out.push_back(words[i]);
+        if (words[i] != name || (after != "," && after != ")")) continue;
+        size_t first = out.size() - 1;
+        int depth = 0;
+        while (first > 0 && (depth > 0 || (out[first - 1] != "," && out[first - 1] != "("))) {
+            depth += out[first - 1] == ")" || out[first - 1] == "]" ? 1 : out[first - 1] == "[" ? -1 : 0;
+            if (--first > 0 && out[first] == ";") break;
+        }
+        if (first == 0 || depth != 0) continue;
+        const bool is_plain = std::all_of(out.begin() + static_cast<std::ptrdiff_t>(first), out.end(),
+                                          [](auto word) { return is_word_token(word) || word == "*" || word == "&"; });
+        if (!is_plain) continue;
+        const bool leads = out[first - 1] == ",";
+        out.resize(leads ? first - 1 : first);
+        if (!leads && after == ",") ++i;
+    }
+    return out;
+}
+
+/// The first word that `longer` has where it goes on otherwise than `shorter`, up to the end of its argument: its last.
+std::string_view first_item_beyond(const WordList& shorter, const WordList& longer) {
+    size_t i = 0;
+    while (i < std::min(shorter.size(), longer.size()) && shorter[i] == longer[i]) ++i;
+    while (i < longer.size() && !is_word_token(longer[i])) ++i;
+    while (i + 1 < longer.size() && longer[i + 1] != "," && longer[i + 1] != ")") ++i;
+    return i < longer.size() && is_word_token(longer[i]) ? longer[i] : std::string_view();
+}
+
 }  // namespace
 
 bool is_long_edit(const std::vector<std::string>& lines) {
@@ -83,6 +118,23 @@ std::string types_exchanged(const std::vector<std::string>& lines) {
     out += '>';
     for (const std::string_view type : came) (out += ' ') += type;
     return out;
+}
+
+std::string handed_on(const std::vector<std::string>& lines) {
+    std::vector<WordList> went, came;
+    for (const std::string_view line : lines) (line[0] == '-' ? went : came).push_back(words_of(line.substr(1)));
+    if (went.empty() || went.size() != came.size()) return {};
+    const bool is_new = came[0].size() > went[0].size();
+    const std::vector<WordList>&shorter = is_new ? went : came, &longer = is_new ? came : went;
+    const std::string_view name = first_item_beyond(shorter[0], longer[0]);
+    if (name.empty()) return {};
+    for (size_t i = 0; i < longer.size(); ++i) {
+        const auto has = [&](const WordList& words) {
+            return std::find(words.begin(), words.end(), name) != words.end();
+        };
+        if (has(shorter[i]) || !has(longer[i]) || without_item(longer[i], name) != shorter[i]) return {};
+    }
+    return (is_new ? "+ " : "- ") + std::string(name);
 }
 
 }  // namespace porttool

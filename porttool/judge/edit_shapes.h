@@ -23,4 +23,11 @@ bool is_of_branches(const std::vector<std::string>& lines);
 ///     + void @(Param < T > out, CParam < T > in)              "Array > CParam Param"
 std::string types_exchanged(const std::vector<std::string>& lines);
 
+/// The name that a function takes, or hands on to what it calls, and did not before, or no longer, where its edit did
+/// nothing else; "" for any other edit.
+///
+///     - void @(Args * args)        + void @(Args * args, State * state)
+///     - march(args)                + march(args, state)                         "+ state"
+std::string handed_on(const std::vector<std::string>& lines);
+
 }  // namespace porttool

@@ -5,9 +5,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <map>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "porttool/judge/edit_shapes.h"
@@ -38,11 +40,45 @@ std::string cause_of(const Finding& finding) {
         if (edit.empty()) return {};
         if (is_of_branches(finding.details)) return rule + "# ifdef";
         if (const std::string types = types_exchanged(finding.details); !types.empty()) return rule + types;
+        if (const std::string name = handed_on(finding.details); !name.empty()) return rule + "takes " + name;
         return rule + (is_long_edit(finding.details) ? "" : subject_of(finding)) + edit;
     }
     const bool is_gone = (finding.rule == Rule::Orphaned || finding.rule == Rule::DeadLink) && finding.change &&
                          *finding.change == ChangeKind::Removed;
     return finding.rule == Rule::Unpaired || is_gone ? rule + split_id(subject_of(finding)).first : std::string();
+}
+
+/// A finding on what macros made of an unedited text; each of its details is one of them.
+bool is_of_macros(const Finding& finding) {
+    return (finding.rule == Rule::SourceChanged || finding.rule == Rule::TargetChanged) && !finding.change &&
+           !finding.details.empty() &&
+           std::all_of(finding.details.begin(), finding.details.end(), [](const auto& line) {
+               return line.size() > 2 && std::string_view(line).substr(2).starts_with("#define ");
+           });
+}
+
+/// Findings on macros that have some in common, directly or through others, are about one header, to all appearance.
+void add_macros_in_common(const std::vector<Finding*>& loud, std::map<std::string, std::vector<Finding*>>& causes) {
+    std::map<std::string, std::string> by_macro;  // the group that a macro belongs to
+    size_t count = 0;
+    for (Finding* finding : loud) {
+        if (!is_of_macros(*finding)) continue;
+        const std::string start = std::string(rule_name(finding->rule)) + "\n" + finding->target_set + "\n";
+        const std::string group = fmt::format("{}macros {}", start, ++count);
+        std::vector<Finding*> members = {finding};
+        for (const std::string& macro : finding->details) {
+            const auto known = by_macro.find(start + macro);
+            if (known == by_macro.end() || known->second == group) continue;
+            const std::string joined = known->second;
+            const std::vector<Finding*> there = std::exchange(causes[joined], {});
+            members.insert(members.end(), there.begin(), there.end());
+            for (auto& [one, of_group] : by_macro)
+                if (of_group == joined) of_group = group;
+        }
+        for (const std::string& macro : finding->details) by_macro[start + macro] = group;
+        std::sort(members.begin(), members.end(), std::less<>());  // they lie in one list
+        causes[group] = std::move(members);
+    }
 }
 
 /// An id as it stands in the message of another finding: one that is no longer than a reader takes in, else its
@@ -63,10 +99,22 @@ std::string what_others_are(const Finding& first) {
         case Rule::DeadLink:
             return "more units of that file are gone";
         default:
+            if (is_of_macros(first)) return "more findings are about such macros";
             if (is_of_branches(first.details)) return "more pairs have parts in other branches for the compiler";
-            return types_exchanged(first.details).empty() ? "more pairs have the same edit"
-                                                          : "more pairs take other types, too";
+            if (!types_exchanged(first.details).empty()) return "more pairs take other types, too";
+            return handed_on(first.details).empty() ? "more pairs have the same edit" : "more pairs hand on the same";
     }
+}
+
+/// How many findings of one cause are told once.
+size_t least_told_once(const std::vector<Finding*>& group) {
+    constexpr size_t kTwo = 2, kSeveral = 3, kMany = 5;  // a slip that was made alike is hardly made so often
+    if (group.size() < kTwo || is_of_macros(*group.front())) return kTwo;
+    const std::vector<std::string>& edit = group.front()->details;
+    if (!types_exchanged(edit).empty()) return kMany;
+    const bool all_alike =
+        std::all_of(group.begin(), group.end(), [&](const Finding* finding) { return finding->details == edit; });
+    return all_alike || handed_on(edit).empty() ? kTwo : kSeveral;
 }
 
 /// What new units without a counterpart have in common with their class, which is one, too.
@@ -97,10 +145,9 @@ void fold_findings(FindingList& findings, const MapFile& map) {
     std::map<std::string, std::vector<Finding*>> causes = by_new_class(loud);
     for (Finding* finding : loud)
         if (const std::string cause = cause_of(*finding); !cause.empty()) causes[cause].push_back(finding);
+    add_macros_in_common(loud, causes);
     for (auto& [cause, group] : causes) {
-        constexpr size_t kSeveral = 5;  // that take another type by a slip, and alike, are hardly so many
-        const bool of_types = group.size() > 1 && !types_exchanged(group.front()->details).empty();
-        if (group.size() < (of_types ? kSeveral : 2)) continue;
+        if (group.size() < least_told_once(group)) continue;
         std::stable_sort(group.begin(), group.end(),
                          [](const Finding* a, const Finding* b) { return a->level > b->level; });
         Finding& first = *group.front();
@@ -131,8 +178,10 @@ void ease_orphans(FindingList& findings, const std::vector<JudgedPair>& pairs) {
         if (pair.unit.source != nullptr && pair.unit.target != nullptr)
             heirs.emplace(pair.id.target, pair.id.source + " is its source as well");
     for (Finding& finding : all) {
-        const auto heir = heirs.find(finding.map_target);
-        if (finding.rule != Rule::Orphaned || finding.source || heir == heirs.end()) continue;
+        if (finding.rule != Rule::Orphaned || finding.source) continue;
+        auto heir = heirs.find(finding.map_target);
+        if (heir == heirs.end() && finding.target) heir = heirs.find(finding.target->id);
+        if (heir == heirs.end()) continue;
         finding.level = std::min(finding.level, Level::Note);
         finding.message += "; " + heir->second;
         finding.remedy = "Remove this [[pair]] from portmap.toml";

@@ -14,6 +14,7 @@
 #include "porttool/compare/runtime_upkeep.h"
 #include "porttool/compare/runtime_versions.h"
 #include "porttool/compare/settled_edits.h"
+#include "porttool/compare/switch_arms.h"
 #include "porttool/compare/switch_cases.h"
 #include "porttool/language/hazards.h"
 #include "porttool/normal/diff.h"
@@ -268,8 +269,9 @@ void PairJudge::report_uncompared(const JudgedPair& pair, const PairComparison& 
 void PairJudge::report_values(const JudgedPair& pair, const PairComparison& found) {
     const bool structs = pair.unit.source->kind == UnitKind::Struct;
     const Side side = is_edit(found.changes.source) ? Side::Source : Side::Target;
-    findings_.add(structs ? Rule::LayoutDiffers : Rule::ConstantDiffers, pair, kind_of(found.changes[side]),
-                  found.values);
+    Finding& finding = findings_.add(structs ? Rule::LayoutDiffers : Rule::ConstantDiffers, pair,
+                                     kind_of(found.changes[side]), found.values);
+    if (found.differed_before) weaken(pair, finding, Level::Warning, "they were not the same before, either");
 }
 
 /// Both may have such an edit; that of the source is told then.
@@ -358,6 +360,8 @@ void PairJudge::weigh_edit(const JudgedPair& pair, Side side, const NormalText& 
                       "it only keeps house with a runtime that " + there_is + " does not call");
     if (only_adds_labels_of_other(texts.before, texts.now, texts.other))
         return weaken(pair, finding, Level::Note, there_is + " has the label in that arm already");
+    if (only_adds_arms_of_other(texts.before, texts.now, texts.other))
+        return weaken(pair, finding, Level::Note, there_is + " has an arm for each of these labels");
     if (draws_nearer(texts, dialect_))
         return weaken(pair, finding, only_takes(texts.before, texts.now) ? Level::Warning : Level::Note,
                       there_is + " has most of it");

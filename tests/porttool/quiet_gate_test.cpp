@@ -3,8 +3,10 @@
 // What the gate says once, or as a note, each beside a case like it that stays as loud as ever.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tests/porttool/fixtures.h"
@@ -187,6 +189,102 @@ TEST(QuietGate, ALabelThatTheOtherSideHasInThatArm) {
     const std::string own = text("case ADD: case SUB: case NEG: case ABS:", "case MUL: case DIV:");
     EXPECT_EQ(after(text("case ADD: case SUB: case ABS:", "case MUL:"), own), Loud{});
     EXPECT_EQ(after(text("case ADD: case SUB:", "case MUL: case ABS:"), own), Loud{"port-differs s/k.cu:f"});
+}
+
+TEST(QuietGate, ArmsThatTheOtherSideHas) {
+    const auto text = [](const std::string& more) {
+        return "void f(int op, Out& out) { switch (op) { case ADD: out.add(1); break; " + more + " default: break; } }";
+    };
+    const std::string port =
+        "int f(int op) { switch (op) { case ADD: return 1; case MUL: case DIV: { scale(op); break; } } return 0; }";
+    const auto after = [&](const std::string& more, const std::string& there) {
+        return loud({{"s/k.cu", text("")}, {"t/k.cpp", there}}, {{"s/k.cu", text(more)}}, {"s/k.cu:f=t/k.cpp:f"});
+    };
+    const Loud told = {"source-changed s/k.cu:f"};
+    EXPECT_EQ(after("case MUL: out.scale(op, 0.5f); break;", port), Loud{});
+    EXPECT_EQ(after("case MUL: case DIV: { out.scale(op, 0.5f); return; }", port), Loud{});
+    EXPECT_EQ(after("case MUL: out.scale(op, 0.5f); break; case MOD: out.rest(op); break;", port), told);
+    EXPECT_EQ(after("case MUL: out.scale(op, 0.5f);", port), told) << "it falls through";
+    EXPECT_EQ(after("case MUL: if (op > 2) { out.scale(op, 0.5f); break; }", port), told);
+    EXPECT_EQ(after("case MUL: out.scale(op, 0.5f); break;", replaced(port, "case MUL: ", "")), told);
+    // Something else beside it.
+    EXPECT_EQ(loud({{"s/k.cu", text("")}, {"t/k.cpp", port}},
+                   {{"s/k.cu", replaced(text("case MUL: out.scale(op, 0.5f); break;"), "add(1)", "add(2)")}},
+                   {"s/k.cu:f=t/k.cpp:f"}),
+              told);
+}
+
+TEST(QuietGate, ConstantsThatWereNeverTheSame) {
+    const auto level = [](const std::string& was, const std::string& there, const std::string& is,
+                          const std::string& there_now) {
+        MemoryDisk disk;
+        const auto text = [](const std::string& value) { return "#define MOST " + value + "\n"; };
+        disk.files = {{"/r/s/k.cu", text(was)},
+                      {"/r/t/k.h", text(there)},
+                      {"/r/portmap.toml",
+                       "version = 1\n[sides]\nsource = [\"s/*\"]\ntarget = [\"t/*\"]\n"
+                       "[[pair]]\nsource = \"s/k.cu:MOST\"\ntarget = \"t/k.h:MOST\"\n"}};
+        EXPECT_EQ(run(disk, {"-C", "/r", "init", "--force"}).exit_code, 0);
+        disk.files["/r/s/k.cu"] = text(is);
+        disk.files["/r/t/k.h"] = text(there_now);
+        const auto report = check(disk);
+        std::string out;
+        for (const auto& finding : report["findings"])
+            out += finding["rule"].get<std::string>() + " " + finding["level"].get<std::string>() + " ";
+        return out;
+    };
+    EXPECT_EQ(level("8", "8", "9", "8"), "constant-differs error ");
+    EXPECT_EQ(level("8", "8", "9", "7"), "constant-differs error ");
+    EXPECT_EQ(level("8", "8", "9", "(3 * 3)"), "");
+    EXPECT_EQ(level("8", "4", "9", "4"), "constant-differs warning ");
+    EXPECT_EQ(level("8", "4", "9", "5"), "constant-differs warning ");
+    EXPECT_EQ(level("8", "4", "4", "4"), "source-changed error ");
+    EXPECT_EQ(level("8", "4", "6", "6"), "");
+}
+
+TEST(QuietGate, WhatManyFunctionsHandOnIsToldOnce) {
+    const auto text = [](const std::string& take, const std::string& hand, const std::string& scale) {
+        std::string out = "float sum(Args* args" + take + ") { return args->a + args->b * 2.0f; }\n";
+        for (const std::string name : {"near", "far", "wide"})
+            out += "float " + name + "(Args* args" + take + ") { float s = sum(args" + hand + "); return s * " + scale +
+                   " + args->" + name + "; }\n";
+        return out + "float all(Args* args) { return near(args, 1); }\n";
+    };
+    std::vector<std::string> pairs;
+    for (const std::string name : {"sum", "near", "far", "wide", "all"})
+        pairs.push_back("s/k.cl:" + name + "=t/k.cpp:" + name);
+    const auto after = [&](const std::string& now) {
+        return loud({{"s/k.cl", text("", "", "0.5f")}, {"t/k.cpp", text("", "", "0.5f")}}, {{"s/k.cl", now}}, pairs);
+    };
+    EXPECT_EQ(after(text(", __global State* state", ", state", "0.5f")).size(), 1);
+    EXPECT_EQ(after(text(", State* state", ", state", "0.25f")).size(), 4) << "three do more";
+    EXPECT_EQ(after(replaced(text(", State* state", ", state", "0.5f"), "args->b * 2", "args->b * 3")).size(), 2);
+    EXPECT_EQ(after(replaced(text(", State* state", ", state", "0.5f"), "near(args, 1)", "near(args, 2)")).size(), 2);
+    EXPECT_EQ(after(replaced(text("", "", "0.5f"), "sum(Args* args)", "sum(Args* args, State* state)")).size(), 1);
+}
+
+TEST(QuietGate, MacrosOfOneHeaderAreToldOnce) {
+    const auto file = [](const std::string& header, const std::string& name, const std::string& body) {
+        return "#include \"" + header + "\"\nfloat " + name + "(float x) { return " + body + "; }\n";
+    };
+    const std::string head = "#define SCALE 2.0f\n#define SHIFT 0.5f\n#define BASE 1.0f\n";
+    Texts before = {{"s/own.h", "#define OTHER 3.0f\n"}, {"s/k.h", head}};
+    const std::vector<std::pair<std::string, std::string>> bodies = {
+        {"f", "x * SCALE"}, {"g", "x + SHIFT"}, {"h", "x * SCALE + SHIFT"}, {"k", "x - BASE"}};
+    std::vector<std::string> pairs;
+    for (const auto& [name, body] : bodies) {
+        before["s/" + name + ".cu"] = file("k.h", name, body);
+        before["t/" + name + ".cpp"] = file("k.h", name, body);
+        pairs.push_back("s/" + name + ".cu:" + name + "=t/" + name + ".cpp:" + name);
+    }
+    before["s/o.cu"] = file("own.h", "o", "x * OTHER");
+    before["t/o.cpp"] = file("own.h", "o", "x * OTHER");
+    pairs.emplace_back("s/o.cu:o=t/o.cpp:o");
+    const Loud after = loud(before, {{"s/k.h", ""}, {"s/own.h", ""}}, pairs);
+    EXPECT_EQ(after.size(), 3) << "those of SCALE and SHIFT, BASE, and OTHER";
+    EXPECT_EQ(std::count(after.begin(), after.end(), "source-changed s/f.cu:f"), 1);
+    EXPECT_EQ(std::count(after.begin(), after.end(), "source-changed s/k.cu:k"), 1) << "another macro";
+    EXPECT_EQ(std::count(after.begin(), after.end(), "source-changed s/o.cu:o"), 1) << "another header";
 }
 
 TEST(QuietGate, MembersOfWhatIsAPointerNow) {
