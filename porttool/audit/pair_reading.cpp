@@ -165,6 +165,9 @@ private:
         const std::vector<std::string> was = texts_.translated(place.before, side, true);
         if (texts_.written_out(was, side) == whole) return;  // a value got a name
         if (give_the_same_value(was, texts_.sides[side].words[line.index])) return;
+        if (replaced_.is_one_component(side, texts_.sides[side].words[line.index],
+                                       texts_.sides[other(side)].words[found.index]))
+            return;
         constexpr float kWrittenOut = 0.5f;  // what a new local holds may stand there in other words
         float substance = substance_of(was, texts_.sides[side].words[line.index], texts_.known_there(side));
         if (texts_.uses_new_local(side, texts_.sides[side].words[line.index]))

@@ -112,6 +112,32 @@ bool ReplacedStatement::stands_there(Side side, const MissingPlace& place, const
     return gains;
 }
 
+bool ReplacedStatement::is_one_component(Side side, const std::vector<std::string>& now,
+                                         const std::vector<std::string>& there) const {
+    constexpr std::string_view kComponents = "xyzw";
+    const auto is_swizzle = [&](const std::vector<std::string>& words, size_t i) {
+        return i > 0 && words[i - 1] == "." && words[i].find_first_not_of(kComponents) == std::string::npos;
+    };
+    const auto whole = [&](const std::vector<std::string>& words) {
+        std::vector<std::string> out;
+        for (size_t i = 0; i < words.size(); ++i)
+            if (is_swizzle(words, i))
+                out.pop_back();
+            else
+                out.push_back(words[i]);
+        return out;
+    };
+    std::vector<std::string> next = now;  // the same of `y`
+    for (size_t i = 0; i < now.size(); ++i) {
+        if (is_swizzle(now, i) && now[i] != "x") return false;
+        if (is_swizzle(now, i)) next[i] = "y";
+    }
+    for (size_t i = 0; i < there.size(); ++i)
+        if (is_swizzle(there, i) && there[i].size() == 1) return false;
+    const auto& here = texts_.sides[side].words;
+    return next != now && whole(now) == whole(there) && std::find(here.begin(), here.end(), next) != here.end();
+}
+
 bool ReplacedStatement::takes_own_thread(Side side, const std::vector<std::string>& was,
                                          const std::vector<std::string>& now) const {
     const auto counts_threads = [&](const std::string& local) {

@@ -19,6 +19,10 @@ public:
     /// What it is given has to stay.
     ReplacedStatement(const CommonTexts& texts, const BySide<SideOfPair>& pair) : texts_(texts), pair_(pair) {}
 
+    /// True for `f . x = d . x * a`, with the like of `y` beside it, where the other side says `f = d * a` or
+    /// `f . xyz = d . xyz * a`. Both in the vocabulary of both sides.
+    bool is_one_component(Side side, const std::vector<std::string>& now, const std::vector<std::string>& there) const;
+
     /// By the manner of the edit, 0 to 1. `was` and `now` are the statement in the vocabulary of both sides.
     float missing(Side side, const MissingPlace& place, const std::vector<std::string>& was,
                   const std::vector<std::string>& now, uint32_t commit) const {

@@ -465,6 +465,11 @@ TEST_F(HandMadeAudit, EditsThatChangeNoNumber) {
         {"turns", "sum += level * w[k]; level *= 3.0f; out[k] = sum * 2.0f + v[k];",
          "sum += level * w[k]; level *= 3.0f; for (int i = 0; i < n * step; ++i) out[i] = sum * 2.0f + v[i];", false,
          "const int i = threadIdx.x; sum += level * w[k]; level *= 3.0f; out[i] = sum * 2.0f + v[i];"},
+        {"parts", "hit.p -= dir * (level * wide); level *= 3.0f;",
+         "hit.p.x -= dir.x * (level * wide); hit.p.y -= dir.y * (level * wide); hit.p.z -= dir.z * (level * wide); "
+         "level "
+         "*= 3.0f;",
+         false, "hit.p.xyz -= dir.xyz * (level * wide); level *= 3.0f;"},
         {"twice", "const int at = k + n; sum += level * w[at] + v[at * 3] * wide; level *= 3.0f;",
          "const int at = k + n; const int later = at * 2; sum += level * w[later] + v[at * 3] * wide; level *= 3.0f;",
          true},
