@@ -172,6 +172,8 @@ Resemblance compare_units(const UnitFeatures& a, const UnitFeatures& b) {
         score += kSignatureWeight * out.signature + kKindWeight * out.kind;
         weight += kSignatureWeight + kKindWeight;
     }
+    constexpr float kSameNumber = 0.03f;  // decides among copies of one unit in files that are numbered
+    if (a.file_number != 0 && a.file_number == b.file_number) score += kSameNumber * weight;
     // Helpers and launchers of a kernel resemble its port as well, sometimes more than the kernel itself.
     constexpr float kNoEntryPoint = 0.25f;
     out.score = std::clamp(score / weight - (is_helper_to_main(a, b) ? kNoEntryPoint : 0.0f), 0.0f, 1.0f);

@@ -262,6 +262,24 @@ std::string_view file_stem(std::string_view path) {
     return file.substr(0, file.find('.'));
 }
 
+uint32_t number_in(std::string_view stem) {
+    constexpr size_t kLeast = 3, kMost = 9;
+    uint32_t out = 0;
+    for (size_t i = 0; i < stem.size();) {
+        uint32_t number = 0;
+        const size_t first = i;
+        for (; i < stem.size() && stem[i] >= '0' && stem[i] <= '9'; ++i)
+            if (i - first < kMost) number = 10 * number + static_cast<uint32_t>(stem[i] - '0');
+        if (i - first < kLeast || i - first > kMost) {
+            i += i == first ? 1 : 0;
+            continue;
+        }
+        if (out != 0) return 0;
+        out = number;
+    }
+    return out;
+}
+
 std::string_view folder_of(std::string_view path) {
     const size_t slash = path.find_last_of('/');
     return slash == std::string_view::npos ? std::string_view() : path.substr(0, slash);

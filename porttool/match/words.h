@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -47,6 +48,9 @@ std::string fold(std::string_view name);
 
 /// The file's name without folder and suffixes.
 std::string_view file_stem(std::string_view path);
+
+/// The one number of three to nine digits that a file's name has; 0 where it has none, or several: `m25600-pure`.
+uint32_t number_in(std::string_view stem);
 
 /// The folders of a path.
 std::string_view folder_of(std::string_view path);

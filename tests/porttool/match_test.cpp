@@ -813,6 +813,22 @@ TEST(Match, WhatCallsTheLauncherBesideAKernelIsNotItsPort) {
     EXPECT_EQ(pairs(match({{"md/bond_gpu.cu", kernel}}, {{"md/bond_gpu.cc", host}, {"md/bond.cc", cpu}})), expected);
 }
 
+TEST(Match, CopiesInNumberedFilesGoByTheirNumbers) {
+    EXPECT_EQ(number_in("m25600-pure"), 25600);
+    EXPECT_EQ(number_in("module_00500"), 500);
+    EXPECT_EQ(number_in("conv_2d"), 0);
+    EXPECT_EQ(number_in("m100_200"), 0);
+    std::vector<std::pair<std::string, std::string>> source, target;
+    Pairs expected;
+    const std::string text = "struct hash_tmp { unsigned int e[18]; unsigned int p[18]; unsigned int s0[256]; };\n";
+    for (const std::string number : {"03200", "25600", "25800", "28400", "30600"}) {
+        source.emplace_back("cl/m" + number + "-pure.cl", text);
+        target.emplace_back("src/module_" + number + ".c", text);
+        expected.emplace_back("cl/m" + number + "-pure.cl:hash_tmp", "src/module_" + number + ".c:hash_tmp");
+    }
+    EXPECT_EQ(pairs(match(source, target)), expected);
+}
+
 TEST(Match, ADestructorIsNoConstructorsPort) {
     const std::string rest = "int size() { return n_; }\n int n_; };\n";
     for (const auto& [from, to] :
