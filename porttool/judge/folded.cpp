@@ -58,29 +58,50 @@ bool is_of_macros(const Finding& finding) {
            });
 }
 
-/// Findings on macros that have some in common, directly or through others, are about one header, to all appearance.
-void add_macros_in_common(const std::vector<Finding*>& loud, std::map<std::string, std::vector<Finding*>>& causes) {
-    std::map<std::string, std::string> by_macro;  // the group that a macro belongs to
-    size_t count = 0;
-    for (Finding* finding : loud) {
-        if (!is_of_macros(*finding)) continue;
-        const std::string start = std::string(rule_name(finding->rule)) + "\n" + finding->target_set + "\n";
-        const std::string group = fmt::format("{}macros {}", start, ++count);
-        std::vector<Finding*> members = {finding};
-        for (const std::string& macro : finding->details) {
-            const auto known = by_macro.find(start + macro);
-            if (known == by_macro.end() || known->second == group) continue;
-            const std::string joined = known->second;
-            const std::vector<Finding*> there = std::exchange(causes[joined], {});
-            members.insert(members.end(), there.begin(), there.end());
-            for (auto& [one, of_group] : by_macro)
-                if (of_group == joined) of_group = group;
-        }
-        for (const std::string& macro : finding->details) by_macro[start + macro] = group;
-        std::sort(members.begin(), members.end(), std::less<>());  // they lie in one list
-        causes[group] = std::move(members);
+/// Findings on macros that have some in common, directly or through others: they are about one header, to all
+/// appearance.
+class MacroGroups {
+public:
+    void add(Finding& finding) {
+        const std::string start = std::string(rule_name(finding.rule)) + "\n" + finding.target_set + "\n";
+        size_t group = groups_.size();
+        for (const std::string& macro : finding.details)
+            if (const auto known = by_macro_.find(start + macro); known != by_macro_.end())
+                group = group == groups_.size() ? known->second : joined(group, known->second);
+        if (group == groups_.size()) groups_.emplace_back();
+        groups_[group].findings.push_back(&finding);
+        for (const std::string& macro : finding.details)
+            if (by_macro_.emplace(start + macro, group).second) groups_[group].macros.push_back(start + macro);
     }
-}
+
+    void add_to(std::map<std::string, std::vector<Finding*>>& causes) {
+        for (size_t i = 0; i < groups_.size(); ++i) {
+            std::vector<Finding*>& findings = groups_[i].findings;
+            std::sort(findings.begin(), findings.end(), std::less<>());  // they lie in one list
+            if (!findings.empty()) causes[fmt::format("macros {}", i)] = std::move(findings);
+        }
+    }
+
+private:
+    struct Group {
+        std::vector<Finding*> findings;
+        std::vector<std::string> macros;
+    };
+
+    /// The larger of two groups, with all of the other.
+    size_t joined(size_t a, size_t b) {
+        if (a == b) return a;
+        if (groups_[a].macros.size() < groups_[b].macros.size()) std::swap(a, b);
+        const Group gone = std::exchange(groups_[b], {});
+        for (const std::string& macro : gone.macros) by_macro_[macro] = a;
+        groups_[a].macros.insert(groups_[a].macros.end(), gone.macros.begin(), gone.macros.end());
+        groups_[a].findings.insert(groups_[a].findings.end(), gone.findings.begin(), gone.findings.end());
+        return a;
+    }
+
+    std::vector<Group> groups_;
+    std::map<std::string, size_t> by_macro_;  ///< the group that a macro belongs to
+};
 
 /// An id as it stands in the message of another finding: one that is no longer than a reader takes in, else its
 /// finding's fingerprint.
@@ -149,7 +170,10 @@ void fold_findings(FindingList& findings, const MapFile& map) {
     std::map<std::string, std::vector<Finding*>> causes = by_new_class(loud);
     for (Finding* finding : loud)
         if (const std::string cause = cause_of(*finding); !cause.empty()) causes[cause].push_back(finding);
-    add_macros_in_common(loud, causes);
+    MacroGroups macros;
+    for (Finding* finding : loud)
+        if (is_of_macros(*finding)) macros.add(*finding);
+    macros.add_to(causes);
     for (auto& [cause, group] : causes) {
         if (group.size() < least_told_once(group)) continue;
         std::stable_sort(group.begin(), group.end(),
