@@ -31,6 +31,19 @@ bool is_edit_of_a_side(const Finding& finding) {
            (*finding.change == ChangeKind::Semantic || *finding.change == ChangeKind::Constant);
 }
 
+/// A unit that is gone, while its counterpart is still named.
+bool is_of_gone_unit(const Finding& finding) {
+    return (finding.rule == Rule::Orphaned || finding.rule == Rule::DeadLink) && finding.change &&
+           *finding.change == ChangeKind::Removed;
+}
+
+/// The name of the counterpart of what is gone: `GetKind` of each class of a family.
+std::string family_of(const Finding& finding) {
+    const std::string& id = finding.rule == Rule::Orphaned ? finding.map_target : finding.map_source;
+    return std::string(rule_name(finding.rule)) + "\n" + finding.target_set + "\nall " +
+           std::string(leaf_of(split_id(id).second));
+}
+
 /// What findings of one cause have in common; "" for one that stands for itself.
 std::string cause_of(const Finding& finding) {
     const std::string rule = std::string(rule_name(finding.rule)) + "\n" + finding.target_set + "\n";
@@ -44,9 +57,8 @@ std::string cause_of(const Finding& finding) {
         if (const std::string names = name_exchanged(finding.details); !names.empty()) return rule + names;
         return rule + (is_long_edit(finding.details) ? "" : subject_of(finding)) + edit;
     }
-    const bool is_gone = (finding.rule == Rule::Orphaned || finding.rule == Rule::DeadLink) && finding.change &&
-                         *finding.change == ChangeKind::Removed;
-    return finding.rule == Rule::Unpaired || is_gone ? rule + split_id(subject_of(finding)).first : std::string();
+    return finding.rule == Rule::Unpaired || is_of_gone_unit(finding) ? rule + split_id(subject_of(finding)).first
+                                                                      : std::string();
 }
 
 /// A finding on what macros made of an unedited text; each of its details is one of them.
@@ -119,7 +131,7 @@ std::string what_others_are(const Finding& first) {
             return "of its methods have none";
         case Rule::Orphaned:
         case Rule::DeadLink:
-            return "more units of that file are gone";
+            return "more units are gone with it";
         default:
             if (is_of_macros(first)) return "more findings are about such macros";
             if (is_of_branches(first.details)) return "more pairs have parts in other branches for the compiler";
@@ -168,8 +180,15 @@ void fold_findings(FindingList& findings, const MapFile& map) {
         if (is_open(finding) && finding.level > Level::Note && !map.rules.contains(finding.rule))
             loud.push_back(&finding);
     std::map<std::string, std::vector<Finding*>> causes = by_new_class(loud);
-    for (Finding* finding : loud)
-        if (const std::string cause = cause_of(*finding); !cause.empty()) causes[cause].push_back(finding);
+    constexpr size_t kFamily = 3;  // units that are gone, whose counterparts have one name
+    std::map<std::string, size_t> gone;
+    for (const Finding* finding : loud)
+        if (is_of_gone_unit(*finding)) ++gone[family_of(*finding)];
+    for (Finding* finding : loud) {
+        const bool of_family = is_of_gone_unit(*finding) && gone[family_of(*finding)] >= kFamily;
+        const std::string cause = of_family ? family_of(*finding) : cause_of(*finding);
+        if (!cause.empty()) causes[cause].push_back(finding);
+    }
     MacroGroups macros;
     for (Finding* finding : loud)
         if (is_of_macros(*finding)) macros.add(*finding);

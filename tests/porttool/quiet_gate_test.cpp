@@ -283,6 +283,24 @@ TEST(QuietGate, ANameThatTookAnothersPlaceInManyFunctionsIsToldOnce) {
     EXPECT_EQ(after("alpha", "alpha[0] * args->opacity"), 3) << "more than the name";
 }
 
+TEST(QuietGate, AFunctionOfAWholeFamilyThatIsGoneIsToldOnce) {
+    const auto after = [](const std::vector<std::string>& gone) {
+        Texts before, now;
+        std::vector<std::string> pairs;
+        for (const std::string kind : {"Glass", "Matte", "Metal", "Cloth"}) {
+            const std::string file = "s/" + kind + ".cl", port = "t/" + kind + ".cpp";
+            const std::string other = "float " + kind + "_Pdf(float x) { return x * 2.0f; }\n";
+            before[file] = "int " + kind + "_GetKind(int i) { return i + 1; }\n" + other;
+            before[port] = "int " + kind + "::GetKind(int i) { return i + 1; }\n";
+            pairs.push_back(file + ":" + kind + "_GetKind=" + port + ":" + kind + "::GetKind");
+            if (std::find(gone.begin(), gone.end(), kind) != gone.end()) now[file] = other;
+        }
+        return loud(before, now, pairs).size();
+    };
+    EXPECT_EQ(after({"Glass", "Matte", "Metal", "Cloth"}), 1);
+    EXPECT_EQ(after({"Glass", "Matte"}), 2);
+}
+
 TEST(QuietGate, MacrosOfOneHeaderAreToldOnce) {
     const auto file = [](const std::string& header, const std::string& name, const std::string& body) {
         return "#include \"" + header + "\"\nfloat " + name + "(float x) { return " + body + "; }\n";
