@@ -32,6 +32,8 @@ public:
     UnitText(std::shared_ptr<const TextSource> source, uint32_t unit, uint32_t words)
         : source_(std::move(source)), unit_(unit), words_(words) {}
 
+    /// Hands the text over; nothing is left of it here.
+    NormalText take() { return source_ == nullptr ? std::move(own_) : source_->text(unit_); }
     const NormalText& get() const { return source_ == nullptr ? own_ : source_->text(unit_); }
     operator const NormalText&() const { return get(); }
 

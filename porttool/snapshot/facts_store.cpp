@@ -93,14 +93,17 @@ KnownSide FactsStore::know(std::vector<SourceText> files, const std::set<std::st
     const bool stay_scanned = fresh_bytes <= kMostScannedBytes;
     in_parallel(fresh.size(), fresh.size() >= kFilesWorthThreads, [&](size_t at) {
         SourceText& source = files[fresh[at]];
-        std::optional<ScannedFile> scanned = scan_text(source.path, source.text);
-        const auto bytes = std::make_shared<const std::string>(FileFacts::pack(*scanned, is_whole(source)));
+        ScannedFile scanned = scan_text(source.path, source.text);
+        std::vector<UnitState> states = states_of(scanned, is_whole(source));
+        const auto bytes = std::make_shared<const std::string>(FileFacts::pack(scanned, states));
         std::optional<FileFacts> facts = FileFacts::read(bytes, *bytes);
         entries[fresh[at]].bytes = facts->bytes();
         entries[fresh[at]].is_new = true;
-        if (!stay_scanned) scanned.reset();
-        side[fresh[at]] = std::make_shared<const KnownFile>(std::move(source.path), std::move(source.text),
-                                                            std::move(*facts), std::move(scanned));
+        side[fresh[at]] =
+            stay_scanned
+                ? std::make_shared<const KnownFile>(std::move(source.path), std::move(source.text), std::move(*facts),
+                                                    std::move(scanned), std::move(states))
+                : std::make_shared<const KnownFile>(std::move(source.path), std::move(source.text), std::move(*facts));
     });
     known_.insert(known_.end(), entries.begin(), entries.end());
     files_.insert(files_.end(), side.begin(), side.end());

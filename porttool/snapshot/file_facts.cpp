@@ -116,12 +116,12 @@ UnitState state_of(const ScannedFile& file, uint32_t unit) {
     return unit_state(file, unit < file.units.size() ? file.units[unit] : whole_file_unit(file));
 }
 
-std::string FileFacts::pack(const ScannedFile& file, bool with_whole) {
+std::string FileFacts::pack(const ScannedFile& file, const std::vector<UnitState>& states) {
     std::string bytes;
     ByteWriter out(bytes);
     out.number<uint64_t>(file.lexed.tokens.size());
     out.number(porttool::unfinished_merge(file.lexed.text).value_or(0));
-    pack_units(out, states_of(file, with_whole));
+    pack_units(out, states);
     pack_suppressions(out, file.lexed.suppressions);
     const FileMacros macros = file_macros(file);
     out.number(static_cast<uint32_t>(macros.lines.size()));

@@ -29,8 +29,8 @@ struct KnownUnit {
 /// which are what is kept of it; made of them whether they are new or were kept.
 class FileFacts {
 public:
-    /// `with_whole`: the file as a whole is a unit, too, as it always is where there are no others.
-    static std::string pack(const ScannedFile& file, bool with_whole);
+    /// `states`: those of the file's units.
+    static std::string pack(const ScannedFile& file, const std::vector<UnitState>& states);
     /// `bytes` lie in `owner`. None where they are not what pack() gives.
     static std::optional<FileFacts> read(std::shared_ptr<const std::string> owner, std::string_view bytes);
 
@@ -55,7 +55,8 @@ private:
     std::vector<std::string> includes_;
 };
 
-/// The states of a file's units, the whole file last where it is one, and the text of one of them.
+/// The states of a file's units, the whole file last where it is one (`with_whole`, or where there are no others), and
+/// that of one of them.
 std::vector<UnitState> states_of(const ScannedFile& file, bool with_whole);
 UnitState state_of(const ScannedFile& file, uint32_t unit);
 

@@ -7,6 +7,18 @@
 
 namespace porttool {
 
+KnownFile::KnownFile(std::string path, std::string bytes, FileFacts facts, ScannedFile scanned,
+                     std::vector<UnitState> states)
+    : path_(std::move(path)), bytes_(std::move(bytes)), facts_(std::move(facts)), scanned_(std::move(scanned)) {
+    for (uint32_t unit = 0; unit < states.size(); ++unit)
+        texts_.emplace_hint(texts_.end(), unit, states[unit].text.take());
+}
+
+bool KnownFile::has_text(uint32_t unit) const {
+    const std::lock_guard lock(mutex_);
+    return texts_.contains(unit);
+}
+
 const ScannedFile& KnownFile::scanned_once() const {
     if (!scanned_) scanned_ = scan_text(path_, bytes_);
     return *scanned_;

@@ -19,15 +19,18 @@ namespace porttool {
 /// A file of a side by its facts. It is scanned, and texts of its units are written in normal form, when somebody asks.
 class KnownFile final : public TextSource {
 public:
-    /// `scanned`: where it was scanned just now and may be kept so.
-    KnownFile(std::string path, std::string bytes, FileFacts facts, std::optional<ScannedFile> scanned = std::nullopt)
-        : path_(std::move(path)), bytes_(std::move(bytes)), facts_(std::move(facts)), scanned_(std::move(scanned)) {}
+    KnownFile(std::string path, std::string bytes, FileFacts facts)
+        : path_(std::move(path)), bytes_(std::move(bytes)), facts_(std::move(facts)) {}
+    /// One that was scanned just now for its facts and may be kept so, with the texts of its units.
+    KnownFile(std::string path, std::string bytes, FileFacts facts, ScannedFile scanned, std::vector<UnitState> states);
 
     const std::string& path() const { return path_; }
     const std::string& bytes() const { return bytes_; }
     const FileFacts& facts() const { return facts_; }
     const ScannedFile& scanned() const;
     const NormalText& text(uint32_t unit) const override;
+    /// Whether text() need not write it first.
+    bool has_text(uint32_t unit) const;
     void each_name(uint32_t unit, const std::function<void(std::string_view)>& visit) const override;
 
 private:
