@@ -177,7 +177,7 @@ Result<double> parse_duration(std::string_view text) {
     const auto number = number_from<double>(digits);
     constexpr double YEAR = 3600.0 * 24.0 * 366.0;
     if (number && *number > 0.0 && *number * unit <= YEAR) return *number * unit;
-    return Status::invalid(fmt::format("'{}' is no duration; give one above 0 such as 90s, 5m or 2h", text));
+    return Status::invalid(fmt::format("'{}' is no duration; give one above 0 and of a year at most, such as 90s, 5m or 2h", text));
 }
 
 Result<double> parse_noise(std::string_view text) {

@@ -10,6 +10,7 @@
 #include <new>
 
 #include "application/cluster/team.h"
+#include "application/cluster/team_plan.h"
 #include "application/command_line.h"
 #include "application/command_table.h"
 #include "application/console.h"
@@ -43,15 +44,22 @@ ExitCode carry_out(const Invocation& invocation, Console& console) {
 int run_program(std::span<const std::string> arguments) {
     remove_unfinished_file_on_signals();
     Invocation invocation = parse_command_line(arguments);
+    const bool renders = invocation.command != nullptr && invocation.command->name == "render";
     if (team() && !team()->leads()) {
-        // One of a team speaks; the others are heard where they fail.
-        if (invocation.command == nullptr || invocation.command->name != "render") return invocation.exit_code;
         invocation.options.quiet = true;
         invocation.options.verbose = invocation.options.progress = false;
     }
     const bool is_terminal = isatty(STDERR_FILENO) != 0;
     const bool color = use_color(invocation.options.color, is_terminal, std::getenv("NO_COLOR"));
     Console console(invocation.options, color, is_terminal);
+    if (team()) {
+        if (const auto same = team()->agree_on(team_plan(invocation)); !same.ok()) {
+            if (team()->leads()) console.error(same.message);
+            return FAILED;
+        }
+    }
+    // One of a team speaks; the others are heard where they fail.
+    if (team() && !team()->leads() && !renders) return invocation.exit_code;
     const ExitCode code = carry_out(invocation, console);
     if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
     console.error("cannot write to stdout");

@@ -64,6 +64,8 @@ TEST(Durations, AreReadInSecondsMinutesAndHours) {
     EXPECT_EQ(*parse_duration("0.5s"), 0.5);
     EXPECT_EQ(*parse_duration("5m"), 300.0);
     EXPECT_EQ(*parse_duration("2h"), 7200.0);
+    EXPECT_EQ(*parse_duration("8784h"), 366 * 24 * 3600.0);
+    EXPECT_THAT(parse_duration("8785h").status.message, testing::HasSubstr("of a year at most"));
     for (const char* text : {"", "m", "0", "-1s", "5 m", "nan", "inf", "1e9h", "5d"})
         EXPECT_FALSE(parse_duration(text).ok()) << text;
 }

@@ -137,6 +137,25 @@ class Teams(unittest.TestCase):
             self.assertEqual(len(said), 1, result.stderr)
             self.assertIn(word, said[0])
 
+    def test_ranks_that_were_told_other_things_are_told_and_nobody_waits(self):
+        """Some of these hung, some ended in an error of MPI, some gave frames of two kinds."""
+        first = [*RENDER, "--spp", "2", "-o", self.file("a_#.png")]
+        for other, words in ((["--frames", "0:3"], "--frames is none and here 0:3"), (["--filter", "temporal"], "--filter is none"),
+                             (["--noise", "0.5"], "--noise is none"), (["--frames", "0:2", "--resume"], "--frames is none"),
+                             (["--nonsense"], "the command is render and here none")):
+            result = subprocess.run([*MPIRUN, "-n", "1", PROGRAM, *first, ":", "-n", "1", PROGRAM, *first, *other],
+                                    capture_output=True, text=True, timeout=60, env=environment())
+            self.assertEqual(result.returncode, 2, result.stderr)
+            said = [line for line in result.stderr.splitlines() if line.startswith("pathtracer: error")]
+            self.assertEqual(len(said), 1, result.stderr)
+            self.assertIn(words, said[0])
+        frames = [*first, "--frames", "0:4", "--spp"]
+        result = subprocess.run([*MPIRUN, "-n", "1", PROGRAM, *frames, "2", ":", "-n", "1", PROGRAM, *frames, "3"],
+                                capture_output=True, text=True, timeout=60, env=environment())
+        self.assertEqual(result.returncode, 2, result.stderr)
+        self.assertIn("--spp is 2 and here 3", result.stderr)
+        self.assertEqual(list(self.path.iterdir()), [])
+
     def test_a_damaged_checkpoint_is_told_once_and_nobody_waits(self):
         output = self.file("a.png")
         stopped = subprocess.run([PROGRAM, *RENDER, "--spp", "1000000", "--time-limit", "0.3s", "--checkpoint", "10m", "-o", output],
