@@ -49,6 +49,8 @@ std::string made_with(const std::string& file_name) {
 Result<std::string> encode_png(const Channels<uint8_t>& image, const PictureNotes& notes) {
     ImageToWrite out{"png", image.width, image.height, {}, {SampleType::u8}};
     if (notes.samples > 0) out.notes.emplace_back("samples", std::to_string(notes.samples));
+    const bool are_first = notes.ranges == fmt::format("0:{}", notes.samples);
+    if (!notes.ranges.empty() && !are_first) out.notes.emplace_back("sampleRanges", notes.ranges);
     return encode(std::move(out), notes, image.rgb.data());
 }
 

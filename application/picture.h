@@ -57,8 +57,9 @@ render_system::Result<ImageKind> image_kind(const std::string& file_name);
 
 /// What a file says of its picture beside the pixels; what is 0 or empty is left out.
 struct PictureNotes {
-    uint32_t samples = 0;  ///< of each pixel: the attribute `samples` of an EXR, the text `samples` of a PNG
-    std::string ranges = {};  ///< which samples these are, as range_text has them: `sampleRanges` of an EXR
+    uint32_t samples = 0;     ///< of each pixel: the attribute `samples` of an EXR, the text `samples` of a PNG
+    std::string ranges = {};  ///< which samples these are, as range_text has them: `sampleRanges` of an EXR and, where
+                              ///< they are not the first ones, of a PNG
     std::string run = {};     ///< what decides their bits, as RunIdentity::text has it: `pathtracerRun` of an EXR
     std::string made_with = {};  ///< of a picture of a sequence: the text kMadeWith
 };

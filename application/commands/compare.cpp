@@ -11,6 +11,7 @@
 #include "application/commands/commands.h"
 #include "application/commands/compare_steps.h"
 #include "application/comparison/figures.h"
+#include "application/counted.h"
 #include "application/file_output.h"
 #include "application/locate/in_step.h"
 #include "application/locate/located.h"
@@ -154,8 +155,8 @@ ExitCode compare_renders(const Options& options, SceneSetup& setup, Console& con
         const BothForms a = both_forms(both->cores[0].pictures.at(spp));
         const BothForms b = both_forms(both->cores[1].pictures.at(spp));
         rows.push_back(compare_pictures(spp, a, b));
-        warn_of(fmt::format("{} core, {} samples", CORES[0], spp), odd_pixels_of(a.linear), console);
-        warn_of(fmt::format("{} core, {} samples", CORES[1], spp), odd_pixels_of(b.linear), console);
+        warn_of(fmt::format("{} core, {}", CORES[0], counted(spp, "sample")), odd_pixels_of(a.linear), console);
+        warn_of(fmt::format("{} core, {}", CORES[1], counted(spp, "sample")), odd_pixels_of(b.linear), console);
         if (options.output.empty()) continue;
         if (Status status = write_pictures(options.output, spp, a, b); !status.ok()) return fail(console, status);
     }

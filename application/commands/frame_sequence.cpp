@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "application/commands/command_steps.h"
+#include "application/counted.h"
 #include "application/file_output.h"
 #include "application/sampling/take_samples.h"
 
@@ -38,9 +39,9 @@ std::string FrameSequence::progress() const {
 }
 
 std::string FrameSequence::summary() const {
-    std::string text =
-        fmt::format("{} to {}: {} frames of {}x{}, {} samples per pixel", file_of(0), file_of(frame_count() - 1),
-                    kept_ + rendered_, options_.width, options_.height, options_.spp.front());
+    std::string text = fmt::format("{} to {}: {} of {}x{}, {} per pixel", file_of(0), file_of(frame_count() - 1),
+                                   counted(kept_ + rendered_, "frame"), options_.width, options_.height,
+                                   counted(options_.spp.front(), "sample"));
     if (kept_ > 0) text += fmt::format(", {} of them kept", kept_);
     return text + "\n";
 }

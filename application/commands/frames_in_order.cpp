@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "application/counted.h"
 #include "application/sampling/take_samples.h"
 
 namespace application {
@@ -96,7 +97,7 @@ Status FramesInOrder::take_up() {
             fmt::format("--resume: {} is of another sequence: {}; give what it was made with, or delete it",
                         checkpoint_.string(), other));
     if (Status status = session_.go_on_with(found_->history); !status.ok()) return status;
-    console_.note(fmt::format("{}: going on after {} frames", checkpoint_.string(), found_->frames));
+    console_.note(fmt::format("{}: going on after {}", checkpoint_.string(), counted(found_->frames, "frame")));
     found_.reset();
     return Status::success();
 }

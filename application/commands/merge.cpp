@@ -7,6 +7,7 @@
 
 #include "application/commands/command_steps.h"
 #include "application/commands/commands.h"
+#include "application/counted.h"
 #include "application/file_output.h"
 #include "application/sampling/sum_file.h"
 
@@ -83,8 +84,8 @@ ExitCode run_merge(const Options& options, Console& console) {
             "those of one run");
     if (whole->ranges.size() > 1 || whole->ranges.front().first > 0)
         console.warning(fmt::format("samples {} only: those between are missing", notes.ranges));
-    console.note(
-        fmt::format("{}: {} samples per pixel of {} files", options.output, notes.samples, options.inputs.size()));
+    console.note(fmt::format("{}: {} per pixel of {}", options.output, counted(notes.samples, "sample"),
+                             counted(options.inputs.size(), "file")));
     return DONE;
 }
 

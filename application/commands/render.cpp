@@ -7,6 +7,7 @@
 #include "application/cluster/team.h"
 #include "application/commands/command_steps.h"
 #include "application/commands/commands.h"
+#include "application/counted.h"
 #include "application/file_output.h"
 #include "application/frame_files.h"
 #include "application/sampling/checkpoint.h"
@@ -20,8 +21,8 @@ using render_system::Status;
 
 std::string render_text(const Options& options, const std::string& file, uint32_t samples, const CoreStats& stats,
                         double seconds) {
-    return fmt::format("{}: {}x{}, {} samples per pixel, {} core, {:.2f} s\n", file, options.width, options.height,
-                       samples, stats.core, seconds);
+    return fmt::format("{}: {}x{}, {} per pixel, {} core, {:.2f} s\n", file, options.width, options.height,
+                       counted(samples, "sample"), stats.core, seconds);
 }
 
 /// What stands in the way of a rendering and can be known before the scene is.

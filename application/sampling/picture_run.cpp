@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "application/cluster/team.h"
+#include "application/counted.h"
 #include "application/file_output.h"
 #include "application/sampling/checkpoint.h"
 #include "application/sampling/sum_file.h"
@@ -103,7 +104,8 @@ Status PictureRun::resume() {
     if (checkpoint.first_sample != wanted_.first)
         return refuse(fmt::format("its first sample was {} and is {}", checkpoint.first_sample, wanted_.first));
     if (checkpoint.sums.samples > wanted_.count())
-        return refuse(fmt::format("it has {} samples, {} are wanted", checkpoint.sums.samples, wanted_.count()));
+        return refuse(
+            fmt::format("it has {}, {} are wanted", counted(checkpoint.sums.samples, "sample"), wanted_.count()));
     if (checkpoint.passes.has_value() != passes_.has_value())
         return refuse(fmt::format("--filter temporal {} given", passes_ ? "was not" : "was"));
     if (checkpoint.sums.squares.size() != sums_.squares.size())
@@ -112,7 +114,7 @@ Status PictureRun::resume() {
     sums_.samples = checkpoint.sums.samples;
     std::copy(checkpoint.sums.pixels.begin(), checkpoint.sums.pixels.end(), sums_.pixels.begin());
     std::copy(checkpoint.sums.squares.begin(), checkpoint.sums.squares.end(), sums_.squares.begin());
-    console_.note(fmt::format("{}: going on after {} samples", checkpoint_.string(), sums_.samples));
+    console_.note(fmt::format("{}: going on after {}", checkpoint_.string(), counted(sums_.samples, "sample")));
     if (passes_)
         if (Status status = passes_->go_on_after(std::move(*checkpoint.passes)); !status.ok()) return status;
     return session_.go_on_from(wanted_.first + sums_.samples);
@@ -140,9 +142,9 @@ Status PictureRun::take(std::chrono::steady_clock::time_point start) {
         console_.note(fmt::format("interrupted by {}: the picture has {} of {} samples", name_of_signal(),
                                   sums_.samples, wanted_.count()));
     else if (end_ == SamplingEnd::time_limit)
-        console_.note(fmt::format("the time limit is reached: the picture has {} samples", sums_.samples));
+        console_.note(fmt::format("the time limit is reached: the picture has {}", counted(sums_.samples, "sample")));
     else if (sampling.noise)
-        console_.note(fmt::format("noise {:.4f} after {} samples{}", noise_of(sums_), sums_.samples,
+        console_.note(fmt::format("noise {:.4f} after {}{}", noise_of(sums_), counted(sums_.samples, "sample"),
                                   end_ == SamplingEnd::noise ? "" : "; more than asked for, but they are all taken"));
     return Status::success();
 }
@@ -179,8 +181,8 @@ Result<Picture> PictureRun::filtered() {
 
 PictureNotes PictureRun::notes(FilterMode filter) const {
     PictureNotes notes{.samples = sums_.samples};
-    if (!run_) return notes;
     notes.ranges = range_text({{wanted_.first, wanted_.first + sums_.samples}});
+    if (!run_) return notes;
     RunIdentity run = *run_;
     if (filter != FilterMode::none)
         run.entries.emplace_back(kFilterEntry, filter == FilterMode::spatial ? "spatial" : "temporal");

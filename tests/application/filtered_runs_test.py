@@ -201,7 +201,7 @@ class FilteredRuns(unittest.TestCase):
             self.assertEqual(self.file(parts).read_bytes(), self.file(plain).read_bytes())
             result = runs.run(*filtered, "-o", parts, "--resume")
             self.assertEqual(result.returncode, 0, result.stderr)
-            self.assertIn("going on after 1 samples", result.stderr)
+            self.assertIn("going on after 1 sample\n", result.stderr)
             self.assertEqual(self.file(parts).read_bytes(), self.file(whole).read_bytes())
             self.assertFalse(self.file(parts + ".checkpoint").exists())
 

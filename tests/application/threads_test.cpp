@@ -32,7 +32,8 @@ protected:
         arguments.insert(arguments.end(), more.begin(), more.end());
         const RunResult result = run_pathtracer(arguments, folder.path);
         EXPECT_EQ(result.exit_code, 0) << result.err;
-        EXPECT_THAT(result.err, testing::StartsWith("a.exr: " + size + ", " + spp + " samples per pixel"));
+        EXPECT_THAT(result.err, testing::StartsWith("a.exr: " + size + ", " + spp +
+                                                    (spp == "1" ? " sample" : " samples") + " per pixel"));
         EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << "no library may talk on its own";
         return read_file(folder.path / "a.exr");
     }
