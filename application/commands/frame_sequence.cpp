@@ -33,9 +33,8 @@ FrameSequence::FrameSequence(const Options& options, const std::string& pattern,
 }
 
 std::string FrameSequence::progress() const {
-    return fmt::format("interrupted by {}: {} of {} frames are done; {}",
-                       interrupt_.signal() == SIGINT ? "Ctrl-C" : "SIGTERM", kept_ + rendered_, frame_count(),
-                       how_to_go_on());
+    return fmt::format("interrupted by {}: {} of {} frames are done; {}", signal() == SIGINT ? "Ctrl-C" : "SIGTERM",
+                       kept_ + rendered_, frame_count(), how_to_go_on());
 }
 
 std::string FrameSequence::summary() const {

@@ -26,7 +26,7 @@ public:
     virtual render_system::Status render() = 0;
 
     /// The signal that ended it before its last frame, or 0.
-    int interrupted() const { return kept_ + rendered_ < frame_count() ? interrupt_.signal() : 0; }
+    int interrupted() const { return kept_ + rendered_ < frame_count() ? signal() : 0; }
 
     /// What a sequence that was interrupted has.
     std::string progress() const;
@@ -43,6 +43,8 @@ protected:
     std::string file_of(uint64_t place) const { return *frame_file(pattern_, number_of(place)); }
     std::string label_of(uint64_t place) const;
     bool stopped() const { return interrupt_.signal() != 0; }
+    /// The one that came here, or to another member of a team.
+    int signal() const { return stopped() ? interrupt_.signal() : signal_elsewhere_; }
     bool started() const { return started_; }
 
     /// Brings scene and view to the time of that frame.
@@ -72,6 +74,7 @@ protected:
     SampleSums sums_;
     uint32_t kept_ = 0;
     uint32_t rendered_ = 0;
+    int signal_elsewhere_ = 0;
 
 private:
     std::string text_of(uint64_t place) const;

@@ -47,10 +47,12 @@ private:
         status = render_frames([&ranks] { return ranks.next_task(); });
         if (!status.ok()) ranks.skip_tasks(frame_count());
         status = ranks.agree(status);
-        uint64_t done[] = {kept_, rendered_};
+        // A member that was stopped alone has left its frame undone; the others have gone on.
+        uint64_t done[] = {kept_, rendered_, signal() == SIGINT ? 1U : 0U, signal() == SIGTERM ? 1U : 0U};
         ranks.add_up(done);
         kept_ = static_cast<uint32_t>(done[0]);
         rendered_ = static_cast<uint32_t>(done[1]);
+        signal_elsewhere_ = done[2] > 0 ? SIGINT : done[3] > 0 ? SIGTERM : 0;
         return status;
     }
 

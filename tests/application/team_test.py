@@ -90,6 +90,22 @@ class Teams(unittest.TestCase):
         self.assertEqual({i: (self.path / f"team_{i:02}.png").stat().st_mtime_ns for i in times}, times)
         self.assertEqual(self.bytes("team_03.png"), self.bytes("alone_03.png"))
 
+    def test_a_frame_that_one_stopped_rank_has_dropped_is_not_said_to_be_done(self):
+        frames = [*RENDER, "--spp", "300", "--frames", "0:6", "--threads", "1", "-o"]
+        process = subprocess.Popen([*MPIRUN, "-n", "2", str(PROGRAM), *frames, self.file("team_##.png")],
+                                   stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, env=environment())
+        while not list(self.path.glob("team_??.png")):
+            self.assertIsNone(process.poll(), "ended by itself")
+            time.sleep(0.01)
+        os.kill(max(ranks_of(process)), signal.SIGTERM)
+        _, errors = process.communicate(timeout=100)
+        self.assertEqual(process.returncode, 143, errors)
+        self.assertIn("interrupted by SIGTERM: 5 of 6 frames are done; --resume", errors)
+        self.assertEqual(len(list(self.path.iterdir())), 5)
+        result = team(2, *frames, self.file("team_##.png"), "--resume")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn("5 of them kept", result.stderr)
+
     def test_pictures_that_follow_from_each_other_are_those_of_one_process(self):
         common = [*RENDER, "--filter", "temporal", "--threads", "1"]
         for name, more, files in (("{}.exr", ["--spp", "5"], ["{}.exr"]),
