@@ -91,7 +91,7 @@ class Teams(unittest.TestCase):
         self.assertEqual(self.bytes("team_03.png"), self.bytes("alone_03.png"))
 
     def test_a_frame_that_one_stopped_rank_has_dropped_is_not_said_to_be_done(self):
-        frames = [*RENDER, "--spp", "300", "--frames", "0:6", "--threads", "1", "-o"]
+        frames = [*RENDER, "--spp", "100", "--frames", "0:6", "--threads", "1", "-o"]
         process = subprocess.Popen([*MPIRUN, "-n", "2", str(PROGRAM), *frames, self.file("team_##.png")],
                                    stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, env=environment())
         while not list(self.path.glob("team_??.png")):
@@ -157,7 +157,6 @@ class Teams(unittest.TestCase):
         """Some of these hung, some ended in an error of MPI, some gave frames of two kinds."""
         first = [*RENDER, "--spp", "2", "-o", self.file("a_#.png")]
         for other, words in ((["--frames", "0:3"], "--frames is none and here 0:3"), (["--filter", "temporal"], "--filter is none"),
-                             (["--noise", "0.5"], "--noise is none"), (["--frames", "0:2", "--resume"], "--frames is none"),
                              (["--nonsense"], "the command is render and here none")):
             result = subprocess.run([*MPIRUN, "-n", "1", PROGRAM, *first, ":", "-n", "1", PROGRAM, *first, *other],
                                     capture_output=True, text=True, timeout=60, env=environment())
@@ -224,7 +223,7 @@ class Teams(unittest.TestCase):
         inside = ["unshare", "--user", "--map-root-user", "--mount", "sh", "-c"]
         if subprocess.run([*inside, mounted + "true"], capture_output=True).returncode != 0:
             self.skipTest("no small disk can be mounted here without privileges")
-        command = [*MPIRUN, "-n", "2", str(PROGRAM), *RENDER, "--spp", "1", "--frames", "0:40", "--threads", "1", "-o",
+        command = [*MPIRUN, "-n", "2", str(PROGRAM), *RENDER, "--spp", "1", "--frames", "0:12", "--threads", "1", "-o",
                    str(disk / "f_##.png")]
         result = subprocess.run([*inside, mounted + '"$@"; code=$?; ls "$0"; cp "$0"/* "$0/.."; exit $code', str(disk), *command],
                                 capture_output=True, text=True, timeout=180, env=environment())
@@ -233,8 +232,8 @@ class Teams(unittest.TestCase):
         self.assertEqual(len(errors), 1, result.stderr)
         self.assertRegex(errors[0], r"f_\d\d.png: No space left on device")
         there = result.stdout.split()
-        self.assertIn(len(there), range(1, 40))
-        alone = subprocess.run([PROGRAM, *RENDER, "--spp", "1", "--frames", "0:40", "-o", self.file("a_##.png")], capture_output=True)
+        self.assertIn(len(there), range(1, 12))
+        alone = subprocess.run([PROGRAM, *RENDER, "--spp", "1", "--frames", "0:12", "-o", self.file("a_##.png")], capture_output=True)
         self.assertEqual(alone.returncode, 0, alone.stderr)
         for name in there:
             self.assertRegex(name, r"^f_\d\d.png$")
