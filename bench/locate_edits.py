@@ -8,6 +8,9 @@ texts and, where several kernels reach it, by rendering once more with the edit 
 The source side needs no building (--kernels); for the target side the kernels of one lane are compiled, with the
 commands of the build folder, and linked in front of the library into a core module of their own, which the program
 loads from PATHTRACER_MODULES. Edits that do not compile, or never end, are left out.
+
+--difftest: of each edit that changes a picture it is also asked whether `porttool difftest` names the function that was
+edited; of a constant, a struct or a macro, a function that uses it. What it cannot run is counted by the reason.
 """
 import argparse
 import json
@@ -20,6 +23,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import tomllib
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 KERNELS = ["generate", "extend", "shade", "connect", "finalize"]
@@ -231,6 +235,53 @@ class TargetTrial:
         return compare(self.program, scene, size, modules=self.modules)
 
 
+class Difftest:
+    """A copy of the tree, in which one file at a time is edited."""
+
+    MOST_USERS = 12
+
+    def __init__(self, side, program, folder):
+        self.side, self.program, self.folder = side, str(pathlib.Path(program).resolve()), folder
+        for part in ("source_core", "target_core", "render_system"):
+            shutil.copytree(ROOT / part, folder / part)
+        for part in ("portmap.toml", "portmap.lock"):
+            shutil.copy(ROOT / part, folder)
+        shutil.copytree(ROOT / "portmap.base", folder / "portmap.base")
+        with open(ROOT / "portmap.toml", "rb") as file:
+            told = [pair[side.name] for pair in tomllib.load(file)["pair"]]  # a pair may have several targets
+        self.ids = {one for ids in told for one in ([ids] if isinstance(ids, str) else ids)}
+
+    def units(self, file, unit):
+        """The ids to ask: that of the function, or those of what uses what is none."""
+        prefix = f"{self.side.name}_core/kernels/"
+        own = [i for i in self.ids if i.startswith(f"{prefix}{file}:") and re.sub(r"#\d+$", "", i).endswith(":" + unit)]
+        users = [name for name, used in self.side.uses.items() if unit in used and name != unit]
+        return sorted(own), sorted(i for i in self.ids if i.startswith(prefix) and
+                                   re.split(r"[:#]+", i.split("/")[-1], maxsplit=1)[-1].split("::")[-1].split("#")[0]
+                                   in users)[:self.MOST_USERS]
+
+    def ask(self, ids):
+        command = [self.program, "-C", str(self.folder), "difftest", *ids, "--ulps", "0", "--inputs", "20000",
+                   "--format", "json"]
+        done = subprocess.run(command, capture_output=True, text=True)
+        return [(pair["state"], pair.get("reason") or "") for pair in json.loads(done.stdout)["pairs"]] if ids else []
+
+    def judge(self, edit, text):
+        """Whether it names the function, and why not: "named", "same" or the reason why it is not run."""
+        file, unit, *_ = edit
+        place = self.folder / f"{self.side.name}_core/kernels" / file
+        as_it_was = place.read_text()
+        place.write_text(text)
+        own, users = self.units(file, unit)
+        said = self.ask(own)
+        if all(state == "not_run" and "is no function" in reason for state, reason in said):
+            said = self.ask(users) or [("not_run", "nothing that is paired uses it")]
+        place.write_text(as_it_was)
+        if any(state == "differs" for state, _ in said):
+            return "named"
+        return "same" if any(state == "same" for state, _ in said) else said[0][1]
+
+
 def judge(trial, side, scenes, edit, text):
     """One of: left out, no difference (with or without an alarm), right, wrong; and what was said."""
     file, unit, *_ = edit
@@ -287,6 +338,7 @@ def main():
     parser.add_argument("--program", default=str(ROOT / "build/release/bin/pathtracer"))
     parser.add_argument("--parity", default=str(ROOT / "build/release/tests/application/parity"),
                         help="folder of the parity scene, rendered where the built-in scene shows no difference")
+    parser.add_argument("--difftest", action="store_true", help="ask `porttool difftest`, beside the program, as well")
     parser.add_argument("--known", action="store_true", help="ten errors and ten edits that change nothing instead")
     arguments = parser.parse_args()
     scenes = {"still_life": (["still_life"], "64x36"),
@@ -294,22 +346,31 @@ def main():
     side = Side(arguments.side)
     edits = side.edits()
     random.Random(arguments.seed).shuffle(edits)
-    counts = {}
+    counts, named = {}, {}
     with tempfile.TemporaryDirectory() as folder:
         make = SourceTrial if arguments.side == "source" else TargetTrial
         trial = make(side, arguments.program, pathlib.Path(folder) / "edited")
         if arguments.known:
             return min(known_edits(trial, side, scenes), 1)
+        difftest = None
+        if arguments.difftest:
+            difftest = Difftest(side, pathlib.Path(arguments.program).parent / "porttool", pathlib.Path(folder) / "tested")
         for edit in edits:
             file, unit, start, end, new = edit
             text = side.files[file]
             verdict, said = judge(trial, side, scenes, edit, text[:start] + new + text[end:])
             counts[verdict] = counts.get(verdict, 0) + 1
             line = text.count("\n", 0, start) + 1
+            if difftest and verdict in ("right", "wrong"):
+                answer = difftest.judge(edit, text[:start] + new + text[end:])
+                named[answer] = named.get(answer, 0) + 1
+                said = f"{said}; difftest: {answer}"
             print(f"{verdict}: {file}:{line} {unit}: {text[start:end]} -> {new}; {said or '-'}", flush=True)
             if counts.get("right", 0) + counts.get("wrong", 0) >= arguments.edits:
                 break
     print(counts)
+    if named:
+        print(f"difftest: {named.get('named', 0)} of {sum(named.values())} named;", named)
     return 0 if counts.get("wrong", 0) <= 0.05 * arguments.edits else 1
 
 

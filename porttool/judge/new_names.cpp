@@ -64,6 +64,17 @@ std::string_view last_scope(std::string_view scope) {
     return leaf_of(scope);
 }
 
+/// True for a member of a type that is there for several arguments: a name does not say which of them.
+bool is_specialised(const Signature& own, const Signatures& now) {
+    for (std::string_view scope = own.scope; scope.size() > 2;) {
+        scope.remove_suffix(2);
+        for (const Signature& one : now.of(std::string(leaf_of(scope))))
+            if (!one.is_function && !one.types.empty()) return true;
+        scope = scope_of(scope);
+    }
+    return false;
+}
+
 /// A constructor that copies or takes nothing, a destructor, an assignment, a conversion: what is called unnamed.
 bool is_special(const Signature& one) {
     const std::string_view type = last_scope(one.scope);
@@ -196,7 +207,8 @@ void NewNames::add_units(Side side, Fresh& out) const {
         const std::vector<Signature>& old = before.of(own.leaf);
         if (const auto twins = std::count(old.begin(), old.end(), own); twins > 0) {  // it was moved, or is one more
             const std::vector<Signature>& all = now.of(own.leaf);
-            if (std::count(all.begin(), all.end(), own) > twins && !before.has_text_of(*unit))
+            if (std::count(all.begin(), all.end(), own) > twins && !before.has_text_of(*unit) &&
+                !is_specialised(own, now))
                 out.meanings.push_back({own.leaf, Reason::Doubled, unit, nullptr, own});
             continue;
         }

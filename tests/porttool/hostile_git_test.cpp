@@ -342,7 +342,8 @@ TEST_F(HostileGit, ASecondDefinitionIsTold) {
     const std::string field = "struct Ray {\n    float from;\n    float to;\n};\n";
     const std::string bias = "const float BIAS = 0.5f;\n";
     const std::string user = "float shade_of(Ray r) {\n    return sqrtf(weight_of(r.from, r.to)) + BIAS;\n}\n";
-    const std::string host = field + bias + unit + user;
+    const std::string table = "template <> struct Block<4> {\n    static constexpr int qr = 16;\n};\n";
+    const std::string host = field + bias + table + unit + user;
     write("src/k.cu", host);
     write("port/k.cpp", "#include \"all.h\"\n" + host);
     write("port/all.h", "#include \"more.h\"\n");
@@ -384,6 +385,7 @@ TEST_F(HostileGit, ASecondDefinitionIsTold) {
     EXPECT_EQ(told(unit, unit + "extern const float BIAS;\nextern float other;\n"), 0);
     EXPECT_EQ(told(unit, "namespace {\nauto helper = [](float x) { return x; };\n}\n" + unit), 0);
     EXPECT_EQ(told(unit + user, user + unit), 0) << "moved";
+    EXPECT_EQ(told(table, table + replaced(replaced(table, "<4>", "<8>"), "16", "32")), 0) << "of another argument";
     EXPECT_EQ(told(unit, either(unit, unit)), 0) << "the same";
     // In other files.
     write("port/z.cpp", other);
