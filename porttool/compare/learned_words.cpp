@@ -183,10 +183,11 @@ private:
         return there == word ? word : most;
     }
 
-    /// Whether one side alone marks its floats, by the numbers that stand for each other.
+    /// Whether one side alone marks its floats, but for few, by the numbers that stand for each other.
     Marks learn_marks() const {
-        if (marks_added_ > 0 && plain_kept_ == 0) return Marks::Added;
-        if (marks_dropped_ > 0 && marks_kept_ == 0) return Marks::Dropped;
+        constexpr size_t kMost = 3;
+        if (marks_added_ > kMost * plain_kept_) return Marks::Added;
+        if (marks_dropped_ > kMost * marks_kept_) return Marks::Dropped;
         return Marks::Same;
     }
 

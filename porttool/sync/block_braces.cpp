@@ -11,16 +11,36 @@ namespace {
 
 constexpr size_t kNoClause = Clause::kNone;
 
-/// 1 where a unit puts every single statement that is controlled into braces, -1 where none, 0 where both.
-int brace_style(const PlacedUnit& unit) {
+/// How often a unit has braces around a single statement that is controlled, and how often none.
+struct BraceManner {
     size_t with = 0, without = 0;
+    bool any() const { return with + without > 0; }
+    /// 1 where there always are some, -1 where never, 0 where both are found.
+    int style() const { return with > 0 && without == 0 ? 1 : without > 0 && with == 0 ? -1 : 0; }
+};
+
+template <class Counts>
+BraceManner brace_manner(const PlacedUnit& unit, const Counts& counts) {
+    BraceManner out;
     for (size_t c = 0; c < unit.clauses.size(); ++c) {
         const Clause& one = unit.clauses[c];
         const std::string& head = unit.words.words[one.first];
-        if (!one.opens || one.partner != c + 2 || !(word_is(head, kControls) || head == "else")) continue;
-        ++(unit.words.is_added(one.end - 1) ? without : with);
+        if (!one.opens || one.partner != c + 2 || !(word_is(head, kControls) || head == "else") || !counts(c)) continue;
+        ++(unit.words.is_added(one.end - 1) ? out.without : out.with);
     }
-    return with > 0 && without == 0 ? 1 : without > 0 && with == 0 ? -1 : 0;
+    return out;
+}
+
+/// The manner of the source as it was, where it had any; else that of what came.
+int style_of_source(const PlacedUnit& source, const Transplant& transplant) {
+    const BraceEdits& edits = transplant.braces;
+    BraceManner was = brace_manner(source, [&](size_t c) {
+        const bool is_old = c < transplant.stands_for.size() && transplant.stands_for[c] != kNoClause;
+        return is_old && !edits.came.contains(c) && !edits.went.contains(c);
+    });
+    was.with += edits.went.size();
+    was.without += edits.came.size();
+    return (was.any() ? was : brace_manner(source, [](size_t) { return true; })).style();
 }
 
 class BracePlanner {
@@ -29,7 +49,8 @@ public:
                  const PlacedUnit& target)
         : result_(result), source_(source), target_(target), edited_(transplant.braces) {
         // Of two manners that both sides keep to, the target's; else what the source has.
-        style_ = brace_style(source) * brace_style(target) < 0 ? brace_style(target) : 0;
+        const int style = brace_manner(target, [](size_t) { return true; }).style();
+        style_ = style_of_source(source, transplant) * style < 0 ? style : 0;
         origin_.assign(target.clauses.size(), kNoClause);
         for (size_t c = 0; c < transplant.stands_for.size(); ++c)
             if (transplant.stands_for[c] != kNoClause) origin_[transplant.stands_for[c]] = c;

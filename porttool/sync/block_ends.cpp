@@ -3,6 +3,10 @@
 #include "porttool/sync/block_ends.h"
 
 #include <algorithm>
+#include <set>
+
+#include "porttool/language/words.h"
+#include "porttool/normal/normal_text.h"
 
 namespace porttool {
 
@@ -21,18 +25,46 @@ void stand_for(const AlignedText& first, size_t clause, const AlignedText& secon
         alignment.word_of[here.first + i] = i < there.size() ? there.first + i : Alignment::kNone;
 }
 
+/// Words at both ends that are the same stand for each other.
+void stand_for_by_ends(const AlignedText& first, size_t clause, const AlignedText& second, size_t other,
+                       Alignment& alignment) {
+    const Clause &here = first.clauses[clause], &there = second.clauses[other];
+    alignment.clause_of[clause] = other;
+    alignment.likeness[clause] = 1.0;
+    const size_t most = std::min(here.size(), there.size());
+    size_t head = 0, tail = 0;
+    while (head < most && first.exact[here.first + head] == second.exact[there.first + head]) ++head;
+    while (tail < most - head && first.exact[here.end - 1 - tail] == second.exact[there.end - 1 - tail]) ++tail;
+    for (size_t i = 0; i < head; ++i) alignment.word_of[here.first + i] = there.first + i;
+    for (size_t i = 1; i <= tail; ++i) alignment.word_of[here.end - i] = there.end - i;
+}
+
+/// True for `f ( a , b ) ;`.
+bool is_call(const AlignedText& text, size_t clause) {
+    const Clause& one = text.clauses[clause];
+    return !one.opens && !one.closes && one.size() > 3 && is_word_token(text.words[one.first]) &&
+           !word_is(text.words[one.first], kKeyword) && text.words[one.first + 1] == "(" &&
+           text.words[one.end - 2] == ")" && text.words[one.end - 1] == ";";
+}
+
 }  // namespace
 
 void match_only_clauses(const AlignedText& first, const AlignedText& second, Alignment& alignment) {
     if (first.clauses.size() != 1 || second.clauses.size() != 1 || alignment.clause_of[0] != Alignment::kNone) return;
-    alignment.clause_of[0] = 0;
-    alignment.likeness[0] = 1.0;
-    const size_t here = first.words.size(), there = second.words.size(), most = std::min(here, there);
-    size_t head = 0, tail = 0;
-    while (head < most && first.exact[head] == second.exact[head]) ++head;
-    while (tail < most - head && first.exact[here - 1 - tail] == second.exact[there - 1 - tail]) ++tail;
-    for (size_t i = 0; i < head; ++i) alignment.word_of[i] = i;
-    for (size_t i = 1; i <= tail; ++i) alignment.word_of[here - i] = there - i;
+    stand_for_by_ends(first, 0, second, 0, alignment);
+}
+
+void match_calls(const AlignedText& first, const AlignedText& second, Alignment& alignment) {
+    const std::set<size_t> taken(alignment.clause_of.begin(), alignment.clause_of.end());
+    for (size_t c = 1; c + 1 < first.clauses.size(); ++c) {
+        const size_t before = alignment.clause_of[c - 1];
+        if (alignment.clause_of[c] != Alignment::kNone || before == Alignment::kNone) continue;
+        const size_t other = before + 1;
+        if (alignment.clause_of[c + 1] != other + 1 || taken.contains(other)) continue;
+        if (is_call(first, c) && is_call(second, other) &&
+            first.words[first.clauses[c].first] == second.words[second.clauses[other].first])
+            stand_for_by_ends(first, c, second, other, alignment);
+    }
 }
 
 void match_block_ends(const AlignedText& first, const AlignedText& second, Alignment& alignment) {

@@ -21,4 +21,8 @@ void match_block_ends(const AlignedText& first, const AlignedText& second, Align
 /// `# define N ( 2 * SIZE )`. Of the words those at both ends that are the same stand for each other.
 void match_only_clauses(const AlignedText& first, const AlignedText& second, Alignment& alignment);
 
+/// Lets a call stand for one of the same function, however many arguments came or went, where it alone changed between
+/// two statements that stayed.
+void match_calls(const AlignedText& first, const AlignedText& second, Alignment& alignment);
+
 }  // namespace porttool

@@ -29,14 +29,29 @@ Names new_members(const CheckedProject& checked, const LinesByPair& lines, const
     return out;
 }
 
+namespace {
+
+/// True for a name behind a type, with what ends one of a declaration.
+bool is_declaration(const std::vector<std::string>& words, size_t i) {
+    if (i == 0 || i + 1 >= words.size() || !is_word_token(words[i])) return false;
+    const std::string &last = words[i - 1], &next = words[i + 1];
+    const bool typed = is_word_token(last) && (!word_is(last, kKeyword) || is_type_word(last));
+    return typed && (next == "=" || next == ";" || next == "[");
+}
+
+}  // namespace
+
+std::vector<size_t> declarations_of(const std::vector<std::string>& words, const std::string& name) {
+    std::vector<size_t> out;
+    for (size_t i = 0; i < words.size(); ++i)
+        if (words[i] == name && is_declaration(words, i)) out.push_back(i);
+    return out;
+}
+
 std::set<std::string> declared_twice(const std::vector<std::string>& words) {
     std::set<std::string> once, out;
-    for (size_t i = 1; i + 1 < words.size(); ++i) {
-        const std::string &last = words[i - 1], &next = words[i + 1];
-        const bool typed = is_word_token(last) && (!word_is(last, kKeyword) || is_type_word(last));
-        if (!typed || !is_word_token(words[i]) || (next != "=" && next != ";" && next != "[")) continue;
-        if (!once.insert(words[i]).second) out.insert(words[i]);
-    }
+    for (size_t i = 0; i < words.size(); ++i)
+        if (is_declaration(words, i) && !once.insert(words[i]).second) out.insert(words[i]);
     return out;
 }
 
@@ -52,7 +67,10 @@ bool lose_undeclared(const std::vector<std::string>& words, const Transplant& fo
     bool any = false;
     for (auto name = brought.begin(); name != brought.end();) {
         const auto first = std::find(words.begin(), words.end(), *name);
-        const bool is_lost = !from_elsewhere.contains(*name) && first != words.end() &&
+        const std::vector<size_t> declared = declarations_of(words, *name);
+        const bool is_declared =
+            std::any_of(declared.begin(), declared.end(), [&](size_t i) { return carried.contains(i); });
+        const bool is_lost = !from_elsewhere.contains(*name) && first != words.end() && !is_declared &&
                              !carried.contains(static_cast<size_t>(first - words.begin()));
         if (is_lost) lone.insert(*name);
         any |= is_lost;

@@ -18,6 +18,9 @@ using Names = std::set<std::string, std::less<>>;
 /// The fields and methods that a struct has gained on one side. Their types are known otherwise, or not.
 Names new_members(const CheckedProject& checked, const LinesByPair& lines, const JudgedPair& pair, Side side);
 
+/// Where a text declares a name behind its type, in whatever block.
+std::vector<size_t> declarations_of(const std::vector<std::string>& words, const std::string& name);
+
 /// Names that a text declares in more than one block: which of them a word is, nothing here tells.
 std::set<std::string> declared_twice(const std::vector<std::string>& words);
 

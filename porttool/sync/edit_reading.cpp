@@ -4,24 +4,15 @@
 
 #include <algorithm>
 #include <iterator>
+#include <map>
 
 #include "porttool/normal/normal_form.h"
 #include "porttool/normal/normal_text.h"
+#include "porttool/sync/directive_regions.h"
+#include "porttool/sync/operands.h"
 
 namespace porttool {
 namespace {
-
-/// What a text asks its preprocessor, in order: `ifdef FAST`, and of an expression how it begins.
-std::vector<std::string> conditions_of(const std::vector<std::string>& words) {
-    std::vector<std::string> out;
-    for (size_t i = 0; i + 2 < words.size(); ++i) {
-        const bool asks = words[i + 1].starts_with("if") || words[i + 1].starts_with("elif");
-        if (words[i] == "#" && asks)
-            out.push_back(
-                EditReading::shown(words, i + 1, std::min(words.size(), i + (words[i + 1].ends_with("def") ? 3 : 5))));
-    }
-    return out;
-}
 
 std::vector<std::string> numbers_of(const AlignedText& text, const Clause& clause) {
     std::vector<std::string> out;
@@ -154,8 +145,32 @@ size_t EditReading::near(size_t c) const {
     for (size_t i = 1; i < texts_.target.clauses.size(); ++i)
         if (const double found = resemblance(c, i); found > likeness) likeness = found, best = i;
     if (best != left) return target(best).first;
+    if (const size_t said = says_rare_name_of(c, left); said != kNothing) return target(said).first;
     const bool is_right = before_right < after_left && right < texts_.target.clauses.size();
     return is_right ? target(right).first : target(left).end - 1;
+}
+
+/// The clause of the target, of those that stand for none, that has a name of clause c which few others there have; of
+/// several the nearest to `place`.
+size_t EditReading::says_rare_name_of(size_t c, size_t place) const {
+    constexpr size_t kFew = 2;
+    std::map<uint32_t, std::vector<size_t>> clauses;
+    for (size_t i = before(c).first; i < before(c).end; ++i)
+        if (is_name(texts_.before.words[i])) clauses[texts_.before.common[i]];
+    for (size_t there = 1; there < texts_.target.clauses.size(); ++there)
+        for (size_t i = target(there).first; i < target(there).end; ++i) {
+            const auto found = clauses.find(texts_.target.common[i]);
+            if (found != clauses.end() && (found->second.empty() || found->second.back() != there))
+                found->second.push_back(there);
+        }
+    const auto distance = [&](size_t there) { return there > place ? there - place : place - there; };
+    size_t best = kNothing;
+    for (const auto& [name, all] : clauses) {
+        if (all.size() > kFew) continue;
+        for (const size_t there : all)
+            if (!stands_for_something(there) && (best == kNothing || distance(there) < distance(best))) best = there;
+    }
+    return best;
 }
 
 /// The share of names and numbers that a clause of the source's old text and one of the target have in common, if that
@@ -234,7 +249,7 @@ std::vector<std::string> EditReading::texts_of(const std::vector<CarriedWord>& w
 
 void EditReading::find_doubtful() {
     doubtful_.assign(texts_.before.clauses.size(), false);
-    find_doubtful_directives();
+    in_doubtful_directive_ = under_other_directives(texts_.before, texts_.target, texts_.across);
     for (size_t c = 0; c < doubtful_.size(); ++c) {
         const Clause& clause = before(c);
         if (!clause.opens || counterpart(c) == kNothing) continue;
@@ -253,21 +268,6 @@ void EditReading::find_doubtful() {
             doubtful_[c] =
                 !asks_alike && !says(there.first, there.end, carry_old(clause.first, clause.end).words, true);
         }
-    }
-}
-
-void EditReading::find_doubtful_directives() {
-    in_doubtful_directive_.assign(texts_.before.clauses.size(), false);
-    const std::vector<std::string> there = conditions_of(texts_.target.words);
-    if (there.empty() || there == conditions_of(texts_.before.words)) return;
-    int depth = 0;
-    for (size_t c = 0; c < texts_.before.clauses.size(); ++c) {
-        for (size_t i = before(c).first; i + 1 < before(c).end; ++i) {
-            if (texts_.before.words[i] != "#") continue;
-            const std::string& kind = texts_.before.words[i + 1];
-            depth += kind.starts_with("if") ? 1 : kind == "endif" ? -1 : 0;
-        }
-        in_doubtful_directive_[c] = depth > 0;
     }
 }
 

@@ -65,11 +65,10 @@ private:
     std::optional<size_t> only_place_of(const std::vector<CarriedWord>& words) const;
     size_t times_in_source(const Clause& clause) const;
     double resemblance(size_t c, size_t there) const;
+    size_t says_rare_name_of(size_t c, size_t place) const;
     /// Branches that the port takes on another condition, or that may be the other ones of two: what stands in them
     /// there is not known.
     void find_doubtful();
-    /// What stands between `#if` and `#endif` where the port has conditions, and others.
-    void find_doubtful_directives();
 
     std::vector<bool> in_doubtful_directive_;  ///< clauses of the source's old text
     std::vector<bool> doubtful_;               ///< heads of the source's old text

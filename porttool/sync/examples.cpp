@@ -94,6 +94,16 @@ bool same_operators(const std::vector<std::string>& source, size_t first, size_t
     return true;
 }
 
+/// Where a parameter lies is true of that function's parameters alone: what a kernel is handed in `__constant` memory
+/// may come in `__global` memory there, and `__constant` stays what it is for all else.
+bool is_address_space(std::string_view word) {
+    return is_one_of(word, {"__global", "__local", "__constant", "__private", "global", "local", "constant", "device",
+                            "threadgroup", "thread"});
+}
+
+/// What a phrase goes by that is true of heads alone.
+std::string in_heads(const std::string& phrase) { return "\x02" + phrase; }
+
 bool is_hexadecimal(std::string_view number) { return number.size() > 1 && (number[1] == 'x' || number[1] == 'X'); }
 
 bool is_real(std::string_view number) {
@@ -183,6 +193,9 @@ void Examples::learn(const AlignedText& source, const AlignedText& target, const
                 if (changes_number(source.words, i, end, said) || (end - i < said.size() && are_bound(said))) continue;
                 if (end == i + 1 && said.size() != 1 && (word_is(source.words[i], kKeyword) || declares(said)))
                     continue;
+                // `Vec ( x , y )` for `( float2 ) ( x , y )` tells how values are made, not what the type is called.
+                if (end == i + 1 && said.size() == 3 && said.front() == "(" && said.back() == ")" && is_name(said[1]))
+                    continue;
                 note(source, i, end, target, first, last);
             }
         }
@@ -194,16 +207,26 @@ void Examples::learn(const AlignedText& source, const AlignedText& target, const
 /// `REAL4 z` is `CVector4 & z` there: a parameter's type is that of what it stands for, however it is handed over.
 void Examples::learn_parameter_types(const AlignedText& source, const AlignedText& target, const Alignment& alignment) {
     if (source.clauses.empty() || alignment.clause_of[0] != 0) return;
-    const Clause &here = source.clauses[0], &there = target.clauses[0];
+    // The type alone in front of a name, and whether the name is a reference; kNone for pointers and what has more
+    // words.
+    const auto type_before = [](const AlignedText& text, size_t name) -> std::pair<size_t, bool> {
+        const bool refers = name > 1 && text.words[name - 1] == "&";
+        const size_t type = name - (refers ? 2 : 1);
+        const bool is_alone =
+            type > 1 && is_name(text.words[type]) &&
+            (text.words[type - 1] == "," || text.words[type - 1] == "(" || (refers && text.words[type - 1] == "const"));
+        return {is_alone ? type : Alignment::kNone, refers};
+    };
+    const Clause& here = source.clauses[0];
     for (size_t i = here.first + 2; i + 1 < here.end; ++i) {
         const size_t k = alignment.word_of[i];
         const bool ends = source.words[i + 1] == "," || source.words[i + 1] == ")";
-        if (!ends || k == Alignment::kNone || k < there.first + 4 || source.words[i] != target.words[k]) continue;
-        const bool plain = is_name(source.words[i - 1]) && (source.words[i - 2] == "," || source.words[i - 2] == "(");
-        const std::string& before = target.words[k - 3];
-        if (plain && target.words[k - 1] == "&" && is_name(target.words[k - 2]) &&
-            (before == "," || before == "(" || before == "const"))
-            note(source, i - 1, i, target, k - 2, k - 1);
+        if (!ends || k == Alignment::kNone || k < target.clauses[0].first + 2 || source.words[i] != target.words[k])
+            continue;
+        const auto [type, refers] = type_before(source, i);
+        const auto [said, refers_there] = type_before(target, k);
+        if (type != Alignment::kNone && said != Alignment::kNone && refers != refers_there)
+            note(source, type, type + 1, target, said, said + 1);
     }
 }
 
@@ -323,7 +346,9 @@ std::string Examples::number(std::string_view written) const {
 
 void Examples::note(const AlignedText& source, size_t first, size_t end, const AlignedText& target, size_t there,
                     size_t there_end) {
-    Said& known = phrases_[joined(source.words, first, end)];
+    const std::string phrase = joined(source.words, first, end);
+    const bool of_head = is_address_space(source.words[first]) && first < source.clauses.front().end;
+    Said& known = phrases_[of_head ? in_heads(phrase) : phrase];
     ++known.times[joined(target.words, there, there_end)];
     ++known.all;
     if (end - first != 1 || there_end - there != 1) return;
@@ -402,8 +427,9 @@ std::string Examples::renamed(std::string_view word) const {
     return {};
 }
 
-Examples::Phrase Examples::longest(const std::vector<std::string>& words, size_t at, size_t end) const {
+Examples::Phrase Examples::longest(const std::vector<std::string>& words, size_t at, size_t end, bool in_head) const {
     std::string key;
+    if (in_head && at < words.size() && is_address_space(words[at])) key = in_heads(key);
     Phrase out;
     for (size_t i = at; i < std::min(end, at + kLongest); ++i) {
         key += words[i];

@@ -30,7 +30,8 @@ public:
         size_t length = 0;  ///< in words of the source; 0 if none is known
         std::vector<std::string> target;
     };
-    Phrase longest(const std::vector<std::string>& words, size_t at, size_t end) const;
+    /// `in_head`: of a function's head, where an address space may be another one than in a body.
+    Phrase longest(const std::vector<std::string>& words, size_t at, size_t end, bool in_head = false) const;
 
     /// Takes statements that say the same of one name each, however else they say it: where `a ( job ) ;`,
     /// `b ( job ) ;` and `c ( job ) ;` are `each < a > ( n ) ;` and so on, `d ( job ) ;` is `each < d > ( n ) ;`.

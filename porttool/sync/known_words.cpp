@@ -13,7 +13,7 @@
 #include "porttool/normal/unit_state.h"
 #include "porttool/scan/scan.h"
 #include "porttool/sync/call_sites.h"
-#include "porttool/text/letters.h"
+#include "porttool/sync/text_literals.h"
 
 namespace porttool {
 namespace {
@@ -63,23 +63,17 @@ bool is_built_in_type(std::string_view word) {
 bool is_shader_function(std::string_view word, Language language) {
     static constexpr std::string_view kFunctions =
         " sign floor ceil trunc fma min max clamp mix step smoothstep length distance dot cross normalize pow exp exp2 "
-        "log log2 sqrt sin cos tan asin acos radians degrees ";
+        "log log2 sqrt sin cos tan asin acos radians degrees round sinh cosh tanh ";
+    // OpenCL has C's under C's names.
+    static constexpr std::string_view kMathOfC =
+        " fabs fmod rint atan atan2 asinh acosh atanh fmin fmax hypot cbrt exp10 expm1 log10 log1p erf erfc tgamma "
+        "lgamma "
+        "copysign ldexp remainder isnan isinf isfinite ";
     if (word == "atan2") return language == Language::OpenCl || language == Language::Metal;
     if (language != Language::OpenCl && language != Language::Glsl && language != Language::Metal) return false;
-    return kFunctions.find(" " + std::string(word) + " ") != std::string_view::npos;
-}
-
-/// The words of a text in small letters: those of letters and digits.
-std::vector<std::string> small_words_of(std::string_view text) {
-    std::vector<std::string> out;
-    bool goes_on = false;
-    for (const char c : text) {
-        const bool is_part = is_small_letter(c) || is_capital_letter(c) || (c >= '0' && c <= '9');
-        if (is_part && !goes_on) out.emplace_back();
-        if (is_part) out.back() += small_letter(c);
-        goes_on = is_part;
-    }
-    return out;
+    const std::string name = " " + std::string(word) + " ";
+    return kFunctions.find(name) != std::string_view::npos ||
+           (language == Language::OpenCl && kMathOfC.find(name) != std::string_view::npos);
 }
 
 bool is_capital(std::string_view word) {

@@ -6,10 +6,10 @@
 
 #include "porttool/language/words.h"
 #include "porttool/normal/declaration_words.h"
-#include "porttool/normal/directive_end.h"
 #include "porttool/normal/locals.h"
 #include "porttool/normal/normal_text.h"
 #include "porttool/sync/operands.h"
+#include "porttool/sync/scopes.h"
 
 namespace porttool {
 namespace {
@@ -22,21 +22,17 @@ bool touches(const VariableWrite& write, const std::string& part) {
     return write.part.empty() || part.empty() || write.part == part;
 }
 
-/// The words with nothing in place of preprocessor lines.
-Words without_directives(const std::vector<std::string>& words) {
-    Words out(words.begin(), words.end());
-    for (size_t i = 0; i < out.size(); ++i) {
-        if (out[i] != "#") continue;
-        const size_t end = std::max(i + 1, directive_end(Words(words.begin(), words.end()), i));
-        std::fill(out.begin() + static_cast<std::ptrdiff_t>(i), out.begin() + static_cast<std::ptrdiff_t>(end), ";");
-    }
+/// The words as declarations are read in them: without preprocessor lines, and with a qualifier for what may be one.
+Words plainly_declared(const std::vector<std::string>& words) {
+    Words out = without_directives(words);
+    for (const auto& [macro, name] : declared_behind_macro(out)) out[macro] = "const";
     return out;
 }
 
 }  // namespace
 
 LocalWrites::LocalWrites(const AlignedText& text, const HandsBack& hands_back)
-    : text_(text), hands_back_(hands_back), locals_(local_numbers(without_directives(text.words))), declared_(1) {
+    : text_(text), hands_back_(hands_back), locals_(local_numbers(plainly_declared(text.words))), declared_(1) {
     for (size_t i = 0; i < locals_.size(); ++i) {
         if (locals_[i] >= declared_.size()) declared_.resize(locals_[i] + 1, i);
         std::vector<VariableWrite> found;
@@ -68,7 +64,7 @@ size_t LocalWrites::local_at(size_t place, const std::string& name) const {
     const bool begins = std::any_of(text_.clauses.begin(), text_.clauses.end(),
                                     [&](const Clause& clause) { return clause.first == place; });
     words.insert(words.begin() + static_cast<std::ptrdiff_t>(place), {name, begins ? ";" : "+"});
-    const std::vector<size_t> numbers = local_numbers(without_directives(words));
+    const std::vector<size_t> numbers = local_numbers(plainly_declared(words));
     return place < numbers.size() ? numbers[place] : 0;
 }
 

@@ -11,6 +11,7 @@
 #include "porttool/normal/unit_state.h"
 #include "porttool/scan/scan.h"
 #include "porttool/sync/block_ends.h"
+#include "porttool/sync/device_wait.h"
 #include "porttool/sync/file_text.h"
 #include "porttool/sync/local_manner.h"
 #include "porttool/sync/port_gate.h"
@@ -114,13 +115,15 @@ struct PairCarrier::Places {
 
 /// The source's unit before and now and the port's, as words, and side by side.
 struct PairCarrier::Texts : Places {
+    CalledForms forms;  ///< of the port
     UnitWords there, was, is;
     AlignedText old_text, new_text, port_text;
     Alignment edit, across;
     Examples examples;
 
-    Texts(const Places& places, const PairEdit& one, const CalledForms& forms, WordKeys keys)
+    Texts(const Places& places, const PairEdit& one, const CalledForms& called, WordKeys keys)
         : Places(places),
+          forms(called),
           there(words_of_unit(draft.scanned, port)),
           was(in_forms_of(forms, words_of_record(one.before[one.from]))),
           is(in_forms_of(forms, words_of_unit(file, unit))),
@@ -132,6 +135,7 @@ struct PairCarrier::Texts : Places {
         across = align(old_text, port_text, {});
         match_block_ends(old_text, new_text, edit);
         match_only_clauses(old_text, new_text, edit);
+        match_calls(old_text, new_text, edit);
     }
 
     ToldPlaces places() const {
@@ -191,6 +195,11 @@ void PairCarrier::carry(const PairEdit& edit, Proposal& out) {
     out.why.emplace_back("the port has it already");
 }
 
+/// True for a name of another block, which the port says without it, that a new block declares for itself.
+bool PairCarrier::is_declared_anew(const Texts& texts, const std::string& name) {
+    return declarations_of(texts.is.words, name).size() > declarations_of(texts.was.words, name).size();
+}
+
 PairCarrier::KnownNames PairCarrier::names_of(const PairEdit& edit, const Texts& texts) {
     KnownNames out;
     out.from_elsewhere = new_units_.brought();
@@ -200,10 +209,14 @@ PairCarrier::KnownNames PairCarrier::names_of(const PairEdit& edit, const Texts&
     out.brought = out.from_elsewhere;
     out.unported = new_units_.unported(edit.from);
     for (const auto& [name, why] : out.unported) out.lone.insert(name);
-    out.locals = declared_behind_macro(texts.is.words);
+    const Words plain = without_directives(texts.is.words);
+    for (const auto& [macro, name] : declared_behind_macro(plain)) out.locals.emplace(plain[name]);
     for (std::string& name : local_names(texts.file, texts.unit)) out.locals.insert(std::move(name));
     for (const std::string& name : out.locals)  // a name that the port has for something else cannot be taken
-        if (!has_word(texts.was.words, name)) (has_word(texts.there.words, name) ? out.lone : out.brought).insert(name);
+        if (!has_word(texts.was.words, name))
+            (has_word(texts.there.words, name) ? out.lone : out.brought).insert(name);
+        else if (!has_word(texts.there.words, name) && is_declared_anew(texts, name))
+            out.brought.insert(name);
     for (const std::string& name : declared_twice(texts.was.words))
         if (texts.examples.is_said_variously(name)) out.lone.insert(name);
     return out;
@@ -218,7 +231,8 @@ Transplant PairCarrier::transplanted(const PairEdit& edit, const Texts& texts, K
     const Unit& port = texts.port;
     const bool is_method = !class_of(port).empty();
     UnitSurroundings around{!runs_on_device(file, texts.unit),
-                            is_method && leaf_of(class_of(port)) == leaf_of(class_of(texts.unit))};
+                            is_method && leaf_of(class_of(port)) == leaf_of(class_of(texts.unit)),
+                            device_wait(texts.there.words, texts.other)};
     read_earlier_file(edit, texts, around);
     const auto written = [&](size_t i) {
         return is.words[i] == "@" || is.is_added(i) ? is.words[i] : std::string(file.lexed.view(is.tokens[i]));
@@ -383,7 +397,7 @@ BraceEdits PairCarrier::edit_of_braces(const PairEdit& edit, const Texts& texts)
     const ScannedFile file = scan_text(unit.file, *text);
     const Unit* before = unit_named(file, unit.id);
     if (before == nullptr) return {};
-    const UnitWords earlier = words_of_unit(file, *before);
+    const UnitWords earlier = in_forms_of(texts.forms, words_of_unit(file, *before));
     // A record has no blanks in strings.
     const auto same = [](const std::string& a, const std::string& b) {
         return a == b || (a.starts_with('"') && b.starts_with('"'));

@@ -64,6 +64,7 @@ private:
         std::set<std::string> locals;  ///< of the source's new text
     };
 
+    static bool is_declared_anew(const Texts& texts, const std::string& name);
     KnownNames names_of(const PairEdit& edit, const Texts& texts);
     void read_earlier_file(const PairEdit& edit, const Texts& texts, UnitSurroundings& out);
     Transplant transplanted(const PairEdit& edit, const Texts& texts, KnownNames& names, Proposal& out);

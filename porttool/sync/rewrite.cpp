@@ -245,6 +245,10 @@ private:
         if (last == kNone || out.empty()) return;
         const size_t end = end_of(last), next = placed_from(one.before);
         const size_t eol = end_of_comments(end);
+        const bool breaks_line =
+            std::find(braces_.opened.begin(), braces_.opened.end(), before) != braces_.opened.end() &&
+            has_statement_beside(before);
+        if (breaks_line) return put(end, end, out);
         if (next != kNone && start_of(next) < eol) return put(end, end, on_one_line(out));
         put(eol, eol, out);
     }
@@ -344,6 +348,21 @@ private:
         const size_t last = placed_before(target_.clauses[head].end);
         if (last == kNone) return;
         put(end_of(last), end_of(last), brace_layout_ > 0 ? "\n" + new_indent(head) + "{" : " {");
+        if (!has_statement_beside(head)) return;
+        order_ = order_of_[head + 1];
+        const size_t inner = placed_from(target_.clauses[head + 1].first);
+        put(end_of(last), start_of(inner), "\n" + deeper(indent_of_line(inner), depth_.of_clause(head + 1) + 1));
+    }
+
+    /// True for a head with its one statement behind it on a line: that goes to one of its own where a brace comes.
+    bool has_statement_beside(size_t head) const {
+        if (head + 1 >= target_.clauses.size() || target_.clauses[head + 1].opens || removed(head + 1)) return false;
+        const Clause& one = target_.clauses[head + 1];
+        const size_t last = placed_before(target_.clauses[head].end), first = placed_from(one.first),
+                     end = placed_before(one.end), next = placed_from(one.end);
+        if (last == kNone || first == kNone || end == kNone || first >= one.end) return false;
+        return start_of(first) < line_end(text(), end_of(last)) &&
+               (next == kNone || start_of(next) > line_end(text(), end_of(end)));
     }
 
     void unopen_block(size_t head) {

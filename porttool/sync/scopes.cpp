@@ -7,12 +7,13 @@
 
 #include "porttool/language/words.h"
 #include "porttool/normal/declaration_words.h"
+#include "porttool/normal/directive_end.h"
 #include "porttool/normal/normal_text.h"
 
 namespace porttool {
 namespace {
 
-bool is_plain_name(const std::string& word) {
+bool is_plain_name(std::string_view word) {
     return is_word_token(word) && !is_type_word(word) && !word_is(word, kKeyword | kQualifier | kTypePart);
 }
 
@@ -140,15 +141,28 @@ std::set<std::string> lost_names(const std::vector<std::string>& before, const s
     return out;
 }
 
-std::set<std::string> declared_behind_macro(const std::vector<std::string>& words) {
-    std::set<std::string> out;
+Words without_directives(const std::vector<std::string>& words) {
+    Words out(words.begin(), words.end());
+    for (size_t i = 0; i < out.size(); ++i) {
+        if (out[i] != "#") continue;
+        const size_t end = std::max(i + 1, directive_end(Words(words.begin(), words.end()), i));
+        std::fill(out.begin() + static_cast<std::ptrdiff_t>(i), out.begin() + static_cast<std::ptrdiff_t>(end), ";");
+    }
+    return out;
+}
+
+std::vector<std::pair<size_t, size_t>> declared_behind_macro(const Words& words) {
+    std::vector<std::pair<size_t, size_t>> out;
     for (size_t i = 3; i + 1 < words.size(); ++i) {
-        const std::string &macro = words[i - 2], &type = words[i - 1], &before = words[i - 3];
-        const bool begins = is_one_of(before, {";", "{", "}"}) || (before == "(" && i > 3 && words[i - 4] == "for");
-        const bool is_type = is_type_word(type) || is_plain_name(type);
-        if (begins && is_word_token(macro) && is_shouted(macro) && is_type && is_plain_name(words[i]) &&
-            is_one_of(words[i + 1], {"=", ";", "["}))
-            out.insert(words[i]);
+        if (!is_plain_name(words[i]) || !is_one_of(words[i + 1], {"=", ";", "["})) continue;
+        size_t type = i - 1;
+        while (type > 2 && words[type] == "*") --type;
+        if (type < 2) continue;
+        const std::string_view macro = words[type - 1], before = words[type - 2];
+        const bool begins =
+            is_one_of(before, {";", "{", "}"}) || (before == "(" && type > 2 && words[type - 3] == "for");
+        const bool is_type = is_type_word(words[type]) || is_plain_name(words[type]);
+        if (begins && is_word_token(macro) && is_shouted(macro) && is_type) out.emplace_back(type - 1, i);
     }
     return out;
 }

@@ -4,7 +4,10 @@
 
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
+
+#include "porttool/normal/normal_text.h"
 
 namespace porttool {
 
@@ -18,8 +21,11 @@ std::set<std::string> names_out_of_scope(const std::vector<std::string>& words);
 /// still, and declared no more.
 std::set<std::string> lost_names(const std::vector<std::string>& before, const std::vector<std::string>& now);
 
-/// Names that are declared behind a macro and a type, which nothing else tells from two names side by side:
-/// `LOCAL_AS float tile [ 64 ] ;`, `for ( MAYBE_VOLATILE int i = 0 ; ...`.
-std::set<std::string> declared_behind_macro(const std::vector<std::string>& words);
+/// The words with `;` in place of each of a preprocessor line's.
+Words without_directives(const std::vector<std::string>& words);
+
+/// Where names are declared behind a macro and a type, which nothing else tells from two names side by side:
+/// `LOCAL_AS float tile [ 64 ] ;`, `for ( MAYBE_VOLATILE int i = 0 ; ...`. First the macro's place, then the name's.
+std::vector<std::pair<size_t, size_t>> declared_behind_macro(const Words& words);
 
 }  // namespace porttool

@@ -137,6 +137,11 @@ CarriedWords EditTranslator::carry(const std::vector<std::string>& words, size_t
                                    const std::function<std::string(size_t)>& written) const {
     CarriedWords out;
     if (carry_pattern(words, first, end, out)) return out;
+    if (around_.wait && waits_for_device(words, first, end) && pair_.longest(words, first, end).length == 0) {
+        for (const std::string& word : *around_.wait) out.words.push_back({word, CarriedWord::kNoSource});
+        return out;
+    }
+    const auto head_end = static_cast<size_t>(std::find(words.begin(), words.end(), "{") - words.begin());
     for (size_t i = first; i < end;) {
         if (is_number_token(words[i])) {
             out.words.push_back({number(written(i)), i});
@@ -169,9 +174,9 @@ CarriedWords EditTranslator::carry(const std::vector<std::string>& words, size_t
         }
         size_t stop = i;  // no phrase goes over what is not known
         while (stop < std::min(end, i + Examples::kLongest) && !lone_.contains(words[stop])) ++stop;
-        Examples::Phrase phrase = pair_.longest(words, i, stop);
+        Examples::Phrase phrase = pair_.longest(words, i, stop, i < head_end);
         if (phrase.length == 0 && is_word_token(words[i]) && !brought_.contains(words[i]))
-            phrase = beside_.file().longest(words, i, stop);
+            phrase = beside_.file().longest(words, i, stop, i < head_end);
         if (phrase.length > phrase.target.size() && i + phrase.length < words.size() &&
             has_template_arguments(words, i + phrase.length) && has_std_scope(words, i))
             out.unknown.push_back(words[i + phrase.length - 1] + "<>");

@@ -11,6 +11,7 @@
 
 #include "porttool/language/words.h"
 #include "porttool/normal/declaration_words.h"
+#include "porttool/sync/device_wait.h"
 #include "porttool/sync/examples.h"
 #include "porttool/sync/known_words.h"
 
@@ -44,6 +45,7 @@ struct UnitNames {
 struct UnitSurroundings {
     bool on_host = false;                           ///< nothing of it runs on a device
     bool is_of_one_class = false;                   ///< both sides' units are methods of classes of one name
+    DeviceWait wait = {};                           ///< of the port
     std::set<std::string, std::less<>> fresh = {};  ///< words that its file did not have before the edit
     std::set<std::string, std::less<>> gone = {};   ///< units that its file had before the edit
 };

@@ -41,6 +41,10 @@ private:
     void remove(size_t was) {
         const Clause& clause = before(was);
         const size_t there = counterpart(was);
+        if (!added_.moved.contains(was) && stays_in_port(was)) {
+            ++out_.already;
+            return;
+        }
         if (there == kNothing) {
             const std::optional<size_t> elsewhere = goes_for_good(was) ? only_statement(was) : std::nullopt;
             if (elsewhere)
@@ -67,6 +71,22 @@ private:
             }
         }
         out_.removed.push_back(there);
+    }
+
+    /// True for a statement that stands elsewhere in the source's new text, and was not carried there: the port has it
+    /// where it is to be, or that is left.
+    bool stays_in_port(size_t was) const {
+        constexpr size_t kShortest = 4;
+        if (before(was).closes || before(was).opens || before(was).size() < kShortest) return false;
+        for (size_t is = 0; is < origin_.size(); ++is) {
+            if (origin_[is] != kNothing || now(is).size() != before(was).size() || is_added(is)) continue;
+            const auto first = texts_.now.exact.begin();
+            if (std::equal(first + static_cast<std::ptrdiff_t>(now(is).first),
+                           first + static_cast<std::ptrdiff_t>(now(is).end),
+                           texts_.before.exact.begin() + static_cast<std::ptrdiff_t>(before(was).first)))
+                return true;
+        }
+        return false;
     }
 
     /// A block that went with all that the source had in it stays around what the port has of its own there.

@@ -9,6 +9,7 @@
 #include "porttool/normal/normal_form.h"
 #include "porttool/normal/normal_text.h"
 #include "porttool/sync/operands.h"
+#include "porttool/sync/text_literals.h"
 
 namespace porttool {
 
@@ -86,7 +87,8 @@ void WordChanger::change_run(Hunk hunk, size_t was, size_t there) {
         return;
     }
     if (hunk.first == hunk.end && first != end) return leave_run(hunk, first, "the port has words of its own there");
-    if (!says(first, end, carry_old(hunk.first, hunk.end).words, true) && !is_name_alone(hunk, first, end))
+    if (!says(first, end, carry_old(hunk.first, hunk.end).words, true) && !is_name_alone(hunk, first, end) &&
+        !is_text_alike(hunk, first, end))
         return leave_run(hunk, first,
                          "the port says `" + shown(texts_.target.words, first, end) + "` there, not `" +
                              shown(texts_.before.words, hunk.first, hunk.end) + "`");
@@ -109,6 +111,12 @@ void WordChanger::put(const Hunk& hunk, size_t first, size_t end, const CarriedW
     if (const std::string why = uses_.doubt_within(now.words, hunk.now_end, first); !why.empty())
         return leave_run(hunk, first, why);
     out_.replaced.push_back({first, end, now.words, hunk.now_first, hunk.now_end});
+}
+
+bool WordChanger::is_text_alike(const Hunk& hunk, size_t first, size_t end) const {
+    return hunk.end == hunk.first + 1 && hunk.now_end > hunk.now_first && end == first + 1 &&
+           may_replace_literal(
+               {texts_.before.words[hunk.first], texts_.now.words[hunk.now_first], texts_.target.words[first]});
 }
 
 bool WordChanger::loses_way_out(const Hunk& hunk) const {

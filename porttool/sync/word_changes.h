@@ -73,6 +73,8 @@ private:
     void put_scope(const Hunk& hunk);
     /// True where one name stands for one name, of which nothing else is known.
     bool is_name_alone(const Hunk& hunk, size_t first, size_t end) const;
+    /// True where a text became another, and the target's is near enough to become that as well.
+    bool is_text_alike(const Hunk& hunk, size_t first, size_t end) const;
     void leave_run(const Hunk& hunk, size_t target_word, const std::string& why);
     void leave(std::string message, size_t source_word, size_t target_word);
 

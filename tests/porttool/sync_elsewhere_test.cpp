@@ -2,50 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Names that no file of either side declares, in edits of files that git has as they were. Each port is as a person
 // would write it.
-#include "tests/porttool/temporary_repository.h"
+#include "tests/porttool/synced_repository.h"
 
 namespace porttool::testing {
 namespace sync_elsewhere_test {
 
-/// A text without white space, which is a port's own affair.
-std::string dense(const std::string& text) {
-    std::string out;
-    for (const char c : text)
-        if (c != ' ' && c != '\n') out += c;
-    return out;
-}
-
-class SyncElsewhere : public TemporaryRepository {
-protected:
-    void start(const std::string& source, const std::string& before, const std::string& target,
-               const std::string& port) {
-        source_path = "src/" + source, port_path = "port/" + target;
-        write(source_path, before);
-        write(port_path, port);
-        ASSERT_EQ(porttool({"init", "--source", "src/*", "--target", "port/*"}).exit_code, 0);
-        commit("in step");
-    }
-    nlohmann::json proposal_of(const std::string& now) {
-        write(source_path, now);
-        return nlohmann::json::parse(porttool({"sync", "--format", "json"}).out)["proposals"][0];
-    }
-    void expect_ported(const std::string& now, const std::string& ported) {
-        const nlohmann::json got = proposal_of(now);
-        ASSERT_EQ(got["state"], "proposed") << got.dump(1);
-        ASSERT_EQ(porttool({"sync", "--apply"}).exit_code, 0);
-        EXPECT_EQ(dense(port_now()), dense(ported));
-    }
-    /// What is left must name `what` and the line of the port.
-    void expect_left(const std::string& now, const std::string& what, int line) {
-        const nlohmann::json got = proposal_of(now);
-        ASSERT_FALSE(got["left"].empty()) << got.dump(1);
-        EXPECT_NE(got["left"][0]["message"].get<std::string>().find(what), std::string::npos) << got.dump(1);
-        EXPECT_EQ(got["left"][0]["target_line"], line) << got.dump(1);
-    }
-    std::string port_now() const { return disk.read((root / port_path).string(), 1 << 20).bytes; }
-
-    std::string source_path, port_path;
-};
+class SyncElsewhere : public SyncedRepository {};
 
 const std::string kPool =
     "void Pool::forward_cpu(Blob* top) {\n"
