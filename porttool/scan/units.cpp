@@ -321,6 +321,9 @@ private:
     }
 
     void add_function(const Head& head, uint32_t close) {
+        const uint32_t parameters_end = structure_.match[head.parameters];
+        if (parameters_end == kNoMatch)  // `int (*{ f( }) {`: a brace closed before the list did
+            return next_statement(std::min(close + 1, scopes_.back().close));
         uint32_t end = std::min(close + 1, end_);
         while (word(end) == "catch" && word(end + 1) == "(" && structure_.match[end + 1] != kNoMatch) {
             const uint32_t block = structure_.match[end + 1] + 1;
@@ -330,7 +333,6 @@ private:
         // A body that runs into its scope's closing brace lost its own.
         if (close == scopes_.back().close) end = std::min(close, end_);
         Unit unit = new_unit(head.kernel ? UnitKind::Kernel : UnitKind::Function, head.name, head.first, end);
-        const uint32_t parameters_end = structure_.match[head.parameters];
         unit.parameters = {token(head.parameters) + 1, token(parameters_end)};
         unit.body = {token(at_) + 1, token(end - 1)};
         unit.name_token = token(head.name_at);

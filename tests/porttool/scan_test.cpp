@@ -12,6 +12,13 @@ TEST(Scan, MainOfAShaderIsAKernelAndThatOfAProgramIsNot) {
     EXPECT_EQ(units_of("a.cpp", "int main() {}\n"), "function 1-1 main\n");
 }
 
+TEST(Scan, AListThatABraceClosedIsNoFunction) {
+    for (const char* text :
+         {"int(*{s(}){", "int (*{ f( }) { return 1; }\n", "void g(int * u node *)) {}\nint (*{ h( }) {\n"})
+        EXPECT_TRUE(scan_text("a.cpp", text).units.size() <= 2) << text;
+    EXPECT_EQ(scan_text("a.cpp", "int (*{ f( }) {}\nint after() { return 1; }\n").units.back().name, "after");
+}
+
 TEST(Scan, ABlockWithLayoutIsNoFunction) {
     EXPECT_EQ(
         units_of("a.rgen", "layout(set = 0, binding = 1) uniform Camera {\n  mat4 view;\n} camera;\nvoid main() {}\n"),
