@@ -19,8 +19,7 @@ public:
         out_.match.assign(out_.tokens.size(), kNoMatch);
         for (uint32_t i = 0; i < out_.tokens.size(); ++i) {
             const Token& token = lexed_.tokens[out_.tokens[i]];
-            const bool continues_list = !open_.empty() && open_.back().bracket == '(';
-            if (token.line != line_ && !continues_list) indent_ = lexed_.column(token);
+            if (token.line != line_) indent() = lexed_.column(token);
             line_ = token.line;
             if (token.kind != TokenKind::Punctuator || token.length != 1) continue;
             read(i, lexed_.text[token.offset]);
@@ -31,13 +30,17 @@ public:
 private:
     struct Open {
         uint32_t index;
-        uint32_t indent;  ///< column of the first token on the line that opens
+        uint32_t indent;  ///< column of the first token on the line that opens, or on which its parameters began
         char bracket;
+        uint32_t inner;  ///< the same of the last line that began in it, and in no bracket within it
     };
+
+    /// Of the last line that began as deep as what is read now: not in a list that has ended since.
+    uint32_t& indent() { return open_.empty() ? indent_ : open_.back().inner; }
 
     void read(uint32_t i, char c) {
         if (c == '(' || c == '[' || c == '{') {
-            open_.push_back({i, indent_, c});
+            open_.push_back({i, indent(), c, indent()});
             if (c == '{') ++open_braces_;
         } else if (c == ')' || c == ']') {
             const char opening = c == ')' ? '(' : '[';

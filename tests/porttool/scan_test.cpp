@@ -140,6 +140,27 @@ TEST(Scan, EmptyAndOddFilesHaveNoUnits) {
     EXPECT_EQ(units_of("a.cpp", "#else\n#endif\n#endif\nint f() {}\n"), "function 4-4 f\n");
 }
 
+// One brace too many: what is indented tells where the others belong, within a macro's parentheses, too.
+TEST(Scan, ALostBraceCostsNoKernelWithinAMacro) {
+    const auto kernels = [](const std::string& indent, const std::string& head_end) {
+        std::string out;
+        for (const char* name : {"one", "two", "three"})
+            out += indent + "STRINGIFY(\n" + indent + "  __kernel void " + name + "(__global float* a,\n" + indent +
+                   "                 const int n)" + head_end + indent + "    if (n > 0) {\n" + indent +
+                   "      a[n] = 1.0f;\n" + indent + "    }\n" + indent + "  }\n" + indent + ")\n\n";
+        return out;
+    };
+    for (const std::string indent : {"", "    "})
+        for (const std::string& head_end : {std::string(" {\n"), "\n" + indent + "  {\n"})
+            for (const std::string lost : {"}\n", ""}) {
+                const ScannedFile file = scan_text("a.h", kernels(indent, head_end) + lost + "void four() {\n}\n");
+                std::vector<std::string> names;
+                for (const Unit& unit : file.units) names.push_back(unit.name);
+                EXPECT_EQ(names, (std::vector<std::string>{"one", "two", "three", "four"}))
+                    << lost << indent << head_end;
+            }
+}
+
 TEST(Scan, AFunctionCutOffByTheEndIsStillThere) {
     EXPECT_EQ(units_of("a.cpp", "int f() {\n  if (a) {\n"), "function 1-2 f\n");
 }
