@@ -12,7 +12,7 @@ namespace {
 constexpr size_t kNoClause = Clause::kNone;
 
 /// How often a unit has braces around a single statement that is controlled, and how often none.
-struct BraceManner {
+struct BracesOfBlocks {
     size_t with = 0, without = 0;
     bool any() const { return with + without > 0; }
     /// 1 where there always are some, -1 where never, 0 where both are found.
@@ -20,8 +20,8 @@ struct BraceManner {
 };
 
 template <class Counts>
-BraceManner brace_manner(const PlacedUnit& unit, const Counts& counts) {
-    BraceManner out;
+BracesOfBlocks brace_manner(const PlacedUnit& unit, const Counts& counts) {
+    BracesOfBlocks out;
     for (size_t c = 0; c < unit.clauses.size(); ++c) {
         const Clause& one = unit.clauses[c];
         const std::string& head = unit.words.words[one.first];
@@ -34,7 +34,7 @@ BraceManner brace_manner(const PlacedUnit& unit, const Counts& counts) {
 /// The manner of the source as it was, where it had any; else that of what came.
 int style_of_source(const PlacedUnit& source, const Transplant& transplant) {
     const BraceEdits& edits = transplant.braces;
-    BraceManner was = brace_manner(source, [&](size_t c) {
+    BracesOfBlocks was = brace_manner(source, [&](size_t c) {
         const bool is_old = c < transplant.stands_for.size() && transplant.stands_for[c] != kNoClause;
         return is_old && !edits.came.contains(c) && !edits.went.contains(c);
     });
