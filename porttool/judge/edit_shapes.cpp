@@ -120,29 +120,6 @@ std::string types_exchanged(const std::vector<std::string>& lines) {
     return out;
 }
 
-std::string name_exchanged(const std::vector<std::string>& lines) {
-    std::vector<WordList> went, came;
-    for (const std::string_view line : lines) (line[0] == '-' ? went : came).push_back(words_of(line.substr(1)));
-    if (went.empty() || went.size() != came.size()) return {};
-    std::string_view from, to;
-    for (size_t i = 0; i < went.size(); ++i) {
-        if (went[i].size() != came[i].size()) return {};
-        for (size_t k = 0; k < went[i].size(); ++k) {
-            if (went[i][k] == came[i][k]) continue;
-            if (from.empty()) from = went[i][k], to = came[i][k];
-            if (went[i][k] != from || came[i][k] != to) return {};
-        }
-    }
-    const auto is_name = [](std::string_view word) {
-        return is_word_token(word) && !is_type_word(word) && !word_is(word, kKeyword);
-    };
-    const auto stays = [&](const WordList& words) {
-        return std::find(words.begin(), words.end(), from) != words.end();
-    };
-    if (!is_name(from) || !is_name(to) || std::any_of(came.begin(), came.end(), stays)) return {};
-    return std::string(from) + " > " + std::string(to);
-}
-
 std::string handed_on(const std::vector<std::string>& lines) {
     std::vector<WordList> went, came;
     for (const std::string_view line : lines) (line[0] == '-' ? went : came).push_back(words_of(line.substr(1)));

@@ -23,12 +23,6 @@ bool is_of_branches(const std::vector<std::string>& lines);
 ///     + void @(Param < T > out, CParam < T > in)              "Array > CParam Param"
 std::string types_exchanged(const std::vector<std::string>& lines);
 
-/// The name that stands in the place of another throughout an edit which did nothing else; "" for any other edit, and
-/// where one of the two is a word of the language or a type of it.
-///
-///     - if (channel & Opacity)       + if (channel & Alpha)                         "Opacity > Alpha"
-std::string name_exchanged(const std::vector<std::string>& lines);
-
 /// The name that a function takes, or hands on to what it calls, and did not before, or no longer, where its edit did
 /// nothing else; "" for any other edit.
 ///

@@ -54,7 +54,6 @@ std::string cause_of(const Finding& finding) {
         if (is_of_branches(finding.details)) return rule + "# ifdef";
         if (const std::string types = types_exchanged(finding.details); !types.empty()) return rule + types;
         if (const std::string name = handed_on(finding.details); !name.empty()) return rule + "takes " + name;
-        if (const std::string names = name_exchanged(finding.details); !names.empty()) return rule + names;
         return rule + (is_long_edit(finding.details) ? "" : subject_of(finding)) + edit;
     }
     return finding.rule == Rule::Unpaired || is_of_gone_unit(finding) ? rule + split_id(subject_of(finding)).first
@@ -136,7 +135,6 @@ std::string what_others_are(const Finding& first) {
             if (is_of_macros(first)) return "more findings are about such macros";
             if (is_of_branches(first.details)) return "more pairs have parts in other branches for the compiler";
             if (!types_exchanged(first.details).empty()) return "more pairs take other types, too";
-            if (!name_exchanged(first.details).empty()) return "more pairs have that name in the other's place";
             return handed_on(first.details).empty() ? "more pairs have the same edit" : "more pairs hand on the same";
     }
 }
@@ -147,11 +145,9 @@ size_t least_told_once(const std::vector<Finding*>& group) {
     if (group.size() < kTwo || is_of_macros(*group.front())) return kTwo;
     const std::vector<std::string>& edit = group.front()->details;
     if (!types_exchanged(edit).empty()) return kMany;
-    const bool shares_name = !handed_on(edit).empty() || !name_exchanged(edit).empty();
-    const bool all_alike = std::all_of(group.begin(), group.end(), [&](const Finding* finding) {
-        return finding->details == edit && (is_long_edit(edit) || subject_of(*finding) == subject_of(*group.front()));
-    });
-    return all_alike || !shares_name ? kTwo : kSeveral;
+    const bool all_alike =
+        std::all_of(group.begin(), group.end(), [&](const Finding* finding) { return finding->details == edit; });
+    return all_alike || handed_on(edit).empty() ? kTwo : kSeveral;
 }
 
 /// What new units without a counterpart have in common with their class, which is one, too.

@@ -263,26 +263,6 @@ TEST(QuietGate, WhatManyFunctionsHandOnIsToldOnce) {
     EXPECT_EQ(after(replaced(text("", "", "0.5f"), "sum(Args* args)", "sum(Args* args, State* state)")).size(), 1);
 }
 
-TEST(QuietGate, ANameThatTookAnothersPlaceInManyFunctionsIsToldOnce) {
-    const auto text = [](const std::string& name, const std::string& last) {
-        std::string out;
-        for (const std::string unit : {"near", "far", "wide"})
-            out += "float " + unit + "(Args* args, int i) { return args->" + unit + " * args->" +
-                   (unit == "wide" ? last : name) + "[i]; }\n";
-        return out;
-    };
-    std::vector<std::string> pairs;
-    for (const std::string name : {"near", "far", "wide"}) pairs.push_back("s/k.cl:" + name + "=t/k.cpp:" + name);
-    const auto after = [&](const std::string& name, const std::string& last) {
-        const std::string before = text("opacity", "opacity");
-        return loud({{"s/k.cl", before}, {"t/k.cpp", before}}, {{"s/k.cl", text(name, last)}}, pairs).size();
-    };
-    EXPECT_EQ(after("alpha", "alpha"), 1);
-    EXPECT_EQ(after("alpha", "opacity"), 2) << "two may be a slip";
-    EXPECT_EQ(after("alpha", "gamma"), 3) << "another name";
-    EXPECT_EQ(after("alpha", "alpha[0] * args->opacity"), 3) << "more than the name";
-}
-
 TEST(QuietGate, AFunctionOfAWholeFamilyThatIsGoneIsToldOnce) {
     const auto after = [](const std::vector<std::string>& gone) {
         Texts before, now;
