@@ -31,7 +31,7 @@ SMALL = [
                                 "sample_slot(floatBitsToUint(more.y), surface.coordinates).x")]),
     ("arms of a select", "select", [("lights", "select(kind == LIGHT_SPOT, inside, Float(1.0f))",
                                      "select(kind != LIGHT_SPOT, Float(1.0f), square(inside))")]),
-    ("arm of a ternary", "select", [("filter", "x == 0 || y == 0 ? 0.5f : 0.25f;\n            Mask counts", "x == 0 && y == 0 ? 0.5f : 0.125f;\n            Mask counts")]),
+    ("arm of a ternary", "select", [("filter", "right == 0 || down == 0 ? 0.5f : 0.25f), Float", "right == 0 && down == 0 ? 0.5f : 0.125f), Float")]),
     # Terms.
     ("added factor", "term", [("guide", "color + gloss + vec3(0.01f)", "color + gloss * 0.5f + vec3(0.01f)")]),
     ("added term over lines", "term",
@@ -78,8 +78,8 @@ SMALL = [
                                           "settings.indirect_limit > 0.0f && segments >= 3u && settings.motion == STANDS_STILL")]),
     ("condition of a loop", "condition", [("coincident", "looking && !taken && row < partners.end", "looking && row < partners.end")]),
     ("bound of two loops", "loop",
-     [("filter", "    vec3 sum = own * 1.0e-6f;\n    for (int down = -1; down <= 1; ++down) {\n        for (int across = -1; across <= 1; ++across) {",
-       "    vec3 sum = own * 1.0e-6f;\n    for (int down = -2; down <= 2; ++down) {\n        for (int across = -2; across <= 2; ++across) {")]),
+     [("reproject", "    for (int down = -1; down <= 1; ++down) {\n        for (int across = -1; across <= 1; ++across) {",
+       "    for (int down = -2; down <= 2; ++down) {\n        for (int across = -2; across <= 2; ++across) {")]),
     ("new if", "new if",
      [("shade", "        Float light_pdf = density * surface.distance_squared / cosine;\n",
        "        Float light_pdf = density * surface.distance_squared / cosine;\n        if (settings.light_count > 1u) {\n"
@@ -116,12 +116,12 @@ SMALL = [
      [("sky", "    Float pdf;  // per solid angle, of choosing", "    Float density;  // per solid angle, of choosing"), ("sky", "    sky.pdf = 0.0f;", "    sky.density = 0.0f;"),
       ("sky", "sky.pdf = settings", "sky.density = settings"), ("extend", "throughput, sky.pdf)", "throughput, sky.density)")]),
     ("order of fields", "fields", [("path_state", "    Float cone_width;\n    Float cone_spread;\n", "    Float cone_spread;\n    Float cone_width;\n")]),
-    ("type of a parameter", "type", [("filter", "Float fall_off(Float difference) {\n    Float left = max(1.0f - difference, 0.0f);", "vec3 fall_off(vec3 difference) {\n    vec3 left = max(vec3(1.0f) - difference, vec3(0.0f));")]),
+    ("type of a parameter", "type", [("filter", "Float weight_of(Float alike) {\n    Float left = max(alike, 0.0f);", "vec3 weight_of(vec3 alike) {\n    vec3 left = max(alike, vec3(0.0f));")]),
     # Where nothing is due.
     ("comment", "nothing", [("shade", "// Cone growth by scattering: mirrors keep the cone", "// By scattering: mirrors keep the cone")], "source"),
     ("line breaks", "nothing", [("extend", "    Hit hit = trace_closest(path_ray.ray, path);", "    Hit hit =\n        trace_closest(path_ray.ray, path);")], "source"),
     ("literal's spelling", "nothing", [("shade", "bent, towards) > 1.0e-3f", "bent, towards) > 0.001f")], "source"),
-    ("local renamed", "nothing", [("filter", "    Float left = max(1.0f - difference, 0.0f);\n    return left * left;", "    Float rest = max(1.0f - difference, 0.0f);\n    return rest * rest;")], "source"),
+    ("local renamed", "nothing", [("filter", "    Float left = max(alike, 0.0f);\n    return left * left;", "    Float rest = max(alike, 0.0f);\n    return rest * rest;")], "source"),
 ]
 
 HAZE_EVALUATE = """// A second, wide lobe of what a polished surface scatters around its mirror direction.
