@@ -151,6 +151,10 @@ struct CoreMesh {
     std::span<const glm::vec2> uv1;
     std::span<const glm::vec4> colors;  ///< linear RGBA, 0 to 1
     std::span<const glm::uvec4> triangles;
+    /// What is to come after the first Render: an instance of it is set again, or its vertices are. A core need not be
+    /// told; one that was sees the same triangles from the first picture on as after many.
+    bool moves = false;
+    bool deforms = false;
 };
 
 /// Rows of the object-to-world matrix: world.x = dot(rows[0].xyz, p) + rows[0].w.

@@ -202,6 +202,7 @@ public:
     /// Gives the scene something to play.
     void set_animation(Animation animation);
     bool is_animated() const;
+    const Animation* animation() const { return animation_.get(); }  ///< null: none
     /// Seconds of what there is to play; 0 without an animation.
     double duration() const;
     /// Brings everything to `time` seconds, through the setters above. Without an animation nothing changes. Fails as

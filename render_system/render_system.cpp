@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render_system/render_system.h"
 
+#include <algorithm>
 #include <utility>
 
+#include "render_system/animation/moving_meshes.h"
 #include "render_system/light_table.h"
 #include "render_system/scene_limits.h"
 
@@ -35,10 +37,16 @@ Status send_materials(CoreAPI& core, const HostScene& scene, SceneChanges& chang
     return Status::success();
 }
 
+// A scene that is given back is not played: then nothing moves, and what could move is as fast as all else.
 Status send_meshes(CoreAPI& core, HostScene& scene, SceneChanges& changes, bool gives_back) {
+    const bool any = std::find(changes.meshes.begin(), changes.meshes.end(), true) != changes.meshes.end();
+    const MovingMeshes moving = any && !gives_back ? moving_meshes(scene) : MovingMeshes{};
     for (uint32_t i = 0; i < changes.meshes.size(); ++i) {
         if (!changes.meshes[i]) continue;
-        Status status = core.SetGeometry(i, scene.meshes()[i].view());
+        CoreMesh mesh = scene.meshes()[i].view();
+        mesh.moves = !gives_back && moving.moves[i];
+        mesh.deforms = !gives_back && moving.deforms[i];
+        Status status = core.SetGeometry(i, mesh);
         if (!status.ok()) return status;
         changes.meshes[i] = false;
         if (gives_back) scene.give_back_mesh(i);

@@ -33,15 +33,17 @@ struct CoreInstance {
     render_system::CoreTransform transform;
 };
 
-/// What has moved or changed its shape since it was first built: by id; what is past the end has not.
+/// What has moved or changed its shape since it was first built, or is said to: by id; what is past the end has not.
 struct MovingParts {
     std::vector<bool> instances;
-    std::vector<bool> meshes;
+    std::vector<bool> meshes;  // that change their shape
+    std::vector<bool> placed;  // meshes of which some instance moves
 
     bool moves(uint32_t instance, uint32_t mesh) const {
-        return (instance < instances.size() && instances[instance]) || deforms(mesh);
+        return is_set(instances, instance) || is_set(placed, mesh) || deforms(mesh);
     }
-    bool deforms(uint32_t mesh) const { return mesh < meshes.size() && meshes[mesh]; }
+    bool deforms(uint32_t mesh) const { return is_set(meshes, mesh); }
+    static bool is_set(const std::vector<bool>& flags, uint32_t id) { return id < flags.size() && flags[id]; }
 };
 
 /// Where a build has put a mesh.

@@ -77,6 +77,12 @@ void SceneStore::set_mesh(uint32_t mesh, const CoreMesh& data) {
         geometry_changed_ = true;  // also without a triangle: it is not there to be moved
     }
     CoreMeshCopy& copy = meshes_[mesh];
+    if (data.moves) {
+        raise(moving_.placed, mesh);
+    }
+    if (data.deforms) {
+        raise(moving_.meshes, mesh);
+    }
     const bool deforms = !geometry_changed_ && same_shape(copy, data);
     if (deforms) {
         std::copy(data.positions.begin(), data.positions.end(), copy.positions.begin());

@@ -143,6 +143,9 @@ void CoreMeshes::set_mesh(uint id, const CoreMesh& data) {
     give_back(mesh.baked);
     mesh.is_baked = false;
     mesh.flags = vertex_flags(data);
+    mesh.moves = mesh.moves || data.moves;
+    mesh.deforms = mesh.deforms || data.deforms;
+    is_alive_ = is_alive_ || mesh.moves || mesh.deforms;
     splice(mesh_triangles_, mesh.first_triangle, mesh.triangle_count, triangles);
     const std::vector<vec4> rows = pack_vertices(data);
     splice(vertices_, mesh.first_vertex_row, mesh.vertex_row_count, rows);
@@ -217,7 +220,7 @@ void CoreMeshes::place(std::span<const CoreMaterial> materials, float reach, boo
         Mesh& mesh = meshes_[placed_[i].mesh];
         const CoreTransform& transform = placed_[i].transform;
         InstanceGeometry& geometry = geometry_[i];
-        geometry.baked = uses[placed_[i].mesh] == 1 && !(i < moves_.size() && moves_[i]) && !mesh.deforms;
+        geometry.baked = uses[placed_[i].mesh] == 1 && !(i < moves_.size() && moves_[i]) && !mesh.moves && !mesh.deforms;
         geometry.deforms = mesh.deforms;
         if (geometry.baked) {
             bake(mesh, transform);

@@ -34,7 +34,7 @@ public:
     void settle() { edits_ = {.shape = false}; }
     /// The tree is lost.
     void start_anew() { edits_.shape = true; }
-    /// Whether an instance has moved or a mesh changed its shape since it was first there.
+    /// Whether an instance has moved or a mesh changed its shape since it was first there, or is said to.
     bool is_alive() const { return is_alive_; }
 
     /// Fills the instance table and `geometry()` for the materials at hand; bakes meshes of one instance that stand
@@ -69,6 +69,7 @@ private:
         size_t vertex_row_count = 0;
         size_t vertex_count = 0;
         uint flags = 0;  // INSTANCE_HAS_...
+        bool moves = false;    // some instance of it does; of those that nobody told of moves_ knows
         bool deforms = false;
         bool is_baked = false;                   // `baked` is that of `placed_by`
         render_system::CoreTransform placed_by;  // of the last bake

@@ -784,6 +784,49 @@ TYPED_TEST_P(CoreContractSuite, AStillCoreDrawsTheSameAndKeepsItsGeometry) {
     EXPECT_EQ(this->render(), thin);
 }
 
+// A core that comes to a frame by itself draws it as one that has drawn those before it.
+TYPED_TEST_P(CoreContractSuite, WhatIsSaidToMoveIsTheSameFromTheFirstPictureOn) {
+    SKIP_WITHOUT_DEVICE();
+    const auto turned = [](float angle) {
+        CoreTransform out;
+        out.rows[0] = {0.9f * std::cos(angle), -0.9f * std::sin(angle), 0.0f, 0.1f};
+        out.rows[1] = {0.9f * std::sin(angle), 0.9f * std::cos(angle), 0.0f, -0.1f};
+        return out;
+    };
+    const auto mesh_at = [](ContractScene& scene, float time, bool deforms) {
+        for (size_t i = 0; i < 4; ++i)
+            scene.positions[i].z = deforms ? 0.1f * std::sin(time + static_cast<float>(i)) : 0.0f;
+        CoreMesh mesh = scene.mesh();
+        mesh.moves = !deforms;
+        mesh.deforms = deforms;
+        return mesh;
+    };
+    constexpr float kFrames[] = {0.3f, 1.1f, 0.7f};
+    for (const bool deforms : {false, true}) {
+        const auto set_mesh = [&](float time) {
+            ContractScene scene;
+            this->expect_ok(this->core_->SetGeometry(0, mesh_at(scene, time, deforms)));
+        };
+        const auto show = [&](float time) {
+            if (deforms) set_mesh(time);
+            this->expect_ok(this->core_->SetInstance(0, 0, turned(deforms ? 0.5f : time)));
+            return this->render(4);
+        };
+        const auto begin = [&](float time) {
+            this->core_ = TypeParam::create();
+            this->expect_ok(this->core_->Init(TypeParam::options()));
+            this->send(ContractScene());
+            set_mesh(time);
+            this->expect_ok(this->core_->SetTarget(this->target()));
+            return show(time);
+        };
+        std::vector<std::vector<glm::vec4>> alone, after;
+        for (const float time : kFrames) alone.push_back(begin(time));
+        for (const float time : kFrames) after.push_back(after.empty() ? begin(time) : show(time));
+        EXPECT_EQ(alone, after) << (deforms ? "deformed" : "moved");
+    }
+}
+
 // What moves is followed, and what stands still left alone: no such order of edits may be seen in the picture, four
 // times on the way. The environment's EDITS asks for more or fewer of them.
 TYPED_TEST_P(CoreContractSuite, AfterManyEditsThePictureIsThatOfTheSceneAsItIs) {
@@ -825,6 +868,7 @@ REGISTER_TYPED_TEST_SUITE_P(CoreContractSuite, NothingWorksBeforeInitOrAfterShut
                             RefusesTablesOfTheWrongLength, DanglingIdsAreRefusedAtRender,
                             AFailedCallLeavesWhatWasSetBefore, EditsTakeEffectWithTheNextRender,
                             AMeshMayBeEmptyAtFirstAndInBetween, WhatIsRemovedGivesItsMemoryBack,
-                            AStillCoreDrawsTheSameAndKeepsItsGeometry, AfterManyEditsThePictureIsThatOfTheSceneAsItIs);
+                            AStillCoreDrawsTheSameAndKeepsItsGeometry, WhatIsSaidToMoveIsTheSameFromTheFirstPictureOn,
+                            AfterManyEditsThePictureIsThatOfTheSceneAsItIs);
 
 }  // namespace render_system::testing

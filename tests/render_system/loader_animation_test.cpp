@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "render_system/animation/curve.h"
+#include "render_system/animation/moving_meshes.h"
 #include "tests/render_system/gltf_file.h"
 
 namespace render_system::testing::loader_animation_test {
@@ -243,6 +244,35 @@ TEST(LoaderAnimation, MorphsByTheWeightsOfNodeMeshAndAnimation) {
     expect_near(mesh(loaded(file)).normals[1], {std::sqrt(0.5f), 0, std::sqrt(0.5f)});
     add_channel(file, {0, 1}, {0, 0, 1, 0}, "SCALAR", 1, part(0, "weights"));
     EXPECT_EQ(mesh(played(file, 0.75)).positions[1], glm::vec3(1, 0, 1.5f));
+}
+
+TEST(LoaderAnimation, TellsWhichMeshesMoveAndWhichDeform) {
+    const auto told = [](const GltfFile& file) {
+        const MovingMeshes meshes = moving_meshes(loaded(file));
+        return std::vector<bool>{meshes.moves.at(0), meshes.deforms.at(0)};
+    };
+    GltfFile file = one_triangle();
+    file.add_node({{"children", {0}}});
+    file.add_node({{"name", "apart"}});
+    file.root["scenes"][0]["nodes"] = {1, 2};
+    EXPECT_THAT(told(file), ElementsAre(false, false));
+    GltfFile apart = file;
+    add_channel(apart, {0, 1}, {0, 0, 0, 1, 0, 0}, "VEC3", 3, part(2, "translation"));
+    EXPECT_THAT(told(apart), ElementsAre(false, false));
+    add_channel(file, {0, 1}, {0, 0, 0, 1, 0, 0}, "VEC3", 3, part(1, "translation"));
+    EXPECT_THAT(told(file), ElementsAre(true, false)) << "what hangs on a node goes with it";
+
+    GltfFile morph = one_triangle();
+    const int up = morph.add(std::vector<glm::vec3>(3, glm::vec3(0, 0, 2)));
+    morph.root["meshes"][0]["primitives"][0]["targets"] = {{{"POSITION", up}}};
+    EXPECT_THAT(told(morph), ElementsAre(false, false));
+    add_channel(morph, {0, 1}, {0, 1}, "SCALAR", 1, part(0, "weights"));
+    EXPECT_THAT(told(morph), ElementsAre(false, true));
+
+    GltfFile skin = skinned(4);
+    EXPECT_THAT(told(skin), ElementsAre(false, false));
+    add_channel(skin, {0, 1}, {0, 0, 0, 1, 0, 0}, "VEC3", 3, part(2, "translation"));
+    EXPECT_THAT(told(skin), ElementsAre(false, true));
 }
 
 TEST(LoaderAnimation, AMeshThatIsGivenAnotherShapeIsDeformedNoMore) {

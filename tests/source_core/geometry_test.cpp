@@ -192,6 +192,18 @@ TEST(Geometry, WhatIsBakedIsBuiltOnceMoreWhenItFirstMovesAndThenNoMore) {
     EXPECT_FALSE(update_geometry(meshes, instances, {0}, {}, kOpaque, 1, alive.plan)) << "that one stood still so far";
 }
 
+TEST(Geometry, WhatIsSaidToMoveNeedsNoSecondBuild) {
+    const std::vector<CoreMeshCopy> meshes = {flat_sheet(4), one_triangle()};
+    const std::vector<CoreInstance> instances = {{0, moved(0.0f)}, {1, moved(1.0f)}};
+    MovingParts moving;
+    moving.placed = {false, true};
+    GeometryTables tables = *build_geometry(meshes, instances, kOpaque, 1, moving);
+    EXPECT_NE(tables.features & FEATURE_INSTANCES, 0u);
+    EXPECT_TRUE(update_geometry(meshes, instances, {1}, {}, kOpaque, 1, tables.plan));
+    EXPECT_FALSE(update_geometry(meshes, instances, {}, {1}, kOpaque, 1, tables.plan))
+        << "its vertices are another thing";
+}
+
 TEST(Geometry, ADeformedMeshIsFittedUntilItsTreeIsWorn) {
     std::vector<CoreMeshCopy> meshes = {flat_sheet(16)};
     const std::vector<CoreInstance> instances = {{0, moved(0.0f)}};
