@@ -67,9 +67,7 @@ Result<uint32_t> FramesInOrder::done_before() {
         return 0u;
     }
     if (found_->frames <= there) return found_->frames;
-    console_.note(
-        fmt::format("{} is not there, or is not of this sequence: it starts from its first frame", file_of(there)));
-    found_.reset();
+    lost_ = file_of(there);
     return 0u;
 }
 
@@ -92,6 +90,12 @@ Status FramesInOrder::start_after(uint32_t done) {
 
 Status FramesInOrder::take_up() {
     const std::string other = first_difference(found_->run, sequence_identity(options_, session_), "was", "is");
+    if (!lost_.empty()) {
+        console_.note(fmt::format("{} is not {}: it starts from its first frame", lost_,
+                                  other.empty() ? "there" : "of this sequence (" + other + ")"));
+        found_.reset();
+        return Status::success();
+    }
     if (!other.empty())
         return Status::invalid(
             fmt::format("--resume: {} is of another sequence: {}; give what it was made with, or delete it",

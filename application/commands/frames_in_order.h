@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 
 #include "application/cluster/team.h"
 #include "application/commands/frame_sequence.h"
@@ -41,6 +42,7 @@ private:
 
     std::filesystem::path checkpoint_;
     std::optional<SequenceCheckpoint> found_;
+    std::string lost_;   // a frame that it counts on and that is not there, or is of another sequence
     uint32_t next_ = 0;  // the place of the frame at work; those before are filtered and written
     std::chrono::steady_clock::time_point saved_;
 };

@@ -285,9 +285,11 @@ class FilteredRuns(unittest.TestCase):
             self.refused(self.render(*resume), word)
         checkpoint.write_bytes(good)
         # Frames of other options are not of this sequence, nor is what the last of them has left.
-        for more in (["--seed", "4"], ["--sky", "1,0,0"]):
+        for more, word in ((["--seed", "4"], "f_0.png is not of this sequence (--seed was 0 and is 4)"),
+                           (["--sky", "1,0,0"], "f_0.png is not of this sequence (")):
             checkpoint.write_bytes(good)
             result = self.rendered(*resume, *more)
+            self.assertIn(word, result.stderr)
             self.assertIn("it starts from its first frame", result.stderr)
         whole = [number(i).read_bytes() for i in range(done + 2)]
         self.rendered(*resume[:-1])
