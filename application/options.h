@@ -18,6 +18,11 @@ enum class Format { text, json };
 /// `--filter`: nothing, neighbours in the picture, or those and earlier frames.
 enum class FilterMode { none, spatial, temporal };
 
+/// As the command line has it.
+constexpr const char* name_of(FilterMode filter) {
+    return filter == FilterMode::none ? "none" : filter == FilterMode::spatial ? "spatial" : "temporal";
+}
+
 /// `--camera`: a file, the number of a camera node, or (neither) whatever the scene offers.
 struct CameraChoice {
     std::string file;
@@ -46,8 +51,8 @@ struct SkyChoice {
 struct SamplingOptions {
     std::optional<std::array<uint32_t, 2>> range;  ///< `--samples`: first and end
     std::optional<double> checkpoint;              ///< seconds between two
-    std::optional<double> time_limit;  ///< seconds
-    std::optional<double> noise;       ///< as noise_of measures it
+    std::optional<double> time_limit;              ///< seconds
+    std::optional<double> noise;                   ///< as noise_of measures it
 };
 
 /// Everything that a command line can say, with the defaults of one that says nothing.

@@ -7,13 +7,6 @@
 #include "application/command_table.h"
 
 namespace application {
-namespace {
-
-const char* name_of(FilterMode filter) {
-    return filter == FilterMode::none ? "none" : filter == FilterMode::spatial ? "spatial" : "temporal";
-}
-
-}  // namespace
 
 RunIdentity team_plan(const Invocation& invocation) {
     RunIdentity plan;

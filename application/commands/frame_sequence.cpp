@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <csignal>
 #include <utility>
 
 #include "application/commands/command_steps.h"
@@ -33,8 +32,8 @@ FrameSequence::FrameSequence(const Options& options, const std::string& pattern,
 }
 
 std::string FrameSequence::progress() const {
-    return fmt::format("interrupted by {}: {} of {} frames are done; {}", signal() == SIGINT ? "Ctrl-C" : "SIGTERM",
-                       kept_ + rendered_, frame_count(), how_to_go_on());
+    return fmt::format("interrupted by {}: {} of {} frames are done; {}", name_of_signal(signal()), kept_ + rendered_,
+                       frame_count(), how_to_go_on());
 }
 
 std::string FrameSequence::summary() const {

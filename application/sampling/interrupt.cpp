@@ -40,4 +40,6 @@ KeptInterrupt::~KeptInterrupt() {
 
 int KeptInterrupt::signal() const { return kept_signal; }
 
+const char* name_of_signal(int number) { return number == SIGINT ? "Ctrl-C" : "SIGTERM"; }
+
 }  // namespace application

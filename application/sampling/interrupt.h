@@ -18,4 +18,7 @@ public:
     int signal() const;
 };
 
+/// What a user calls one that is kept.
+const char* name_of_signal(int number);
+
 }  // namespace application

@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include <csignal>
 #include <utility>
 
 #include "application/cluster/team.h"
@@ -120,8 +119,6 @@ Status PictureRun::resume() {
     return session_.go_on_from(wanted_.first + sums_.samples);
 }
 
-const char* PictureRun::name_of_signal() const { return interrupt_.signal() == SIGINT ? "Ctrl-C" : "SIGTERM"; }
-
 Status PictureRun::take(std::chrono::steady_clock::time_point start) {
     start_ = start;
     const SamplingOptions& sampling = options_.sampling;
@@ -139,8 +136,8 @@ Status PictureRun::take(std::chrono::steady_clock::time_point start) {
     collect();
     end_ = *end;
     if (end_ == SamplingEnd::interrupted)
-        console_.note(fmt::format("interrupted by {}: the picture has {} of {} samples", name_of_signal(),
-                                  sums_.samples, wanted_.count()));
+        console_.note(fmt::format("interrupted by {}: the picture has {} of {} samples",
+                                  name_of_signal(interrupt_.signal()), sums_.samples, wanted_.count()));
     else if (end_ == SamplingEnd::time_limit)
         console_.note(fmt::format("the time limit is reached: the picture has {}", counted(sums_.samples, "sample")));
     else if (sampling.noise)
@@ -184,15 +181,14 @@ PictureNotes PictureRun::notes(FilterMode filter) const {
     notes.ranges = range_text({{wanted_.first, wanted_.first + sums_.samples}});
     if (!run_) return notes;
     RunIdentity run = *run_;
-    if (filter != FilterMode::none)
-        run.entries.emplace_back(kFilterEntry, filter == FilterMode::spatial ? "spatial" : "temporal");
+    if (filter != FilterMode::none) run.entries.emplace_back(kFilterEntry, name_of(filter));
     notes.run = run.text();
     return notes;
 }
 
 /// A run that has all its samples and not their filtered picture is not done: --resume goes on to it.
 void PictureRun::stop_before_filter() {
-    console_.note(fmt::format("interrupted by {}: the picture is not filtered", name_of_signal()));
+    console_.note(fmt::format("interrupted by {}: the picture is not filtered", name_of_signal(interrupt_.signal())));
     const bool was_whole = is_whole();
     end_ = SamplingEnd::interrupted;
     if (was_whole && keeps_checkpoints()) save_checkpoint();

@@ -57,7 +57,6 @@ private:
     render_system::Result<Picture> filtered();
     void stop_before_filter();
     PictureNotes notes(FilterMode filter) const;
-    const char* name_of_signal() const;
 
     const Options& options_;
     std::filesystem::path file_;
