@@ -2,18 +2,23 @@
 # SPDX-License-Identifier: Apache-2.0
 """Runs the shell steps of action.yml and templates/porttool.yml as the two services would: PORTTOOL as first argument.
 
-The archive is a file:// one. In most tests its program writes down the arguments that it was given, so that what
-reaches it can be held to what was asked for, byte by byte; the real program runs in the last ones.
+The archive is a file:// one, but where a server of our own with a certificate of our own hands it out. In most tests its
+program writes down the arguments that it was given, so that what reaches it can be held to what was asked for, byte by
+byte; the real program runs in the last ones.
 """
+import functools
 import hashlib
+import http.server
 import os
 import pathlib
 import re
 import shutil
+import ssl
 import subprocess
 import sys
 import tarfile
 import tempfile
+import threading
 import unittest
 
 try:
@@ -111,6 +116,52 @@ def pack(folder, program):
     return {"archive-url": f"file://{archive}", "sha256": total}
 
 
+class Folder(http.server.SimpleHTTPRequestHandler):
+    """Hands out a folder; /to/ADDRESS leads to that address."""
+
+    def do_GET(self):
+        if not self.path.startswith("/to/"):
+            return super().do_GET()
+        self.send_response(302)
+        self.send_header("Location", self.path.removeprefix("/to/"))
+        self.end_headers()
+
+    def log_message(self, *_):
+        pass
+
+
+def serve(test, folder, certificate=None):
+    """Starts a server for the time of a test, with HTTPS if there is a certificate; returns its port."""
+    server = http.server.ThreadingHTTPServer(("localhost", 0), functools.partial(Folder, directory=folder))
+    if certificate is not None:
+        context = ssl.SSLContext(ssl.PROTOCOL_TLS_SERVER)
+        context.load_cert_chain(certificate)
+        server.socket = context.wrap_socket(server.socket, server_side=True)
+    thread = threading.Thread(target=server.serve_forever)
+    thread.start()
+    for clean_up in (server.server_close, thread.join, server.shutdown):  # the last is called first
+        test.addCleanup(clean_up)
+    return server.server_port
+
+
+def make_certificate(folder):
+    """A file with a key and a certificate for `localhost` that nobody trusts who is not told to."""
+    file = folder / "certificate.pem"
+    subprocess.run(["openssl", "req", "-x509", "-newkey", "rsa:2048", "-nodes", "-days", "2", "-subj", "/CN=localhost",
+                    "-addext", "subjectAltName=DNS:localhost", "-keyout", file, "-out", folder / "part"], check=True,
+                   capture_output=True)
+    file.write_text(file.read_text() + (folder / "part").read_text())
+    return file
+
+
+def path_with(folder, tool):
+    """A PATH on which the steps find `tool` and no other program that gets files."""
+    folder.mkdir()
+    for name in ("sh", "cp", "grep", "gzip", "mkdir", "mktemp", "sha256sum", "tar", "uname", tool):
+        (folder / name).symlink_to(shutil.which(name))
+    return str(folder)
+
+
 class Steps:
     def setUp(self):
         self.folder = pathlib.Path(tempfile.mkdtemp(prefix="porttool_gate_steps_"))
@@ -122,8 +173,8 @@ class Steps:
         self.archive = pack(self.folder / "archive", recorder)
         self.service = self.service_type(self.folder)
 
-    def refused(self, inputs, word):
-        code, out, err, arguments = self.service.run(inputs)
+    def refused(self, inputs, word, **environment):
+        code, out, err, arguments = self.service.run(inputs, **environment)
         self.assertEqual((code, out, arguments), (2, "", []), err)
         self.assertIn(word, err)
         self.assertNotRegex(out + err, r"(?m)^::")
@@ -160,6 +211,33 @@ class Steps:
         for url in ("http://example.org/p.tar.gz", "ftp://example.org/p.tar.gz", "file://host/p.tar.gz", "-o/x.tar.gz"):
             self.refused({**self.archive, "archive-url": url}, "must begin with https://")
         self.refused({**self.archive, "archive-url": "https://example.org/"}, "must end in .tar.gz")
+
+    @unittest.skipUnless(shutil.which("openssl"), "openssl makes the certificate")
+    def test_the_archive_over_https(self):
+        certificate = make_certificate(self.folder)
+        files = self.folder / "archive"
+        port, plain = serve(self, files, certificate), serve(self, files)
+        name = "porttool-9-linux-x.tar.gz"
+        secure = f"https://localhost:{port}/{name}"
+        (self.folder / "wgetrc").write_text(f"ca_certificate = {certificate}\n")
+        trust = {"curl": {"CURL_CA_BUNDLE": str(certificate)}, "wget": {"WGETRC": str(self.folder / "wgetrc")}}
+        for tool in filter(shutil.which, trust):
+            with self.subTest(tool=tool):
+                alone = {"PATH": path_with(self.folder / tool, tool)}
+                trusted = {**alone, **trust[tool]}
+                given = {**self.archive, "archive-url": secure}
+                for inputs in (given, {**given, "sha256": ""},
+                               {**given, "archive-url": f"https://localhost:{port}/to/{secure}"}):
+                    code, _, err, arguments = self.service.run(inputs, **trusted)
+                    self.assertEqual((code, err), (0, ""))
+                    self.assertEqual(arguments.count("check"), self.service.reports)
+                self.refused({**given, "sha256": "f" * 64}, "is not what it should be", **trusted)
+                for url in (secure.replace("-9-", "-8-"), f"https://localhost:{port}/to/http://localhost:{plain}/{name}",
+                            f"https://localhost:{plain}/{name}"):
+                    self.refused({**given, "archive-url": url}, f"could not get {url.rpartition('/')[2]}", **trusted)
+                other = secure.replace("localhost", "127.0.0.1")  # not what the certificate is for
+                self.refused({**given, "archive-url": other}, "could not get", **trusted)
+                self.refused(given, "could not get", **alone)
 
     def test_hostile_inputs_are_data(self):
         for text in HOSTILE:
