@@ -73,6 +73,14 @@ bool ends_lambda_head(const Words& words) {
     return end > 1 && !is_word_token(words[end - 2]) && words[end - 2] != "]" && words[end - 2] != ")";
 }
 
+/// True for words that stop behind the colon of a `? :`: what it gives otherwise is still to come.
+bool stops_at_choice(const Words& words) {
+    if (words.empty() || words[words.size() - 1] != ":") return false;
+    int open = 0;
+    for (const std::string_view word : words) open += word == "?" ? 1 : word == ":" ? -1 : 0;
+    return open == 0 && words[0] != "case" && words.size() > 2;
+}
+
 /// True if a statement's words end, with this one more, as what controls another statement: `if ( a )`, `else`.
 bool ends_control_head(const Words& words, std::string_view next) {
     if (words.empty()) return next == "else";
@@ -102,6 +110,7 @@ std::vector<Statement> split_statements(const Words& tokens, const Translator& t
     std::vector<int> outside;    // of each that is a lambda's body how many parentheses are open around it, else 0
     int parens = 0, braces = 0;  ///< that are open; braces of literals
     bool in_body = false;
+    size_t early_braces = 0;    ///< that the normal form closed at the colon of a `? :`
     std::vector<bool> implied;  // of each open block: it has no braces
     auto head = [&] { return heads.empty() ? Statement::kNoHead : heads.back(); };
     auto finish = [&] {
@@ -132,6 +141,11 @@ std::vector<Statement> split_statements(const Words& tokens, const Translator& t
     };
     for (size_t i = 0; i < tokens.size(); ++i) {
         const std::string_view token = tokens[i];
+        // `if (c) x = a ? b : d;` has got its braces as `if (c) { x = a ? b : } d;`.
+        if (token == "}" && parens == 0 && early_braces < implied.size() && stops_at_choice(current)) {
+            implied[implied.size() - ++early_braces] = true;
+            continue;
+        }
         // A line of the preprocessor is no part of the statement that follows.
         if (const size_t end = parens > 0 || !current.empty() ? 0 : directive_end(tokens, i); end > i) {
             current.assign(tokens.begin() + static_cast<std::ptrdiff_t>(i),
@@ -174,6 +188,7 @@ std::vector<Statement> split_statements(const Words& tokens, const Translator& t
             if (opens_lambda) parens = 0;
             in_body = true;
         } else if (token == ";") {
+            early_braces = 0;
             close_implied(next);
         } else {
             const bool goes_on = next == "else" && !heads.empty() && heads.back() != Statement::kNoHead &&

@@ -475,5 +475,38 @@ TEST(LoneEdit, WhatCanChangeAValueIsFound) {
         EXPECT_EQ(rules_after(edit, ""), std::vector<std::string>{"source-changed"}) << shown(edit);
 }
 
+TEST(LoneEdit, BracesAroundAStatementThatChoosesAreCosmetic) {
+    const std::string body = R"(
+float f(float a, float b, int n) {
+    float x = 0.0f;
+    if (n > 1) x = a > b ? a : b;
+    if (n > 2)
+        if (n > 3) x += a > 0.0f ? b : n > 4 ? a : 1.0f;
+        else x -= b > 0.0f ? a : b;
+    for (int i = 0; i < n; ++i) x = x > a ? x - b : a;
+    x *= b;
+    return x;
+}
+)";
+    const std::string one = "if (n > 1) x = a > b ? a : b;", loop = "x = x > a ? x - b : a;";
+    const std::string inner = "if (n > 3) x += a > 0.0f ? b : n > 4 ? a : 1.0f;", other = "else x -= b > 0.0f ? a : b;";
+    const std::vector<LabelledEdit> cosmetic = {
+        {".cl", body, one, "if (n > 1) { x = a > b ? a : b; }"},
+        {".cl", body, loop, "{ " + loop + " }"},
+        {".cl", body, inner, "if (n > 3) { x += a > 0.0f ? b : n > 4 ? a : 1.0f; }"},
+        {".cl", body, other, "else { x -= b > 0.0f ? a : b; }"},
+        {".cl", body, inner + "\n        " + other, "{ " + inner + " " + other + " }"},
+    };
+    for (const LabelledEdit& edit : cosmetic)
+        EXPECT_EQ(rules_after(edit, ""), std::vector<std::string>{}) << shown(edit);
+    // The inner `else` becomes that of the outer `if`; what follows a loop is drawn into it.
+    const std::string outer = replaced(body, inner, "{ " + inner + " }");
+    const std::vector<std::string> found = {"source-changed"};
+    EXPECT_EQ(rules_after({".cl", body, inner, "{ " + inner + " }"}, ""), found);
+    EXPECT_EQ(rules_after({".cl", outer, "{ " + inner + " }", inner}, ""), found);
+    EXPECT_EQ(rules_after({".cl", body, loop + "\n    x *= b;", "{ " + loop + "\n    x *= b; }"}, ""), found);
+    EXPECT_EQ(rules_after({".cl", body, "a > b ? a : b", "a > b ? b : a"}, ""), found);
+}
+
 }  // namespace
 }  // namespace porttool::testing::lone_edit_test
