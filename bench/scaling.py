@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """What texts that were written to hurt cost porttool: its time and memory at one size and at twice that.
 
-    bench/scaling.py [--porttool build/release/bin/porttool] [--bytes 2097152] [--only PART] [--all] [--counts]
+    bench/scaling.py [--porttool build/release/bin/porttool] [--bytes 2097152] [--only PART] [--all]
                      [--journal FILE]
 
 Makes each text of bench/constructs.json in a temporary folder (in memory where that can be) as both sides of a
@@ -17,17 +17,14 @@ smaller size that could not matter is not taken, and shown as -.
 What is filled in up to a bound that docs/porttool.md names grows faster below it. So what grows too fast is doubled again,
 up to 4 MiB, and must grow in line with the text by then; the table has the sizes of which that was seen.
 
---counts: millions of instructions, counted by valgrind, in place of seconds, and at most 2.1 times as many. They are the
-same on a busy machine, and tell what grows faster than the text from what a larger text does to the caches. Takes fifty
-times as long; try --bytes 262144.
+What grows faster than the text is told from what a larger text does to the caches, and from what a busy machine does, by
+`ninja -C build/release porttool_growth && build/release/bin/porttool_growth`, which counts in place of timing.
 """
 import argparse
 import json
 import os
 import pathlib
-import re
 import resource
-import shutil
 import subprocess
 import sys
 import tempfile
@@ -35,7 +32,7 @@ import tempfile
 # `init` writes a file for each text that it records: where a disk is slow with a hundred thousand of them in a folder, or
 # with those of the construct before that were just removed, its time would be in the table, not porttool's.
 MEMORY = "/dev/shm"
-MOST_GROWTH, MOST_GROWTH_OF_COUNTS, LEAST_SECONDS, LEAST_MILLIONS = 2.3, 2.1, 0.5, 20
+MOST_GROWTH, LEAST_SECONDS = 2.3, 0.5
 MOST_BYTES, LARGEST, LONGEST = 1 << 30, 4 << 20, 120
 SIDES = ["--source", "s/**", "--target", "t/**"]
 
@@ -57,19 +54,9 @@ def text(construct, count, edit):
     return parts[0] + opening + parts[1] + closing + parts[2]
 
 
-def instructions(arguments, folder):
-    """Millions of instructions that a run takes, and its exit code."""
-    ran = subprocess.run(["valgrind", "--tool=callgrind", "--callgrind-out-file=/dev/null", *arguments], cwd=folder,
-                         stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, errors="replace")
-    found = re.search(r"Collected : (\d+)", ran.stderr)
-    if found is None:
-        sys.exit("valgrind: " + ran.stderr[-400:])
-    return int(found.group(1)) / 1e6, ran.returncode
-
-
 class Repository:
-    def __init__(self, tool, folder, counts):
-        self.tool, self.folder, self.counts, self.rows = tool, pathlib.Path(folder), counts, {}
+    def __init__(self, tool, folder):
+        self.tool, self.folder, self.rows = tool, pathlib.Path(folder), {}
         for side in "st":
             (self.folder / side).mkdir()
 
@@ -82,11 +69,7 @@ class Repository:
                        stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
 
     def run(self, name, *arguments):
-        """Runs a command and notes its processor time (or its instructions, without those of its start) and peak memory."""
-        if self.counts:
-            count, code = instructions([self.tool, *arguments], self.folder)
-            self.rows[name] = (count - self.counts, 0, code)
-            return
+        """Runs a command and notes its processor time and peak memory."""
         with open(os.devnull, "wb") as sink:
             process = subprocess.Popen([self.tool, *arguments], cwd=self.folder, stdout=sink, stderr=sink,
                                        preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CPU, (LONGEST, LONGEST)))
@@ -95,12 +78,12 @@ class Repository:
         self.rows[name] = (usage.ru_utime + usage.ru_stime, usage.ru_maxrss * 1024, process.returncode)
 
 
-def measure(tool, construct, size, counts, wanted=None):
+def measure(tool, construct, size, wanted=None):
     """The rows of the commands at a size; of those that are wanted alone, with the `init` that they need."""
     count = repetitions(construct, size)
     old, one, other = (text(construct, count, edit) for edit in ("none", "one", "all"))
     with tempfile.TemporaryDirectory(dir=MEMORY if os.access(MEMORY, os.W_OK) else None) as folder:
-        repository = Repository(tool, folder, counts)
+        repository = Repository(tool, folder)
 
         def run(name, *arguments):
             if wanted is None or name in wanted or (name == "init" and not wanted <= {"scan", "map"}):
@@ -123,48 +106,41 @@ def measure(tool, construct, size, counts, wanted=None):
         return repository.rows
 
 
-def bounds(counts):
-    """At most so many times as much, and what less than that counts as."""
-    return (MOST_GROWTH_OF_COUNTS, LEAST_MILLIONS) if counts else (MOST_GROWTH, LEAST_SECONDS)
+def growth(once, twice):
+    return max(twice[0], LEAST_SECONDS) / max(once[0] or 0, LEAST_SECONDS)
 
 
-def growth(once, twice, counts):
-    least = bounds(counts)[1]
-    return max(twice[0], least) / max(once[0] or 0, least)
-
-
-def too_fast(once, twice, counts):
+def too_fast(once, twice):
     """The commands that take too much more for twice the size."""
-    return {command for command in twice if growth(once[command], twice[command], counts) > bounds(counts)[0]}
+    return {command for command in twice if growth(once[command], twice[command]) > MOST_GROWTH}
 
 
-def measure_pair(tool, construct, size, counts):
+def measure_pair(tool, construct, size):
     """The rows of a size and of twice that. The larger comes first: what takes so little there that it cannot be too much
     is not asked at the smaller size, and has no time there. What else a machine does only adds to a time: what is beyond
     the bound is measured again, up to twice, and the least time of each size counts."""
-    most, least = bounds(counts)
-    twice = measure(tool, construct, 2 * size, counts)
+    twice = measure(tool, construct, 2 * size)
     once = {command: (None, peak, code) for command, (_, peak, code) in twice.items()}
-    asked = {command for command, row in twice.items() if row[0] > most * least}
+    asked = {command for command, row in twice.items() if row[0] > MOST_GROWTH * LEAST_SECONDS}
     if asked:
-        once.update(measure(tool, construct, size, counts, asked))
-    for _ in range(0 if counts else 2):
-        if not (fast := too_fast(once, twice, counts)):
+        once.update(measure(tool, construct, size, asked))
+    for _ in range(2):
+        if not (fast := too_fast(once, twice)):
             break
         for rows, part in ((once, size), (twice, 2 * size)):
-            for command, (seconds, peak, code) in measure(tool, construct, part, counts, fast).items():
+            for command, (seconds, peak, code) in measure(tool, construct, part, fast).items():
                 if command in fast:
                     rows[command] = (min(seconds, rows[command][0]), max(peak, rows[command][1]), code)
     return once, twice
 
 
-def measure_twice(tool, construct, size, counts):
+def measure_twice(tool, construct, size):
     """The rows of each command at a size and at twice that, with the size: for what grows too fast the largest."""
-    once, twice = measure_pair(tool, construct, size, counts)
+    once, twice = measure_pair(tool, construct, size)
     found = {command: (once[command], twice[command], size) for command in twice}
-    while (fast := too_fast(once, twice, counts)) and 4 * size <= LARGEST:
+    while (fast := too_fast(once, twice)) and 4 * size <= LARGEST:
         size *= 2
-        once, twice = measure_pair(tool, construct, size, counts)
+        once, twice = measure_pair(tool, construct, size)
         found.update({command: (once[command], twice[command], size) for command in fast})
         once, twice = ({command: rows[command] for command in fast} for rows in (once, twice))
     return found
@@ -179,12 +155,12 @@ def noted(journal, key):
     return None
 
 
-def measured(tool, construct, size, counts, journal):
+def measured(tool, construct, size, journal):
     """The rows of a construct, out of the journal where they are noted, else measured, and then noted."""
-    key = [construct["name"], size, bool(counts)]
+    key = [construct["name"], size]
     rows = noted(journal, key)
     if rows is None:
-        rows = measure_twice(tool, construct, size, counts)
+        rows = measure_twice(tool, construct, size)
         if journal is not None:
             with journal.open("a", encoding="utf-8") as file:
                 file.write(json.dumps({"key": key, "rows": rows}) + "\n")
@@ -197,24 +173,19 @@ def main():
     parser.add_argument("--bytes", type=int, default=2 << 20, help="the smaller size of each text")
     parser.add_argument("--only", action="append", default=[], help="constructs whose name holds this; may be given again")
     parser.add_argument("--all", action="store_true", help="a row for every construct")
-    parser.add_argument("--counts", action="store_true", help="count instructions by valgrind")
     parser.add_argument("--journal", type=pathlib.Path, help="note what each construct took in this file, and go on from it")
     options = parser.parse_args()
-    if options.counts and shutil.which("valgrind") is None:
-        sys.exit("--counts needs valgrind; install it")
     if not os.path.exists(options.porttool):
         sys.exit(f"no {options.porttool} here; build it, or name it with --porttool")
     tool = os.path.abspath(options.porttool)
     constructs = json.loads((pathlib.Path(__file__).parent / "constructs.json").read_text(encoding="utf-8"))
-    counts = instructions([tool, "--version"], ".")[0] if options.counts else 0
-    unit = "million instructions" if counts else "s"
     rows, failed = {}, 0
     for construct in constructs:
         if options.only and not any(part in construct["name"] for part in options.only):
             continue
-        for command, (once, twice, size) in measured(tool, construct, options.bytes, counts, options.journal).items():
-            (seconds, peak, code), times = twice, growth(once, twice, counts)
-            bad = bool(too_fast({command: once}, {command: twice}, counts)) or peak > MOST_BYTES or code not in (0, 1)
+        for command, (once, twice, size) in measured(tool, construct, options.bytes, options.journal).items():
+            (seconds, peak, code), times = twice, growth(once, twice)
+            bad = bool(too_fast({command: once}, {command: twice})) or peak > MOST_BYTES or code not in (0, 1)
             failed += bad
             rows.setdefault(command, []).append((times, seconds, once[0], peak, construct["name"], code, bad, size))
         # A long run that is cut off has said what it found.
@@ -225,8 +196,8 @@ def main():
         worst = {max(found, key=lambda row: row[:2])[4], max(found, key=lambda row: row[1])[4], max(found, key=lambda row: row[3])[4]}
         for times, seconds, before, peak, name, code, bad, size in sorted(found, key=lambda row: row[:2], reverse=True):
             if options.all or bad or name in worst:
-                smaller = "-" if before is None else f"{before:.2f} {unit}"
-                print(f"| {command} | {name} | {size} | {smaller} | {seconds:.2f} {unit} | {times:.2f} | {peak / 2**20:.0f} MiB |"
+                smaller = "-" if before is None else f"{before:.2f} s"
+                print(f"| {command} | {name} | {size} | {smaller} | {seconds:.2f} s | {times:.2f} | {peak / 2**20:.0f} MiB |"
                       f" {'exit ' + str(code) if code not in (0, 1) else 'TOO MUCH' if bad else ''} |")
     print(f"\n{sum(len(found) for found in rows.values())} runs of twice the size, {failed} beyond the bounds")
     return 1 if failed else 0

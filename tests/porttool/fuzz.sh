@@ -27,7 +27,7 @@ done
 
 # The objects of the test run, but optimised: compiling them pays for itself within the first minutes.
 [ -f build/fuzz/build.ninja ] ||
-    cmake --preset release -B build/fuzz -DPORTTOOL_SANITIZED_TESTS=ON -DPORTTOOL_SANITIZED_LEVEL=-O2
+    cmake --preset release -B build/fuzz -DPORTTOOL_SANITIZED_TESTS=ON -DPORTTOOL_SANITIZED_LEVEL=-O2 -DPORTTOOL_WITH_RENDERER=OFF
 cmake --build build/fuzz --target porttool_fuzz_sanitized
 # Where each of a million blocks was allocated need not be noted: the seed that failed is run again.
 export ASAN_OPTIONS=hard_rss_limit_mb=4096:detect_stack_use_after_return=0:malloc_context_size=1:quarantine_size_mb=64:${ASAN_OPTIONS:-}
