@@ -29,7 +29,6 @@
 namespace porttool::testing {
 namespace {
 
-constexpr double kMostGrowth = 2.1;
 constexpr size_t kLargest = 4 << 20;
 constexpr size_t kWorst = 10;
 

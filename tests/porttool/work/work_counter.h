@@ -6,6 +6,9 @@
 
 namespace porttool::testing {
 
+/// So many times the work, at most, for a text of twice the size.
+inline constexpr double kMostGrowth = 2.1;
+
 /// What a piece of code did, in counts that are the same on every run and machine.
 struct Work {
     uint64_t steps = 0;      ///< stretches of code without a branch that were gone through

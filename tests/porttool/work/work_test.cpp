@@ -31,7 +31,6 @@
 namespace porttool::testing {
 namespace {
 
-constexpr double kMostGrowth = 2.1;
 constexpr size_t kBytes = 700;
 
 using States = std::map<std::string, UnitState>;
