@@ -4,7 +4,8 @@
 // fuzz.sh.
 //
 // Exit 0: all held; 1: one did not, crashed or took longer than CAP. Then its seed is on stderr and its files lie in
-// FOLDER/KIND-SEED; `--seed SEED --runs 1` runs it again.
+// FOLDER/KIND-SEED; `--seed SEED --runs 1` runs it again. Ctrl-C and SIGTERM end it after the input at work, with exit
+// 1 and the seed at which to go on.
 #include <sys/time.h>
 #include <unistd.h>
 
@@ -40,6 +41,7 @@ struct Current {
     const FuzzInput* input = nullptr;
 };
 Current current;
+volatile std::sig_atomic_t is_ended = 0;
 
 void save_input() {
     namespace fs = std::filesystem;
@@ -73,6 +75,8 @@ extern "C" void on_signal(int signal) {
     report_death();
     _exit(1);
 }
+
+extern "C" void on_end(int) { is_ended = 1; }
 
 /// Ends the program after so many seconds of processor time, as what runs beside a low priority may take all of the
 /// machine; or, for what hangs without any, after many times that. 0 takes the cap back.
@@ -117,12 +121,13 @@ Arguments parse(int count, char** texts) {
     std::exit(2);
 }
 
-/// Runs them all; true if all held. A fault does not end the run: there may be more.
+/// Runs them all; true if all ran and held. A fault does not end the run: there may be more.
 bool run_all(FuzzKind kind) {
     const Arguments& arguments = current.arguments;
     bool good = true;
     double slowest = 0;
-    for (uint64_t done = 0; done < arguments.runs; ++done) {
+    uint64_t done = 0;
+    for (; done < arguments.runs && is_ended == 0; ++done) {
         const uint64_t seed = arguments.first + done;
         const FuzzInput input = fuzz_input(kind, seed);
         current.seed = seed;
@@ -141,9 +146,11 @@ bool run_all(FuzzKind kind) {
         if ((done + 1) % 10'000 == 0)
             std::cerr << arguments.kind_name << ": " << done + 1 << " runs, next seed " << seed + 1 << std::endl;
     }
-    std::cout << arguments.kind_name << ": " << arguments.runs << " runs from seed " << arguments.first
-              << (good ? ", all held" : ", FAILED") << "; the slowest took " << slowest << " s" << std::endl;
-    return good;
+    std::cout << arguments.kind_name << ": " << done << " runs from seed " << arguments.first
+              << (good ? ", all held" : ", FAILED") << "; the slowest took " << slowest << " s";
+    if (done < arguments.runs) std::cout << "; ended, next seed " << arguments.first + done;
+    std::cout << std::endl;
+    return good && done == arguments.runs;
 }
 
 }  // namespace
@@ -153,6 +160,7 @@ int main(int argc, char** argv) {
     using namespace porttool::testing;
     current.arguments = parse(argc, argv);
     for (const int signal : {SIGALRM, SIGPROF}) std::signal(signal, on_signal);
+    for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, on_end);
     if (__sanitizer_set_death_callback != nullptr)
         __sanitizer_set_death_callback(report_death);
     else
