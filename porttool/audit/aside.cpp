@@ -37,6 +37,10 @@ constexpr std::array<std::string_view, 11> kRuntime = {"memcpy",    "memset",   
                                                        "enqueue",   "createbuffer", "setarg", "setkernelarg",
                                                        "lasterror", "cudafree",     "hipfree"};
 
+/// What locals are called that say how a kernel is launched.
+constexpr std::array<std::string_view, 10> kLaunch = {"blocksize", "worksize", "localsize",  "groupsize", "numthreads",
+                                                      "wgsize",    "teamsize", "threadsper", "blockdim",  "sharedmem"};
+
 }  // namespace
 
 bool is_bare_return(const Text& written) { return !written.empty() && written[0] == "return" && is_path(written, 1); }
@@ -78,6 +82,13 @@ bool moves_memory(const Text& words) {
             return true;
     }
     return false;
+}
+
+bool sizes_launch(const Text& words) {
+    if (words.size() < 3 || words[1] != "=" || !is_word_token(words[0])) return false;
+    const std::string plain = folded(words[0]);
+    return std::any_of(kLaunch.begin(), kLaunch.end(),
+                       [&](auto part) { return plain.find(part) != std::string::npos; });
 }
 
 bool is_aside(const Text& words) {

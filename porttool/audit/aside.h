@@ -15,6 +15,9 @@ bool is_bare_declaration(const std::vector<std::string>& written);
 /// True for a statement that asks a runtime to copy, clear, make or give back memory, or waits for a device.
 bool moves_memory(const std::vector<std::string>& words);
 
+/// True for a local that says how many threads run together or how much memory they share: `block_size = 256`.
+bool sizes_launch(const std::vector<std::string>& words);
+
 /// True for a call that makes two values change places.
 inline bool is_swap(const std::vector<std::string>& words) {
     return words.size() > 3 && words[0].ends_with("swap") && words[1] == "(";

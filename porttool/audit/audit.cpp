@@ -209,6 +209,9 @@ private:
     std::vector<FoundEdit> read_pairs(const Lineages& lineages, const Dialect& dialect) {
         FileStatements statements(today_.snapshot.project, dialect);
         const Project& project = today_.snapshot.project;
+        const States& states = today_.snapshot.states;
+        const BySide<FunctionsOfSide> functions{FunctionsOfSide(states.source, dialect),
+                                                FunctionsOfSide(states.target, dialect)};
         const BySide<UsesOnSide> words{uses_on(project.source, dialect), uses_on(project.target, dialect)};
         std::map<std::string, std::set<uint32_t>> file_edits;  // the commits that edited each file's units
         for (const auto& [id, lineage] : lineages)
@@ -223,7 +226,8 @@ private:
                               statements.of(unit.file),
                               statements.essences_of(unit.file),
                               statements.words_of(unit.file),
-                              &words[side]};
+                              &words[side],
+                              &functions[side]};
             }
             PairReading reading = read_pair(pair, dialect);
             alike_.push_back(reading.alike);

@@ -9,6 +9,7 @@
 
 #include "porttool/audit/message.h"
 #include "porttool/language/language.h"
+#include "porttool/normal/declaration_words.h"
 #include "porttool/normal/diff.h"
 #include "porttool/normal/statements.h"
 #include "porttool/scan/scan.h"
@@ -94,10 +95,44 @@ std::vector<bool> shared_pairs(const TodaysPairs& today) {
     return out;
 }
 
+/// Pairs whose target lies in another folder than that which goes by the name of the source's folder and has pairs
+/// with it: `sort-gpu/check.h` with `scan-cpu/check.h` where there is a `sort-cpu`. They are copies of a third.
+std::set<size_t> pairs_astray(const TodaysPairs& today) {
+    constexpr size_t kTelling = 3;                          // letters
+    std::map<std::string, std::set<std::string>> partners;  // of the source's folders
+    std::vector<std::pair<std::string, std::string>> folders;
+    const auto folder = [](const std::string& file) { return file.substr(0, std::min(file.rfind('/'), file.size())); };
+    for (const TodaysPair& pair : today.pairs) {
+        folders.emplace_back(folder(today.unit(pair, Side::Source).file), folder(today.unit(pair, Side::Target).file));
+        if (!pair.stray) partners[folders.back().first].insert(folders.back().second);
+    }
+    const auto common = [](const std::string& a, const std::string& b) {
+        const size_t from_a = a.rfind('/') + 1, from_b = b.rfind('/') + 1;
+        size_t out = 0;
+        while (from_a + out < a.size() && from_b + out < b.size() && a[from_a + out] == b[from_b + out]) ++out;
+        return out;
+    };
+    std::set<size_t> out;
+    for (size_t i = 0; i < folders.size(); ++i) {
+        const auto& [source, target] = folders[i];
+        const size_t least = std::max(kTelling, common(source, target) + 1);
+        const std::set<std::string>& all = partners[source];
+        const auto is_namesake = [&, &from = source](const std::string& one) { return common(from, one) >= least; };
+        if (std::any_of(all.begin(), all.end(), is_namesake)) out.insert(i);
+    }
+    return out;
+}
+
 /// True for a function that reads the command line: what it takes is its program's own.
 bool reads_arguments(const UnitState& unit) {
     const Words words = unit.text.words();
     return unit.name == "main" || std::find(words.begin(), words.end(), "argv") != words.end();
+}
+
+/// True for a statement that does: `if ( argc != 5 )`.
+bool reads_command_line(const WrittenStatement& statement) {
+    const std::vector<std::string> words = words_of_statement(statement);
+    return std::any_of(words.begin(), words.end(), [](const auto& word) { return is_one_of(word, {"argc", "argv"}); });
 }
 
 struct Judged {
@@ -126,8 +161,9 @@ public:
             out_.why.emplace_back("the commit edited the other side's file, too");
         }
         if (strongest(found.edit).kind == MissingPlace::Kind::Removed) z_ -= 1.2;
+        if (reads_command_line(strongest(found.edit).now)) z_ -= 2;
         if (found.edit.past && strongest(found.edit).kind != MissingPlace::Kind::Replaced) {
-            z_ -= 1.2;
+            z_ -= is_label(strongest(found.edit)) ? 2.4 : 1.2;  // a switch is written with all of its labels
             out_.why.emplace_back("the other side was written after the edit");
         } else if (found.edit.since && strongest(found.edit).kind == MissingPlace::Kind::Added &&
                    !is_label(strongest(found.edit))) {
@@ -330,13 +366,16 @@ std::vector<AuditItem> items_of_today(const std::vector<DifferingPair>& differin
                                       const Habits& habits) {
     constexpr double kMost = 0.3;  // nothing tells which side is right, or whether they were ever to be the same
     std::map<std::string, size_t> folded;  // by the words that differ: an item
+    const std::set<size_t> astray = pairs_astray(today);
     std::vector<AuditItem> out;
     for (const DifferingPair& one : differing) {
         const TodaysPair& pair = today.pairs[one.pair];
         MissingPlace place = one.places.front();
-        if (habits.contains(habit_of(place, Side::Source))) continue;
+        if (habits.contains(habit_of(place, Side::Source)) || astray.contains(one.pair)) continue;
         place.before = place.there;
-        const auto [known, is_new] = folded.try_emplace(core_of(place, pair.id.source), out.size());
+        const std::string files =  // of them numbers say enough
+            today.unit(pair, Side::Source).file + ' ' + today.unit(pair, Side::Target).file;
+        const auto [known, is_new] = folded.try_emplace(core_of(place, files), out.size());
         if (!is_new) {
             out[known->second].same.emplace_back(pair.id.source, pair.id.target);
             continue;

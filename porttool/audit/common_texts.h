@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "porttool/audit/functions_of_side.h"
 #include "porttool/audit/likeness.h"
 #include "porttool/audit/lineage.h"
 #include "porttool/audit/substance.h"
@@ -28,6 +29,7 @@ struct SideOfPair {
     const std::vector<std::vector<std::string>>* file_statements = nullptr;  ///< the same as essence_of() has them
     const WordsOfSide* file_words = nullptr;                                 ///< those that its file uses
     const UsesOnSide* uses = nullptr;                                        ///< of words on the whole side
+    const FunctionsOfSide* functions = nullptr;                              ///< that a unit may call
 };
 
 /// Today's statements of one side; the first is the unit's head.

@@ -75,6 +75,11 @@ private:
                                            there = words_of_statement(place.there);
             if (renames_what_it_declares(there, here) || is_turned_round(there, here)) continue;
             if (give_the_same_value(target.words[near.index], source.words[i])) continue;
+            if (runs_other_threads(here, there)) continue;
+            if (takes_in_other_order(target.words[near.index], source.words[i])) continue;
+            if (fits_narrower_type(place.there, place.now, place.there) ||
+                fits_narrower_type(place.now, place.there, place.now))
+                continue;
             place.strength = substance;
             out.push_back(std::move(place));
         }
@@ -162,6 +167,7 @@ private:
         place.before = line.steps[best].before;
         place.now = today;
         place.there = texts_.sides[other(side)].written[found.index];
+        if (is_aside(words_of_statement(place.before)) || is_aside(words_of_statement(place.there))) return;
         const std::vector<std::string> was = texts_.translated(place.before, side, true);
         if (texts_.written_out(was, side) == whole) return;  // a value got a name
         if (give_the_same_value(was, texts_.sides[side].words[line.index])) return;
@@ -271,7 +277,7 @@ private:
         place.kind = MissingPlace::Kind::Added;
         place.now = texts_.sides[side].written[line.index];
         place.strength = 0.8f * std::min(1.0f, (1 - there) / 0.6f) * otherwise_.lacking(side, line.index);
-        if (place.strength < kFaint) return;
+        if (place.strength < kFaint || otherwise_.is_said_in_call(side, line.index)) return;
         note(born.commit, std::move(place));
     }
 

@@ -9,8 +9,10 @@
 #include <string_view>
 
 #include "porttool/language/words.h"
+#include "porttool/normal/declaration_words.h"
 #include "porttool/normal/diff.h"
 #include "porttool/normal/statements.h"
+#include "porttool/text/letters.h"
 
 namespace porttool {
 namespace {
@@ -57,6 +59,64 @@ bool ReplacedStatement::brings_call(Side side, const MissingPlace& place) const 
             std::find(before.begin(), before.end(), now[i]) == before.end())
             return true;
     return false;
+}
+
+bool fits_narrower_type(const WrittenStatement& was, const WrittenStatement& now, const WrittenStatement& there) {
+    constexpr double kGuard = 1e-4;
+    std::vector<std::string> old_words = words_of_statement(was);
+    const std::vector<std::string> words = words_of_statement(now), others = words_of_statement(there);
+    if (old_words.size() != words.size()) return false;
+    for (size_t i = 0; i + 2 < words.size(); ++i)  // the type may have another name
+        if (words[i + 2] == "=" && words[i + 1] == old_words[i + 1] && is_word_token(words[i]) &&
+            is_word_token(old_words[i]))
+            old_words[i] = words[i];
+    std::set<std::string_view> values;  // of before
+    for (size_t i = 0; i < words.size(); ++i) {
+        const std::string &before = old_words[i], &after = words[i];
+        if (after == before) continue;
+        if (!is_number_token(after) || !is_number_token(before)) return false;
+        const double small = std::abs(std::strtod(before.c_str(), nullptr)),
+                     great = std::abs(std::strtod(after.c_str(), nullptr));
+        if (after.back() != 'f' || small <= 0 || small >= great || great > kGuard) return false;
+        values.insert(before.back() == 'f' ? std::string_view(before).substr(0, before.size() - 1)
+                                           : std::string_view(before));
+    }
+    return std::any_of(others.begin(), others.end(), [&](const std::string& word) { return values.contains(word); });
+}
+
+bool runs_other_threads(const std::vector<std::string>& a, const std::vector<std::string>& b) {
+    const auto asks = [](const std::string& word) {
+        const std::string small = in_small_letters(word);
+        return is_one_of(small, {"threadidx", "blockidx", "blockdim", "griddim"}) || small.starts_with("get_local_") ||
+               small.starts_with("get_global_") || small.starts_with("get_group_") ||
+               small.starts_with("omp_get_thread") || small.starts_with("omp_get_team");
+    };
+    bool any = false;
+    for (const DiffStep& step : diff(a, b)) {
+        if (step.kind == DiffStep::Keep) continue;
+        const std::string& word = step.kind == DiffStep::Add ? b[step.now] : a[step.before];
+        any = any || asks(word);
+        if (!is_word_token(word) && !is_one_of(word, {".", "(", ")"})) return false;
+    }
+    return any;
+}
+
+bool takes_in_other_order(const std::vector<std::string>& a, const std::vector<std::string>& b) {
+    const auto plain = [](const std::vector<std::string>& words) {
+        const size_t call = static_cast<size_t>(std::find(words.begin(), words.end(), "(") - words.begin());
+        return call > 0 && words.back() == ")" &&
+               std::all_of(words.begin() + static_cast<ptrdiff_t>(call), words.end(), [](const std::string& word) {
+                   return word == "(" || word == ")" || word == "," || word == "." || is_word_token(word) ||
+                          is_number_token(word);
+               });
+    };
+    if (a.size() != b.size() || a.empty() || a[0] != b[0] || !plain(a) || !plain(b)) return false;
+    size_t moved = 0;
+    for (size_t i = 0; i < a.size(); ++i) moved += a[i] != b[i] ? 1 : 0;
+    std::vector<std::string> left = a, right = b;
+    std::sort(left.begin(), left.end());
+    std::sort(right.begin(), right.end());
+    return left == right && moved >= 3;
 }
 
 bool numbers_alone(const WrittenStatement& before, const WrittenStatement& now) {
@@ -166,21 +226,69 @@ bool ReplacedStatement::is_loop_of_threads(Side side, const MissingPlace& place)
            });
 }
 
-bool ReplacedStatement::fits_narrower_type(const MissingPlace& place) {
-    constexpr double kGuard = 1e-4;
-    if (!numbers_alone(place.before, place.now)) return false;
-    const std::vector<std::string> before = words_of_statement(place.before), now = words_of_statement(place.now);
-    std::set<std::string_view> values;  // of before
-    for (size_t i = 0; i < now.size(); ++i) {
-        if (now[i] == before[i]) continue;
-        const double was = std::abs(std::strtod(before[i].c_str(), nullptr)),
-                     is = std::abs(std::strtod(now[i].c_str(), nullptr));
-        if (now[i].back() != 'f' || was <= 0 || was >= is || is > kGuard) return false;
-        values.insert(before[i].back() == 'f' ? std::string_view(before[i]).substr(0, before[i].size() - 1)
-                                              : std::string_view(before[i]));
+bool ReplacedStatement::lies_otherwise(const std::vector<std::string>& was, const std::vector<std::string>& now) {
+    bool joins = false;
+    int multiplies = 0, adds = 0;
+    for (const DiffStep& step : diff(was, now)) {
+        if (step.kind == DiffStep::Keep) continue;
+        const std::string& word = step.kind == DiffStep::Add ? now[step.now] : was[step.before];
+        if (step.kind == DiffStep::Remove) {
+            if (word != "[" && word != "]") return false;
+            joins = true;
+            continue;
+        }
+        multiplies += word == "*" ? 1 : 0;
+        adds += word == "+" ? 1 : 0;
+        if (word != "*" && word != "+" && word != "(" && word != ")" && !is_word_token(word) && !is_number_token(word))
+            return false;
     }
-    const std::vector<std::string> there = words_of_statement(place.there);
-    return std::any_of(there.begin(), there.end(), [&](const std::string& word) { return values.contains(word); });
+    return joins && multiplies == adds && adds > 0;
+}
+
+bool ReplacedStatement::keeps_copy(Side side, const std::vector<std::string>& was,
+                                   const std::vector<std::string>& now) const {
+    const auto first = std::find(now.begin(), now.end(), "=");
+    if (first == now.end() || first + 1 == now.end() || now.size() <= was.size()) return false;
+    const auto second = std::find(first + 1, now.end(), "=");
+    if (second == now.end() || !is_word_token(first[1]) || texts_.unit_words[other(side)].contains(first[1]))
+        return false;
+    std::vector<std::string> without(now.begin(), first);
+    without.insert(without.end(), second, now.end());
+    return without == was;
+}
+
+bool ReplacedStatement::only_fills_with_zeros(const MissingPlace& place) {
+    const std::vector<std::string> before = words_of_statement(place.before), now = words_of_statement(place.now);
+    if (std::find(now.begin(), now.end(), "vector") == now.end()) return false;
+    bool fills = false;
+    for (const DiffStep& step : diff(before, now)) {
+        if (step.kind == DiffStep::Keep) continue;
+        if (step.kind == DiffStep::Remove) return false;
+        const std::string& word = now[step.now];
+        const bool zero = is_number_token(word) && std::strtod(word.c_str(), nullptr) == 0;
+        if (!zero && word != ",") return false;
+        fills = true;
+    }
+    return fills;
+}
+
+bool ReplacedStatement::names_second_value(Side side, const std::vector<std::string>& was,
+                                           const std::vector<std::string>& now) const {
+    if (was.size() != now.size()) return false;
+    std::string old_name, new_name;
+    for (size_t i = 0; i < now.size(); ++i) {
+        if (was[i] == now[i]) continue;
+        if (!new_name.empty() && (was[i] != old_name || now[i] != new_name)) return false;
+        old_name = was[i];
+        new_name = now[i];
+    }
+    if (new_name.empty() || !texts_.own_names[side].contains(new_name)) return false;
+    const auto &here = texts_.sides[side].words, &there = texts_.sides[other(side)].words;
+    return std::any_of(here.begin(), here.end(), [&](std::vector<std::string> words) {
+        if (words.size() < 3 || words[0] != new_name || words[1] != "=") return false;
+        words[0] = old_name;
+        return std::find(there.begin(), there.end(), words) != there.end();
+    });
 }
 
 float anchored(const std::vector<std::string>& before, const std::vector<std::string>& now,

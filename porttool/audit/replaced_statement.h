@@ -13,6 +13,9 @@
 
 namespace porttool {
 
+/// True where nothing but guards against zero grew, for a side that computes in fewer digits than the other.
+bool fits_narrower_type(const WrittenStatement& was, const WrittenStatement& now, const WrittenStatement& there);
+
 /// How sure it is that an edit of a statement is missing where the other side still says what was before.
 class ReplacedStatement {
 public:
@@ -32,7 +35,10 @@ public:
                     : 1.0f) *
                (turns_round(side, place, commit) ? 0.1f : 1.0f) * (says_what_is_gained(side, was, now) ? 0.3f : 1.0f) *
                (stands_there(side, place, was, now) ? 0.2f : 1.0f) * (is_swap(was) && !is_swap(now) ? 0.1f : 1.0f) *
-               (fits_narrower_type(place) ? 0.15f : 1.0f);
+               (fits_narrower_type(place.before, place.now, place.there) ? 0.05f : 1.0f) *
+               (lies_otherwise(was, now) ? 0.1f : 1.0f) * (keeps_copy(side, was, now) ? 0.3f : 1.0f) *
+               (only_fills_with_zeros(place) ? 0.1f : 1.0f) * (names_second_value(side, was, now) ? 0.1f : 1.0f) *
+               (sizes_launch(now) ? 0.2f : 1.0f);
     }
 
 private:
@@ -68,8 +74,20 @@ private:
     bool stands_there(Side side, const MissingPlace& place, const std::vector<std::string>& was,
                       const std::vector<std::string>& now) const;
 
-    /// True where nothing but guards against zero grew, for a side that computes in fewer digits than the other.
-    static bool fits_narrower_type(const MissingPlace& place);
+    /// True for `a [ i * n + k ]` that was `a [ i ] [ k ]`: one element, and memory that lies in another way.
+    static bool lies_otherwise(const std::vector<std::string>& was, const std::vector<std::string>& now);
+
+    /// True for `a = E` that became `a = b = E` with a `b` that the other side does not have.
+    bool keeps_copy(Side side, const std::vector<std::string>& was, const std::vector<std::string>& now) const;
+
+    /// True for `vector < float > a ( n )` that became `a ( n , 0 )`, which it is anyway.
+    static bool only_fills_with_zeros(const MissingPlace& place);
+
+    /// True where `b` stands for `a` and the other side says `a = E` where this side has `b = E`: a second value got a
+    /// name of its own here.
+    ///
+    ///     i = ... ; k = i % 4 ; i = i / 4 ; j = i % n ;       k = i % 4 ; row = i / 4 ; j = row % n ;
+    bool names_second_value(Side side, const std::vector<std::string>& was, const std::vector<std::string>& now) const;
 
     const CommonTexts& texts_;
     const BySide<SideOfPair>& pair_;
@@ -83,6 +101,14 @@ float anchored(const std::vector<std::string>& before, const std::vector<std::st
 /// True for two statements, in the vocabulary of both sides, in which one number, component or operator stands for
 /// another, be it at several places: `x . x * x . x + y` and `x . z * x . z + y`.
 bool differs_by_a_slip(const std::vector<std::string>& a, const std::vector<std::string>& b);
+
+/// True for two statements, as written, that differ only in how they ask for a thread: `threadIdx . x` and
+/// `omp_get_thread_num ( )`, or a local on one side. Numbers have to be the same.
+bool runs_other_threads(const std::vector<std::string>& a, const std::vector<std::string>& b);
+
+/// True for two calls with the same arguments, of which three or more stand in another order: so each side's function
+/// takes them. Two that changed places may be a slip.
+bool takes_in_other_order(const std::vector<std::string>& a, const std::vector<std::string>& b);
 
 /// True for an edit of nothing but numbers.
 bool numbers_alone(const WrittenStatement& before, const WrittenStatement& now);

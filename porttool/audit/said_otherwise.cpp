@@ -39,18 +39,23 @@ std::vector<std::string> numbers_in(const std::vector<std::string>& words) {
 }  // namespace
 
 float SaidOtherwise::lacking(Side side, size_t index) const {
-    constexpr float kOwnRuntime = 0.5f;
+    constexpr float kOwnRuntime = 0.3f;
     return (moves_memory(texts_.sides[side].words[index]) ? kOwnRuntime : 1.0f) * said_in_one(side, index) *
            known_names(side, index) * (0.35f + 0.65f * neighbours(side, index)) *
            (is_label(side, index) ? 1.0f : told_by(texts_.sides[side].weighed[index].sum)) * lacks_words(side, index) *
            in_common_calls(side, index) * sets_new(side, index) * runs_threads(side, index) *
-           (names_value(side, index) ? 0.5f : 1.0f);
+           (begins_own_class(side, index) ? 0.3f : 1.0f) *
+           (sizes_launch(texts_.sides[side].words[index]) ? 0.3f : 1.0f) *
+           (governs_the_same(texts_.sides[side], index, texts_.sides[other(side)]) ? 0.3f : 1.0f);
 }
 
 bool SaidOtherwise::names_value(Side side, size_t index) const {
     const std::vector<std::string>& words = texts_.sides[side].words[index];
-    return words.size() > 2 && words[1] == "=" && texts_.held[side].contains(words[0]) &&
-           !texts_.unit_words[other(side)].contains(words[0]);
+    if (words.size() < 3 || words[1] != "=" || !texts_.held[side].contains(words[0])) return false;
+    const auto& there = texts_.sides[other(side)].words;
+    return std::none_of(there.begin(), there.end(), [&](const std::vector<std::string>& one) {
+        return one.size() > 2 && one[0] == words[0] && one[1] == "=";
+    });
 }
 
 bool SaidOtherwise::has_in_shape(Side side, size_t index) const {
@@ -126,6 +131,41 @@ bool SaidOtherwise::is_bound_of_loop(Side side, size_t index) const {
     });
 }
 
+bool SaidOtherwise::begins_own_class(Side side, size_t index) const {
+    const std::vector<std::string>& own = texts_.sides[side].words[index];
+    if (own.size() < 5 || own[1] != "." || own[3] != "=" || !texts_.own_names[side].contains(own[0])) return false;
+    const bool numbers = std::all_of(
+        own.begin() + 4, own.end(), [](const std::string& word) { return !is_word_token(word) || is_type_word(word); });
+    const auto class_of = [&](Side where) -> std::string {
+        const ReadSide& read = texts_.sides[where];
+        for (size_t i = 1; i < read.words.size(); ++i) {
+            const std::vector<std::string> written = words_of_statement(read.written[i]);
+            if (written.size() == 2 && read.words[i].back() == own[0] && !is_type_word(written[0])) return written[0];
+        }
+        return {};
+    };
+    const std::string here = class_of(side), there = class_of(other(side));
+    return numbers && !here.empty() && !there.empty() && here != there;
+}
+
+bool SaidOtherwise::is_said_in_call(Side side, size_t index) const {
+    constexpr size_t kLeast = 4, kFewest = 2;  // letters of a name, and names: one alone stands anywhere
+    const SideOfPair& there = pair_[other(side)];
+    if (there.functions == nullptr) return false;
+    std::set<std::string> names;
+    for (const std::string& word : texts_.sides[side].words[index])
+        if (is_word_token(word) && word.size() >= kLeast && !is_type_word(word) && !word_is(word, kKeyword) &&
+            !texts_.own_names[side].contains(word) && !texts_.unit_words[other(side)].contains(word))
+            names.insert(word);
+    if (names.size() < kFewest) return false;
+    for (const WordsOfSide& called : there.functions->called_by(*there.unit)) {
+        const auto known = static_cast<size_t>(
+            std::count_if(names.begin(), names.end(), [&](const auto& name) { return called.contains(name); }));
+        if (known >= kFewest && 3 * known >= 2 * names.size()) return true;
+    }
+    return false;
+}
+
 float SaidOtherwise::sets_new(Side side, size_t index) const {
     constexpr float kSetThere = 0.3f;
     const auto is_set = [](const std::vector<std::string>& words) {
@@ -156,9 +196,10 @@ float SaidOtherwise::in_common_calls(Side side, size_t index) const {
     constexpr float kOwnManner = 0.5f;
     const KnownThere there = texts_.known_there(side);
     const std::vector<std::string>& words = texts_.sides[side].words[index];
-    for (size_t i = 0; i + 1 < words.size(); ++i)
-        if (words[i + 1] == "(" && is_word_token(words[i]) && there.degree(words[i]) <= 0) return kOwnManner;
-    return 1;
+    float out = 1;
+    for (size_t i = 0; i + 1 < words.size() && out > kOwnManner * kOwnManner; ++i)
+        if (words[i + 1] == "(" && is_word_token(words[i]) && there.degree(words[i]) <= 0) out *= kOwnManner;
+    return out;
 }
 
 float SaidOtherwise::known_names(Side side, size_t index) const {

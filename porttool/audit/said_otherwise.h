@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "porttool/audit/around.h"
 #include "porttool/audit/common_texts.h"
 
 namespace porttool {
@@ -19,11 +20,18 @@ public:
     /// True if it surely is, or has no need to be.
     bool is_said(Side side, size_t index) const {
         return has_in_shape(side, index) || stands_alike_in_file(side, index) || only_brings(side, index) ||
-               only_guards(side, index) || is_part_of_swap(side, index) || is_bound_of_loop(side, index);
+               only_guards(side, index) || is_part_of_swap(side, index) || is_bound_of_loop(side, index) ||
+               names_value(side, index) || heads_a_message(texts_.sides[side], index) ||
+               is_alternative(texts_.sides[side], index, texts_.sides[other(side)]) ||
+               only_finds_places(texts_.sides[side], index, texts_.sides[other(side)]);
     }
 
     /// How sure it is that it is not, 0 to 1, by its words, its names and the statements around it.
     float lacking(Side side, size_t index) const;
+
+    /// True where most names that the other side's unit does not use stand in one function that it calls: there it
+    /// may say the same.
+    bool is_said_in_call(Side side, size_t index) const;
 
     /// How well the statements around one are known to the other side, 0 to 1.
     float neighbours(Side side, size_t index) const;
@@ -51,9 +59,13 @@ private:
     /// True for a label of a switch: few words, which say all.
     bool is_label(Side side, size_t index) const;
 
-    /// True for the declaration of a local that the other side does not have: what matters is where it is used, and
-    /// there its value is written out.
+    /// True for the declaration of a local that the other side does not have, or is given: what matters is where it is
+    /// used, and there its value is written out.
     bool names_value(Side side, size_t index) const;
+
+    /// True for numbers that a local of a class begins with, `m . row = float3 ( 0 , 1 , 0 )`, where the local is of
+    /// another class on the other side: what that begins with, its constructor says.
+    bool begins_own_class(Side side, size_t index) const;
 
     /// Less than 1 where the other side sets the same variable as often: then it does so in another way.
     float sets_new(Side side, size_t index) const;

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <functional>
+#include <optional>
 #include <string_view>
 #include <utility>
 
@@ -53,6 +54,21 @@ bool same_number(double a, double b) {
 
 bool is_real(const std::string& word) {
     return is_number_token(word) && !word.starts_with("0x") && word.find_first_of(".eEfF") != std::string::npos;
+}
+
+/// What a name says of its own value: M_1_PI_F, INV_TWOPI.
+std::optional<double> value_by_name(std::string_view name) {
+    constexpr double kPi = 3.14159265358979323846;
+    std::string plain = folded(name);
+    if (plain.ends_with("f")) plain.pop_back();
+    if (plain == "pi" || plain == "mpi") return kPi;
+    if (plain == "twopi" || plain == "2pi") return 2 * kPi;
+    if (plain == "mpi2") return kPi / 2;
+    if (plain == "mpi4") return kPi / 4;
+    if (plain == "m1pi" || plain == "invpi" || plain == "1pi") return 1 / kPi;
+    if (plain == "m2pi") return 2 / kPi;
+    if (plain == "invtwopi" || plain == "inv2pi") return 0.5 / kPi;
+    return std::nullopt;
 }
 
 struct Operator {
@@ -104,7 +120,13 @@ private:
         return is_word_token(word) || is_number_token(word) || word == "(" || word == "-" || word == "+" ||
                word == "!" || word == "~" || word[0] == '"' || word[0] == '\'';
     }
-    double of_word(std::string_view word) const { return drawn(mixed(std::hash<std::string_view>()(word) ^ draw_)); }
+    double of_word(std::string_view word) const {
+        if (const auto known = value_by_name(word)) return *known;
+        return random_value(word);
+    }
+    double random_value(std::string_view word) const {
+        return drawn(mixed(std::hash<std::string_view>()(word) ^ draw_));
+    }
     /// What is no arithmetic: a value by its name and operands alone.
     double opaque(std::string_view name, const std::vector<double>& operands) const {
         uint64_t bits = std::hash<std::string_view>()(name);

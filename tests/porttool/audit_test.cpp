@@ -483,6 +483,61 @@ TEST_F(HandMadeAudit, EditsThatChangeNoNumber) {
     expect_items(all);
 }
 
+// Each of the first kind beside one of the second that is nearly like it.
+TEST_F(HandMadeAudit, EditsThatEachSideMakesInItsOwnWay) {
+    const HandMade all[] = {
+        {"message", "sum += level * w[k]; level *= 3.0f;",
+         "sum += level * w[k]; for (int i = 0; i < n; ++i) printf(\"%f\", w[i]); level *= 3.0f;", false},
+        {"repeat", "sum += level * w[k]; out[k] = sum + v[k] * wide; level *= 3.0f;",
+         "sum += level * w[k]; for (int i = 0; i < n * step; ++i) out[i] = sum + v[i] * wide; level *= 3.0f;", true},
+        {"either", "for (int i = k; i < n; ++i) sum += level * w[i]; if (sum > v[col] * wide) out[n] = 3.0f;",
+         "for (int i = k; i < n; ++i) sum += level * w[i];\n#ifdef AS_ONE\nif (level > v[col] * wide) out[n] = "
+         "3.0f;\n#else\nif (sum > v[col] * wide) out[n] = 3.0f;\n#endif\n",
+         false},
+        {"both", "\n#ifdef ONE_BY_ONE\nsum += level * w[k];\n#else\nsum += wide * w[k];\n#endif\nlevel *= 3.0f;",
+         "\n#ifdef ONE_BY_ONE\nif (open && v[col] < 2.0f) sum += level * w[k];\n#else\nif (open && v[col] < 2.0f) sum "
+         "+= wide * w[k];\n#endif\nlevel *= 3.0f;",
+         true},
+        {"clocks", "sum += level * w[k]; level = diff * 1000 / CLOCKS_PER_SEC + v[n];",
+         "sum += level * w[k]; level = diff * 1e-6f + v[n];", false},
+        {"typed", "const float angle = level + 1e-61f; sum += angle * w[k];",
+         "const REAL angle = level + 1e-30f; sum += angle * w[k];", false,
+         "const double angle = level + 1e-61; sum += angle * w[k];"},
+        {"tiny", "const float angle = level + 1e-31f; sum += angle * w[k];",
+         "const REAL angle = level + 1e-30f; sum += angle * w[k];", true},
+        {"lies", "sum += rows[n][k] * w[k] + level; level *= 3.0f;",
+         "sum += rows[n * stride + k] * w[k] + level; level *= 3.0f;", false},
+        {"jumps", "sum += w[n + k] * level + v[k]; level *= 3.0f;",
+         "sum += w[n * stride + k] * level + v[k]; level *= 3.0f;", true},
+        {"copied", "out[k] = level * w[k] + v[k]; sum += level;",
+         "float held[4]; out[k] = held[0] = level * w[k] + v[k]; sum += level;", false,
+         "out[k] = level * w[k] + v[k]; sum += level;"},
+        {"second", "std::vector<float> kept(n), lost(n); sum += level * w[k];",
+         "std::vector<float> kept(n, 0.0f), lost(n, 0.0f); sum += level * w[k];", false},
+        {"ones", "std::vector<float> kept(n), lost(n); sum += level * w[k];",
+         "std::vector<float> kept(n, 1.0f), lost(n, 1.0f); sum += level * w[k];", true},
+        {"reused",
+         "int at = n + step; const int x0 = at % 4; at = at / 4; const int y0 = at % (k + col); sum += w[x0] * v[y0];",
+         "int at = n + step; const int x0 = at % 4; int row0 = at / 4; const int y0 = row0 % (k + col); sum += w[x0] * "
+         "v[y0];",
+         false},
+        {"other",
+         "int at = n + step; const int x0 = at % 4; at = at / 4; const int y0 = at % (k + col); sum += w[x0] * v[y0];",
+         "int at = n + step; const int x0 = at % 4; at = at / 4; const int y0 = step % (k + col); sum += w[x0] * "
+         "v[y0];",
+         true},
+        {"start", "Turn turn; turn.around(level); sum += turn.of(w[k]); level *= 3.0f;",
+         "Turn turn; turn.first = float3(1.0f, 0.0f, 0.0f); turn.around(level); sum += turn.of(w[k]); level *= 3.0f;",
+         false, "RotationMatrix turn; turn.around(level); sum += turn.of(w[k]); level *= 3.0f;"},
+        {"places", "const int z = n / (k * col), y = n / k % col; sum += w[z] * v[y]; level *= 3.0f;",
+         "const size_t area = (size_t)k * col; const int z = n / area; const int y = n / k % col; sum += w[z] * v[y]; "
+         "level "
+         "*= 3.0f;",
+         false, "for (int z = 0; z < col; ++z) for (int y = 0; y < k; ++y) sum += w[z] * v[y]; level *= 3.0f;"},
+    };
+    expect_items(all);
+}
+
 TEST(AuditValues, AreTheSameWhereRealNumbersAre) {
     const auto words = [](const std::string& text) {
         std::istringstream in(text);
@@ -543,6 +598,23 @@ TEST_F(Audit, ACallerIsNoPortOfWhatItCalls) {
 }
 
 // A function that was cut into two on the other side, under names of their own: the edit is found by its text.
+TEST_F(Audit, WhatAFunctionDoesThatTheOtherSideCallsIsSaidThere) {
+    const std::string head = "float march(const float* ray, float* spot, float far_away) {\n",
+                      start = "    spot[0] = ray[0] * far_away;\n    spot[1] = ray[1] * far_away;\n",
+                      end = "    float sum = spot[0] * 0.25f + spot[1];\n    return sum * far_away + 0.5f;\n}\n";
+    for (const bool calls : {true, false}) {
+        write("gpu/march.cu",
+              "__device__ void begin_march(float* spot) {\n    spot[3] = turned_normal * opening_weight(spot[4]);\n}\n"
+              "__device__ " +
+                  head + (calls ? "    begin_march(spot);\n" : "") + start + end);
+        write("cpu/march.cpp", head + start + end);
+        commit("March", calls ? 2 : 4);
+        change("cpu/march.cpp", start, start + "    far_away = turned_normal * opening_weight(ray[2]);\n");
+        commit("Fix the start of the march", calls ? 3 : 5);
+        EXPECT_EQ(items().size(), calls ? 0 : 1);
+    }
+}
+
 TEST_F(Audit, FindsTheTextFromBeforeInAnotherFunction) {
     const std::string lit =
         "    float fall = 1.0f / (distance * distance + radius);\n"
@@ -615,6 +687,23 @@ TEST_F(Audit, ASlipIsToldOfSidesThatAreHardlyAlike) {
     EXPECT_TRUE(found[0]["commit"].is_null());
     EXPECT_LT(found[0]["certainty"], 0.25);
     EXPECT_NE(found[0]["summary"].get<std::string>().find("v.z * v.z"), std::string::npos) << found[0]["summary"];
+}
+
+TEST_F(Audit, CallsThatTakeTheSameInAnotherOrderAreNoDifference) {
+    const auto write_sides = [&](const std::string& there) {
+        const std::string rest =
+            "    for (int i = 0; i < n; ++i) out[i] = x[i] * level + y[i];\n    return level * 0.5f;\n}\n";
+        const std::string head =
+            "float run(float* out, const float* x, const float* y, float level, float span, int n) {\n";
+        write("gpu/run.cu", "__device__ " + head + "    gather(n, x, y, level, span);\n" + rest);
+        write("cpu/run.cpp", head + "    gather(" + there + ");\n" + rest);
+    };
+    write_sides("n, y, x, level, span");
+    commit("Two that changed places may be a slip", 2);
+    EXPECT_EQ(items().size(), 1);
+    write_sides("n, level, span, x, y");
+    git("add -A && git commit -q --amend -m Gather");
+    EXPECT_TRUE(items().empty());
 }
 
 TEST_F(Audit, PrintsForPeople) {

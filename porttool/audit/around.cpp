@@ -1,0 +1,114 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/audit/around.h"
+
+#include <algorithm>
+
+#include "porttool/audit/aside.h"
+#include "porttool/language/words.h"
+#include "porttool/normal/declaration_words.h"
+#include "porttool/normal/statements.h"
+
+namespace porttool {
+namespace {
+
+using Text = std::vector<std::string>;
+
+constexpr float kCounterpart = 0.6f;  ///< from that likeness on one statement may be the other's counterpart
+
+bool is_governing_head(const Text& words) {
+    return words.size() > 1 && words[1] == "(" && is_one_of(words[0], {"if", "for", "while"});
+}
+
+float nearest_likeness(const WeighedWords& one, const std::vector<WeighedWords>& among) {
+    const Nearest near = nearest(one, among);
+    return near.any ? likeness(one, among[near.index]) : 0;
+}
+
+/// What a line of the preprocessor does: "if", "else", "endif"; "" for all other statements.
+std::string_view branch_word(const WrittenStatement& statement) {
+    const Text words = words_of_statement(statement);
+    if (words.size() < 2 || words[0] != "#") return {};
+    if (words[1].starts_with("if")) return "if";
+    if (is_one_of(words[1], {"else", "elif", "elifdef"})) return "else";
+    return words[1] == "endif" ? "endif" : "";
+}
+
+/// A walk from a statement in one direction to the ends of its branch and of the whole `#if`; both are the statement's
+/// own place where it stands in none.
+struct BranchEnds {
+    size_t branch, whole;
+};
+BranchEnds branch_ends(const ReadSide& side, size_t index, bool forward) {
+    const std::string_view opens = forward ? "if" : "endif", closes = forward ? "endif" : "if";
+    BranchEnds out{index, index};
+    int depth = 0;
+    for (size_t i = index; forward ? i + 1 < side.written.size() : i > 0;) {
+        i = forward ? i + 1 : i - 1;
+        const std::string_view kind = branch_word(side.written[i]);
+        if (kind == opens) ++depth;
+        if (depth == 0 && (kind == "else" || kind == closes) && out.branch == index) out.branch = i;
+        if (depth == 0 && kind == closes) {
+            out.whole = i;
+            return out;
+        }
+        if (kind == closes) --depth;
+    }
+    return {index, index};
+}
+
+bool counts_a_loop(const std::string& name, const ReadSide& side) {
+    return std::any_of(side.words.begin(), side.words.end(), [&](const Text& words) {
+        for (size_t i = 0; i + 4 < words.size(); ++i) {  // it may stand behind a line of the preprocessor
+            if (!word_is(words[i], kLoopHead) || words[i + 1] != "(") continue;
+            if (words[i + 2] == name || (is_word_token(words[i + 2]) && words[i + 3] == name)) return true;
+        }
+        return false;
+    });
+}
+
+}  // namespace
+
+bool heads_a_message(const ReadSide& side, size_t index) {
+    return is_governing_head(side.words[index]) && index + 1 < side.written.size() &&
+           branch_word(side.written[index + 1]).empty() && is_aside(words_of_statement(side.written[index + 1]));
+}
+
+bool is_alternative(const ReadSide& side, size_t index, const ReadSide& other) {
+    const BranchEnds back = branch_ends(side, index, false), on = branch_ends(side, index, true);
+    if (back.whole == index || on.whole == index) return false;
+    for (size_t i = back.whole; i <= on.whole; ++i) {
+        const bool same_branch = i >= back.branch && i <= on.branch;
+        if (!same_branch && likeness(side.weighed[i], side.weighed[index]) >= kCounterpart &&
+            nearest_likeness(side.weighed[i], other.weighed) >= kCounterpart)
+            return true;
+    }
+    return false;
+}
+
+bool governs_the_same(const ReadSide& side, size_t index, const ReadSide& other) {
+    constexpr float kSame = 0.75f, kTelling = 3;
+    if (!is_governing_head(side.words[index]) || index + 1 >= side.words.size()) return false;
+    const WeighedWords& next = side.weighed[index + 1];
+    const Nearest near = nearest(next, other.weighed);
+    if (!near.any || near.index < 2 || next.sum < kTelling || likeness(next, other.weighed[near.index]) < kSame)
+        return false;
+    const Text& head = other.words[near.index - 1];
+    return is_governing_head(head) && head[0] == side.words[index][0] &&
+           nearest_likeness(other.weighed[near.index - 1], side.weighed) < kCounterpart;
+}
+
+bool only_finds_places(const ReadSide& side, size_t index, const ReadSide& other) {
+    const Text& own = side.words[index];
+    if (own.size() < 3 || own[1] != "=" || !is_word_token(own[0])) return false;
+    bool any = false;
+    for (size_t i = 1; i < side.words.size(); ++i) {
+        const Text& words = side.words[i];
+        if (i == index || std::find(words.begin(), words.end(), own[0]) == words.end()) continue;
+        if (words.size() < 3 || words[1] != "=" || !counts_a_loop(words[0], other)) return false;
+        any = true;
+    }
+    return any;
+}
+
+}  // namespace porttool

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+// What the statements around one tell of it.
+#pragma once
+
+#include "porttool/audit/common_texts.h"
+
+namespace porttool {
+
+/// True for the head of a loop or branch that leads to nothing but a message: `for ( i = 0 ; i < n ; i ++ )` before
+/// `printf ( ... )`.
+bool heads_a_message(const ReadSide& side, size_t index);
+
+/// True for a statement in one branch of an `#if` where another branch has one nearly like it, with a counterpart on
+/// the other side: this side can do the same in two ways, and the other has one of them.
+bool is_alternative(const ReadSide& side, size_t index, const ReadSide& other);
+
+/// True for a head whose first statement stands on the other side as well, behind a head of the same kind that this
+/// side has nothing like: it may ask the same in its own words.
+///
+///     if ( ! isinf ( pixel [ 3 * at ] ) )       if ( film . has_samples ( at ) )
+///         sum += weight * pixel [ at ] ;            sum += weight * pixel [ at ] ;
+bool governs_the_same(const ReadSide& side, size_t index, const ReadSide& other);
+
+/// True for `a = ...` where all that uses `a` sets what the other side counts in the heads of loops: so a thread finds
+/// its place where the other side goes through all of them.
+///
+///     area = w * h ; z = i / area ; y = i / w % h ;       for ( z = 0 ; ... ) for ( y = 0 ; ... )
+bool only_finds_places(const ReadSide& side, size_t index, const ReadSide& other);
+
+}  // namespace porttool
