@@ -11,15 +11,22 @@ loads from PATHTRACER_MODULES. Edits that do not compile, or never end, are left
 
 --difftest: of each edit that changes a picture it is also asked whether `porttool difftest` names the function that was
 edited; of a constant, a struct or a macro, a function that uses it. What it cannot run is counted by the reason.
+
+--journal FILE: each answer is written there at once, and a run of the same texts and seed goes on where the last ended;
+after a change of the programs take another file. At the end stands a table of the files that were edited.
 """
 import argparse
+import collections
+import hashlib
 import json
 import os
 import pathlib
 import random
 import re
+import resource
 import shlex
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
@@ -30,6 +37,7 @@ KERNELS = ["generate", "extend", "shade", "connect", "finalize"]
 SWAPS = {"+": "-", "-": "+", "*": "/", "/": "*", "<": ">=", ">": "<=", "<=": "<", ">=": ">", "==": "!=", "!=": "==",
          "&&": "||", "||": "&&", "min": "max", "max": "min", "true": "false", "false": "true", ".x": ".y", ".y": ".x",
          ".z": ".x", ".w": ".x"}
+PROCESSOR_SECONDS = 60  # of a comparison; 2 to 5 are usual, on a machine with other work, too
 TOKEN = re.compile(r"\.[xyzw]\b|[A-Za-z_]\w*|\d[\w.]*(?:[eE][-+]\d+\w*)?|"
                    r"<<|>>|<=|>=|==|!=|&&|\|\||[-+*/%]=|\+\+|--|->|::|.", re.S)
 
@@ -126,13 +134,15 @@ class Side:
         return seen
 
     def edits(self):
-        """All one-token edits: (file, unit, start, end, new text)."""
-        result = []
+        """All one-token edits of what a kernel of KERNELS uses: (file, unit, start, end, new text)."""
+        result, used = [], set().union(*map(self.reach, KERNELS))
         for file, text in self.files.items():
             if file in ("schedule.comp", "kernels.h", "bindings.h"):
                 continue
             plain = blanked(text)
             for unit, start, end in declarations(text):
+                if (f"{file}:main" if unit == "main" else unit) not in used:
+                    continue  # of the filter, which no comparison runs
                 before = ""
                 angle = plain[start:end].lstrip().startswith("template")
                 for token in TOKEN.finditer(plain, start, end):
@@ -145,14 +155,19 @@ class Side:
 
 
 def compare(program, scene, size, kernels=None, modules=None):
+    """What `compare --locate` prints as JSON, or why it prints nothing."""
     command = [program, "compare", *scene, "--size", size, "--spp", "3", "--exact", "--locate", "--format", "json"]
     command += ["--kernels", str(kernels)] if kernels else []
     environment = {**os.environ, "PATHTRACER_MODULES": str(modules)} if modules else None
     try:
-        done = subprocess.run(command, capture_output=True, text=True, timeout=60, env=environment)
+        done = subprocess.run(command, capture_output=True, text=True, timeout=600, env=environment,
+                              preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CPU, (PROCESSOR_SECONDS, ) * 2))
     except subprocess.TimeoutExpired:
-        return None
-    return json.loads(done.stdout) if done.returncode == 0 else None
+        return "it stalls"
+    if done.returncode == 0:
+        return json.loads(done.stdout)
+    never_ends = done.returncode in (-signal.SIGXCPU, -signal.SIGKILL)
+    return "it never ends" if never_ends else (done.stderr.strip().splitlines() or [f"ends with {done.returncode}"])[-1]
 
 
 class SourceTrial:
@@ -275,11 +290,55 @@ class Difftest:
         own, users = self.units(file, unit)
         said = self.ask(own)
         if all(state == "not_run" and "is no function" in reason for state, reason in said):
-            said = self.ask(users) or [("not_run", "nothing that is paired uses it")]
+            said = []
+            for user in users:
+                said += self.ask([user])
+                if said[-1][0] == "differs":
+                    break
+            said = said or [("not_run", "nothing that is paired uses it")]
         place.write_text(as_it_was)
         if any(state == "differs" for state, _ in said):
             return "named"
         return "same" if any(state == "same" for state, _ in said) else said[0][1]
+
+
+class Journal:
+    """What is known of each edit, kept in a file of one JSON object a line. It holds for the texts that it was made of."""
+
+    def __init__(self, path, side):
+        texts = [p.read_bytes() for name in ("source", "target")
+                 for p in sorted((ROOT / f"{name}_core" / "kernels").iterdir())]
+        self.texts = hashlib.sha256(b"\0".join(texts)).hexdigest()[:16]
+        self.path, self.side, self.known = path, side, {}
+        for line in pathlib.Path(path).read_text().splitlines() if path and pathlib.Path(path).exists() else []:
+            entry = json.loads(line)
+            if entry["texts"] == self.texts and entry["side"] == side:
+                self.known[tuple(entry["edit"])] = entry["answer"]
+
+    def get(self, edit):
+        return self.known.get(tuple(edit))
+
+    def put(self, edit, answer):
+        if self.path:
+            with open(self.path, "a") as file:
+                print(json.dumps({"side": self.side, "texts": self.texts, "edit": edit, "answer": answer}), file=file)
+
+
+def table(answers, with_difftest):
+    """What became of the edits, by the file that was edited."""
+    rows = collections.defaultdict(collections.Counter)
+    for edit, answer in answers:
+        row = rows[edit[0]]
+        row[answer["verdict"]] += 1
+        row["named"] += answer.get("difftest") == "named"
+    rows["all"] = sum(rows.values(), collections.Counter())
+    print(f"{'file':<20} {'changed':>8} {'kernel':>8}" + (f" {'function':>9}" if with_difftest else "") +
+          f" {'no change':>10} {'left out':>9}")
+    for file, row in sorted(rows.items(), key=lambda item: (item[0] == "all", item[0])):
+        changed = row["right"] + row["wrong"]
+        same = row["no difference"] + row["state alone, right"] + row["state alone, wrong"]
+        print(f"{file:<20} {changed:>8} {row['right']:>8}" + (f" {row['named']:>9}" if with_difftest else "") +
+              f" {same:>10} {row['does not compile'] + row['does not run']:>9}")
 
 
 def judge(trial, side, scenes, edit, text):
@@ -289,8 +348,8 @@ def judge(trial, side, scenes, edit, text):
         return "does not compile", None
     for name, (scene, size) in scenes.items():
         result = trial.run(scene, size)
-        if result is None:
-            return "does not run", None
+        if isinstance(result, str):
+            return "does not run", result
         changed = any(r["identical_pixels"] < 1.0 for r in result["results"])
         first = result["locate"]["first"]
         if not changed and first is None:
@@ -304,7 +363,7 @@ def judge(trial, side, scenes, edit, text):
         if right and len(reaching) > 1 and isinstance(trial, SourceTrial):
             trial.prepare_alone(file, text, first["kernel"])
             alone = trial.run(scene, size)
-            right = alone is not None and alone["locate"]["first"] is not None
+            right = not isinstance(alone, str) and alone["locate"]["first"] is not None
             trial.prepare(file, text)
         if not changed:
             return "state alone, " + ("right" if right else "wrong"), said
@@ -312,22 +371,58 @@ def judge(trial, side, scenes, edit, text):
     return "no difference", None
 
 
-def known_edits(trial, side, scenes):
+def known_edits(trial, side, scenes, difftest):
     """Tries PLANTED and NEUTRAL; the number of wrong answers."""
     wrong = 0
+    units = {file: declarations(text) for file, text in side.files.items()}
     for kernel, file, old, new in PLANTED + NEUTRAL:
         text = side.files[file]
         assert text.count(old) == 1, (file, old)
+        at = text.index(old)
+        unit = next((name for name, start, end in units[file] if start <= at < end), None)
         trial.prepare(file, text.replace(old, new))
         results = [trial.run(scene, size) for scene, size in scenes.values()]
-        if None in results:
-            sys.exit(f"{file}: {old} -> {new}: the comparison ended, or took over a minute; is {' and '.join(scenes)} there?")
+        failed = [result for result in results if isinstance(result, str)]
+        if failed:
+            sys.exit(f"{file}: {old} -> {new}: {failed[0]}; are {' and '.join(scenes)} there?")
         firsts = [result["locate"]["first"] for result in results]
         said = [first and first["kernel"] for first in firsts]
         right = set(said) - {None} == ({kernel} if kernel else set())
+        if difftest and unit:
+            answer = difftest.judge((file, unit), text.replace(old, new))
+            right = right and answer == ("named" if kernel else "same")
+            said = f"{said}; difftest, {unit}: {answer}"
         wrong += not right
         print(f"{'right' if right else 'wrong'}: {file}: {old} -> {new}; {kernel}: {said}", flush=True)
     return wrong
+
+
+def random_edits(arguments, trial, side, scenes, difftest):
+    """Tries edits until as many as asked for changed a picture; (edit, answer) of each."""
+    edits = side.edits()
+    random.Random(arguments.seed).shuffle(edits)
+    journal, answers, changed = Journal(arguments.journal, arguments.side), [], 0
+    for edit in edits:
+        if changed == arguments.edits:
+            break
+        file, unit, start, end, new = edit
+        text = side.files[file]
+        edited = text[:start] + new + text[end:]
+        answer = journal.get(edit)
+        if not answer:
+            verdict, said = judge(trial, side, scenes, edit, edited)
+            answer = {"verdict": verdict, "said": said}
+        does_change = answer["verdict"] in ("right", "wrong")
+        if difftest and does_change and "difftest" not in answer:
+            answer["difftest"] = difftest.judge(edit, edited)
+        if answer != journal.get(edit):
+            journal.put(edit, answer)
+        answers.append((edit, answer))
+        changed += does_change
+        line = text.count("\n", 0, start) + 1
+        print(f"{answer['verdict']}: {file}:{line} {unit}: {text[start:end]} -> {new}; {answer['said'] or '-'}" +
+              (f"; difftest: {answer['difftest']}" if "difftest" in answer else ""), flush=True)
+    return answers
 
 
 def main():
@@ -339,39 +434,27 @@ def main():
     parser.add_argument("--parity", default=str(ROOT / "build/release/tests/application/parity"),
                         help="folder of the parity scene, rendered where the built-in scene shows no difference")
     parser.add_argument("--difftest", action="store_true", help="ask `porttool difftest`, beside the program, as well")
+    parser.add_argument("--journal", help="file that keeps the answers, for a run that goes on where another ended")
     parser.add_argument("--known", action="store_true", help="ten errors and ten edits that change nothing instead")
     arguments = parser.parse_args()
     scenes = {"still_life": (["still_life"], "64x36"),
               "parity": ([arguments.parity + "/parity.gltf", "--sky", arguments.parity + "/sky.hdr"], "96x54")}
     side = Side(arguments.side)
-    edits = side.edits()
-    random.Random(arguments.seed).shuffle(edits)
-    counts, named = {}, {}
     with tempfile.TemporaryDirectory() as folder:
         make = SourceTrial if arguments.side == "source" else TargetTrial
         trial = make(side, arguments.program, pathlib.Path(folder) / "edited")
-        if arguments.known:
-            return min(known_edits(trial, side, scenes), 1)
         difftest = None
         if arguments.difftest:
             difftest = Difftest(side, pathlib.Path(arguments.program).parent / "porttool", pathlib.Path(folder) / "tested")
-        for edit in edits:
-            file, unit, start, end, new = edit
-            text = side.files[file]
-            verdict, said = judge(trial, side, scenes, edit, text[:start] + new + text[end:])
-            counts[verdict] = counts.get(verdict, 0) + 1
-            line = text.count("\n", 0, start) + 1
-            if difftest and verdict in ("right", "wrong"):
-                answer = difftest.judge(edit, text[:start] + new + text[end:])
-                named[answer] = named.get(answer, 0) + 1
-                said = f"{said}; difftest: {answer}"
-            print(f"{verdict}: {file}:{line} {unit}: {text[start:end]} -> {new}; {said or '-'}", flush=True)
-            if counts.get("right", 0) + counts.get("wrong", 0) >= arguments.edits:
-                break
-    print(counts)
-    if named:
-        print(f"difftest: {named.get('named', 0)} of {sum(named.values())} named;", named)
-    return 0 if counts.get("wrong", 0) <= 0.05 * arguments.edits else 1
+        if arguments.known:
+            return min(known_edits(trial, side, scenes, difftest), 1)
+        answers = random_edits(arguments, trial, side, scenes, difftest)
+    table(answers, difftest)
+    reasons = collections.Counter(answer["difftest"] for _, answer in answers if answer.get("difftest"))
+    if reasons:
+        print(f"difftest: {reasons['named']} of {sum(reasons.values())} named;", dict(reasons.most_common()))
+    wrong = sum(answer["verdict"] == "wrong" for _, answer in answers)
+    return 0 if wrong <= 0.05 * arguments.edits else 1
 
 
 if __name__ == "__main__":
