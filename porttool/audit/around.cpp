@@ -3,11 +3,14 @@
 #include "porttool/audit/around.h"
 
 #include <algorithm>
+#include <array>
+#include <string_view>
 
 #include "porttool/audit/aside.h"
 #include "porttool/language/words.h"
 #include "porttool/normal/declaration_words.h"
 #include "porttool/normal/statements.h"
+#include "porttool/text/letters.h"
 
 namespace porttool {
 namespace {
@@ -15,6 +18,10 @@ namespace {
 using Text = std::vector<std::string>;
 
 constexpr float kCounterpart = 0.6f;  ///< from that likeness on one statement may be the other's counterpart
+
+/// Words of what refuses to go on: that is more than a message.
+constexpr std::array<std::string_view, 8> kRefusals = {"throw",  "abort", "assert",  "error",
+                                                       "except", "fatal", "support", "exit"};
 
 bool is_governing_head(const Text& words) {
     return words.size() > 1 && words[1] == "(" && is_one_of(words[0], {"if", "for", "while"});
@@ -70,8 +77,13 @@ bool counts_a_loop(const std::string& name, const ReadSide& side) {
 }  // namespace
 
 bool heads_a_message(const ReadSide& side, size_t index) {
-    return is_governing_head(side.words[index]) && index + 1 < side.written.size() &&
-           branch_word(side.written[index + 1]).empty() && is_aside(words_of_statement(side.written[index + 1]));
+    if (!is_governing_head(side.words[index]) || index + 1 >= side.written.size()) return false;
+    const Text next = words_of_statement(side.written[index + 1]);
+    const bool refuses = std::any_of(next.begin(), next.end(), [](const std::string& word) {
+        return std::any_of(kRefusals.begin(), kRefusals.end(),
+                           [&](std::string_view part) { return holds_in_any_case(word, part); });
+    });
+    return branch_word(side.written[index + 1]).empty() && is_aside(next) && !refuses;
 }
 
 bool is_alternative(const ReadSide& side, size_t index, const ReadSide& other) {

@@ -488,6 +488,8 @@ TEST_F(HandMadeAudit, EditsThatEachSideMakesInItsOwnWay) {
     const HandMade all[] = {
         {"message", "sum += level * w[k]; level *= 3.0f;",
          "sum += level * w[k]; for (int i = 0; i < n; ++i) printf(\"%f\", w[i]); level *= 3.0f;", false},
+        {"refuses", "sum += level * w[k]; level *= 3.0f;",
+         "if (k > n * col) throw std::runtime_error(\"too many\"); sum += level * w[k]; level *= 3.0f;", true},
         {"repeat", "sum += level * w[k]; out[k] = sum + v[k] * wide; level *= 3.0f;",
          "sum += level * w[k]; for (int i = 0; i < n * step; ++i) out[i] = sum + v[i] * wide; level *= 3.0f;", true},
         {"either", "for (int i = k; i < n; ++i) sum += level * w[i]; if (sum > v[col] * wide) out[n] = 3.0f;",
