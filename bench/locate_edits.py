@@ -276,10 +276,12 @@ class Difftest:
                                    in users)[:self.MOST_USERS]
 
     def ask(self, ids):
+        if not ids:
+            return []  # the command would take all pairs
         command = [self.program, "-C", str(self.folder), "difftest", *ids, "--ulps", "0", "--inputs", "20000",
                    "--format", "json"]
         done = subprocess.run(command, capture_output=True, text=True)
-        return [(pair["state"], pair.get("reason") or "") for pair in json.loads(done.stdout)["pairs"]] if ids else []
+        return [(pair["state"], pair.get("reason") or "") for pair in json.loads(done.stdout)["pairs"]]
 
     def judge(self, edit, text):
         """Whether it names the function, and why not: "named", "same" or the reason why it is not run."""
