@@ -107,6 +107,7 @@ Status CheckedCore::settled() const {
 Status CheckedCore::SetGeometry(uint32_t mesh, const CoreMesh& data) {
     if (is_settled_) return settled();
     return change(contract_.check_geometry(mesh, data), [&] {
+        keep_shape(mesh, data);
         set_mesh(mesh, data);
         contract_.accept_geometry(mesh, data);
         return Status::success();
@@ -197,14 +198,27 @@ void CheckedCore::look_back(const ViewPyramid& view, FilterHistory history) {
     if (history == FilterHistory::go_on) before_ = kept_;
     ++before_.frame;
     before_.is_same = before_.frame > 1 && !scene_changed_ && view == before_.view;
-    before_.motions.clear();
-    if (before_.frame > 1 && !before_.is_same)
-        before_.motions = motions_between(transforms_before_, contract_.transforms());
+    if (before_.frame == 1 || before_.is_same) return;
+    const std::vector<PlacedInstance>& instances = contract_.instances();
+    before_.motions = motions_between(instances_before_, instances, shapes_before_);
+    before_.shapes_changed = before_.motions.size() > kMotionRows * instances.size();
+}
+
+std::vector<glm::vec3> CheckedCore::positions_before(uint32_t, const CoreMesh&) const { return {}; }
+
+// Of each mesh once a frame: as the frame filtered last has shown it, unless it becomes another one.
+void CheckedCore::keep_shape(uint32_t mesh, const CoreMesh& data) {
+    if (kept_.frame == 0) return;
+    std::vector<glm::vec3> positions = positions_before(mesh, data);
+    const bool is_other = positions.empty();
+    const auto kept = shapes_before_.try_emplace(mesh, std::move(positions)).first;
+    if (is_other) kept->second.clear();
 }
 
 void CheckedCore::remember(const ViewPyramid& view) {
     kept_ = {.frame = before_.frame, .view = view};
-    if (scene_changed_ || before_.frame == 1) transforms_before_ = contract_.transforms();
+    if (scene_changed_ || before_.frame == 1) instances_before_ = contract_.instances();
+    shapes_before_.clear();
     scene_changed_ = false;
 }
 

@@ -60,7 +60,10 @@ protected:
     /// Starts the counters and times anew, and with them the sum of samples.
     void drop_samples();
     /// What filters left of earlier frames is gone.
-    void forget_frames() { kept_ = {}; }
+    void forget_frames() {
+        kept_ = {};
+        shapes_before_.clear();
+    }
 
 private:
     /// Opens the device and answers its name; options() are set. Fails as Init may.
@@ -72,6 +75,9 @@ private:
     virtual void set_lights(const CoreLights& lights) = 0;
     virtual void set_sky(const CoreSky& sky) = 0;
     virtual void set_mesh(uint32_t mesh, const CoreMesh& data) = 0;
+    /// Where the vertices of a mesh are, if `data`, which is to be set, moves them and changes nothing else; else none.
+    /// A core whose filter does not follow them has none.
+    virtual std::vector<glm::vec3> positions_before(uint32_t mesh, const CoreMesh& data) const;
     virtual void set_instance(uint32_t instance, uint32_t mesh, const CoreTransform& transform) = 0;
     /// Builds and uploads what was set since the last call. Fails as Render may.
     virtual Status prepare() = 0;
@@ -93,6 +99,7 @@ private:
     template <class Work>
     Status change(const Status& check, Work&& work);
     Status settled() const;
+    void keep_shape(uint32_t mesh, const CoreMesh& data);
     void look_back(const ViewPyramid& view, FilterHistory history);
     void remember(const ViewPyramid& view);
 
@@ -106,7 +113,8 @@ private:
     CoreStats stats_;
     FrameBefore before_;                            // for the filter at work
     FrameBefore kept_;                              // for the next one that goes on
-    std::vector<CoreTransform> transforms_before_;  // none until a filter keeps a history
+    std::vector<PlacedInstance> instances_before_;  // none until a filter keeps a history
+    ShapesBefore shapes_before_;                    // of meshes set since then; none of which is not to be followed
     bool scene_changed_ = true;                     // since then
     bool is_settled_ = false;                       // still, and a Render came
 };

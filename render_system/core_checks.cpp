@@ -270,7 +270,7 @@ const CoreContract::Extent& CoreContract::extent() const {
     if (extent_) return *extent_;
     extent_.emplace();
     for (size_t i = 0; i < instances_.size(); ++i) {
-        const Instance& instance = instances_[i];
+        const PlacedInstance& instance = instances_[i];
         if (instance.mesh == NONE) continue;
         const Placement placement = placement_of(meshes_[instance.mesh].box, instance.transform);
         if (placement.reach >= extent_->farthest.reach) {
@@ -323,7 +323,7 @@ Status CoreContract::check_render(const ViewPyramid& view, uint32_t samples) con
     if (Status order = check_open("Render"); !order.ok()) return order;
     if (!has_target_) return Status::error(StatusCode::wrong_order, "Render came before SetTarget");
     if (samples == 0) return Status::invalid("Render: 0 samples; ask for at least 1");
-    for (const Instance& instance : instances_) {
+    for (const PlacedInstance& instance : instances_) {
         if (instance.mesh == NONE) continue;
         const Mesh& mesh = meshes_[instance.mesh];
         if (mesh.triangles > 0 && mesh.last_material >= last_textures_.size()) {
@@ -380,16 +380,9 @@ void CoreContract::accept_instance(uint32_t instance, uint32_t mesh, const CoreT
     extent_.reset();
 }
 
-std::vector<CoreTransform> CoreContract::transforms() const {
-    std::vector<CoreTransform> transforms;
-    transforms.reserve(instances_.size());
-    for (const Instance& instance : instances_) transforms.push_back(instance.transform);
-    return transforms;
-}
-
 uint64_t CoreContract::triangles() const {
     uint64_t sum = 0;
-    for (const Instance& instance : instances_) {
+    for (const PlacedInstance& instance : instances_) {
         if (instance.mesh != NONE) sum += meshes_[instance.mesh].triangles;
     }
     return sum;

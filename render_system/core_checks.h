@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "render_system/core_api.h"
+#include "render_system/frame_before.h"
 #include "render_system/scene_limits.h"
 
 // What core_api.h says must fail, checked in one place, so that all cores refuse the same things in the same words.
@@ -55,8 +56,8 @@ public:
     void accept_instance(uint32_t instance, uint32_t mesh, const CoreTransform& transform);
     void accept_shutdown();
 
-    /// Where all instances are.
-    std::vector<CoreTransform> transforms() const;
+    /// All instances, as they are.
+    const std::vector<PlacedInstance>& instances() const { return instances_; }
 
     /// Triangles in all visible instances.
     uint64_t triangles() const;
@@ -67,10 +68,6 @@ private:
         uint64_t triangles = 0;
         uint32_t last_material = 0;  // the largest index used
         Box box;                     // in its own space
-    };
-    struct Instance {
-        uint32_t mesh = NONE;
-        CoreTransform transform;
     };
     // Of all visible instances.
     struct Extent {
@@ -87,7 +84,7 @@ private:
     bool has_target_ = false;
     uint64_t textures_ = 0;
     std::vector<Mesh> meshes_;
-    std::vector<Instance> instances_;
+    std::vector<PlacedInstance> instances_;
     mutable std::optional<Extent> extent_;  // none: something has changed
     std::vector<uint32_t> last_textures_;   // of each material: the largest texture index + 1
     uint32_t lights_last_texture_ = 0;      // the largest texture index + 1

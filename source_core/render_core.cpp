@@ -29,6 +29,8 @@ double milliseconds_since(Clock::time_point start) {
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
+static_assert(MOTION_ROWS == kMotionRows);
+
 constexpr uint32_t SMALLEST_BATCH = 1u << 14;  // below, dispatches cost more than they do
 
 // How many camera rays a pixel a filter goes by: those of its samples, and more where they are few; yet more where a
@@ -71,6 +73,9 @@ private:
     void set_lights(const CoreLights& lights) override { scene_.set_lights(lights); }
     void set_sky(const CoreSky& sky) override { scene_.set_sky(sky); }
     void set_mesh(uint32_t mesh, const CoreMesh& data) override { scene_.set_mesh(mesh, data); }
+    std::vector<glm::vec3> positions_before(uint32_t mesh, const CoreMesh& data) const override {
+        return scene_.positions_before(mesh, data);
+    }
     void set_instance(uint32_t instance, uint32_t mesh, const CoreTransform& transform) override {
         scene_.set_instance(instance, mesh, transform);
     }
@@ -347,7 +352,10 @@ Settings SourceCore::filter_settings(const ViewPyramid& view) const {
     frame.frame = before.frame;
     frame.max_path_length = std::min(frame.max_path_length, GUIDE_SEGMENTS);
     frame.scene_extent.w = GUIDE_SHARP;
-    frame.motion = before.is_same ? STANDS_STILL : before.motions.empty() ? VIEW_MOVES : INSTANCES_MOVE;
+    frame.motion = before.is_same           ? STANDS_STILL
+                   : before.motions.empty() ? VIEW_MOVES
+                   : before.shapes_changed  ? VERTICES_MOVE
+                                            : INSTANCES_MOVE;
     frame.eye_before =
         glm::vec4(before.frame > 1 ? before.view.eye : view.eye, screen.parallel_pixel > 0.0f ? 1.0f : 0.0f);
     frame.screen_before = glm::vec4(screen.corner, 0.0f);

@@ -100,6 +100,11 @@ void SceneStore::set_mesh(uint32_t mesh, const CoreMesh& data) {
     geometry_changed_ = true;
 }
 
+std::vector<glm::vec3> SceneStore::positions_before(uint32_t mesh, const CoreMesh& data) const {
+    if (mesh >= meshes_.size() || !same_shape(meshes_[mesh], data)) return {};
+    return meshes_[mesh].positions;
+}
+
 void SceneStore::set_instance(uint32_t instance, uint32_t mesh, const CoreTransform& transform) {
     if (instance == instances_.size()) {
         instances_.emplace_back();

@@ -25,6 +25,8 @@ public:
     void set_lights(const render_system::CoreLights& lights);
     void set_sky(const render_system::CoreSky& sky);
     void set_mesh(uint32_t mesh, const render_system::CoreMesh& data);
+    /// Where the vertices of a mesh are, if `data` moves them and changes nothing else; else none.
+    std::vector<glm::vec3> positions_before(uint32_t mesh, const render_system::CoreMesh& data) const;
     void set_instance(uint32_t instance, uint32_t mesh, const render_system::CoreTransform& transform);
 
     /// Bytes that the tables take at least, before anything is built.

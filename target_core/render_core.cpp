@@ -40,6 +40,8 @@ uint guide_rays(const CoreFilter& filter, uint fewest) {
     return std::min(std::max(filter.samples, fewest), filter.most_rays);
 }
 
+static_assert(MOTION_ROWS == kMotionRows);
+
 vec4 to_row(const glm::vec3& v, float w = 0.0f) { return vec4(v.x, v.y, v.z, w); }
 
 class TargetCore final : public CheckedCore, public EmbreeProbe {

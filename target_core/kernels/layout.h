@@ -173,8 +173,8 @@ const uint GUIDE_MOTION_ROWS = 2u;
 const uint GUIDE_SEGMENTS = 3u;
 const float GUIDE_SHARP = 2.0f;
 
-// motions: 3 rows per instance of the matrix that takes its points back to where they were; only where some has moved.
-const uint MOTION_ROWS = 3u;
+// motions: 4 rows per instance of the matrix that takes its points back to where they were; only where some has moved.
+const uint MOTION_ROWS = 4u;
 
 // planes: one number a pixel each. Light is radiance by albedo: indirect light is what the guides' paths do not bring.
 // The rest is of the layer that has most of the picture's samples.
