@@ -159,6 +159,15 @@ void CoreMeshes::set_mesh(uint id, const CoreMesh& data) {
     if (mesh.deforms) mesh.spread = spread_of(mesh);
 }
 
+std::vector<glm::vec3> CoreMeshes::positions_before(uint id, const CoreMesh& data) const {
+    if (id >= meshes_.size() || !has_shape_of(meshes_[id], data)) return {};
+    const std::vector<PackedVertex>& positions = meshes_[id].positions;
+    std::vector<glm::vec3> places(data.positions.size());
+    std::transform(positions.begin(), positions.begin() + static_cast<ptrdiff_t>(places.size()), places.begin(),
+                   [](const PackedVertex& p) { return glm::vec3(p.x, p.y, p.z); });
+    return places;
+}
+
 void CoreMeshes::set_instance(uint id, uint mesh, const CoreTransform& transform) {
     if (id == placed_.size()) {
         placed_.emplace_back();
@@ -220,7 +229,8 @@ void CoreMeshes::place(std::span<const CoreMaterial> materials, float reach, boo
         Mesh& mesh = meshes_[placed_[i].mesh];
         const CoreTransform& transform = placed_[i].transform;
         InstanceGeometry& geometry = geometry_[i];
-        geometry.baked = uses[placed_[i].mesh] == 1 && !(i < moves_.size() && moves_[i]) && !mesh.moves && !mesh.deforms;
+        geometry.baked =
+            uses[placed_[i].mesh] == 1 && !(i < moves_.size() && moves_[i]) && !mesh.moves && !mesh.deforms;
         geometry.deforms = mesh.deforms;
         if (geometry.baked) {
             bake(mesh, transform);

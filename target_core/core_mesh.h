@@ -26,6 +26,9 @@ public:
     /// Stores mesh `id`, which must be known or the next free one. `data` has been validated.
     void set_mesh(uint id, const render_system::CoreMesh& data);
 
+    /// Where the vertices of a mesh are, if `data` moves them and changes nothing else; else none.
+    std::vector<glm::vec3> positions_before(uint id, const render_system::CoreMesh& data) const;
+
     /// Puts a mesh into the scene, or hides the instance if `mesh` is NONE.
     void set_instance(uint id, uint mesh, const render_system::CoreTransform& transform);
 
@@ -68,8 +71,8 @@ private:
         size_t first_vertex_row = 0;
         size_t vertex_row_count = 0;
         size_t vertex_count = 0;
-        uint flags = 0;  // INSTANCE_HAS_...
-        bool moves = false;    // some instance of it does; of those that nobody told of moves_ knows
+        uint flags = 0;      // INSTANCE_HAS_...
+        bool moves = false;  // some instance of it does; of those that nobody told of moves_ knows
         bool deforms = false;
         bool is_baked = false;                   // `baked` is that of `placed_by`
         render_system::CoreTransform placed_by;  // of the last bake

@@ -61,6 +61,9 @@ private:
     void set_lights(const CoreLights& lights) override;
     void set_sky(const CoreSky& sky) override;
     void set_mesh(uint32_t mesh, const CoreMesh& data) override;
+    std::vector<glm::vec3> positions_before(uint32_t mesh, const CoreMesh& data) const override {
+        return meshes_.positions_before(mesh, data);
+    }
     void set_instance(uint32_t instance, uint32_t mesh, const CoreTransform& transform) override;
     Status prepare() override;
     Status reach_for(const ViewPyramid& view);
@@ -261,7 +264,10 @@ Settings TargetCore::filter_settings(const ViewPyramid& view) const {
     frame.frame = before.frame;
     frame.max_path_length = std::min(frame.max_path_length, GUIDE_SEGMENTS);
     frame.scene_extent.w = GUIDE_SHARP;
-    frame.motion = before.is_same ? STANDS_STILL : before.motions.empty() ? VIEW_MOVES : INSTANCES_MOVE;
+    frame.motion = before.is_same           ? STANDS_STILL
+                   : before.motions.empty() ? VIEW_MOVES
+                   : before.shapes_changed  ? VERTICES_MOVE
+                                            : INSTANCES_MOVE;
     frame.eye_before =
         to_row(before.frame > 1 ? before.view.eye : view.eye, screen.parallel_pixel > 0.0f ? 1.0f : 0.0f);
     frame.screen_before = to_row(screen.corner);

@@ -50,7 +50,7 @@ inline void guide_path(Uint job) {
     add_to_guide(pixel, layer + GUIDE_ALBEDO, vec4(guide_albedo(material), near), true);
     add_to_guide(pixel, layer + GUIDE_NORMAL, vec4(normal, 1.0f), true);
     if (settings.frame != 0u) {
-        vec3 motion = motion_of(surface.position, surface.instance);
+        vec3 motion = motion_of(surface);
         add_to_guide(pixel, (layer >> 1) + GUIDE_MOTION, vec4(motion, 0.0f), true);
     }
 }

@@ -173,8 +173,11 @@ const uint GUIDE_MOTION_ROWS = 2u;
 const uint GUIDE_SEGMENTS = 3u;
 const float GUIDE_SHARP = 2.0f;
 
-// motions: 4 rows per instance of the matrix that takes its points back to where they were; only where some has moved.
+// motions: 4 rows per instance, only where some has moved; then, a row each, where the vertices of meshes were that
+// have changed their shape since, in the space of the mesh.
 const uint MOTION_ROWS = 4u;
+const uint MOTION_SHAPE = 3u;  // row of its first vertex as bits: the matrix is the one that placed it then; 0: the
+                               // matrix takes points back to where they were
 
 // planes: one number a pixel each. Light is radiance by albedo: indirect light is what the guides' paths do not bring.
 // The rest is of the layer that has most of the picture's samples.
@@ -218,6 +221,7 @@ const uint REPROJECT_PICTURE = 9u;  // what was shown before to what is shown, a
 const uint STANDS_STILL = 0u;  // view and scene are those of the frame before
 const uint VIEW_MOVES = 1u;    // or something else than an instance, which has no motion to follow
 const uint INSTANCES_MOVE = 2u;
+const uint VERTICES_MOVE = 3u;  // and they, of some meshes
 
 // ---- Settings: the same for all kernels of one Render. Scalars come in fours: std140 and C++ agree. ----
 

@@ -3,12 +3,11 @@
 // Kind: twin of source_core/kernels/motion.glsl.
 #pragma once
 
-#include "target_core/kernels/buffers.h"
-#include "target_core/kernels/intersect.h"
+#include "target_core/kernels/surface.h"
 
 namespace target_core::kernels {
 
-// Where things were on the screen in the frame before, as far as views and transforms of instances tell.
+// Where things were on the screen in the frame before, as far as views, transforms of instances and vertices tell.
 
 // A camera as pixels are found by it.
 struct Camera {
@@ -58,17 +57,37 @@ inline vec3 place_seen(Camera camera, vec3 way) {
     return select(seen, place, vec3(-1.0e6f, -1.0e6f, 1.0e30f));
 }
 
-// How far a point of an instance has come on the screen since the frame before, backwards, and how near it was.
-inline vec3 motion_of(vec3 position, Uint instance) {
-    vec3 before = position;
-    if (settings.motion == INSTANCES_MOVE) {
-        Rows rows = rows_from(instance * MOTION_ROWS);
+// A point of a surface as the matrix of its instance takes it to where it was: where it is now, or, of a mesh that has
+// changed its shape, the same place between the corners of its triangle as they were.
+inline vec3 shape_before(Surface surface) {
+    Rows rows = rows_from(surface.instance * MOTION_ROWS);
+    Uint first = floatBitsToUint(fetch_motions(rows, MOTION_SHAPE).x);
+    Rows instance = rows_from(surface.instance * INSTANCE_ROWS);
+    vec4 mesh_row = fetch_instances(instance, INSTANCE_MESH);
+    uvec4 corners = fetch_mesh_triangles(floatBitsToUint(mesh_row.x) + surface.primitive);
+    Mask deforms = first != 0u;
+    vec3 v0 = vec3(fetch_motions(rows_from(select(deforms, first + corners.x, Uint(0u))), 0u));
+    vec3 v1 = vec3(fetch_motions(rows_from(select(deforms, first + corners.y, Uint(0u))), 0u));
+    vec3 v2 = vec3(fetch_motions(rows_from(select(deforms, first + corners.z, Uint(0u))), 0u));
+    vec3 point = (v0 + (v1 - v0) * surface.u) + (v2 - v0) * surface.v;
+    return select(deforms, point, surface.position);
+}
+
+// How far a point of a surface has come on the screen since the frame before, backwards, and how near it was.
+inline vec3 motion_of(Surface surface) {
+    vec3 before = surface.position;
+    if (settings.motion >= INSTANCES_MOVE) {
+        vec3 point = before;
+        if (settings.motion == VERTICES_MOVE) {
+            point = shape_before(surface);
+        }
+        Rows rows = rows_from(surface.instance * MOTION_ROWS);
         vec4 row0 = fetch_motions(rows, 0u);
         vec4 row1 = fetch_motions(rows, 1u);
         vec4 row2 = fetch_motions(rows, 2u);
-        before = transform_point(row0, row1, row2, position);
+        before = transform_point(row0, row1, row2, point);
     }
-    vec3 now = place_seen(camera_now(), position - vec3(settings.eye));
+    vec3 now = place_seen(camera_now(), surface.position - vec3(settings.eye));
     vec3 then = place_seen(camera_before(), before - vec3(settings.eye_before));
     return vec3(then.x - now.x, then.y - now.y, then.z);
 }

@@ -92,6 +92,7 @@ struct Surface {
     TextureCoordinates coordinates;
     uvec4 tangents;  // of each vertex, in x, y and z
     Uint instance;
+    Uint primitive;  // its triangle's number in the mesh
     Uint material;
     Float u;
     Float v;
@@ -122,6 +123,7 @@ inline Surface make_surface(PathRay path_ray, Hit hit, TriangleVertices triangle
     surface.normal = normalized(transform_normal(row0, row1, row2, attributes.normal) * mesh_row.w);
     surface.color = attributes.color;
     surface.instance = hit.instance;
+    surface.primitive = triangle.primitive;
     surface.tangents = attributes.tangents;
     surface.material = corners.w;
     vec3 way = surface.position - path_ray.ray.origin;

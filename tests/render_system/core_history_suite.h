@@ -30,12 +30,63 @@ protected:
         Base::expect_ok(this->core_->SetTarget(this->target()));
     }
 
-    /// The wall stands still for two frames, then it moves.
+    /// The wall stands still for two frames, then it moves and changes its shape.
     void pose(uint32_t frame) {
         if (frame < 2) return;
         CoreTransform transform;
         transform.rows[0].w = 0.05f * static_cast<float>(frame);
         Base::expect_ok(this->core_->SetInstance(0, 0, transform));
+        ContractScene scene;
+        scene.positions[2].y += 0.1f * static_cast<float>(frame);
+        Base::expect_ok(this->core_->SetGeometry(0, scene.mesh()));
+    }
+
+    void pose_as_at_first() {
+        Base::expect_ok(this->core_->SetInstance(0, 0, {}));
+        Base::expect_ok(this->core_->SetGeometry(0, ContractScene().mesh()));
+    }
+
+    /// The wall's vertices moved by `shift`, then its instance turned about the view and moved.
+    void place(const glm::vec3& shift, float angle, const glm::vec3& move) {
+        ContractScene scene;
+        for (glm::vec3& position : scene.positions) position += shift;
+        Base::expect_ok(this->core_->SetGeometry(0, scene.mesh()));
+        place_instance(angle, move);
+    }
+
+    void place_instance(float angle, const glm::vec3& move) {
+        CoreTransform transform;
+        transform.rows[0] = {std::cos(angle), -std::sin(angle), 0, move.x};
+        transform.rows[1] = {std::sin(angle), std::cos(angle), 0, move.y};
+        transform.rows[2].w = move.z;
+        Base::expect_ok(this->core_->SetInstance(0, 0, transform));
+    }
+
+    /// Light of noise over frames in which `place_frame` has put the wall somewhere.
+    std::vector<glm::vec4> last_of_frames(const std::function<void(uint32_t)>& place_frame) {
+        this->core_ = Core::create();
+        EXPECT_TRUE(this->opened());
+        open_scene();
+        std::vector<glm::vec4> last;
+        for (uint32_t frame = 0; frame < 3; ++frame) {
+            place_frame(frame);
+            std::vector<glm::vec4> picture = frame_of_noise(frame);
+            Base::expect_ok(this->core_->Filter(contract_view(),
+                                                {.means = picture,
+                                                 .variances = {},
+                                                 .first_sample = frame,
+                                                 .filtered = picture,
+                                                 .history = frame == 0 ? FilterHistory::begin : FilterHistory::go_on}));
+            last = picture;
+        }
+        return last;
+    }
+
+    static float farthest_apart(const std::vector<glm::vec4>& a, const std::vector<glm::vec4>& b) {
+        float most = 0.0f;
+        for (size_t i = 0; i < a.size(); ++i)
+            for (int c = 0; c < 3; ++c) most = std::max(most, std::abs(a[i][c] - b[i][c]));
+        return most;
     }
 
     std::vector<glm::vec4> frame_of_noise(uint32_t frame) {
@@ -152,7 +203,7 @@ TYPED_TEST_P(CoreHistorySuite, AFilterThatIsCalledOffLeavesWhatThereWas) {
     EXPECT_TRUE(this->calls_off(0, FilterHistory::begin, times > 1 ? 1 : 0));
     EXPECT_EQ(this->core_->GetHistory()->frames, 0u);
 
-    this->expect_ok(this->core_->SetInstance(0, 0, {}));  // as it stood at first
+    this->pose_as_at_first();
     EXPECT_EQ(this->filtered(0, FilterHistory::begin), whole[0]);
     EXPECT_EQ(this->filtered(1, FilterHistory::go_on), whole[1]);
     const CoreHistory history = *this->core_->GetHistory();
@@ -164,7 +215,30 @@ TYPED_TEST_P(CoreHistorySuite, AFilterThatIsCalledOffLeavesWhatThereWas) {
     EXPECT_EQ(this->finished_, whole[2]) << "the one that was not called off";
 }
 
+/// A wall that its vertices carry is the wall that its instance carries: what was seen there is found again either way.
+TYPED_TEST_P(CoreHistorySuite, VerticesThatMoveAreFollowedAsAnInstanceIs) {
+    if (!this->opened()) GTEST_SKIP() << "no device for this core";
+    const auto shift = [](uint32_t frame) { return 0.14f * static_cast<float>(frame); };
+    const auto angle = [](uint32_t frame) { return 0.05f * static_cast<float>(frame); };
+    const glm::vec3 move{-0.05f, 0.03f, 0.1f};
+    const auto by_instance = this->last_of_frames([&](uint32_t frame) {
+        const glm::vec3 turned{std::cos(angle(frame)) * shift(frame), std::sin(angle(frame)) * shift(frame), 0};
+        this->place_instance(angle(frame), turned + move * static_cast<float>(frame));
+    });
+    const auto by_both = this->last_of_frames([&](uint32_t frame) {
+        this->place({7, 7, 0}, 0, move);  // seen by nobody
+        this->place({shift(frame), 0, 0}, angle(frame), move * static_cast<float>(frame));
+    });
+    const auto as_another = this->last_of_frames([&](uint32_t frame) {
+        this->expect_ok(this->core_->SetGeometry(0, {}));  // which is not followed
+        this->place({shift(frame), 0, 0}, angle(frame), move * static_cast<float>(frame));
+    });
+    if (by_instance == this->last_of_frames([](uint32_t) {})) return;  // a core that filters nothing
+    EXPECT_LT(this->farthest_apart(by_both, by_instance), 1e-4f);
+    EXPECT_GT(this->farthest_apart(as_another, by_instance), 1e-2f) << "or nothing was followed at all";
+}
+
 REGISTER_TYPED_TEST_SUITE_P(CoreHistorySuite, AnotherCoreGoesOnToTheSameBits, AHistoryOfAnotherSizeIsRefused,
-                            AFilterThatIsCalledOffLeavesWhatThereWas);
+                            AFilterThatIsCalledOffLeavesWhatThereWas, VerticesThatMoveAreFollowedAsAnInstanceIs);
 
 }  // namespace render_system::testing

@@ -42,11 +42,18 @@ void look_from(const glm::dvec3& eye_before, double turn_before, const glm::dvec
     settings.motion = target_core::VIEW_MOVES;
 }
 
+kernels::Surface seen_at(const kernels::vec3& position, uint32_t instance) {
+    kernels::Surface surface{};
+    surface.position = position;
+    surface.instance = instance;
+    return surface;
+}
+
 // At a distance z the picture is 2 z wide: a step of the eye by x moves it by x / (2 z) of its width, the other way.
 TEST(Motion, OfACameraThatStepsAsideGoesByDistance) {
     look_from({0, 0, 0}, 0, {0.5, -0.25, 0}, 0);
     for (const float distance : {1.0f, 4.0f, 50.0f}) {
-        const auto motion = kernels::motion_of({0.3f * distance, 0.2f * distance, -distance}, 0);
+        const auto motion = kernels::motion_of(seen_at({0.3f * distance, 0.2f * distance, -distance}, 0));
         EXPECT_NEAR(motion.x, 0.5f / (2.0f * distance) * WIDTH, 1e-3f) << distance;
         EXPECT_NEAR(motion.y, 0.25f / (2.0f * distance) * WIDTH, 1e-3f) << distance;
         EXPECT_NEAR(motion.z, 1.0f / distance, 1e-6f) << distance;
@@ -55,7 +62,7 @@ TEST(Motion, OfACameraThatStepsAsideGoesByDistance) {
 
 TEST(Motion, OfACameraThatStepsBackShrinksThePictureAboutItsMiddle) {
     look_from({0, 0, 0}, 0, {0, 0, 2}, 0);
-    const auto motion = kernels::motion_of({1, 0.5f, -4}, 0);
+    const auto motion = kernels::motion_of(seen_at({1, 0.5f, -4}, 0));
     EXPECT_NEAR(motion.x, WIDTH / 2 * (1.0f / 4 - 1.0f / 6), 1e-3f);
     EXPECT_NEAR(motion.y, -WIDTH / 2 * (0.5f / 4 - 0.5f / 6), 1e-3f);
     EXPECT_NEAR(motion.z, 1.0f / 4, 1e-6f) << "how near it was then";
@@ -64,7 +71,7 @@ TEST(Motion, OfACameraThatStepsBackShrinksThePictureAboutItsMiddle) {
 TEST(Motion, OfACameraThatTurnsIsTheTangentOfTheAngle) {
     const double turn = 0.1;
     look_from({0, 0, 0}, 0, {0, 0, 0}, turn);
-    const auto motion = kernels::motion_of({0, 0, -7}, 0);
+    const auto motion = kernels::motion_of(seen_at({0, 0, -7}, 0));
     EXPECT_NEAR(motion.x, -WIDTH / 2 * static_cast<float>(std::tan(turn)), 1e-3f);
     EXPECT_NEAR(motion.y, 0.0f, 1e-3f);
 }
@@ -73,15 +80,41 @@ TEST(Motion, OfAnInstanceIsThatOfItsMatrixAndWhatLayBehindTheEyeIsOutside) {
     look_from({0, 0, 0}, 0, {0, 0, 0}, 0);
     settings.motion = target_core::INSTANCES_MOVE;
     // Instance 0 stood still; 1 was 2 to the left and 1 farther off; 2 was behind the eye.
-    const vec4 motions[] = {{1, 0, 0, 0},  {0, 1, 0, 0}, {0, 0, 1, 0}, {1, 0, 0, -2}, {0, 1, 0, 0},
-                            {0, 0, 1, -1}, {1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 9}};
+    const vec4 motions[] = {{1, 0, 0, 0},  {0, 1, 0, 0}, {0, 0, 1, 0}, {},           {1, 0, 0, -2}, {0, 1, 0, 0},
+                            {0, 0, 1, -1}, {},           {1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 9},  {}};
     bound.motions = motions;
-    EXPECT_EQ(kernels::motion_of({1, 1, -4}, 0).x, 0.0f);
-    const auto motion = kernels::motion_of({1, 1, -4}, 1);
+    EXPECT_EQ(kernels::motion_of(seen_at({1, 1, -4}, 0)).x, 0.0f);
+    const auto motion = kernels::motion_of(seen_at({1, 1, -4}, 1));
     EXPECT_NEAR(motion.x, WIDTH / 2 * (-1.0f / 5 - 1.0f / 4), 1e-3f);
     EXPECT_NEAR(motion.y, -WIDTH / 2 * (1.0f / 5 - 1.0f / 4), 1e-3f);
     EXPECT_NEAR(motion.z, 1.0f / 5, 1e-6f);
-    EXPECT_LT(kernels::motion_of({1, 1, -4}, 2).x, -WIDTH);
+    EXPECT_LT(kernels::motion_of(seen_at({1, 1, -4}, 2)).x, -WIDTH);
+}
+
+// The corners of triangle 1 were 3 to the right of where they are by x = 3 u + v, y = v, and their instance was turned
+// by 90 degrees about z and 1 farther off.
+TEST(Motion, OfVerticesIsThatOfTheSamePlaceBetweenThem) {
+    look_from({0, 0, 0}, 0, {0, 0, 0}, 0);
+    settings.motion = target_core::VERTICES_MOVE;
+    const auto bits = [](uint32_t word) { return vec4(target_core::uintBitsToFloat(word), 0, 0, 0); };
+    const vec4 motions[] = {{1, 0, 0, 2},  {0, 1, 0, 0}, {0, 0, 1, 0}, bits(0),      {0, -1, 0, 0}, {1, 0, 0, 0},
+                            {0, 0, 1, -5}, bits(8),      {9, 9, 9, 0}, {4, 1, 0, 0}, {3, 0, 0, 0},  {6, 0, 0, 0}};
+    const target_core::uvec4 triangles[] = {{0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {2, 3, 1, 0}};
+    const vec4 instances[] = {{}, {}, {}, {}, {}, {}, {}, bits(2)};  // its mesh's triangles begin at row 2
+    bound.motions = motions;
+    bound.mesh_triangles = triangles;
+    bound.instances = instances;
+    kernels::Surface surface = seen_at({1, 1, -4}, 1);
+    surface.primitive = 1;
+    surface.u = 0.25f;
+    surface.v = 0.5f;
+    // There it was at x = 3 + 3 / 4 + 1 / 2, y = 1 / 2, then turned.
+    const auto motion = kernels::motion_of(surface);
+    EXPECT_NEAR(motion.x, WIDTH / 2 * (-0.5f / 5 - 1.0f / 4), 1e-3f);
+    EXPECT_NEAR(motion.y, -WIDTH / 2 * (4.25f / 5 - 1.0f / 4), 1e-3f);
+    EXPECT_NEAR(motion.z, 1.0f / 5, 1e-6f);
+    EXPECT_NEAR(kernels::motion_of(seen_at({1, 1, -4}, 0)).x, WIDTH / 2 * (3.0f / 4 - 1.0f / 4), 1e-3f)
+        << "the other one was 2 to the right";
 }
 
 TEST(Motion, OfParallelRaysKeepsItsSizeAtAnyDistance) {
@@ -89,7 +122,7 @@ TEST(Motion, OfParallelRaysKeepsItsSizeAtAnyDistance) {
     settings.lens_down.w = 1.0f;
     settings.eye_before.w = 1.0f;
     for (const float distance : {2.0f, 9.0f}) {
-        const auto motion = kernels::motion_of({0.1f, 0.2f, -distance}, 0);
+        const auto motion = kernels::motion_of(seen_at({0.1f, 0.2f, -distance}, 0));
         EXPECT_NEAR(motion.x, 0.25f / 2.0f * WIDTH, 1e-3f);
         EXPECT_NEAR(motion.z, distance, 1e-5f);
     }
