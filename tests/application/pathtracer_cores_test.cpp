@@ -265,6 +265,34 @@ TEST_F(Cores, AFilterOverFramesHasTheSameBitsInExactModeAtEveryFrame) {
     EXPECT_LT(json::parse(alone.out)["results"][0]["identical_pixels"].get<double>(), 0.9);
 }
 
+/// What moves the triangle is no matter: it is in one place, and what was seen of it is found where it was.
+TEST_F(Cores, AFilterFollowsSkinsAndMorphsAsItDoesNodes) {
+    SKIP_WITHOUT("source");
+    SKIP_WITHOUT("target");
+    for (const std::string what : {"node", "skin", "morph"}) {
+        const std::string scene = write_moving_scene_by(what, folder.path).string();
+        for (const std::string core : {"source", "target"}) {
+            const RunResult result =
+                run({"render", scene, "--core", core, "--frames", "0:3", "--fps", "6", "--spp", "2", "--size", "50x37",
+                     "--exact", "--filter", "temporal", "--look-at", "0,0,3,0,0,0", "-o", what + core + "_#.exr"});
+            EXPECT_EQ(result.exit_code, 0) << result.err;
+        }
+    }
+    const auto figures = [&](const std::string& a, const std::string& b) {
+        const RunResult result = run({"compare", a, b, "--format", "json"});
+        EXPECT_EQ(result.exit_code, 0) << result.err;
+        return json::parse(result.out)["results"][0];
+    };
+    for (const std::string what : {"skin", "morph"}) {
+        for (const std::string frame : {"_0.exr", "_1.exr", "_2.exr"}) {
+            const json cores = figures(what + "source" + frame, what + "target" + frame);
+            EXPECT_EQ(cores["identical_pixels"].get<double>(), 1.0) << what << frame;
+            const json ways = figures(what + "target" + frame, "nodetarget" + frame);
+            EXPECT_LT(ways["rmse"].get<double>(), 0.01) << what << frame << ways.dump();
+        }
+    }
+}
+
 /// Frames as well: filtered_runs_test.py.
 TEST_F(Cores, AFilterOverFramesIsTakenUpAgainToTheSameBits) {
     for (const std::string core : {"source", "target"}) {
