@@ -11,6 +11,7 @@ enum ExitCode : int {
     FAILED = 2,         ///< could not be done; one or two lines on stderr say why
     INTERRUPTED = 130,  ///< by Ctrl-C; what was there is written whole
     TERMINATED = 143,   ///< by SIGTERM, likewise
+    HUNG_UP = 129,      ///< by SIGHUP: its terminal has gone; likewise
 };
 
 }  // namespace application

@@ -48,11 +48,12 @@ private:
         if (!status.ok()) ranks.skip_tasks(frame_count());
         status = ranks.agree(status);
         // A member that was stopped alone has left its frame undone; the others have gone on.
-        uint64_t done[] = {kept_, rendered_, signal() == SIGINT ? 1U : 0U, signal() == SIGTERM ? 1U : 0U};
+        const auto came = [this](int number) { return signal() == number ? 1U : 0U; };
+        uint64_t done[] = {kept_, rendered_, came(SIGINT), came(SIGTERM), came(SIGHUP)};
         ranks.add_up(done);
         kept_ = static_cast<uint32_t>(done[0]);
         rendered_ = static_cast<uint32_t>(done[1]);
-        signal_elsewhere_ = done[2] > 0 ? SIGINT : done[3] > 0 ? SIGTERM : 0;
+        signal_elsewhere_ = done[2] > 0 ? SIGINT : done[3] > 0 ? SIGTERM : done[4] > 0 ? SIGHUP : 0;
         return status;
     }
 
@@ -144,8 +145,10 @@ ExitCode run_frames(const Options& options, Console& console) {
     if (checked.ok() && leads) checked = check_sequence(options, pattern, console);
     if (checked = agreed(checked); !checked.ok()) return fail_once(console, checked);
 
+    // As frame 0 has it, whichever come: where there is no camera the view frames what is there, and all ranges of a
+    // sequence are to be seen from one place.
     Options first = options;
-    first.time = frame_time(options, options.frames->first);
+    first.time = frame_time(options, 0);
     auto setup = set_up_scene(first, console, output_files(options, frames_there(pattern, *options.frames)));
     if (Status status = agreed(setup.status); !status.ok()) return fail_once(console, status);
     const auto sequence = make_sequence(options, pattern, *kind, std::move(*setup), console);
@@ -153,7 +156,7 @@ ExitCode run_frames(const Options& options, Console& console) {
     if (!leads) return DONE;
     if (const int signal = sequence->interrupted(); signal != 0) {
         console.note(sequence->progress());
-        return signal == SIGINT ? INTERRUPTED : TERMINATED;
+        return exit_code_of_signal(signal);
     }
     const std::string text = sequence->summary();
     if (options.output.empty())

@@ -199,7 +199,10 @@ void FramesInOrder::save_checkpoint() {
                                                {sequence_identity(options_, session_), next_, std::move(*history)});
     }
     // A full disk now need not be one later: the frames that are done are files of their own.
-    if (!status.ok()) console_.warning(status.message + "; rendering goes on without a new checkpoint");
+    // Once is enough until one was written; the one that a run which was stopped leaves behind counts by itself.
+    if (!status.ok() && (!cannot_save_ || stopped()))
+        console_.warning(status.message + "; rendering goes on without a new checkpoint");
+    cannot_save_ = !status.ok();
     saved_ = Clock::now();
 }
 

@@ -45,6 +45,7 @@ private:
     std::string lost_;   // a frame that it counts on and that is not there, or is of another sequence
     uint32_t next_ = 0;  // the place of the frame at work; those before are filtered and written
     std::chrono::steady_clock::time_point saved_;
+    bool cannot_save_ = false;  // the last checkpoint, which was told
 };
 
 /// Where the checkpoint of that sequence lies.

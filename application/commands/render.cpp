@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include <csignal>
-
 #include "application/cluster/team.h"
 #include "application/commands/command_steps.h"
 #include "application/commands/commands.h"
@@ -123,7 +121,7 @@ ExitCode run_render(const Options& options, Console& console) {
     else
         console.result(options.format == Format::json ? json_text(json) : text);
     if (!run.interrupted()) return DONE;
-    return interrupt.signal() == SIGINT ? INTERRUPTED : TERMINATED;
+    return exit_code_of_signal(interrupt.signal());
 }
 
 }  // namespace application

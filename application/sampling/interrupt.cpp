@@ -10,10 +10,14 @@
 namespace application {
 namespace {
 
+constexpr int kKept[] = {SIGINT, SIGTERM, SIGHUP};
+
 std::atomic<int> kept_signal = 0;  // read by threads other than the one that is interrupted
 static_assert(std::atomic<int>::is_always_lock_free);
 
 extern "C" void keep_first_signal(int number) {
+    // A terminal that closes sends SIGHUP, and its shell often another one: nobody has asked twice.
+    if (kept_signal != 0 && number == SIGHUP) return;
     if (kept_signal != 0) remove_unfinished_file_and_end(number);
     kept_signal = number;
 }
@@ -31,15 +35,19 @@ void handle(int number, void (*handler)(int)) {
 
 KeptInterrupt::KeptInterrupt() {
     kept_signal = 0;
-    for (const int number : {SIGINT, SIGTERM}) handle(number, keep_first_signal);
+    for (const int number : kKept) handle(number, keep_first_signal);
 }
 
 KeptInterrupt::~KeptInterrupt() {
-    for (const int number : {SIGINT, SIGTERM}) handle(number, remove_unfinished_file_and_end);
+    for (const int number : kKept) handle(number, remove_unfinished_file_and_end);
 }
 
 int KeptInterrupt::signal() const { return kept_signal; }
 
-const char* name_of_signal(int number) { return number == SIGINT ? "Ctrl-C" : "SIGTERM"; }
+const char* name_of_signal(int number) { return number == SIGINT ? "Ctrl-C" : number == SIGHUP ? "SIGHUP" : "SIGTERM"; }
+
+ExitCode exit_code_of_signal(int number) {
+    return number == SIGINT ? INTERRUPTED : number == SIGHUP ? HUNG_UP : TERMINATED;
+}
 
 }  // namespace application

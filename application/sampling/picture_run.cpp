@@ -156,7 +156,10 @@ void PictureRun::save_checkpoint() {
     }
     if (status.ok()) status = write_checkpoint(checkpoint_, *run_, wanted_.first, sums_, passes ? &*passes : nullptr);
     // A full disk now need not be one when the picture is done: hours of work are not dropped for it.
-    if (!status.ok()) console_.warning(status.message + "; rendering goes on without a new checkpoint");
+    // Once is enough until one was written; the one that a run which was stopped leaves behind counts by itself.
+    if (!status.ok() && (!cannot_save_ || interrupted()))
+        console_.warning(status.message + "; rendering goes on without a new checkpoint");
+    cannot_save_ = !status.ok();
 }
 
 Result<Picture> PictureRun::filtered() {

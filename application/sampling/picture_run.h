@@ -70,6 +70,7 @@ private:
     std::optional<TemporalPasses> passes_;         // where each is filtered
     std::chrono::steady_clock::time_point start_;  // of the time limit
     SamplingEnd end_ = SamplingEnd::all_taken;
+    bool cannot_save_ = false;  // the last checkpoint, which was told
 };
 
 }  // namespace application
