@@ -488,10 +488,7 @@ Status SourceCore::prepare_filter(const Settings& frame, const CoreFilter& filte
 Status SourceCore::make_filter(const CoreFilter& filter) {
     const bool with_history = filter.history != FilterHistory::none;
     const std::vector<glm::vec4>& motions = frame_before().motions;
-    Status status = gpu_->kernels->add_filter(*gpu_->device, with_history);
-    if (status.ok()) {
-        status = gpu_->wavefront->make_filter(*gpu_->device, *gpu_->budget, with_history, motions.size());
-    }
+    Status status = gpu_->wavefront->make_filter(*gpu_->device, *gpu_->budget, with_history, motions.size());
     if (status.ok() && with_history) {
         status = gpu_->wavefront->turn_history(*gpu_->device, frame_before().frame == 1);
     }
@@ -511,8 +508,12 @@ Status SourceCore::make_filter(const CoreFilter& filter) {
 
 Status SourceCore::filter(const ViewPyramid& view, const CoreFilter& filter, CallOff& call_off) {
     const bool with_history = filter.history != FilterHistory::none;
-    Status status = make_filter(filter);
+    Status status = gpu_->kernels->add_filter(*gpu_->device, with_history);
     const Clock::time_point start = Clock::now();
+    if (status.ok()) {
+        status = make_filter(filter);
+    }
+    const Clock::time_point made = Clock::now();
     if (status.ok()) {
         status = prepare_filter(filter_settings(view), filter, call_off);
     }
@@ -521,18 +522,17 @@ Status SourceCore::filter(const ViewPyramid& view, const CoreFilter& filter, Cal
             gpu_->wavefront->turn_history(*gpu_->device, false);  // as it was: nothing was written yet
         return turned.ok() ? status : turned;
     }
-    stats().guide_ms = milliseconds_since(start);
-    const Clock::time_point guided = Clock::now();
+    stats().guide_ms = milliseconds_since(made);
     WavefrontCounts counts;
     if (status.ok()) {
         status =
             gpu_->wavefront->run_filter(*gpu_->device, *gpu_->kernels_in_use, filter.samples, with_history, counts);
     }
-    stats().filter_ms = milliseconds_since(guided);
     if (status.ok()) {
         status = gpu_->staging->download(*gpu_->device, gpu_->wavefront->filter_picture(),
                                          std::as_writable_bytes(filter.filtered));
     }
+    stats().filter_ms = milliseconds_since(start) - stats().guide_ms;
     return status.ok() ? gpu_->instance->validation_status() : status;
 }
 

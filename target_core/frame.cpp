@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "target_core/frame.h"
 
+#include <sys/mman.h>
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/task_arena.h>
 
@@ -128,12 +129,40 @@ void gather_sample(const KernelTable& kernels, Tile& tile) {
     kernels.filter();
 }
 
+// Has the system make a tile's share of memory that kernels will write to: by then they would wait for it. Where it
+// cannot, they do.
+void make_memory(std::span<std::byte> memory, const Frame& frame, uint first_pixel, uint path_count) {
+    constexpr size_t PAGE = 4096;
+    const size_t a_pixel = memory.size() / frame.pixel_count + 1;
+    const auto page_of = [&](size_t pixel) { return std::min(pixel * a_pixel, memory.size()) / PAGE * PAGE; };
+    const size_t first = page_of(first_pixel), end = page_of(size_t{first_pixel} + path_count);
+    if (first < end) madvise(memory.data() + first, end - first, MADV_POPULATE_WRITE);
+}
+
+// The last packet of lanes reads beyond the last pixel.
+void clear_guides(const Frame& frame, uint first_pixel, uint path_count) {
+    const bool is_last = first_pixel + path_count == frame.first_pixel + frame.pixel_count;
+    const size_t pixels = path_count + (is_last ? SPARE_ROWS : 0);
+    std::fill_n(bound.guides + size_t{first_pixel} * frame.guide_rows, pixels * frame.guide_rows, vec4(0.0f));
+}
+
+void take_picture(const render_system::CoreFilter& filter, uint first, uint end) {
+    for (size_t pixel = first; pixel < end; ++pixel) {
+        const glm::vec4& mean = filter.means[pixel];
+        const float variance = filter.variances.empty() ? -1.0f : filter.variances[pixel];
+        const bool known = filter.knows(pixel);
+        bound.filter_picture[pixel] =
+            vec4(known ? mean.x : 0.0f, known ? mean.y : 0.0f, known ? mean.z : 0.0f, known ? variance : NO_MEAN);
+    }
+}
+
 // What a filter makes of a tile's guides by pixels alone.
 void use_guides(const Frame& frame, Worker& worker) {
     Stopwatch watch;
     pass.sample_scale = 1.0f / static_cast<float>(frame.sample_count);
     if (frame.divides) {
         pass.filter_stage = FILTER_DIVIDE;
+        take_picture(*frame.divides, pass.first_pixel, pass.first_pixel + pass.path_count);
         frame.kernels->filter();
     }
     if (frame.prepares) {
@@ -151,6 +180,13 @@ void render_tile(const Frame& frame, uint first_pixel, uint path_count, Worker& 
     settings = frame.settings;
     const vec4* target = worker.tile.target.get();
     uint place = first_pixel - frame.first_pixel;
+    pass.first_pixel = first_pixel;
+    pass.path_count = path_count;
+    if (frame.guide_rows > 0) {
+        clear_guides(frame, first_pixel, path_count);
+        make_memory(frame.untouched_picture, frame, first_pixel, path_count);
+        make_memory(frame.untouched_planes, frame, first_pixel, path_count);
+    }
     for (uint i = 0; i < frame.sample_count; ++i) {
         if (frame.is_called_off()) {
             return;
@@ -158,8 +194,6 @@ void render_tile(const Frame& frame, uint first_pixel, uint path_count, Worker& 
         uint in_sum = frame.sums.empty() ? frame.samples_in_sum + i : 0;
         pass.sample_index = frame.first_sample + i;
         pass.segment = 0;
-        pass.first_pixel = first_pixel;
-        pass.path_count = path_count;
         pass.sample_scale = 1.0f / static_cast<float>(in_sum + 1);
         pass.first_in_sum = in_sum == 0 ? 1u : 0u;
         if (frame.guides) {

@@ -7,6 +7,7 @@
 #include <span>
 
 #include "render_system/call_off.h"
+#include "render_system/core_data.h"
 #include "render_system/path_watch.h"
 #include "render_system/pixel_sum.h"
 #include "target_core/device/bindings.h"
@@ -45,11 +46,15 @@ struct Frame {
     uint pixel_count = 0;
     std::span<render_system::PixelSum> sums;  // or where samples go in place of `pixels`, one for each pixel rendered
     std::span<double> squares;
-    bool guides = false;                         // the first segments of paths, for the guides of a filter
-    uint rays_of_all = 0;                        // so many of them in every pixel, then where more are wanted
-    bool divides = false;                        // after them FILTER_DIVIDE: these were the rays of the samples
-    bool prepares = false;                       // after them FILTER_PREPARE: these were the last
-    render_system::CallOff* call_off = nullptr;  // or what is asked before every sample of a tile
+    bool guides = false;                     // the first segments of paths, for the guides of a filter
+    uint guide_rows = 0;                     // of a pixel, cleared before the first of them; 0: some are there
+    uint rays_of_all = 0;                    // so many of them in every pixel, then where more are wanted
+    std::span<std::byte> untouched_picture;  // zeros, where there are new ones for the filter; made with the guides
+    std::span<std::byte> untouched_planes;
+    const render_system::CoreFilter* divides = nullptr;  // after them FILTER_DIVIDE of this picture: they were the rays
+                                                         // of its samples
+    bool prepares = false;                               // after them FILTER_PREPARE: these were the last
+    render_system::CallOff* call_off = nullptr;          // or what is asked before every sample of a tile
 
     bool is_called_off() const { return call_off && call_off->came(); }
 };

@@ -19,6 +19,8 @@
 #include "target_core/core_tables.h"
 #include "target_core/device/embree_scene.h"
 #include "target_core/device/kernel_texts.h"
+#include "target_core/device/parallel.h"
+#include "target_core/device/untouched_rows.h"
 #include "target_core/frame.h"
 
 namespace target_core {
@@ -38,6 +40,11 @@ constexpr uint MOST_GUIDE_RAYS = 64;
 
 uint guide_rays(const CoreFilter& filter, uint fewest) {
     return std::min(std::max(filter.samples, fewest), filter.most_rays);
+}
+
+// Rows of a pixel.
+uint guide_rows(const CoreFilter& filter) {
+    return filter.history == FilterHistory::none ? GUIDE_ROWS : GUIDE_ROWS + GUIDE_MOTION_ROWS;
 }
 
 static_assert(MOTION_ROWS == kMotionRows);
@@ -78,6 +85,7 @@ private:
     Settings filter_settings(const ViewPyramid& view) const;
     void pack_coincident_rows();
     void make_filter(const CoreFilter& filter);
+    void hand_over(std::span<glm::vec4> filtered);
     Frame frame_of(const ViewPyramid& view);
     void gather_guides(Frame& frame, uint first_sample, uint samples);
     Bindings bindings();
@@ -95,9 +103,11 @@ private:
     std::optional<tbb::global_control> parallelism_;
     std::optional<tbb::task_arena> arena_;
     std::vector<vec4> accumulator_;  // sums of all samples
-    std::vector<vec4> guides_;       // these three: none until a filter is asked for
-    std::vector<vec4> filter_picture_;
-    std::vector<float> planes_;
+    UntouchedRows<vec4> guides_;     // these three: none until a filter is asked for
+    UntouchedRows<vec4> filter_picture_;
+    UntouchedRows<float> planes_;
+    std::span<std::byte> untouched_picture_;  // of these, what is new for the filter at work
+    std::span<std::byte> untouched_planes_;
     size_t plane_margin_ = 0;    // of zeros before and behind each plane
     std::vector<vec4> motions_;  // and these: none until one has a history
     std::vector<float> history_;
@@ -364,8 +374,8 @@ Status TargetCore::render(const ViewPyramid& view, uint32_t samples) {
 
 uint64_t TargetCore::host_bytes() const {
     auto bytes = [](const auto& rows) { return rows.capacity() * sizeof(rows[0]); };
-    return meshes_.memory_bytes() + embree_.memory_bytes() + bytes(accumulator_) + bytes(guides_) +
-           bytes(filter_picture_) + bytes(planes_) + bytes(motions_) + bytes(history_) + bytes(history_before_) +
+    return meshes_.memory_bytes() + embree_.memory_bytes() + bytes(accumulator_) + guides_.bytes() +
+           filter_picture_.bytes() + planes_.bytes() + bytes(motions_) + bytes(history_) + bytes(history_before_) +
            bytes(tables_.materials) + bytes(tables_.texture_slots) + bytes(tables_.textures) + bytes(tables_.texels) +
            bytes(tables_.lights) + bytes(tables_.light_table) + bytes(tables_.sky_texels) + bytes(tables_.sky_table) +
            bytes(tables_.lobe_energy) + bytes(coincident_rows_);
@@ -378,45 +388,50 @@ void TargetCore::gather_guides(Frame& frame, uint first_sample, uint samples) {
     frame.sample_count = samples;
     FrameStats gathered;
     arena_->execute([&] { gathered = render_frame(frame, workers_, nullptr); });
-    const double filter_ms = gathered.filter_ms / stats().threads;
-    stats().filter_ms += filter_ms;
-    stats().guide_ms += milliseconds_since(start) - filter_ms;
+    stats().guide_ms += milliseconds_since(start) - gathered.filter_ms / stats().threads;
 }
 
-// Buffers with the picture in place, and what moved.
+// Buffers, and what moved. The picture comes in, and guides are cleared, tile by tile.
 void TargetCore::make_filter(const CoreFilter& filter) {
     const bool with_history = filter.history != FilterHistory::none;
     const size_t pixels = filter.means.size();
     // The last packet of lanes reads beyond the last pixel, and what is beside the first and the last ones is no pixel.
-    const uint rows = with_history ? GUIDE_ROWS + GUIDE_MOTION_ROWS : GUIDE_ROWS;
-    guides_.assign((pixels + SPARE_ROWS) * rows, vec4(0.0f));
-    filter_picture_.resize(pixels + SPARE_ROWS);
-    const size_t margin = filter_margin(target().width), words = (pixels + 2 * margin) * PLANES;
-    if (margin != plane_margin_ || planes_.size() != words) {
-        plane_margin_ = margin;
-        planes_.assign(words, 0.0f);
-    }
+    guides_.ensure((pixels + SPARE_ROWS) * guide_rows(filter));
+    untouched_picture_ = filter_picture_.ensure(pixels + SPARE_ROWS);
+    const size_t margin = filter_margin(target().width);
+    if (margin != plane_margin_) give_back(planes_);
+    plane_margin_ = margin;
+    untouched_planes_ = planes_.ensure((pixels + 2 * margin) * PLANES);
     motions_.clear();
-    if (with_history) {
-        const size_t numbers = pixels * HISTORY_PLANES + SPARE_ROWS;
-        std::swap(history_, history_before_);
-        if (frame_before().frame == 1) {
-            history_before_.assign(numbers, 0.0f);
-        }
-        history_before_.resize(numbers);
-        history_.resize(numbers);
-        std::transform(frame_before().motions.begin(), frame_before().motions.end(), std::back_inserter(motions_),
-                       [](const glm::vec4& row) { return to_row(glm::vec3(row), row.w); });
+    if (!with_history) return;
+    const size_t numbers = pixels * HISTORY_PLANES + SPARE_ROWS;
+    std::swap(history_, history_before_);
+    if (frame_before().frame == 1) {
+        history_before_.assign(numbers, 0.0f);
     }
-    for (size_t pixel = 0; pixel < pixels; ++pixel) {
-        const float variance = filter.variances.empty() ? -1.0f : filter.variances[pixel];
-        filter_picture_[pixel] =
-            filter.knows(pixel) ? to_row(filter.means[pixel], variance) : to_row(glm::vec3(0.0f), NO_MEAN);
-    }
+    history_before_.resize(numbers);
+    history_.resize(numbers);
+    std::transform(frame_before().motions.begin(), frame_before().motions.end(), std::back_inserter(motions_),
+                   [](const glm::vec4& row) { return to_row(glm::vec3(row), row.w); });
+}
+
+// Copied at the end alone: a filter that is called off leaves it as it was.
+void TargetCore::hand_over(std::span<glm::vec4> filtered) {
+    constexpr uint PART = 4096;
+    const uint pixels = static_cast<uint>(filtered.size());
+    arena_->execute([&] {
+        for_each_tile((pixels + PART - 1) / PART, [&](uint part) {
+            const vec4* rows = filter_picture_.data();
+            const uint first = part * PART;
+            std::transform(rows + first, rows + std::min(first + PART, pixels), filtered.begin() + first,
+                           [](const vec4& p) { return glm::vec4(p.x, p.y, p.z, 1.0f); });
+        });
+    });
 }
 
 Status TargetCore::filter(const ViewPyramid& view, const CoreFilter& filter, CallOff& call_off) {
     if (const Status status = reach_for(view); !status.ok()) return status;
+    const auto start = std::chrono::steady_clock::now();
     make_filter(filter);
     Frame frame = frame_of(view);
     frame.settings = filter_settings(view);
@@ -427,26 +442,27 @@ Status TargetCore::filter(const ViewPyramid& view, const CoreFilter& filter, Cal
     const uint rays = guide_rays(filter, MOST_GUIDE_RAYS);
     frame.call_off = &call_off;
     frame.guides = true;
-    frame.divides = true;
+    frame.guide_rows = guide_rows(filter);
+    frame.untouched_picture = untouched_picture_;
+    frame.untouched_planes = untouched_planes_;
+    frame.divides = &filter;
     frame.prepares = rays <= own;
     stats().guide_ms = 0.0;
-    stats().filter_ms = 0.0;
     gather_guides(frame, filter.first_sample, own);
-    frame.divides = false;
+    frame.guide_rows = 0;
+    frame.divides = nullptr;
     frame.prepares = true;
     if (rays > own) gather_guides(frame, filter.first_sample + own, rays - own);
-    const auto start = std::chrono::steady_clock::now();
     const bool with_history = filter.history != FilterHistory::none;
     arena_->execute([&] { run_filter(frame, filter.samples, with_history); });
-    stats().filter_ms += milliseconds_since(start);
     if (call_off.came()) {
         if (with_history) {
             std::swap(history_, history_before_);  // as they were; what they are written to is not read any more
         }
         return call_off.status();
     }
-    std::transform(filter_picture_.begin(), filter_picture_.end() - SPARE_ROWS, filter.filtered.begin(),
-                   [](const vec4& p) { return glm::vec4(p.x, p.y, p.z, 1.0f); });
+    hand_over(filter.filtered);
+    stats().filter_ms = milliseconds_since(start) - stats().guide_ms;
     return Status::success();
 }
 
