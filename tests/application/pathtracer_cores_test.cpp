@@ -265,6 +265,18 @@ TEST_F(Cores, AFilterOverFramesHasTheSameBitsInExactModeAtEveryFrame) {
     EXPECT_LT(json::parse(alone.out)["results"][0]["identical_pixels"].get<double>(), 0.9);
 }
 
+/// There is no camera: where the frames are seen from does not depend on which of them are asked for.
+TEST_F(Cores, AFrameIsTheSameInAnyRangeWithoutACameraToo) {
+    SKIP_WITHOUT("target");
+    const std::string moving = write_moving_scene(folder.path).string();
+    for (const std::string range : {"0:3", "2:3"})
+        EXPECT_EQ(run({"render", moving, "--frames", range, "--fps", "3", "--spp", "1", "--core", "target", "--size",
+                       "50x37", "-o", "of" + range.substr(0, 1) + "_#.png"})
+                      .exit_code,
+                  0);
+    EXPECT_TRUE(read_file(folder.path / "of0_2.png") == read_file(folder.path / "of2_2.png"));
+}
+
 /// What moves the triangle is no matter: it is in one place, and what was seen of it is found where it was.
 TEST_F(Cores, AFilterFollowsSkinsAndMorphsAsItDoesNodes) {
     SKIP_WITHOUT("source");
