@@ -7,8 +7,9 @@
 namespace application {
 
 /// While one of these lives, the first Ctrl-C (SIGINT), SIGTERM or SIGHUP does not end the program but is kept here, so
-/// that what has been done can be written; a second one ends it at once, as any does without this, but for SIGHUP, which
-/// comes by itself. A signal that the caller has ignored, as nohup does with SIGHUP, stays ignored. One at a time.
+/// that what has been done can be written; a second one ends it at once, as any does without this, but for SIGHUP,
+/// which comes by itself. A signal that the caller has ignored, as nohup does with SIGHUP, stays ignored. One at a
+/// time.
 class KeptInterrupt {
 public:
     KeptInterrupt();

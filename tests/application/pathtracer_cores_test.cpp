@@ -284,6 +284,7 @@ TEST_F(Cores, AFilterFollowsSkinsAndMorphsAsItDoesNodes) {
     for (const std::string what : {"node", "skin", "morph"}) {
         const std::string scene = write_moving_scene_by(what, folder.path).string();
         for (const std::string core : {"source", "target"}) {
+            if (what == "node" && core == "source") continue;  // the test before
             const RunResult result =
                 run({"render", scene, "--core", core, "--frames", "0:3", "--fps", "6", "--spp", "2", "--size", "50x37",
                      "--exact", "--filter", "temporal", "--look-at", "0,0,3,0,0,0", "-o", what + core + "_#.exr"});
