@@ -110,7 +110,7 @@ SMALL = [
       ("bsdf", "vec2(unit_float(hash_bits(y ^ 0x5851f42du)), unit_float(hash_bits(", "vec2(unit_number(hash_bits(y ^ 0x5851f42du)), unit_number(hash_bits("),
       ("alpha", "unit_float(hash_pair(key", "unit_number(hash_pair(key")]),
     ("renamed constant of layout.h", "rename",
-     [("layout", "const uint INSTANCES_MOVE = 2u;", "const uint SOME_INSTANCE_MOVES = 2u;"), ("motion", "== INSTANCES_MOVE", "== SOME_INSTANCE_MOVES"),
+     [("layout", "const uint INSTANCES_MOVE = 2u;", "const uint SOME_INSTANCE_MOVES = 2u;"), ("motion", ">= INSTANCES_MOVE", ">= SOME_INSTANCE_MOVES"),
       ("core:render_core.cpp", "INSTANCES_MOVE", "SOME_INSTANCE_MOVES")]),
     ("renamed field", "rename",
      [("sky", "    Float pdf;  // per solid angle, of choosing", "    Float density;  // per solid angle, of choosing"), ("sky", "    sky.pdf = 0.0f;", "    sky.density = 0.0f;"),

@@ -76,9 +76,10 @@ public:
     /// Takes noise out of a picture of the scene and view rendered last, by albedo, normal and depth of what the camera
     /// rays of its samples met, which are traced once more for that. Samples already taken stay. With a history also by
     /// the frames filtered before: where what is seen now was seen then is told by both views, by the transforms of the
-    /// instances at both times, and by the vertices of meshes that were set again with the same triangles. Another size begins anew. Fails as Render does, and with invalid_argument on spans
-    /// of another size than the target. Answers called_off soon after it is not wanted any more; `filtered` is then as
-    /// it was, and so is the history, unless it was to begin: then there is none.
+    /// instances at both times, and by the vertices of meshes that were set again with the same triangles. Another size
+    /// begins anew. Fails as Render does, and with invalid_argument on spans of another size than the target. Answers
+    /// called_off soon after it is not wanted any more; `filtered` is then as it was, and so is the history, unless it
+    /// was to begin: then there is none.
     virtual Status Filter(const ViewPyramid& view, const CoreFilter& filter) = 0;
 
     /// What Filter has kept for the next call that goes on, as plain numbers. Fails as Render does where the device
